@@ -1,0 +1,11 @@
+# Warnings and instrumentation that every target of the project shares.
+add_library(gnomon_settings INTERFACE)
+target_compile_options(gnomon_settings INTERFACE -Wall -Wextra -Wpedantic)
+if(GNOMON_SANITIZE)
+  target_compile_options(gnomon_settings INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  target_link_options(gnomon_settings INTERFACE -fsanitize=address,undefined)
+endif()
+if(GNOMON_NATIVE)
+  target_compile_options(gnomon_settings INTERFACE -march=native)
+endif()

@@ -1,0 +1,16 @@
+// Work counted over a whole run. Every solver adds to the same counters with the same meaning.
+#pragma once
+
+namespace gnomon {
+
+struct Counters {
+  long steps = 0;           ///< accepted steps
+  long rejected_steps = 0;  ///< attempts thrown away: error test, or nonlinear solve failed
+  long newton_iterations = 0;
+  long residual_evaluations = 0;
+  long jacobian_evaluations = 0;
+  long factorizations = 0;  ///< numeric factorizations
+  long linear_solves = 0;   ///< solves with a factor
+};
+
+}  // namespace gnomon

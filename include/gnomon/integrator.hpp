@@ -1,0 +1,56 @@
+// An integrator is a value: its name, its properties, and how to make a stepper for a model.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <gnomon/counters.hpp>
+#include <gnomon/model.hpp>
+#include <gnomon/registry.hpp>
+
+namespace gnomon {
+
+/// The `integrator.*` keys of a scene, as numbers.
+struct IntegratorSettings {
+  double step = 0;         ///< fixed step [time]; used by fixed-step methods
+  double rtol = 0;         ///< relative tolerance of the differential components, per step
+  double atol = 0;         ///< absolute tolerance [unit of the differential components]
+  double max_step = 0;     ///< upper bound on an adaptive step [time]; 0: none
+  int max_order = 5;       ///< upper bound on the order of a variable-order method
+  double end = 0;          ///< time at which the run ends [time]
+};
+
+/// What one accepted step was.
+struct StepReport {
+  double step = 0;            ///< its size [time]
+  int order = 0;              ///< order of the method that took it
+  long newton_iterations = 0; ///< spent on it, rejected attempts included
+  bool restarted = false;     ///< a step or more was rejected before this one was accepted
+};
+
+/// Advances a state. Made for one run; holds the method's memory.
+class Stepper {
+public:
+  virtual ~Stepper() = default;
+  /// Takes one accepted step from `state`, ending at t_stop at the latest (exactly at t_stop when
+  /// the step would pass it). Updates `state` to a consistent state. Throws SolutionError when no
+  /// step can be taken; `state` is then unchanged (the last good one).
+  virtual StepReport advance(State& state, double t_stop) = 0;
+};
+
+struct Integrator {
+  std::string name;         ///< "backward-euler"
+  std::string family;       ///< "explicit, decoupled", "implicit one-step", "multistep"
+  std::string order;        ///< "1", "1-5"
+  std::string stability;    ///< "A, L", "conditional", ...
+  std::string driver;       ///< "KINSOL", "IDA"
+  std::string step_control; ///< "fixed", "adaptive"
+  std::string help;         ///< one line, with the source (equation or reference)
+  std::function<std::unique_ptr<Stepper>(const Model&, const IntegratorSettings&, Counters&)> make;
+};
+
+using Integrators = Registry<Integrator>;
+
+}  // namespace gnomon

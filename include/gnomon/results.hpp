@@ -1,0 +1,84 @@
+// The result file of a run: one HDF5 file that is readable at every moment, and an XDMF sidecar over
+// the same datasets. Layout: docs/results.md.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gnomon/counters.hpp>
+#include <gnomon/integrator.hpp>
+#include <gnomon/model.hpp>
+
+namespace gnomon {
+
+/// Facts about a run that are known before its first step.
+struct RunHeader {
+  std::string problem;
+  std::string integrator;
+  std::string scene;                            ///< Scene::resolved()
+  std::map<std::string, std::string> versions;  ///< "gnomon", "SUNDIALS", "HDF5", ...
+  std::vector<BlockSize> blocks;
+};
+
+/// One line of the history: the start (step 0) or an accepted step.
+struct HistoryRow {
+  double t = 0;
+  StepReport step;
+  Counters counters;            ///< totals so far
+  std::vector<Scalar> scalars;  ///< Model::observe and wear_integral; same names in every row
+};
+
+/// Writes a result step by step. Everything handed over is on disk when the call returns.
+class ResultWriter {
+public:
+  /// Creates the file and its sidecar (same name, .xdmf), replacing earlier ones. Throws InputError
+  /// when the file cannot be created there.
+  ResultWriter(const std::filesystem::path& file, const RunHeader& header,
+               const std::optional<Grid>& grid);
+  ~ResultWriter();
+  ResultWriter(const ResultWriter&) = delete;
+  ResultWriter& operator=(const ResultWriter&) = delete;
+
+  /// Appends a history row (every step).
+  void append(const HistoryRow& row);
+  /// Stores fields and contact surface of a state (the steps that the scene asks for).
+  void store(double t, const std::vector<Field>& fields, const std::optional<ContactSurface>& contact);
+  /// Records how the run ended: "finished", "interrupted", "failed: ...", with wall seconds.
+  void close(const std::string& status, double wall_seconds);
+
+private:
+  class File;
+  std::unique_ptr<File> file_;
+};
+
+/// Reads a result, finished or not. Every member throws InputError for a file that is missing, not
+/// HDF5, or not a gnomon result.
+class ResultReader {
+public:
+  explicit ResultReader(const std::filesystem::path& file);
+  ~ResultReader();
+
+  const RunHeader& header() const;
+  std::string status() const;  ///< as given to close(), or "running or crashed"
+  double wall_seconds() const; ///< 0 when not closed
+  /// The history, one row a step, the start first.
+  std::vector<HistoryRow> history() const;
+  std::vector<double> stored_times() const;
+  /// Contact surface of the stored step at `t`, or of the last one. Throws InputError naming the
+  /// stored times next to `t` when there is none within 1e-9 of the run's length.
+  ContactSurface contact(std::optional<double> t) const;
+  /// A field of the stored step with index `step`.
+  Field field(std::size_t step, const std::string& name) const;
+  std::vector<std::string> field_names() const;
+  std::optional<Grid> grid() const;
+
+private:
+  class File;
+  std::unique_ptr<File> file_;
+};
+
+}  // namespace gnomon

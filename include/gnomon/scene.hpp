@@ -1,0 +1,110 @@
+// A scene: every parameter of one run, read from a TOML file, checked against a table of keys.
+//
+// Each key is specified exactly once, as a `Key` value. Parsing, error messages, `gnomon help scene`
+// and the resolved dump are all derived from these values.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gnomon {
+
+/// A value of a scene key. Integers widen to reals where a real is expected, never the reverse.
+using SceneValue =
+    std::variant<bool, long, double, std::string, std::vector<long>, std::vector<double>>;
+
+enum class KeyKind { flag, integer, real, text, integers, reals };
+
+/// Closed or half-open interval of admissible numbers; applies to each entry of an array.
+struct Range {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool min_open = false;
+  bool max_open = false;
+};
+
+/// Specification of one scene key.
+struct Key {
+  enum class Presence { required, defaulted, optional };
+
+  std::string name;  ///< dotted, for example "body.young_modulus"
+  KeyKind kind = KeyKind::real;
+  std::string unit;  ///< "MPa"; empty when dimensionless
+  Presence presence = Presence::required;
+  SceneValue default_value{};        ///< used when presence == defaulted
+  std::string absent_meaning;        ///< what absence means when presence == optional
+  Range range{};                     ///< numbers only
+  std::vector<std::string> choices;  ///< texts only; empty means any text
+  std::size_t length = 0;            ///< arrays only; 0 means any length
+  std::string help;                  ///< one line
+};
+
+/// Keys that every scene has whatever its problem: `problem`, `time.*`, `integrator.*`, `output.*`.
+const std::vector<Key>& run_keys();
+
+/// Keys shared by problems of a worn hyperelastic body: `body.*`, `load.*`, `wear.*`, `shape.*`,
+/// `contact.*`. A problem adds its own geometry and mesh keys.
+const std::vector<Key>& worn_body_keys();
+
+/// A validated scene. Every key of its table either has a value or is an absent optional key.
+class Scene {
+public:
+  /// Typed access. Asking for a key that is not in the table, or with the wrong kind, is a
+  /// programming error (std::logic_error).
+  bool flag(const std::string& key) const;
+  long integer(const std::string& key) const;
+  double real(const std::string& key) const;
+  const std::string& text(const std::string& key) const;
+  const std::vector<long>& integers(const std::string& key) const;
+  const std::vector<double>& reals(const std::string& key) const;
+  bool has(const std::string& key) const;  ///< false for an absent optional key
+  std::optional<double> real_if(const std::string& key) const;
+
+  /// The file it came from, for messages.
+  const std::filesystem::path& path() const { return path_; }
+  /// "FILE:LINE: KEY" of a key's value (or "FILE: KEY" when defaulted, "--set KEY" when overridden);
+  /// for checks that involve several keys and are made by a problem.
+  std::string where(const std::string& key) const;
+  /// The complete scene as TOML text, one `key = value  # [unit] help` a line, grouped in tables,
+  /// defaults filled in. Loading this text gives an equal scene.
+  std::string resolved() const;
+
+private:
+  friend class SceneLoader;
+  struct Entry {
+    Key key;
+    std::optional<SceneValue> value;
+    std::string origin;
+  };
+  const Entry& entry(const std::string& key) const;
+
+  std::filesystem::path path_;
+  std::vector<Entry> entries_;
+};
+
+/// Gives the key table of a problem by its name; throws InputError (naming the nearest problem) when
+/// there is no such problem. The message is prefixed by the loader with file, line and key.
+using KeyTableOf = std::function<std::vector<Key>(const std::string& problem)>;
+
+/// Reads and validates `file`, with `overrides` ("key=value", value in TOML syntax; a bare word is
+/// taken as a text) applied on top. Throws InputError with one line naming file, line, key, and what
+/// was expected, with the nearest known key for an unknown one.
+Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                 const KeyTableOf& table_of);
+
+/// The same from TOML text in memory; `name` stands for the file in messages.
+Scene parse_scene(const std::string& text, const std::string& name,
+                  const std::vector<std::string>& overrides, const KeyTableOf& table_of);
+
+/// The help text of a key table, aligned for a terminal.
+std::string describe_keys(const std::vector<Key>& table);
+
+/// The candidate closest to `word` by edit distance, or empty when none is near.
+std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);
+
+}  // namespace gnomon

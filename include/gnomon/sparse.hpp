@@ -1,0 +1,31 @@
+// The sparsity pattern of a square matrix, compressed by columns.
+#pragma once
+
+#include <vector>
+
+namespace gnomon {
+
+/// Column j holds rows row_index[column_start[j]] ... row_index[column_start[j+1]-1], ascending.
+struct SparsePattern {
+  std::vector<int> column_start;  ///< size + 1 entries
+  std::vector<int> row_index;     ///< one a structural nonzero
+
+  int size() const { return column_start.empty() ? 0 : static_cast<int>(column_start.size()) - 1; }
+  long nonzeros() const { return static_cast<long>(row_index.size()); }
+  /// Position of entry (row, column) in the values, or -1 where it is structurally zero.
+  int find(int row, int column) const;
+};
+
+/// Collects cliques (rows x columns) and makes the pattern of their union with the diagonal.
+class PatternBuilder {
+public:
+  explicit PatternBuilder(int size) : columns_(static_cast<std::size_t>(size)) {}
+  /// Adds rows x columns; negative numbers (fixed values) are skipped.
+  void add(const std::vector<int>& rows, const std::vector<int>& columns);
+  SparsePattern build();
+
+private:
+  std::vector<std::vector<int>> columns_;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,59 @@
+// The operator contract that carries every time integration method (docs/equations.md):
+//
+//   F(t, y, ydot) = 0,   J = dF/dy + alpha dF/dydot,
+//
+// an index-1 differential-algebraic system, semismooth in y.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <gnomon/sparse.hpp>
+
+namespace gnomon {
+
+/// Sizes and constants of a system that do not change during a run.
+struct Structure {
+  long size = 0;
+  SparsePattern pattern;             ///< of J, the union over all states
+  std::vector<int> group;            ///< size entries: rows of one node share a number (ordering)
+  std::vector<char> differential;    ///< size entries: 1 where ydot enters F
+  std::vector<double> row_scale;     ///< size entries: |F_i| that matters, in the unit of the row
+  std::vector<double> unknown_scale; ///< size entries: typical |y_i|
+};
+
+struct Stage;
+
+class System {
+public:
+  virtual ~System() = default;
+
+  virtual const Structure& structure() const = 0;
+
+  /// F [size]. Throws RecoverableError where the state has no residual (inverted element).
+  virtual void residual(double t, std::span<const double> y, std::span<const double> ydot,
+                        std::span<double> F) const = 0;
+
+  /// Values of J on structure().pattern, overwritten. Same errors as residual().
+  virtual void jacobian(double t, std::span<const double> y, std::span<const double> ydot,
+                        double alpha, std::span<double> values) const = 0;
+
+  /// Which smooth piece y lies in: one entry a complementarity condition (1: active). Two states
+  /// with equal sets share one smooth residual.
+  virtual void active_set(std::span<const double> y, std::vector<char>& active) const = 0;
+
+  /// The algebraic rows for given differential components, as a sequence of smaller systems to be
+  /// solved one after the other (Remark 1: mesh motion, then contact). The caller owns them.
+  virtual std::vector<Stage> make_stages() const = 0;
+};
+
+/// An algebraic stage: some unknowns of a parent system, solved for with the others frozen.
+struct Stage {
+  std::vector<int> unknowns;       ///< position in the parent's y of each unknown of `system`
+  std::unique_ptr<System> system;  ///< purely algebraic; t and ydot do not enter
+  std::function<void(std::span<const double> y)> freeze;  ///< fixes the others at the parent's y
+};
+
+}  // namespace gnomon
