@@ -1,22 +1,97 @@
-# Every external library, found once and bundled in one interface target.
-find_package(SUNDIALS 6.4 REQUIRED COMPONENTS kinsol ida)
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(tomlplusplus REQUIRED)
-find_package(CLI11 REQUIRED)
-find_package(fmt REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(BLAS REQUIRED)
-find_package(PkgConfig REQUIRED)
-pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)
+# Every external library, found once and bundled in one interface target, gnomon_dependencies.
+# What is missing is collected, so that one run names everything there is to install.
+set(gnomon_missing "")
+set(gnomon_missing_packages "")
 
-find_path(UMFPACK_INCLUDE umfpack.h PATH_SUFFIXES suitesparse REQUIRED)
-find_library(UMFPACK_LIBRARY umfpack REQUIRED)
-find_library(KLU_LIBRARY klu REQUIRED)
-find_path(METIS_INCLUDE metis.h REQUIRED)
-find_library(METIS_LIBRARY metis REQUIRED)
+# Notes NAME as missing, to be had from the Debian package PACKAGE, unless FOUND is true.
+function(gnomon_need name package found)
+  if(NOT found)
+    list(APPEND gnomon_missing "${name} (${package})")
+    list(APPEND gnomon_missing_packages ${package})
+    set(gnomon_missing "${gnomon_missing}" PARENT_SCOPE)
+    set(gnomon_missing_packages "${gnomon_missing_packages}" PARENT_SCOPE)
+  endif()
+endfunction()
+
+# Finds a library that ships neither a CMake nor a pkg-config file, as the imported target gnomon::NAME.
+macro(gnomon_find_plain name title package)
+  find_path(${name}_INCLUDE_DIR ${name}.h PATH_SUFFIXES suitesparse)
+  find_library(${name}_LIBRARY ${name})
+  mark_as_advanced(${name}_INCLUDE_DIR ${name}_LIBRARY)
+  if(${name}_INCLUDE_DIR AND ${name}_LIBRARY)
+    add_library(gnomon::${name} UNKNOWN IMPORTED)
+    set_target_properties(gnomon::${name} PROPERTIES
+      IMPORTED_LOCATION ${${name}_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${${name}_INCLUDE_DIR})
+    gnomon_need(${title} ${package} TRUE)
+  else()
+    gnomon_need(${title} ${package} FALSE)
+  endif()
+endmacro()
+
+# Packages with a CMake configuration of their own.
+find_package(SUNDIALS 6.4 QUIET CONFIG COMPONENTS kinsol ida)
+gnomon_need("SUNDIALS 6.4 with KINSOL and IDA" libsundials-dev "${SUNDIALS_FOUND}")
+find_package(Eigen3 3.4 QUIET CONFIG)
+gnomon_need("Eigen 3.4" libeigen3-dev "${Eigen3_FOUND}")
+find_package(tomlplusplus QUIET CONFIG)
+gnomon_need("toml++" libtomlplusplus-dev "${tomlplusplus_FOUND}")
+find_package(CLI11 QUIET CONFIG)
+gnomon_need("CLI11" libcli11-dev "${CLI11_FOUND}")
+find_package(fmt QUIET CONFIG)
+gnomon_need("fmt" libfmt-dev "${fmt_FOUND}")
+find_package(nlohmann_json QUIET CONFIG)
+gnomon_need("nlohmann-json" nlohmann-json3-dev "${nlohmann_json_FOUND}")
+if(GNOMON_TESTS)
+  find_package(GTest QUIET)
+  gnomon_need("GoogleTest and GoogleMock" "libgtest-dev libgmock-dev" "${GTest_FOUND}")
+endif()
+
+# HDF5: Debian installs serial and MPI flavours side by side; gnomon wants the serial one.
+find_package(PkgConfig QUIET)
+gnomon_need("pkg-config" pkg-config "${PKG_CONFIG_FOUND}")
+if(PKG_CONFIG_FOUND)
+  pkg_search_module(HDF5 QUIET IMPORTED_TARGET hdf5-serial hdf5)
+  gnomon_need("HDF5, serial" libhdf5-dev "${HDF5_FOUND}")
+endif()
+
+# SuiteSparse and METIS; KLU serves the benchmarks only.
+gnomon_find_plain(umfpack UMFPACK libsuitesparse-dev)
+gnomon_find_plain(metis METIS libmetis-dev)
+if(GNOMON_BENCHMARKS)
+  gnomon_find_plain(klu KLU libsuitesparse-dev)
+endif()
+
+# BLAS: OpenBLAS where it exists, otherwise whatever there is; -DBLA_VENDOR=... chooses another.
+# Linked before UMFPACK's own BLAS, it serves UMFPACK too.
+if(NOT BLA_VENDOR)
+  set(BLA_VENDOR OpenBLAS)
+  find_package(BLAS QUIET)
+  unset(BLA_VENDOR)
+endif()
+if(NOT BLAS_FOUND)
+  find_package(BLAS QUIET)
+endif()
+gnomon_need("BLAS" libopenblas-pthread-dev "${BLAS_FOUND}")
+if(BLAS_FOUND)
+  list(GET BLAS_LIBRARIES 0 gnomon_blas)
+  file(REAL_PATH "${gnomon_blas}" gnomon_blas)
+  message(STATUS "BLAS: ${gnomon_blas}")
+  if(gnomon_blas MATCHES "/blas/libblas\\.|/libblas\\.so\\.3\\.[0-9.]+$")
+    message(WARNING "Only the reference BLAS was found: factorisations take 4 to 6 times as long as "
+                    "with OpenBLAS (Debian: libopenblas-pthread-dev).")
+  endif()
+endif()
+
+if(gnomon_missing)
+  list(JOIN gnomon_missing ", " gnomon_missing)
+  list(REMOVE_DUPLICATES gnomon_missing_packages)
+  list(JOIN gnomon_missing_packages " " gnomon_missing_packages)
+  message(FATAL_ERROR "Missing: ${gnomon_missing}.\n"
+                      "On Debian run scripts/setup, or: apt-get install ${gnomon_missing_packages}")
+endif()
 
 add_library(gnomon_dependencies INTERFACE)
 target_link_libraries(gnomon_dependencies INTERFACE
-  SUNDIALS::kinsol SUNDIALS::ida Eigen3::Eigen tomlplusplus::tomlplusplus CLI11::CLI11 fmt::fmt
-  nlohmann_json::nlohmann_json PkgConfig::HDF5 ${UMFPACK_LIBRARY} ${METIS_LIBRARY} BLAS::BLAS)
-target_include_directories(gnomon_dependencies SYSTEM INTERFACE ${UMFPACK_INCLUDE} ${METIS_INCLUDE})
+  SUNDIALS::kinsol SUNDIALS::ida BLAS::BLAS gnomon::umfpack gnomon::metis
+  Eigen3::Eigen PkgConfig::HDF5 tomlplusplus::tomlplusplus CLI11::CLI11 fmt::fmt
+  nlohmann_json::nlohmann_json)
