@@ -62,7 +62,6 @@ if(GNOMON_BENCHMARKS)
 endif()
 
 # BLAS: OpenBLAS where it exists, otherwise whatever there is; -DBLA_VENDOR=... chooses another.
-# Linked before UMFPACK's own BLAS, it serves UMFPACK too.
 if(NOT BLA_VENDOR)
   set(BLA_VENDOR OpenBLAS)
   find_package(BLAS QUIET)
@@ -71,13 +70,16 @@ endif()
 if(NOT BLAS_FOUND)
   find_package(BLAS QUIET)
 endif()
-gnomon_need("BLAS" libopenblas-pthread-dev "${BLAS_FOUND}")
-if(BLAS_FOUND)
-  list(GET BLAS_LIBRARIES 0 gnomon_blas)
-  file(REAL_PATH "${gnomon_blas}" gnomon_blas)
-  message(STATUS "BLAS: ${gnomon_blas}")
-  if(gnomon_blas MATCHES "/blas/libblas\\.|/libblas\\.so\\.3\\.[0-9.]+$")
-    message(WARNING "Only the reference BLAS was found: factorisations take 4 to 6 times as long as "
+gnomon_need(BLAS libopenblas-pthread-dev "${BLAS_FOUND}")
+
+# UMFPACK loads its BLAS by the name libblas.so.3, behind which Debian puts one of several.
+find_library(GNOMON_RUNTIME_BLAS NAMES libblas.so.3)
+mark_as_advanced(GNOMON_RUNTIME_BLAS)
+if(GNOMON_RUNTIME_BLAS)
+  file(REAL_PATH "${GNOMON_RUNTIME_BLAS}" gnomon_blas)
+  message(STATUS "BLAS at run time: ${gnomon_blas}")
+  if(gnomon_blas MATCHES "/libblas\\.so\\.3\\.[0-9.]+$")
+    message(WARNING "UMFPACK runs with the reference BLAS: factorisations take 4 to 6 times as long as "
                     "with OpenBLAS (Debian: libopenblas-pthread-dev).")
   endif()
 endif()
