@@ -1,0 +1,156 @@
+#include "results/crash_safe_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace gnomon::hdf5 {
+
+namespace {
+
+constexpr haddr_t kPage = 4096;
+
+// Object headers come last, for they make the rest visible. A chunk index is a tree whose nodes
+// (signature, type, level) are written from the root down: a split node's parent must lead to its
+// new sibling before the node itself is cut. 5 <= rank of a node <= 260.
+int rank_of(H5FD_mem_t type, const unsigned char* bytes, size_t size) {
+  constexpr int kSuperblock = 0, kRaw = 1, kRoot = 260, kOther = 300, kObjectHeader = 400;
+  switch (type) {
+    case H5FD_MEM_SUPER:
+      return kSuperblock;
+    case H5FD_MEM_DRAW:
+      return kRaw;
+    case H5FD_MEM_BTREE:
+      return size > 5 && std::memcmp(bytes, "TREE", 4) == 0 ? kRoot - bytes[5] : kOther;
+    case H5FD_MEM_OHDR:
+      return kObjectHeader;
+    default:
+      return kOther;
+  }
+}
+
+int write_all(int descriptor, haddr_t address, const unsigned char* bytes, size_t size) {
+  while (size > 0) {
+    const ssize_t done = pwrite(descriptor, bytes, size, static_cast<off_t>(address));
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) return done < 0 ? errno : ENOSPC;
+    address += static_cast<haddr_t>(done);
+    bytes += done;
+    size -= static_cast<size_t>(done);
+  }
+  return 0;
+}
+
+}  // namespace
+
+CrashSafeFile::CrashSafeFile(const std::filesystem::path& path)
+    : descriptor_(open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+  if (descriptor_ < 0) throw Failure(std::strerror(errno));
+}
+
+CrashSafeFile::~CrashSafeFile() {
+  ::close(descriptor_);
+}
+
+void CrashSafeFile::sync() {
+  if (fsync(descriptor_) != 0) throw Failure(std::strerror(errno));
+}
+
+int CrashSafeFile::read(haddr_t address, size_t size, void* buffer) const {
+  auto* out = static_cast<unsigned char*>(buffer);
+  size_t got = 0;
+  while (got < size) {
+    const ssize_t done =
+        pread(descriptor_, out + got, size - got, static_cast<off_t>(address + got));
+    if (done < 0 && errno == EINTR) continue;
+    if (done < 0) return errno;
+    if (done == 0) break;
+    got += static_cast<size_t>(done);
+  }
+  std::memset(out + got, 0, size - got);  // allocated, not written yet
+  for (const Change& change : changes_) {
+    const haddr_t from = std::max(address, change.address);
+    const haddr_t to = std::min(address + size, change.address + change.bytes.size());
+    if (from < to) {
+      std::memcpy(out + (from - address), change.bytes.data() + (from - change.address), to - from);
+    }
+  }
+  return 0;
+}
+
+int CrashSafeFile::write(H5FD_mem_t type, haddr_t address, size_t size, const void* buffer) {
+  if (abandoned_) return 0;
+  const auto* bytes = static_cast<const unsigned char*>(buffer);
+  if (address >= committed_end_) return write_all(descriptor_, address, bytes, size);
+  const auto same = std::find_if(changes_.begin(), changes_.end(), [&](const Change& change) {
+    return change.address == address && change.bytes.size() == size;
+  });
+  Change change{rank_of(type, bytes, size), address, {bytes, bytes + size}};
+  if (same != changes_.end()) {
+    *same = std::move(change);
+  } else {
+    changes_.push_back(std::move(change));
+  }
+  return 0;
+}
+
+int CrashSafeFile::commit() {
+  if (abandoned_) return 0;
+  struct stat status = {};
+  if (fstat(descriptor_, &status) != 0) return errno;
+  if (static_cast<haddr_t>(status.st_size) < end_ &&
+      ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) {
+    return errno;
+  }
+  std::stable_sort(changes_.begin(), changes_.end(),
+                   [](const Change& a, const Change& b) { return a.rank < b.rank; });
+  for (const Change& change : changes_) {
+    if (const int error = publish(change); error != 0) return error;
+  }
+  changes_.clear();
+  committed_end_ = end_;
+  return 0;
+}
+
+// Writes only the bytes that differ, and of a change over several pages (raw data that the object
+// header does not show yet) one page after the other.
+int CrashSafeFile::publish(const Change& change) const {
+  std::vector<unsigned char> old(change.bytes.size());
+  size_t got = 0;
+  while (got < old.size()) {
+    const ssize_t done = pread(descriptor_, old.data() + got, old.size() - got,
+                               static_cast<off_t>(change.address + got));
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) return done < 0 ? errno : EIO;
+    got += static_cast<size_t>(done);
+  }
+  const auto first = std::mismatch(old.begin(), old.end(), change.bytes.begin()).first;
+  const auto last =
+      std::mismatch(old.rbegin(), std::make_reverse_iterator(first), change.bytes.rbegin())
+          .first.base();
+  auto from = static_cast<size_t>(first - old.begin());
+  const auto to = static_cast<size_t>(last - old.begin());
+  while (from < to) {
+    const haddr_t address = change.address + from;
+    const size_t size = std::min<size_t>(to - from, kPage - address % kPage);
+    const int error = write_all(descriptor_, address, change.bytes.data() + from, size);
+    if (error != 0) return error;
+    from += size;
+  }
+  return 0;
+}
+
+// Takes space at the end only. Structures of HDF5 that fit into a page never cross a page border.
+haddr_t CrashSafeFile::allocate(H5FD_mem_t type, hsize_t size) {
+  haddr_t address = (end_ + 7) / 8 * 8;
+  const bool crosses = address / kPage != (address + size - 1) / kPage;
+  if (type != H5FD_MEM_DRAW && size <= kPage && crosses) address = (address / kPage + 1) * kPage;
+  end_ = address + size;
+  return address;
+}
+
+}  // namespace gnomon::hdf5

@@ -1,0 +1,34 @@
+#include "results/hdf5_handles.hpp"
+
+namespace gnomon::hdf5 {
+
+namespace {
+
+// Keeps the first description met; walking upward, that is the innermost and most telling one.
+herr_t keep_first(unsigned /*depth*/, const H5E_error2_t* entry, void* text) {
+  auto& reason = *static_cast<std::string*>(text);
+  if (reason.empty() && entry->desc != nullptr) reason = entry->desc;
+  return 0;
+}
+
+}  // namespace
+
+QuietErrors::QuietErrors() {
+  H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+QuietErrors::~QuietErrors() {
+  H5Eset_auto2(H5E_DEFAULT, function_, data_);
+}
+
+void fail(const char* what) {
+  std::string reason;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &reason);
+  for (char& c : reason) {
+    if (c == '\n') c = ' ';
+  }
+  throw Failure(std::string("cannot ") + what + (reason.empty() ? "" : ": " + reason));
+}
+
+}  // namespace gnomon::hdf5

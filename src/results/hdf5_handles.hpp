@@ -1,0 +1,73 @@
+// Owners and checks for the C interface of HDF5: the only way in which gnomon touches it.
+#pragma once
+
+#include <hdf5.h>
+
+#include <gnomon/error.hpp>
+#include <string>
+#include <utility>
+
+namespace gnomon::hdf5 {
+
+/// What HDF5 refused, without the file's name: the border of the room adds it.
+struct Failure : Error {
+  using Error::Error;
+};
+
+/// An HDF5 identifier with its close function. Closing errors are ignored: whatever must reach the
+/// disk is flushed before, with a check.
+class Handle {
+public:
+  using Close = herr_t (*)(hid_t);
+
+  Handle() = default;
+  Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Handle(Handle&& other) noexcept
+      : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+
+  hid_t id() const { return id_; }
+  explicit operator bool() const { return id_ >= 0; }
+
+private:
+  hid_t id_ = H5I_INVALID_HID;
+  Close close_ = nullptr;
+};
+
+/// Silences HDF5's own error printing on this thread while it lives: the library never prints.
+class QuietErrors {
+public:
+  QuietErrors();
+  ~QuietErrors();
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+
+private:
+  H5E_auto2_t function_ = nullptr;
+  void* data_ = nullptr;
+};
+
+/// Throws Failure("cannot <what>: <innermost reason>") when an HDF5 call returned a negative value.
+template <class Value>
+Value check(Value value, const char* what);
+[[noreturn]] void fail(const char* what);
+
+template <class Value>
+Value check(Value value, const char* what) {
+  if (value < 0) fail(what);
+  return value;
+}
+
+/// A checked handle: own(H5Dopen2(...), H5Dclose, "open the history").
+inline Handle own(hid_t id, Handle::Close close, const char* what) {
+  return {check(id, what), close};
+}
+
+}  // namespace gnomon::hdf5

@@ -1,0 +1,270 @@
+#include "results/hdf5_values.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace gnomon::hdf5 {
+
+namespace {
+
+constexpr std::size_t kFixedText = 1024;
+
+Handle open_attribute(hid_t object, const char* name) {
+  return own(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "read an attribute");
+}
+
+Handle create_attribute(hid_t object, const char* name, hid_t type,
+                        const std::vector<hsize_t>& extents) {
+  const Handle shape = space(extents);
+  return own(H5Acreate2(object, name, type, shape.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+             "write an attribute");
+}
+
+Handle fixed_text_type() {
+  Handle type = own(H5Tcopy(H5T_C_S1), H5Tclose, "describe text");
+  check(H5Tset_size(type.id(), kFixedText), "describe text");
+  check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "describe text");
+  return type;
+}
+
+// Reads `count` texts of either kind (variable or fixed length) through `read`, which fills memory
+// of the given type.
+template <class Read>
+std::vector<std::string> take_texts(hid_t stored, hid_t shape, std::size_t count, Read read) {
+  if (H5Tget_class(stored) != H5T_STRING) throw Failure("cannot read text: it is not text");
+  std::vector<std::string> texts;
+  if (check(H5Tis_variable_str(stored), "read text") > 0) {
+    const Handle type = text_type();
+    std::vector<char*> pointers(count, nullptr);
+    read(type.id(), pointers.data());
+    for (const char* text : pointers) texts.emplace_back(text == nullptr ? "" : text);
+    H5Dvlen_reclaim(type.id(), shape, H5P_DEFAULT, pointers.data());
+    return texts;
+  }
+  const std::size_t size = H5Tget_size(stored);
+  std::vector<char> bytes(count * size);
+  read(stored, bytes.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    const char* text = bytes.data() + i * size;
+    texts.emplace_back(text, strnlen(text, size));
+  }
+  return texts;
+}
+
+template <class Value>
+void write_array(hid_t parent, const std::string& name, const std::vector<hsize_t>& extents,
+                 hid_t type, const Value* values) {
+  const Handle dataset = create_dataset(parent, name, type, extents);
+  check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write a dataset");
+}
+
+std::size_t count_of(const std::vector<hsize_t>& extents) {
+  hsize_t count = 1;
+  for (const hsize_t extent : extents) count *= extent;
+  return count;
+}
+
+// Appends the name of a link or an attribute to a list; no exception may leave.
+herr_t add_name(std::vector<std::string>& names, const char* name) {
+  try {
+    names.emplace_back(name);
+    return 0;
+  } catch (...) {
+    return -1;
+  }
+}
+
+}  // namespace
+
+Handle text_type() {
+  Handle type = own(H5Tcopy(H5T_C_S1), H5Tclose, "describe text");
+  check(H5Tset_size(type.id(), H5T_VARIABLE), "describe text");
+  check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "describe text");
+  return type;
+}
+
+Handle space(const std::vector<hsize_t>& extents) {
+  const hid_t id =
+      extents.empty() ? H5Screate(H5S_SCALAR)
+                      : H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr);
+  return own(id, H5Sclose, "describe a dataset");
+}
+
+Handle create_dataset(hid_t parent, const std::string& name, hid_t type,
+                      const std::vector<hsize_t>& extents, hid_t properties) {
+  const Handle shape = space(extents);
+  // Without time stamps, equal runs give equal bytes.
+  Handle create = properties == H5P_DEFAULT
+                      ? own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "create a dataset")
+                      : own(H5Pcopy(properties), H5Pclose, "create a dataset");
+  check(H5Pset_obj_track_times(create.id(), false), "create a dataset");
+  return own(
+      H5Dcreate2(parent, name.c_str(), type, shape.id(), H5P_DEFAULT, create.id(), H5P_DEFAULT),
+      H5Dclose, "create a dataset");
+}
+
+void write_attribute(hid_t object, const char* name, const std::string& text) {
+  const Handle type = text_type();
+  const Handle attribute = create_attribute(object, name, type.id(), {});
+  const char* pointer = text.c_str();
+  check(H5Awrite(attribute.id(), type.id(), &pointer), "write an attribute");
+}
+
+void write_attribute(hid_t object, const char* name, const std::vector<std::string>& texts) {
+  const Handle type = text_type();
+  const Handle attribute = create_attribute(object, name, type.id(), {texts.size()});
+  std::vector<const char*> pointers;
+  for (const std::string& text : texts) pointers.push_back(text.c_str());
+  check(H5Awrite(attribute.id(), type.id(), pointers.data()), "write an attribute");
+}
+
+void write_attribute(hid_t object, const char* name, double value) {
+  const bool create = check(H5Aexists(object, name), "write an attribute") == 0;
+  const Handle attribute =
+      create ? create_attribute(object, name, H5T_NATIVE_DOUBLE, {}) : open_attribute(object, name);
+  check(H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, &value), "write an attribute");
+}
+
+void write_attribute(hid_t object, const char* name, int value) {
+  const Handle attribute = create_attribute(object, name, H5T_NATIVE_INT, {});
+  check(H5Awrite(attribute.id(), H5T_NATIVE_INT, &value), "write an attribute");
+}
+
+void write_fixed_text(hid_t object, const char* name, const std::string& text, bool create) {
+  const Handle type = fixed_text_type();
+  const Handle attribute =
+      create ? create_attribute(object, name, type.id(), {}) : open_attribute(object, name);
+  std::vector<char> bytes(kFixedText, '\0');
+  std::copy_n(text.begin(), std::min(text.size(), kFixedText - 1), bytes.begin());
+  check(H5Awrite(attribute.id(), type.id(), bytes.data()), "write an attribute");
+}
+
+std::vector<std::string> read_texts_attribute(hid_t object, const char* name) {
+  const Handle attribute = open_attribute(object, name);
+  const Handle stored = own(H5Aget_type(attribute.id()), H5Tclose, "read an attribute");
+  const Handle shape = own(H5Aget_space(attribute.id()), H5Sclose, "read an attribute");
+  const hssize_t count = check(H5Sget_simple_extent_npoints(shape.id()), "read an attribute");
+  if (count > 65536) throw Failure("cannot read an attribute: it is too large");
+  return take_texts(stored.id(), shape.id(), static_cast<std::size_t>(count),
+                    [&](hid_t type, void* memory) {
+                      check(H5Aread(attribute.id(), type, memory), "read an attribute");
+                    });
+}
+
+std::string read_text_attribute(hid_t object, const char* name) {
+  const auto texts = read_texts_attribute(object, name);
+  return texts.empty() ? "" : texts.front();
+}
+
+double read_number_attribute(hid_t object, const char* name) {
+  const Handle attribute = open_attribute(object, name);
+  const Handle shape = own(H5Aget_space(attribute.id()), H5Sclose, "read an attribute");
+  if (H5Sget_simple_extent_npoints(shape.id()) != 1) {
+    throw Failure("cannot read an attribute: it is not one number");
+  }
+  double value = 0;
+  check(H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value), "read an attribute");
+  return value;
+}
+
+void write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& extents,
+                   const double* values) {
+  write_array(parent, name, extents, H5T_NATIVE_DOUBLE, values);
+}
+
+void write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& extents,
+                   const int* values) {
+  write_array(parent, name, extents, H5T_NATIVE_INT, values);
+}
+
+void write_dataset(hid_t parent, const std::string& name, const std::string& text) {
+  const char* pointer = text.c_str();
+  const Handle type = text_type();
+  write_array(parent, name, {}, type.id(), &pointer);
+}
+
+std::string read_text(hid_t parent, const char* name) {
+  const Handle dataset = own(H5Dopen2(parent, name, H5P_DEFAULT), H5Dclose, "read text");
+  const Handle stored = own(H5Dget_type(dataset.id()), H5Tclose, "read text");
+  const Handle shape = own(H5Dget_space(dataset.id()), H5Sclose, "read text");
+  if (count_of(extents_of(dataset.id())) != 1) throw Failure("cannot read text: it is a list");
+  return take_texts(stored.id(), shape.id(), 1,
+                    [&](hid_t type, void* memory) {
+                      check(H5Dread(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, memory),
+                            "read text");
+                    })
+      .front();
+}
+
+bool exists(hid_t parent, const std::string& path) {
+  for (std::size_t slash = path.find('/');; slash = path.find('/', slash + 1)) {
+    const std::string part = path.substr(0, slash);
+    if (check(H5Lexists(parent, part.c_str(), H5P_DEFAULT), "look up a name") == 0) return false;
+    if (slash == std::string::npos) return true;
+  }
+}
+
+std::vector<hsize_t> extents_of(hid_t dataset) {
+  const Handle shape = own(H5Dget_space(dataset), H5Sclose, "read a dataset");
+  const int rank = check(H5Sget_simple_extent_ndims(shape.id()), "read a dataset");
+  std::vector<hsize_t> extents(static_cast<std::size_t>(rank));
+  check(H5Sget_simple_extent_dims(shape.id(), extents.data(), nullptr), "read a dataset");
+  const Handle type = own(H5Dget_type(dataset), H5Tclose, "read a dataset");
+  hsize_t left = H5Dget_storage_size(dataset) / std::max<std::size_t>(1, H5Tget_size(type.id()));
+  const Handle file = own(H5Iget_file_id(dataset), H5Fclose, "read a dataset");
+  hsize_t file_size = 0;
+  check(H5Fget_filesize(file.id(), &file_size), "read a dataset");
+  left = std::min(left, file_size);
+  if (count_of(extents) == 0) return extents;
+  for (const hsize_t extent : extents) {
+    left /= extent;
+    if (left == 0) throw Failure("cannot read a dataset: it claims more values than the file has");
+  }
+  return extents;
+}
+
+Doubles read_doubles(hid_t parent, const std::string& name) {
+  const Handle dataset =
+      own(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "read a dataset");
+  Doubles result{extents_of(dataset.id()), {}};
+  result.values.resize(count_of(result.extents));
+  check(
+      H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()),
+      "read a dataset");
+  return result;
+}
+
+std::vector<int> read_ints(hid_t parent, const std::string& name) {
+  const Handle dataset =
+      own(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "read a dataset");
+  std::vector<int> values(count_of(extents_of(dataset.id())));
+  check(H5Dread(dataset.id(), H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+        "read a dataset");
+  return values;
+}
+
+std::vector<std::string> link_names(hid_t group) {
+  std::vector<std::string> names;
+  check(H5Literate(
+            group, H5_INDEX_NAME, H5_ITER_INC, nullptr,
+            [](hid_t, const char* name, const H5L_info_t*, void* list) {
+              return add_name(*static_cast<std::vector<std::string>*>(list), name);
+            },
+            &names),
+        "list a group");
+  return names;
+}
+
+std::vector<std::string> attribute_names(hid_t object) {
+  std::vector<std::string> names;
+  check(H5Aiterate2(
+            object, H5_INDEX_NAME, H5_ITER_INC, nullptr,
+            [](hid_t, const char* name, const H5A_info_t*, void* list) {
+              return add_name(*static_cast<std::vector<std::string>*>(list), name);
+            },
+            &names),
+        "list attributes");
+  return names;
+}
+
+}  // namespace gnomon::hdf5

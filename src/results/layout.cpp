@@ -1,0 +1,93 @@
+#include "results/layout.hpp"
+
+#include <fmt/format.h>
+
+#include "results/hdf5_values.hpp"
+
+namespace gnomon::layout {
+
+using hdf5::check;
+using hdf5::Handle;
+using hdf5::own;
+
+namespace {
+
+Handle compound(std::size_t size) {
+  return own(H5Tcreate(H5T_COMPOUND, size), H5Tclose, "describe a table");
+}
+
+void insert(const Handle& type, const std::string& name, std::size_t offset, hid_t member) {
+  check(H5Tinsert(type.id(), name.c_str(), offset, member), "describe a table");
+}
+
+}  // namespace
+
+std::string group_path(std::size_t step) {
+  return fmt::format("{:04}", step / kStepsPerGroup);
+}
+
+std::string step_path(std::size_t step) {
+  return fmt::format("{}/{:06}", group_path(step), step);
+}
+
+Handle stored_type() {
+  Handle text = own(H5Tcopy(H5T_C_S1), H5Tclose, "describe a table");
+  check(H5Tset_size(text.id(), sizeof(StoredRow::path)), "describe a table");
+  Handle type = compound(sizeof(StoredRow));
+  insert(type, "t", offsetof(StoredRow, t), H5T_NATIVE_DOUBLE);
+  insert(type, "path", offsetof(StoredRow, path), text.id());
+  return type;
+}
+
+Handle contact_type() {
+  Handle type = compound(sizeof(ContactRow));
+  insert(type, "node", offsetof(ContactRow, node), H5T_NATIVE_INT64);
+  const std::array<const char*, 9> coordinates = {"X0", "Y0", "Z0", "X", "Y", "Z", "x", "y", "z"};
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    insert(type, coordinates[i], offsetof(ContactRow, initial) + i * sizeof(double),
+           H5T_NATIVE_DOUBLE);
+  }
+  insert(type, "pressure", offsetof(ContactRow, pressure), H5T_NATIVE_DOUBLE);
+  insert(type, "wear_depth", offsetof(ContactRow, wear_depth), H5T_NATIVE_DOUBLE);
+  insert(type, "active", offsetof(ContactRow, active), H5T_NATIVE_INT64);
+  return type;
+}
+
+const std::vector<Column>& fixed_columns() {
+  static const std::vector<Column> columns = {
+      {"t", "", false},
+      {"step_size", "", false},
+      {"order", "", true},
+      {"step_newton_iterations", "", true},
+      {"restarted", "", true},
+      {"steps", "", true},
+      {"rejected_steps", "", true},
+      {"newton_iterations", "", true},
+      {"residual_evaluations", "", true},
+      {"jacobian_evaluations", "", true},
+      {"factorizations", "", true},
+      {"linear_solves", "", true},
+  };
+  return columns;
+}
+
+Handle history_type(const std::vector<Column>& columns) {
+  Handle type = compound(columns.size() * sizeof(Cell));
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    insert(type, columns[i].name, i * sizeof(Cell),
+           columns[i].integer ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE);
+  }
+  return type;
+}
+
+Handle block_type() {
+  const Handle text = hdf5::text_type();
+  Handle type = compound(sizeof(BlockRow));
+  insert(type, "name", offsetof(BlockRow, name), text.id());
+  insert(type, "symbol", offsetof(BlockRow, symbol), text.id());
+  insert(type, "size", offsetof(BlockRow, size), H5T_NATIVE_INT64);
+  insert(type, "where", offsetof(BlockRow, where), text.id());
+  return type;
+}
+
+}  // namespace gnomon::layout

@@ -1,0 +1,72 @@
+// Names, limits and table rows of the result file, shared by its writer and its reader.
+// docs/results.md describes them for users.
+#pragma once
+
+#include <hdf5.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <gnomon/model.hpp>
+#include <string>
+#include <vector>
+
+#include "results/hdf5_handles.hpp"
+
+namespace gnomon::layout {
+
+inline constexpr int kVersion = 1;
+inline constexpr const char* kFormat = "gnomon result";
+inline constexpr const char* kRunning = "running or crashed";
+
+/// Stored steps lie in groups of this many, so that a group's list of links fits into a page.
+inline constexpr std::size_t kStepsPerGroup = 100;
+
+/// "0001/000123" for the stored step 123, below "steps" and "gnomon/contact".
+std::string step_path(std::size_t step);
+std::string group_path(std::size_t step);
+
+/// A row of "gnomon/stored".
+struct StoredRow {
+  double t;
+  std::array<char, 32> path;  ///< "steps/0001/000123"
+};
+hdf5::Handle stored_type();
+
+/// A row of "gnomon/contact/...".
+struct ContactRow {
+  std::int64_t node;
+  std::array<double, 3> initial;
+  std::array<double, 3> worn;
+  std::array<double, 3> current;
+  double pressure;
+  double wear_depth;
+  std::int64_t active;
+};
+hdf5::Handle contact_type();
+
+/// The columns of "gnomon/history": fixed ones, then the model's scalars.
+struct Column {
+  std::string name;
+  std::string unit;
+  bool integer = false;
+};
+/// One cell of the history in memory and on file: 8 bytes, whichever it is.
+union Cell {
+  double real;
+  std::int64_t integer;
+};
+const std::vector<Column>& fixed_columns();
+/// A type of columns.size() cells a row. Throws hdf5::Failure when two columns share a name.
+hdf5::Handle history_type(const std::vector<Column>& columns);
+
+/// A row of "gnomon/blocks".
+struct BlockRow {
+  const char* name;
+  const char* symbol;
+  std::int64_t size;
+  const char* where;
+};
+hdf5::Handle block_type();
+
+}  // namespace gnomon::layout

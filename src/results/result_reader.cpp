@@ -1,0 +1,316 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <gnomon/results.hpp>
+
+#include "results/hdf5_values.hpp"
+#include "results/layout.hpp"
+
+namespace gnomon {
+
+using hdf5::check;
+using hdf5::Failure;
+using hdf5::Handle;
+using hdf5::own;
+
+namespace {
+
+Handle open_file(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw Failure("there is no such file");
+  if (!std::filesystem::is_regular_file(status)) throw Failure("it is not a file");
+  const htri_t hdf5 = H5Fis_hdf5(path.c_str());
+  if (hdf5 == 0) throw Failure("it is not an HDF5 file");
+  return own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open it");
+}
+
+Handle open_dataset(hid_t parent, const std::string& path, const char* what) {
+  return own(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), H5Dclose, what);
+}
+
+// Reads all rows of a table whose row in memory is `Row`, described by `type`.
+template <class Row>
+std::vector<Row> read_rows(const Handle& dataset, const Handle& type, const char* what) {
+  const auto extents = hdf5::extents_of(dataset.id());
+  if (extents.size() != 1) throw Failure(fmt::format("cannot {}: it is not a table", what));
+  std::vector<Row> rows(extents.front());
+  if (rows.empty()) return rows;
+  check(H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()), what);
+  return rows;
+}
+
+std::vector<BlockSize> read_blocks(hid_t gnomon) {
+  const Handle dataset = open_dataset(gnomon, "blocks", "read the blocks");
+  const Handle type = layout::block_type();
+  auto rows = read_rows<layout::BlockRow>(dataset, type, "read the blocks");
+  std::vector<BlockSize> blocks;
+  const auto text = [](const char* pointer) { return std::string(pointer ? pointer : ""); };
+  for (const layout::BlockRow& row : rows) {
+    blocks.push_back({text(row.name), text(row.symbol), row.size, text(row.where)});
+  }
+  const Handle space = own(H5Dget_space(dataset.id()), H5Sclose, "read the blocks");
+  H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, rows.data());
+  return blocks;
+}
+
+RunHeader read_header(hid_t gnomon) {
+  RunHeader header;
+  header.problem = hdf5::read_text_attribute(gnomon, "problem");
+  header.integrator = hdf5::read_text_attribute(gnomon, "integrator");
+  header.scene = hdf5::read_text(gnomon, "scene");
+  const Handle versions =
+      own(H5Gopen2(gnomon, "versions", H5P_DEFAULT), H5Gclose, "read the versions");
+  for (const std::string& name : hdf5::attribute_names(versions.id())) {
+    header.versions[name] = hdf5::read_text_attribute(versions.id(), name.c_str());
+  }
+  header.blocks = read_blocks(gnomon);
+  return header;
+}
+
+// Columns of the history as the file names them. Throws Failure unless the fixed ones come first.
+std::vector<layout::Column> read_columns(const Handle& dataset) {
+  const Handle type = own(H5Dget_type(dataset.id()), H5Tclose, "read the history");
+  const auto units = hdf5::read_texts_attribute(dataset.id(), "units");
+  const auto& fixed = layout::fixed_columns();
+  const int count = H5Tget_class(type.id()) == H5T_COMPOUND ? H5Tget_nmembers(type.id()) : 0;
+  std::vector<layout::Column> columns = fixed;
+  for (int i = 0; i < count; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    char* text = H5Tget_member_name(type.id(), static_cast<unsigned>(i));
+    const std::string name = text ? text : "";
+    H5free_memory(text);
+    if (index >= fixed.size()) {
+      columns.push_back({name, index < units.size() ? units[index] : "", false});
+    } else if (name != fixed[index].name) {
+      throw Failure(fmt::format("cannot read the history: unknown column {}", name));
+    }
+  }
+  if (count < static_cast<int>(fixed.size())) throw Failure("cannot read the history: no columns");
+  return columns;
+}
+
+HistoryRow row_of(const layout::Cell* cell, const std::vector<layout::Column>& columns) {
+  HistoryRow row;
+  row.t = (cell++)->real;
+  row.step.step = (cell++)->real;
+  row.step.order = static_cast<int>((cell++)->integer);
+  row.step.newton_iterations = (cell++)->integer;
+  row.step.restarted = (cell++)->integer != 0;
+  Counters& c = row.counters;
+  for (long* counter : {&c.steps, &c.rejected_steps, &c.newton_iterations, &c.residual_evaluations,
+                        &c.jacobian_evaluations, &c.factorizations, &c.linear_solves}) {
+    *counter = (cell++)->integer;
+  }
+  for (std::size_t i = layout::fixed_columns().size(); i < columns.size(); ++i) {
+    row.scalars.push_back({columns[i].name, columns[i].unit, (cell++)->real});
+  }
+  return row;
+}
+
+std::vector<HistoryRow> read_history(hid_t gnomon) {
+  if (!hdf5::exists(gnomon, "history")) return {};
+  const Handle dataset = open_dataset(gnomon, "history", "read the history");
+  const auto columns = read_columns(dataset);
+  const Handle type = layout::history_type(columns);
+  const auto extents = hdf5::extents_of(dataset.id());
+  if (extents.size() != 1) throw Failure("cannot read the history: it is not a table");
+  std::vector<layout::Cell> cells(extents.front() * columns.size());
+  std::vector<HistoryRow> rows;
+  if (cells.empty()) return rows;
+  check(H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data()),
+        "read the history");
+  for (std::size_t i = 0; i < cells.size(); i += columns.size()) {
+    rows.push_back(row_of(&cells[i], columns));
+  }
+  return rows;
+}
+
+ContactSurface read_contact(hid_t file, const std::string& path) {
+  if (!hdf5::exists(file, path)) throw Failure("the problem has no contact surface");
+  const Handle dataset = open_dataset(file, path, "read the contact surface");
+  const auto rows =
+      read_rows<layout::ContactRow>(dataset, layout::contact_type(), "read the contact surface");
+  ContactSurface contact;
+  contact.dim = static_cast<int>(hdf5::read_number_attribute(dataset.id(), "dim"));
+  for (const layout::ContactRow& row : rows) {
+    contact.node.push_back(static_cast<int>(row.node));
+    contact.initial.push_back(row.initial);
+    contact.worn.push_back(row.worn);
+    contact.current.push_back(row.current);
+    contact.pressure.push_back(row.pressure);
+    contact.wear_depth.push_back(row.wear_depth);
+    contact.active.push_back(static_cast<int>(row.active));
+  }
+  return contact;
+}
+
+Field read_field(hid_t file, const std::string& step, const std::string& name) {
+  if (name.empty() || name.find('/') != std::string::npos || !hdf5::exists(file, step) ||
+      !hdf5::exists(file, step + "/" + name)) {
+    throw Failure(fmt::format("it has no field {}", name));
+  }
+  const std::string path = step + "/" + name;
+  const Handle dataset = open_dataset(file, path, "read a field");
+  Field field;
+  field.name = name;
+  field.unit = hdf5::read_text_attribute(dataset.id(), "unit");
+  field.on = hdf5::read_text_attribute(dataset.id(), "on") == "cells" ? Field::On::cells
+                                                                      : Field::On::nodes;
+  auto data = hdf5::read_doubles(file, path);
+  field.components = data.extents.size() == 2 ? static_cast<int>(data.extents[1]) : 1;
+  field.values = std::move(data.values);
+  return field;
+}
+
+std::optional<Grid> read_grid(hid_t file) {
+  if (!hdf5::exists(file, "mesh")) return std::nullopt;
+  Grid grid;
+  const auto points = hdf5::read_doubles(file, "mesh/points");
+  const Handle cells = open_dataset(file, "mesh/cells", "read the mesh");
+  const auto extents = hdf5::extents_of(cells.id());
+  const bool known = extents.size() == 2 && (extents[1] == 4 || extents[1] == 8);
+  if (!known || points.extents.size() != 2 || points.extents[1] != 3) {
+    throw Failure("cannot read the mesh: its extents are wrong");
+  }
+  grid.cell = extents[1] == 4 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
+  grid.cells = hdf5::read_ints(file, "mesh/cells");
+  for (std::size_t i = 0; i < points.values.size(); i += 3) {
+    grid.points.push_back({points.values[i], points.values[i + 1], points.values[i + 2]});
+  }
+  return grid;
+}
+
+// The stored step at t (none given: the last), within 1e-9 of the run's length.
+std::size_t find_step(const std::vector<double>& times, std::optional<double> t) {
+  if (times.empty()) throw Failure("it has no stored step");
+  if (!t) return times.size() - 1;
+  const auto distance = [&](double time) { return std::abs(time - *t); };
+  const auto nearest = std::min_element(
+      times.begin(), times.end(), [&](double a, double b) { return distance(a) < distance(b); });
+  const double length = times.back() - times.front();
+  if (distance(*nearest) <= 1e-9 * length || *nearest == *t) {
+    return static_cast<std::size_t>(nearest - times.begin());
+  }
+  const auto above = std::upper_bound(times.begin(), times.end(), *t);
+  std::string next;
+  if (above != times.begin()) next += fmt::format("{}", *(above - 1));
+  if (above != times.begin() && above != times.end()) next += " and ";
+  if (above != times.end()) next += fmt::format("{}", *above);
+  throw Failure(fmt::format("it has no stored step at t = {}; next to it are t = {}", *t, next));
+}
+
+}  // namespace
+
+class ResultReader::File {
+public:
+  // Runs an action at the border of the room, where every failure is the file's. Whatever a damaged
+  // file provokes, a failed allocation included, comes out as one line.
+  template <class Action>
+  auto guarded(Action action) const {
+    const hdf5::QuietErrors quiet;
+    try {
+      return action();
+    } catch (const std::exception& error) {
+      throw InputError(fmt::format("cannot read {}: {}", path_.string(), error.what()));
+    }
+  }
+
+  explicit File(const std::filesystem::path& path) : path_(path) {
+    guarded([&] {
+      file_ = open_file(path);
+      if (!hdf5::exists(file_.id(), "gnomon")) throw Failure("it is not a gnomon result");
+      gnomon_ = own(H5Gopen2(file_.id(), "gnomon", H5P_DEFAULT), H5Gclose, "open its results");
+      const int version =
+          static_cast<int>(hdf5::read_number_attribute(gnomon_.id(), "format_version"));
+      if (version != layout::kVersion) {
+        throw Failure(
+            fmt::format("its format is {}, this program reads {}", version, layout::kVersion));
+      }
+      header_ = read_header(gnomon_.id());
+    });
+  }
+
+  std::vector<layout::StoredRow> stored() const {
+    const Handle dataset = open_dataset(gnomon_.id(), "stored", "read the stored steps");
+    auto rows =
+        read_rows<layout::StoredRow>(dataset, layout::stored_type(), "read the stored steps");
+    for (layout::StoredRow& row : rows) row.path.back() = '\0';
+    return rows;
+  }
+
+  std::vector<double> times() const {
+    std::vector<double> times;
+    for (const layout::StoredRow& row : stored()) times.push_back(row.t);
+    return times;
+  }
+
+  hid_t file() const { return file_.id(); }
+  hid_t gnomon() const { return gnomon_.id(); }
+  const RunHeader& header() const { return header_; }
+
+private:
+  std::filesystem::path path_;
+  Handle file_, gnomon_;
+  RunHeader header_;
+};
+
+ResultReader::ResultReader(const std::filesystem::path& file)
+    : file_(std::make_unique<File>(file)) {}
+
+ResultReader::~ResultReader() = default;
+
+const RunHeader& ResultReader::header() const {
+  return file_->header();
+}
+
+std::string ResultReader::status() const {
+  return file_->guarded([&] { return hdf5::read_text_attribute(file_->gnomon(), "status"); });
+}
+
+double ResultReader::wall_seconds() const {
+  return file_->guarded(
+      [&] { return hdf5::read_number_attribute(file_->gnomon(), "wall_seconds"); });
+}
+
+std::vector<HistoryRow> ResultReader::history() const {
+  return file_->guarded([&] { return read_history(file_->gnomon()); });
+}
+
+std::vector<double> ResultReader::stored_times() const {
+  return file_->guarded([&] { return file_->times(); });
+}
+
+ContactSurface ResultReader::contact(std::optional<double> t) const {
+  return file_->guarded([&] {
+    const std::size_t step = find_step(file_->times(), t);
+    return read_contact(file_->gnomon(), "contact/" + layout::step_path(step));
+  });
+}
+
+Field ResultReader::field(std::size_t step, const std::string& name) const {
+  return file_->guarded([&] {
+    const std::size_t count = file_->times().size();
+    if (step >= count)
+      throw Failure(fmt::format("it has {} stored steps, not {}", count, step + 1));
+    return read_field(file_->file(), "steps/" + layout::step_path(step), name);
+  });
+}
+
+std::vector<std::string> ResultReader::field_names() const {
+  return file_->guarded([&]() -> std::vector<std::string> {
+    if (file_->times().empty()) return {};
+    const std::string path = "steps/" + layout::step_path(0);
+    const Handle group =
+        own(H5Gopen2(file_->file(), path.c_str(), H5P_DEFAULT), H5Gclose, "list the fields");
+    return hdf5::link_names(group.id());
+  });
+}
+
+std::optional<Grid> ResultReader::grid() const {
+  return file_->guarded([&] { return read_grid(file_->file()); });
+}
+
+}  // namespace gnomon

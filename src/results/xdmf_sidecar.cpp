@@ -1,0 +1,93 @@
+#include "results/xdmf_sidecar.hpp"
+
+#include <fmt/format.h>
+
+#include "results/replaced_file.hpp"
+
+namespace gnomon {
+
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::filesystem::path XdmfSidecar::path_for(const std::filesystem::path& result) {
+  return std::filesystem::path(result).replace_extension(".xdmf");
+}
+
+XdmfSidecar::XdmfSidecar(const std::filesystem::path& result, const Grid& grid)
+    : path_(path_for(result)), result_name_(escaped(result.filename().string())) {
+  const bool flat = grid.cell == Grid::Cell::quadrilateral;
+  const std::size_t corners = flat ? 4 : 8;
+  points_ = grid.points.size();
+  cells_ = grid.cells.size() / corners;
+  mesh_ = fmt::format(
+      "        <Topology TopologyType=\"{}\" NumberOfElements=\"{}\">{}</Topology>\n"
+      "        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
+      flat ? "Quadrilateral" : "Hexahedron", cells_,
+      item("/mesh/cells", fmt::format("{} {}", cells_, corners), true),
+      item("/mesh/points", fmt::format("{} 3", points_), false));
+  write();
+}
+
+std::string XdmfSidecar::item(const std::string& dataset, const std::string& extents,
+                              bool integer) const {
+  return fmt::format(
+      "<DataItem Format=\"HDF\" {} Dimensions=\"{}\">{}:{}</DataItem>",
+      integer ? "NumberType=\"Int\" Precision=\"4\"" : "NumberType=\"Float\" Precision=\"8\"",
+      extents, result_name_, escaped(dataset));
+}
+
+void XdmfSidecar::add_step(double t, const std::string& group, const std::vector<Field>& fields) {
+  steps_ += fmt::format(
+      "      <Grid Name=\"{}\" GridType=\"Uniform\">\n        <Time Value=\"{:.17g}\"/>\n{}", group,
+      t, mesh_);
+  for (const Field& field : fields) {
+    const bool nodal = field.on == Field::On::nodes;
+    const bool vector = field.components == 3;
+    const std::size_t count = nodal ? points_ : cells_;
+    steps_ += fmt::format(
+        "        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">{}</Attribute>\n",
+        escaped(field.name), vector ? "Vector" : "Scalar", nodal ? "Node" : "Cell",
+        item(group + "/" + field.name, fmt::format("{}{}", count, vector ? " 3" : ""), false));
+  }
+  steps_ += "      </Grid>\n";
+  write();
+}
+
+void XdmfSidecar::write() const {
+  replace_text(path_, fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                                  "<Xdmf Version=\"3.0\">\n"
+                                  "  <Domain>\n"
+                                  "    <Grid Name=\"steps\" GridType=\"Collection\" "
+                                  "CollectionType=\"Temporal\">\n"
+                                  "{}"
+                                  "    </Grid>\n"
+                                  "  </Domain>\n"
+                                  "</Xdmf>\n",
+                                  steps_));
+}
+
+}  // namespace gnomon
