@@ -78,6 +78,9 @@ public:
   /// Scalars of a state; always the same names in the same order. A scalar called "wear_flux" is
   /// integrated over time by the run loop and reported as "wear_integral".
   virtual std::vector<Scalar> observe(const State& state) const = 0;
+  /// Typical size of the differential components over the run, for absolute tolerances: the mean
+  /// wear depth.
+  virtual double differential_scale() const = 0;
   /// The mesh, if the problem has one.
   virtual std::optional<Grid> grid() const = 0;
   /// Fields over the grid; always the same names in the same order. Empty without a grid.

@@ -2,7 +2,8 @@
 //
 //   F(t, y, ydot) = 0,   J = dF/dy + alpha dF/dydot,
 //
-// an index-1 differential-algebraic system, semismooth in y.
+// whose differential rows read ydot_i + f_i(t, y) = 0 (row i belongs to unknown i) and whose other
+// rows do not contain ydot. An index-1 differential-algebraic system, semismooth in y.
 #pragma once
 
 #include <functional>

@@ -1,0 +1,60 @@
+// Numbering of the unknowns: which nodal value is which entry of y. Fixed values have no number.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <gnomon/blocks/worn_body.hpp>
+
+namespace gnomon {
+
+/// Which blocks a system solves for; the others are frozen.
+struct Selection {
+  bool deformation = true;     ///< u and lambda
+  bool interior_shape = true;  ///< d off the contact surface, and mu where the form has it
+  bool contact_shape = true;   ///< d on the contact surface: the differential unknowns
+};
+
+/// All nodal values of a state, fixed and frozen ones included.
+template <int dim>
+struct NodalState {
+  NodalField<dim> u;       ///< displacement, nodes x dim
+  NodalField<dim> d;       ///< shape, nodes x dim
+  Eigen::VectorXd lambda;  ///< contact multiplier, one a contact node
+  NodalField<dim> mu;      ///< shape multiplier, contact nodes x dim
+
+  static NodalState zero(const WornBody<dim>& body);
+};
+
+/// Numbers are -1 where a value is fixed, frozen or absent. Node by node: u, d, lambda, mu.
+template <int dim>
+class Unknowns {
+public:
+  using Numbers = Eigen::Matrix<int, Eigen::Dynamic, dim, Eigen::RowMajor>;
+
+  Unknowns(const WornBody<dim>& body, const Selection& selection);
+
+  int size() const { return size_; }
+  const Numbers& u() const { return u_; }            ///< nodes x dim
+  const Numbers& d() const { return d_; }            ///< nodes x dim
+  const Eigen::VectorXi& lambda() const { return lambda_; }  ///< contact nodes
+  const Numbers& mu() const { return mu_; }          ///< contact nodes x dim
+  /// Row of the auxiliary equilibrium of each shape value: its own number off the contact surface,
+  /// that of mu on it (so that both rows there have a nonzero diagonal), else -1. nodes x dim.
+  const Numbers& auxiliary_row() const { return auxiliary_row_; }
+  /// The mesh node that each unknown belongs to.
+  const std::vector<int>& node() const { return node_; }
+
+  /// Copies y into the nodal state, other values untouched.
+  void scatter(std::span<const double> y, NodalState<dim>& state) const;
+  /// Copies the nodal state into y.
+  void gather(const NodalState<dim>& state, std::span<double> y) const;
+
+private:
+  int size_ = 0;
+  Numbers u_, d_, mu_, auxiliary_row_;
+  Eigen::VectorXi lambda_;
+  std::vector<int> node_;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,50 @@
+// Everything constant about one worn body in frictionless contact with a rigid counter-body: what a
+// problem declares, and what blocks, terms and system are made of.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <gnomon/mesh.hpp>
+#include <gnomon/terms/contact_node.hpp>
+#include <gnomon/terms/solid.hpp>
+
+namespace gnomon {
+
+/// Row-major nodal field; row = mesh node.
+template <int dim>
+using NodalField = Eigen::Matrix<double, Eigen::Dynamic, dim, Eigen::RowMajor>;
+template <int dim>
+using NodalFlags = Eigen::Matrix<char, Eigen::Dynamic, dim, Eigen::RowMajor>;
+
+/// How the auxiliary problem meets the worn surface: contact shape rows replace the auxiliary
+/// equilibrium there, or the paper's augmented multiplier mu carries the reaction (eq. 22, 29).
+enum class ConstraintForm { eliminated, multiplier };
+
+/// Typical magnitudes over a run; they scale residuals and unknowns, and never change a solution.
+struct Scales {
+  double force = 1;            ///< applied load, as in the rows of u
+  double displacement = 1;     ///< elastic approach of the bodies [length]
+  double stress = 1;           ///< mean contact pressure
+  double wear_depth = 1;       ///< mean wear depth over the contact surface at the end [length]
+  double duration = 1;         ///< of the run [time]
+  double auxiliary_force = 1;  ///< of the mesh-motion rows
+};
+
+template <int dim>
+struct WornBody {
+  Mesh<dim> mesh;
+  std::vector<ContactPatch<dim>> contact_nodes;  ///< the potential contact surface
+  NodalFlags<dim> displacement_fixed;            ///< 1 where u is held at zero
+  NodalFlags<dim> shape_fixed;                   ///< 1 where d is held at zero
+  NodalField<dim> load;                          ///< nodal dead loads at full load
+  NeoHookean material;
+  ElementKind element = ElementKind::f_bar;
+  NeoHookean auxiliary_material;                 ///< eq. (20), always plain cells
+  ContactParameters<dim> contact;
+  ConstraintForm constraint = ConstraintForm::eliminated;
+  double augmentation = 0;  ///< of mu: mu^ = mu + augmentation (ddot + Wdot N) [stress time/length]
+  Scales scales;
+};
+
+}  // namespace gnomon

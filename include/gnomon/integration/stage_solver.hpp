@@ -1,0 +1,30 @@
+// Solves the algebraic part of a system for given differential components, stage after stage.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gnomon/sundials/newton.hpp>
+
+namespace gnomon {
+
+/// Remark 1 of the paper: with the worn surface given, mesh motion and contact are solved one after
+/// the other, never together.
+class StageSolver {
+public:
+  StageSolver(const System& system, Counters& counters);
+  /// Makes y consistent with its differential components, which stay. On failure returns the reason
+  /// (empty on success) and leaves y unspecified.
+  std::string solve(std::span<double> y);
+
+private:
+  std::vector<Stage> stages_;
+  std::vector<std::unique_ptr<NewtonSolver>> newton_;
+  std::vector<std::vector<double>> unknowns_;
+};
+
+/// The residual and Jacobian of a purely algebraic system, for NewtonSolver.
+NonlinearFunction algebraic_function(const System& system);
+
+}  // namespace gnomon

@@ -1,0 +1,35 @@
+// Meshes of 4-node quadrilaterals (2D) and 8-node hexahedra (3D) in the initial configuration.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gnomon/tensor.hpp>
+
+namespace gnomon {
+
+template <int dim>
+struct Mesh {
+  static constexpr int cell_nodes = 1 << dim;
+  static constexpr int facet_nodes = 1 << (dim - 1);
+  using Cell = std::array<int, cell_nodes>;    ///< VTK order
+  using Facet = std::array<int, facet_nodes>;  ///< boundary facet, outer normal by the order:
+                                               ///< in 2D the body lies to the left of 0 -> 1
+
+  std::vector<Vector<dim>> nodes;  ///< X^, initial positions [length]
+  std::vector<Cell> cells;
+  std::map<std::string, std::vector<Facet>> boundary;  ///< facets of each named boundary part
+
+  /// Nodes of a named boundary part, ascending, each once.
+  std::vector<int> boundary_nodes(const std::string& name) const;
+};
+
+/// nx by ny quadrilaterals on the image of the unit square under `place(s, t)`; boundary parts
+/// "bottom" (t = 0), "top" (t = 1), "left" (s = 0), "right" (s = 1). The map must keep orientation.
+Mesh<2> structured_quadrilaterals(int nx, int ny,
+                                  const std::function<Vector<2>(double s, double t)>& place);
+
+}  // namespace gnomon

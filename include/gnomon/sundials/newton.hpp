@@ -1,0 +1,54 @@
+// Semismooth Newton for one nonlinear system, by KINSOL with an exact Jacobian.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <gnomon/counters.hpp>
+#include <gnomon/system.hpp>
+
+namespace gnomon {
+
+/// When a nonlinear solve is done. Every integrator solves its equations to this tolerance, so that
+/// conserved quantities hold whatever the error tolerance of the time integration.
+struct NewtonOptions {
+  double tolerance = 1e-11;    ///< of the largest residual, each row by its row_scale
+  double acceptable = 1e-9;   ///< accepted when rounding stops the iteration above `tolerance`
+  int max_iterations = 30;
+};
+
+/// G(y) = 0 on the pattern of `structure`.
+struct NonlinearFunction {
+  std::function<void(std::span<const double> y, std::span<double> G)> residual;
+  std::function<void(std::span<const double> y, std::span<double> values)> jacobian;
+};
+
+/// How a solve went.
+struct NewtonReport {
+  bool converged = false;
+  int iterations = 0;
+  std::vector<double> norms;  ///< largest scaled residual at each iterate, the start first
+  std::string reason;         ///< why it did not converge
+};
+
+/// Full Newton steps; a step into a state without residual (inverted element) is halved by KINSOL.
+/// Holds the analysed factorization, so make one a system and use it often.
+class NewtonSolver {
+public:
+  /// `structure` must outlive the solver.
+  NewtonSolver(const Structure& structure, Counters& counters, const NewtonOptions& options = {});
+  ~NewtonSolver();
+
+  /// Solves from the guess y, in place; y is unspecified when the report says not converged.
+  /// Exceptions of `function` other than RecoverableError pass through.
+  NewtonReport solve(const NonlinearFunction& function, std::span<double> y);
+
+private:
+  class Memory;
+  std::unique_ptr<Memory> memory_;
+};
+
+}  // namespace gnomon

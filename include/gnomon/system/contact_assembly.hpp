@@ -1,0 +1,47 @@
+// Gather and scatter of the contact nodes: rows of u (contact force), lambda (eq. 26), d (eq. 14) and,
+// in the multiplier form, the reaction mu in the auxiliary equilibrium (eq. 29).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <gnomon/blocks/unknowns.hpp>
+#include <gnomon/sparse.hpp>
+
+namespace gnomon {
+
+template <int dim>
+class ContactAssembly {
+public:
+  /// References must outlive the object.
+  ContactAssembly(const WornBody<dim>& body, const Unknowns<dim>& unknowns);
+
+  void add_to_pattern(PatternBuilder& builder) const;
+  /// Computes the scatter map; call once, after the pattern is built.
+  void map_to(const SparsePattern& pattern);
+
+  /// `ydot` may be empty when no contact shape is unknown.
+  void add_residual(const NodalState<dim>& state, std::span<const double> ydot,
+                    std::span<double> F) const;
+  void add_jacobian(const NodalState<dim>& state, double alpha, std::span<double> values) const;
+
+  /// The contact law at contact node c.
+  ContactNode<dim> node(const NodalState<dim>& state, int c) const;
+
+private:
+  // Local rows: u | lambda | d (wear) | auxiliary equilibrium; columns: u | lambda | mu | d of patch.
+  static constexpr int rows = 3 * dim + 1;
+  static constexpr int u_0 = 0, lambda_0 = dim, wear_0 = dim + 1, auxiliary_0 = 2 * dim + 1;
+  static constexpr int mu_column = dim + 1, shape_column = 2 * dim + 1;
+
+  std::vector<int> row_numbers(int c) const;
+  std::vector<int> column_numbers(int c) const;
+  PatchNodal<dim> patch_positions(const NodalState<dim>& state, int c) const;
+  bool augmented(int c) const;
+
+  const WornBody<dim>& body_;
+  const Unknowns<dim>& unknowns_;
+  std::vector<std::vector<int>> map_;  // a contact node: positions, column by column; -1: none
+};
+
+}  // namespace gnomon

@@ -1,0 +1,60 @@
+// The coupled deformation-and-wear residual as a DAE (docs/equations.md), or a part of it with the
+// other blocks frozen.
+#pragma once
+
+#include <memory>
+
+#include <gnomon/blocks/unknowns.hpp>
+#include <gnomon/system.hpp>
+#include <gnomon/system/cell_assembly.hpp>
+#include <gnomon/system/contact_assembly.hpp>
+
+namespace gnomon {
+
+/// Rows, in the order of their unknowns:
+///   u                equilibrium, eq. 23-25: internal + contact force - load          [force]
+///   lambda           C_N, eq. 26                                                      [length]
+///   d (interior)     auxiliary equilibrium, eq. 20                                    [force]
+///   d (contact)      ddot + Wdot N, eq. 14                                            [length/time]
+///   mu               auxiliary equilibrium minus A^ mu^, eq. 29 (multiplier form)     [force]
+/// Not safe for concurrent calls on one object (shared workspace).
+template <int dim>
+class WearSystem : public System {
+public:
+  WearSystem(std::shared_ptr<const WornBody<dim>> body, const Selection& selection);
+
+  const Structure& structure() const override { return structure_; }
+  void residual(double t, std::span<const double> y, std::span<const double> ydot,
+                std::span<double> F) const override;
+  void jacobian(double t, std::span<const double> y, std::span<const double> ydot, double alpha,
+                std::span<double> values) const override;
+  void active_set(std::span<const double> y, std::vector<char>& active) const override;
+  /// Mesh motion (interior d, and mu where present), then contact (u, lambda).
+  std::vector<Stage> make_stages() const override;
+
+  const Unknowns<dim>& unknowns() const { return unknowns_; }
+  const WornBody<dim>& body() const { return *body_; }
+  const ContactAssembly<dim>& contact() const { return contact_; }
+
+  /// Nodal values of y; frozen blocks as last given to freeze() (zero before).
+  const NodalState<dim>& nodal(std::span<const double> y) const;
+  /// Gives the blocks that this system does not solve for.
+  void freeze(const NodalState<dim>& state) { state_ = state; }
+  /// Fraction of the dead load that acts; 1 unless a load ramp is under way.
+  void set_load_factor(double factor) { load_factor_ = factor; }
+
+private:
+  void build_structure();
+
+  std::shared_ptr<const WornBody<dim>> body_;
+  Selection selection_;
+  Unknowns<dim> unknowns_;
+  CellAssembly<dim> solid_;        // body: rows u, columns u and d
+  CellAssembly<dim> mesh_motion_;  // auxiliary problem: rows and columns d
+  ContactAssembly<dim> contact_;
+  Structure structure_;
+  double load_factor_ = 1;
+  mutable NodalState<dim> state_;
+};
+
+}  // namespace gnomon

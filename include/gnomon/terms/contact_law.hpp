@@ -1,0 +1,53 @@
+// Pointwise laws of contact and wear: pure functions of one contact node.
+#pragma once
+
+#include <gnomon/tensor.hpp>
+
+namespace gnomon {
+
+/// Augmented-Lagrangian treatment of unilateral contact, eq. (26), with its derivatives.
+/// lambda <= 0 is the nominal normal traction [stress], g the normal gap [length], rho > 0 the
+/// regularization [stress / length].
+template <class Scalar = double>
+struct UnilateralContact {
+  bool active;               ///< lambda + rho g <= 0
+  Scalar traction;           ///< effective multiplier lambda_eff [stress]
+  Scalar constraint;         ///< C_N [length]
+  double traction_by_lambda, traction_by_gap;
+  double constraint_by_lambda, constraint_by_gap;
+
+  UnilateralContact(const Scalar& lambda, const Scalar& g, double rho) {
+    const Scalar augmented = lambda + rho * g;
+    active = augmented <= Scalar(0);
+    traction = active ? augmented : Scalar(0);
+    constraint = active ? g : Scalar(-lambda / rho);
+    traction_by_lambda = active ? 1 : 0;
+    traction_by_gap = active ? rho : 0;
+    constraint_by_lambda = active ? 0 : -1 / rho;
+    constraint_by_gap = active ? 1 : 0;
+  }
+};
+
+/// Archard wear of a frictionless contact, sec. 4.1: Wdot = k v |T_N| [length / time], with k the
+/// wear coefficient [1 / stress] and v the sliding velocity [length / time].
+struct FrictionlessWear {
+  double rate_per_pressure = 0;  ///< k v
+
+  template <class Scalar>
+  Scalar rate(const Scalar& traction) const { return Scalar(-rate_per_pressure * traction); }
+  double rate_by_traction() const { return -rate_per_pressure; }
+};
+
+/// A rigid half-space that the body may not enter: gap g(x) = n . (x - point), eq. (5).
+template <int dim>
+struct RigidPlane {
+  Vector<dim> point = Vector<dim>::Zero();
+  Vector<dim> normal = Vector<dim>::Unit(dim - 1);  ///< unit, out of the rigid body
+
+  template <class Scalar>
+  Scalar gap(const Vector<dim, Scalar>& x) const {
+    return normal.template cast<Scalar>().dot(x - point.template cast<Scalar>());
+  }
+};
+
+}  // namespace gnomon

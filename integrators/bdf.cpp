@@ -1,0 +1,26 @@
+// bdf: variable-step, variable-order backward differentiation by IDA.
+
+#include <gnomon/integrator.hpp>
+#include <gnomon/sundials/bdf.hpp>
+
+namespace gnomon {
+
+namespace {
+
+const Registration<Integrator> registration({
+    .name = "bdf",
+    .family = "implicit multistep",
+    .order = "1-5",
+    .stability = "A and L at orders 1-2, A(alpha) at 3-5",
+    .driver = "IDA",
+    .step_control = "adaptive",
+    .help = "variable step and order, error control on the worn surface (integrator.rtol, .atol)",
+    .make = [](const Model& model, const IntegratorSettings& settings, Counters& counters)
+        -> std::unique_ptr<Stepper> {
+      return std::make_unique<BdfSolver>(model.system(), settings, counters);
+    },
+});
+
+}  // namespace
+
+}  // namespace gnomon

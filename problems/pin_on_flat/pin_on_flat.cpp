@@ -1,0 +1,128 @@
+// pin_on_flat: the paper's two-dimensional example, sec. 4.1. A parabolic pin y >= x^2/(2R), plane
+// strain, pressed on a rigid plane y = 0 that slides past; frictionless contact, wear rate k v |T_N|.
+//
+// Left and right sides are held laterally; a uniform traction acts on the top. The shape is held on
+// all of the boundary but the contact surface, whose end nodes belong to the sides.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <gnomon/error.hpp>
+#include <gnomon/problem.hpp>
+#include <gnomon/wear_model.hpp>
+
+namespace gnomon {
+
+namespace {
+
+std::vector<Key> keys() {
+  std::vector<Key> result = {
+      {.name = "mesh.elements",
+       .kind = KeyKind::integers,
+       .presence = Key::Presence::defaulted,
+       .default_value = std::vector<long>{40, 40},
+       .range = {.min = 2, .max = 4000},
+       .length = 2,
+       .help = "elements across and along the height of the pin"},
+      {.name = "pin.radius", .unit = "mm", .range = {.min = 0, .min_open = true},
+       .help = "radius of curvature R of the contact surface y = x^2/(2R)"},
+      {.name = "pin.width", .unit = "mm", .range = {.min = 0, .min_open = true},
+       .help = "width L of the pin"},
+      {.name = "pin.height", .unit = "mm", .range = {.min = 0, .min_open = true},
+       .help = "largest height H of the pin, at its centre line"}};
+  result.insert(result.end(), worn_body_keys().begin(), worn_body_keys().end());
+  return result;
+}
+
+Mesh<2> make_mesh(const Scene& scene) {
+  const double R = scene.real("pin.radius"), L = scene.real("pin.width");
+  const double H = scene.real("pin.height");
+  if (const double side = L * L / (8 * R); side >= H)
+    throw InputError(fmt::format(
+        "{}: expected more than L^2/(8R) = {:g} mm, so that the pin has sides, got {:g}",
+        scene.where("pin.height"), side, H));
+  const auto& elements = scene.integers("mesh.elements");
+  return structured_quadrilaterals(
+      static_cast<int>(elements[0]), static_cast<int>(elements[1]), [=](double s, double t) {
+        const double x = (s - 0.5) * L, bottom = x * x / (2 * R);
+        return Vector<2>(x, bottom + t * (H - bottom));
+      });
+}
+
+void hold_boundary(WornBody<2>& body) {
+  const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
+  body.displacement_fixed = body.shape_fixed = NodalFlags<2>::Zero(nodes, 2);
+  for (const char* side : {"left", "right", "top"})
+    for (int node : body.mesh.boundary_nodes(side)) {
+      body.shape_fixed.row(node).setOnes();
+      if (std::string(side) != "top") body.displacement_fixed(node, 0) = 1;
+    }
+}
+
+/// Uniform downward dead load of resultant `force` on the top.
+NodalField<2> top_load(const Mesh<2>& mesh, double force, double width) {
+  NodalField<2> load = NodalField<2>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), 2);
+  for (const auto& facet : mesh.boundary.at("top")) {
+    const double length = (mesh.nodes[facet[1]] - mesh.nodes[facet[0]]).norm();
+    for (int node : facet) load(node, 1) -= force / width * length / 2;
+  }
+  return load;
+}
+
+Scales make_scales(const Scene& scene, double k_v) {
+  const double nu = scene.real("body.poisson_ratio"), force = scene.real("load.force");
+  const double reduced_modulus = scene.real("body.young_modulus") / (1 - nu * nu);
+  const double width = scene.real("pin.width");
+  Scales scales;
+  scales.force = force;
+  scales.displacement = force / reduced_modulus;
+  scales.stress = force / width;
+  scales.duration = scene.real("time.end");
+  scales.wear_depth = k_v * force * scales.duration / width;
+  scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
+  return scales;
+}
+
+std::unique_ptr<Model> make(const Scene& scene) {
+  auto body = std::make_shared<WornBody<2>>();
+  body->mesh = make_mesh(scene);
+  const auto& surface = body->mesh.boundary.at("bottom");
+  body->contact_nodes = contact_patches<2>(body->mesh, surface);
+  hold_boundary(*body);
+  const double width = scene.real("pin.width");
+  body->load = top_load(body->mesh, scene.real("load.force"), width);
+
+  const double young = scene.real("body.young_modulus");
+  body->material = NeoHookean::from_young_poisson(young, scene.real("body.poisson_ratio"));
+  body->auxiliary_material = NeoHookean::from_young_poisson(scene.real("shape.young_modulus"),
+                                                            scene.real("shape.poisson_ratio"));
+  const std::string& element = scene.text("body.element");
+  body->element = element == "plain"   ? ElementKind::plain
+                  : element == "f-bar" ? ElementKind::f_bar
+                                       : ElementKind::f_bar_variational;
+  const double k_v = scene.real("wear.coefficient") * scene.real("wear.velocity");
+  const double facet = width / static_cast<double>(surface.size());
+  body->contact.wear.rate_per_pressure = k_v;
+  body->contact.rho = scene.real("contact.regularization") * young / facet;
+  body->contact.normal_rule = scene.text("wear.normal") == "averaged" ? NormalRule::averaged
+                                                                      : NormalRule::normalised;
+  body->constraint = scene.text("shape.constraint") == "eliminated" ? ConstraintForm::eliminated
+                                                                    : ConstraintForm::multiplier;
+  body->scales = make_scales(scene, k_v);
+  body->augmentation = scene.real("shape.augmentation") * scene.real("shape.young_modulus") /
+                       facet * body->scales.duration;
+  return std::make_unique<WearModel<2>>(std::move(body));
+}
+
+const Registration<Problem> registration({
+    .name = "pin_on_flat",
+    .help = "2D parabolic pin on a sliding rigid flat, plane strain, frictionless (paper, sec. 4.1)",
+    .keys = keys(),
+    .make = make,
+});
+
+}  // namespace
+
+}  // namespace gnomon

@@ -1,0 +1,59 @@
+#include <algorithm>
+#include <array>
+
+#include <gnomon/wear_model.hpp>
+
+namespace gnomon {
+
+namespace {
+
+struct SurfacePoint {
+  double s, pressure, gap;  // position along the plane
+  bool active;
+};
+
+/// Edge beyond point `last` (active) in direction `step` (+1 or -1) along the surface.
+double edge(const std::vector<SurfacePoint>& points, int last, int step) {
+  const auto at = [&](int k) -> const SurfacePoint* {
+    return k >= 0 && k < static_cast<int>(points.size()) ? &points[k] : nullptr;
+  };
+  const SurfacePoint& in = points[last];
+  const SurfacePoint* inner = at(last - step);
+  const SurfacePoint* open = at(last + step);
+  if (!open) return in.s;  // contact up to the end of the surface
+  const double width = open->s - in.s;
+  if (inner && inner->active) {
+    const double fall = inner->pressure * inner->pressure - in.pressure * in.pressure;
+    const double reach = fall > 0 ? (in.s - inner->s) * in.pressure * in.pressure / fall : width;
+    if (std::abs(reach) < std::abs(width)) return in.s + reach;
+  }
+  const SurfacePoint* beyond = at(last + 2 * step);
+  if (!beyond || beyond->gap <= open->gap) return open->s;
+  const double back = open->gap * (beyond->s - open->s) / (beyond->gap - open->gap);
+  return open->s - (std::abs(back) < std::abs(width) ? back : width);
+}
+
+}  // namespace
+
+double contact_half_width(const WearSystem<2>& system, const NodalState<2>& state) {
+  const WornBody<2>& body = system.body();
+  const Vector<2> n = body.contact.counter_body.normal;
+  const Vector<2> along(n[1], -n[0]);
+  std::vector<SurfacePoint> points;
+  int first = -1, last = -1;
+  for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c) {
+    const int node = body.contact_nodes[c].node;
+    const Vector<2> x =
+        body.mesh.nodes[node] + (state.d.row(node) + state.u.row(node)).transpose();
+    const ContactNode<2> contact = system.contact().node(state, c);
+    points.push_back({along.dot(x), -contact.traction, body.contact.counter_body.gap(x),
+                      contact.active && contact.traction < 0});
+    if (!points.back().active) continue;
+    if (first < 0) first = c;
+    last = c;
+  }
+  if (first < 0) return 0;
+  return std::abs(edge(points, last, 1) - edge(points, first, -1)) / 2;
+}
+
+}  // namespace gnomon

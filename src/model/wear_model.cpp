@@ -1,0 +1,148 @@
+#include <algorithm>
+
+#include <gnomon/integration/fixed_step.hpp>
+#include <gnomon/wear_model.hpp>
+
+namespace gnomon {
+
+template <int dim>
+WearModel<dim>::WearModel(std::shared_ptr<const WornBody<dim>> body)
+    : system_(std::move(body), Selection{}) {}
+
+template <int dim>
+std::vector<BlockSize> WearModel<dim>::blocks() const {
+  const Unknowns<dim>& unknowns = system_.unknowns();
+  const auto count = [](const auto& numbers) {
+    return static_cast<long>((numbers.array() >= 0).count());
+  };
+  const auto& differential = system_.structure().differential;
+  const long worn = std::count(differential.begin(), differential.end(), 1);
+  std::vector<BlockSize> blocks = {
+      {"displacement", "u", count(unknowns.u()), "all nodes"},
+      {"shape", "d", count(unknowns.d()) - worn, "nodes off the contact surface"},
+      {"worn_surface", "d", worn, "contact nodes (differential)"},
+      {"contact_multiplier", "lambda", count(unknowns.lambda()), "contact nodes"}};
+  if (system_.body().constraint == ConstraintForm::multiplier)
+    blocks.push_back({"shape_multiplier", "mu", count(unknowns.mu()), "contact nodes"});
+  return blocks;
+}
+
+template <int dim>
+std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
+  const NodalState<dim>& nodal = system_.nodal(state.y);
+  const WornBody<dim>& body = system_.body();
+  double force = 0, flux = 0, pressure = 0;
+  long active = 0;
+  for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c) {
+    const ContactNode<dim> node = system_.contact().node(nodal, c);
+    force -= node.area * node.traction;
+    flux += node.area * node.wear_rate;
+    pressure = std::max(pressure, -node.traction);
+    active += node.active;
+  }
+  double worn = 0, quality = 1;
+  CellNodal<dim> initial, X;
+  for (const auto& cell : body.mesh.cells) {
+    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) {
+      initial.row(a) = body.mesh.nodes[cell[a]].transpose();
+      X.row(a) = initial.row(a) + nodal.d.row(cell[a]);
+    }
+    worn += cell_volume<dim>(initial) - cell_volume<dim>(X);
+    quality = std::min(quality, scaled_jacobian<dim>(X));
+  }
+  // Per unit thickness in 2D.
+  const std::string force_unit = dim == 2 ? "N/mm" : "N";
+  const std::string volume_unit = dim == 2 ? "mm^2" : "mm^3";
+  std::vector<Scalar> scalars = {{"contact_nodes", "", double(active)},
+                                 {"contact_force", force_unit, force},
+                                 {"max_pressure", "MPa", pressure},
+                                 {"worn_volume", volume_unit, worn},
+                                 {"wear_flux", volume_unit + "/s", flux},
+                                 {"element_quality", "", quality}};
+  if constexpr (dim == 2)
+    scalars.push_back({"contact_half_width", "mm", contact_half_width(system_, nodal)});
+  return scalars;
+}
+
+template <int dim>
+std::optional<Grid> WearModel<dim>::grid() const {
+  const Mesh<dim>& mesh = system_.body().mesh;
+  Grid grid;
+  grid.cell = dim == 2 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
+  for (const Vector<dim>& X : mesh.nodes) {
+    std::array<double, 3> point{};
+    std::copy(X.begin(), X.end(), point.begin());
+    grid.points.push_back(point);
+  }
+  for (const auto& cell : mesh.cells) grid.cells.insert(grid.cells.end(), cell.begin(), cell.end());
+  return grid;
+}
+
+namespace {
+
+template <int dim>
+Field nodal_vector(const std::string& name, const NodalField<dim>& values) {
+  Field field{name, "mm", Field::On::nodes, 3, {}};
+  field.values.assign(3 * values.rows(), 0.0);
+  for (Eigen::Index node = 0; node < values.rows(); ++node)
+    for (int i = 0; i < dim; ++i) field.values[3 * node + i] = values(node, i);
+  return field;
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<Field> WearModel<dim>::fields(const State& state) const {
+  const NodalState<dim>& nodal = system_.nodal(state.y);
+  const WornBody<dim>& body = system_.body();
+  Field pressure{"pressure", "MPa", Field::On::nodes, 1, {}};
+  pressure.values.assign(body.mesh.nodes.size(), 0.0);
+  for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c)
+    pressure.values[body.contact_nodes[c].node] =
+        std::max(0.0, -system_.contact().node(nodal, c).traction);
+  Field stress{"equivalent_stress", "MPa", Field::On::cells, 1, {}};
+  Field quality{"element_quality", "", Field::On::cells, 1, {}};
+  CellNodal<dim> X, u;
+  for (const auto& cell : body.mesh.cells) {
+    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) {
+      X.row(a) = body.mesh.nodes[cell[a]].transpose() + nodal.d.row(cell[a]);
+      u.row(a) = nodal.u.row(cell[a]);
+    }
+    stress.values.push_back(equivalent_stress<dim>(body.element, body.material, X, u));
+    quality.values.push_back(scaled_jacobian<dim>(X));
+  }
+  return {nodal_vector<dim>("displacement", nodal.u), nodal_vector<dim>("shape", nodal.d),
+          nodal_vector<dim>("total_displacement", nodal.u + nodal.d), pressure, stress, quality};
+}
+
+template <int dim>
+std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const {
+  const NodalState<dim>& nodal = system_.nodal(state.y);
+  const WornBody<dim>& body = system_.body();
+  ContactSurface surface;
+  surface.dim = dim;
+  const auto point = [](const Vector<dim>& v) {
+    std::array<double, 3> p{};
+    std::copy(v.begin(), v.end(), p.begin());
+    return p;
+  };
+  for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c) {
+    const int node = body.contact_nodes[c].node;
+    const ContactNode<dim> contact = system_.contact().node(nodal, c);
+    const Vector<dim> d = nodal.d.row(node).transpose();
+    const Vector<dim> u = nodal.u.row(node).transpose();
+    surface.node.push_back(node);
+    surface.initial.push_back(point(body.mesh.nodes[node]));
+    surface.worn.push_back(point(body.mesh.nodes[node] + d));
+    surface.current.push_back(point(body.mesh.nodes[node] + d + u));
+    surface.pressure.push_back(std::max(0.0, -contact.traction));
+    surface.wear_depth.push_back(d.norm());
+    surface.active.push_back(contact.active);
+  }
+  return surface;
+}
+
+template class WearModel<2>;
+template class WearModel<3>;
+
+}  // namespace gnomon

@@ -1,0 +1,174 @@
+#include <gnomon/sundials/bdf.hpp>
+
+#include <fmt/format.h>
+#include <ida/ida.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <gnomon/integration/fixed_step.hpp>
+#include "semismooth_newton.hpp"
+
+namespace gnomon {
+
+using namespace sundials;
+
+namespace {
+void destroy_ida(void* memory) { IDAFree(&memory); }
+}  // namespace
+
+class BdfSolver::Memory {
+public:
+  Memory(const System& system, const IntegratorSettings& settings, Counters& counters);
+  StepReport advance(State& state, double t_stop);
+
+private:
+  static int residual(sunrealtype t, N_Vector y, N_Vector ydot, N_Vector F, void* self);
+  static int jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_Vector ydot, N_Vector F,
+                      SUNMatrix J, void* self, N_Vector, N_Vector, N_Vector);
+  static int weights(N_Vector y, N_Vector w, void* self);
+  void begin(const State& state);
+  [[noreturn]] void fail(int flag, double t) const;
+
+  const System& system_;
+  IntegratorSettings settings_;
+  Counters& counters_;
+  long differential_ = 0;  // number of differential components
+  bool begun_ = false;
+  long rejected_ = 0;
+  Guard guard_;
+  // Destroyed in reverse: IDA before what it refers to, the context last.
+  Context context_;
+  VectorOwner y_, ydot_, id_, probe_;
+  MatrixOwner matrix_;
+  LinearSolverOwner linear_;
+  NonlinearSolverOwner nonlinear_;
+  Owner<void, destroy_ida> ida_;
+};
+
+BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settings,
+                          Counters& counters)
+    : system_(system),
+      settings_(settings),
+      counters_(counters),
+      y_(make_vector(system.structure().size, context_)),
+      ydot_(make_vector(system.structure().size, context_)),
+      id_(make_vector(system.structure().size, context_)),
+      probe_(make_vector(system.structure().size, context_)),
+      matrix_(make_matrix(system.structure(), context_)),
+      linear_(make_linear_solver(system.structure(), counters, guard_, context_)) {
+  const auto& differential = system.structure().differential;
+  std::copy(differential.begin(), differential.end(), view(id_.get()).begin());
+  differential_ = std::count(differential.begin(), differential.end(), 1);
+  SemismoothSettings newton;
+  newton.active_set = [this](N_Vector ycor, std::vector<char>& active) {
+    N_Vector predicted = nullptr;
+    sunrealtype t, gamma;
+    N_Vector yy, yp, res;
+    void* user = nullptr;
+    check(IDAGetNonlinearSystemData(ida_.get(), &t, &predicted, &res, &yy, &yp, &res, &gamma, &user),
+          "IDAGetNonlinearSystemData");
+    N_VLinearSum(1.0, predicted, 1.0, ycor, probe_.get());
+    system_.active_set(view(probe_.get()), active);
+  };
+  nonlinear_ = make_semismooth_newton(system.structure(), counters, guard_, newton, context_);
+}
+
+void BdfSolver::Memory::begin(const State& state) {
+  std::copy(state.y.begin(), state.y.end(), view(y_.get()).begin());
+  std::copy(state.ydot.begin(), state.ydot.end(), view(ydot_.get()).begin());
+  ida_.reset(IDACreate(context_));
+  void* ida = ida_.get();
+  check(ida, "IDACreate");
+  GNOMON_SILENCE(IDASetErrHandlerFn, ida);
+  check(IDAInit(ida, &Memory::residual, state.t, y_.get(), ydot_.get()), "IDAInit");
+  check(IDASetUserData(ida, this), "IDASetUserData");
+  check(IDAWFtolerances(ida, &Memory::weights), "IDAWFtolerances");
+  check(IDASetId(ida, id_.get()), "IDASetId");
+  check(IDASetSuppressAlg(ida, SUNTRUE), "IDASetSuppressAlg");
+  check(IDASetMaxOrd(ida, settings_.max_order), "IDASetMaxOrd");
+  if (settings_.max_step > 0) check(IDASetMaxStep(ida, settings_.max_step), "IDASetMaxStep");
+  check(IDASetMaxErrTestFails(ida, 30), "IDASetMaxErrTestFails");
+  check(IDASetMaxConvFails(ida, 30), "IDASetMaxConvFails");
+  check(IDASetLinearSolver(ida, linear_.get(), matrix_.get()), "IDASetLinearSolver");
+  check(IDASetJacFn(ida, &Memory::jacobian), "IDASetJacFn");
+  check(IDASetNonlinearSolver(ida, nonlinear_.get()), "IDASetNonlinearSolver");
+  begun_ = true;
+}
+
+int BdfSolver::Memory::residual(sunrealtype t, N_Vector y, N_Vector ydot, N_Vector F, void* data) {
+  Memory& self = *static_cast<Memory*>(data);
+  return self.guard_.run([&] {
+    ++self.counters_.residual_evaluations;
+    self.system_.residual(t, view(y), view(ydot), view(F));
+    require_finite(view(F), "the residual");
+  });
+}
+
+int BdfSolver::Memory::jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_Vector ydot,
+                                N_Vector, SUNMatrix J, void* data, N_Vector, N_Vector, N_Vector) {
+  Memory& self = *static_cast<Memory*>(data);
+  return self.guard_.run([&] {
+    ++self.counters_.jacobian_evaluations;
+    self.system_.jacobian(t, view(y), view(ydot), alpha, values(J));
+  });
+}
+
+// IDA averages the masked squares over ALL components; the factor makes it the mean over the
+// differential ones, so that rtol means the same however many algebraic unknowns there are.
+int BdfSolver::Memory::weights(N_Vector y, N_Vector w, void* data) {
+  const Memory& self = *static_cast<Memory*>(data);
+  const double spread = std::sqrt(double(view(y).size()) / double(self.differential_));
+  for (std::size_t i = 0; i < view(y).size(); ++i)
+    view(w)[i] = spread / (self.settings_.rtol * std::abs(view(y)[i]) + self.settings_.atol);
+  return 0;
+}
+
+StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
+  if (!begun_) begin(state);
+  void* ida = ida_.get();
+  guard_.clear();
+  const long newton_before = counters_.newton_iterations;
+  check(IDASetStopTime(ida, t_stop), "IDASetStopTime");
+  sunrealtype t = state.t;
+  const int flag = IDASolve(ida, t_stop, &t, y_.get(), ydot_.get(), IDA_ONE_STEP);
+  guard_.rethrow();
+  long error_fails = 0, newton_fails = 0;
+  check(IDAGetNumErrTestFails(ida, &error_fails), "IDAGetNumErrTestFails");
+  check(IDAGetNumStepSolveFails(ida, &newton_fails), "IDAGetNumStepSolveFails");
+  const long rejected = error_fails + newton_fails - rejected_;
+  rejected_ += rejected;
+  counters_.rejected_steps += rejected;
+  if (flag < 0) fail(flag, state.t);
+
+  StepReport report;
+  report.step = t - state.t;
+  check(IDAGetLastOrder(ida, &report.order), "IDAGetLastOrder");
+  report.newton_iterations = counters_.newton_iterations - newton_before;
+  report.restarted = rejected > 0;
+  ++counters_.steps;
+  state.t = t;
+  std::copy(view(y_.get()).begin(), view(y_.get()).end(), state.y.begin());
+  set_rates(system_, state);
+  return report;
+}
+
+void BdfSolver::Memory::fail(int flag, double t) const {
+  const char* what = flag == IDA_ERR_FAIL    ? "the error test failed at the smallest step"
+                     : flag == IDA_CONV_FAIL ? "Newton failed at the smallest step"
+                     : flag == IDA_TOO_MUCH_ACC ? "the tolerance is below rounding"
+                                                : "IDA stopped";
+  throw SolutionError(fmt::format("bdf cannot go on from t = {:.6g}: {} (code {}){}{}", t, what, flag,
+                                  guard_.recoverable().empty() ? "" : "; last: ",
+                                  guard_.recoverable()));
+}
+
+BdfSolver::BdfSolver(const System& system, const IntegratorSettings& settings, Counters& counters)
+    : memory_(std::make_unique<Memory>(system, settings, counters)) {}
+BdfSolver::~BdfSolver() = default;
+
+StepReport BdfSolver::advance(State& state, double t_stop) {
+  return memory_->advance(state, t_stop);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,91 @@
+// The room that sees SUNDIALS: owners of its handles, views of its vectors, and the one way in which
+// errors and exceptions cross its C frames. Nothing outside src/sundials includes this file.
+//
+// Version differences (6.4 and 7.x) belong here and in compat.hpp alone.
+#pragma once
+
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
+#include <sundials/sundials_nvector.h>
+
+#include <exception>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "compat.hpp"
+#include <gnomon/counters.hpp>
+#include <gnomon/error.hpp>
+#include <gnomon/linear/sparse_lu.hpp>
+#include <gnomon/system.hpp>
+
+namespace gnomon::sundials {
+
+/// Move-only owner of a handle with its deleter.
+template <class T, void (*destroy)(T*)>
+struct Destroy {
+  void operator()(T* handle) const { destroy(handle); }
+};
+template <class T, void (*destroy)(T*)>
+using Owner = std::unique_ptr<T, Destroy<T, destroy>>;
+
+inline void destroy_vector(_generic_N_Vector* v) { N_VDestroy(v); }
+inline void destroy_matrix(_generic_SUNMatrix* m) { SUNMatDestroy(m); }
+inline void destroy_linear(_generic_SUNLinearSolver* s) { SUNLinSolFree(s); }
+using VectorOwner = Owner<_generic_N_Vector, destroy_vector>;
+using MatrixOwner = Owner<_generic_SUNMatrix, destroy_matrix>;
+using LinearSolverOwner = Owner<_generic_SUNLinearSolver, destroy_linear>;
+
+/// Throws Error with the function's name when a SUNDIALS call failed.
+void check(int flag, const char* what);
+void check(const void* handle, const char* what);
+
+/// New serial vector of length n, zero.
+VectorOwner make_vector(long n, SUNContext context);
+std::span<double> view(N_Vector v);
+
+/// Runs a callback body inside a C frame: 0, +1 after a RecoverableError (SUNDIALS may cut its
+/// step), -1 after anything else, which is kept for rethrow().
+class Guard {
+public:
+  template <class Body>
+  int run(Body&& body) noexcept {
+    try {
+      body();
+      return 0;
+    } catch (const RecoverableError& error) {
+      try { recoverable_ = error.what(); } catch (...) { recoverable_.clear(); }
+      return 1;
+    } catch (...) {
+      pending_ = std::current_exception();
+      return -1;
+    }
+  }
+  /// Rethrows what a callback threw, once.
+  void rethrow() {
+    if (pending_) std::rethrow_exception(std::exchange(pending_, nullptr));
+  }
+  /// The last recoverable error's message; forgotten by clear().
+  const std::string& recoverable() const { return recoverable_; }
+  void clear() { recoverable_.clear(); }
+
+private:
+  std::exception_ptr pending_;
+  std::string recoverable_;
+};
+
+/// Values on a fixed pattern as a SUNMatrix. SUNMatZero leaves the pattern alone.
+MatrixOwner make_matrix(const Structure& structure, SUNContext context);
+std::span<double> values(SUNMatrix matrix);
+
+/// SparseLu as a direct SUNLinearSolver; counts factorizations and solves.
+LinearSolverOwner make_linear_solver(const Structure& structure, Counters& counters, Guard& guard,
+                                     SUNContext context);
+
+/// Throws RecoverableError when an entry is not finite.
+void require_finite(std::span<const double> values, const char* what);
+
+/// Largest |F_i| / row_scale_i.
+double scaled_norm(std::span<const double> F, const std::vector<double>& row_scale);
+
+}  // namespace gnomon::sundials

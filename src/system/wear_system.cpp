@@ -1,0 +1,127 @@
+#include <algorithm>
+
+#include <gnomon/system/wear_system.hpp>
+
+namespace gnomon {
+
+template <int dim>
+WearSystem<dim>::WearSystem(std::shared_ptr<const WornBody<dim>> body, const Selection& selection)
+    : body_(std::move(body)),
+      selection_(selection),
+      unknowns_(*body_, selection),
+      solid_(body_->mesh, body_->material, body_->element, unknowns_.u(), unknowns_.u(),
+             &unknowns_.d()),
+      mesh_motion_(body_->mesh, body_->auxiliary_material, ElementKind::plain,
+                   unknowns_.auxiliary_row(), unknowns_.d(), nullptr),
+      contact_(*body_, unknowns_),
+      state_(NodalState<dim>::zero(*body_)) {
+  build_structure();
+}
+
+template <int dim>
+void WearSystem<dim>::build_structure() {
+  PatternBuilder builder(unknowns_.size());
+  solid_.add_to_pattern(builder);
+  mesh_motion_.add_to_pattern(builder);
+  contact_.add_to_pattern(builder);
+  structure_.size = unknowns_.size();
+  structure_.pattern = builder.build();
+  solid_.map_to(structure_.pattern);
+  mesh_motion_.map_to(structure_.pattern);
+  contact_.map_to(structure_.pattern);
+  structure_.group = unknowns_.node();
+
+  const Scales& s = body_->scales;
+  structure_.differential.assign(structure_.size, 0);
+  structure_.row_scale.assign(structure_.size, s.auxiliary_force);
+  structure_.unknown_scale.assign(structure_.size, s.wear_depth);
+  const auto set = [this](int number, double row, double unknown) {
+    if (number < 0) return;
+    structure_.row_scale[number] = row;
+    structure_.unknown_scale[number] = unknown;
+  };
+  for (int number : unknowns_.u().reshaped()) set(number, s.force, s.displacement);
+  for (int number : unknowns_.lambda()) set(number, s.displacement, s.stress);
+  for (std::size_t c = 0; c < body_->contact_nodes.size(); ++c) {
+    const ContactPatch<dim>& patch = body_->contact_nodes[c];
+    for (int i = 0; i < dim; ++i) {
+      set(unknowns_.mu()(c, i), s.auxiliary_force, s.auxiliary_force / patch.initial_area);
+      const int number = unknowns_.d()(patch.node, i);
+      set(number, s.wear_depth / s.duration, s.wear_depth);
+      if (number >= 0) structure_.differential[number] = 1;
+    }
+  }
+}
+
+template <int dim>
+const NodalState<dim>& WearSystem<dim>::nodal(std::span<const double> y) const {
+  unknowns_.scatter(y, state_);
+  return state_;
+}
+
+template <int dim>
+void WearSystem<dim>::residual(double, std::span<const double> y, std::span<const double> ydot,
+                               std::span<double> F) const {
+  const NodalState<dim>& state = nodal(y);
+  std::fill(F.begin(), F.end(), 0.0);
+  if (selection_.deformation) {
+    solid_.add_residual(&state.d, state.u, F);
+    for (Eigen::Index k = 0; k < unknowns_.u().size(); ++k)
+      if (const int row = unknowns_.u().data()[k]; row >= 0)
+        F[row] -= load_factor_ * body_->load.data()[k];
+  }
+  if (selection_.interior_shape) mesh_motion_.add_residual(nullptr, state.d, F);
+  contact_.add_residual(state, ydot, F);
+}
+
+template <int dim>
+void WearSystem<dim>::jacobian(double, std::span<const double> y, std::span<const double>,
+                               double alpha, std::span<double> values) const {
+  const NodalState<dim>& state = nodal(y);
+  std::fill(values.begin(), values.end(), 0.0);
+  if (selection_.deformation) solid_.add_jacobian(&state.d, state.u, values);
+  if (selection_.interior_shape) mesh_motion_.add_jacobian(nullptr, state.d, values);
+  contact_.add_jacobian(state, alpha, values);
+}
+
+template <int dim>
+void WearSystem<dim>::active_set(std::span<const double> y, std::vector<char>& active) const {
+  const NodalState<dim>& state = nodal(y);
+  active.resize(body_->contact_nodes.size());
+  for (std::size_t c = 0; c < active.size(); ++c) {
+    const int node = body_->contact_nodes[c].node;
+    const Vector<dim> x = body_->mesh.nodes[node] + (state.d.row(node) + state.u.row(node)).transpose();
+    active[c] = UnilateralContact<double>(state.lambda[static_cast<Eigen::Index>(c)],
+                                          body_->contact.counter_body.gap(x), body_->contact.rho)
+                    .active;
+  }
+}
+
+template <int dim>
+std::vector<Stage> WearSystem<dim>::make_stages() const {
+  const auto make = [this](const Selection& selection) {
+    auto part = std::make_unique<WearSystem<dim>>(body_, selection);
+    Stage stage;
+    stage.unknowns.resize(part->structure().size);
+    const auto match = [&stage](const auto& mine, const auto& theirs) {
+      for (Eigen::Index k = 0; k < mine.size(); ++k)
+        if (mine.data()[k] >= 0) stage.unknowns[mine.data()[k]] = theirs.data()[k];
+    };
+    match(part->unknowns_.u(), unknowns_.u());
+    match(part->unknowns_.d(), unknowns_.d());
+    match(part->unknowns_.lambda(), unknowns_.lambda());
+    match(part->unknowns_.mu(), unknowns_.mu());
+    stage.freeze = [this, part = part.get()](std::span<const double> y) { part->freeze(nodal(y)); };
+    stage.system = std::move(part);
+    return stage;
+  };
+  std::vector<Stage> stages;
+  stages.push_back(make({.deformation = false, .interior_shape = true, .contact_shape = false}));
+  stages.push_back(make({.deformation = true, .interior_shape = false, .contact_shape = false}));
+  return stages;
+}
+
+template class WearSystem<2>;
+template class WearSystem<3>;
+
+}  // namespace gnomon
