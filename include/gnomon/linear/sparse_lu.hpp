@@ -16,7 +16,7 @@ std::vector<int> nested_dissection(const SparsePattern& pattern, const std::vect
 /// LU factors of matrices that share one pattern: analysed once, factorized often.
 class SparseLu {
 public:
-  /// The pattern must outlive the object.
+  /// Unknowns of one `group` (mesh node) are eliminated together.
   SparseLu(const SparsePattern& pattern, const std::vector<int>& group);
   ~SparseLu();
   SparseLu(const SparseLu&) = delete;
@@ -24,7 +24,7 @@ public:
 
   /// Factorizes `values` on the pattern. Returns false when the matrix is singular or not finite.
   bool factorize(std::span<const double> values);
-  /// Solves J x = b with the last factors (and the same values, which must still be alive).
+  /// Solves J x = b with the last factors.
   void solve(std::span<const double> b, std::span<double> x) const;
 
   /// Entries of L and U together, of the last factorization.
