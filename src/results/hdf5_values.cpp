@@ -7,7 +7,7 @@ namespace gnomon::hdf5 {
 
 namespace {
 
-constexpr std::size_t kFixedText = 1024;
+constexpr std::size_t kRewritableText = 1024;
 
 Handle open_attribute(hid_t object, const char* name) {
   return own(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "read an attribute");
@@ -20,30 +20,25 @@ Handle create_attribute(hid_t object, const char* name, hid_t type,
              "write an attribute");
 }
 
-Handle fixed_text_type() {
-  Handle type = own(H5Tcopy(H5T_C_S1), H5Tclose, "describe text");
-  check(H5Tset_size(type.id(), kFixedText), "describe text");
-  check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "describe text");
-  return type;
+// Texts of `size` bytes each, one after the other, as HDF5 keeps them.
+std::vector<char> padded(const std::vector<std::string>& texts, std::size_t size) {
+  std::vector<char> bytes(texts.size() * size, '\0');
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    std::copy_n(texts[i].begin(), std::min(texts[i].size(), size), &bytes[i * size]);
+  }
+  return bytes;
 }
 
-// Reads `count` texts of either kind (variable or fixed length) through `read`, which fills memory
-// of the given type.
+// Reads `count` texts through `read`, which fills memory of the given type.
 template <class Read>
-std::vector<std::string> take_texts(hid_t stored, hid_t shape, std::size_t count, Read read) {
-  if (H5Tget_class(stored) != H5T_STRING) throw Failure("cannot read text: it is not text");
-  std::vector<std::string> texts;
-  if (check(H5Tis_variable_str(stored), "read text") > 0) {
-    const Handle type = text_type();
-    std::vector<char*> pointers(count, nullptr);
-    read(type.id(), pointers.data());
-    for (const char* text : pointers) texts.emplace_back(text == nullptr ? "" : text);
-    H5Dvlen_reclaim(type.id(), shape, H5P_DEFAULT, pointers.data());
-    return texts;
+std::vector<std::string> take_texts(hid_t stored, std::size_t count, Read read) {
+  if (H5Tget_class(stored) != H5T_STRING || H5Tis_variable_str(stored) != 0) {
+    throw Failure("cannot read text: it is not text of fixed length");
   }
   const std::size_t size = H5Tget_size(stored);
   std::vector<char> bytes(count * size);
   read(stored, bytes.data());
+  std::vector<std::string> texts;
   for (std::size_t i = 0; i < count; ++i) {
     const char* text = bytes.data() + i * size;
     texts.emplace_back(text, strnlen(text, size));
@@ -76,9 +71,10 @@ herr_t add_name(std::vector<std::string>& names, const char* name) {
 
 }  // namespace
 
-Handle text_type() {
+Handle text_type(std::size_t size) {
   Handle type = own(H5Tcopy(H5T_C_S1), H5Tclose, "describe text");
-  check(H5Tset_size(type.id(), H5T_VARIABLE), "describe text");
+  check(H5Tset_size(type.id(), std::max<std::size_t>(1, size)), "describe text");
+  check(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "describe text");
   check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "describe text");
   return type;
 }
@@ -104,18 +100,17 @@ Handle create_dataset(hid_t parent, const std::string& name, hid_t type,
 }
 
 void write_attribute(hid_t object, const char* name, const std::string& text) {
-  const Handle type = text_type();
+  const Handle type = text_type(text.size());
   const Handle attribute = create_attribute(object, name, type.id(), {});
-  const char* pointer = text.c_str();
-  check(H5Awrite(attribute.id(), type.id(), &pointer), "write an attribute");
+  check(H5Awrite(attribute.id(), type.id(), text.c_str()), "write an attribute");
 }
 
 void write_attribute(hid_t object, const char* name, const std::vector<std::string>& texts) {
-  const Handle type = text_type();
+  std::size_t size = 1;
+  for (const std::string& text : texts) size = std::max(size, text.size());
+  const Handle type = text_type(size);
   const Handle attribute = create_attribute(object, name, type.id(), {texts.size()});
-  std::vector<const char*> pointers;
-  for (const std::string& text : texts) pointers.push_back(text.c_str());
-  check(H5Awrite(attribute.id(), type.id(), pointers.data()), "write an attribute");
+  check(H5Awrite(attribute.id(), type.id(), padded(texts, size).data()), "write an attribute");
 }
 
 void write_attribute(hid_t object, const char* name, double value) {
@@ -130,13 +125,13 @@ void write_attribute(hid_t object, const char* name, int value) {
   check(H5Awrite(attribute.id(), H5T_NATIVE_INT, &value), "write an attribute");
 }
 
-void write_fixed_text(hid_t object, const char* name, const std::string& text, bool create) {
-  const Handle type = fixed_text_type();
+void rewrite_attribute(hid_t object, const char* name, const std::string& text) {
+  const Handle type = text_type(kRewritableText);
+  const bool create = check(H5Aexists(object, name), "write an attribute") == 0;
   const Handle attribute =
       create ? create_attribute(object, name, type.id(), {}) : open_attribute(object, name);
-  std::vector<char> bytes(kFixedText, '\0');
-  std::copy_n(text.begin(), std::min(text.size(), kFixedText - 1), bytes.begin());
-  check(H5Awrite(attribute.id(), type.id(), bytes.data()), "write an attribute");
+  check(H5Awrite(attribute.id(), type.id(), padded({text}, kRewritableText).data()),
+        "write an attribute");
 }
 
 std::vector<std::string> read_texts_attribute(hid_t object, const char* name) {
@@ -145,10 +140,9 @@ std::vector<std::string> read_texts_attribute(hid_t object, const char* name) {
   const Handle shape = own(H5Aget_space(attribute.id()), H5Sclose, "read an attribute");
   const hssize_t count = check(H5Sget_simple_extent_npoints(shape.id()), "read an attribute");
   if (count > 65536) throw Failure("cannot read an attribute: it is too large");
-  return take_texts(stored.id(), shape.id(), static_cast<std::size_t>(count),
-                    [&](hid_t type, void* memory) {
-                      check(H5Aread(attribute.id(), type, memory), "read an attribute");
-                    });
+  return take_texts(stored.id(), static_cast<std::size_t>(count), [&](hid_t type, void* memory) {
+    check(H5Aread(attribute.id(), type, memory), "read an attribute");
+  });
 }
 
 std::string read_text_attribute(hid_t object, const char* name) {
@@ -178,17 +172,15 @@ void write_dataset(hid_t parent, const std::string& name, const std::vector<hsiz
 }
 
 void write_dataset(hid_t parent, const std::string& name, const std::string& text) {
-  const char* pointer = text.c_str();
-  const Handle type = text_type();
-  write_array(parent, name, {}, type.id(), &pointer);
+  const Handle type = text_type(text.size());
+  write_array(parent, name, {}, type.id(), text.c_str());
 }
 
 std::string read_text(hid_t parent, const char* name) {
   const Handle dataset = own(H5Dopen2(parent, name, H5P_DEFAULT), H5Dclose, "read text");
   const Handle stored = own(H5Dget_type(dataset.id()), H5Tclose, "read text");
-  const Handle shape = own(H5Dget_space(dataset.id()), H5Sclose, "read text");
   if (count_of(extents_of(dataset.id())) != 1) throw Failure("cannot read text: it is a list");
-  return take_texts(stored.id(), shape.id(), 1,
+  return take_texts(stored.id(), 1,
                     [&](hid_t type, void* memory) {
                       check(H5Dread(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, memory),
                             "read text");

@@ -11,8 +11,9 @@
 
 namespace gnomon::hdf5 {
 
-/// The type of text: UTF-8 of variable length, which Python reads as str.
-Handle text_type();
+/// The type of text: UTF-8 of at most `size` bytes, padded with zeros. Never of variable length:
+/// that lives in HDF5's global heap, which has no checksum and crashes the library when damaged.
+Handle text_type(std::size_t size);
 /// A dataspace of the given extents; none: a scalar.
 Handle space(const std::vector<hsize_t>& extents);
 /// Creates a dataset that is written once; properties may be H5P_DEFAULT.
@@ -27,8 +28,8 @@ std::string read_text_attribute(hid_t object, const char* name);
 std::vector<std::string> read_texts_attribute(hid_t object, const char* name);
 double read_number_attribute(hid_t object, const char* name);
 
-/// Text that is rewritten in place: a fixed number of bytes, cut to fit.
-void write_fixed_text(hid_t object, const char* name, const std::string& text, bool create);
+/// Text that can be rewritten in place: room for a thousand bytes, cut to fit.
+void rewrite_attribute(hid_t object, const char* name, const std::string& text);
 
 void write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& extents,
                    const double* values);
@@ -41,7 +42,6 @@ bool exists(hid_t parent, const std::string& path);
 /// Extents of a dataset. Throws Failure when it claims more bytes than the file has: sizes from a
 /// damaged file must not reach an allocation.
 std::vector<hsize_t> extents_of(hid_t dataset);
-/// A whole dataset, whose extents must have `rank` entries.
 struct Doubles {
   std::vector<hsize_t> extents;
   std::vector<double> values;
@@ -49,7 +49,7 @@ struct Doubles {
 Doubles read_doubles(hid_t parent, const std::string& name);
 std::vector<int> read_ints(hid_t parent, const std::string& name);
 
-/// Visits the names of the links (group) or attributes (object), in order of name.
+/// The names of the links (group) or attributes (object), sorted.
 std::vector<std::string> link_names(hid_t group);
 std::vector<std::string> attribute_names(hid_t object);
 

@@ -31,11 +31,9 @@ std::string step_path(std::size_t step) {
 }
 
 Handle stored_type() {
-  Handle text = own(H5Tcopy(H5T_C_S1), H5Tclose, "describe a table");
-  check(H5Tset_size(text.id(), sizeof(StoredRow::path)), "describe a table");
   Handle type = compound(sizeof(StoredRow));
   insert(type, "t", offsetof(StoredRow, t), H5T_NATIVE_DOUBLE);
-  insert(type, "path", offsetof(StoredRow, path), text.id());
+  insert(type, "path", offsetof(StoredRow, path), hdf5::text_type(sizeof(StoredRow::path)).id());
   return type;
 }
 
@@ -81,12 +79,12 @@ Handle history_type(const std::vector<Column>& columns) {
 }
 
 Handle block_type() {
-  const Handle text = hdf5::text_type();
   Handle type = compound(sizeof(BlockRow));
-  insert(type, "name", offsetof(BlockRow, name), text.id());
-  insert(type, "symbol", offsetof(BlockRow, symbol), text.id());
+  insert(type, "name", offsetof(BlockRow, name), hdf5::text_type(sizeof(BlockRow::name)).id());
+  insert(type, "symbol", offsetof(BlockRow, symbol),
+         hdf5::text_type(sizeof(BlockRow::symbol)).id());
   insert(type, "size", offsetof(BlockRow, size), H5T_NATIVE_INT64);
-  insert(type, "where", offsetof(BlockRow, where), text.id());
+  insert(type, "where", offsetof(BlockRow, where), hdf5::text_type(sizeof(BlockRow::where)).id());
   return type;
 }
 

@@ -4,6 +4,7 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +22,17 @@ inline constexpr const char* kRunning = "running or crashed";
 
 /// Stored steps lie in groups of this many, so that a group's list of links fits into a page.
 inline constexpr std::size_t kStepsPerGroup = 100;
+
+/// Text in a row: cut to fit, padded with zeros.
+template <std::size_t size>
+void put(std::array<char, size>& field, const std::string& text) {
+  field.fill('\0');
+  std::copy_n(text.begin(), std::min(text.size(), size), field.begin());
+}
+template <std::size_t size>
+std::string text_of(const std::array<char, size>& field) {
+  return {field.begin(), std::find(field.begin(), field.end(), '\0')};
+}
 
 /// "0001/000123" for the stored step 123, below "steps" and "gnomon/contact".
 std::string step_path(std::size_t step);
@@ -62,10 +74,10 @@ hdf5::Handle history_type(const std::vector<Column>& columns);
 
 /// A row of "gnomon/blocks".
 struct BlockRow {
-  const char* name;
-  const char* symbol;
+  std::array<char, 64> name;
+  std::array<char, 16> symbol;
   std::int64_t size;
-  const char* where;
+  std::array<char, 64> where;
 };
 hdf5::Handle block_type();
 

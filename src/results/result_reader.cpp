@@ -44,15 +44,12 @@ std::vector<Row> read_rows(const Handle& dataset, const Handle& type, const char
 
 std::vector<BlockSize> read_blocks(hid_t gnomon) {
   const Handle dataset = open_dataset(gnomon, "blocks", "read the blocks");
-  const Handle type = layout::block_type();
-  auto rows = read_rows<layout::BlockRow>(dataset, type, "read the blocks");
   std::vector<BlockSize> blocks;
-  const auto text = [](const char* pointer) { return std::string(pointer ? pointer : ""); };
-  for (const layout::BlockRow& row : rows) {
-    blocks.push_back({text(row.name), text(row.symbol), row.size, text(row.where)});
+  for (const auto& row :
+       read_rows<layout::BlockRow>(dataset, layout::block_type(), "read the blocks")) {
+    blocks.push_back({layout::text_of(row.name), layout::text_of(row.symbol), row.size,
+                      layout::text_of(row.where)});
   }
-  const Handle space = own(H5Dget_space(dataset.id()), H5Sclose, "read the blocks");
-  H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, rows.data());
   return blocks;
 }
 

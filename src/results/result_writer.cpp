@@ -56,7 +56,7 @@ void write_header(hid_t gnomon, const RunHeader& header) {
   hdf5::write_attribute(gnomon, "problem", header.problem);
   hdf5::write_attribute(gnomon, "integrator", header.integrator);
   hdf5::write_attribute(gnomon, "wall_seconds", 0.0);
-  hdf5::write_fixed_text(gnomon, "status", layout::kRunning, true);
+  hdf5::rewrite_attribute(gnomon, "status", layout::kRunning);
   hdf5::write_dataset(gnomon, "scene", header.scene);
 
   const Handle versions = create_group(gnomon, "versions", 0);
@@ -65,7 +65,11 @@ void write_header(hid_t gnomon, const RunHeader& header) {
   }
   std::vector<layout::BlockRow> rows;
   for (const BlockSize& block : header.blocks) {
-    rows.push_back({block.name.c_str(), block.symbol.c_str(), block.size, block.where.c_str()});
+    layout::BlockRow& row = rows.emplace_back();
+    layout::put(row.name, block.name);
+    layout::put(row.symbol, block.symbol);
+    layout::put(row.where, block.where);
+    row.size = block.size;
   }
   const Handle type = layout::block_type();
   const Handle blocks = hdf5::create_dataset(gnomon, "blocks", type.id(), {rows.size()});
@@ -263,7 +267,7 @@ void ResultWriter::File::store(double t, const std::vector<Field>& fields,
   // A commit of its own: the step counts as stored once it is all there.
   layout::StoredRow row{t, {}};
   const std::string whole = "steps/" + path;
-  std::copy_n(whole.begin(), std::min(whole.size(), row.path.size() - 1), row.path.begin());
+  layout::put(row.path, whole);
   stored_.append(&row);
   flush();
   if (sidecar_) sidecar_->add_step(t, "/" + whole, fields);
@@ -271,7 +275,7 @@ void ResultWriter::File::store(double t, const std::vector<Field>& fields,
 
 void ResultWriter::File::close(const std::string& status, double wall_seconds) {
   hdf5::write_attribute(gnomon_.id(), "wall_seconds", wall_seconds);
-  hdf5::write_fixed_text(gnomon_.id(), "status", status, false);
+  hdf5::rewrite_attribute(gnomon_.id(), "status", status);
   flush();
   disk_->sync();
 }

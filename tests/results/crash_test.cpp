@@ -63,7 +63,6 @@ herr_t read_all(hid_t file, const char* name, const H5O_info_t* info, void* /*un
   if (count < 0 || type < 0) return -1;
   std::vector<char> bytes(static_cast<std::size_t>(count) * H5Tget_size(type) + 1);
   const herr_t result = H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data());
-  H5Dvlen_reclaim(type, space, H5P_DEFAULT, bytes.data());
   H5Sclose(space);
   H5Tclose(type);
   H5Dclose(dataset);
