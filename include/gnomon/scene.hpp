@@ -32,16 +32,16 @@ struct Range {
 struct Key {
   enum class Presence { required, defaulted, optional };
 
-  std::string name;  ///< dotted, for example "body.young_modulus"
+  std::string name{};                ///< dotted, for example "body.young_modulus"
   KeyKind kind = KeyKind::real;
-  std::string unit;  ///< "MPa"; empty when dimensionless
+  std::string unit{};                ///< "MPa"; empty when dimensionless
   Presence presence = Presence::required;
   SceneValue default_value{};        ///< used when presence == defaulted
-  std::string absent_meaning;        ///< what absence means when presence == optional
+  std::string absent_meaning{};      ///< what absence means when presence == optional
   Range range{};                     ///< numbers only
-  std::vector<std::string> choices;  ///< texts only; empty means any text
+  std::vector<std::string> choices{};  ///< texts only; empty means any text
   std::size_t length = 0;            ///< arrays only; 0 means any length
-  std::string help;                  ///< one line
+  std::string help{};                ///< one line
 };
 
 /// Keys that every scene has whatever its problem: `problem`, `time.*`, `integrator.*`, `output.*`.
@@ -67,12 +67,15 @@ public:
 
   /// The file it came from, for messages.
   const std::filesystem::path& path() const { return path_; }
-  /// "FILE:LINE: KEY" of a key's value (or "FILE: KEY" when defaulted, "--set KEY" when overridden);
-  /// for checks that involve several keys and are made by a problem.
+  /// Beginning of a message about a key's value: "FILE:LINE: key `KEY`", "FILE: key `KEY`" when the
+  /// file does not give it, "--set KEY" when overridden. For checks that involve several keys.
   std::string where(const std::string& key) const;
   /// The complete scene as TOML text, one `key = value  # [unit] help` a line, grouped in tables,
   /// defaults filled in. Loading this text gives an equal scene.
   std::string resolved() const;
+
+  /// Same keys with the same values, wherever they came from.
+  friend bool operator==(const Scene& a, const Scene& b);
 
 private:
   friend class SceneLoader;

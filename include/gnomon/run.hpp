@@ -1,0 +1,55 @@
+// One run: a model integrated from its start to time.end, observed and stored on the way.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gnomon/integrator.hpp>
+#include <gnomon/model.hpp>
+#include <gnomon/results.hpp>
+#include <gnomon/scene.hpp>
+
+namespace gnomon {
+
+/// Which steps have their fields stored, beside the start.
+struct StorePolicy {
+  long every = 0;             ///< every n-th step; 0: none
+  std::vector<double> times;  ///< at these times, ascending, in (0, end]
+  bool last = true;           ///< at the end of the run
+};
+
+/// The `output.*` keys. Throws InputError for a time beyond time.end.
+StorePolicy store_policy(const Scene& scene);
+
+/// The `integrator.*` keys, with what absent ones mean.
+IntegratorSettings integrator_settings(const Scene& scene, const Model& model);
+
+/// How a run ended.
+struct RunOutcome {
+  enum class Status { finished, interrupted, failed };
+  Status status = Status::finished;
+  std::string diagnosis;           ///< when failed
+  std::optional<HistoryRow> last;  ///< of the last good state; none when the start itself failed
+  Counters counters;               ///< work of the whole run, failed attempts included
+  double wall_seconds = 0;
+
+  /// "finished", "interrupted", "failed: DIAGNOSIS"; what the result file and the summary say.
+  std::string text() const;
+};
+
+struct RunHooks {
+  /// Called after the start and after every step.
+  std::function<void(const HistoryRow&)> on_step = [](const HistoryRow&) {};
+  /// Asked after the start and after every step; true ends the run there.
+  std::function<bool()> interrupted = [] { return false; };
+};
+
+/// Integrates. Everything goes to `writer` (null: nowhere) as it is computed, and its close() is
+/// called whatever happens. A SolutionError ends the run with status failed, the last good state
+/// stored; other exceptions pass through.
+RunOutcome run(const Model& model, const Integrator& integrator, const IntegratorSettings& settings,
+               const StorePolicy& policy, ResultWriter* writer, const RunHooks& hooks);
+
+}  // namespace gnomon

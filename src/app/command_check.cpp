@@ -1,0 +1,25 @@
+// gnomon check: validates a scene. What it prints is itself a scene.
+
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "app/program.hpp"
+#include "app/setup.hpp"
+#include "app/text_table.hpp"
+
+namespace gnomon::app {
+
+int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
+  const Setup setup = set_up(scene, overrides);
+  TextTable table({{"# unknowns"}, {"symbol"}, {"size", TextTable::Align::right}, {"on"}});
+  long total = 0;
+  for (const BlockSize& block : setup.model->blocks()) {
+    table.add({"# " + block.name, block.symbol, fmt::format("{}", block.size), block.where});
+    total += block.size;
+  }
+  table.add({"# all", "", fmt::format("{}", total), ""});
+  fmt::print("{}\n{}", setup.scene.resolved(), table.text());
+  return success;
+}
+
+}  // namespace gnomon::app

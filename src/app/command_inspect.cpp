@@ -1,0 +1,101 @@
+// gnomon info and gnomon contact: what a result file holds.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <gnomon/results.hpp>
+
+#include "app/commands.hpp"
+#include "app/program.hpp"
+#include "app/text_table.hpp"
+
+namespace gnomon::app {
+
+namespace {
+
+using Align = TextTable::Align;
+
+std::string blocks_text(const std::vector<BlockSize>& blocks) {
+  std::vector<std::string> parts;
+  long total = 0;
+  for (const BlockSize& block : blocks) {
+    parts.push_back(fmt::format("{} {}", block.name, block.size));
+    total += block.size;
+  }
+  return fmt::format("{} ({})", total, fmt::join(parts, ", "));
+}
+
+/// Not more than a line or two, however many were stored.
+std::string times_text(const std::vector<double>& times) {
+  constexpr std::size_t most = 12;
+  if (times.empty()) return "none";
+  if (times.size() <= most) return fmt::format("{:g}", fmt::join(times, ", "));
+  const std::vector<double> first(times.begin(), times.begin() + most / 2);
+  const std::vector<double> last(times.end() - most / 2, times.end());
+  return fmt::format("{:g}, ..., {:g} ({} in all)", fmt::join(first, ", "), fmt::join(last, ", "),
+                     times.size());
+}
+
+void print_history(const HistoryRow& last) {
+  const Counters& c = last.counters;
+  TextTable table({{}, {.align = Align::right}, {}});
+  table.add({"t", fmt::format("{:.8g}", last.t), "s"});
+  for (const Scalar& scalar : last.scalars)
+    table.add({scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});
+  const auto count = [&](const char* name, long value) {
+    table.add({name, fmt::format("{}", value), ""});
+  };
+  count("steps", c.steps);
+  count("rejected_steps", c.rejected_steps);
+  count("newton_iterations", c.newton_iterations);
+  count("residual_evaluations", c.residual_evaluations);
+  count("jacobian_evaluations", c.jacobian_evaluations);
+  count("factorizations", c.factorizations);
+  count("linear_solves", c.linear_solves);
+  fmt::print("\nat the end:\n{}", table.text());
+}
+
+void print_contact_row(const ContactSurface& surface, std::size_t i) {
+  std::string row = fmt::format("{}", surface.node[i]);
+  for (const auto* points : {&surface.initial, &surface.worn, &surface.current})
+    for (int component = 0; component < surface.dim; ++component)
+      row += fmt::format(",{}", (*points)[i][static_cast<std::size_t>(component)]);
+  fmt::print("{},{},{},{}\n", row, surface.pressure[i], surface.wear_depth[i], surface.active[i]);
+}
+
+}  // namespace
+
+int info_command(const std::filesystem::path& file) {
+  const ResultReader result(file);
+  const RunHeader& header = result.header();
+  TextTable table({{}, {}});
+  table.add({"problem", header.problem});
+  table.add({"integrator", header.integrator});
+  table.add({"status", result.status()});
+  table.add({"wall time", fmt::format("{:.3g} s", result.wall_seconds())});
+  table.add({"unknowns", blocks_text(header.blocks)});
+  if (const auto grid = result.grid())
+    table.add({"mesh", fmt::format("{} points, {} cells", grid->points.size(),
+                                   grid->cells.size() / (grid->cell == Grid::Cell::quadrilateral
+                                                             ? 4 : 8))});
+  table.add({"fields", fmt::format("{}", fmt::join(result.field_names(), ", "))});
+  table.add({"stored at t", times_text(result.stored_times())});
+  std::vector<std::string> versions;
+  for (const auto& [name, version] : header.versions) versions.push_back(name + " " + version);
+  table.add({"versions", fmt::format("{}", fmt::join(versions, ", "))});
+  fmt::print("{}", table.text());
+  if (const auto history = result.history(); !history.empty()) print_history(history.back());
+  fmt::print("\nscene:\n{}", header.scene);
+  return success;
+}
+
+int contact_command(const std::filesystem::path& file, std::optional<double> time) {
+  const ContactSurface surface = ResultReader(file).contact(time);
+  const bool flat = surface.dim == 2;
+  fmt::print("node,{},pressure,wear_depth,active\n",
+             flat ? "X0,Y0,X,Y,x,y" : "X0,Y0,Z0,X,Y,Z,x,y,z");
+  for (std::size_t i = 0; i < surface.node.size(); ++i) print_contact_row(surface, i);
+  return success;
+}
+
+}  // namespace gnomon::app

@@ -1,0 +1,157 @@
+#include "app/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <gnomon/error.hpp>
+#include <gnomon/scene.hpp>
+
+namespace gnomon::app {
+
+namespace {
+
+/// One argument an occurrence, so that what follows is not swallowed.
+void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
+  command->add_option("--set", overrides, "Replaces a scene key; repeatable")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+}  // namespace
+
+CommandLine::CommandLine() : app_("gnomon integrates the shape of worn bodies in time.", "gnomon") {
+  app_.set_help_flag("-h,--help", "Shows this help");
+  app_.add_flag_callback("--version", [this] { command_ = version_command; },
+                         "Shows the versions of gnomon and its libraries");
+  app_.require_subcommand(0, 1);
+  app_.footer("More: gnomon help TOPIC, with TOPIC one of scene [PROBLEM], integrators, commands,\n"
+              "units, output, exit-codes, or a command.");
+  add_run();
+  add_check();
+  add_inspection();
+  add_compare();
+  add_help();
+}
+
+void CommandLine::add_run() {
+  CLI::App* command = app_.add_subcommand("run", "Integrates a scene in time");
+  command->add_option("SCENE", run_.scene, "Scene file (TOML)")->required()->type_name("");
+  command->add_option("--integrator", integrator_, "The same as --set integrator.name=NAME")
+      ->type_name("NAME");
+  add_overrides(command, run_.overrides);
+  command->add_option("-o,--output", run_.result,
+                      "Result file; default: SCENE's name, -NAME and .h5, in the current folder")
+      ->type_name("RESULT.h5");
+  command->add_option("--summary", run_.summary, "Also writes a summary as JSON")
+      ->type_name("FILE.json");
+  command->add_flag("--quiet", run_.quiet, "Prints nothing but errors");
+  command->callback([this] {
+    command_ = [this] {
+      if (integrator_) run_.overrides.push_back("integrator.name=" + *integrator_);
+      return run_command(run_);
+    };
+  });
+}
+
+void CommandLine::add_check() {
+  CLI::App* command =
+      app_.add_subcommand("check", "Validates a scene; prints it in full, and its unknowns");
+  command->add_option("SCENE", run_.scene, "Scene file (TOML)")->required()->type_name("");
+  add_overrides(command, run_.overrides);
+  command->callback(
+      [this] { command_ = [this] { return check_command(run_.scene, run_.overrides); }; });
+}
+
+void CommandLine::add_inspection() {
+  CLI::App* list = app_.add_subcommand("list", "Lists integrators, problems or scenes");
+  list->add_option("SUBJECT", subject_, "integrators, problems or scenes")
+      ->required()
+      ->type_name("");
+  list->callback([this] { command_ = [this] { return list_command(subject_); }; });
+
+  CLI::App* info = app_.add_subcommand("info", "Shows what a result file holds");
+  info->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
+  info->callback([this] { command_ = [this] { return info_command(result_); }; });
+
+  CLI::App* contact = app_.add_subcommand("contact", "Prints the contact surface as CSV");
+  contact->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
+  contact->add_option("--time", time_, "A stored time; default: the last one")->type_name("T");
+  contact->callback([this] { command_ = [this] { return contact_command(result_, time_); }; });
+}
+
+void CommandLine::add_compare() {
+  CLI::App* command = app_.add_subcommand("compare", "Compares results in a table");
+  command->add_option("RESULTS", results_, "Result files (HDF5)")->required()->type_name("");
+  command->add_option("--reference", reference_,
+                      "What shape errors refer to; default: the last result")
+      ->type_name("RESULT.h5");
+  command->callback(
+      [this] { command_ = [this] { return compare_command(results_, reference_); }; });
+}
+
+void CommandLine::add_help() {
+  CLI::App* command = app_.add_subcommand("help", "Explains a topic");
+  command->add_option("TOPIC", help_words_, "See below; none: this overview")
+      ->type_name("")
+      ->expected(0, 2);
+  command->callback([this] { command_ = [this] { return help(help_words_); }; });
+}
+
+int CommandLine::help(const std::vector<std::string>& words) const {
+  if (words.empty()) {
+    fmt::print("{}", app_.help());
+    return 0;
+  }
+  const std::vector<std::string> commands = command_names();
+  if (words[0] == "commands") {
+    for (const std::string& name : commands)
+      fmt::print("{}\n", app_.get_subcommand(name)->help("gnomon"));
+    return 0;
+  }
+  if (std::find(commands.begin(), commands.end(), words[0]) != commands.end()) {
+    fmt::print("{}", app_.get_subcommand(words[0])->help("gnomon"));
+    return 0;
+  }
+  return help_command(words[0], words.size() > 1 ? std::optional(words[1]) : std::nullopt,
+                      commands);
+}
+
+std::vector<std::string> CommandLine::command_names() const {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app_.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+int CommandLine::operator()(int argc, char** argv) {
+  try {
+    app_.parse(argc, argv);
+  } catch (const CLI::CallForHelp& request) {
+    const auto chosen = app_.get_subcommands();
+    fmt::print("{}", chosen.empty() ? app_.help() : chosen.front()->help("gnomon"));
+    return 0;
+  }
+  if (!command_) throw InputError("expected a command, one of `gnomon help`");
+  return command_();
+}
+
+std::string CommandLine::complaint(const CLI::ParseError& error) const {
+  const auto chosen = app_.get_subcommands();
+  const CLI::App* command = chosen.empty() ? &app_ : chosen.front();
+  const std::string help = chosen.empty() ? "gnomon help" : "gnomon help " + command->get_name();
+  for (const std::string& word : app_.remaining(true)) {
+    const bool option = word.starts_with("-");
+    if (!option && !chosen.empty()) continue;
+    std::vector<std::string> known = option ? std::vector<std::string>{} : command_names();
+    if (option)
+      for (const CLI::Option* candidate : command->get_options())
+        for (const std::string& name : candidate->get_lnames()) known.push_back("--" + name);
+    const std::string near = nearest_name(word.substr(0, word.find('=')), known);
+    return fmt::format("unknown {} `{}`, {}", option ? "option" : "command", word,
+                       near.empty() ? "see `" + help + "`" : "did you mean `" + near + "`?");
+  }
+  for (const std::string& word : app_.remaining(true))
+    return fmt::format("unexpected argument `{}`, see `{}`", word, help);
+  return fmt::format("{}, see `{}`", error.what(), help);
+}
+
+}  // namespace gnomon::app

@@ -1,0 +1,49 @@
+// The command line: which commands and options exist, and what they are bound to.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.hpp"
+
+namespace gnomon::app {
+
+class CommandLine {
+public:
+  CommandLine();
+
+  /// Parses and runs the command. Throws CLI::ParseError as CLI11 does.
+  int operator()(int argc, char** argv);
+
+  /// One line on a parse error, with the nearest command or option for an unknown one.
+  std::string complaint(const CLI::ParseError& error) const;
+
+private:
+  void add_run();
+  void add_check();
+  void add_inspection();
+  void add_compare();
+  void add_help();
+  int help(const std::vector<std::string>& words) const;
+  std::vector<std::string> command_names() const;
+
+  CLI::App app_;
+  std::function<int()> command_;
+
+  // Where the options are bound to; each command uses its own part.
+  RunOptions run_;
+  std::optional<std::string> integrator_;
+  std::string subject_;
+  std::filesystem::path result_;
+  std::optional<double> time_;
+  std::vector<std::filesystem::path> results_;
+  std::filesystem::path reference_;
+  std::vector<std::string> help_words_;
+};
+
+}  // namespace gnomon::app

@@ -1,0 +1,86 @@
+// gnomon list: what there is to choose from.
+
+#include <algorithm>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include <gnomon/error.hpp>
+#include <gnomon/integrator.hpp>
+#include <gnomon/problem.hpp>
+
+#include "app/commands.hpp"
+#include "app/program.hpp"
+#include "app/text_table.hpp"
+
+namespace gnomon::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string list_integrators() {
+  TextTable table({{"name"}, {"family"}, {"order"}, {"stability"}, {"steps"}, {"driver"}});
+  for (const Integrator& entry : Integrators::all())
+    table.add({entry.name, entry.family, entry.order, entry.stability, entry.step_control,
+               entry.driver});
+  return table.text();
+}
+
+std::string list_problems() {
+  TextTable table({{}, {}});
+  for (const Problem& entry : Problems::all()) table.add({entry.name, entry.help});
+  return table.text();
+}
+
+std::string first_comment(const fs::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);
+  const std::size_t text = line.find_first_not_of("# ");
+  return line.starts_with("#") && text != std::string::npos ? line.substr(text) : "";
+}
+
+std::string list_scenes() {
+  const fs::path root = GNOMON_SCENE_ROOT;
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (auto entry = fs::recursive_directory_iterator(root, error);
+       entry != fs::recursive_directory_iterator(); entry.increment(error))
+    if (!error && entry->path().extension() == ".toml") files.push_back(entry->path());
+  if (error) throw InputError(fmt::format("cannot read the scenes in {}", root.string()));
+  std::sort(files.begin(), files.end());
+  TextTable table({{}, {}});
+  // From here if that is shorter: what is printed is meant to be passed to `gnomon run`.
+  for (const fs::path& file : files) {
+    const std::string relative = fs::proximate(file, error).string();
+    const bool shorter = !error && relative.size() < file.string().size();
+    table.add({shorter ? relative : file.string(), first_comment(file)});
+  }
+  return table.text();
+}
+
+}  // namespace
+
+const std::vector<std::string>& list_subjects() {
+  static const std::vector<std::string> subjects = {"integrators", "problems", "scenes"};
+  return subjects;
+}
+
+int list_command(const std::string& what) {
+  if (what == "integrators") {
+    fmt::print("{}", list_integrators());
+  } else if (what == "problems") {
+    fmt::print("{}", list_problems());
+  } else if (what == "scenes") {
+    fmt::print("{}", list_scenes());
+  } else {
+    const std::string near = nearest_name(what, list_subjects());
+    throw InputError(fmt::format("cannot list `{}`, {}", what,
+                                 near.empty() ? "expected integrators, problems or scenes"
+                                              : "did you mean `" + near + "`?"));
+  }
+  return success;
+}
+
+}  // namespace gnomon::app

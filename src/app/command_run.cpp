@@ -1,0 +1,87 @@
+// gnomon run: integrates a scene, writes its result and summary, and tells how it went.
+
+#include <fmt/format.h>
+
+#include <gnomon/error.hpp>
+#include <gnomon/run.hpp>
+#include <gnomon/summary.hpp>
+
+#include "app/commands.hpp"
+#include "app/interrupt.hpp"
+#include "app/output_files.hpp"
+#include "app/progress.hpp"
+#include "app/program.hpp"
+#include "app/setup.hpp"
+#include "app/text_table.hpp"
+
+namespace gnomon::app {
+
+namespace {
+
+void print_summary(const RunOutcome& outcome, const RunOptions& options) {
+  const Counters& counters = outcome.counters;
+  fmt::print("{} at t = {:g} s after {}: {} steps ({} attempts rejected), {} Newton iterations, "
+             "{} factorizations\n",
+             outcome.status == RunOutcome::Status::finished ? "finished" : "interrupted",
+             outcome.last->t, fmt::format("{:.3g} s", outcome.wall_seconds), counters.steps,
+             counters.rejected_steps, counters.newton_iterations, counters.factorizations);
+  TextTable table({{}, {.align = TextTable::Align::right}, {}});
+  for (const Scalar& scalar : outcome.last->scalars)
+    table.add({"  " + scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});
+  fmt::print("{}result: {}\n", table.text(), options.result.string());
+}
+
+int exit_code(const RunOutcome& outcome) {
+  switch (outcome.status) {
+    case RunOutcome::Status::finished: return success;
+    case RunOutcome::Status::interrupted: return other_failure;
+    case RunOutcome::Status::failed: return solution_failed;
+  }
+  return other_failure;
+}
+
+std::string failure_message(const RunOutcome& outcome, const RunOptions& options) {
+  if (!outcome.last) return fmt::format("{} (no start)", outcome.diagnosis);
+  return fmt::format("{} (everything up to t = {:g} s is in {})", outcome.diagnosis,
+                     outcome.last->t, options.result.string());
+}
+
+RunOutcome integrate(const Setup& setup, const RunHeader& header,
+                     const IntegratorSettings& settings, const RunOptions& options) {
+  ResultWriter writer(options.result, header, setup.model->grid());
+  const InterruptGuard guard(!options.quiet);
+  Progress progress(Progress::mode_for_stderr(options.quiet), settings.end);
+  const RunHooks hooks{.on_step = [&](const HistoryRow& row) { progress.show(row); },
+                       .interrupted = InterruptGuard::interrupted};
+  const Integrator& integrator = Integrators::find(header.integrator, "integrator");
+  try {
+    const RunOutcome outcome =
+        run(*setup.model, integrator, settings, store_policy(setup.scene), &writer, hooks);
+    progress.finish();
+    return outcome;
+  } catch (const std::exception&) {
+    progress.finish();  // before the message about it
+    throw;
+  }
+}
+
+}  // namespace
+
+int run_command(const RunOptions& given) {
+  RunOptions options = given;
+  const Setup setup = set_up(options.scene, options.overrides);
+  const RunHeader header = run_header(setup);
+  if (options.result.empty()) options.result = default_result(options.scene, header.integrator);
+  check_outputs(options);
+
+  const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
+  const RunOutcome outcome = integrate(setup, header, settings, options);
+  if (!options.summary.empty())
+    write_text(options.summary, summary_json(setup.scene, header, settings, outcome));
+  if (outcome.status == RunOutcome::Status::failed)
+    throw SolutionError(failure_message(outcome, options));
+  if (!options.quiet) print_summary(outcome, options);
+  return exit_code(outcome);
+}
+
+}  // namespace gnomon::app

@@ -1,0 +1,39 @@
+// The commands of the program, one function each. They print to stdout (progress to stderr), return
+// the exit code, and throw on bad input.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gnomon/scene.hpp>
+
+namespace gnomon::app {
+
+struct RunOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;  ///< "key=value", --integrator included
+  std::filesystem::path result;        ///< empty: default_result()
+  std::filesystem::path summary;       ///< empty: none
+  bool quiet = false;
+};
+
+int run_command(const RunOptions& options);
+int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
+int list_command(const std::string& what);
+int info_command(const std::filesystem::path& result);
+int contact_command(const std::filesystem::path& result, std::optional<double> time);
+/// `reference` empty: the last of the results.
+int compare_command(const std::vector<std::filesystem::path>& results,
+                    const std::filesystem::path& reference);
+/// Help topics but those of the command line itself. Throws InputError for an unknown topic, naming
+/// the nearest of `further_topics` and its own.
+int help_command(const std::string& topic, const std::optional<std::string>& problem,
+                 const std::vector<std::string>& further_topics);
+int version_command();
+
+/// What `gnomon list` knows.
+const std::vector<std::string>& list_subjects();
+
+}  // namespace gnomon::app

@@ -1,0 +1,56 @@
+// Help topics that no registry or table can write.
+#pragma once
+
+namespace gnomon::app {
+
+inline constexpr const char* scene_topic =
+    R"(A scene is a TOML file that holds every parameter of one run. `gnomon list scenes` shows those that
+come with gnomon, `gnomon check SCENE.toml` prints one in full, defaults included, and
+`--set KEY=VALUE` replaces a key for one run (a text needs no quotes there).
+)";
+
+inline constexpr const char* integrators_topic =
+    R"(Fixed-step methods use integrator.step, and halve a step (counted as rejected) when its equations
+cannot be solved. Adaptive methods choose the step so that the estimated error of the worn surface
+stays below integrator.rtol and .atol in every step. Explicit methods are unstable above a critical
+step that is proportional to mesh size / Young's modulus.
+)";
+
+inline constexpr const char* units_topic =
+    R"(One consistent set of units a scene. gnomon names them as the paper does:
+
+    length       mm
+    force        N      (N/mm, a unit of thickness, in 2D)
+    stress       MPa = N/mm^2
+    time         s
+    wear volume  mm^3   (mm^2 in 2D)
+
+Any other consistent set works as well; the names that are printed are then wrong.
+)";
+
+inline constexpr const char* output_topic =
+    R"(gnomon run writes one HDF5 file, and an XDMF file of the same name beside it for ParaView:
+
+    the mesh once, in the initial configuration, and per stored step displacement, shape, nodal
+    pressure, equivalent stress and element quality; in the group /gnomon the contact surface, the
+    scalars, sizes, orders and counters of every step, the resolved scene and versions.
+
+In ParaView open the .xdmf file; Warp By Vector with `shape` shows the worn body, with
+`displacement` added the deformed one. Which steps are stored is set by output.every, output.times
+and output.last; the start is always stored. The file is readable while the run goes on, and after
+Ctrl-C, a failure or a crash it holds everything up to the last step.
+
+    gnomon info RESULT.h5          what it holds
+    gnomon contact RESULT.h5       the contact surface as CSV
+    gnomon compare RESULT.h5...    several runs side by side
+    gnomon run --summary FILE      the end of a run as JSON
+)";
+
+inline constexpr const char* exit_codes_topic =
+    R"(0  done
+1  anything else that went wrong, a run ended by Ctrl-C or SIGTERM included
+2  bad input (scene, command line, result file): one line on stderr, nothing written
+3  the solution failed: a diagnosis on stderr, the last good state in the result
+)";
+
+}  // namespace gnomon::app

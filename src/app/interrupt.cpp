@@ -1,0 +1,42 @@
+#include "app/interrupt.hpp"
+
+#include <csignal>
+
+#include <unistd.h>
+
+namespace gnomon::app {
+
+namespace {
+
+volatile std::sig_atomic_t signalled = 0;
+volatile std::sig_atomic_t announced = 0;
+
+extern "C" void on_signal(int) {
+  signalled = 1;
+  if (!announced) return;
+  static const char text[] = "\ngnomon: ending after this step; once more kills\n";
+  // Nothing can be done about a failure, and nothing else is safe here.
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof text - 1);
+}
+
+}  // namespace
+
+InterruptGuard::InterruptGuard(bool announce) {
+  signalled = 0;
+  announced = announce;
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;  // the second one kills
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+InterruptGuard::~InterruptGuard() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+bool InterruptGuard::interrupted() { return signalled != 0; }
+
+}  // namespace gnomon::app

@@ -1,0 +1,58 @@
+#include "app/program.hpp"
+
+#include <cstdio>
+#include <new>
+
+#include <fmt/format.h>
+
+#include <gnomon/error.hpp>
+
+#include "app/command_line.hpp"
+
+namespace gnomon::app {
+
+namespace {
+
+/// One line whatever the message holds (names of files may contain anything).
+void complain(const std::string& message) {
+  std::string line = message;
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  fmt::print(stderr, "gnomon: {}\n", line);
+}
+
+int guarded(CommandLine& command_line, int argc, char** argv) {
+  try {
+    return command_line(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    complain(command_line.complaint(error));
+    return bad_input;
+  } catch (const InputError& error) {
+    complain(error.what());
+    return bad_input;
+  } catch (const SolutionError& error) {
+    complain(error.what());
+    return solution_failed;
+  } catch (const std::bad_alloc&) {
+    complain("out of memory");
+    return other_failure;
+  } catch (const std::exception& error) {
+    complain(error.what());
+    return other_failure;
+  }
+}
+
+}  // namespace
+
+int program(int argc, char** argv) {
+  CommandLine command_line;
+  const int code = guarded(command_line, argc, argv);
+  // A full disk behind a redirected stdout shows only here.
+  if (std::fflush(stdout) != 0 && code == success) {
+    complain("cannot write to standard output");
+    return other_failure;
+  }
+  return code;
+}
+
+}  // namespace gnomon::app

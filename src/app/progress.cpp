@@ -1,0 +1,84 @@
+#include "app/progress.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace gnomon::app {
+
+namespace {
+
+std::size_t terminal_width() {
+  winsize size{};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  return 80;
+}
+
+}  // namespace
+
+std::string clock_text(double seconds) {
+  const long total = std::lround(std::clamp(seconds, 0.0, 1e9));
+  const long hours = total / 3600, minutes = total / 60 % 60;
+  return hours ? fmt::format("{}:{:02}:{:02}", hours, minutes, total % 60)
+               : fmt::format("{}:{:02}", minutes, total % 60);
+}
+
+std::string progress_text(const HistoryRow& row, double end, double elapsed) {
+  std::string text = fmt::format("t {:.5g} of {:g} s", row.t, end);
+  if (row.counters.steps > 0)
+    text += fmt::format("  step {:.3g} s  order {}  Newton {}", row.step.step, row.step.order,
+                        row.step.newton_iterations);
+  for (const Scalar& scalar : row.scalars) {
+    if (scalar.name == "contact_nodes") text += fmt::format("  contact nodes {:g}", scalar.value);
+    if (scalar.name == "worn_volume")
+      text += fmt::format("  worn {:.4g} {}", scalar.value, scalar.unit);
+  }
+  if (row.t > 0) text += "  left " + clock_text(elapsed * (end - row.t) / row.t);
+  return text;
+}
+
+Progress::Progress(Mode mode, double end) : mode_(mode), end_(end) {
+  if (mode_ == Mode::live) {
+    fmt::print(stderr, "\rlooking for equilibrium at t = 0\x1b[K");
+    std::fflush(stderr);
+  }
+}
+
+Progress::Mode Progress::mode_for_stderr(bool quiet) {
+  if (quiet) return Mode::none;
+  return isatty(STDERR_FILENO) ? Mode::live : Mode::lines;
+}
+
+bool Progress::due(const HistoryRow& row, Clock::time_point now) const {
+  if (!shown_ || row.t >= end_) return true;
+  const double since = std::chrono::duration<double>(now - shown_at_).count();
+  if (mode_ == Mode::live) return since >= 0.1;
+  return since >= 10 || row.t - shown_t_ >= 0.05 * end_ * (1 - 1e-9);
+}
+
+void Progress::show(const HistoryRow& row) {
+  const auto now = Clock::now();
+  if (mode_ == Mode::none || !due(row, now)) return;
+  const double elapsed = std::chrono::duration<double>(now - begin_).count();
+  const std::string text = progress_text(row, end_, elapsed);
+  if (mode_ == Mode::live)  // a line that wraps could not be overwritten
+    fmt::print(stderr, "\r{}\x1b[K", text.substr(0, terminal_width() - 1));
+  else
+    fmt::print(stderr, "{}\n", text);
+  std::fflush(stderr);
+  shown_ = true;
+  shown_at_ = now;
+  shown_t_ = row.t;
+}
+
+void Progress::finish() {
+  if (mode_ != Mode::live) return;
+  fmt::print(stderr, "\r\x1b[K");
+  std::fflush(stderr);
+}
+
+}  // namespace gnomon::app

@@ -1,0 +1,43 @@
+// Shows how far a run is: one live line on a terminal, a few plain lines elsewhere.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include <gnomon/results.hpp>
+
+namespace gnomon::app {
+
+/// "t 250 of 1000 s  step 5  order 1  Newton 3  contact nodes 13  worn volume 0.5 mm^2  left 0:42";
+/// `elapsed` is in seconds.
+std::string progress_text(const HistoryRow& row, double end, double elapsed);
+
+/// "0:42", "12:05", "3:00:10".
+std::string clock_text(double seconds);
+
+class Progress {
+public:
+  enum class Mode { live, lines, none };
+
+  /// `end`: time at which the run ends.
+  Progress(Mode mode, double end);
+  /// live on a terminal, lines elsewhere; none when quiet.
+  static Mode mode_for_stderr(bool quiet);
+
+  void show(const HistoryRow& row);
+  /// Leaves the terminal clean for what comes next.
+  void finish();
+
+private:
+  using Clock = std::chrono::steady_clock;
+  bool due(const HistoryRow& row, Clock::time_point now) const;
+
+  Mode mode_;
+  double end_;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point shown_at_{};
+  double shown_t_ = 0;
+  bool shown_ = false;
+};
+
+}  // namespace gnomon::app

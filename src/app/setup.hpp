@@ -1,0 +1,25 @@
+// From a scene file to the things that a command works with.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gnomon/problem.hpp>
+#include <gnomon/results.hpp>
+
+namespace gnomon::app {
+
+struct Setup {
+  Scene scene;
+  std::unique_ptr<Model> model;
+};
+
+/// Loads the scene, checks it whole, and makes its model.
+Setup set_up(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
+
+/// What the result file and the summary say about the run of a set-up.
+RunHeader run_header(const Setup& setup);
+
+}  // namespace gnomon::app

@@ -1,0 +1,31 @@
+// Decides during a run which states are stored, and where steps have to end.
+#pragma once
+
+#include <gnomon/run.hpp>
+
+namespace gnomon {
+
+class StoreSchedule {
+public:
+  StoreSchedule(const StorePolicy& policy, double end) : policy_(policy), end_(end) {}
+
+  /// The next time that a step must not pass.
+  double stop() const { return next_ < policy_.times.size() ? policy_.times[next_] : end_; }
+
+  /// Whether the state at `t`, reached by step number `step`, is to be stored.
+  bool wants(double t, long step) {
+    bool wanted = policy_.every > 0 && step % policy_.every == 0;
+    while (next_ < policy_.times.size() && t >= policy_.times[next_]) {
+      wanted = true;
+      ++next_;
+    }
+    return wanted || (policy_.last && t >= end_);
+  }
+
+private:
+  StorePolicy policy_;
+  double end_;
+  std::size_t next_ = 0;  // of policy_.times
+};
+
+}  // namespace gnomon

@@ -1,0 +1,66 @@
+#include <gnomon/summary.hpp>
+
+
+#include <nlohmann/json.hpp>
+
+namespace gnomon {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* status_name(RunOutcome::Status status) {
+  switch (status) {
+    case RunOutcome::Status::finished: return "finished";
+    case RunOutcome::Status::interrupted: return "interrupted";
+    case RunOutcome::Status::failed: return "failed";
+  }
+  return "";
+}
+
+void add_counters(Json& json, const Counters& counters) {
+  json["steps"] = counters.steps;
+  json["rejected_steps"] = counters.rejected_steps;
+  json["newton_iterations"] = counters.newton_iterations;
+  json["residual_evaluations"] = counters.residual_evaluations;
+  json["jacobian_evaluations"] = counters.jacobian_evaluations;
+  json["factorizations"] = counters.factorizations;
+  json["linear_solves"] = counters.linear_solves;
+}
+
+void add_scalars(Json& json, const RunOutcome& outcome) {
+  // Named even when there are none, so that scripts find the keys in every summary.
+  for (const char* name : {"worn_volume", "wear_integral", "contact_half_width", "max_pressure",
+                           "contact_force"})
+    json[name] = nullptr;
+  if (!outcome.last) return;
+  for (const Scalar& scalar : outcome.last->scalars) json[scalar.name] = scalar.value;
+}
+
+}  // namespace
+
+std::string summary_json(const Scene& scene, const RunHeader& header,
+                         const IntegratorSettings& settings, const RunOutcome& outcome) {
+  Json json;
+  json["scene"] = scene.path().string();
+  json["problem"] = header.problem;
+  json["integrator"] = header.integrator;
+  json["step"] = settings.step;
+  json["rtol"] = settings.rtol;
+  json["atol"] = settings.atol;
+  json["status"] = status_name(outcome.status);
+  if (outcome.status == RunOutcome::Status::failed) json["diagnosis"] = outcome.diagnosis;
+  json["t"] = outcome.last ? Json(outcome.last->t) : Json(nullptr);
+  json["t_end"] = settings.end;
+  add_counters(json, outcome.counters);
+  json["wall_seconds"] = outcome.wall_seconds;
+  add_scalars(json, outcome);
+  Json unknowns = Json::object();
+  for (const BlockSize& block : header.blocks) unknowns[block.name] = block.size;
+  json["unknowns"] = unknowns;
+  json["versions"] = header.versions;
+  // Paths are bytes, JSON is UTF-8: what is no character is replaced.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace gnomon

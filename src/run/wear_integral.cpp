@@ -1,0 +1,30 @@
+#include "run/wear_integral.hpp"
+
+#include <algorithm>
+
+namespace gnomon {
+
+namespace {
+
+std::string integrated_unit(const std::string& unit) {
+  const std::string per_second = "/s";
+  if (unit.ends_with(per_second)) return unit.substr(0, unit.size() - per_second.size());
+  return unit.empty() ? "s" : unit + " s";
+}
+
+}  // namespace
+
+void WearIntegral::append_to(std::vector<Scalar>& scalars, double t) {
+  const auto flux = std::find_if(scalars.begin(), scalars.end(), [](const Scalar& scalar) {
+    return scalar.name == "wear_flux";
+  });
+  if (flux == scalars.end()) return;
+  if (started_) value_ += (t - t_) * (flux_ + flux->value) / 2;
+  started_ = true;
+  t_ = t;
+  flux_ = flux->value;
+  const std::string unit = integrated_unit(flux->unit);
+  scalars.push_back({"wear_integral", unit, value_});
+}
+
+}  // namespace gnomon

@@ -1,0 +1,23 @@
+// The integral of the scalar "wear_flux" over the accepted steps, by the trapezoidal rule.
+#pragma once
+
+#include <vector>
+
+#include <gnomon/model.hpp>
+
+namespace gnomon {
+
+class WearIntegral {
+public:
+  /// Advances the integral to `t` and appends it to the scalars as "wear_integral". Nothing happens
+  /// when the model has no wear flux.
+  void append_to(std::vector<Scalar>& scalars, double t);
+
+private:
+  double t_ = 0;
+  double flux_ = 0;
+  double value_ = 0;
+  bool started_ = false;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,24 @@
+// Checks a value against the specification of its key.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include <gnomon/scene.hpp>
+
+#include "scene/raw_value.hpp"
+
+namespace gnomon {
+
+/// What a key accepts: "a number in (0, inf) [MPa]", `one of "plain", "f-bar"`.
+std::string expectation(const Key& key);
+
+/// What was wrong: "expected a number in (0, inf) [MPa], got -3".
+struct Complaint {
+  std::string text;
+};
+
+/// The value in the type of the key, or why it is not acceptable.
+std::variant<SceneValue, Complaint> check_value(const Key& key, const RawValue& raw);
+
+}  // namespace gnomon

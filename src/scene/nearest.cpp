@@ -1,0 +1,57 @@
+// The known name that a mistyped one most likely meant.
+
+#include <algorithm>
+#include <numeric>
+
+#include <gnomon/scene.hpp>
+
+namespace gnomon {
+
+namespace {
+
+/// Edit distance with transpositions of neighbours counted as one.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
+  std::iota(above.begin(), above.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before.swap(above);
+    above.swap(row);
+  }
+  return above[b.size()];
+}
+
+std::string last_part(const std::string& name) { return name.substr(name.rfind('.') + 1); }
+
+/// Distance of a word to a candidate; forgives a wrong table and a missing half of the name.
+std::size_t distance(const std::string& word, const std::string& candidate) {
+  std::size_t result = edit_distance(word, candidate);
+  if (candidate.find('.') != std::string::npos)
+    result = std::min(result, edit_distance(last_part(word), last_part(candidate)) + 1);
+  if (word.size() >= 3 && candidate.find(word) != std::string::npos)
+    result = std::min<std::size_t>(result, 2);
+  return result;
+}
+
+}  // namespace
+
+std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t longest = 200;  // nobody mistypes that much; keeps the cost bounded
+  if (word.size() > longest) return {};
+  std::string nearest;
+  std::size_t best = std::max<std::size_t>(2, word.size() / 3) + 1;
+  if (word.size() <= 2) best = 2;
+  for (const std::string& candidate : candidates)
+    if (const std::size_t d = distance(word, candidate); d < best) {
+      best = d;
+      nearest = candidate;
+    }
+  return nearest;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,33 @@
+// What a TOML document says, before anything is known about keys: no TOML library in sight.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gnomon {
+
+/// A TOML value that no key accepts (date, table, nested array), by its description.
+struct ForeignValue {
+  std::string description;  ///< "a table"
+};
+
+using RawScalar = std::variant<bool, long, double, std::string, ForeignValue>;
+using RawArray = std::vector<RawScalar>;
+
+struct RawValue {
+  std::variant<RawScalar, RawArray> content;
+};
+
+/// One key of a document.
+struct RawEntry {
+  std::string name;  ///< dotted, parts quoted as TOML does where they need it
+  int line = 0;
+  RawValue value;
+};
+
+/// Short text of a value for messages: `-3`, `"steel"`, `an array of 3 values`.
+std::string describe(const RawScalar& value);
+std::string describe(const RawValue& value);
+
+}  // namespace gnomon

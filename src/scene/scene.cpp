@@ -1,0 +1,85 @@
+// Typed access to a validated scene and its resolved dump.
+
+#include <gnomon/scene.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "scene/table_layout.hpp"
+#include "scene/toml_text.hpp"
+
+namespace gnomon {
+
+const Scene::Entry& Scene::entry(const std::string& key) const {
+  for (const Entry& entry : entries_)
+    if (entry.key.name == key) return entry;
+  throw std::logic_error("scene key `" + key + "` is in no table");
+}
+
+namespace {
+
+template <class T>
+const T& value_as(const std::string& key, const std::optional<SceneValue>& value) {
+  const T* typed = value ? std::get_if<T>(&*value) : nullptr;
+  if (!typed) throw std::logic_error("scene key `" + key + "` is absent or has another type");
+  return *typed;
+}
+
+}  // namespace
+
+bool Scene::flag(const std::string& key) const { return value_as<bool>(key, entry(key).value); }
+long Scene::integer(const std::string& key) const { return value_as<long>(key, entry(key).value); }
+double Scene::real(const std::string& key) const { return value_as<double>(key, entry(key).value); }
+
+const std::string& Scene::text(const std::string& key) const {
+  return value_as<std::string>(key, entry(key).value);
+}
+
+const std::vector<long>& Scene::integers(const std::string& key) const {
+  return value_as<std::vector<long>>(key, entry(key).value);
+}
+
+const std::vector<double>& Scene::reals(const std::string& key) const {
+  return value_as<std::vector<double>>(key, entry(key).value);
+}
+
+bool Scene::has(const std::string& key) const { return entry(key).value.has_value(); }
+
+std::optional<double> Scene::real_if(const std::string& key) const {
+  return has(key) ? std::optional(real(key)) : std::nullopt;
+}
+
+std::string Scene::where(const std::string& key) const { return entry(key).origin; }
+
+bool operator==(const Scene& a, const Scene& b) {
+  return std::equal(a.entries_.begin(), a.entries_.end(), b.entries_.begin(), b.entries_.end(),
+                    [](const Scene::Entry& x, const Scene::Entry& y) {
+                      return x.key.name == y.key.name && x.value == y.value;
+                    });
+}
+
+std::string Scene::resolved() const {
+  std::vector<Key> keys;
+  for (const Entry& entry : entries_) keys.push_back(entry.key);
+  std::string text;
+  for (const KeyGroup& group : group_keys(keys)) {
+    if (!group.name.empty()) text += fmt::format("\n[{}]\n", group.name);
+    std::vector<std::string> assignments;
+    for (const Key& key : group.keys) {
+      const auto& value = entry(key.name).value;
+      const std::string name = last_part(key.name);
+      assignments.push_back(value ? fmt::format("{} = {}", name, toml_text(*value))
+                                  : fmt::format("# {} = ...", name));
+    }
+    std::size_t width = 0;  // comments align, but one long array does not push them all away
+    for (const std::string& assignment : assignments)
+      if (assignment.size() <= 40) width = std::max(width, assignment.size());
+    for (std::size_t i = 0; i < assignments.size(); ++i)
+      text += fmt::format("{:<{}}  # {}\n", assignments[i], width, key_comment(group.keys[i]));
+  }
+  return text;
+}
+
+}  // namespace gnomon

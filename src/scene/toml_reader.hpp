@@ -1,0 +1,19 @@
+// Reads TOML text. The only file of the project that sees the TOML library is its source.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/raw_value.hpp"
+
+namespace gnomon {
+
+/// All keys of a document in the order of their lines; an empty table is an entry of its own.
+/// Throws InputError "NAME:LINE: ..." for text that is not TOML.
+std::vector<RawEntry> read_toml(const std::string& text, const std::string& name);
+
+/// A value in TOML syntax; nothing when `text` is not exactly one value.
+std::optional<RawValue> read_toml_value(const std::string& text);
+
+}  // namespace gnomon

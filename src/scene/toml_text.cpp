@@ -1,0 +1,68 @@
+#include "scene/toml_text.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace gnomon {
+
+std::string toml_text(double value) {
+  std::string text = fmt::format("{}", value);
+  const std::size_t exponent = text.find('e');
+  if (exponent == std::string::npos)
+    return text.find('.') == std::string::npos ? text + ".0" : text;
+  std::size_t digit = exponent + 2;  // behind the sign
+  while (text[digit] == '0' && digit + 1 < text.size()) text.erase(digit, 1);
+  return text;
+}
+
+std::string toml_text(const std::string& value) {
+  std::string text = "\"";
+  for (const char c : value) {
+    if (c == '"' || c == '\\')
+      text += {'\\', c};
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      text += fmt::format("\\u{:04X}", static_cast<unsigned char>(c));
+    else
+      text += c;
+  }
+  return text + '"';
+}
+
+namespace {
+
+template <class T>
+std::string array_text(const std::vector<T>& values) {
+  std::vector<std::string> texts;
+  for (const T& value : values) {
+    if constexpr (std::is_same_v<T, double>)
+      texts.push_back(toml_text(value));
+    else
+      texts.push_back(fmt::format("{}", value));
+  }
+  return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
+struct TextOf {
+  std::string operator()(bool value) const { return value ? "true" : "false"; }
+  std::string operator()(long value) const { return fmt::format("{}", value); }
+  std::string operator()(double value) const { return toml_text(value); }
+  std::string operator()(const std::string& value) const { return toml_text(value); }
+  std::string operator()(const std::vector<long>& value) const { return array_text(value); }
+  std::string operator()(const std::vector<double>& value) const { return array_text(value); }
+};
+
+}  // namespace
+
+std::string toml_text(const SceneValue& value) { return std::visit(TextOf{}, value); }
+
+std::string toml_key(const std::string& key) {
+  const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
+    return c < 0x80 && (std::isalnum(c) || c == '_' || c == '-');
+  });
+  return bare ? key : toml_text(key);
+}
+
+}  // namespace gnomon

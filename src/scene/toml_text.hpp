@@ -1,0 +1,18 @@
+// Values as TOML text, the inverse of reading them.
+#pragma once
+
+#include <string>
+
+#include <gnomon/scene.hpp>
+
+namespace gnomon {
+
+/// Shortest text that reads back as exactly this real: `1e-7`, `640.0`.
+std::string toml_text(double value);
+std::string toml_text(const std::string& value);  ///< quoted and escaped
+std::string toml_text(const SceneValue& value);
+
+/// A key as TOML writes it: bare where possible, else quoted.
+std::string toml_key(const std::string& key);
+
+}  // namespace gnomon
