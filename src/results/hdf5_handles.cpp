@@ -14,6 +14,9 @@ herr_t keep_first(unsigned /*depth*/, const H5E_error2_t* entry, void* text) {
 }  // namespace
 
 QuietErrors::QuietErrors() {
+  // HDF5 leaks identifiers when it refuses a damaged file, and its clean-up at exit then loops or
+  // crashes. gnomon needs none: every handle has an owner, and what must be on disk is flushed.
+  [[maybe_unused]] static const herr_t once = H5dont_atexit();
   H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }

@@ -24,7 +24,9 @@ Handle open_file(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(status)) throw Failure("it is not a file");
   const htri_t hdf5 = H5Fis_hdf5(path.c_str());
   if (hdf5 == 0) throw Failure("it is not an HDF5 file");
-  return own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open it");
+  const Handle access = own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "open it");
+  check(H5Pset_fclose_degree(access.id(), H5F_CLOSE_STRONG), "open it");
+  return own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, "open it");
 }
 
 Handle open_dataset(hid_t parent, const std::string& path, const char* what) {

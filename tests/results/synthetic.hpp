@@ -1,6 +1,9 @@
 // Synthetic results for the tests of the result file: fields with known values, no numerics.
 #pragma once
 
+#include <gtest/gtest.h>
+#include <unistd.h>
+
 #include <cmath>
 #include <filesystem>
 #include <gnomon/results.hpp>
@@ -9,9 +12,21 @@
 
 namespace gnomon::synthetic {
 
+/// A folder for this process, removed at its end.
+struct Scratch {
+  Scratch() { std::filesystem::create_directories(path); }
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) / ("gnomon_results_" + std::to_string(getpid()));
+};
+
 /// A folder of its own for a test, empty at first.
 inline std::filesystem::path folder(const std::string& name) {
-  const auto path = std::filesystem::path(testing::TempDir()) / ("gnomon_results_" + name);
+  static const Scratch scratch;
+  const auto path = scratch.path / name;
   std::filesystem::remove_all(path);
   std::filesystem::create_directories(path);
   return path;
