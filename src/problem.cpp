@@ -1,6 +1,5 @@
-#include <gnomon/problem.hpp>
-
 #include <gnomon/integrator.hpp>
+#include <gnomon/problem.hpp>
 
 namespace gnomon {
 

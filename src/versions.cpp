@@ -1,15 +1,15 @@
-#include <gnomon/versions.hpp>
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <metis.h>
+#include <sundials/sundials_version.h>
+#include <toml++/impl/version.h>
+#include <umfpack.h>
 
 #include <CLI/Version.hpp>
 #include <Eigen/Core>
 #include <array>
-#include <fmt/format.h>
-#include <hdf5.h>
-#include <metis.h>
+#include <gnomon/versions.hpp>
 #include <nlohmann/json.hpp>
-#include <sundials/sundials_version.h>
-#include <toml++/impl/version.h>
-#include <umfpack.h>
 
 namespace gnomon {
 

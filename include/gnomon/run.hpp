@@ -2,14 +2,13 @@
 #pragma once
 
 #include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include <gnomon/integrator.hpp>
 #include <gnomon/model.hpp>
 #include <gnomon/results.hpp>
 #include <gnomon/scene.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace gnomon {
 

@@ -1,7 +1,7 @@
 // A scene: every parameter of one run, read from a TOML file, checked against a table of keys.
 //
-// Each key is specified exactly once, as a `Key` value. Parsing, error messages, `gnomon help scene`
-// and the resolved dump are all derived from these values.
+// Each key is specified exactly once, as a `Key` value. Parsing, error messages, `gnomon help
+// scene` and the resolved dump are all derived from these values.
 #pragma once
 
 #include <filesystem>
@@ -32,16 +32,16 @@ struct Range {
 struct Key {
   enum class Presence { required, defaulted, optional };
 
-  std::string name{};                ///< dotted, for example "body.young_modulus"
+  std::string name{};  ///< dotted, for example "body.young_modulus"
   KeyKind kind = KeyKind::real;
-  std::string unit{};                ///< "MPa"; empty when dimensionless
+  std::string unit{};  ///< "MPa"; empty when dimensionless
   Presence presence = Presence::required;
-  SceneValue default_value{};        ///< used when presence == defaulted
-  std::string absent_meaning{};      ///< what absence means when presence == optional
-  Range range{};                     ///< numbers only
+  SceneValue default_value{};          ///< used when presence == defaulted
+  std::string absent_meaning{};        ///< what absence means when presence == optional
+  Range range{};                       ///< numbers only
   std::vector<std::string> choices{};  ///< texts only; empty means any text
-  std::size_t length = 0;            ///< arrays only; 0 means any length
-  std::string help{};                ///< one line
+  std::size_t length = 0;              ///< arrays only; 0 means any length
+  std::string help{};                  ///< one line
 };
 
 /// Keys that every scene has whatever its problem: `problem`, `time.*`, `integrator.*`, `output.*`.
@@ -90,13 +90,13 @@ private:
   std::vector<Entry> entries_;
 };
 
-/// Gives the key table of a problem by its name; throws InputError (naming the nearest problem) when
-/// there is no such problem. The message is prefixed by the loader with file, line and key.
+/// Gives the key table of a problem by its name; throws InputError (naming the nearest problem)
+/// when there is no such problem. The message is prefixed by the loader with file, line and key.
 using KeyTableOf = std::function<std::vector<Key>(const std::string& problem)>;
 
 /// Reads and validates `file`, with `overrides` ("key=value", value in TOML syntax; a bare word is
-/// taken as a text) applied on top. Throws InputError with one line naming file, line, key, and what
-/// was expected, with the nearest known key for an unknown one.
+/// taken as a text) applied on top. Throws InputError with one line naming file, line, key, and
+/// what was expected, with the nearest known key for an unknown one.
 Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                  const KeyTableOf& table_of);
 

@@ -1,15 +1,14 @@
 // The summary of a run as JSON, for scripts.
 #pragma once
 
-#include <string>
-
 #include <gnomon/run.hpp>
+#include <string>
 
 namespace gnomon {
 
-/// JSON text, indented. `step` and `rtol` are the settings that the integrator was given; scalars of
-/// Model::observe appear under their names (null when the start itself failed), counters under the
-/// names of Counters, unknowns per block.
+/// JSON text, indented. `step` and `rtol` are the settings that the integrator was given; scalars
+/// of Model::observe appear under their names (null when the start itself failed), counters under
+/// the names of Counters, unknowns per block.
 std::string summary_json(const Scene& scene, const RunHeader& header,
                          const IntegratorSettings& settings, const RunOutcome& outcome);
 

@@ -1,7 +1,5 @@
 // gnomon compare: results side by side, with the paper's error against one of them.
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include <gnomon/error.hpp>
@@ -33,15 +31,18 @@ std::string setting(const RunHeader& header, const std::string& file) {
   }
 }
 
-std::string scalar_text(const HistoryRow& row, const std::string& name) {
+std::string worn_volume(const HistoryRow& row) {
   for (const Scalar& scalar : row.scalars)
-    if (scalar.name == name) return fmt::format("{:.6g}", scalar.value);
+    if (scalar.name == "worn_volume") return fmt::format("{:.6g} {}", scalar.value, scalar.unit);
   return "-";
 }
 
-std::string error_text(const ShapeErrors& errors, const ResultReader& result) {
-  if (result.stored_times().empty()) return "-";
-  return errors.against(result);
+/// The file, and how its run ended if not well.
+std::string name_and_status(const std::filesystem::path& file, const ResultReader& result,
+                            double t) {
+  const std::string status = result.status();
+  if (status == "finished") return file.filename().string();
+  return fmt::format("{} (at t = {:g} s: {})", file.filename().string(), t, status);
 }
 
 void add_row(TextTable& table, const std::filesystem::path& file, const ShapeErrors& errors) {
@@ -50,12 +51,10 @@ void add_row(TextTable& table, const std::filesystem::path& file, const ShapeErr
   const HistoryRow last = history.empty() ? HistoryRow{} : history.back();
   const Counters& c = last.counters;
   const auto count = [](long value) { return fmt::format("{}", value); };
-  const std::string status = result.status();
-  table.add({file.stem().string(), result.header().integrator,
-             setting(result.header(), file.string()), fmt::format("{:g}", last.t), count(c.steps),
+  table.add({result.header().integrator, setting(result.header(), file.string()), count(c.steps),
              count(c.rejected_steps), count(c.newton_iterations), count(c.factorizations),
-             fmt::format("{:.2f}", result.wall_seconds()), scalar_text(last, "worn_volume"),
-             error_text(errors, result), status == "finished" ? "" : status});
+             fmt::format("{:.2f}", result.wall_seconds()), worn_volume(last),
+             errors.against(file, result), name_and_status(file, result, last.t)});
 }
 
 }  // namespace
@@ -64,22 +63,21 @@ int compare_command(const std::vector<std::filesystem::path>& results,
                     const std::filesystem::path& reference) {
   const std::filesystem::path& chosen = reference.empty() ? results.back() : reference;
   const ShapeErrors errors{chosen};
-  TextTable table({{"result"},
-                   {"integrator"},
+  TextTable table({{"integrator"},
                    {"setting"},
-                   {"t [s]", Align::right},
                    {"steps", Align::right},
                    {"rejected", Align::right},
                    {"Newton", Align::right},
-                   {"factor.", Align::right},
+                   {"factors", Align::right},
                    {"wall [s]", Align::right},
                    {"worn volume", Align::right},
                    {"shape error", Align::right},
-                   {}});
+                   {"result"}});
   for (const auto& file : results) add_row(table, file, errors);
-  fmt::print("{}\nshape error [mm]: Euclidean norm of the difference of worn contact-node positions "
-             "in the last\nstored state to {}\n",
-             table.text(), chosen.string());
+  fmt::print(
+      "{}\nshape error: Euclidean norm of the differences of worn contact-node positions to the\n"
+      "reference, {}, in the last stored state\n",
+      table.text(), chosen.string());
   return success;
 }
 

@@ -18,11 +18,11 @@ namespace {
 
 std::string scene_help(const std::optional<std::string>& problem) {
   if (problem) return describe_keys(key_table(*problem));
-  std::string text = fmt::format("{}\nKEYS OF EVERY SCENE\n\n{}", scene_topic,
-                                 describe_keys(run_keys()));
+  std::string text =
+      fmt::format("{}\nKEYS OF EVERY SCENE\n\n{}", scene_topic, describe_keys(run_keys()));
   for (const Problem& entry : Problems::all())
-    text += fmt::format("\nKEYS OF {}: {}\n\n{}", entry.name, entry.help,
-                        describe_keys(entry.keys));
+    text +=
+        fmt::format("\nKEYS OF {}: {}\n\n{}", entry.name, entry.help, describe_keys(entry.keys));
   return text;
 }
 
@@ -50,13 +50,13 @@ int help_command(const std::string& topic, const std::optional<std::string>& pro
   } else if (topic == "exit-codes") {
     fmt::print("{}", exit_codes_topic);
   } else {
-    std::vector<std::string> topics = {"scene",  "integrators", "commands",
+    std::vector<std::string> topics = {"scene", "integrators", "commands",
                                        "units", "output",      "exit-codes"};
     topics.insert(topics.end(), further_topics.begin(), further_topics.end());
     const std::string near = nearest_name(topic, topics);
-    throw InputError(fmt::format("unknown topic `{}`, {}", topic,
-                                 near.empty() ? "see `gnomon help`"
-                                              : "did you mean `" + near + "`?"));
+    throw InputError(
+        fmt::format("unknown topic `{}`, {}", topic,
+                    near.empty() ? "see `gnomon help`" : "did you mean `" + near + "`?"));
   }
   return success;
 }

@@ -76,8 +76,8 @@ int info_command(const std::filesystem::path& file) {
   table.add({"unknowns", blocks_text(header.blocks)});
   if (const auto grid = result.grid())
     table.add({"mesh", fmt::format("{} points, {} cells", grid->points.size(),
-                                   grid->cells.size() / (grid->cell == Grid::Cell::quadrilateral
-                                                             ? 4 : 8))});
+                                   grid->cells.size() /
+                                       (grid->cell == Grid::Cell::quadrilateral ? 4 : 8))});
   table.add({"fields", fmt::format("{}", fmt::join(result.field_names(), ", "))});
   table.add({"stored at t", times_text(result.stored_times())});
   std::vector<std::string> versions;

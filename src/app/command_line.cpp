@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <gnomon/error.hpp>
 #include <gnomon/scene.hpp>
 
@@ -20,11 +21,13 @@ void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
 
 CommandLine::CommandLine() : app_("gnomon integrates the shape of worn bodies in time.", "gnomon") {
   app_.set_help_flag("-h,--help", "Shows this help");
-  app_.add_flag_callback("--version", [this] { command_ = version_command; },
-                         "Shows the versions of gnomon and its libraries");
+  app_.add_flag_callback(
+      "--version", [this] { command_ = version_command; },
+      "Shows the versions of gnomon and its libraries");
   app_.require_subcommand(0, 1);
-  app_.footer("More: gnomon help TOPIC, with TOPIC one of scene [PROBLEM], integrators, commands,\n"
-              "units, output, exit-codes, or a command.");
+  app_.footer(
+      "More: gnomon help TOPIC, with TOPIC one of scene [PROBLEM], integrators, commands,\n"
+      "units, output, exit-codes, or a command.");
   add_run();
   add_check();
   add_inspection();
@@ -38,8 +41,9 @@ void CommandLine::add_run() {
   command->add_option("--integrator", integrator_, "The same as --set integrator.name=NAME")
       ->type_name("NAME");
   add_overrides(command, run_.overrides);
-  command->add_option("-o,--output", run_.result,
-                      "Result file; default: SCENE's name, -NAME and .h5, in the current folder")
+  command
+      ->add_option("-o,--output", run_.result,
+                   "Result file; default: SCENE's name, -NAME and .h5, in the current folder")
       ->type_name("RESULT.h5");
   command->add_option("--summary", run_.summary, "Also writes a summary as JSON")
       ->type_name("FILE.json");
@@ -81,8 +85,9 @@ void CommandLine::add_inspection() {
 void CommandLine::add_compare() {
   CLI::App* command = app_.add_subcommand("compare", "Compares results in a table");
   command->add_option("RESULTS", results_, "Result files (HDF5)")->required()->type_name("");
-  command->add_option("--reference", reference_,
-                      "What shape errors refer to; default: the last result")
+  command
+      ->add_option("--reference", reference_,
+                   "What shape errors refer to; default: the last result")
       ->type_name("RESULT.h5");
   command->callback(
       [this] { command_ = [this] { return compare_command(results_, reference_); }; });
@@ -90,29 +95,31 @@ void CommandLine::add_compare() {
 
 void CommandLine::add_help() {
   CLI::App* command = app_.add_subcommand("help", "Explains a topic");
-  command->add_option("TOPIC", help_words_, "See below; none: this overview")
-      ->type_name("")
-      ->expected(0, 2);
-  command->callback([this] { command_ = [this] { return help(help_words_); }; });
+  command->add_option("TOPIC", topic_, "See below; default: the overview")->type_name("");
+  command->add_option("PROBLEM", problem_, "Of topic scene: whose keys; default: all problems'")
+      ->type_name("");
+  command->callback([this] { command_ = [this] { return help(); }; });
 }
 
-int CommandLine::help(const std::vector<std::string>& words) const {
-  if (words.empty()) {
-    fmt::print("{}", app_.help());
-    return 0;
-  }
+int CommandLine::help() const {
   const std::vector<std::string> commands = command_names();
-  if (words[0] == "commands") {
-    for (const std::string& name : commands)
-      fmt::print("{}\n", app_.get_subcommand(name)->help("gnomon"));
-    return 0;
+  const auto print = [](const CLI::App* app, const std::string& parent) {
+    // App::help() would answer for the command that was parsed, which is `help`.
+    fmt::print("{}", app->get_formatter()->make_help(app, parent, CLI::AppFormatMode::Normal));
+  };
+  if (!topic_) {
+    print(&app_, "gnomon");
+  } else if (*topic_ == "commands") {
+    for (const std::string& name : commands) {
+      print(app_.get_subcommand(name), "gnomon " + name);
+      fmt::print("\n");
+    }
+  } else if (std::find(commands.begin(), commands.end(), *topic_) != commands.end()) {
+    print(app_.get_subcommand(*topic_), "gnomon " + *topic_);
+  } else {
+    return help_command(*topic_, problem_, commands);
   }
-  if (std::find(commands.begin(), commands.end(), words[0]) != commands.end()) {
-    fmt::print("{}", app_.get_subcommand(words[0])->help("gnomon"));
-    return 0;
-  }
-  return help_command(words[0], words.size() > 1 ? std::optional(words[1]) : std::nullopt,
-                      commands);
+  return 0;
 }
 
 std::vector<std::string> CommandLine::command_names() const {

@@ -1,13 +1,12 @@
 // The command line: which commands and options exist, and what they are bound to.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
 
@@ -29,7 +28,7 @@ private:
   void add_inspection();
   void add_compare();
   void add_help();
-  int help(const std::vector<std::string>& words) const;
+  int help() const;
   std::vector<std::string> command_names() const;
 
   CLI::App app_;
@@ -43,7 +42,8 @@ private:
   std::optional<double> time_;
   std::vector<std::filesystem::path> results_;
   std::filesystem::path reference_;
-  std::vector<std::string> help_words_;
+  std::optional<std::string> topic_;
+  std::optional<std::string> problem_;
 };
 
 }  // namespace gnomon::app

@@ -1,10 +1,9 @@
 // gnomon list: what there is to choose from.
 
-#include <algorithm>
-#include <fstream>
-
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <fstream>
 #include <gnomon/error.hpp>
 #include <gnomon/integrator.hpp>
 #include <gnomon/problem.hpp>
@@ -22,8 +21,8 @@ namespace fs = std::filesystem;
 std::string list_integrators() {
   TextTable table({{"name"}, {"family"}, {"order"}, {"stability"}, {"steps"}, {"driver"}});
   for (const Integrator& entry : Integrators::all())
-    table.add({entry.name, entry.family, entry.order, entry.stability, entry.step_control,
-               entry.driver});
+    table.add(
+        {entry.name, entry.family, entry.order, entry.stability, entry.step_control, entry.driver});
   return table.text();
 }
 

@@ -9,8 +9,8 @@
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/output_files.hpp"
-#include "app/progress.hpp"
 #include "app/program.hpp"
+#include "app/progress.hpp"
 #include "app/setup.hpp"
 #include "app/text_table.hpp"
 
@@ -20,11 +20,12 @@ namespace {
 
 void print_summary(const RunOutcome& outcome, const RunOptions& options) {
   const Counters& counters = outcome.counters;
-  fmt::print("{} at t = {:g} s after {}: {} steps ({} attempts rejected), {} Newton iterations, "
-             "{} factorizations\n",
-             outcome.status == RunOutcome::Status::finished ? "finished" : "interrupted",
-             outcome.last->t, fmt::format("{:.3g} s", outcome.wall_seconds), counters.steps,
-             counters.rejected_steps, counters.newton_iterations, counters.factorizations);
+  fmt::print(
+      "{} at t = {:g} s after {}: {} steps ({} attempts rejected), {} Newton iterations, "
+      "{} factorizations\n",
+      outcome.status == RunOutcome::Status::finished ? "finished" : "interrupted", outcome.last->t,
+      fmt::format("{:.3g} s", outcome.wall_seconds), counters.steps, counters.rejected_steps,
+      counters.newton_iterations, counters.factorizations);
   TextTable table({{}, {.align = TextTable::Align::right}, {}});
   for (const Scalar& scalar : outcome.last->scalars)
     table.add({"  " + scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});
@@ -33,15 +34,18 @@ void print_summary(const RunOutcome& outcome, const RunOptions& options) {
 
 int exit_code(const RunOutcome& outcome) {
   switch (outcome.status) {
-    case RunOutcome::Status::finished: return success;
-    case RunOutcome::Status::interrupted: return other_failure;
-    case RunOutcome::Status::failed: return solution_failed;
+    case RunOutcome::Status::finished:
+      return success;
+    case RunOutcome::Status::interrupted:
+      return other_failure;
+    case RunOutcome::Status::failed:
+      return solution_failed;
   }
   return other_failure;
 }
 
 std::string failure_message(const RunOutcome& outcome, const RunOptions& options) {
-  if (!outcome.last) return fmt::format("{} (no start)", outcome.diagnosis);
+  if (!outcome.last) return outcome.diagnosis;
   return fmt::format("{} (everything up to t = {:g} s is in {})", outcome.diagnosis,
                      outcome.last->t, options.result.string());
 }

@@ -3,11 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <gnomon/scene.hpp>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <gnomon/scene.hpp>
 
 namespace gnomon::app {
 

@@ -1,8 +1,8 @@
 #include "app/interrupt.hpp"
 
-#include <csignal>
-
 #include <unistd.h>
+
+#include <csignal>
 
 namespace gnomon::app {
 
@@ -37,6 +37,8 @@ InterruptGuard::~InterruptGuard() {
   std::signal(SIGTERM, SIG_DFL);
 }
 
-bool InterruptGuard::interrupted() { return signalled != 0; }
+bool InterruptGuard::interrupted() {
+  return signalled != 0;
+}
 
 }  // namespace gnomon::app

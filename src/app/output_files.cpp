@@ -1,14 +1,13 @@
 #include "app/output_files.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <system_error>
-
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <gnomon/error.hpp>
+#include <system_error>
 
 namespace gnomon::app {
 
@@ -18,7 +17,8 @@ namespace {
 
 bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code ignored;  // a path that cannot be resolved is reported where it is opened
-  return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored) && !ignored;
+  const fs::path real_a = fs::weakly_canonical(fs::absolute(a, ignored), ignored);
+  return real_a == fs::weakly_canonical(fs::absolute(b, ignored), ignored) && !real_a.empty();
 }
 
 void check_distinct(const fs::path& written, const std::string& what, const fs::path& other,

@@ -12,8 +12,8 @@ namespace gnomon::app {
 std::filesystem::path default_result(const std::filesystem::path& scene,
                                      const std::string& integrator);
 
-/// Throws InputError when a file that the run writes is another one that it writes or reads, or when
-/// the summary cannot be written. (The result file is checked when it is created.)
+/// Throws InputError when a file that the run writes is another one that it writes or reads, or
+/// when the summary cannot be written. (The result file is checked when it is created.)
 void check_outputs(const RunOptions& options);
 
 /// Replaces `file`. Throws Error.

@@ -1,11 +1,10 @@
 #include "app/program.hpp"
 
-#include <cstdio>
-#include <new>
-
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <gnomon/error.hpp>
+#include <new>
 
 #include "app/command_line.hpp"
 

@@ -1,12 +1,12 @@
 #include "app/progress.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 namespace gnomon::app {
 

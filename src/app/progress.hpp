@@ -2,9 +2,8 @@
 #pragma once
 
 #include <chrono>
-#include <string>
-
 #include <gnomon/results.hpp>
+#include <string>
 
 namespace gnomon::app {
 

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <gnomon/problem.hpp>
+#include <gnomon/results.hpp>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <gnomon/problem.hpp>
-#include <gnomon/results.hpp>
 
 namespace gnomon::app {
 

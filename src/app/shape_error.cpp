@@ -1,9 +1,8 @@
 #include "app/shape_error.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
+#include <cmath>
 #include <gnomon/error.hpp>
 
 namespace gnomon::app {
@@ -18,13 +17,16 @@ double shape_error(const ContactSurface& surface, const ContactSurface& referenc
   return std::sqrt(sum);
 }
 
-ShapeErrors::ShapeErrors(const std::filesystem::path& file) {
+ShapeErrors::ShapeErrors(const std::filesystem::path& file) : file_(file) {
   const ResultReader result(file);
   reference_ = result.contact(std::nullopt);
   time_ = result.stored_times().back();
 }
 
-std::string ShapeErrors::against(const ResultReader& result) const {
+std::string ShapeErrors::against(const std::filesystem::path& file,
+                                 const ResultReader& result) const {
+  if (std::filesystem::equivalent(file, file_)) return "reference";
+  if (result.stored_times().empty()) return "nothing stored";
   const ContactSurface surface = result.contact(std::nullopt);
   if (surface.initial != reference_.initial) return "other mesh";
   if (std::abs(result.stored_times().back() - time_) > 1e-9 * std::abs(time_)) return "other time";

@@ -1,8 +1,8 @@
 #include "app/text_table.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace gnomon::app {
 

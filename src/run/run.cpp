@@ -1,8 +1,6 @@
-#include <gnomon/run.hpp>
-
 #include <chrono>
-
 #include <gnomon/error.hpp>
+#include <gnomon/run.hpp>
 
 #include "run/store_schedule.hpp"
 #include "run/wear_integral.hpp"
@@ -104,9 +102,12 @@ private:
 
 std::string RunOutcome::text() const {
   switch (status) {
-    case Status::finished: return "finished";
-    case Status::interrupted: return "interrupted";
-    case Status::failed: return "failed: " + diagnosis;
+    case Status::finished:
+      return "finished";
+    case Status::interrupted:
+      return "interrupted";
+    case Status::failed:
+      return "failed: " + diagnosis;
   }
   return {};
 }

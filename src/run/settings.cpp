@@ -1,9 +1,8 @@
 // What the `integrator.*` and `output.*` keys of a scene mean for a run.
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <gnomon/error.hpp>
 #include <gnomon/run.hpp>
 

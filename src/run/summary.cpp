@@ -1,6 +1,4 @@
 #include <gnomon/summary.hpp>
-
-
 #include <nlohmann/json.hpp>
 
 namespace gnomon {
@@ -11,9 +9,12 @@ using Json = nlohmann::ordered_json;
 
 const char* status_name(RunOutcome::Status status) {
   switch (status) {
-    case RunOutcome::Status::finished: return "finished";
-    case RunOutcome::Status::interrupted: return "interrupted";
-    case RunOutcome::Status::failed: return "failed";
+    case RunOutcome::Status::finished:
+      return "finished";
+    case RunOutcome::Status::interrupted:
+      return "interrupted";
+    case RunOutcome::Status::failed:
+      return "failed";
   }
   return "";
 }
@@ -30,8 +31,8 @@ void add_counters(Json& json, const Counters& counters) {
 
 void add_scalars(Json& json, const RunOutcome& outcome) {
   // Named even when there are none, so that scripts find the keys in every summary.
-  for (const char* name : {"worn_volume", "wear_integral", "contact_half_width", "max_pressure",
-                           "contact_force"})
+  for (const char* name :
+       {"worn_volume", "wear_integral", "contact_half_width", "max_pressure", "contact_force"})
     json[name] = nullptr;
   if (!outcome.last) return;
   for (const Scalar& scalar : outcome.last->scalars) json[scalar.name] = scalar.value;

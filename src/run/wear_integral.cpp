@@ -15,9 +15,8 @@ std::string integrated_unit(const std::string& unit) {
 }  // namespace
 
 void WearIntegral::append_to(std::vector<Scalar>& scalars, double t) {
-  const auto flux = std::find_if(scalars.begin(), scalars.end(), [](const Scalar& scalar) {
-    return scalar.name == "wear_flux";
-  });
+  const auto flux = std::find_if(scalars.begin(), scalars.end(),
+                                 [](const Scalar& scalar) { return scalar.name == "wear_flux"; });
   if (flux == scalars.end()) return;
   if (started_) value_ += (t - t_) * (flux_ + flux->value) / 2;
   started_ = true;

@@ -1,9 +1,8 @@
 // The integral of the scalar "wear_flux" over the accepted steps, by the trapezoidal rule.
 #pragma once
 
-#include <vector>
-
 #include <gnomon/model.hpp>
+#include <vector>
 
 namespace gnomon {
 

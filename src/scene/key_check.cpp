@@ -1,11 +1,11 @@
 #include "scene/key_check.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "scene/toml_text.hpp"
 
@@ -13,8 +13,12 @@ namespace gnomon {
 
 namespace {
 
-bool is_array(KeyKind kind) { return kind == KeyKind::integers || kind == KeyKind::reals; }
-bool is_integral(KeyKind kind) { return kind == KeyKind::integer || kind == KeyKind::integers; }
+bool is_array(KeyKind kind) {
+  return kind == KeyKind::integers || kind == KeyKind::reals;
+}
+bool is_integral(KeyKind kind) {
+  return kind == KeyKind::integer || kind == KeyKind::integers;
+}
 
 std::string interval(const Range& range) {
   return fmt::format("{}{}, {}{}", range.min_open || std::isinf(range.min) ? '(' : '[', range.min,
@@ -70,8 +74,7 @@ std::variant<SceneValue, Complaint> check_numbers(const Key& key, const RawValue
   std::vector<T> values;
   for (std::size_t i = 0; i < array->size(); ++i) {
     const auto value = number<T>(key, (*array)[i]);
-    if (!value)
-      return complain(key, fmt::format("{} at place {}", describe((*array)[i]), i + 1));
+    if (!value) return complain(key, fmt::format("{} at place {}", describe((*array)[i]), i + 1));
     values.push_back(*value);
   }
   return SceneValue(values);
@@ -109,12 +112,18 @@ std::string expectation(const Key& key) {
 
 std::variant<SceneValue, Complaint> check_value(const Key& key, const RawValue& raw) {
   switch (key.kind) {
-    case KeyKind::flag: return check_flag(key, raw);
-    case KeyKind::integer: return check_number<long>(key, raw);
-    case KeyKind::real: return check_number<double>(key, raw);
-    case KeyKind::text: return check_text(key, raw);
-    case KeyKind::integers: return check_numbers<long>(key, raw);
-    case KeyKind::reals: return check_numbers<double>(key, raw);
+    case KeyKind::flag:
+      return check_flag(key, raw);
+    case KeyKind::integer:
+      return check_number<long>(key, raw);
+    case KeyKind::real:
+      return check_number<double>(key, raw);
+    case KeyKind::text:
+      return check_text(key, raw);
+    case KeyKind::integers:
+      return check_numbers<long>(key, raw);
+    case KeyKind::reals:
+      return check_numbers<double>(key, raw);
   }
   return Complaint{"has no type"};  // not reached: all kinds are handled above
 }

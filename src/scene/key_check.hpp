@@ -1,10 +1,9 @@
 // Checks a value against the specification of its key.
 #pragma once
 
+#include <gnomon/scene.hpp>
 #include <string>
 #include <variant>
-
-#include <gnomon/scene.hpp>
 
 #include "scene/raw_value.hpp"
 

@@ -15,43 +15,75 @@ constexpr Range non_negative{.min = 0};
 
 std::vector<Key> integrator_keys() {
   return {
-      {.name = "integrator.name", .kind = KeyKind::text, .presence = required,
+      {.name = "integrator.name",
+       .kind = KeyKind::text,
+       .presence = required,
        .help = "time integration method (gnomon list integrators)"},
-      {.name = "integrator.step", .unit = "s", .presence = optional,
-       .absent_meaning = "time.end / 200", .range = positive,
-       .help = "step of fixed-step methods (forward-euler, backward-euler)"},
-      {.name = "integrator.rtol", .presence = defaulted, .default_value = 1e-4,
+      {.name = "integrator.step",
+       .unit = "s",
+       .presence = optional,
+       .absent_meaning = "time.end / 200",
+       .range = positive,
+       .help = "step of fixed-step methods (gnomon list integrators)"},
+      {.name = "integrator.rtol",
+       .presence = defaulted,
+       .default_value = 1e-4,
        .range = {.min = 0, .max = 1, .min_open = true, .max_open = true},
-       .help = "relative tolerance a step of the worn surface, for adaptive methods (bdf)"},
-      {.name = "integrator.atol", .unit = "mm", .presence = optional,
-       .absent_meaning = "rtol times the mean wear depth at time.end", .range = positive,
+       .help = "relative tolerance a step of the worn surface, for adaptive methods"},
+      {.name = "integrator.atol",
+       .unit = "mm",
+       .presence = optional,
+       .absent_meaning = "rtol times the mean wear depth at time.end",
+       .range = positive,
        .help = "absolute tolerance a step of the worn surface, for adaptive methods"},
-      {.name = "integrator.max_step", .unit = "s", .presence = optional,
-       .absent_meaning = "no bound", .range = positive, .help = "longest step of adaptive methods"},
-      {.name = "integrator.max_order", .kind = KeyKind::integer, .presence = defaulted,
-       .default_value = 5L, .range = {.min = 1, .max = 5},
-       .help = "highest order of variable-order methods (bdf)"},
+      {.name = "integrator.max_step",
+       .unit = "s",
+       .presence = optional,
+       .absent_meaning = "no bound",
+       .range = positive,
+       .help = "longest step of adaptive methods"},
+      {.name = "integrator.max_order",
+       .kind = KeyKind::integer,
+       .presence = defaulted,
+       .default_value = 5L,
+       .range = {.min = 1, .max = 5},
+       .help = "highest order of variable-order methods"},
   };
 }
 
 std::vector<Key> output_keys() {
   return {
-      {.name = "output.every", .kind = KeyKind::integer, .presence = defaulted,
-       .default_value = 10L, .range = non_negative,
+      {.name = "output.every",
+       .kind = KeyKind::integer,
+       .presence = defaulted,
+       .default_value = 10L,
+       .range = non_negative,
        .help = "store fields every n-th step, 0: none (the start is always stored)"},
-      {.name = "output.times", .kind = KeyKind::reals, .unit = "s", .presence = defaulted,
-       .default_value = std::vector<double>{}, .range = non_negative,
+      {.name = "output.times",
+       .kind = KeyKind::reals,
+       .unit = "s",
+       .presence = defaulted,
+       .default_value = std::vector<double>{},
+       .range = non_negative,
        .help = "store fields at these times; steps end on them exactly"},
-      {.name = "output.last", .kind = KeyKind::flag, .presence = defaulted, .default_value = true,
+      {.name = "output.last",
+       .kind = KeyKind::flag,
+       .presence = defaulted,
+       .default_value = true,
        .help = "store fields at the end of the run"},
   };
 }
 
 std::vector<Key> make_run_keys() {
   std::vector<Key> keys = {
-      {.name = "problem", .kind = KeyKind::text, .presence = required,
+      {.name = "problem",
+       .kind = KeyKind::text,
+       .presence = required,
        .help = "the problem that the scene sets (gnomon list problems)"},
-      {.name = "time.end", .unit = "s", .presence = required, .range = positive,
+      {.name = "time.end",
+       .unit = "s",
+       .presence = required,
+       .range = positive,
        .help = "the run goes from t = 0 to here"},
   };
   for (const auto& part : {integrator_keys(), output_keys()})
@@ -61,42 +93,72 @@ std::vector<Key> make_run_keys() {
 
 std::vector<Key> load_and_wear_keys() {
   return {
-      {.name = "load.force", .unit = "N/mm", .presence = required, .range = positive,
+      {.name = "load.force",
+       .unit = "N/mm",
+       .presence = required,
+       .range = positive,
        .help = "normal force F, a unit of thickness in 2D"},
-      {.name = "wear.coefficient", .unit = "1/MPa", .presence = required, .range = positive,
+      {.name = "wear.coefficient",
+       .unit = "1/MPa",
+       .presence = required,
+       .range = positive,
        .help = "wear coefficient k of the rate k v |T_N|, sec. 4.1"},
-      {.name = "wear.velocity", .unit = "mm/s", .presence = required, .range = positive,
+      {.name = "wear.velocity",
+       .unit = "mm/s",
+       .presence = required,
+       .range = positive,
        .help = "sliding velocity v"},
-      {.name = "wear.normal", .kind = KeyKind::text, .presence = defaulted,
-       .default_value = "averaged", .choices = {"averaged", "normalised"},
+      {.name = "wear.normal",
+       .kind = KeyKind::text,
+       .presence = defaulted,
+       .default_value = "averaged",
+       .choices = {"averaged", "normalised"},
        .help = "direction of wear at a node: average of facet normals, eq. (35), or made unit"},
   };
 }
 
 std::vector<Key> body_keys() {
   return {
-      {.name = "body.young_modulus", .unit = "MPa", .presence = required, .range = positive,
+      {.name = "body.young_modulus",
+       .unit = "MPa",
+       .presence = required,
+       .range = positive,
        .help = "Young's modulus E of the worn body, neo-Hookean, eq. (38)"},
-      {.name = "body.poisson_ratio", .presence = required,
+      {.name = "body.poisson_ratio",
+       .presence = required,
        .range = {.min = 0, .max = 0.5, .max_open = true},
        .help = "Poisson's ratio nu of the worn body"},
-      {.name = "body.element", .kind = KeyKind::text, .presence = defaulted,
-       .default_value = "f-bar", .choices = {"plain", "f-bar", "f-bar-variational"},
+      {.name = "body.element",
+       .kind = KeyKind::text,
+       .presence = defaulted,
+       .default_value = "f-bar",
+       .choices = {"plain", "f-bar", "f-bar-variational"},
        .help = "plain, F-bar (de Souza Neto), or F-bar read as the variation of eq. (32)"},
   };
 }
 
 std::vector<Key> shape_keys() {
   return {
-      {.name = "shape.constraint", .kind = KeyKind::text, .presence = defaulted,
-       .default_value = "eliminated", .choices = {"eliminated", "multiplier"},
+      {.name = "shape.constraint",
+       .kind = KeyKind::text,
+       .presence = defaulted,
+       .default_value = "eliminated",
+       .choices = {"eliminated", "multiplier"},
        .help = "shape of the contact surface: reaction eliminated, or multiplier mu, eq. (22)"},
-      {.name = "shape.young_modulus", .unit = "MPa", .presence = defaulted, .default_value = 1.0,
-       .range = positive, .help = "Young's modulus of the auxiliary elasticity, eq. (20)"},
-      {.name = "shape.poisson_ratio", .presence = defaulted, .default_value = 0.3,
+      {.name = "shape.young_modulus",
+       .unit = "MPa",
+       .presence = defaulted,
+       .default_value = 1.0,
+       .range = positive,
+       .help = "Young's modulus of the auxiliary elasticity, eq. (20)"},
+      {.name = "shape.poisson_ratio",
+       .presence = defaulted,
+       .default_value = 0.3,
        .range = {.min = 0, .max = 0.5, .max_open = true},
        .help = "Poisson's ratio of the auxiliary elasticity, eq. (20)"},
-      {.name = "shape.augmentation", .presence = defaulted, .default_value = 1.0,
+      {.name = "shape.augmentation",
+       .presence = defaulted,
+       .default_value = 1.0,
        .range = non_negative,
        .help = "augmentation of the multiplier form, eq. (29), in its natural unit"},
   };
@@ -106,9 +168,12 @@ std::vector<Key> make_worn_body_keys() {
   std::vector<Key> keys;
   for (const auto& part : {body_keys(), load_and_wear_keys(), shape_keys()})
     keys.insert(keys.end(), part.begin(), part.end());
-  keys.push_back({.name = "contact.regularization", .presence = defaulted, .default_value = 1.0,
-                  .range = positive,
-                  .help = "rho of eq. (26) in units of E / facet length; no effect on the solution"});
+  keys.push_back(
+      {.name = "contact.regularization",
+       .presence = defaulted,
+       .default_value = 1.0,
+       .range = positive,
+       .help = "rho of eq. (26) in units of E / facet length; no effect on the solution"});
   return keys;
 }
 

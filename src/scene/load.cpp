@@ -1,14 +1,13 @@
 // Loads a scene: file and overrides on one side, the table of keys on the other.
 
-#include <algorithm>
-#include <fstream>
-#include <sstream>
-#include <system_error>
-
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <fstream>
 #include <gnomon/error.hpp>
 #include <gnomon/scene.hpp>
+#include <sstream>
+#include <system_error>
 
 #include "scene/key_check.hpp"
 #include "scene/toml_reader.hpp"
@@ -85,6 +84,15 @@ SceneValue checked(const Key& key, const Given& given) {
                                             : "did you mean `" + near + "`?"));
 }
 
+/// A known table that gives no keys, which is not a mistake.
+bool is_empty_table(const Given& given, const std::vector<Key>& table) {
+  const auto* scalar = std::get_if<RawScalar>(&given.value.content);
+  const auto* foreign = scalar ? std::get_if<ForeignValue>(scalar) : nullptr;
+  return foreign && foreign->is_table &&
+         std::any_of(table.begin(), table.end(),
+                     [&](const Key& key) { return key.name.starts_with(given.name + "."); });
+}
+
 }  // namespace
 
 class SceneLoader {
@@ -122,11 +130,10 @@ private:
     if (const Given* given = find(in_file_, key)) return *given;
     // A misspelt key outside any table can only have meant this one.
     for (const Given& given : in_file_)
-      if (!nearest_name(given.name, {key}).empty())
-        fail_unknown(given, {run_keys().front()}, "");
-    throw InputError(fmt::format(
-        "{}: missing, expected the name of a problem (`gnomon list problems`)",
-        message_about(name_, 0, key)));
+      if (!nearest_name(given.name, {key}).empty()) fail_unknown(given, {run_keys().front()}, "");
+    throw InputError(
+        fmt::format("{}: missing, expected the name of a problem (`gnomon list problems`)",
+                    message_about(name_, 0, key)));
   }
 
   /// The key exists and the value is acceptable; also where an override replaces the value.
@@ -137,7 +144,7 @@ private:
         checked(key, given);
         return;
       }
-    fail_unknown(given, table, problem);
+    if (!is_empty_table(given, table)) fail_unknown(given, table, problem);
   }
 
   Scene::Entry resolve(const Key& key) const {

@@ -1,9 +1,8 @@
 // The known name that a mistyped one most likely meant.
 
 #include <algorithm>
-#include <numeric>
-
 #include <gnomon/scene.hpp>
+#include <numeric>
 
 namespace gnomon {
 
@@ -26,7 +25,9 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return above[b.size()];
 }
 
-std::string last_part(const std::string& name) { return name.substr(name.rfind('.') + 1); }
+std::string last_part(const std::string& name) {
+  return name.substr(name.rfind('.') + 1);
+}
 
 /// Distance of a word to a candidate; forgives a wrong table and a missing half of the name.
 std::size_t distance(const std::string& word, const std::string& candidate) {
@@ -34,7 +35,7 @@ std::size_t distance(const std::string& word, const std::string& candidate) {
   if (candidate.find('.') != std::string::npos)
     result = std::min(result, edit_distance(last_part(word), last_part(candidate)) + 1);
   if (word.size() >= 3 && candidate.find(word) != std::string::npos)
-    result = std::min<std::size_t>(result, 2);
+    result = std::min<std::size_t>(result, 1);
   return result;
 }
 
@@ -45,7 +46,7 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
   if (word.size() > longest) return {};
   std::string nearest;
   std::size_t best = std::max<std::size_t>(2, word.size() / 3) + 1;
-  if (word.size() <= 2) best = 2;
+  if (word.size() <= 3) best = 2;
   for (const std::string& candidate : candidates)
     if (const std::size_t d = distance(word, candidate); d < best) {
       best = d;

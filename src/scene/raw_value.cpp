@@ -22,7 +22,9 @@ struct Description {
 
 }  // namespace
 
-std::string describe(const RawScalar& value) { return std::visit(Description{}, value); }
+std::string describe(const RawScalar& value) {
+  return std::visit(Description{}, value);
+}
 
 std::string describe(const RawValue& value) {
   if (const auto* scalar = std::get_if<RawScalar>(&value.content)) return describe(*scalar);

@@ -10,6 +10,7 @@ namespace gnomon {
 /// A TOML value that no key accepts (date, table, nested array), by its description.
 struct ForeignValue {
   std::string description;  ///< "a table"
+  bool is_table = false;
 };
 
 using RawScalar = std::variant<bool, long, double, std::string, ForeignValue>;

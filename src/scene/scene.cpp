@@ -1,11 +1,10 @@
 // Typed access to a validated scene and its resolved dump.
 
-#include <gnomon/scene.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <gnomon/scene.hpp>
 #include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "scene/table_layout.hpp"
 #include "scene/toml_text.hpp"
@@ -29,9 +28,15 @@ const T& value_as(const std::string& key, const std::optional<SceneValue>& value
 
 }  // namespace
 
-bool Scene::flag(const std::string& key) const { return value_as<bool>(key, entry(key).value); }
-long Scene::integer(const std::string& key) const { return value_as<long>(key, entry(key).value); }
-double Scene::real(const std::string& key) const { return value_as<double>(key, entry(key).value); }
+bool Scene::flag(const std::string& key) const {
+  return value_as<bool>(key, entry(key).value);
+}
+long Scene::integer(const std::string& key) const {
+  return value_as<long>(key, entry(key).value);
+}
+double Scene::real(const std::string& key) const {
+  return value_as<double>(key, entry(key).value);
+}
 
 const std::string& Scene::text(const std::string& key) const {
   return value_as<std::string>(key, entry(key).value);
@@ -45,13 +50,17 @@ const std::vector<double>& Scene::reals(const std::string& key) const {
   return value_as<std::vector<double>>(key, entry(key).value);
 }
 
-bool Scene::has(const std::string& key) const { return entry(key).value.has_value(); }
+bool Scene::has(const std::string& key) const {
+  return entry(key).value.has_value();
+}
 
 std::optional<double> Scene::real_if(const std::string& key) const {
   return has(key) ? std::optional(real(key)) : std::nullopt;
 }
 
-std::string Scene::where(const std::string& key) const { return entry(key).origin; }
+std::string Scene::where(const std::string& key) const {
+  return entry(key).origin;
+}
 
 bool operator==(const Scene& a, const Scene& b) {
   return std::equal(a.entries_.begin(), a.entries_.end(), b.entries_.begin(), b.entries_.end(),

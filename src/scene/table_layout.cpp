@@ -1,8 +1,8 @@
 #include "scene/table_layout.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "scene/key_check.hpp"
 #include "scene/toml_text.hpp"
@@ -23,7 +23,9 @@ std::vector<KeyGroup> group_keys(const std::vector<Key>& table) {
   return groups;
 }
 
-std::string last_part(const std::string& name) { return name.substr(name.rfind('.') + 1); }
+std::string last_part(const std::string& name) {
+  return name.substr(name.rfind('.') + 1);
+}
 
 std::string key_comment(const Key& key) {
   std::string comment = key.unit.empty() ? key.help : fmt::format("[{}] {}", key.unit, key.help);
@@ -35,9 +37,12 @@ namespace {
 
 std::string presence(const Key& key) {
   switch (key.presence) {
-    case Key::Presence::required: return "required";
-    case Key::Presence::defaulted: return "default " + toml_text(key.default_value);
-    case Key::Presence::optional: return "optional, absent: " + key.absent_meaning;
+    case Key::Presence::required:
+      return "required";
+    case Key::Presence::defaulted:
+      return "default " + toml_text(key.default_value);
+    case Key::Presence::optional:
+      return "optional, absent: " + key.absent_meaning;
   }
   return {};
 }
@@ -49,8 +54,8 @@ std::string describe_keys(const std::vector<Key>& table) {
   for (const KeyGroup& group : group_keys(table)) {
     text += text.empty() ? "" : "\n";
     for (const Key& key : group.keys)
-      text += fmt::format("{}: {}\n    {}; {}\n", key.name, key.help, expectation(key),
-                          presence(key));
+      text +=
+          fmt::format("{}: {}\n    {}; {}\n", key.name, key.help, expectation(key), presence(key));
   }
   return text;
 }

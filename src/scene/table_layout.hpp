@@ -1,10 +1,9 @@
 // How a table of keys is laid out for people: grouped by TOML table, one comment a key.
 #pragma once
 
+#include <gnomon/scene.hpp>
 #include <string>
 #include <vector>
-
-#include <gnomon/scene.hpp>
 
 namespace gnomon {
 

@@ -1,10 +1,9 @@
 #include "scene/toml_reader.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <gnomon/error.hpp>
 
 #include "scene/toml_text.hpp"
@@ -18,7 +17,7 @@ RawScalar scalar_of(const toml::node& node) {
   if (const auto* value = node.as_integer()) return static_cast<long>(value->get());
   if (const auto* value = node.as_floating_point()) return value->get();
   if (const auto* value = node.as_string()) return value->get();
-  if (node.is_table()) return ForeignValue{"a table"};
+  if (node.is_table()) return ForeignValue{"a table", true};
   if (node.is_array()) return ForeignValue{"an array"};
   return ForeignValue{"a date or time"};
 }

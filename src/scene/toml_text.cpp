@@ -1,10 +1,10 @@
 #include "scene/toml_text.hpp"
 
-#include <algorithm>
-#include <cctype>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
 
 namespace gnomon {
 
@@ -56,7 +56,9 @@ struct TextOf {
 
 }  // namespace
 
-std::string toml_text(const SceneValue& value) { return std::visit(TextOf{}, value); }
+std::string toml_text(const SceneValue& value) {
+  return std::visit(TextOf{}, value);
+}
 
 std::string toml_key(const std::string& key) {
   const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {

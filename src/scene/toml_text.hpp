@@ -1,9 +1,8 @@
 // Values as TOML text, the inverse of reading them.
 #pragma once
 
-#include <string>
-
 #include <gnomon/scene.hpp>
+#include <string>
 
 namespace gnomon {
 

@@ -1,0 +1,169 @@
+// Bad input through the real program: exit code 2, one line on stderr that says where and what was
+// expected, nothing on stdout, nothing written.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/child.hpp"
+
+namespace gnomon {
+namespace {
+
+using test::coarse;
+using test::Outcome;
+using test::pin;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class BadInput : public test::ProgramTest {
+protected:
+  /// Expects refusal with a line that holds all of `parts`.
+  void expect_refused(const std::vector<std::string>& arguments,
+                      const std::vector<std::string>& parts) {
+    const auto before = files();
+    const Outcome outcome = gnomon(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_THAT(outcome.out, IsEmpty());
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    for (const std::string& part : parts) EXPECT_THAT(outcome.err, HasSubstr(part));
+    EXPECT_EQ(files(), before);
+  }
+
+  /// The shipped scene with `from` replaced by `to`.
+  void write_scene(const std::string& from, const std::string& to) {
+    std::string text = test::read_text(pin);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    write("scene.toml", text.replace(at, from.size(), to));
+  }
+};
+
+TEST_F(BadInput, UnknownKey) {
+  write_scene("young_modulus = 640.0", "young_modlus = 640.0");
+  expect_refused({"run", "scene.toml"},
+                 {"scene.toml:17: key `body.young_modlus`", "did you mean `body.young_modulus`?"});
+}
+
+TEST_F(BadInput, WrongType) {
+  write_scene("young_modulus = 640.0", "young_modulus = \"steel\"");
+  expect_refused({"run", "scene.toml"}, {"scene.toml:17: key `body.young_modulus`: expected a "
+                                         "number in (0, inf) [MPa], got \"steel\""});
+}
+
+TEST_F(BadInput, OutOfRange) {
+  write_scene("poisson_ratio = 0.3", "poisson_ratio = 0.5");
+  expect_refused({"run", "scene.toml"}, {"scene.toml:18: key `body.poisson_ratio`: expected a "
+                                         "number in [0, 0.5), got 0.5"});
+}
+
+TEST_F(BadInput, ArrayLength) {
+  write_scene("[40, 40]", "[40, 40, 40]");
+  expect_refused({"run", "scene.toml"},
+                 {"scene.toml:14: key `mesh.elements`: expected an array of 2 integers"});
+}
+
+TEST_F(BadInput, Choice) {
+  write_scene("\"f-bar\"", "\"fbar\"");
+  expect_refused({"run", "scene.toml"},
+                 {"scene.toml:19: key `body.element`", "did you mean \"f-bar\"?"});
+}
+
+TEST_F(BadInput, MissingKey) {
+  write_scene("force = 20.0", "");
+  expect_refused({"run", "scene.toml"}, {"scene.toml: key `load.force`: missing, expected a number "
+                                         "in (0, inf) [N/mm]"});
+}
+
+TEST_F(BadInput, UnknownProblem) {
+  write_scene("\"pin_on_flat\"", "\"pin_on_flt\"");
+  expect_refused({"run", "scene.toml"},
+                 {"scene.toml:6: key `problem`", "did you mean \"pin_on_flat\"?"});
+}
+
+TEST_F(BadInput, UnknownIntegrator) {
+  expect_refused({"run", pin, "--integrator", "backward-euller"},
+                 {"integrator.name", "did you mean \"backward-euler\"?"});
+}
+
+TEST_F(BadInput, SyntaxError) {
+  write_scene("[load]", "[load");
+  expect_refused({"check", "scene.toml"}, {"scene.toml:21: not valid TOML"});
+}
+
+TEST_F(BadInput, BinaryFile) {
+  write("scene.toml", std::string("\x00\x01\xff\xfe\n", 5));
+  expect_refused({"run", "scene.toml"}, {"scene.toml:1: not valid TOML"});
+}
+
+TEST_F(BadInput, EmptyFile) {
+  write("scene.toml", "");
+  expect_refused({"run", "scene.toml"}, {"scene.toml: key `problem`: missing"});
+}
+
+TEST_F(BadInput, MissingFile) {
+  expect_refused({"run", "no.toml"}, {"no.toml: no such file"});
+}
+
+TEST_F(BadInput, UnreadableFile) {
+  if (geteuid() == 0) GTEST_SKIP() << "root reads everything";
+  write_scene("[load]", "[load]");
+  std::filesystem::permissions(folder() / "scene.toml", std::filesystem::perms::none);
+  expect_refused({"run", "scene.toml"}, {"scene.toml: cannot be read"});
+}
+
+TEST_F(BadInput, LineBreakInAFileName) {
+  expect_refused({"run", "no\nsuch.toml"}, {"no such.toml: no such file"});
+}
+
+TEST_F(BadInput, KeysThatContradictEachOther) {
+  write_scene("height = 10.0", "height = 2.0");
+  expect_refused({"run", "scene.toml"}, {"scene.toml:10: key `pin.height`"});
+  expect_refused({"run", pin, "--set", "output.times=[5000]"}, {"--set output.times", "1000"});
+}
+
+TEST_F(BadInput, Overrides) {
+  expect_refused({"run", pin, "--set", "mesh"}, {"--set mesh: expected KEY=VALUE"});
+  expect_refused({"run", pin, "--set", "mesh.elemnts=[4,4]"}, {"did you mean `mesh.elements`?"});
+  expect_refused({"run", pin, "--integrator", "bdf", "--set", "integrator.name=bdf"},
+                 {"integrator.name: given twice"});
+  expect_refused({"run", pin, "--set"}, {"--set"});
+}
+
+TEST_F(BadInput, OutputsThatCannotBeWritten) {
+  expect_refused({"run", pin, "--set", coarse, "-o", "no/such/folder.h5"}, {"no/such/folder.h5"});
+  expect_refused({"run", pin, "--set", coarse, "--summary", "no/such.json"},
+                 {"no/such.json", "no folder no"});
+  expect_refused({"run", pin, "--set", coarse, "-o", "a.h5", "--summary", "a.h5"},
+                 {"different files"});
+  expect_refused({"run", pin, "--set", coarse, "-o", "a.h5", "--summary", "./a.xdmf"},
+                 {"different files"});
+}
+
+TEST_F(BadInput, ResultDoesNotReplaceTheScene) {
+  write_scene("[load]", "[load]");
+  expect_refused({"run", "scene.toml", "-o", "./scene.toml"}, {"different files"});
+}
+
+TEST_F(BadInput, CommandLine) {
+  expect_refused({}, {"expected a command"});
+  expect_refused({"rnu", pin}, {"unknown command `rnu`, did you mean `run`?"});
+  expect_refused({"run", pin, "--quite"}, {"unknown option `--quite`, did you mean `--quiet`?"});
+  expect_refused({"run"}, {"SCENE is required"});
+  expect_refused({"run", pin, "second.toml"}, {"unexpected argument `second.toml`"});
+  expect_refused({"list", "integrator"}, {"did you mean `integrators`?"});
+  expect_refused({"help", "exit-code"}, {"unknown topic `exit-code`, did you mean `exit-codes`?"});
+  expect_refused({"help", "scene", "pin"}, {"unknown problem \"pin\""});
+  expect_refused({"contact", "a.h5", "--time", "soon"}, {"--time"});
+}
+
+TEST_F(BadInput, ResultFiles) {
+  write("text.h5", "no HDF5 at all");
+  for (const char* command : {"info", "contact", "compare"}) {
+    expect_refused({command, "no.h5"}, {"no.h5"});
+    expect_refused({command, "text.h5"}, {"text.h5"});
+  }
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,97 @@
+// Runs the real program in a folder of its own and catches what it prints.
+#pragma once
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace gnomon::test {
+
+struct Outcome {
+  int exit_code = -1;  ///< -signal when it was killed
+  std::string out;
+  std::string err;
+};
+
+inline std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A test with an empty folder to run the program in; its output goes beside the folder.
+class ProgramTest : public testing::Test {
+protected:
+  ProgramTest() {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = std::string(info->test_suite_name()) + "-" + info->name();
+    for (char& c : name)
+      if (c == '/') c = '-';
+    root_ = std::filesystem::temp_directory_path() /
+            ("gnomon-" + name + "-" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder());
+  }
+  ~ProgramTest() override { std::filesystem::remove_all(root_); }
+
+  std::filesystem::path folder() const { return root_ / "folder"; }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder() / name) << text;
+  }
+
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder()))
+      names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  pid_t start(const std::vector<std::string>& arguments) const {
+    const pid_t child = fork();
+    if (child != 0) return child;
+    std::vector<char*> argv = {const_cast<char*>("gnomon")};
+    for (const std::string& argument : arguments)
+      argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    redirect(root_ / "out", STDOUT_FILENO);
+    redirect(root_ / "err", STDERR_FILENO);
+    if (chdir(folder().c_str()) == 0) execv(GNOMON_PROGRAM, argv.data());
+    _exit(127);
+  }
+
+  Outcome finish(pid_t child) const {
+    int status = 0;
+    waitpid(child, &status, 0);
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    return {code, read_text(root_ / "out"), read_text(root_ / "err")};
+  }
+
+  Outcome gnomon(const std::vector<std::string>& arguments) const {
+    return finish(start(arguments));
+  }
+
+private:
+  static void redirect(const std::filesystem::path& file, int descriptor) {
+    const int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    dup2(opened, descriptor);
+    close(opened);
+  }
+
+  std::filesystem::path root_;
+};
+
+/// The shipped pin, so coarse that it runs in no time.
+inline const std::string pin =
+    std::string(GNOMON_SOURCE_DIR) + "/problems/pin_on_flat/small_deformation.toml";
+inline const std::string coarse = "mesh.elements=[8,8]";
+
+}  // namespace gnomon::test

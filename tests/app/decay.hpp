@@ -1,0 +1,76 @@
+// A tiny model for tests of the run loop: y' = -y, y(0) = 1, integrated with its exact solution.
+// The worn volume is 1 - y and its flux y, so that everything has a closed form.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/error.hpp>
+#include <gnomon/integrator.hpp>
+#include <gnomon/model.hpp>
+#include <stdexcept>
+
+namespace gnomon::test {
+
+class Decay : public Model {
+public:
+  const System& system() const override { throw std::logic_error("not needed here"); }
+  std::vector<BlockSize> blocks() const override { return {{"amount", "y", 1, "everywhere"}}; }
+  State start(Counters& counters) const override {
+    counters.newton_iterations += 3;
+    if (!starts) throw SolutionError("no equilibrium");
+    return {0, {1.0}, {-1.0}};
+  }
+  std::vector<Scalar> observe(const State& state) const override {
+    return {{"worn_volume", "mm^2", 1 - state.y[0]}, {"wear_flux", "mm^2/s", state.y[0]}};
+  }
+  double differential_scale() const override { return 0.25; }
+  std::optional<Grid> grid() const override { return std::nullopt; }
+  std::vector<Field> fields(const State&) const override { return {}; }
+  std::optional<ContactSurface> contact(const State& state) const override {
+    ContactSurface surface;
+    surface.node = {0};
+    surface.initial = {{0, 0, 0}};
+    surface.worn = surface.current = {{0, 1 - state.y[0], 0}};
+    surface.pressure = {state.y[0]};
+    surface.wear_depth = {1 - state.y[0]};
+    surface.active = {1};
+    return surface;
+  }
+
+  bool starts = true;
+};
+
+/// Exact steps of the size it is told; fails at `fail_at`.
+class ExactDecay : public Stepper {
+public:
+  ExactDecay(const IntegratorSettings& settings, Counters& counters, double fail_at)
+      : step_(settings.step), counters_(counters), fail_at_(fail_at) {}
+
+  StepReport advance(State& state, double t_stop) override {
+    if (state.t >= fail_at_) throw SolutionError("inverted element 7");
+    const bool lands = state.t + step_ >= t_stop * (1 - 1e-12);
+    const double t = lands ? t_stop : state.t + step_;
+    const StepReport report{t - state.t, 1, 2, false};
+    state = {t, {std::exp(-t)}, {-std::exp(-t)}};
+    ++counters_.steps;
+    counters_.newton_iterations += report.newton_iterations;
+    return report;
+  }
+
+private:
+  double step_;
+  Counters& counters_;
+  double fail_at_;
+};
+
+inline Integrator exact_decay(double fail_at = INFINITY) {
+  Integrator integrator;
+  integrator.name = "exact-decay";
+  integrator.make = [fail_at](const Model&, const IntegratorSettings& settings,
+                              Counters& counters) -> std::unique_ptr<Stepper> {
+    return std::make_unique<ExactDecay>(settings, counters, fail_at);
+  };
+  return integrator;
+}
+
+}  // namespace gnomon::test

@@ -1,0 +1,203 @@
+// The real program as its users meet it: commands, files, signals, exit codes.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <gnomon/problem.hpp>
+#include <gnomon/results.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "app/child.hpp"
+
+namespace gnomon {
+namespace {
+
+using test::coarse;
+using test::Outcome;
+using test::pin;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class Program : public test::ProgramTest {
+protected:
+  /// A short run of the coarse pin; further arguments behind.
+  Outcome run(std::vector<std::string> further) const {
+    std::vector<std::string> arguments = {"run", pin, "--set", coarse, "--set", "time.end=100"};
+    arguments.insert(arguments.end(), further.begin(), further.end());
+    return gnomon(arguments);
+  }
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST_F(Program, RunWritesResultSidecarAndSummary) {
+  const Outcome outcome = run({"--summary", "s.json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("finished at t = 100 s"));
+  EXPECT_THAT(outcome.out, HasSubstr("small_deformation-backward-euler.h5"));
+  EXPECT_THAT(files(), ElementsAre("s.json", "small_deformation-backward-euler.h5",
+                                   "small_deformation-backward-euler.xdmf"));
+  const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
+  EXPECT_EQ(json["status"], "finished");
+  EXPECT_EQ(json["integrator"], "backward-euler");
+  EXPECT_EQ(json["problem"], "pin_on_flat");
+  EXPECT_EQ(json["t"], 100.0);
+  EXPECT_EQ(json["steps"], 20);
+  EXPECT_NEAR(json["wear_integral"], 0.2, 0.2e-9);  // k v F t
+  for (const char* key : {"worn_volume", "contact_half_width", "max_pressure", "contact_force"})
+    EXPECT_GT(json[key].get<double>(), 0) << key;
+  EXPECT_TRUE(json["versions"].contains("SUNDIALS"));
+}
+
+TEST_F(Program, PipedProgressIsAFewPlainLines) {
+  const Outcome outcome = run({"--set", "integrator.step=0.5"});
+  const auto lines = lines_of(outcome.err);
+  EXPECT_GE(lines.size(), 10u);
+  EXPECT_LE(lines.size(), 25u);
+  EXPECT_EQ(outcome.err.find('\r'), std::string::npos);
+  EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos);
+}
+
+TEST_F(Program, QuietPrintsNothing) {
+  const Outcome outcome = run({"--quiet", "-o", "a.h5", "--integrator", "bdf"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.out + outcome.err, IsEmpty());
+  EXPECT_THAT(files(), ElementsAre("a.h5", "a.xdmf"));
+}
+
+TEST_F(Program, CheckPrintsASceneAndWritesNothing) {
+  const Outcome outcome = gnomon({"check", pin, "--set", coarse});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("elements = [8, 8]"));
+  EXPECT_THAT(outcome.out, HasSubstr("displacement"));
+  EXPECT_THAT(files(), IsEmpty());
+  EXPECT_TRUE(parse_scene(outcome.out, "printed", {}, key_table) ==
+              load_scene(pin, {coarse}, key_table));
+}
+
+TEST_F(Program, ContactPrintsCsvInFullPrecision) {
+  ASSERT_EQ(run({"--quiet", "-o", "a.h5", "--set", "output.times=[20]"}).exit_code, 0);
+  const Outcome outcome = gnomon({"contact", "a.h5", "--time", "20"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 10u);
+  EXPECT_EQ(lines[0], "node,X0,Y0,X,Y,x,y,pressure,wear_depth,active");
+  const ContactSurface surface = ResultReader(folder() / "a.h5").contact(20.0);
+  std::vector<double> cells;
+  std::istringstream middle(lines[5]);
+  for (std::string cell; std::getline(middle, cell, ',');) cells.push_back(std::stod(cell));
+  ASSERT_EQ(cells.size(), 10u);
+  EXPECT_EQ(cells[4], surface.worn[4][1]);
+  EXPECT_EQ(cells[7], surface.pressure[4]);
+  EXPECT_EQ(cells[9], 1);
+  EXPECT_GT(cells[8], 0);
+}
+
+TEST_F(Program, ContactNamesTheStoredTimesNextToAMissingOne) {
+  ASSERT_EQ(run({"--quiet", "-o", "a.h5"}).exit_code, 0);
+  const Outcome outcome = gnomon({"contact", "a.h5", "--time", "70"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("50 and 100"));
+}
+
+TEST_F(Program, CompareGivesThePapersErrorAgainstTheReference) {
+  ASSERT_EQ(run({"--quiet", "-o", "coarse.h5", "--set", "integrator.step=50"}).exit_code, 0);
+  ASSERT_EQ(run({"--quiet", "-o", "tight.h5", "--integrator", "bdf"}).exit_code, 0);
+  const Outcome outcome = gnomon({"compare", "coarse.h5", "--reference", "tight.h5"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("step 50 s"));
+
+  const ContactSurface a = ResultReader(folder() / "coarse.h5").contact(std::nullopt);
+  const ContactSurface b = ResultReader(folder() / "tight.h5").contact(std::nullopt);
+  double sum = 0;
+  for (std::size_t i = 0; i < a.worn.size(); ++i)
+    for (std::size_t k = 0; k < 2; ++k) sum += std::pow(a.worn[i][k] - b.worn[i][k], 2);
+  char expected[32];
+  std::snprintf(expected, sizeof expected, "%.3e", std::sqrt(sum));
+  EXPECT_THAT(outcome.out, HasSubstr(expected));
+
+  const Outcome both = gnomon({"compare", "coarse.h5", "tight.h5"});
+  EXPECT_THAT(both.out, HasSubstr("rtol 0.0001"));
+  EXPECT_THAT(both.out, HasSubstr(expected));
+}
+
+TEST_F(Program, InfoTellsStatusUnknownsAndScene) {
+  ASSERT_EQ(run({"--quiet", "-o", "a.h5"}).exit_code, 0);
+  const Outcome outcome = gnomon({"info", "a.h5"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* part : {"finished", "displacement", "0, 50, 100", "worn_volume", "elements = "})
+    EXPECT_THAT(outcome.out, HasSubstr(part));
+}
+
+TEST_F(Program, ListsAndHelp) {
+  EXPECT_THAT(gnomon({"list", "integrators"}).out, HasSubstr("backward-euler"));
+  EXPECT_THAT(gnomon({"list", "problems"}).out, HasSubstr("pin_on_flat"));
+  EXPECT_THAT(gnomon({"list", "scenes"}).out, HasSubstr("small_deformation.toml"));
+  EXPECT_THAT(gnomon({"--version"}).out, HasSubstr("gnomon "));
+  EXPECT_THAT(gnomon({"help", "scene", "pin_on_flat"}).out, HasSubstr("pin.radius"));
+  for (const char* topic : {"scene", "integrators", "commands", "units", "output", "exit-codes",
+                            "run", "check", "list", "info", "contact", "compare", "help"}) {
+    const Outcome outcome = gnomon({"help", topic});
+    EXPECT_EQ(outcome.exit_code, 0) << topic;
+    EXPECT_FALSE(outcome.out.empty()) << topic;
+  }
+  EXPECT_THAT(gnomon({"help"}).out, HasSubstr("compare"));
+  EXPECT_THAT(gnomon({"run", "--help"}).out, HasSubstr("--integrator"));
+}
+
+TEST_F(Program, FailedSolutionExitsWith3AndSavesTheLastGoodState) {
+  // Far too soft for its load: there is no equilibrium on the loading path.
+  const Outcome outcome =
+      run({"--set", "body.young_modulus=0.1", "-o", "a.h5", "--summary", "s.json", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
+  EXPECT_THAT(ResultReader(folder() / "a.h5").status(), testing::StartsWith("failed: "));
+  const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
+  EXPECT_EQ(json["status"], "failed");
+  EXPECT_FALSE(json["diagnosis"].get<std::string>().empty());
+}
+
+class Signals : public Program, public testing::WithParamInterface<int> {};
+
+TEST_P(Signals, EndTheRunAfterTheStepWithAReadableResult) {
+  const pid_t child =
+      start({"run", pin, "--set", coarse, "--set", "time.end=1e5", "--set", "integrator.step=0.01",
+             "--set", "output.last=false", "-o", "a.h5", "--summary", "s.json"});
+  // Wait until it computes: the result is there and the first progress line printed.
+  for (int i = 0; i < 1000 && !std::filesystem::exists(folder() / "a.h5"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  kill(child, GetParam());
+  const Outcome outcome = finish(child);
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("interrupted at t = "));
+
+  const ResultReader result(folder() / "a.h5");
+  EXPECT_EQ(result.status(), "interrupted");
+  ASSERT_FALSE(result.history().empty());
+  EXPECT_EQ(result.stored_times().back(), result.history().back().t);
+  const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
+  EXPECT_EQ(json["status"], "interrupted");
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Signals, testing::Values(SIGINT, SIGTERM));
+
+TEST_F(Program, FullStandardOutputIsAFailure) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
+  const std::string command =
+      std::string("exec ") + GNOMON_PROGRAM + " help scene >/dev/full 2>/dev/null";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1);
+}
+
+}  // namespace
+}  // namespace gnomon

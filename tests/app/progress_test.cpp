@@ -1,0 +1,43 @@
+// What the progress of a run looks like, and the tables on the terminal.
+
+#include "app/progress.hpp"
+
+#include <gtest/gtest.h>
+
+#include "app/text_table.hpp"
+
+namespace gnomon::app {
+namespace {
+
+TEST(ProgressText, TellsTimeStepNewtonContactAndWhatIsLeft) {
+  HistoryRow row;
+  row.t = 250;
+  row.step = {5, 2, 3, false};
+  row.counters.steps = 50;
+  row.scalars = {{"contact_nodes", "", 13}, {"worn_volume", "mm^2", 0.5}, {"other", "", 1}};
+  EXPECT_EQ(progress_text(row, 1000, 10),
+            "t 250 of 1000 s  step 5 s  order 2  Newton 3  contact nodes 13  worn 0.5 mm^2  left "
+            "0:30");
+}
+
+TEST(ProgressText, StartHasNoStepYet) {
+  EXPECT_EQ(progress_text({}, 1000, 10), "t 0 of 1000 s");
+}
+
+TEST(ClockText, CountsUpToHours) {
+  EXPECT_EQ(clock_text(0.4), "0:00");
+  EXPECT_EQ(clock_text(42), "0:42");
+  EXPECT_EQ(clock_text(725), "12:05");
+  EXPECT_EQ(clock_text(10810), "3:00:10");
+  EXPECT_EQ(clock_text(-5), "0:00");
+}
+
+TEST(TextTable, AlignsColumns) {
+  TextTable table({{"name"}, {"size", TextTable::Align::right}});
+  table.add({"a", "1"});
+  table.add({"longer", "12345"});
+  EXPECT_EQ(table.text(), "name     size\na           1\nlonger  12345\n");
+}
+
+}  // namespace
+}  // namespace gnomon::app

@@ -1,0 +1,191 @@
+// The run loop: what is recorded, what is stored, and how a run may end.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <gnomon/problem.hpp>
+#include <gnomon/run.hpp>
+#include <gnomon/summary.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/decay.hpp"
+
+namespace gnomon {
+namespace {
+
+using test::Decay;
+using test::exact_decay;
+using testing::ElementsAre;
+using Status = RunOutcome::Status;
+
+IntegratorSettings settings(double step, double end) {
+  IntegratorSettings result;
+  result.step = step;
+  result.end = end;
+  return result;
+}
+
+RunHeader header(const Integrator& integrator) {
+  RunHeader result;
+  result.problem = "decay";
+  result.integrator = integrator.name;
+  return result;
+}
+
+/// A result file that is gone after the test.
+class RunTest : public testing::Test {
+protected:
+  RunTest() {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() /
+              ("gnomon-run-" + std::string(info->name()) + "-" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  ~RunTest() override { std::filesystem::remove_all(folder_); }
+
+  RunOutcome run_decay(const StorePolicy& policy, const Integrator& integrator = exact_decay(),
+                       const RunHooks& hooks = {}, double step = 0.25, double end = 2) {
+    ResultWriter writer(file(), header(integrator), {});
+    return run(model_, integrator, settings(step, end), policy, &writer, hooks);
+  }
+  std::filesystem::path file() const { return folder_ / "result.h5"; }
+
+  Decay model_;
+  std::filesystem::path folder_;
+};
+
+TEST_F(RunTest, RecordsTheStartAndEveryStep) {
+  std::vector<double> seen;
+  const RunHooks hooks{.on_step = [&](const HistoryRow& row) { seen.push_back(row.t); }};
+  const RunOutcome outcome = run_decay({}, exact_decay(), hooks, 0.5);
+  EXPECT_EQ(outcome.status, Status::finished);
+  EXPECT_THAT(seen, ElementsAre(0, 0.5, 1, 1.5, 2));
+
+  const ResultReader result(file());
+  EXPECT_EQ(result.status(), "finished");
+  const auto history = result.history();
+  ASSERT_EQ(history.size(), 5u);
+  EXPECT_EQ(history[0].counters.newton_iterations, 3);
+  EXPECT_EQ(history[4].counters.newton_iterations, 11);
+  EXPECT_EQ(history[4].counters.steps, 4);
+  EXPECT_EQ(history[4].step.step, 0.5);
+}
+
+TEST_F(RunTest, IntegratesTheWearFluxByTrapezia) {
+  const RunOutcome outcome = run_decay({}, exact_decay(), {}, 0.5);
+  const Scalar& integral = outcome.last->scalars.back();
+  EXPECT_EQ(integral.name, "wear_integral");
+  EXPECT_EQ(integral.unit, "mm^2");
+  double expected = 0;
+  for (const double t : {0.0, 0.5, 1.0, 1.5}) expected += (std::exp(-t) + std::exp(-t - 0.5)) / 4;
+  EXPECT_NEAR(integral.value, expected, 1e-15);
+}
+
+TEST_F(RunTest, StoresEveryNthStepAndTheLast) {
+  run_decay({.every = 3, .times = {}, .last = true});
+  EXPECT_THAT(ResultReader(file()).stored_times(), ElementsAre(0, 0.75, 1.5, 2));
+}
+
+TEST_F(RunTest, StoresNothingButTheStartWhenAskedForNothing) {
+  run_decay({.every = 0, .times = {}, .last = false});
+  EXPECT_THAT(ResultReader(file()).stored_times(), ElementsAre(0));
+}
+
+TEST_F(RunTest, StepsEndOnTheTimesThatAreStored) {
+  const RunOutcome outcome = run_decay({.every = 0, .times = {0.3, 1.0, 2.0}, .last = true});
+  EXPECT_THAT(ResultReader(file()).stored_times(), ElementsAre(0, 0.3, 1, 2));
+  EXPECT_EQ(outcome.counters.steps, 9);
+}
+
+TEST_F(RunTest, InterruptionEndsAfterTheStepAndStoresIt) {
+  int steps = 0;
+  const RunHooks hooks{.on_step = [&](const HistoryRow&) { ++steps; },
+                       .interrupted = [&] { return steps == 4; }};
+  const RunOutcome outcome =
+      run_decay({.every = 0, .times = {}, .last = false}, exact_decay(), hooks);
+  EXPECT_EQ(outcome.status, Status::interrupted);
+  const ResultReader result(file());
+  EXPECT_EQ(result.status(), "interrupted");
+  EXPECT_THAT(result.stored_times(), ElementsAre(0, 0.75));
+}
+
+TEST_F(RunTest, FailureStoresTheLastGoodState) {
+  const RunOutcome outcome =
+      run_decay({.every = 0, .times = {}, .last = false}, exact_decay(/*fail_at=*/1.0));
+  EXPECT_EQ(outcome.status, Status::failed);
+  EXPECT_EQ(outcome.diagnosis, "inverted element 7");
+  const ResultReader result(file());
+  EXPECT_EQ(result.status(), "failed: inverted element 7");
+  EXPECT_THAT(result.stored_times(), ElementsAre(0, 1));
+}
+
+TEST_F(RunTest, FailureOfTheStartLeavesAReadableResult) {
+  model_.starts = false;
+  const RunOutcome outcome = run_decay({});
+  EXPECT_EQ(outcome.status, Status::failed);
+  EXPECT_FALSE(outcome.last);
+  EXPECT_EQ(outcome.counters.newton_iterations, 3);
+  EXPECT_EQ(ResultReader(file()).status(), "failed: no equilibrium");
+}
+
+TEST_F(RunTest, OtherExceptionsPassThroughAndCloseTheResult) {
+  const RunHooks hooks{.on_step = [](const HistoryRow& row) {
+    if (row.t > 1) throw std::runtime_error("out of paper");
+  }};
+  EXPECT_THROW(run_decay({}, exact_decay(), hooks), std::runtime_error);
+  EXPECT_EQ(ResultReader(file()).status(), "failed: out of paper");
+}
+
+TEST_F(RunTest, NeedsNoWriter) {
+  const RunOutcome outcome = run(model_, exact_decay(), settings(0.5, 2), {}, nullptr, {});
+  EXPECT_EQ(outcome.status, Status::finished);
+  EXPECT_NEAR(outcome.last->scalars.front().value, 1 - std::exp(-2.0), 1e-15);
+}
+
+Scene pin_scene(const std::vector<std::string>& overrides) {
+  return load_scene(
+      std::filesystem::path(GNOMON_SOURCE_DIR) / "problems/pin_on_flat/small_deformation.toml",
+      overrides, key_table);
+}
+
+TEST(Settings, AbsentToleranceFollowsTheWearDepth) {
+  const Decay model;
+  const auto given = integrator_settings(pin_scene({"integrator.rtol=1e-3"}), model);
+  EXPECT_DOUBLE_EQ(given.atol, 0.25e-3);
+  EXPECT_EQ(given.step, 5);
+  EXPECT_EQ(given.end, 1000);
+  EXPECT_EQ(given.max_step, 0);
+  EXPECT_EQ(integrator_settings(pin_scene({"integrator.atol=1e-9"}), model).atol, 1e-9);
+}
+
+TEST(Settings, StoreTimesAreSortedAndChecked) {
+  const StorePolicy policy = store_policy(pin_scene({"output.times=[30,0,10,30,1000]"}));
+  EXPECT_THAT(policy.times, ElementsAre(10, 30, 1000));
+  EXPECT_THROW(store_policy(pin_scene({"output.times=[1001]"})), InputError);
+}
+
+TEST(Summary, HoldsCountersScalarsUnknownsAndVersions) {
+  const Decay model;
+  const RunOutcome outcome = run(model, exact_decay(), settings(0.5, 2), {}, nullptr, {});
+  RunHeader facts = header(exact_decay());
+  facts.versions = {{"gnomon", "1.2.3"}};
+  facts.blocks = model.blocks();
+  const auto json =
+      nlohmann::json::parse(summary_json(pin_scene({}), facts, settings(0.5, 2), outcome));
+  EXPECT_EQ(json["status"], "finished");
+  EXPECT_EQ(json["steps"], 4);
+  EXPECT_EQ(json["t"], 2.0);
+  EXPECT_EQ(json["unknowns"]["amount"], 1);
+  EXPECT_EQ(json["versions"]["gnomon"], "1.2.3");
+  EXPECT_DOUBLE_EQ(json["worn_volume"], 1 - std::exp(-2.0));
+  EXPECT_TRUE(json["max_pressure"].is_null());  // this model has none
+  for (const char* key : {"rejected_steps", "newton_iterations", "residual_evaluations",
+                          "jacobian_evaluations", "factorizations", "linear_solves", "wall_seconds",
+                          "wear_integral", "contact_half_width", "contact_force"})
+    EXPECT_TRUE(json.contains(key)) << key;
+}
+
+}  // namespace
+}  // namespace gnomon

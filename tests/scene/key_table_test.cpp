@@ -1,0 +1,112 @@
+// The tables of keys hold together, whatever problems are registered.
+
+#include <gtest/gtest.h>
+
+#include <gnomon/integrator.hpp>
+#include <gnomon/problem.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "scene/example_table.hpp"
+#include "scene/key_check.hpp"
+#include "scene/toml_reader.hpp"
+#include "scene/toml_text.hpp"
+
+namespace gnomon {
+namespace {
+
+std::vector<Key> all_keys() {
+  std::vector<Key> keys = run_keys();
+  keys.insert(keys.end(), worn_body_keys().begin(), worn_body_keys().end());
+  for (const std::string& problem : Problems::names())
+    for (const Key& key : key_table(problem)) keys.push_back(key);
+  return keys;
+}
+
+TEST(KeyTables, DefaultsAreAcceptable) {
+  for (const Key& key : all_keys()) {
+    if (key.presence != Key::Presence::defaulted) continue;
+    const auto raw = read_toml_value(toml_text(key.default_value));
+    ASSERT_TRUE(raw) << key.name;
+    const auto checked = check_value(key, *raw);
+    ASSERT_TRUE(std::holds_alternative<SceneValue>(checked)) << key.name;
+    EXPECT_TRUE(std::get<SceneValue>(checked) == key.default_value) << key.name;
+  }
+}
+
+TEST(KeyTables, EveryKeyIsExplainedInOneLine) {
+  for (const Key& key : all_keys()) {
+    EXPECT_FALSE(key.help.empty()) << key.name;
+    EXPECT_EQ(key.help.find('\n'), std::string::npos) << key.name;
+    EXPECT_EQ(key.presence == Key::Presence::optional, !key.absent_meaning.empty()) << key.name;
+  }
+}
+
+TEST(KeyTables, NamesAreUnique) {
+  for (const std::string& problem : Problems::names()) {
+    std::set<std::string> names;
+    for (const Key& key : key_table(problem))
+      EXPECT_TRUE(names.insert(key.name).second) << key.name << " of " << problem;
+  }
+}
+
+TEST(KeyTables, IntegratorsAreChoices) {
+  ASSERT_FALSE(Problems::names().empty());
+  for (const Key& key : key_table(Problems::names().front())) {
+    if (key.name != "integrator.name") continue;
+    EXPECT_EQ(key.choices, Integrators::names());
+  }
+}
+
+TEST(KeyTables, UnknownProblemNamesTheNearest) {
+  try {
+    key_table("pin_on_flt");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "unknown problem \"pin_on_flt\", did you mean \"pin_on_flat\"?");
+  }
+}
+
+TEST(DescribeKeys, TellsTypeRangeUnitAndDefault) {
+  const std::string text = describe_keys(test::example_table("example"));
+  EXPECT_NE(text.find("body.young_modulus: stiffness\n    a number in (0, inf) [MPa]; required\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("mesh.elements: elements\n    an array of 2 integers in [1, inf); default "
+                      "[4, 4]\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("optional, absent: none"), std::string::npos) << text;
+}
+
+TEST(Access, WrongKeyOrKindIsAProgrammingError) {
+  const Scene scene = test::example_scene("problem = \"example\"\nbody.young_modulus = 1\n");
+  EXPECT_EQ(scene.real("body.young_modulus"), 1.0);  // an integer widens
+  EXPECT_THROW(scene.integer("body.young_modulus"), std::logic_error);
+  EXPECT_THROW(scene.real("body.density"), std::logic_error);
+  EXPECT_THROW(scene.real("output.limit"), std::logic_error);
+  EXPECT_FALSE(scene.has("output.limit"));
+  EXPECT_EQ(scene.real_if("output.limit"), std::nullopt);
+}
+
+TEST(NearestName, FindsWhatWasMeant) {
+  const std::vector<std::string> names = {"backward-euler", "bdf", "forward-euler"};
+  EXPECT_EQ(nearest_name("bakward-euler", names), "backward-euler");
+  EXPECT_EQ(nearest_name("fdb", names), "");
+  EXPECT_EQ(nearest_name("bfd", names), "bdf");
+  EXPECT_EQ(nearest_name("forward", names), "forward-euler");
+  EXPECT_EQ(nearest_name("leapfrog", names), "");
+  EXPECT_EQ(nearest_name("", names), "");
+  EXPECT_EQ(nearest_name(std::string(100000, 'x'), names), "");
+}
+
+TEST(TomlText, RealsReadBackExactlyAndLookTidy) {
+  EXPECT_EQ(toml_text(1e-7), "1e-7");
+  EXPECT_EQ(toml_text(640.0), "640.0");
+  EXPECT_EQ(toml_text(1e300), "1e+300");
+  EXPECT_EQ(toml_text(-0.1), "-0.1");
+  EXPECT_EQ(toml_text(std::string("a\"b\\c\n")), "\"a\\\"b\\\\c\\u000A\"");
+}
+
+}  // namespace
+}  // namespace gnomon
