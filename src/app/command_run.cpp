@@ -21,15 +21,16 @@ namespace {
 void print_summary(const RunOutcome& outcome, const RunOptions& options) {
   const Counters& counters = outcome.counters;
   fmt::print(
-      "{} at t = {:g} s after {}: {} steps ({} attempts rejected), {} Newton iterations, "
+      "{} at t = {:g} s after {:.3g} s: {} steps ({} attempts rejected), {} Newton iterations, "
       "{} factorizations\n",
       outcome.status == RunOutcome::Status::finished ? "finished" : "interrupted", outcome.last->t,
-      fmt::format("{:.3g} s", outcome.wall_seconds), counters.steps, counters.rejected_steps,
-      counters.newton_iterations, counters.factorizations);
+      outcome.wall_seconds, counters.steps, counters.rejected_steps, counters.newton_iterations,
+      counters.factorizations);
   TextTable table({{}, {.align = TextTable::Align::right}, {}});
   for (const Scalar& scalar : outcome.last->scalars)
     table.add({"  " + scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});
-  fmt::print("{}result: {}\n", table.text(), options.result.string());
+  fmt::print("{}result: {} (for ParaView: {})\n", table.text(), options.result.string(),
+             std::filesystem::path(options.result).replace_extension(".xdmf").string());
 }
 
 int exit_code(const RunOutcome& outcome) {

@@ -28,16 +28,17 @@ std::string clock_text(double seconds) {
 }
 
 std::string progress_text(const HistoryRow& row, double end, double elapsed) {
+  // What matters most comes first: a narrow terminal cuts the rest.
   std::string text = fmt::format("t {:.5g} of {:g} s", row.t, end);
+  if (row.t > 0) text += "  left " + clock_text(elapsed * (end - row.t) / row.t);
   if (row.counters.steps > 0)
     text += fmt::format("  step {:.3g} s  order {}  Newton {}", row.step.step, row.step.order,
                         row.step.newton_iterations);
   for (const Scalar& scalar : row.scalars) {
-    if (scalar.name == "contact_nodes") text += fmt::format("  contact nodes {:g}", scalar.value);
+    if (scalar.name == "contact_nodes") text += fmt::format("  contact {:g}", scalar.value);
     if (scalar.name == "worn_volume")
-      text += fmt::format("  worn {:.4g} {}", scalar.value, scalar.unit);
+      text += fmt::format("  worn {:.3g} {}", scalar.value, scalar.unit);
   }
-  if (row.t > 0) text += "  left " + clock_text(elapsed * (end - row.t) / row.t);
   return text;
 }
 

@@ -7,8 +7,9 @@
 
 namespace gnomon::app {
 
-/// "t 250 of 1000 s  step 5  order 1  Newton 3  contact nodes 13  worn volume 0.5 mm^2  left 0:42";
-/// `elapsed` is in seconds.
+/// "t 250 of 1000 s  left 0:42  step 5 s  order 1  Newton 3  contact 13  worn 0.5 mm^2": time, wall
+/// time to go, last step with its order and iterations, nodes in contact, worn volume. `elapsed` is
+/// in seconds.
 std::string progress_text(const HistoryRow& row, double end, double elapsed);
 
 /// "0:42", "12:05", "3:00:10".

@@ -16,8 +16,7 @@ TEST(ProgressText, TellsTimeStepNewtonContactAndWhatIsLeft) {
   row.counters.steps = 50;
   row.scalars = {{"contact_nodes", "", 13}, {"worn_volume", "mm^2", 0.5}, {"other", "", 1}};
   EXPECT_EQ(progress_text(row, 1000, 10),
-            "t 250 of 1000 s  step 5 s  order 2  Newton 3  contact nodes 13  worn 0.5 mm^2  left "
-            "0:30");
+            "t 250 of 1000 s  left 0:30  step 5 s  order 2  Newton 3  contact 13  worn 0.5 mm^2");
 }
 
 TEST(ProgressText, StartHasNoStepYet) {
