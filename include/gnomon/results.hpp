@@ -1,17 +1,16 @@
-// The result file of a run: one HDF5 file that is readable at every moment, and an XDMF sidecar over
-// the same datasets. Layout: docs/results.md.
+// The result file of a run: one HDF5 file that is readable at every moment, and an XDMF sidecar
+// over the same datasets. Layout: docs/results.md.
 #pragma once
 
 #include <filesystem>
+#include <gnomon/counters.hpp>
+#include <gnomon/integrator.hpp>
+#include <gnomon/model.hpp>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <gnomon/counters.hpp>
-#include <gnomon/integrator.hpp>
-#include <gnomon/model.hpp>
 
 namespace gnomon {
 
@@ -32,11 +31,14 @@ struct HistoryRow {
   std::vector<Scalar> scalars;  ///< Model::observe and wear_integral; same names in every row
 };
 
-/// Writes a result step by step. Everything handed over is on disk when the call returns.
+/// Writes a result step by step. When a call has returned, what it was given is in the file, which
+/// every HDF5 reader opens even if this process is killed at any later instant, a write included
+/// (docs/results.md says what that rests on). A call that cannot write throws Error; the file then
+/// keeps everything up to the call before, and later calls throw as well.
 class ResultWriter {
 public:
   /// Creates the file and its sidecar (same name, .xdmf), replacing earlier ones. Throws InputError
-  /// when the file cannot be created there.
+  /// when the file cannot be created there; an earlier file is then untouched.
   ResultWriter(const std::filesystem::path& file, const RunHeader& header,
                const std::optional<Grid>& grid);
   ~ResultWriter();
@@ -45,9 +47,12 @@ public:
 
   /// Appends a history row (every step).
   void append(const HistoryRow& row);
-  /// Stores fields and contact surface of a state (the steps that the scene asks for).
-  void store(double t, const std::vector<Field>& fields, const std::optional<ContactSurface>& contact);
-  /// Records how the run ended: "finished", "interrupted", "failed: ...", with wall seconds.
+  /// Stores fields (nodal or cell values of the grid, 1 or 3 components) and contact surface of a
+  /// state: the steps that the scene asks for, in order of time.
+  void store(double t, const std::vector<Field>& fields,
+             const std::optional<ContactSurface>& contact);
+  /// Records how the run ended: "finished", "interrupted", "failed: ..." (the first 1024 bytes),
+  /// with wall seconds, and brings the file to the medium (fsync).
   void close(const std::string& status, double wall_seconds);
 
 private:
@@ -56,15 +61,15 @@ private:
 };
 
 /// Reads a result, finished or not. Every member throws InputError for a file that is missing, not
-/// HDF5, or not a gnomon result.
+/// HDF5, damaged, or not a gnomon result.
 class ResultReader {
 public:
   explicit ResultReader(const std::filesystem::path& file);
   ~ResultReader();
 
   const RunHeader& header() const;
-  std::string status() const;  ///< as given to close(), or "running or crashed"
-  double wall_seconds() const; ///< 0 when not closed
+  std::string status() const;   ///< as given to close(), or "running or crashed"
+  double wall_seconds() const;  ///< 0 when not closed
   /// The history, one row a step, the start first.
   std::vector<HistoryRow> history() const;
   std::vector<double> stored_times() const;
@@ -73,7 +78,7 @@ public:
   ContactSurface contact(std::optional<double> t) const;
   /// A field of the stored step with index `step`.
   Field field(std::size_t step, const std::string& name) const;
-  std::vector<std::string> field_names() const;
+  std::vector<std::string> field_names() const;  ///< of the first stored step, sorted
   std::optional<Grid> grid() const;
 
 private:

@@ -51,33 +51,6 @@ Handle contact_type() {
   return type;
 }
 
-const std::vector<Column>& fixed_columns() {
-  static const std::vector<Column> columns = {
-      {"t", "", false},
-      {"step_size", "", false},
-      {"order", "", true},
-      {"step_newton_iterations", "", true},
-      {"restarted", "", true},
-      {"steps", "", true},
-      {"rejected_steps", "", true},
-      {"newton_iterations", "", true},
-      {"residual_evaluations", "", true},
-      {"jacobian_evaluations", "", true},
-      {"factorizations", "", true},
-      {"linear_solves", "", true},
-  };
-  return columns;
-}
-
-Handle history_type(const std::vector<Column>& columns) {
-  Handle type = compound(columns.size() * sizeof(Cell));
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    insert(type, columns[i].name, i * sizeof(Cell),
-           columns[i].integer ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE);
-  }
-  return type;
-}
-
 Handle block_type() {
   Handle type = compound(sizeof(BlockRow));
   insert(type, "name", offsetof(BlockRow, name), hdf5::text_type(sizeof(BlockRow::name)).id());

@@ -57,21 +57,6 @@ struct ContactRow {
 };
 hdf5::Handle contact_type();
 
-/// The columns of "gnomon/history": fixed ones, then the model's scalars.
-struct Column {
-  std::string name;
-  std::string unit;
-  bool integer = false;
-};
-/// One cell of the history in memory and on file: 8 bytes, whichever it is.
-union Cell {
-  double real;
-  std::int64_t integer;
-};
-const std::vector<Column>& fixed_columns();
-/// A type of columns.size() cells a row. Throws hdf5::Failure when two columns share a name.
-hdf5::Handle history_type(const std::vector<Column>& columns);
-
 /// A row of "gnomon/blocks".
 struct BlockRow {
   std::array<char, 64> name;

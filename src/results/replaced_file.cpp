@@ -41,7 +41,10 @@ std::filesystem::path replaceable(const std::filesystem::path& target) {
 void publish_part(const std::filesystem::path& target) {
   std::error_code error;
   std::filesystem::rename(part_of(target), target, error);
-  if (error) refuse(target, error.value());
+  if (error) {
+    unlink(part_of(target).c_str());
+    refuse(target, error.value());
+  }
 }
 
 void replace_text(const std::filesystem::path& target, const std::string& text) {

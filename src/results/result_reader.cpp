@@ -6,6 +6,7 @@
 #include <gnomon/results.hpp>
 
 #include "results/hdf5_values.hpp"
+#include "results/history_table.hpp"
 #include "results/layout.hpp"
 
 namespace gnomon {
@@ -67,64 +68,6 @@ RunHeader read_header(hid_t gnomon) {
   }
   header.blocks = read_blocks(gnomon);
   return header;
-}
-
-// Columns of the history as the file names them. Throws Failure unless the fixed ones come first.
-std::vector<layout::Column> read_columns(const Handle& dataset) {
-  const Handle type = own(H5Dget_type(dataset.id()), H5Tclose, "read the history");
-  const auto units = hdf5::read_texts_attribute(dataset.id(), "units");
-  const auto& fixed = layout::fixed_columns();
-  const int count = H5Tget_class(type.id()) == H5T_COMPOUND ? H5Tget_nmembers(type.id()) : 0;
-  std::vector<layout::Column> columns = fixed;
-  for (int i = 0; i < count; ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    char* text = H5Tget_member_name(type.id(), static_cast<unsigned>(i));
-    const std::string name = text ? text : "";
-    H5free_memory(text);
-    if (index >= fixed.size()) {
-      columns.push_back({name, index < units.size() ? units[index] : "", false});
-    } else if (name != fixed[index].name) {
-      throw Failure(fmt::format("cannot read the history: unknown column {}", name));
-    }
-  }
-  if (count < static_cast<int>(fixed.size())) throw Failure("cannot read the history: no columns");
-  return columns;
-}
-
-HistoryRow row_of(const layout::Cell* cell, const std::vector<layout::Column>& columns) {
-  HistoryRow row;
-  row.t = (cell++)->real;
-  row.step.step = (cell++)->real;
-  row.step.order = static_cast<int>((cell++)->integer);
-  row.step.newton_iterations = (cell++)->integer;
-  row.step.restarted = (cell++)->integer != 0;
-  Counters& c = row.counters;
-  for (long* counter : {&c.steps, &c.rejected_steps, &c.newton_iterations, &c.residual_evaluations,
-                        &c.jacobian_evaluations, &c.factorizations, &c.linear_solves}) {
-    *counter = (cell++)->integer;
-  }
-  for (std::size_t i = layout::fixed_columns().size(); i < columns.size(); ++i) {
-    row.scalars.push_back({columns[i].name, columns[i].unit, (cell++)->real});
-  }
-  return row;
-}
-
-std::vector<HistoryRow> read_history(hid_t gnomon) {
-  if (!hdf5::exists(gnomon, "history")) return {};
-  const Handle dataset = open_dataset(gnomon, "history", "read the history");
-  const auto columns = read_columns(dataset);
-  const Handle type = layout::history_type(columns);
-  const auto extents = hdf5::extents_of(dataset.id());
-  if (extents.size() != 1) throw Failure("cannot read the history: it is not a table");
-  std::vector<layout::Cell> cells(extents.front() * columns.size());
-  std::vector<HistoryRow> rows;
-  if (cells.empty()) return rows;
-  check(H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data()),
-        "read the history");
-  for (std::size_t i = 0; i < cells.size(); i += columns.size()) {
-    rows.push_back(row_of(&cells[i], columns));
-  }
-  return rows;
 }
 
 ContactSurface read_contact(hid_t file, const std::string& path) {
@@ -275,7 +218,7 @@ double ResultReader::wall_seconds() const {
 }
 
 std::vector<HistoryRow> ResultReader::history() const {
-  return file_->guarded([&] { return read_history(file_->gnomon()); });
+  return file_->guarded([&] { return layout::read_history(file_->gnomon()); });
 }
 
 std::vector<double> ResultReader::stored_times() const {

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <functional>
@@ -8,6 +7,7 @@
 #include "results/crash_safe_file.hpp"
 #include "results/growing_table.hpp"
 #include "results/hdf5_values.hpp"
+#include "results/history_table.hpp"
 #include "results/layout.hpp"
 #include "results/replaced_file.hpp"
 #include "results/xdmf_sidecar.hpp"
@@ -107,25 +107,6 @@ void write_contact(hid_t group, const std::string& name, const ContactSurface& c
   hdf5::write_attribute(dataset.id(), "dim", contact.dim);
 }
 
-std::vector<layout::Column> columns_of(const HistoryRow& row) {
-  std::vector<layout::Column> columns = layout::fixed_columns();
-  for (const Scalar& scalar : row.scalars) columns.push_back({scalar.name, scalar.unit, false});
-  return columns;
-}
-
-std::vector<layout::Cell> cells_of(const HistoryRow& row) {
-  const Counters& c = row.counters;
-  std::vector<layout::Cell> cells = {{.real = row.t}, {.real = row.step.step}};
-  for (const long value :
-       {static_cast<long>(row.step.order), row.step.newton_iterations,
-        static_cast<long>(row.step.restarted), c.steps, c.rejected_steps, c.newton_iterations,
-        c.residual_evaluations, c.jacobian_evaluations, c.factorizations, c.linear_solves}) {
-    cells.push_back({.integer = value});
-  }
-  for (const Scalar& scalar : row.scalars) cells.push_back({.real = scalar.value});
-  return cells;
-}
-
 }  // namespace
 
 class ResultWriter::File {
@@ -176,9 +157,14 @@ ResultWriter::File::File(const std::filesystem::path& path, const RunHeader& hea
       write_mesh(file_.id(), *grid);
     }
     flush();
-    std::filesystem::remove(XdmfSidecar::path_for(path_));  // describes the file replaced now
+    // The sidecar first: without a step it is right for either file, and if it cannot be written,
+    // the earlier result is still there.
+    if (grid) {
+      sidecar_.emplace(path_, *grid);
+    } else {
+      std::filesystem::remove(XdmfSidecar::path_for(path_));
+    }
     publish_part(path_);
-    if (grid) sidecar_.emplace(path_, *grid);
   } catch (const std::exception& error) {
     if (disk_) disk_->abandon();
     std::error_code ignored;
@@ -212,7 +198,7 @@ void ResultWriter::File::guarded(const std::function<void()>& action) {
 
 void ResultWriter::File::append(const HistoryRow& row) {
   if (!history_) {
-    columns_ = columns_of(row);
+    columns_ = layout::columns_of(row);
     history_ = hdf5::GrowingTable::create(gnomon_.id(), "history", layout::history_type(columns_));
     std::vector<std::string> units;
     for (const layout::Column& column : columns_) units.push_back(column.unit);
@@ -221,11 +207,11 @@ void ResultWriter::File::append(const HistoryRow& row) {
   const auto same = [](const layout::Column& a, const layout::Column& b) {
     return a.name == b.name;
   };
-  const auto columns = columns_of(row);
+  const auto columns = layout::columns_of(row);
   if (!std::equal(columns.begin(), columns.end(), columns_.begin(), columns_.end(), same)) {
     throw Error("the scalars of a history row are not those of the first row");
   }
-  history_.append(cells_of(row).data());
+  history_.append(layout::cells_of(row).data());
   flush();
 }
 

@@ -146,6 +146,16 @@ TEST(Writing, KeepsAnEarlierFileThatItMayNotReplace) {
   EXPECT_EQ(bytes_of(folder / "r.h5"), "earlier");
 }
 
+TEST(Writing, KeepsAnEarlierFileWhenTheSidecarCannotBe) {
+  const auto folder = synthetic::folder("sidecar");
+  put(folder / "r.h5", "earlier");
+  std::filesystem::create_directories(folder / "r.xdmf" / "in the way");
+  EXPECT_THAT([&] { write(folder / "r.h5"); },
+              ThrowsMessage<InputError>(one_line(folder / "r.h5", "r.xdmf: Is a directory")));
+  EXPECT_EQ(bytes_of(folder / "r.h5"), "earlier");
+  EXPECT_FALSE(std::filesystem::exists(folder / "r.h5.part"));
+}
+
 TEST(Writing, ReplacesAnEarlierResultAndFollowsALink) {
   const auto folder = synthetic::folder("replace");
   write(folder / "target.h5");

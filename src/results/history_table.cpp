@@ -1,0 +1,125 @@
+#include "results/history_table.hpp"
+
+#include <fmt/format.h>
+
+#include "results/hdf5_values.hpp"
+
+namespace gnomon::layout {
+
+using hdf5::check;
+using hdf5::Failure;
+using hdf5::Handle;
+using hdf5::own;
+
+namespace {
+
+const std::vector<Column>& fixed_columns() {
+  static const std::vector<Column> columns = {
+      {"t", "", false},
+      {"step_size", "", false},
+      {"order", "", true},
+      {"step_newton_iterations", "", true},
+      {"restarted", "", true},
+      {"steps", "", true},
+      {"rejected_steps", "", true},
+      {"newton_iterations", "", true},
+      {"residual_evaluations", "", true},
+      {"jacobian_evaluations", "", true},
+      {"factorizations", "", true},
+      {"linear_solves", "", true},
+  };
+  return columns;
+}
+
+// Columns of the history as the file names them. Throws Failure unless the fixed ones come first.
+std::vector<Column> read_columns(const Handle& dataset) {
+  const Handle type = own(H5Dget_type(dataset.id()), H5Tclose, "read the history");
+  const auto units = hdf5::read_texts_attribute(dataset.id(), "units");
+  const auto& fixed = fixed_columns();
+  const int count = H5Tget_class(type.id()) == H5T_COMPOUND ? H5Tget_nmembers(type.id()) : 0;
+  std::vector<Column> columns = fixed;
+  for (int i = 0; i < count; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    char* text = H5Tget_member_name(type.id(), static_cast<unsigned>(i));
+    const std::string name = text ? text : "";
+    H5free_memory(text);
+    if (index >= fixed.size()) {
+      columns.push_back({name, index < units.size() ? units[index] : "", false});
+    } else if (name != fixed[index].name) {
+      throw Failure(fmt::format("cannot read the history: unknown column {}", name));
+    }
+  }
+  if (count < static_cast<int>(fixed.size())) throw Failure("cannot read the history: no columns");
+  return columns;
+}
+
+HistoryRow row_of(const Cell* cell, const std::vector<Column>& columns) {
+  HistoryRow row;
+  row.t = (cell++)->real;
+  row.step.step = (cell++)->real;
+  row.step.order = static_cast<int>((cell++)->integer);
+  row.step.newton_iterations = (cell++)->integer;
+  row.step.restarted = (cell++)->integer != 0;
+  Counters& c = row.counters;
+  for (long* counter : {&c.steps, &c.rejected_steps, &c.newton_iterations, &c.residual_evaluations,
+                        &c.jacobian_evaluations, &c.factorizations, &c.linear_solves}) {
+    *counter = (cell++)->integer;
+  }
+  for (std::size_t i = fixed_columns().size(); i < columns.size(); ++i) {
+    row.scalars.push_back({columns[i].name, columns[i].unit, (cell++)->real});
+  }
+  return row;
+}
+
+}  // namespace
+
+std::vector<Column> columns_of(const HistoryRow& row) {
+  std::vector<Column> columns = fixed_columns();
+  for (const Scalar& scalar : row.scalars) columns.push_back({scalar.name, scalar.unit, false});
+  return columns;
+}
+
+std::vector<Cell> cells_of(const HistoryRow& row) {
+  const Counters& c = row.counters;
+  std::vector<Cell> cells = {{.real = row.t}, {.real = row.step.step}};
+  for (const long value :
+       {static_cast<long>(row.step.order), row.step.newton_iterations,
+        static_cast<long>(row.step.restarted), c.steps, c.rejected_steps, c.newton_iterations,
+        c.residual_evaluations, c.jacobian_evaluations, c.factorizations, c.linear_solves}) {
+    cells.push_back({.integer = value});
+  }
+  for (const Scalar& scalar : row.scalars) cells.push_back({.real = scalar.value});
+  return cells;
+}
+
+Handle history_type(const std::vector<Column>& columns) {
+  Handle type =
+      own(H5Tcreate(H5T_COMPOUND, columns.size() * sizeof(Cell)), H5Tclose, "describe the history");
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    check(H5Tinsert(type.id(), columns[i].name.c_str(), i * sizeof(Cell),
+                    columns[i].integer ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE),
+          "describe the history");
+  }
+  return type;
+}
+
+std::vector<HistoryRow> read_history(hid_t gnomon) {
+  if (!hdf5::exists(gnomon, "history")) return {};
+  const Handle dataset =
+      own(H5Dopen2(gnomon, "history", H5P_DEFAULT), H5Dclose, "read the history");
+  const auto columns = read_columns(dataset);
+  const Handle type = history_type(columns);
+  const auto extents = hdf5::extents_of(dataset.id());
+  if (extents.size() != 1) throw Failure("cannot read the history: it is not a table");
+  std::vector<Cell> cells(extents.front() * columns.size());
+  std::vector<HistoryRow> rows;
+  if (cells.empty()) return rows;
+  check(H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data()),
+        "read the history");
+  for (std::size_t i = 0; i < cells.size(); i += columns.size()) {
+    rows.push_back(row_of(&cells[i], columns));
+  }
+  return rows;
+}
+
+}  // namespace gnomon::layout
