@@ -171,9 +171,9 @@ std::vector<Key> make_worn_body_keys() {
   keys.push_back(
       {.name = "contact.regularization",
        .presence = defaulted,
-       .default_value = 1.0,
+       .default_value = 0.01,
        .range = positive,
-       .help = "rho of eq. (26) in units of E / facet length; no effect on the solution"});
+       .help = "rho of eq. (26) in units of E / facet length; only Newton's path depends on it"});
   return keys;
 }
 

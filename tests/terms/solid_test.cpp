@@ -1,6 +1,6 @@
 #include <gnomon/terms/solid.hpp>
 
-#include "derivatives.hpp"
+#include "support/derivatives.hpp"
 
 namespace gnomon {
 namespace {

@@ -1,0 +1,146 @@
+#include <gnomon/system/wear_system.hpp>
+
+#include "support/derivatives.hpp"
+#include "support/pin.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+
+const WearSystem<2>& wear_system(const Model& model) {
+  return dynamic_cast<const WearModel<2>&>(model).wear_system();
+}
+
+/// A rough state with closed and open contact nodes in turn.
+std::vector<double> rough_state(const Model& model) {
+  const WearSystem<2>& system = wear_system(model);
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(-0.05, 0.05);
+  std::vector<double> y(system.structure().size);
+  for (double& value : y) value = uniform(generator);
+  const auto& lambda = system.unknowns().lambda();
+  for (Eigen::Index c = 0; c < lambda.size(); ++c) y[lambda[c]] = c % 2 ? -2000 : 300;
+  return y;
+}
+
+Eigen::MatrixXd dense(const SparsePattern& pattern, const std::vector<double>& values) {
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(pattern.size(), pattern.size());
+  for (int j = 0; j < pattern.size(); ++j)
+    for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+      J(pattern.row_index[k], j) = values[k];
+  return J;
+}
+
+/// J = dF/dy + alpha dF/dydot against central differences of F(y + e, ydot + alpha e).
+void check_jacobian(const System& system, const std::vector<double>& y, double alpha) {
+  const long n = system.structure().size;
+  std::vector<double> values(system.structure().pattern.nonzeros());
+  const std::vector<double> ydot(n, 0.01);
+  system.jacobian(0, y, ydot, alpha, values);
+  const Eigen::MatrixXd J = dense(system.structure().pattern, values);
+  Eigen::MatrixXd differences(n, n);
+  const double h = 1e-6;
+  for (long j = 0; j < n; ++j) {
+    std::vector<double> up = y, down = y, up_dot = ydot, down_dot = ydot, F_up(n), F_down(n);
+    up[j] += h, down[j] -= h;
+    up_dot[j] += alpha * h, down_dot[j] -= alpha * h;
+    system.residual(0, up, up_dot, F_up);
+    system.residual(0, down, down_dot, F_down);
+    for (long i = 0; i < n; ++i) differences(i, j) = (F_up[i] - F_down[i]) / (2 * h);
+  }
+  // Row by row, since rows have different units.
+  for (long i = 0; i < n; ++i) {
+    const double size = differences.row(i).cwiseAbs().maxCoeff();
+    ASSERT_GT(size, 0) << "row " << i << " of the Jacobian is zero";
+    EXPECT_LE((J.row(i) - differences.row(i)).cwiseAbs().maxCoeff(), 2e-6 * size) << "row " << i;
+  }
+}
+
+TEST(WearSystem, JacobianEqualsCentralDifferences) {
+  for (const char* form : {"eliminated", "multiplier"})
+    for (const char* element : {"plain", "f-bar", "f-bar-variational"})
+      for (const char* normal : {"averaged", "normalised"}) {
+        SCOPED_TRACE(std::string(form) + " " + element + " " + normal);
+        const auto model =
+            pin_model({elements(4), std::string("shape.constraint=") + form,
+                       std::string("body.element=") + element, std::string("wear.normal=") + normal});
+        const System& system = model->system();
+        const std::vector<double> y = rough_state(*model);
+        std::vector<char> active;
+        system.active_set(y, active);
+        const auto closed = std::count(active.begin(), active.end(), 1);
+        ASSERT_GT(closed, 0);
+        ASSERT_LT(closed, static_cast<long>(active.size()));
+        check_jacobian(system, y, 0.2);
+      }
+}
+
+TEST(WearSystem, StageJacobiansEqualCentralDifferences) {
+  for (const char* form : {"eliminated", "multiplier"}) {
+    const auto model = pin_model({elements(4), std::string("shape.constraint=") + form});
+    const std::vector<double> y = rough_state(*model);
+    const auto stages = model->system().make_stages();
+    ASSERT_EQ(stages.size(), 2u);
+    for (const Stage& stage : stages) {
+      stage.freeze(y);
+      std::vector<double> part;
+      for (int unknown : stage.unknowns) part.push_back(y[unknown]);
+      check_jacobian(*stage.system, part, 0);
+    }
+  }
+}
+
+// The stages and the differential rows together are the whole system: their residuals agree.
+TEST(WearSystem, StagesAreItsAlgebraicRows) {
+  const auto model = pin_model({elements(4)});
+  const System& system = model->system();
+  const std::vector<double> y = rough_state(*model);
+  std::vector<double> F(y.size());
+  system.residual(0, y, std::vector<double>(y.size(), 0.0), F);
+  long rows = std::count(system.structure().differential.begin(),
+                         system.structure().differential.end(), 1);
+  for (const Stage& stage : system.make_stages()) {
+    stage.freeze(y);
+    std::vector<double> part, G(stage.unknowns.size());
+    for (int unknown : stage.unknowns) part.push_back(y[unknown]);
+    stage.system->residual(0, part, {}, G);
+    for (std::size_t k = 0; k < G.size(); ++k) EXPECT_DOUBLE_EQ(G[k], F[stage.unknowns[k]]);
+    rows += static_cast<long>(G.size());
+  }
+  EXPECT_EQ(rows, system.structure().size);
+}
+
+TEST(WearSystem, PatternHoldsTheDiagonalAndNoDisplacementInTheMeshMotion) {
+  const auto model = pin_model({elements(6)});
+  const WearSystem<2>& system = wear_system(*model);
+  const SparsePattern& pattern = system.structure().pattern;
+  for (int i = 0; i < pattern.size(); ++i) EXPECT_GE(pattern.find(i, i), 0);
+  const int inner = 3 * 7 + 3;  // a node off every boundary
+  EXPECT_GE(pattern.find(system.unknowns().u()(inner, 0), system.unknowns().d()(inner, 1)), 0);
+  EXPECT_EQ(pattern.find(system.unknowns().d()(inner, 0), system.unknowns().u()(inner, 1)), -1);
+}
+
+TEST(WearSystem, InvertedElementIsRecoverableAndNamed) {
+  const auto model = pin_model({elements(4)});
+  std::vector<double> y(model->system().structure().size, 0.0), F(y.size());
+  y[wear_system(*model).unknowns().u()(12, 1)] = 100;
+  try {
+    model->system().residual(0, y, y, F);
+    FAIL() << "no exception";
+  } catch (const RecoverableError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("inverted element"));
+  }
+}
+
+TEST(WearSystem, BlocksAddUpToTheSystem) {
+  for (const char* form : {"eliminated", "multiplier"}) {
+    const auto model = pin_model({elements(5), std::string("shape.constraint=") + form});
+    long sum = 0;
+    for (const BlockSize& block : model->blocks()) sum += block.size;
+    EXPECT_EQ(sum, model->system().structure().size);
+  }
+}
+
+}  // namespace
+}  // namespace gnomon
