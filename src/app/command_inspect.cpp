@@ -81,7 +81,7 @@ int info_command(const std::filesystem::path& file) {
   table.add({"fields", fmt::format("{}", fmt::join(result.field_names(), ", "))});
   table.add({"stored at t", times_text(result.stored_times())});
   std::vector<std::string> versions;
-  for (const auto& [name, version] : header.versions) versions.push_back(name + " " + version);
+  for (const auto& [name, version] : header.versions) versions.push_back(fmt::format("{} {}", name, version));
   table.add({"versions", fmt::format("{}", fmt::join(versions, ", "))});
   fmt::print("{}", table.text());
   if (const auto history = result.history(); !history.empty()) print_history(history.back());

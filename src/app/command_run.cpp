@@ -60,7 +60,7 @@ RunOutcome integrate(const Setup& setup, const RunHeader& header,
                        .interrupted = InterruptGuard::interrupted};
   const Integrator& integrator = Integrators::find(header.integrator, "integrator");
   try {
-    const RunOutcome outcome =
+    RunOutcome outcome =
         run(*setup.model, integrator, settings, store_policy(setup.scene), &writer, hooks);
     progress.finish();
     return outcome;
