@@ -29,8 +29,8 @@ macro(gnomon_find_plain name title package)
 endmacro()
 
 # Packages with a CMake configuration of their own.
-find_package(SUNDIALS 6.4 QUIET CONFIG COMPONENTS kinsol ida)
-gnomon_need("SUNDIALS 6.4 with KINSOL and IDA" libsundials-dev "${SUNDIALS_FOUND}")
+find_package(SUNDIALS 6.4 QUIET CONFIG COMPONENTS kinsol ida arkode)
+gnomon_need("SUNDIALS 6.4 with KINSOL, IDA and ARKODE" libsundials-dev "${SUNDIALS_FOUND}")
 find_package(Eigen3 3.4 QUIET CONFIG)
 gnomon_need("Eigen 3.4" libeigen3-dev "${Eigen3_FOUND}")
 find_package(tomlplusplus QUIET CONFIG)
@@ -94,6 +94,6 @@ endif()
 
 add_library(gnomon_dependencies INTERFACE)
 target_link_libraries(gnomon_dependencies INTERFACE
-  SUNDIALS::kinsol SUNDIALS::ida BLAS::BLAS gnomon::umfpack gnomon::metis
+  SUNDIALS::kinsol SUNDIALS::ida SUNDIALS::arkode BLAS::BLAS gnomon::umfpack gnomon::metis
   Eigen3::Eigen PkgConfig::HDF5 tomlplusplus::tomlplusplus CLI11::CLI11 fmt::fmt
   nlohmann_json::nlohmann_json)

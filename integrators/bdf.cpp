@@ -11,10 +11,12 @@ const Registration<Integrator> registration({
     .name = "bdf",
     .family = "implicit multistep",
     .order = "1-5",
+    .error_estimate = "predictor-corrector",
     .stability = "A and L at orders 1-2, A(alpha) at 3-5",
     .driver = "IDA",
-    .step_control = "adaptive",
     .help = "variable step and order, error control on the worn surface (integrator.rtol, .atol)",
+    .fixed_steps = false,
+    .table = [](const IntegratorSettings&) { return std::nullopt; },
     .make = [](const Model& model, const IntegratorSettings& settings, Counters& counters)
         -> std::unique_ptr<Stepper> {
       return std::make_unique<BdfSolver>(model.system(), settings, counters);

@@ -3,48 +3,70 @@
 //
 //   d_{n+1} = d_n + h ddot_n,   ddot_n = -Wdot_n N_n   on the contact surface
 
-#include <gnomon/error.hpp>
-#include <gnomon/integration/fixed_step.hpp>
+#include <gnomon/integration/error_norm.hpp>
 #include <gnomon/integration/stage_solver.hpp>
+#include <gnomon/integration/stepper.hpp>
 
 namespace gnomon {
 
 namespace {
 
-class ForwardEuler {
+class ForwardEuler : public OneStepMethod {
 public:
-  ForwardEuler(const System& system, Counters& counters)
-      : system_(system), stages_(std::make_shared<StageSolver>(system, counters)) {}
+  ForwardEuler(const System& system, const IntegratorSettings& settings, Counters& counters)
+      : system_(system), norm_(system.structure(), settings), stages_(system, counters) {}
 
-  Attempt operator()(const State& state, double h, State& next) {
-    next = state;
-    next.t = state.t + h;
-    for (std::size_t i = 0; i < next.y.size(); ++i)
-      if (system_.structure().differential[i]) next.y[i] += h * state.ydot[i];
-    const std::string reason = stages_->solve(next.y);
-    if (!reason.empty()) return {false, reason};
-    set_rates(system_, next);
-    return {true, {}};
+  Attempt attempt(const State& from, double h, const AttemptOptions& options, State& to) override {
+    to = from;
+    to.t = from.t + h;
+    for (int i : norm_.components()) to.y[i] += h * from.ydot[i];
+    Attempt result = project(to, options);
+    if (!result.success) return result;
+    // The difference to Heun's method.
+    error_.clear();
+    for (int i : norm_.components()) error_.push_back(h / 2 * (to.ydot[i] - from.ydot[i]));
+    result.error = norm_(error_, to.y);
+    return result;
   }
+
+  Attempt project(State& state, const AttemptOptions& options) override {
+    std::string reason = stages_.solve(state.y, options.piece);
+    if (!reason.empty()) return {.reason = std::move(reason)};
+    set_rates(system_, options.piece, state);
+    return {.success = true};
+  }
+
+  void accept(const State& state, bool) override { trace_.add(state.t, state.y); }
+  const Trace& trace() const override { return trace_; }
 
 private:
   const System& system_;
-  std::shared_ptr<StageSolver> stages_;
+  ErrorNorm norm_;
+  StageSolver stages_;
+  Trace trace_;
+  std::vector<double> error_;
 };
 
 const Registration<Integrator> registration({
     .name = "forward-euler",
     .family = "explicit one-step, decoupled",
     .order = "1",
+    .error_estimate = "difference to Heun",
     .stability = "conditional, |1 + z| <= 1",
     .driver = "KINSOL (contact and mesh motion)",
-    .step_control = "fixed",
     .help = "the paper's explicit scheme, eq. (15): one contact problem a step, unstable above a "
             "critical step",
+    .table =
+        [](const IntegratorSettings&) {
+          ButcherTable table{"eq. (15)", 1, Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Ones(1),
+                             Eigen::VectorXd::Zero(1), 0, {}};
+          return table;
+        },
     .make = [](const Model& model, const IntegratorSettings& settings, Counters& counters)
         -> std::unique_ptr<Stepper> {
-      return std::make_unique<FixedStepper>(1, settings, counters,
-                                            ForwardEuler(model.system(), counters));
+      return std::make_unique<OneStepStepper>(
+          model.system(), settings, counters,
+          std::make_unique<ForwardEuler>(model.system(), settings, counters), 1, 1);
     },
 });
 

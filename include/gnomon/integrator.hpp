@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include <gnomon/butcher_table.hpp>
 #include <gnomon/counters.hpp>
 #include <gnomon/model.hpp>
 #include <gnomon/registry.hpp>
@@ -14,10 +15,13 @@ namespace gnomon {
 
 /// The `integrator.*` keys of a scene, as numbers.
 struct IntegratorSettings {
-  double step = 0;         ///< fixed step [time]; used by fixed-step methods
+  double step = 0;         ///< fixed step [time]; 0: chosen by the error estimate
   double rtol = 0;         ///< relative tolerance of the differential components, per step
   double atol = 0;         ///< absolute tolerance [unit of the differential components]
   double max_step = 0;     ///< upper bound on an adaptive step [time]; 0: none
+  double scale = 0;        ///< Model::differential_scale() [unit of the differential components]
+  double alpha = 0.5;      ///< of the theta method, eq. (21)
+  bool locate_events = false;  ///< end steps on changes of the active set
   int max_order = 5;       ///< upper bound on the order of a variable-order method
   double end = 0;          ///< time at which the run ends [time]
 };
@@ -28,6 +32,7 @@ struct StepReport {
   int order = 0;              ///< order of the method that took it
   long newton_iterations = 0; ///< spent on it, rejected attempts included
   bool restarted = false;     ///< a step or more was rejected before this one was accepted
+  int switched = 0;           ///< contact nodes whose change of state was located at its end
 };
 
 /// Advances a state. Made for one run; holds the method's memory.
@@ -44,10 +49,14 @@ struct Integrator {
   std::string name;         ///< "backward-euler"
   std::string family;       ///< "explicit, decoupled", "implicit one-step", "multistep"
   std::string order;        ///< "1", "1-5"
-  std::string stability;    ///< "A, L", "conditional", ...
+  std::string error_estimate;  ///< order of the embedded method, or what else estimates the error
+  std::string stability;    ///< "A, L, stiffly accurate", "conditional", ...
   std::string driver;       ///< "KINSOL", "IDA"
-  std::string step_control; ///< "fixed", "adaptive"
   std::string help;         ///< one line, with the source (equation or reference)
+  bool fixed_steps = true;     ///< takes integrator.step
+  bool locates_events = true;  ///< takes integrator.events = "locate"
+  /// The coefficients, for Runge-Kutta methods (the Euler schemes and theta included).
+  std::function<std::optional<ButcherTable>(const IntegratorSettings&)> table;
   std::function<std::unique_ptr<Stepper>(const Model&, const IntegratorSettings&, Counters&)> make;
 };
 

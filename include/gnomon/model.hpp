@@ -87,6 +87,9 @@ public:
   virtual std::vector<Field> fields(const State& state) const = 0;
   /// The contact surface, if the problem has one.
   virtual std::optional<ContactSurface> contact(const State& state) const = 0;
+  /// The exact solution at time t in closed form, where there is one: y of the differential
+  /// components (zero elsewhere), and the state's time.
+  virtual std::optional<State> exact(double t) const = 0;
 };
 
 }  // namespace gnomon

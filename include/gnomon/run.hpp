@@ -22,6 +22,10 @@ struct StorePolicy {
 /// The `output.*` keys. Throws InputError for a time beyond time.end.
 StorePolicy store_policy(const Scene& scene);
 
+/// The integrator that the scene names. Throws InputError for an unknown one, and for keys that it
+/// does not take.
+const Integrator& chosen_integrator(const Scene& scene);
+
 /// The `integrator.*` keys, with what absent ones mean.
 IntegratorSettings integrator_settings(const Scene& scene, const Model& model);
 

@@ -23,10 +23,25 @@ struct Structure {
   std::vector<char> differential;    ///< size entries: 1 where ydot enters F
   std::vector<double> row_scale;     ///< size entries: |F_i| that matters, in the unit of the row
   std::vector<double> unknown_scale; ///< size entries: typical |y_i|
+  std::vector<int> switch_node;      ///< one a switching function: the mesh node it belongs to
+};
+
+/// One entry a complementarity condition (contact node): 1 where it is active (closed).
+using ActiveSet = std::vector<char>;
+
+/// Where a system is evaluated.
+struct Point {
+  double t = 0;
+  std::span<const double> y;
+  std::span<const double> ydot = {};  ///< not read by purely algebraic systems
+  /// The smooth piece to evaluate, continued beyond its border (gaps of open nodes may be negative,
+  /// multipliers of closed ones positive). Null: the piece that y lies in.
+  const ActiveSet* piece = nullptr;
 };
 
 struct Stage;
 
+/// The equations that every integrator sees. Five members, no defaults.
 class System {
 public:
   virtual ~System() = default;
@@ -34,16 +49,14 @@ public:
   virtual const Structure& structure() const = 0;
 
   /// F [size]. Throws RecoverableError where the state has no residual (inverted element).
-  virtual void residual(double t, std::span<const double> y, std::span<const double> ydot,
-                        std::span<double> F) const = 0;
+  virtual void residual(const Point& at, std::span<double> F) const = 0;
 
   /// Values of J on structure().pattern, overwritten. Same errors as residual().
-  virtual void jacobian(double t, std::span<const double> y, std::span<const double> ydot,
-                        double alpha, std::span<double> values) const = 0;
+  virtual void jacobian(const Point& at, double alpha, std::span<double> values) const = 0;
 
-  /// Which smooth piece y lies in: one entry a complementarity condition (1: active). Two states
-  /// with equal sets share one smooth residual.
-  virtual void active_set(std::span<const double> y, std::vector<char>& active) const = 0;
+  /// One value a complementarity condition, smooth in y, negative or zero where it is active (the
+  /// augmented multiplier). Two states whose values have equal signs share one smooth residual.
+  virtual void switching(std::span<const double> y, std::span<double> values) const = 0;
 
   /// The algebraic rows for given differential components, as a sequence of smaller systems to be
   /// solved one after the other (Remark 1: mesh motion, then contact). The caller owns them.
@@ -56,5 +69,8 @@ struct Stage {
   std::unique_ptr<System> system;  ///< purely algebraic; t and ydot do not enter
   std::function<void(std::span<const double> y)> freeze;  ///< fixes the others at the parent's y
 };
+
+/// The piece that y lies in.
+ActiveSet active_set(const System& system, std::span<const double> y);
 
 }  // namespace gnomon

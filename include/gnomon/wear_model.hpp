@@ -25,6 +25,7 @@ public:
   std::optional<Grid> grid() const override;
   std::vector<Field> fields(const State& state) const override;
   std::optional<ContactSurface> contact(const State& state) const override;
+  std::optional<State> exact(double) const override { return std::nullopt; }
 
   const WearSystem<dim>& wear_system() const { return system_; }
 

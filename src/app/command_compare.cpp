@@ -21,11 +21,9 @@ using Align = TextTable::Align;
 std::string setting(const RunHeader& header, const std::string& file) {
   try {
     const Scene scene = parse_scene(header.scene, file, {}, key_table);
-    const Integrator& integrator = Integrators::find(header.integrator, "integrator");
-    if (integrator.step_control == "adaptive")
-      return fmt::format("rtol {:g}", scene.real("integrator.rtol"));
-    return fmt::format("step {:g} s",
-                       scene.real_if("integrator.step").value_or(scene.real("time.end") / 200));
+    if (scene.has("integrator.step"))
+      return fmt::format("step {:g} s", scene.real("integrator.step"));
+    return fmt::format("rtol {:g}", scene.real("integrator.rtol"));
   } catch (const InputError&) {
     return "?";  // written by another version of gnomon; all else can still be compared
   }

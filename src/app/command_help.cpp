@@ -29,9 +29,9 @@ std::string scene_help(const std::optional<std::string>& problem) {
 std::string integrators_help() {
   std::string text;
   for (const Integrator& entry : Integrators::all())
-    text += fmt::format("{}: {}\n    {}; order {}; stability {}; {} steps; driven by {}\n",
+    text += fmt::format("{}: {}\n    {}; order {}; stability {}; error {}; driven by {}\n",
                         entry.name, entry.help, entry.family, entry.order, entry.stability,
-                        entry.step_control, entry.driver);
+                        entry.error_estimate, entry.driver);
   return text + "\n" + integrators_topic;
 }
 

@@ -47,6 +47,7 @@ void print_history(const HistoryRow& last) {
   };
   count("steps", c.steps);
   count("rejected_steps", c.rejected_steps);
+  count("events", c.events);
   count("newton_iterations", c.newton_iterations);
   count("residual_evaluations", c.residual_evaluations);
   count("jacobian_evaluations", c.jacobian_evaluations);

@@ -19,10 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string list_integrators() {
-  TextTable table({{"name"}, {"family"}, {"order"}, {"stability"}, {"steps"}, {"driver"}});
+  TextTable table({{"name"}, {"family"}, {"order"}, {"error estimate"}, {"stability"}, {"driver"}});
   for (const Integrator& entry : Integrators::all())
     table.add(
-        {entry.name, entry.family, entry.order, entry.stability, entry.step_control, entry.driver});
+        {entry.name, entry.family, entry.order, entry.error_estimate, entry.stability, entry.driver});
   return table.text();
 }
 

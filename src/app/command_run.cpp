@@ -58,10 +58,9 @@ RunOutcome integrate(const Setup& setup, const RunHeader& header,
   Progress progress(Progress::mode_for_stderr(options.quiet), settings.end);
   const RunHooks hooks{.on_step = [&](const HistoryRow& row) { progress.show(row); },
                        .interrupted = InterruptGuard::interrupted};
-  const Integrator& integrator = Integrators::find(header.integrator, "integrator");
   try {
     RunOutcome outcome =
-        run(*setup.model, integrator, settings, store_policy(setup.scene), &writer, hooks);
+        run(*setup.model, chosen_integrator(setup.scene), settings, store_policy(setup.scene), &writer, hooks);
     progress.finish();
     return outcome;
   } catch (const std::exception&) {

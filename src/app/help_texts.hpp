@@ -10,9 +10,10 @@ come with gnomon, `gnomon check SCENE.toml` prints one in full, defaults include
 )";
 
 inline constexpr const char* integrators_topic =
-    R"(Fixed-step methods use integrator.step, and halve a step (counted as rejected) when its equations
-cannot be solved. Adaptive methods choose the step so that the estimated error of the worn surface
-stays below integrator.rtol and .atol in every step. Explicit methods are unstable above a critical
+    R"(Without integrator.step a method chooses its steps so that the estimated error of the worn surface
+stays below integrator.rtol and .atol in every step. With it the steps are fixed, and halved (counted
+as rejected) when their equations cannot be solved. Across the switching of a contact node every
+method falls to order two; integrator.events = "locate" ends steps there and keeps its order. Explicit methods are unstable above a critical
 step that is proportional to mesh size / Young's modulus.
 )";
 

@@ -8,7 +8,8 @@ namespace gnomon::app {
 Setup set_up(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   Setup setup;
   setup.scene = load_scene(file, overrides, key_table);
-  store_policy(setup.scene);  // for its checks; a model may take long to make
+  store_policy(setup.scene);  // for their checks; a model may take long to make
+  chosen_integrator(setup.scene);
   setup.model = Problems::find(setup.scene.text("problem"), "problem").make(setup.scene);
   return setup;
 }

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <gnomon/integration/fixed_step.hpp>
+#include <gnomon/integration/stepper.hpp>
 #include <gnomon/wear_model.hpp>
 
 namespace gnomon {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include <gnomon/error.hpp>
-#include <gnomon/integration/fixed_step.hpp>
+#include <gnomon/integration/stepper.hpp>
 #include <gnomon/integration/stage_solver.hpp>
 #include <gnomon/wear_model.hpp>
 
@@ -61,7 +61,7 @@ State WearModel<dim>::start(Counters& counters) const {
   State state;
   state.y.resize(system_.structure().size);
   system_.unknowns().gather(nodal, state.y);
-  set_rates(system_, state);
+  set_rates(system_, nullptr, state);
   return state;
 }
 

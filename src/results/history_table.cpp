@@ -20,8 +20,10 @@ const std::vector<Column>& fixed_columns() {
       {"order", "", true},
       {"step_newton_iterations", "", true},
       {"restarted", "", true},
+      {"switched", "", true},
       {"steps", "", true},
       {"rejected_steps", "", true},
+      {"events", "", true},
       {"newton_iterations", "", true},
       {"residual_evaluations", "", true},
       {"jacobian_evaluations", "", true},
@@ -60,9 +62,11 @@ HistoryRow row_of(const Cell* cell, const std::vector<Column>& columns) {
   row.step.order = static_cast<int>((cell++)->integer);
   row.step.newton_iterations = (cell++)->integer;
   row.step.restarted = (cell++)->integer != 0;
+  row.step.switched = static_cast<int>((cell++)->integer);
   Counters& c = row.counters;
-  for (long* counter : {&c.steps, &c.rejected_steps, &c.newton_iterations, &c.residual_evaluations,
-                        &c.jacobian_evaluations, &c.factorizations, &c.linear_solves}) {
+  for (long* counter :
+       {&c.steps, &c.rejected_steps, &c.events, &c.newton_iterations, &c.residual_evaluations,
+        &c.jacobian_evaluations, &c.factorizations, &c.linear_solves}) {
     *counter = (cell++)->integer;
   }
   for (std::size_t i = fixed_columns().size(); i < columns.size(); ++i) {
@@ -84,8 +88,9 @@ std::vector<Cell> cells_of(const HistoryRow& row) {
   std::vector<Cell> cells = {{.real = row.t}, {.real = row.step.step}};
   for (const long value :
        {static_cast<long>(row.step.order), row.step.newton_iterations,
-        static_cast<long>(row.step.restarted), c.steps, c.rejected_steps, c.newton_iterations,
-        c.residual_evaluations, c.jacobian_evaluations, c.factorizations, c.linear_solves}) {
+        static_cast<long>(row.step.restarted), static_cast<long>(row.step.switched), c.steps,
+        c.rejected_steps, c.events, c.newton_iterations, c.residual_evaluations,
+        c.jacobian_evaluations, c.factorizations, c.linear_solves}) {
     cells.push_back({.integer = value});
   }
   for (const Scalar& scalar : row.scalars) cells.push_back({.real = scalar.value});

@@ -24,15 +24,30 @@ StorePolicy store_policy(const Scene& scene) {
   return policy;
 }
 
+const Integrator& chosen_integrator(const Scene& scene) {
+  const Integrator& integrator = Integrators::find(scene.text("integrator.name"), "integrator");
+  if (scene.has("integrator.step") && !integrator.fixed_steps)
+    throw InputError(fmt::format("{}: expected none, {} chooses its own steps (integrator.max_step "
+                                 "bounds them), got {:g}",
+                                 scene.where("integrator.step"), integrator.name,
+                                 scene.real("integrator.step")));
+  if (scene.text("integrator.events") == "locate" && !integrator.locates_events)
+    throw InputError(fmt::format("{}: expected \"ignore\", {} does not locate events, got \"locate\"",
+                                 scene.where("integrator.events"), integrator.name));
+  return integrator;
+}
+
 IntegratorSettings integrator_settings(const Scene& scene, const Model& model) {
-  constexpr int default_steps = 200;  // the paper's finest plotted run: 1000 s by 5 s
   IntegratorSettings settings;
   settings.end = scene.real("time.end");
-  settings.step = scene.real_if("integrator.step").value_or(settings.end / default_steps);
+  settings.step = scene.real_if("integrator.step").value_or(0.0);
   settings.rtol = scene.real("integrator.rtol");
   settings.atol = scene.has("integrator.atol") ? scene.real("integrator.atol")
                                                : settings.rtol * model.differential_scale();
   settings.max_step = scene.real_if("integrator.max_step").value_or(0.0);
+  settings.scale = model.differential_scale();
+  settings.alpha = scene.real("integrator.alpha");
+  settings.locate_events = scene.text("integrator.events") == "locate";
   settings.max_order = static_cast<int>(scene.integer("integrator.max_order"));
   return settings;
 }

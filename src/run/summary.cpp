@@ -22,6 +22,7 @@ const char* status_name(RunOutcome::Status status) {
 void add_counters(Json& json, const Counters& counters) {
   json["steps"] = counters.steps;
   json["rejected_steps"] = counters.rejected_steps;
+  json["events"] = counters.events;
   json["newton_iterations"] = counters.newton_iterations;
   json["residual_evaluations"] = counters.residual_evaluations;
   json["jacobian_evaluations"] = counters.jacobian_evaluations;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <gnomon/integration/fixed_step.hpp>
+#include <gnomon/integration/stepper.hpp>
 #include "semismooth_newton.hpp"
 
 namespace gnomon {
@@ -69,7 +69,7 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
     check(IDAGetNonlinearSystemData(ida_.get(), &t, &predicted, &res, &yy, &yp, &res, &gamma, &user),
           "IDAGetNonlinearSystemData");
     N_VLinearSum(1.0, predicted, 1.0, ycor, probe_.get());
-    system_.active_set(view(probe_.get()), active);
+    active = gnomon::active_set(system_, view(probe_.get()));
   };
   nonlinear_ = make_semismooth_newton(system.structure(), counters, guard_, newton, context_);
 }
@@ -100,7 +100,7 @@ int BdfSolver::Memory::residual(sunrealtype t, N_Vector y, N_Vector ydot, N_Vect
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
     ++self.counters_.residual_evaluations;
-    self.system_.residual(t, view(y), view(ydot), view(F));
+    self.system_.residual({t, view(y), view(ydot)}, view(F));
     require_finite(view(F), "the residual");
   });
 }
@@ -110,7 +110,7 @@ int BdfSolver::Memory::jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
     ++self.counters_.jacobian_evaluations;
-    self.system_.jacobian(t, view(y), view(ydot), alpha, values(J));
+    self.system_.jacobian({t, view(y), view(ydot)}, alpha, values(J));
   });
 }
 
@@ -149,7 +149,7 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   ++counters_.steps;
   state.t = t;
   std::copy(view(y_.get()).begin(), view(y_.get()).end(), state.y.begin());
-  set_rates(system_, state);
+  set_rates(system_, nullptr, state);
   return report;
 }
 

@@ -3,7 +3,7 @@
 #include <kinsol/kinsol.h>
 
 #include <algorithm>
-#include <limits>
+#include <tuple>
 
 #include "room.hpp"
 
@@ -23,13 +23,24 @@ public:
 private:
   static int residual(N_Vector y, N_Vector G, void* self);
   static int jacobian(N_Vector y, N_Vector G, SUNMatrix J, void* self, N_Vector, N_Vector);
+  int solve_once();
+  bool factors_serve(const ActiveSet& piece) const;
+  bool at_rounding() const;
+  void note(const ActiveSet& piece);
+  bool accepted(int flag) const;
   std::string reason(int flag) const;
+  std::string cycling() const;
 
   const Structure& structure_;
   Counters& counters_;
   NewtonOptions options_;
   const NonlinearFunction* function_ = nullptr;
   std::vector<double> norms_;
+  std::vector<ActiveSet> pieces_;  // of the iterates
+  // What the factors were made for; `keep_` tells the linear solver to leave them.
+  bool factored_ = false, keep_ = false, fresh_ = false, stalled_ = false;
+  double factored_alpha_ = 0;
+  ActiveSet factored_piece_;
   Guard guard_;
   // Destroyed in reverse: the solver before what it refers to, the context last.
   Context context_;
@@ -48,7 +59,7 @@ NewtonSolver::Memory::Memory(const Structure& structure, Counters& counters,
       unknown_scale_(make_vector(structure.size, context_)),
       row_scale_(make_vector(structure.size, context_)),
       matrix_(make_matrix(structure, context_)),
-      linear_(make_linear_solver(structure, counters, guard_, context_)),
+      linear_(make_linear_solver(structure, counters, guard_, context_, &keep_)),
       kinsol_(KINCreate(context_)) {
   for (long i = 0; i < structure.size; ++i) {
     view(unknown_scale_.get())[i] = 1 / structure.unknown_scale[i];
@@ -79,43 +90,115 @@ int NewtonSolver::Memory::residual(N_Vector y, N_Vector G, void* data) {
   });
 }
 
+// KINSOL asks for a set-up before every iteration (KINSetMaxSetupCalls); here it is decided whether
+// one is made.
 int NewtonSolver::Memory::jacobian(N_Vector y, N_Vector, SUNMatrix J, void* data, N_Vector,
                                    N_Vector) {
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
+    const NonlinearFunction& function = *self.function_;
+    const ActiveSet piece = function.piece ? function.piece(view(y)) : ActiveSet{};
+    self.pieces_.push_back(piece);
+    if (self.at_rounding()) {
+      self.stalled_ = true;
+      throw RecoverableError("rounding");  // the way to stop KINSOL here
+    }
+    self.keep_ = self.options_.keep_factors && self.factors_serve(piece);
+    self.fresh_ = !self.keep_;
+    if (self.keep_) return;
+    self.factored_ = false;
     ++self.counters_.jacobian_evaluations;
-    self.function_->jacobian(view(y), values(J));
+    function.jacobian(view(y), values(J));
+    self.factored_ = true;
+    self.factored_alpha_ = function.alpha;
+    self.factored_piece_ = piece;
   });
+}
+
+bool NewtonSolver::Memory::factors_serve(const ActiveSet& piece) const {
+  constexpr double alpha_range = 1.4;
+  if (!factored_ || piece != factored_piece_) return false;
+  const double alpha = function_->alpha;
+  if (alpha > alpha_range * factored_alpha_ || factored_alpha_ > alpha_range * alpha) return false;
+  const std::size_t n = norms_.size();
+  return n < 2 || norms_[n - 1] <= options_.slow * norms_[n - 2];
+}
+
+/// A fresh Newton step from a small residual did not reduce it: rounding stands in the way.
+bool NewtonSolver::Memory::at_rounding() const {
+  const std::size_t n = norms_.size();
+  return fresh_ && n >= 2 && norms_[n - 1] <= options_.acceptable &&
+         norms_[n - 1] > 0.5 * norms_[n - 2];
 }
 
 std::string NewtonSolver::Memory::reason(int flag) const {
   if (!guard_.recoverable().empty()) return guard_.recoverable();
   if (flag == KIN_MAXITER_REACHED)
-    return "Newton did not converge in " + std::to_string(options_.max_iterations) + " iterations";
+    return "Newton did not converge in " + std::to_string(options_.max_iterations) + " iterations" +
+           cycling();
   return "KINSOL stopped with code " + std::to_string(flag);
+}
+
+/// Which nodes went on switching in the last iterations.
+std::string NewtonSolver::Memory::cycling() const {
+  constexpr std::size_t window = 8;
+  if (pieces_.size() < window) return {};
+  std::string nodes;
+  int shown = 0;
+  for (std::size_t j = 0; j < pieces_.back().size(); ++j) {
+    int switches = 0;
+    for (std::size_t k = pieces_.size() - window + 1; k < pieces_.size(); ++k)
+      switches += pieces_[k][j] != pieces_[k - 1][j];
+    if (switches < 3 || shown == 4) continue;
+    const int node = j < function_->switch_node.size() ? function_->switch_node[j] : int(j);
+    nodes += (shown++ ? ", " : "") + std::to_string(node);
+  }
+  return nodes.empty() ? "" : "; the active set cycles at nodes " + nodes;
+}
+
+bool NewtonSolver::Memory::accepted(int flag) const {
+  if (flag == KIN_SUCCESS || flag == KIN_INITIAL_GUESS_OK || stalled_) return true;
+  // A vanishing step counts when the residual is small anyway.
+  return (flag == KIN_STEP_LT_STPTOL || flag == KIN_MAXITER_REACHED) && !norms_.empty() &&
+         norms_.back() <= options_.acceptable;
+}
+
+int NewtonSolver::Memory::solve_once() {
+  norms_.clear();
+  pieces_.clear();
+  guard_.clear();
+  fresh_ = stalled_ = false;
+  const int flag =
+      KINSol(kinsol_.get(), y_.get(), KIN_NONE, unknown_scale_.get(), row_scale_.get());
+  guard_.rethrow();
+  return flag;
 }
 
 NewtonReport NewtonSolver::Memory::solve(const NonlinearFunction& function, std::span<double> y) {
   function_ = &function;
-  norms_.clear();
-  guard_.clear();
-  std::copy(y.begin(), y.end(), view(y_.get()).begin());
-  const int flag =
-      KINSol(kinsol_.get(), y_.get(), KIN_NONE, unknown_scale_.get(), row_scale_.get());
-  guard_.rethrow();
+  const auto from_guess = [&] {
+    std::copy(y.begin(), y.end(), view(y_.get()).begin());
+    const int flag = solve_once();
+    long iterations = 0;
+    check(KINGetNumNonlinSolvIters(kinsol_.get(), &iterations), "KINGetNumNonlinSolvIters");
+    counters_.newton_iterations += iterations;
+    return std::pair(flag, static_cast<int>(iterations));
+  };
+  const bool kept = options_.keep_factors && factored_;
+  auto [flag, iterations] = from_guess();
+  if (!accepted(flag) && kept) {  // kept factors may have led astray
+    factored_ = false;
+    std::tie(flag, iterations) = from_guess();
+  }
   std::copy(view(y_.get()).begin(), view(y_.get()).end(), y.begin());
-
   NewtonReport report;
-  long iterations = 0;
-  check(KINGetNumNonlinSolvIters(kinsol_.get(), &iterations), "KINGetNumNonlinSolvIters");
-  report.iterations = static_cast<int>(iterations);
-  counters_.newton_iterations += iterations;
+  report.converged = accepted(flag);
+  report.iterations = iterations;
   report.norms = norms_;
-  // KIN_SUCCESS, KIN_INITIAL_GUESS_OK; a vanishing step counts when the residual is small anyway.
-  report.converged = flag == KIN_SUCCESS || flag == KIN_INITIAL_GUESS_OK ||
-                     ((flag == KIN_STEP_LT_STPTOL || flag == KIN_MAXITER_REACHED) &&
-                      !norms_.empty() && norms_.back() <= options_.acceptable);
-  if (!report.converged) report.reason = reason(flag);
+  if (!report.converged) {
+    report.reason = reason(flag);
+    factored_ = false;
+  }
   return report;
 }
 

@@ -85,6 +85,7 @@ struct LinearContent {
   SparseLu lu;
   Counters& counters;
   Guard& guard;
+  const bool* keep;
 };
 
 LinearContent& content(SUNLinearSolver solver) {
@@ -93,6 +94,7 @@ LinearContent& content(SUNLinearSolver solver) {
 
 int setup(SUNLinearSolver solver, SUNMatrix matrix) {
   LinearContent& c = content(solver);
+  if (c.keep && *c.keep) return 0;
   return c.guard.run([&] {
     ++c.counters.factorizations;
     if (!c.lu.factorize(values(matrix))) throw RecoverableError("the Jacobian is singular");
@@ -115,7 +117,7 @@ int solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sunrealtype
 }  // namespace
 
 LinearSolverOwner make_linear_solver(const Structure& structure, Counters& counters, Guard& guard,
-                                     SUNContext context) {
+                                     SUNContext context, const bool* keep) {
   SUNLinearSolver solver = SUNLinSolNewEmpty(context);
   check(solver, "SUNLinSolNewEmpty");
   LinearSolverOwner owner(solver);
@@ -131,7 +133,7 @@ LinearSolverOwner make_linear_solver(const Structure& structure, Counters& count
     return 0;
   };
   solver->content =
-      new LinearContent{SparseLu(structure.pattern, structure.group), counters, guard};
+      new LinearContent{SparseLu(structure.pattern, structure.group), counters, guard, keep};
   return owner;
 }
 

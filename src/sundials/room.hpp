@@ -78,9 +78,10 @@ private:
 MatrixOwner make_matrix(const Structure& structure, SUNContext context);
 std::span<double> values(SUNMatrix matrix);
 
-/// SparseLu as a direct SUNLinearSolver; counts factorizations and solves.
+/// SparseLu as a direct SUNLinearSolver; counts factorizations and solves. While *keep is true, a
+/// set-up leaves the last factors as they are (null: never).
 LinearSolverOwner make_linear_solver(const Structure& structure, Counters& counters, Guard& guard,
-                                     SUNContext context);
+                                     SUNContext context, const bool* keep = nullptr);
 
 /// Throws RecoverableError when an entry is not finite.
 void require_finite(std::span<const double> values, const char* what);

@@ -2,6 +2,15 @@
 
 namespace gnomon {
 
+namespace {
+
+Branch branch_of(const ActiveSet* piece, int c) {
+  if (!piece) return Branch::by_sign;
+  return (*piece)[c] ? Branch::closed : Branch::open;
+}
+
+}  // namespace
+
 template <int dim>
 ContactAssembly<dim>::ContactAssembly(const WornBody<dim>& body, const Unknowns<dim>& unknowns)
     : body_(body), unknowns_(unknowns) {}
@@ -65,18 +74,19 @@ PatchNodal<dim> ContactAssembly<dim>::patch_positions(const NodalState<dim>& sta
 }
 
 template <int dim>
-ContactNode<dim> ContactAssembly<dim>::node(const NodalState<dim>& state, int c) const {
+ContactNode<dim> ContactAssembly<dim>::node(const NodalState<dim>& state, int c,
+                                            Branch branch) const {
   const ContactPatch<dim>& patch = body_.contact_nodes[c];
   return {body_.contact, patch, patch_positions(state, c), state.u.row(patch.node).transpose(),
-          state.lambda[c]};
+          state.lambda[c], branch};
 }
 
 template <int dim>
 void ContactAssembly<dim>::add_residual(const NodalState<dim>& state, std::span<const double> ydot,
-                                        std::span<double> F) const {
+                                        const ActiveSet* piece, std::span<double> F) const {
   for (int c = 0; c < static_cast<int>(body_.contact_nodes.size()); ++c) {
     const ContactPatch<dim>& patch = body_.contact_nodes[c];
-    const ContactNode<dim> contact = node(state, c);
+    const ContactNode<dim> contact = node(state, c, branch_of(piece, c));
     const bool augment = augmented(c);
     if (const int row = unknowns_.lambda()[c]; row >= 0) F[row] += contact.constraint;
     for (int i = 0; i < dim; ++i) {
@@ -94,13 +104,14 @@ void ContactAssembly<dim>::add_residual(const NodalState<dim>& state, std::span<
 
 template <int dim>
 void ContactAssembly<dim>::add_jacobian(const NodalState<dim>& state, double alpha,
-                                        std::span<double> values) const {
+                                        const ActiveSet* piece, std::span<double> values) const {
   using Local = Eigen::Matrix<double, rows, Eigen::Dynamic, 0, rows,
                               shape_column + dim * max_patch_nodes>;
   for (int c = 0; c < static_cast<int>(body_.contact_nodes.size()); ++c) {
     const ContactPatch<dim>& patch = body_.contact_nodes[c];
     const ContactNodeTangent<dim> tangent(body_.contact, patch, patch_positions(state, c),
-                                          state.u.row(patch.node).transpose(), state.lambda[c]);
+                                          state.u.row(patch.node).transpose(), state.lambda[c],
+                                          branch_of(piece, c));
     Local K = Local::Zero(rows, shape_column + dim * static_cast<int>(patch.nodes.size()));
     K.template block<dim, dim>(u_0, 0) = tangent.force_by_x;
     K.template block<dim, 1>(u_0, dim) = tangent.force_by_lambda;

@@ -30,6 +30,7 @@ void WearSystem<dim>::build_structure() {
   mesh_motion_.map_to(structure_.pattern);
   contact_.map_to(structure_.pattern);
   structure_.group = unknowns_.node();
+  for (const auto& patch : body_->contact_nodes) structure_.switch_node.push_back(patch.node);
 
   const Scales& s = body_->scales;
   structure_.differential.assign(structure_.size, 0);
@@ -60,9 +61,8 @@ const NodalState<dim>& WearSystem<dim>::nodal(std::span<const double> y) const {
 }
 
 template <int dim>
-void WearSystem<dim>::residual(double, std::span<const double> y, std::span<const double> ydot,
-                               std::span<double> F) const {
-  const NodalState<dim>& state = nodal(y);
+void WearSystem<dim>::residual(const Point& at, std::span<double> F) const {
+  const NodalState<dim>& state = nodal(at.y);
   std::fill(F.begin(), F.end(), 0.0);
   if (selection_.deformation) {
     solid_.add_residual(&state.d, state.u, F);
@@ -71,29 +71,26 @@ void WearSystem<dim>::residual(double, std::span<const double> y, std::span<cons
         F[row] -= load_factor_ * body_->load.data()[k];
   }
   if (selection_.interior_shape) mesh_motion_.add_residual(nullptr, state.d, F);
-  contact_.add_residual(state, ydot, F);
+  contact_.add_residual(state, at.ydot, at.piece, F);
 }
 
 template <int dim>
-void WearSystem<dim>::jacobian(double, std::span<const double> y, std::span<const double>,
-                               double alpha, std::span<double> values) const {
-  const NodalState<dim>& state = nodal(y);
+void WearSystem<dim>::jacobian(const Point& at, double alpha, std::span<double> values) const {
+  const NodalState<dim>& state = nodal(at.y);
   std::fill(values.begin(), values.end(), 0.0);
   if (selection_.deformation) solid_.add_jacobian(&state.d, state.u, values);
   if (selection_.interior_shape) mesh_motion_.add_jacobian(nullptr, state.d, values);
-  contact_.add_jacobian(state, alpha, values);
+  contact_.add_jacobian(state, alpha, at.piece, values);
 }
 
 template <int dim>
-void WearSystem<dim>::active_set(std::span<const double> y, std::vector<char>& active) const {
+void WearSystem<dim>::switching(std::span<const double> y, std::span<double> values) const {
   const NodalState<dim>& state = nodal(y);
-  active.resize(body_->contact_nodes.size());
-  for (std::size_t c = 0; c < active.size(); ++c) {
+  for (std::size_t c = 0; c < values.size(); ++c) {
     const int node = body_->contact_nodes[c].node;
     const Vector<dim> x = body_->mesh.nodes[node] + (state.d.row(node) + state.u.row(node)).transpose();
-    active[c] = UnilateralContact<double>(state.lambda[static_cast<Eigen::Index>(c)],
-                                          body_->contact.counter_body.gap(x), body_->contact.rho)
-                    .active;
+    values[c] = state.lambda[static_cast<Eigen::Index>(c)] +
+                body_->contact.rho * body_->contact.counter_body.gap(x);
   }
 }
 

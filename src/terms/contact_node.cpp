@@ -117,12 +117,13 @@ template <int dim>
 ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parameters,
                                             const ContactPatch<dim>& patch,
                                             const PatchNodal<dim>& X, const Vector<dim>& u,
-                                            double lambda) {
+                                            double lambda, Branch branch) {
   const NodalSurface<dim> surface(patch, X, parameters.normal_rule);
   const SurfaceDerivative<dim> derivative(patch, X, parameters.normal_rule);
   const Vector<dim>& n = parameters.counter_body.normal;
   const Vector<dim> x = X.row(0).transpose() + u;
-  const UnilateralContact<double> contact(lambda, parameters.counter_body.gap(x), parameters.rho);
+  const UnilateralContact<double> contact(lambda, parameters.counter_body.gap(x), parameters.rho,
+                                          branch);
   const double rate = parameters.wear.rate(contact.traction);
   const double rate_by_traction = parameters.wear.rate_by_traction();
 

@@ -37,6 +37,10 @@ public:
     return surface;
   }
 
+  std::optional<State> exact(double t) const override {
+    return State{t, {std::exp(-t)}, {-std::exp(-t)}};
+  }
+
   bool starts = true;
 };
 

@@ -72,11 +72,11 @@ TEST(BackwardEuler, NewtonContractsQuadratically) {
   NewtonSolver newton(system.structure(), counters);
   const NewtonReport report = newton.solve({[&](std::span<const double> at, std::span<double> G) {
                                               difference(at);
-                                              system.residual(h, at, ydot, G);
+                                              system.residual({h, at, ydot}, G);
                                             },
                                             [&](std::span<const double> at, std::span<double> J) {
                                               difference(at);
-                                              system.jacobian(h, at, ydot, 1 / h, J);
+                                              system.jacobian({h, at, ydot}, 1 / h, J);
                                             }},
                                            y);
   ASSERT_TRUE(report.converged) << report.reason;

@@ -65,8 +65,10 @@ TEST(ResultFile, ReturnsEveryCellOfALongHistory) {
     EXPECT_EQ(row.step.order, expected.step.order);
     EXPECT_EQ(row.step.newton_iterations, expected.step.newton_iterations);
     EXPECT_EQ(row.step.restarted, expected.step.restarted);
+    EXPECT_EQ(row.step.switched, expected.step.switched);
     EXPECT_EQ(row.counters.steps, expected.counters.steps);
     EXPECT_EQ(row.counters.rejected_steps, expected.counters.rejected_steps);
+    EXPECT_EQ(row.counters.events, expected.counters.events);
     EXPECT_EQ(row.counters.newton_iterations, expected.counters.newton_iterations);
     EXPECT_EQ(row.counters.residual_evaluations, expected.counters.residual_evaluations);
     EXPECT_EQ(row.counters.jacobian_evaluations, expected.counters.jacobian_evaluations);

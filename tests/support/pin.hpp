@@ -68,7 +68,8 @@ inline PinRun run_pin(const std::string& integrator, double step, double toleran
   IntegratorSettings settings;
   settings.step = step;
   settings.rtol = tolerance;
-  settings.atol = tolerance * run.model->differential_scale();
+  settings.scale = run.model->differential_scale();
+  settings.atol = tolerance * settings.scale;
   settings.end = end;
   const auto stepper =
       Integrators::find(integrator, "integrator").make(*run.model, settings, run.counters);

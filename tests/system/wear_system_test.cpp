@@ -33,11 +33,12 @@ Eigen::MatrixXd dense(const SparsePattern& pattern, const std::vector<double>& v
 }
 
 /// J = dF/dy + alpha dF/dydot against central differences of F(y + e, ydot + alpha e).
-void check_jacobian(const System& system, const std::vector<double>& y, double alpha) {
+void check_jacobian(const System& system, const std::vector<double>& y, double alpha,
+                    const ActiveSet* piece = nullptr) {
   const long n = system.structure().size;
   std::vector<double> values(system.structure().pattern.nonzeros());
   const std::vector<double> ydot(n, 0.01);
-  system.jacobian(0, y, ydot, alpha, values);
+  system.jacobian({0, y, ydot, piece}, alpha, values);
   const Eigen::MatrixXd J = dense(system.structure().pattern, values);
   Eigen::MatrixXd differences(n, n);
   const double h = 1e-6;
@@ -45,8 +46,8 @@ void check_jacobian(const System& system, const std::vector<double>& y, double a
     std::vector<double> up = y, down = y, up_dot = ydot, down_dot = ydot, F_up(n), F_down(n);
     up[j] += h, down[j] -= h;
     up_dot[j] += alpha * h, down_dot[j] -= alpha * h;
-    system.residual(0, up, up_dot, F_up);
-    system.residual(0, down, down_dot, F_down);
+    system.residual({0, up, up_dot, piece}, F_up);
+    system.residual({0, down, down_dot, piece}, F_down);
     for (long i = 0; i < n; ++i) differences(i, j) = (F_up[i] - F_down[i]) / (2 * h);
   }
   // Row by row, since rows have different units.
@@ -67,13 +68,30 @@ TEST(WearSystem, JacobianEqualsCentralDifferences) {
                        std::string("body.element=") + element, std::string("wear.normal=") + normal});
         const System& system = model->system();
         const std::vector<double> y = rough_state(*model);
-        std::vector<char> active;
-        system.active_set(y, active);
+        ActiveSet active = active_set(system, y);
         const auto closed = std::count(active.begin(), active.end(), 1);
         ASSERT_GT(closed, 0);
         ASSERT_LT(closed, static_cast<long>(active.size()));
         check_jacobian(system, y, 0.2);
+        // And on the smooth extension of another piece: every node on its wrong side.
+        for (char& closed_node : active) closed_node = !closed_node;
+        check_jacobian(system, y, 0.2, &active);
       }
+}
+
+// A piece that is given agrees with the one chosen by sign where the two are the same.
+TEST(WearSystem, TheGivenPieceOfAStateIsItsResidual) {
+  const auto model = pin_model({elements(4)});
+  const System& system = model->system();
+  const std::vector<double> y = rough_state(*model);
+  ActiveSet piece = active_set(system, y);
+  std::vector<double> own(y.size()), given(y.size()), other(y.size());
+  system.residual({0, y, y}, own);
+  system.residual({0, y, y, &piece}, given);
+  EXPECT_EQ(own, given);
+  piece[1] = !piece[1];
+  system.residual({0, y, y, &piece}, other);
+  EXPECT_NE(own, other);
 }
 
 TEST(WearSystem, StageJacobiansEqualCentralDifferences) {
@@ -97,14 +115,14 @@ TEST(WearSystem, StagesAreItsAlgebraicRows) {
   const System& system = model->system();
   const std::vector<double> y = rough_state(*model);
   std::vector<double> F(y.size());
-  system.residual(0, y, std::vector<double>(y.size(), 0.0), F);
+  system.residual({0, y, std::vector<double>(y.size(), 0.0)}, F);
   long rows = std::count(system.structure().differential.begin(),
                          system.structure().differential.end(), 1);
   for (const Stage& stage : system.make_stages()) {
     stage.freeze(y);
     std::vector<double> part, G(stage.unknowns.size());
     for (int unknown : stage.unknowns) part.push_back(y[unknown]);
-    stage.system->residual(0, part, {}, G);
+    stage.system->residual({.y = part}, G);
     for (std::size_t k = 0; k < G.size(); ++k) EXPECT_DOUBLE_EQ(G[k], F[stage.unknowns[k]]);
     rows += static_cast<long>(G.size());
   }
@@ -126,7 +144,7 @@ TEST(WearSystem, InvertedElementIsRecoverableAndNamed) {
   std::vector<double> y(model->system().structure().size, 0.0), F(y.size());
   y[wear_system(*model).unknowns().u()(12, 1)] = 100;
   try {
-    model->system().residual(0, y, y, F);
+    model->system().residual({0, y, y}, F);
     FAIL() << "no exception";
   } catch (const RecoverableError& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("inverted element"));

@@ -14,9 +14,9 @@ namespace gnomon {
 class StageSolver {
 public:
   StageSolver(const System& system, Counters& counters);
-  /// Makes y consistent with its differential components, which stay. On failure returns the reason
-  /// (empty on success) and leaves y unspecified.
-  std::string solve(std::span<double> y);
+  /// Makes y consistent with its differential components, which stay, on a piece (Point). On failure
+  /// returns the reason (empty on success) and leaves y unspecified.
+  std::string solve(std::span<double> y, const ActiveSet* piece = nullptr);
 
 private:
   std::vector<Stage> stages_;
@@ -24,7 +24,7 @@ private:
   std::vector<std::vector<double>> unknowns_;
 };
 
-/// The residual and Jacobian of a purely algebraic system, for NewtonSolver.
-NonlinearFunction algebraic_function(const System& system);
+/// The residual and Jacobian of a purely algebraic system on a piece (Point), for NewtonSolver.
+NonlinearFunction algebraic_function(const System& system, const ActiveSet* piece = nullptr);
 
 }  // namespace gnomon

@@ -18,12 +18,18 @@ struct NewtonOptions {
   double tolerance = 1e-11;    ///< of the largest residual, each row by its row_scale
   double acceptable = 1e-9;   ///< accepted when rounding stops the iteration above `tolerance`
   int max_iterations = 30;
+  bool keep_factors = false;  ///< modified Newton: factorize only when the last factors serve badly
+  double slow = 0.2;          ///< contraction an iteration above which kept factors serve badly
 };
 
 /// G(y) = 0 on the pattern of `structure`.
 struct NonlinearFunction {
   std::function<void(std::span<const double> y, std::span<double> G)> residual;
   std::function<void(std::span<const double> y, std::span<double> values)> jacobian;
+  /// The smooth piece that y lies in. Kept factors serve one piece only.
+  std::function<ActiveSet(std::span<const double> y)> piece;
+  double alpha = 0;            ///< weight of the rates in J; kept factors serve nearby weights
+  std::vector<int> switch_node;  ///< mesh nodes of the piece's entries, for the diagnosis
 };
 
 /// How a solve went.
@@ -34,7 +40,7 @@ struct NewtonReport {
   std::string reason;         ///< why it did not converge
 };
 
-/// Full Newton steps; a step into a state without residual (inverted element) is halved by KINSOL.
+/// Newton steps with the exact Jacobian, or with kept factors as long as they contract; a step into a state without residual (inverted element) is halved by KINSOL.
 /// Holds the analysed factorization, so make one a system and use it often.
 class NewtonSolver {
 public:

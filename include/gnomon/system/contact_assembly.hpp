@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <gnomon/blocks/unknowns.hpp>
-#include <gnomon/sparse.hpp>
+#include <gnomon/system.hpp>
 
 namespace gnomon {
 
@@ -20,13 +20,14 @@ public:
   /// Computes the scatter map; call once, after the pattern is built.
   void map_to(const SparsePattern& pattern);
 
-  /// `ydot` may be empty when no contact shape is unknown.
+  /// `ydot` may be empty when no contact shape is unknown. `piece` as in Point.
   void add_residual(const NodalState<dim>& state, std::span<const double> ydot,
-                    std::span<double> F) const;
-  void add_jacobian(const NodalState<dim>& state, double alpha, std::span<double> values) const;
+                    const ActiveSet* piece, std::span<double> F) const;
+  void add_jacobian(const NodalState<dim>& state, double alpha, const ActiveSet* piece,
+                    std::span<double> values) const;
 
   /// The contact law at contact node c.
-  ContactNode<dim> node(const NodalState<dim>& state, int c) const;
+  ContactNode<dim> node(const NodalState<dim>& state, int c, Branch branch = Branch::by_sign) const;
 
 private:
   // Local rows: u | lambda | d (wear) | auxiliary equilibrium; columns: u | lambda | mu | d of patch.

@@ -24,11 +24,10 @@ public:
   WearSystem(std::shared_ptr<const WornBody<dim>> body, const Selection& selection);
 
   const Structure& structure() const override { return structure_; }
-  void residual(double t, std::span<const double> y, std::span<const double> ydot,
-                std::span<double> F) const override;
-  void jacobian(double t, std::span<const double> y, std::span<const double> ydot, double alpha,
-                std::span<double> values) const override;
-  void active_set(std::span<const double> y, std::vector<char>& active) const override;
+  void residual(const Point& at, std::span<double> F) const override;
+  void jacobian(const Point& at, double alpha, std::span<double> values) const override;
+  /// lambda + rho g of every contact node [stress].
+  void switching(std::span<const double> y, std::span<double> values) const override;
   /// Mesh motion (interior d, and mu where present), then contact (u, lambda).
   std::vector<Stage> make_stages() const override;
 

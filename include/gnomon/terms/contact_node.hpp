@@ -78,7 +78,8 @@ struct ContactNode {
 
   /// X: undeformed positions of patch.nodes; u, lambda: of the node itself.
   ContactNode(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
-              const PatchNodal<dim, Scalar>& X, const Vector<dim, Scalar>& u, const Scalar& lambda);
+              const PatchNodal<dim, Scalar>& X, const Vector<dim, Scalar>& u, const Scalar& lambda,
+              Branch branch = Branch::by_sign);
 };
 
 /// Derivatives of ContactNode. The position x = X + u of the node enters through u and d alike, the
@@ -95,7 +96,8 @@ struct ContactNodeTangent {
   std::array<Tensor<dim>, max_patch_nodes> velocity_by_X;
 
   ContactNodeTangent(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
-                     const PatchNodal<dim>& X, const Vector<dim>& u, double lambda);
+                     const PatchNodal<dim>& X, const Vector<dim>& u, double lambda,
+                     Branch branch = Branch::by_sign);
 };
 
 // ---- templates on the scalar ---------------------------------------------------------------------
@@ -131,10 +133,12 @@ template <int dim, class Scalar>
 ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,
                                       const ContactPatch<dim>& patch,
                                       const PatchNodal<dim, Scalar>& X,
-                                      const Vector<dim, Scalar>& u, const Scalar& lambda) {
+                                      const Vector<dim, Scalar>& u, const Scalar& lambda,
+                                      Branch branch) {
   const NodalSurface<dim, Scalar> surface(patch, X, parameters.normal_rule);
   const Vector<dim, Scalar> x = X.row(0).transpose() + u;
-  const UnilateralContact<Scalar> contact(lambda, parameters.counter_body.gap(x), parameters.rho);
+  const UnilateralContact<Scalar> contact(lambda, parameters.counter_body.gap(x), parameters.rho,
+                                          branch);
   active = contact.active;
   traction = contact.traction;
   area = surface.area;

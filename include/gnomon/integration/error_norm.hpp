@@ -1,0 +1,30 @@
+// How large an error of a step is, by the tolerances of the scene.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include <gnomon/integrator.hpp>
+#include <gnomon/system.hpp>
+
+namespace gnomon {
+
+/// Weighted root mean square over the differential components (the positions of the contact
+/// surface): weights rtol |y_i| + atol. 1 is as large as the tolerance.
+class ErrorNorm {
+public:
+  ErrorNorm(const Structure& structure, const IntegratorSettings& settings);
+
+  /// Positions of the differential components in y.
+  const std::vector<int>& components() const { return components_; }
+  double weight(double y) const { return 1 / (rtol_ * std::abs(y) + atol_); }
+  /// Of an error with one entry a component, at y (whole).
+  double operator()(std::span<const double> error, std::span<const double> y) const;
+
+private:
+  std::vector<int> components_;
+  double rtol_, atol_;
+};
+
+}  // namespace gnomon

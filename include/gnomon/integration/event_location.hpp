@@ -1,0 +1,58 @@
+// Ends a step where the active set changes, so that the order of a one-step method survives.
+#pragma once
+
+#include <vector>
+
+#include <gnomon/counters.hpp>
+#include <gnomon/integration/one_step.hpp>
+
+namespace gnomon {
+
+/// How a search for an event ended.
+struct Landing {
+  Attempt attempt{};     ///< the step that ends on the event; its failure if Newton failed
+  bool grazing = false;  ///< the event is at the very start: there is nothing to end there
+  double h = 0;          ///< size of the step [time]
+  int switched = 0;      ///< contact nodes that change there
+};
+
+/// Steps are taken on the smooth extension of one piece (Point::piece). When a switching function has
+/// changed sign at the end of a step, the first of these events is found by interpolation and by
+/// repeating the step, shorter, until its end is within `tolerance` of the event.
+///
+/// The error of switching late or early by delta is (jump of the second derivative) delta^2 / 2.
+class EventLocator {
+public:
+  static constexpr double tolerance = 1e-4;  ///< of the time of an event, in units of the step
+
+  EventLocator(const System& system, OneStepMethod& method) : system_(system), method_(method) {}
+
+  /// Takes the piece from the signs at y.
+  void begin(std::span<const double> y) { piece_ = active_set(system_, y); }
+  const ActiveSet& piece() const { return piece_; }
+  /// Has y left the piece?
+  bool left(std::span<const double> y) const { return active_set(system_, y) != piece_; }
+
+  /// For a step of size h from `from` that ended off the piece in `to`: the shorter step that ends on
+  /// the first event. `to` is then consistent on the new piece, which piece() gives.
+  Landing land(const State& from, double h, State& to);
+
+private:
+  struct Sample {
+    double h;
+    std::vector<double> values;  // of the switching functions
+  };
+  void sample(double h, std::span<const double> y);
+  double first_guess(const State& from, double h) const;
+  double earliest_root(double low, double high) const;
+  int switch_at(double h, double width);
+  const Sample& at(double h) const;
+  bool off_piece(const Sample& sample) const;
+
+  const System& system_;
+  OneStepMethod& method_;
+  ActiveSet piece_;
+  std::vector<Sample> samples_;  // ascending in h
+};
+
+}  // namespace gnomon

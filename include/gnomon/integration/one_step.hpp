@@ -1,0 +1,40 @@
+// What a one-step method is to the code that drives it.
+#pragma once
+
+#include <string>
+
+#include <gnomon/integration/trace.hpp>
+#include <gnomon/model.hpp>
+
+namespace gnomon {
+
+/// Outcome of one attempt at a step.
+struct Attempt {
+  bool success = false;
+  double error = 0;    ///< estimated error of the step, 1 being the tolerance (ErrorNorm)
+  std::string reason{};  ///< why it failed
+};
+
+/// How an attempt is made.
+struct AttemptOptions {
+  const ActiveSet* piece = nullptr;  ///< smooth piece to stay on (Point); null: whatever y lies in
+  bool continuation = false;  ///< solve equations that Newton cannot by continuation in the step
+};
+
+/// A step from a consistent state to a consistent state. Holds no history that its solution depends
+/// on, so that steps of any size follow each other.
+class OneStepMethod {
+public:
+  virtual ~OneStepMethod() = default;
+  /// Tries a step of size h; fills `to` (whole) on success.
+  virtual Attempt attempt(const State& from, double h, const AttemptOptions& options,
+                          State& to) = 0;
+  /// Makes a state consistent with its differential components on the given piece.
+  virtual Attempt project(State& state, const AttemptOptions& options) = 0;
+  /// `from` became the start of the next step; a kink there ends what can be extrapolated.
+  virtual void accept(const State& state, bool kink) = 0;
+  /// States of the last attempts.
+  virtual const Trace& trace() const = 0;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,32 @@
+// How long the next step is: from the errors of the last ones, or fixed.
+#pragma once
+
+#include <gnomon/integrator.hpp>
+
+namespace gnomon {
+
+/// PI control of the step size (Gustafsson; Hairer and Wanner II, IV.2) with bounded growth.
+class StepSizeControl {
+public:
+  /// `order`: of the step as a function of its size, error ~ h^(order + 1).
+  explicit StepSizeControl(int order) : exponent_(1.0 / (order + 1)) {}
+
+  /// Step after one of size h whose estimated error (1: the tolerance) was accepted.
+  double after_success(double h, double error);
+  /// Step to repeat one of size h whose error was too large.
+  double after_rejection(double h, double error);
+  /// A step that failed for another reason is half as long, and the next does not grow.
+  double after_failure(double h);
+
+private:
+  double exponent_;
+  double last_error_ = 1;
+  bool may_grow_ = true;
+};
+
+/// First step: the one in which the surface would move, at its present rate, by as much of its final
+/// wear depth as a step of this order can at the tolerance. Rejections correct what this misses.
+double first_step(const State& start, const Structure& structure,
+                  const IntegratorSettings& settings, int order);
+
+}  // namespace gnomon

@@ -1,0 +1,31 @@
+// States of a run that a polynomial in time passes through: the dense output of one-step methods.
+#pragma once
+
+#include <deque>
+#include <span>
+#include <vector>
+
+namespace gnomon {
+
+/// The last few states (stages and ends of steps), newest last. Gives first guesses for solves and
+/// for the times of events; no result depends on it.
+class Trace {
+public:
+  /// Adds a state, replacing one at the same time.
+  void add(double t, std::span<const double> y);
+  void clear() { points_.clear(); }
+  bool empty() const { return points_.empty(); }
+
+  /// Value at t of the polynomial through the nearest states: of the highest degree, up to three,
+  /// whose weights stay bounded (a far extrapolation falls back to lower degrees).
+  void evaluate(double t, std::span<double> y) const;
+
+private:
+  struct Entry {
+    double t;
+    std::vector<double> y;
+  };
+  std::deque<Entry> points_;
+};
+
+}  // namespace gnomon

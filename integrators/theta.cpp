@@ -1,0 +1,63 @@
+// backward-euler and theta: the implicit schemes of eq. (18) and (21), one coupled solve a step.
+//
+//   d_{n+1} = d_n + h ((1 - alpha) ddot_n + alpha ddot_{n+1})   on the contact surface
+
+#include <gnomon/integration/diagonally_implicit.hpp>
+
+namespace gnomon {
+
+namespace {
+
+ButcherTable backward_euler(const IntegratorSettings&) {
+  ButcherTable table{"eq. (18)", 1, Eigen::MatrixXd(1, 1), Eigen::VectorXd(1), Eigen::VectorXd(1),
+                     0, {}};
+  table.A << 1;
+  table.b << 1;
+  table.c << 1;
+  return table;
+}
+
+ButcherTable theta(const IntegratorSettings& settings) {
+  const double alpha = settings.alpha;
+  ButcherTable table{"eq. (21)", alpha == 0.5 ? 2 : 1, Eigen::MatrixXd(2, 2), Eigen::VectorXd(2),
+                     Eigen::VectorXd(2), 0, {}};
+  table.A << 0, 0, 1 - alpha, alpha;
+  table.b << 1 - alpha, alpha;
+  table.c << 0, 1;
+  return table;
+}
+
+template <auto table>
+std::unique_ptr<Stepper> make(const Model& model, const IntegratorSettings& settings,
+                              Counters& counters) {
+  return make_diagonally_implicit(model, settings, counters, table(settings));
+}
+
+const Registration<Integrator> backward_euler_registration({
+    .name = "backward-euler",
+    .family = "implicit one-step",
+    .order = "1",
+    .error_estimate = "from past rates",
+    .stability = "A, L, stiffly accurate",
+    .driver = "KINSOL",
+    .help = "the paper's implicit scheme, eq. (18): deformation and wear in one Newton solve",
+    .table = backward_euler,
+    .make = make<backward_euler>,
+});
+
+const Registration<Integrator> theta_registration({
+    .name = "theta",
+    .family = "implicit one-step",
+    .order = "1; 2 at alpha = 0.5",
+    .error_estimate = "from past rates",
+    .stability = "A for alpha >= 0.5, stiffly accurate",
+    .driver = "KINSOL",
+    .help = "eq. (21) with integrator.alpha; 0.5 is the trapezoidal rule, which does not damp stiff "
+            "modes",
+    .table = theta,
+    .make = make<theta>,
+});
+
+}  // namespace
+
+}  // namespace gnomon

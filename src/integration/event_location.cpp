@@ -1,0 +1,135 @@
+#include <gnomon/integration/event_location.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon {
+
+namespace {
+
+bool active(double value) { return value <= 0; }
+
+/// Zero in [low, high] of the polynomial through (h, f), by bisection; it changes sign there.
+double polynomial_root(const std::vector<double>& h, std::vector<double> f, double low,
+                       double high) {
+  const std::size_t n = h.size();
+  for (std::size_t k = 1; k < n; ++k)  // divided differences
+    for (std::size_t i = n - 1; i >= k; --i) f[i] = (f[i] - f[i - 1]) / (h[i] - h[i - k]);
+  const auto value = [&](double x) {
+    double sum = f[n - 1];
+    for (std::size_t i = n - 1; i-- > 0;) sum = sum * (x - h[i]) + f[i];
+    return sum;
+  };
+  const bool at_low = active(value(low));
+  for (int k = 0; k < 60; ++k) {
+    const double middle = (low + high) / 2;
+    (active(value(middle)) == at_low ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace
+
+void EventLocator::sample(double h, std::span<const double> y) {
+  Sample sample{h, std::vector<double>(piece_.size())};
+  system_.switching(y, sample.values);
+  const auto place = std::lower_bound(samples_.begin(), samples_.end(), h,
+                                      [](const Sample& s, double x) { return s.h < x; });
+  samples_.insert(place, std::move(sample));
+}
+
+const EventLocator::Sample& EventLocator::at(double h) const {
+  return *std::find_if(samples_.begin(), samples_.end(), [h](const Sample& s) { return s.h == h; });
+}
+
+bool EventLocator::off_piece(const Sample& sample) const {
+  for (std::size_t j = 0; j < piece_.size(); ++j)
+    if (active(sample.values[j]) != bool(piece_[j])) return true;
+  return false;
+}
+
+/// From the dense output of the step that left the piece: where it first does.
+double EventLocator::first_guess(const State& from, double h) const {
+  constexpr int parts = 32;
+  std::vector<double> y(from.y.size()), before(piece_.size()), after = at(0).values;
+  for (int k = 1; k <= parts; ++k) {
+    std::swap(before, after);
+    method_.trace().evaluate(from.t + h * k / parts, y);
+    system_.switching(y, after);
+    double first = 2;
+    for (std::size_t j = 0; j < piece_.size(); ++j)
+      if (active(before[j]) == bool(piece_[j]) && active(after[j]) != bool(piece_[j]))
+        first = std::min(first, before[j] / (before[j] - after[j]));
+    if (first <= 1) return h * (k - 1 + first) / parts;
+  }
+  return h / 2;
+}
+
+/// First zero of a switching function between two samples next to each other, the first on the piece.
+double EventLocator::earliest_root(double low, double high) const {
+  // Both ends and the two nearest samples beside them.
+  std::vector<const Sample*> nodes;
+  for (const Sample& s : samples_) nodes.push_back(&s);
+  const double middle = (low + high) / 2;
+  std::sort(nodes.begin(), nodes.end(), [&](const Sample* a, const Sample* b) {
+    return std::abs(a->h - middle) < std::abs(b->h - middle);
+  });
+  const auto is_end = [&](const Sample* s) { return s->h == low || s->h == high; };
+  std::stable_partition(nodes.begin(), nodes.end(), is_end);
+  if (nodes.size() > 4) nodes.resize(4);
+  double earliest = high;
+  std::vector<double> h(nodes.size()), f(nodes.size());
+  for (std::size_t j = 0; j < piece_.size(); ++j) {
+    if (active(at(high).values[j]) == bool(piece_[j]) ||
+        active(at(low).values[j]) != bool(piece_[j]))
+      continue;
+    for (std::size_t k = 0; k < nodes.size(); ++k) h[k] = nodes[k]->h, f[k] = nodes[k]->values[j];
+    earliest = std::min(earliest, polynomial_root(h, f, low, high));
+  }
+  return earliest;
+}
+
+/// Switches every node whose own event is within `width` of h.
+int EventLocator::switch_at(double h, double width) {
+  const auto here = std::find_if(samples_.begin(), samples_.end(),
+                                 [h](const Sample& s) { return s.h == h; });
+  const auto there = here != samples_.begin() ? here - 1 : here + 1;
+  int switched = 0;
+  for (std::size_t j = 0; j < piece_.size(); ++j) {
+    const double value = here->values[j];
+    const double slope = (value - there->values[j]) / (here->h - there->h);
+    const bool off = active(value) != bool(piece_[j]);
+    const bool leaving = piece_[j] ? slope > 0 : slope < 0;
+    if (!off && !(leaving && std::abs(value) <= std::abs(slope) * width)) continue;
+    piece_[j] = !piece_[j];
+    ++switched;
+  }
+  return switched;
+}
+
+Landing EventLocator::land(const State& from, double h, State& to) {
+  constexpr int most_attempts = 12;
+  const double width = tolerance * h;
+  samples_.clear();
+  sample(0, from.y);
+  sample(h, to.y);
+  if (off_piece(at(0))) return {.grazing = true};
+  double low = 0, high = h, guess = first_guess(from, h);
+  Landing landing;
+  for (int k = 0; k < most_attempts; ++k) {
+    if (high <= 3 * width) return {.grazing = true};
+    landing.h = std::clamp(guess, low + width / 2, high - width / 2);
+    landing.attempt = method_.attempt(from, landing.h, {.piece = &piece_}, to);
+    if (!landing.attempt.success) return landing;
+    sample(landing.h, to.y);
+    (off_piece(at(landing.h)) ? high : low) = landing.h;
+    guess = earliest_root(low, high);
+    if (std::abs(guess - landing.h) <= width) break;
+  }
+  landing.switched = switch_at(landing.h, 3 * width);
+  const Attempt projected = method_.project(to, {.piece = &piece_});
+  if (!projected.success) landing.attempt = projected;
+  return landing;
+}
+
+}  // namespace gnomon

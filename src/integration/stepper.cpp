@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <gnomon/error.hpp>
+#include <gnomon/integration/stepper.hpp>
+
+namespace gnomon {
+
+OneStepStepper::OneStepStepper(const System& system, const IntegratorSettings& settings,
+                               Counters& counters, std::unique_ptr<OneStepMethod> method, int order,
+                               int error_order)
+    : system_(system),
+      settings_(settings),
+      counters_(counters),
+      method_(std::move(method)),
+      order_(order),
+      control_(error_order),
+      error_order_(error_order) {
+  if (settings.locate_events) locator_.emplace(system, *method_);
+}
+
+void OneStepStepper::begin(const State& state) {
+  begun_ = true;
+  proposal_ = fixed() ? settings_.step
+                      : first_step(state, system_.structure(), settings_, error_order_);
+  method_->accept(state, true);
+  if (locator_) locator_->begin(state.y);
+}
+
+/// A step of about h that does not pass the next point to land on.
+OneStepStepper::Plan OneStepStepper::plan(const State& state, double t_stop, double h) const {
+  double target = t_stop;
+  // The grid, by count rather than by adding up, so that it does not drift.
+  if (fixed())
+    target = std::min(
+        t_stop, settings_.step * (std::floor(state.t / settings_.step * (1 + 1e-12) + 1e-9) + 1));
+  else if (settings_.max_step > 0)
+    h = std::min(h, settings_.max_step);
+  const double left = target - state.t;
+  if (h >= left * (1 - 1e-9)) return {left, target, true};
+  // Two equal steps rather than a long one and a sliver.
+  if (!fixed() && h > left / 2) h = left / 2;
+  return {h, target, false};
+}
+
+/// One attempt, ended on the first event when these are located.
+Landing OneStepStepper::take(const State& state, const Plan& plan, bool continuation) {
+  AttemptOptions options{.piece = locator_ ? &locator_->piece() : nullptr,
+                         .continuation = continuation};
+  Landing whole{.attempt = method_->attempt(state, plan.h, options, next_), .h = plan.h};
+  const bool acceptable = whole.attempt.success && (fixed() || whole.attempt.error <= 1);
+  if (!locator_ || !acceptable || !locator_->left(next_.y)) return whole;
+  Landing landing = locator_->land(state, plan.h, next_);
+  if (!landing.grazing) {
+    landing.attempt.error = whole.attempt.error;  // of the size that the control asked for
+    return landing;
+  }
+  // Nodes that switch where the step starts: over the kink, on whatever pieces there are.
+  options.piece = nullptr;
+  whole.attempt = method_->attempt(state, plan.h, options, next_);
+  if (whole.attempt.success) locator_->begin(next_.y);
+  whole.grazing = true;
+  return whole;
+}
+
+double OneStepStepper::after_success(const Plan& plan, const Landing& landing) {
+  if (fixed()) return std::min(settings_.step, std::max(proposal_, 2 * landing.h));
+  const double next = control_.after_success(plan.h, landing.attempt.error);
+  // A step cut short by a point to land on says little about longer ones.
+  return plan.h < proposal_ ? std::max(next, proposal_) : next;
+}
+
+StepReport OneStepStepper::advance(State& state, double t_stop) {
+  constexpr int plain_attempts = 8, most_failures = 24;
+  if (!begun_) begin(state);
+  const long newton_before = counters_.newton_iterations;
+  const double shortest = 1e-14 * settings_.end;
+  const double wanted = proposal_;
+  StepReport report;
+  std::string reason = "the error test fails";
+  for (int failures = 0; failures < most_failures && proposal_ > shortest;) {
+    const Plan plan = this->plan(state, t_stop, proposal_);
+    const Landing landing = take(state, plan, failures >= plain_attempts);
+    if (landing.attempt.success && (fixed() || landing.attempt.error <= 1)) {
+      proposal_ = after_success(plan, landing);
+      std::swap(state, next_);
+      if (landing.h == plan.h && plan.lands) state.t = plan.target;
+      method_->accept(state, landing.switched > 0 || landing.grazing);
+      ++counters_.steps;
+      counters_.events += landing.switched > 0;
+      report.step = landing.h;
+      report.order = order_;
+      report.switched = landing.switched;
+      report.newton_iterations = counters_.newton_iterations - newton_before;
+      return report;
+    }
+    report.restarted = true;
+    ++counters_.rejected_steps;
+    if (landing.attempt.success) {
+      proposal_ = control_.after_rejection(plan.h, landing.attempt.error);
+      continue;
+    }
+    reason = landing.attempt.reason;
+    proposal_ = control_.after_failure(plan.h);
+    if (++failures == plain_attempts) proposal_ = wanted;
+  }
+  throw SolutionError(fmt::format("no step from t = {:.6g} succeeds, down to {:.3g}: {}", state.t,
+                                  proposal_, reason));
+}
+
+void set_rates(const System& system, const ActiveSet* piece, State& state) {
+  std::vector<double> F(state.y.size());
+  state.ydot.assign(state.y.size(), 0.0);
+  system.residual({state.t, state.y, state.ydot, piece}, F);
+  const std::vector<char>& differential = system.structure().differential;
+  for (std::size_t i = 0; i < F.size(); ++i)
+    if (differential[i]) state.ydot[i] = -F[i];
+}
+
+}  // namespace gnomon

@@ -1,0 +1,13 @@
+#include <gnomon/system.hpp>
+
+namespace gnomon {
+
+ActiveSet active_set(const System& system, std::span<const double> y) {
+  std::vector<double> values(system.structure().switch_node.size());
+  system.switching(y, values);
+  ActiveSet active(values.size());
+  for (std::size_t j = 0; j < values.size(); ++j) active[j] = values[j] <= 0;
+  return active;
+}
+
+}  // namespace gnomon
