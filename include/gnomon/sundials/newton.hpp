@@ -27,9 +27,9 @@ struct NonlinearFunction {
   std::function<void(std::span<const double> y, std::span<double> G)> residual;
   std::function<void(std::span<const double> y, std::span<double> values)> jacobian;
   /// The smooth piece that y lies in. Kept factors serve one piece only.
-  std::function<ActiveSet(std::span<const double> y)> piece;
-  double alpha = 0;            ///< weight of the rates in J; kept factors serve nearby weights
-  std::vector<int> switch_node;  ///< mesh nodes of the piece's entries, for the diagnosis
+  std::function<ActiveSet(std::span<const double> y)> piece{};
+  double alpha = 0;              ///< weight of the rates in J; kept factors serve nearby weights
+  std::vector<int> switch_node{};  ///< mesh nodes of the piece's entries, for the diagnosis
 };
 
 /// How a solve went.
