@@ -74,7 +74,7 @@ double OneStepStepper::after_success(const Plan& plan, const Landing& landing) {
 }
 
 StepReport OneStepStepper::advance(State& state, double t_stop) {
-  constexpr int plain_attempts = 8, most_failures = 24;
+  constexpr int plain_attempts = 8, most_failures = 16;
   if (!begun_) begin(state);
   const long newton_before = counters_.newton_iterations;
   const double shortest = 1e-14 * settings_.end;
