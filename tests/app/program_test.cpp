@@ -192,6 +192,23 @@ TEST_P(Signals, EndTheRunAfterTheStepWithAReadableResult) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Signals, testing::Values(SIGINT, SIGTERM));
 
+// Soft and nearly incompressible, so that the start takes a while.
+TEST_F(Program, SignalDuringTheStartEndsTheRunThere) {
+  const pid_t child =
+      start({"run", pin, "--set", "mesh.elements=[24,24]", "--set", "body.young_modulus=10",
+             "--set", "body.poisson_ratio=0.499", "-o", "a.h5"});
+  for (int i = 0; i < 10000 && !std::filesystem::exists(folder() / "a.h5"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  kill(child, SIGINT);
+  const Outcome outcome = finish(child);
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("interrupted at t = 0 s"));
+  const ResultReader result(folder() / "a.h5");
+  EXPECT_EQ(result.status(), "interrupted");
+  EXPECT_EQ(result.history().size(), 1u);
+  EXPECT_THAT(result.stored_times(), ElementsAre(0));
+}
+
 TEST_F(Program, FullStandardOutputIsAFailure) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
   const std::string command =

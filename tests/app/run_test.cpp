@@ -111,6 +111,19 @@ TEST_F(RunTest, InterruptionEndsAfterTheStepAndStoresIt) {
   EXPECT_THAT(result.stored_times(), ElementsAre(0, 0.75));
 }
 
+TEST_F(RunTest, InterruptionDuringTheStartEndsBeforeTheIntegratorIsMade) {
+  Integrator never = exact_decay();
+  never.make = [](const Model&, const IntegratorSettings&, Counters&) -> std::unique_ptr<Stepper> {
+    throw std::logic_error("made");
+  };
+  const RunHooks hooks{.interrupted = [] { return true; }};
+  const RunOutcome outcome = run_decay({.every = 0, .times = {}, .last = false}, never, hooks);
+  EXPECT_EQ(outcome.status, Status::interrupted);
+  const ResultReader result(file());
+  EXPECT_EQ(result.status(), "interrupted");
+  EXPECT_THAT(result.stored_times(), ElementsAre(0));
+}
+
 TEST_F(RunTest, FailureStoresTheLastGoodState) {
   const RunOutcome outcome =
       run_decay({.every = 0, .times = {}, .last = false}, exact_decay(/*fail_at=*/1.0));
