@@ -6,6 +6,7 @@ from matplotlib.lines import Line2D
 from . import style, tables
 from .study import distinct
 
+LINES = ("-", "--", "-.", ":")
 COLUMNS = ("time", "method", "critical_step", "empirical")
 
 
@@ -20,15 +21,16 @@ def read(folder):
 def draw(rows):
     figure = style.figure(height=0.72 * style.SINGLE)
     axes = figure.add_subplot()
-    axes.set_yscale("log")
     handles = []
     for i, method in enumerate(distinct(row[1] for row in rows)):
         own = numpy.array([(t, step, found) for t, name, step, found in rows if name == method])
         own = own[own[:, 0].argsort()]
         look = {"color": style.COLOURS[i % 8], "marker": style.MARKERS[i % 8]}
-        axes.plot(own[:, 0], own[:, 1], **look)
+        line = {"linestyle": LINES[i % len(LINES)]}  # equal ones show through one another
+        axes.plot(own[:, 0], own[:, 1], **line, **look)
         axes.plot(own[:, 0], own[:, 2], linestyle="", markerfacecolor="none", markersize=6, **look)
-        handles.append(Line2D([], [], label=method, **look))
+        handles.append(Line2D([], [], label=method, **line, **look))
+    set_scale(axes, [row[2] for row in rows] + [row[3] for row in rows])
     if any(numpy.isfinite(row[3]) for row in rows):
         handles.append(Line2D([], [], color="black", linestyle="", marker="o", markersize=6,
                               markerfacecolor="none", label="found by running"))
@@ -36,3 +38,12 @@ def draw(rows):
     axes.set_ylabel("critical step [s]")
     style.legend_above_all(figure, handles)
     return figure
+
+
+def set_scale(axes, steps):
+    """From zero, or logarithmic where that would crush the small ones."""
+    steps = [step for step in steps if step > 0]
+    if steps and max(steps) > 20 * min(steps):
+        axes.set_yscale("log")
+    else:
+        axes.set_ylim(bottom=0)

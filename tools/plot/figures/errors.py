@@ -37,15 +37,15 @@ def draw(runs, across, otherwise):
         members = [run for run in runs if not swept or run.method == title]
         draw_panel(panel, members, looks, lambda run: run.sweep if swept else run.method, limits)
         panel.set_title(title)
-    finish(figure, panels, across, handles_of(looks, runs, limits))
+    finish(figure, panels, across)
+    style.legend_above_all(figure, handles_of(looks), notes_of(runs, limits))
     return figure
 
 
 def looks_of(names, ordered):
     colours = style.sequence(len(names)) if ordered else style.COLOURS
     return {name: {"color": colours[i % len(colours)],
-                   "marker": style.MARKERS[i % len(style.MARKERS)],
-                   "linestyle": "-" if i < len(style.MARKERS) else "--"}
+                   "marker": style.MARKERS[(i + i // len(colours)) % len(style.MARKERS)]}
             for i, name in enumerate(names)}
 
 
@@ -74,71 +74,89 @@ def error_limits(runs):
 def draw_panel(axes, runs, looks, key, limits):
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.set_ylim(limits)
-    references = [run.reference_error for run in runs if run.reference_error > 0]
-    if references:
-        axes.axhspan(limits[0], max(references), color=style.BAND, zorder=0, linewidth=0)
+    draw_reference(axes, runs, limits)
     draw_guides(axes, runs, key)
     for name, look in looks.items():
         members = sorted((run for run in runs if key(run) == name), key=lambda run: run.setting)
         draw_series(axes, members, look, limits)
 
 
+def draw_reference(axes, runs, limits):
+    """The band in which a difference from the reference says nothing."""
+    axes.set_ylim(limits)
+    references = [run.reference_error for run in runs if run.reference_error > 0]
+    if references:
+        axes.axhspan(limits[0], max(references), color=style.BAND, zorder=0, linewidth=0)
+
+
 def draw_series(axes, runs, look, limits):
     """Beyond the limits, or without an error at all: a cross at the upper edge."""
     edge = limits[1] / 1.5
-    heights = [min(run.shape_error, edge) if math.isfinite(run.shape_error) else edge
-               for run in runs]
-    axes.plot([run.setting for run in runs], heights, **(look | {"marker": ""}))
-    for run, height in zip(runs, heights):
-        lost = height >= edge
-        axes.plot(run.setting, height, marker="x" if lost else look["marker"], color=look["color"],
-                  markersize=5 if lost else 3.5,
-                  markerfacecolor="white" if run.marked else look["color"], clip_on=False)
+    x = numpy.array([run.setting for run in runs])
+    errors = numpy.array([run.shape_error for run in runs])
+    lost = ~(errors < edge)
+    marked = numpy.array([run.marked for run in runs], bool) & ~lost
+    y = numpy.where(lost, edge, errors)
+    axes.plot(x, y, **(look | {"marker": ""}))
+    for chosen, sign in ((~lost & ~marked, {}), (marked, {"markerfacecolor": "white"}),
+                         (lost, {"marker": "x", "markersize": 5})):
+        if chosen.any():
+            axes.plot(x[chosen], y[chosen], **(look | {"linestyle": ""} | sign))
 
 
 def draw_guides(axes, runs, key):
-    """Lines of slope 1, and of the higher orders that are seen, below the lowest series."""
+    """Lines of slope 1 and of the highest order that is seen, each below its lowest series."""
     series = [[run for run in runs if key(run) == name and run.finished and run.shape_error > 0]
               for name in distinct(key(run) for run in runs)]
-    orders = sorted({1} | {order_of(members) for members in series if len(members) > 2})
-    x = numpy.array(sorted({run.setting for run in runs}))[[0, -1]]
-    for order in orders:
-        own = [members for members in series if len(members) > 2 and order_of(members) == order]
-        base = min((run for members in own or series for run in members),
-                   key=lambda run: run.shape_error / run.setting**order, default=None)
-        if base is not None:
-            draw_guide(axes, x, order, 0.5 * base.shape_error / base.setting**order)
+    series = {order: [runs for runs in series if order_of(runs) == order]
+              for order in {order_of(runs) for runs in series} - {0}}
+    every = [run for group in series.values() for runs in group for run in runs]
+    for order in sorted({1, max(series, default=1)}):
+        own = [run for runs in series.get(order, []) for run in runs] or every
+        if own:
+            factor = 0.5 * min(run.shape_error / run.setting**order for run in own)
+            draw_guide(axes, sorted(run.setting for run in own), order, factor)
 
 
-def draw_guide(axes, x, order, factor):
-    axes.plot(x, factor * x**order, color=style.GREY, linewidth=0.7, linestyle=(0, (5, 2)), zorder=1)
+def draw_guide(axes, settings, order, factor):
+    x = numpy.array([settings[0], settings[-1]])
+    axes.plot(x, factor * x**order, color=style.GREY, linewidth=0.7, linestyle=style.DASHES, zorder=1)
+    text = axes.annotate(str(order), (x[1], factor * x[1]**order), (3, 0), textcoords="offset points",
+                  va="center", fontsize=7, color="#555555", annotation_clip=True)
+    text.set_in_layout(False)
 
 
 def order_of(runs):
-    x = numpy.log([run.setting for run in runs])
-    y = numpy.log([run.shape_error for run in runs])
-    order = numpy.argsort(x)
-    slopes = numpy.diff(y[order]) / numpy.diff(x[order])
+    """The slope of most of the series, rounded; 0 when there is none."""
+    if len(runs) < 3:
+        return 0
+    runs = sorted(runs, key=lambda run: run.setting)
+    slopes = numpy.diff(numpy.log([run.shape_error for run in runs])) / numpy.diff(
+        numpy.log([run.setting for run in runs]))
     return int(numpy.clip(numpy.round(numpy.median(slopes)), 1, 5))
 
 
-def handles_of(looks, runs, limits):
-    handles = [Line2D([], [], label=name, **look) for name, look in looks.items()]
+def notes_of(runs, limits):
+    """What the signs mean, those that occur."""
+    notes = []
     if any(not run.shape_error < limits[1] / 1.5 for run in runs):
-        handles.append(Line2D([], [], color="black", linestyle="", marker="x", markersize=5,
-                              label="beyond, or failed"))
+        notes.append(Line2D([], [], color="black", linestyle="", marker="x", markersize=5,
+                            label="beyond, or failed"))
     if any(run.marked for run in runs):
-        handles.append(Line2D([], [], color="black", linestyle="", marker="o",
-                              markerfacecolor="white", label="marked in the table"))
+        notes.append(Line2D([], [], color="black", linestyle="", marker="o",
+                            markerfacecolor="white", label="marked in the table"))
     if any(run.reference_error > 0 for run in runs):
-        handles.append(Patch(color=style.BAND, linewidth=0, label="reference's own error"))
-    handles.append(Line2D([], [], color=style.GREY, linewidth=0.7, linestyle=(0, (5, 2)),
-                          label="slope 1, 2, ..."))
-    return handles
+        notes.append(reference_note())
+    notes.append(Line2D([], [], color=style.GREY, linewidth=0.7, linestyle=style.DASHES,
+                        label="slope, as numbered"))
+    return notes
 
 
-def finish(figure, panels, across, handles):
+def reference_note():
+    return Patch(color=style.BAND, linewidth=0, label="error of the reference")
+
+
+def finish(figure, panels, across):
     for axes in panels:
         if axes.get_subplotspec().is_first_col():
             axes.set_ylabel("shape error [mm]")
@@ -149,4 +167,7 @@ def finish(figure, panels, across, handles):
     for axes in panels:
         if axes.get_subplotspec().rowspan.start == lowest:
             axes.set_xlabel(across)
-    style.legend_above_all(figure, handles)
+
+
+def handles_of(looks):
+    return [Line2D([], [], label=name, **look) for name, look in looks.items()]

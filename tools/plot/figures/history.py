@@ -15,8 +15,9 @@ def draw(result):
     edges = table["t"]
     draw_sizes(sizes, table)
     orders.stairs(table["order"][1:], edges, baseline=None, color=style.COLOURS[0])
-    orders.set_ylim(0.5, max(table["order"].max(), 2) + 0.5)
-    orders.yaxis.get_major_locator().set_params(integer=True)
+    highest = max(int(table["order"].max()), 2)
+    orders.set_ylim(0.5, highest + 0.5)
+    orders.set_yticks(range(1, highest + 1))
     iterations.stairs(table["step_newton_iterations"][1:], edges, fill=True,
                       color=style.COLOURS[4])
     iterations.set_ylim(bottom=0)
@@ -33,7 +34,9 @@ def draw(result):
 def draw_sizes(axes, table):
     """Events below, rejections on the step that followed them."""
     end, size = table["t"][1:], table["step_size"][1:]
-    axes.stairs(size, table["t"], baseline=None, color=style.COLOURS[0])
+    axes.stairs(size, table["t"], baseline=None, color=style.COLOURS[0], linewidth=0.9)
+    axes.plot(end - 0.5 * size, size, linestyle="", marker=".", markersize=2.5, clip_on=False,
+              color=style.COLOURS[0])
     axes.set_yscale("log")
     low, high = size.min(), size.max()
     axes.set_ylim(low / 2.5, high * 1.6)

@@ -7,7 +7,7 @@ from matplotlib.colors import Normalize
 from . import style
 from .complaints import Unsuitable
 
-MANY_CELLS = 4000  # from here on an SVG holds the mesh as a picture
+MANY_CELLS = 1000  # from here on an SVG holds the mesh as a picture
 
 
 def draw(result):
@@ -30,7 +30,7 @@ def draw(result):
 
 
 def add_mesh(axes, corners, **look):
-    edge = 0.25 if len(corners) <= MANY_CELLS else 0.1
+    edge = 0.25 if len(corners) <= 4 * MANY_CELLS else 0.1
     collection = PolyCollection(corners, edgecolor="black", linewidth=edge,
                                 rasterized=len(corners) > MANY_CELLS, **look)
     axes.add_collection(collection)

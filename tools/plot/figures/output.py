@@ -7,6 +7,8 @@ from pathlib import Path
 import matplotlib
 
 ID = re.compile(r'\bid="([^"]+)"')
+PATH = re.compile(r'\b[dxy]="([^"]+)"')
+DECIMALS = re.compile(r"-?\d+\.\d{3,}")
 REFERENCE = re.compile(r'((?:xlink:)?href="#|url\(#)([^")]+)')
 
 
@@ -30,7 +32,14 @@ def svg_text(figure, name):
     stream = io.StringIO()
     with matplotlib.rc_context({"svg.hashsalt": name}):
         figure.savefig(stream, format="svg", dpi=300, metadata={"Date": None, "Title": name})
-    return own_ids(stream.getvalue(), name)
+    return own_ids(shorter_paths(stream.getvalue()), name)
+
+
+def shorter_paths(text):
+    """Hundredths of a point are enough."""
+    def rounded(match):
+        return DECIMALS.sub(lambda number: f"{float(number[0]):.2f}", match[0]).replace(" \n", "\n")
+    return re.sub(r"\n +", "\n", PATH.sub(rounded, text))
 
 
 def own_ids(text, name):

@@ -14,7 +14,7 @@ def draw(result):
     if result.dim != 2:
         raise Unsuitable("the contact surface is not a curve")
     steps = result.some_steps(MOST_TIMES)
-    figure = style.figure(height=0.62 * style.SINGLE)
+    figure = style.figure()
     axes = figure.add_subplot()
     handles = [draw_initial(axes, result)]
     for step, colour in zip(steps, style.sequence(len(steps))):
@@ -23,10 +23,10 @@ def draw(result):
         axes.plot(table["X"][order], table["Y"][order], color=colour)
         handles.append(Line2D([], [], color=colour, label=f"{style.number(result.times[step])} s"))
     frame(axes, result, steps)
-    stretch = scale(axes)
-    axes.set_xlabel("$X$ [mm]")
-    note = "" if stretch == 1 else f" (drawn {stretch}×)"
-    axes.set_ylabel(f"$Y$ [mm]{note}")
+    stretch, ratio = scale(axes)
+    axes.set_xlabel("$X$ [mm]" + ("" if stretch == 1 else f"   (heights drawn {stretch}×)"))
+    axes.set_ylabel("$Y$ [mm]")
+    figure.set_figheight(ratio * 0.86 * style.SINGLE + 0.8)
     style.legend(axes, handles, columns=4)
     return figure
 
@@ -61,9 +61,10 @@ def worn_part(table):
 
 
 def scale(axes, lowest=0.28):
-    """Equal scales where that gives a picture, else the least round stretch of the height."""
+    """Equal scales where that gives a picture, else the least round stretch of the height.
+    Returns the stretch, and height by width of the panel."""
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     ratio = (high - low) / (right - left)
     stretch = next((s for s in STRETCHES if s * ratio >= lowest), STRETCHES[-1])
     axes.set_aspect(stretch)
-    return stretch
+    return stretch, stretch * ratio

@@ -25,21 +25,30 @@ def read(folder):
 
 
 def draw(spectra):
-    """One step for all times, the largest at which forward Euler is stable at all of them."""
+    """One step for all times: the largest at which forward Euler is stable at all of them."""
     step = critical_step(numpy.concatenate(list(spectra.values())))
-    figure = style.figure(height=1.12 * style.SINGLE)
-    axes = figure.add_subplot()
-    axes.axhline(0, color=style.GREY, linewidth=0.5)
-    axes.axvline(0, color=style.GREY, linewidth=0.5)
-    handles = [draw_region(axes, name, stages, style.COLOURS[i])
+    spectra = some_times(spectra)
+    figure = style.figure(height=1.2 * style.SINGLE)
+    plane, line = figure.subplots(2, 1, sharex=True, height_ratios=[3.1, 1])
+    regions = [draw_region(plane, line, name, stages, style.COLOURS[i])
                for i, (name, stages) in enumerate(METHODS.items())]
-    handles += draw_eigenvalues(axes, spectra, step)
-    axes.set_aspect("equal")
-    axes.set_xlabel("Re $h\\lambda$")
-    axes.set_ylabel("Im $h\\lambda$")
-    axes.set_title(f"$h$ = {step:.3g} s")
-    style.legend_above_all(figure, handles)
+    times = draw_eigenvalues(plane, line, spectra, step)
+    plane.axvline(0, color=style.GREY, linewidth=0.5)
+    plane.set_aspect("equal", adjustable="box")
+    plane.set_xlim(LEFT, RIGHT)
+    plane.set_ylim(-0.15, TOP)
+    plane.set_ylabel("|Im $h\\lambda$|")
+    plane.set_title(f"$h$ = {step:.3g} s: critical for forward Euler")
+    line.set_xlabel("Re $h\\lambda$")
+    style.legend_above_all(figure, regions, times)
     return figure
+
+
+def some_times(spectra):
+    times = list(spectra)
+    if len(times) > MOST_TIMES:
+        times = [times[i] for i in numpy.linspace(0, len(times) - 1, MOST_TIMES).round().astype(int)]
+    return {t: spectra[t] for t in times}
 
 
 def critical_step(eigenvalues):
@@ -58,23 +67,29 @@ def amplification(z, stages):
     return numpy.abs(total)
 
 
-def draw_region(axes, name, stages, colour):
-    x, y = numpy.meshgrid(numpy.linspace(LEFT, RIGHT, 400), numpy.linspace(-TOP, TOP, 600))
-    axes.contour(x, y, amplification(x + 1j * y, stages), levels=[1], colors=[colour],
-                 linewidths=1.0)
+def draw_region(plane, line, name, stages, colour):
+    """Its boundary |R(z)| = 1, and where that meets the real axis."""
+    x, y = numpy.meshgrid(numpy.linspace(LEFT, RIGHT, 160), numpy.linspace(-0.15, TOP, 160))
+    plane.contour(x, y, amplification(x + 1j * y, stages), levels=[1], colors=[colour],
+                  linewidths=1.0)
+    real = numpy.linspace(LEFT, -1, 4000)
+    line.axvline(real[amplification(real, stages) <= 1].min(), color=colour, linewidth=1.0,
+                 linestyle=style.DASHES if stages == 2 else "-")
     return Line2D([], [], color=colour, linewidth=1.0, label=name)
 
 
-def draw_eigenvalues(axes, spectra, step):
-    """Mostly real: later times a little higher up in the drawing order, smaller on top."""
-    times = list(spectra)
-    if len(times) > MOST_TIMES:
-        times = [times[i] for i in numpy.linspace(0, len(times) - 1, MOST_TIMES).round().astype(int)]
+def draw_eigenvalues(plane, line, spectra, step):
+    """In the plane, and their real parts once more, a row a time."""
     handles = []
-    for i, (t, colour) in enumerate(zip(times, style.sequence(len(times)))):
-        z = step * spectra[t]
-        look = {"linestyle": "", "marker": style.MARKERS[i], "markersize": 4.5 - 0.7 * i,
-                "markerfacecolor": "none", "color": colour, "markeredgewidth": 0.8}
-        axes.plot(z.real, z.imag, zorder=3, **look)
-        handles.append(Line2D([], [], label=f"$t$ = {style.number(t)} s", **look))
+    for i, ((t, values), colour) in enumerate(zip(spectra.items(), style.sequence(len(spectra)))):
+        z = step * values
+        look = {"linestyle": "", "marker": style.MARKERS[i], "markersize": 3.2,
+                "markerfacecolor": "none", "color": colour, "markeredgewidth": 0.7}
+        plane.plot(z.real, numpy.abs(z.imag), zorder=3, clip_on=True, **look)
+        line.plot(z.real, numpy.full(len(z), -i), zorder=3, **(look | {"marker": "|", "markersize": 6}))
+        handles.append(Line2D([], [], label=f"{style.number(t)} s", **look))
+    line.set_ylim(-len(spectra) + 0.4, 0.6)
+    line.set_yticks([-i for i in range(len(spectra))], [style.number(t) for t in spectra])
+    line.tick_params(axis="y", length=0)
+    line.set_ylabel("time [s]")
     return handles

@@ -9,6 +9,7 @@ DOUBLE = 175 / 25.4  # and of a page
 
 # Okabe and Ito's palette: told apart by colour-blind readers, dark to light in print.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000", "#8C6D31"]
+DASHES = (0, (5, 2))
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 GREY = "#8a8a8a"
 BAND = "#dcdcdc"
@@ -34,6 +35,8 @@ SETTINGS = {
     "ytick.direction": "in",
     "xtick.top": True,
     "ytick.right": True,
+    "xtick.minor.top": False,
+    "ytick.minor.right": False,
     "xtick.major.width": 0.6,
     "ytick.major.width": 0.6,
     "xtick.minor.width": 0.4,
@@ -82,18 +85,27 @@ def number(value):
         if 1e-3 <= abs(value) < 1e6 or value == 0 else f"{value:.3g}"
 
 
-def legend_above_all(figure, handles):
-    """One legend for all panels, in a strip of its own above them."""
+def legend_above_all(figure, *groups):
+    """Legends for all panels, a group below the other, in a strip of their own above the panels."""
     width, height = figure.get_size_inches()
-    columns = legend_columns(handles, width)
-    rows = -(-len(handles) // columns)
-    strip = 0.16 * rows + 0.06
-    figure.set_size_inches(width, height + strip)
-    figure.get_layout_engine().set(rect=(0, 0, 1, height / (height + strip)))
-    figure.legend(handles=handles, loc="upper center", ncol=columns, borderpad=0.2)
+    groups = [group for group in groups if group]
+    columns = [legend_columns(group, width) for group in groups]
+    heights = [0.155 * -(-len(group) // n) + 0.05 for group, n in zip(groups, columns)]
+    whole = height + sum(heights)
+    figure.set_size_inches(width, whole)
+    figure.get_layout_engine().set(rect=(0, 0, 1, height / whole))
+    top = whole
+    for group, n, strip in zip(groups, columns, heights):
+        figure.legend(handles=group, loc="upper center", bbox_to_anchor=(0.5, top / whole), ncol=n,
+                      borderpad=0.1)
+        top -= strip
 
 
 def legend_columns(handles, width):
-    """As many as fit, by the longest text at 7 pt and the key before it."""
-    longest = max(len(handle.get_label()) for handle in handles)
-    return int(max(1, min(len(handles), width / (0.058 * longest + 0.42))))
+    """As many as fit, by the widths of their texts at 7 pt and the keys before them."""
+    for columns in range(len(handles), 1, -1):
+        lengths = numpy.array([len(handle.get_label()) for handle in handles])
+        longest = [part.max() for part in numpy.array_split(lengths, columns)]
+        if sum(0.06 * length + 0.42 for length in longest) <= width:
+            return columns
+    return 1

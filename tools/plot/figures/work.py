@@ -1,18 +1,16 @@
 """Work and precision: error against Newton iterations, factorizations and wall time."""
 
-import math
-
 from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 from matplotlib.ticker import NullFormatter
 
 from . import style
 from .complaints import Unsuitable
-from .errors import error_limits, looks_of
+from .errors import draw_reference, error_limits, handles_of, looks_of, reference_note
 from .study import distinct
 
 COSTS = {"newton_iterations": "Newton iterations", "factorizations": "factorizations",
          "wall_seconds": "wall time [s]"}
+FIXED = (0, (1.2, 1.2))  # dashes of series with fixed steps
 
 
 def draw(runs):
@@ -28,27 +26,31 @@ def draw(runs):
         draw_panel(axes, runs, looks, cost, limits)
         axes.set_xlabel(label)
     panels[0].set_ylabel("shape error [mm]")
-    style.legend_above_all(figure, handles_of(looks, runs))
+    style.legend_above_all(figure, handles_of(looks), notes_of(runs))
     return figure
 
 
 def draw_panel(axes, runs, looks, cost, limits):
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.set_ylim(limits)
-    references = [run.reference_error for run in runs if run.reference_error > 0]
-    if references:
-        axes.axhspan(limits[0], max(references), color=style.BAND, zorder=0, linewidth=0)
+    draw_reference(axes, runs, limits)
+    both = len({run.fixed_step for run in runs}) == 2
     for name, look in looks.items():
-        members = [run for run in runs if run.method == name and getattr(run, cost) > 0]
-        members.sort(key=lambda run: run.setting)
-        inside = [min(run.shape_error, limits[1] / 1.5) for run in members]
-        axes.plot([getattr(run, cost) for run in members], inside, **look)
+        for fixed in (True, False):
+            members = [run for run in runs if run.method == name and run.fixed_step == fixed
+                       and getattr(run, cost) > 0 and run.shape_error < limits[1]]
+            members.sort(key=lambda run: run.setting)
+            axes.plot([getattr(run, cost) for run in members],
+                      [run.shape_error for run in members],
+                      linestyle=FIXED if fixed and both else "-", **look)
     axes.xaxis.set_minor_formatter(NullFormatter())
 
 
-def handles_of(looks, runs):
-    handles = [Line2D([], [], label=name, **look) for name, look in looks.items()]
-    if any(math.isfinite(run.reference_error) and run.reference_error > 0 for run in runs):
-        handles.append(Patch(color=style.BAND, linewidth=0, label="reference's own error"))
-    return handles
+def notes_of(runs):
+    both = len({run.fixed_step for run in runs}) == 2
+    notes = [Line2D([], [], color="black", linestyle=FIXED if fixed else "-",
+                    label="fixed steps" if fixed else "steps by tolerance")
+             for fixed in (True, False) if any(run.fixed_step == fixed for run in runs) and both]
+    if any(run.reference_error > 0 for run in runs):
+        notes.append(reference_note())
+    return notes
