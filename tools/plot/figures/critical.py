@@ -42,7 +42,7 @@ def draw(rows):
 
 def set_scale(axes, steps):
     """From zero, or logarithmic where that would crush the small ones."""
-    steps = [step for step in steps if step > 0]
+    steps = [step for step in steps if 0 < step < numpy.inf]
     if steps and max(steps) > 20 * min(steps):
         axes.set_yscale("log")
     else:

@@ -74,6 +74,7 @@ def error_limits(runs):
 def draw_panel(axes, runs, looks, key, limits):
     axes.set_xscale("log")
     axes.set_yscale("log")
+    axes.tick_params(which="both", top=False, right=False)
     draw_reference(axes, runs, limits)
     draw_guides(axes, runs, key)
     for name, look in looks.items():
@@ -142,11 +143,11 @@ def notes_of(runs, limits):
     if any(not run.shape_error < limits[1] / 1.5 for run in runs):
         notes.append(Line2D([], [], color="black", linestyle="", marker="x", markersize=5,
                             label="beyond, or failed"))
-    if any(run.marked for run in runs):
-        notes.append(Line2D([], [], color="black", linestyle="", marker="o",
-                            markerfacecolor="white", label="marked in the table"))
     if any(run.reference_error > 0 for run in runs):
         notes.append(reference_note())
+    if any(run.marked for run in runs):
+        notes.append(Line2D([], [], color="black", linestyle="", marker="o",
+                            markerfacecolor="white", label="less than 10× that"))
     notes.append(Line2D([], [], color=style.GREY, linewidth=0.7, linestyle=style.DASHES,
                         label="slope, as numbered"))
     return notes
@@ -170,4 +171,13 @@ def finish(figure, panels, across):
 
 
 def handles_of(looks):
-    return [Line2D([], [], label=name, **look) for name, look in looks.items()]
+    """Sweep values by one key, "body.young_modulus=20": the key is said once."""
+    key = common_key(looks)
+    heading = [Line2D([], [], linestyle="", label=key.rpartition(".")[2] + ":")] if key else []
+    return heading + [Line2D([], [], label=name.removeprefix(key + "=") if key else name, **look)
+                      for name, look in looks.items()]
+
+
+def common_key(names):
+    keys = {name.partition("=")[0] if name.count("=") == 1 else "" for name in names}
+    return keys.pop() if len(keys) == 1 else ""

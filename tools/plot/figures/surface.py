@@ -1,4 +1,5 @@
-"""Contact pressure on the surface of a body in space, at up to three stored times (fig. 8)."""
+"""Contact pressure on the surface of a body in space, at up to three stored times (fig. 8).
+Grey where there is no contact."""
 
 import numpy
 from matplotlib.collections import PolyCollection
@@ -16,13 +17,16 @@ def draw(result):
     steps = result.some_steps(3) or [0]
     faces = contact_faces(result)
     across = seen_axes(result, faces)
-    figure = style.figure(width=style.DOUBLE, height=style.DOUBLE * 0.42)
+    figure = style.figure(width=style.DOUBLE)
     panels = figure.subplots(1, len(steps), sharex=True, sharey=True, squeeze=False)[0]
     for axes, step in zip(panels, steps):
         paint(figure, axes, result.contact(step), faces, across)
         axes.set_title(f"$t$ = {style.number(result.times[step])} s")
         axes.set_xlabel(f"${NAMES[across[0]]}$ [mm]")
     panels[0].set_ylabel(f"${NAMES[across[1]]}$ [mm]")
+    (left, right), (low, high) = panels[0].get_xlim(), panels[0].get_ylim()
+    panel = (0.94 * style.DOUBLE - 0.45) / len(steps) - 0.1
+    figure.set_figheight(min(panel * (high - low) / (right - left), style.DOUBLE) + 1.3)
     return figure
 
 
@@ -48,9 +52,14 @@ def seen_axes(result, faces):
 
 def paint(figure, axes, table, faces, across):
     points = numpy.stack([table["X"], table["Y"], table["Z"]], axis=1)[:, across]
-    collection = PolyCollection(points[faces], array=table["pressure"][faces].mean(axis=1),
+    pressure = table["pressure"][faces].mean(axis=1)
+    free = PolyCollection(points[faces[pressure <= 0]], color=style.BAND, linewidth=0.1,
+                          rasterized=True)
+    collection = PolyCollection(points[faces[pressure > 0]], array=pressure[pressure > 0],
                                 cmap=style.STRESS_MAP, edgecolor="face", linewidth=0.1,
                                 rasterized=True)
+    collection.set_clim(0, max(pressure.max(), 1e-300))
+    axes.add_collection(free)
     axes.add_collection(collection)
     axes.autoscale_view()
     axes.set_aspect("equal")
