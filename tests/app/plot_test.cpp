@@ -25,9 +25,8 @@ protected:
   }
 
   void make_result(const std::string& name) const {
-    const Outcome outcome =
-        gnomon({"run", test::pin, "--set", test::coarse, "--set", "time.end=100", "--quiet", "-o",
-                name, "--integrator", "bdf"});
+    const Outcome outcome = gnomon({"run", test::pin, "--set", test::coarse, "--set",
+                                    "time.end=100", "--quiet", "-o", name, "--integrator", "bdf"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
 
@@ -78,8 +77,8 @@ TEST_F(Plot, DrawsAResult) {
 TEST_F(Plot, DrawsAStudyAndASpectrum) {
   std::string rows = study_header;
   for (const double step : {50.0, 100.0, 200.0}) {
-    rows += study_row("backward-euler", "step", step, "finished",
-                      std::to_string(1e-4 * step).c_str());
+    rows +=
+        study_row("backward-euler", "step", step, "finished", std::to_string(1e-4 * step).c_str());
     rows += study_row("forward-euler", "step", step, step > 100 ? "failed" : "finished",
                       step > 100 ? "" : std::to_string(1e-4 * step).c_str());
     rows += study_row("bdf", "rtol", 1e-5 * step, "finished", std::to_string(1e-4 * step).c_str());

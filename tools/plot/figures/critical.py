@@ -46,4 +46,4 @@ def set_scale(axes, steps):
     if steps and max(steps) > 20 * min(steps):
         axes.set_yscale("log")
     else:
-        axes.set_ylim(bottom=0)
+        axes.set_ylim(0, 1.1 * max(steps, default=1))

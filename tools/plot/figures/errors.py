@@ -13,6 +13,8 @@ from .study import distinct
 
 ROOM_ABOVE = 1e3  # times the largest error of a sound run; what exploded further sits at the edge
 
+SYMBOLS = {"body.young_modulus": "$E$ [MPa]", "mesh.elements": "mesh"}
+
 
 def draw_steps(runs):
     return draw([run for run in runs if run.fixed_step], "step [s]", "no run has a fixed step")
@@ -62,7 +64,7 @@ def panels_for(count):
 
 
 def error_limits(runs):
-    errors = [run.shape_error for run in runs if math.isfinite(run.shape_error) and run.shape_error > 0]
+    errors = [run.shape_error for run in runs if 0 < run.shape_error < math.inf]
     sound = [run.shape_error for run in runs if run.finished and run.shape_error > 0] or errors
     typical = numpy.median(sound)
     top = min(max(errors), ROOM_ABOVE * typical)
@@ -121,9 +123,10 @@ def draw_guides(axes, runs, key):
 
 def draw_guide(axes, settings, order, factor):
     x = numpy.array([settings[0], settings[-1]])
-    axes.plot(x, factor * x**order, color=style.GREY, linewidth=0.7, linestyle=style.DASHES, zorder=1)
-    text = axes.annotate(str(order), (x[1], factor * x[1]**order), (3, 0), textcoords="offset points",
-                  va="center", fontsize=7, color="#555555", annotation_clip=True)
+    y = factor * x**order
+    axes.plot(x, y, color=style.GREY, linewidth=0.7, linestyle=style.DASHES, zorder=1)
+    text = axes.annotate(str(order), (x[1], y[1]), (3, 0), textcoords="offset points", va="center",
+                         fontsize=7, color="#555555", annotation_clip=True)
     text.set_in_layout(False)
 
 
@@ -171,11 +174,12 @@ def finish(figure, panels, across):
 
 
 def handles_of(looks):
-    """Sweep values by one key, "body.young_modulus=20": the key is said once."""
+    """Sweep values by one key, "body.young_modulus=20": the first one says the key."""
     key = common_key(looks)
-    heading = [Line2D([], [], linestyle="", label=key.rpartition(".")[2] + ":")] if key else []
-    return heading + [Line2D([], [], label=name.removeprefix(key + "=") if key else name, **look)
-                      for name, look in looks.items()]
+    names = [name.removeprefix(key + "=") if key else name for name in looks]
+    if key:
+        names[0] = SYMBOLS.get(key, key.rpartition(".")[2]) + ": " + names[0]
+    return [Line2D([], [], label=name, **look) for name, look in zip(names, looks.values())]
 
 
 def common_key(names):

@@ -37,9 +37,11 @@ def draw_sizes(axes, table):
     axes.stairs(size, table["t"], baseline=None, color=style.COLOURS[0], linewidth=0.9)
     axes.plot(end - 0.5 * size, size, linestyle="", marker=".", markersize=2.5, clip_on=False,
               color=style.COLOURS[0])
-    axes.set_yscale("log")
-    low, high = size.min(), size.max()
-    axes.set_ylim(low / 2.5, high * 1.6)
+    if size.max() > 20 * size.min() > 0:
+        axes.set_yscale("log")
+        axes.set_ylim(size.min() / 2.5, size.max() * 1.6)
+    else:
+        axes.set_ylim(0, size.max() * 1.15)
     rejected = numpy.diff(table["rejected_steps"])
     tried = rejected > 0
     if tried.any():
@@ -48,7 +50,8 @@ def draw_sizes(axes, table):
                   label=f"after rejected attempts ({rejected.sum()})")
     located = table["switched"][1:] > 0
     if located.any():
-        axes.plot(end[located], numpy.full(located.sum(), low / 1.7), linestyle="", marker="|",
+        axes.plot(end[located], numpy.full(located.sum(), 0.06), linestyle="", marker="|",
                   color="black", markersize=5, markeredgewidth=0.7,
+                  transform=axes.get_xaxis_transform(),
                   label=f"located events ({located.sum()})")
     style.legend(axes, columns=2)

@@ -15,17 +15,18 @@ def draw(result):
         raise Unsuitable("a mesh in space; ParaView shows it")
     steps = [0, *result.some_steps(1)]
     stresses = [result.field(step, "equivalent_stress") for step in steps]
-    norm = Normalize(0, max(stress.max() for stress in stresses))
     figure = style.figure(height=panel_height(result, len(steps)))
     panels = figure.subplots(2, len(steps), sharex=True, sharey=True, squeeze=False)
     for column, (step, stress) in enumerate(zip(steps, stresses)):
         worn = result.points[:, :2] + result.field(step, "shape")[:, :2]
         deformed = worn + result.field(step, "displacement")[:, :2]
         add_mesh(panels[0, column], worn[result.cells], facecolor="white")
-        painted = add_mesh(panels[1, column], deformed[result.cells], array=stress, norm=norm,
-                           cmap=style.STRESS_MAP)
+        painted = add_mesh(panels[1, column], deformed[result.cells], array=stress,
+                           norm=Normalize(0, stress.max()), cmap=style.STRESS_MAP)
+        figure.colorbar(painted, ax=panels[:, column], orientation="horizontal", aspect=18,
+                        label="equivalent stress [MPa]")
         panels[0, column].set_title(f"$t$ = {style.number(result.times[step])} s")
-    finish(figure, panels, painted)
+    finish(panels)
     return figure
 
 
@@ -39,13 +40,11 @@ def add_mesh(axes, corners, **look):
     return collection
 
 
-def finish(figure, panels, painted):
+def finish(panels):
     for axes in panels[-1]:
         axes.set_xlabel("[mm]")
     for axes, what in zip(panels[:, 0], ("undeformed", "deformed")):
         axes.set_ylabel(f"{what}  [mm]")
-    figure.colorbar(painted, ax=panels, orientation="horizontal", aspect=40, shrink=0.9,
-                    label="equivalent stress [MPa]")
 
 
 def panel_height(result, columns):

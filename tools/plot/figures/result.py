@@ -89,7 +89,7 @@ class Result:
         return self.file[f"mesh/{name}"][:]
 
     def some_steps(self, most):
-        """Stored steps after the start: at most `most`, evenly spread in time, the last included."""
+        """Stored steps after the start: at most `most`, spread evenly in time, with the last."""
         after = numpy.flatnonzero(self.times > self.times[0]) if len(self.times) else []
         if len(after) <= most:
             return list(after)

@@ -26,7 +26,7 @@ def draw(result):
     stretch, ratio = scale(axes)
     axes.set_xlabel("$X$ [mm]" + ("" if stretch == 1 else f"   (heights drawn {stretch}×)"))
     axes.set_ylabel("$Y$ [mm]")
-    figure.set_figheight(ratio * 0.86 * style.SINGLE + 0.8)
+    figure.set_figheight(ratio * 0.86 * style.SINGLE + 0.52 + 0.15 * -(-len(handles) // 4))
     style.legend(axes, handles, columns=4)
     return figure
 
@@ -60,7 +60,7 @@ def worn_part(table):
     return worn if worn.sum() > 1 else numpy.ones(len(depth), bool)
 
 
-def scale(axes, lowest=0.28):
+def scale(axes, lowest=0.22):
     """Equal scales where that gives a picture, else the least round stretch of the height.
     Returns the stretch, and height by width of the panel."""
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()

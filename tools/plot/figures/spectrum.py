@@ -47,7 +47,8 @@ def draw(spectra):
 def some_times(spectra):
     times = list(spectra)
     if len(times) > MOST_TIMES:
-        times = [times[i] for i in numpy.linspace(0, len(times) - 1, MOST_TIMES).round().astype(int)]
+        chosen = numpy.linspace(0, len(times) - 1, MOST_TIMES).round().astype(int)
+        times = [times[i] for i in chosen]
     return {t: spectra[t] for t in times}
 
 
@@ -86,7 +87,8 @@ def draw_eigenvalues(plane, line, spectra, step):
         look = {"linestyle": "", "marker": style.MARKERS[i], "markersize": 3.2,
                 "markerfacecolor": "none", "color": colour, "markeredgewidth": 0.7}
         plane.plot(z.real, numpy.abs(z.imag), zorder=3, clip_on=True, **look)
-        line.plot(z.real, numpy.full(len(z), -i), zorder=3, **(look | {"marker": "|", "markersize": 6}))
+        line.plot(z.real, numpy.full(len(z), -i), zorder=3,
+                  **(look | {"marker": "|", "markersize": 6}))
         handles.append(Line2D([], [], label=f"{style.number(t)} s", **look))
     line.set_ylim(-len(spectra) + 0.4, 0.6)
     line.set_yticks([-i for i in range(len(spectra))], [style.number(t) for t in spectra])

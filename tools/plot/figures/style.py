@@ -106,6 +106,6 @@ def legend_columns(handles, width):
     for columns in range(len(handles), 1, -1):
         lengths = numpy.array([len(handle.get_label()) for handle in handles])
         longest = [part.max() for part in numpy.array_split(lengths, columns)]
-        if sum(0.06 * length + 0.42 for length in longest) <= width:
+        if sum(0.06 * length + 0.36 for length in longest) <= width:
             return columns
     return 1
