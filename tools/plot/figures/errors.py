@@ -5,7 +5,6 @@ import math
 import numpy
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from matplotlib.ticker import LogLocator, NullFormatter
 
 from . import style
 from .complaints import Unsuitable
@@ -27,8 +26,8 @@ def draw_tolerances(runs):
 
 def draw(runs, across, otherwise):
     """Several sweep values: a panel a method, a colour a value. One value: a colour a method."""
-    if not any(math.isfinite(run.shape_error) for run in runs):
-        raise Unsuitable(otherwise)
+    if not any(0 < run.shape_error < math.inf for run in runs):
+        raise Unsuitable("no run has an error" if runs else otherwise)
     swept = len(distinct(run.sweep for run in runs)) > 1
     titles = distinct(run.method for run in runs) if swept else [""]
     names = distinct(run.sweep if swept else run.method for run in runs)
@@ -53,7 +52,7 @@ def looks_of(names, ordered):
 
 def panels_for(count):
     """Two or fewer stand in one column, more fill the page's width."""
-    columns = 1 if count <= 2 else 3
+    columns = 1 if count <= 2 else 2 if count == 4 else 3
     rows = math.ceil(count / columns)
     width = style.SINGLE if columns == 1 else style.DOUBLE
     figure = style.figure(width, rows * 0.68 * width / (columns * 0.92) + 0.3)
@@ -149,10 +148,13 @@ def notes_of(runs, limits):
     if any(run.reference_error > 0 for run in runs):
         notes.append(reference_note())
     if any(run.marked for run in runs):
+        known = any(run.reference_error > 0 for run in runs)
         notes.append(Line2D([], [], color="black", linestyle="", marker="o",
-                            markerfacecolor="white", label="less than 10× that"))
-    notes.append(Line2D([], [], color=style.GREY, linewidth=0.7, linestyle=style.DASHES,
-                        label="slope, as numbered"))
+                            markerfacecolor="white",
+                            label="less than 10× that" if known else "by an unsure reference"))
+    if len(runs) > 2:
+        notes.append(Line2D([], [], color=style.GREY, linewidth=0.7, linestyle=style.DASHES,
+                            label="slope, as numbered"))
     return notes
 
 
@@ -164,13 +166,12 @@ def finish(figure, panels, across):
     for axes in panels:
         if axes.get_subplotspec().is_first_col():
             axes.set_ylabel("shape error [mm]")
-        axes.xaxis.set_minor_formatter(NullFormatter())
-        axes.yaxis.set_major_locator(LogLocator(numticks=8))
-        axes.yaxis.set_minor_formatter(NullFormatter())
-    lowest = max(axes.get_subplotspec().rowspan.start for axes in panels)
-    for axes in panels:
-        if axes.get_subplotspec().rowspan.start == lowest:
-            axes.set_xlabel(across)
+        style.log_ticks(axes.xaxis)
+        style.log_ticks(axes.yaxis)
+    columns = panels[0].get_subplotspec().get_gridspec().ncols
+    for axes in panels[-columns:]:  # the lowest of each column, whether or not its row is full
+        axes.set_xlabel(across)
+        axes.tick_params(labelbottom=True)
 
 
 def handles_of(looks):

@@ -3,6 +3,7 @@
 import matplotlib
 import numpy
 from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 SINGLE = 85 / 25.4  # inch: width of a column
 DOUBLE = 175 / 25.4  # and of a page
@@ -109,3 +110,14 @@ def legend_columns(handles, width):
         if sum(0.06 * length + 0.36 for length in longest) <= width:
             return columns
     return 1
+
+
+def log_ticks(axis):
+    """Powers of ten; over less than two decades also 2 and 5, as plain numbers where they are."""
+    low, high = axis.get_view_interval()
+    axis.set_minor_formatter(NullFormatter())
+    if high < 100 * low:
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axis.set_major_formatter(FuncFormatter(lambda value, _: number(value)))
+    else:
+        axis.set_major_locator(LogLocator(numticks=12))

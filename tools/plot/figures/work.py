@@ -2,7 +2,6 @@
 
 import numpy
 from matplotlib.lines import Line2D
-from matplotlib.ticker import NullFormatter
 
 from . import style
 from .complaints import Unsuitable
@@ -54,7 +53,8 @@ def draw_panel(axes, runs, looks, cost, limits):
             axes.plot([getattr(run, cost) for run in members],
                       [run.shape_error for run in members],
                       linestyle=FIXED if fixed and both else "-", **look)
-    axes.xaxis.set_minor_formatter(NullFormatter())
+    style.log_ticks(axes.xaxis)
+    style.log_ticks(axes.yaxis)
 
 
 def notes_of(runs, left_out):
@@ -65,5 +65,5 @@ def notes_of(runs, left_out):
     if any(run.reference_error > 0 for run in runs):
         notes.append(reference_note())
     if left_out:
-        notes.append(Line2D([], [], linestyle="", label=f"{left_out} failed or exploded not drawn"))
+        notes.append(Line2D([], [], linestyle="", label=f"{left_out} failed or far off: not drawn"))
     return notes
