@@ -100,8 +100,9 @@ def draw_series(axes, runs, look, limits):
     marked = numpy.array([run.marked for run in runs], bool) & ~lost
     y = numpy.where(lost, edge, errors)
     axes.plot(x, y, **(look | {"marker": ""}))
-    for chosen, sign in ((~lost & ~marked, {}), (marked, {"markerfacecolor": "white"}),
-                         (lost, {"marker": "x", "markersize": 5})):
+    hollow = {"markerfacecolor": "white", "markeredgewidth": 0.7}
+    cross = {"marker": "x", "markersize": 5}
+    for chosen, sign in ((~lost & ~marked, {}), (marked, hollow), (lost, cross)):
         if chosen.any():
             axes.plot(x[chosen], y[chosen], **(look | {"linestyle": ""} | sign))
 

@@ -11,7 +11,7 @@ DOUBLE = 175 / 25.4  # and of a page
 # Okabe and Ito's palette: told apart by colour-blind readers, dark to light in print.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000", "#8C6D31"]
 DASHES = (0, (5, 2))
-MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
+MARKERS = ["o", "s", "^", "D", "v", "p", ">", "<"]
 GREY = "#8a8a8a"
 BAND = "#dcdcdc"
 STRESS_MAP = "viridis"
