@@ -27,6 +27,7 @@ private:
   void add_check();
   void add_inspection();
   void add_compare();
+  void add_plot();
   void add_help();
   int help() const;
   std::vector<std::string> command_names() const;
@@ -42,6 +43,7 @@ private:
   std::optional<double> time_;
   std::vector<std::filesystem::path> results_;
   std::filesystem::path reference_;
+  std::filesystem::path figures_;
   std::optional<std::string> topic_;
   std::optional<std::string> problem_;
 };
