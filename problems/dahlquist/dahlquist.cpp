@@ -1,23 +1,23 @@
-// dahlquist: the test equation of stability theory (G. Dahlquist, BIT 3 (1963) 27-43), with the forcing
-// of A. Prothero and A. Robinson (Math. Comp. 28 (1974) 145-162), written as an index-1 DAE and made
-// non-linear by a change of variables, so that its exact solution is known at every order and stiffness.
+// dahlquist: the test equation of stability theory (G. Dahlquist, BIT 3 (1963) 27-43), with the
+// forcing of A. Prothero and A. Robinson (Math. Comp. 28 (1974) 145-162), written as an index-1 DAE
+// and made non-linear by a change of variables, so that its exact solution is known at every order
+// and stiffness.
 //
-// Let the complex z obey zdot = r(t, z) = lambda (z - phi(t)) + phidot(t), phi = forcing exp(i omega t),
-// z(0) = 1. Then
+// Let the complex z obey zdot = r(t, z) = lambda (z - phi(t)) + phidot(t), z(0) = 1, with
+// phi(t) = forcing exp(i omega t). Then
 //
 //   z(t) = phi(t) + (1 - phi(0)) exp(lambda t).                                              exact
 //
-// The differential unknown is y = z + c |z|^2 z, and z is an algebraic one. With z as a real pair and
-// M(z) = dy/dz = (1 + c z.z) I + 2 c z z^T the rows are
+// The differential unknown is y = z + c |z|^2 z, and z is an algebraic one. With z as a real pair
+// and M(z) = dy/dz = (1 + c z.z) I + 2 c z z^T the rows are
 //
 //   y:  ydot - M(z) r(t, z) = 0,      z:  z + c |z|^2 z - y = 0.
 //
-// forcing = 0 and c = 0 is Dahlquist's equation; forcing = 1 has the smooth solution z = phi whatever
-// lambda is, with the phenomena of stiffness (order reduction). Nothing ever switches.
+// forcing = 0 and c = 0 is Dahlquist's equation; forcing = 1 has the smooth solution z = phi
+// whatever lambda is, with the phenomena of stiffness (order reduction). Nothing ever switches.
 
 #include <cmath>
 #include <complex>
-
 #include <gnomon/error.hpp>
 #include <gnomon/integration/stepper.hpp>
 #include <gnomon/problem.hpp>
@@ -31,7 +31,9 @@ using Complex = std::complex<double>;
 using Pair = Vector<2>;
 using Block = Tensor<2>;
 
-Pair pair(const Complex& value) { return {value.real(), value.imag()}; }
+Pair pair(const Complex& value) {
+  return {value.real(), value.imag()};
+}
 
 struct Equation {
   Complex lambda;
@@ -51,7 +53,8 @@ struct Equation {
   }
   /// Derivative of M(z) r by z, r held.
   Block curvature(const Pair& z, const Pair& r) const {
-    return 2 * nonlinearity * (r * z.transpose() + z.dot(r) * Block::Identity() + z * r.transpose());
+    return 2 * nonlinearity *
+           (r * z.transpose() + z.dot(r) * Block::Identity() + z * r.transpose());
   }
   Pair exact(double t) const { return pair(phi(t) + (1.0 - phi(0)) * std::exp(lambda * t)); }
   double fastest() const { return std::abs(lambda) + std::abs(omega); }

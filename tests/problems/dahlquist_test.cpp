@@ -1,6 +1,5 @@
 #include <cmath>
 #include <complex>
-
 #include <gnomon/integration/stage_solver.hpp>
 
 #include "problem_run.hpp"
@@ -43,8 +42,7 @@ TEST(Dahlquist, TheExactSolutionSatisfiesTheEquations) {
       if (t == 0) continue;
       const double h = 1e-5;
       const State up = model->exact(t + h).value(), down = model->exact(t - h).value();
-      for (int i = 0; i < 2; ++i)
-        EXPECT_NEAR((up.y[i] - down.y[i]) / (2 * h), exact.ydot[i], 1e-7);
+      for (int i = 0; i < 2; ++i) EXPECT_NEAR((up.y[i] - down.y[i]) / (2 * h), exact.ydot[i], 1e-7);
     }
     const State start = model->start(counters), exact = model->exact(0).value();
     for (int i = 0; i < 2; ++i) {

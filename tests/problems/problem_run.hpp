@@ -5,12 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <gnomon/integrator.hpp>
+#include <gnomon/problem.hpp>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <gnomon/integrator.hpp>
-#include <gnomon/problem.hpp>
 
 namespace gnomon::testing {
 
@@ -18,8 +17,8 @@ using Overrides = std::vector<std::string>;
 
 /// `scene` below problems/, for example "winkler/pin.toml".
 inline std::unique_ptr<Model> model_of(const std::string& scene, const Overrides& overrides = {}) {
-  const Scene loaded = load_scene(std::string(GNOMON_SOURCE_DIR "/problems/") + scene, overrides,
-                                  key_table);
+  const Scene loaded =
+      load_scene(std::string(GNOMON_SOURCE_DIR "/problems/") + scene, overrides, key_table);
   return Problems::find(loaded.text("problem"), "problem").make(loaded);
 }
 
@@ -75,8 +74,8 @@ inline Eigen::MatrixXd dense(const SparsePattern& pattern, const std::vector<dou
   return J;
 }
 
-/// J = dF/dy + alpha dF/dydot against central differences of F(y + e, ydot + alpha e), with steps of
-/// `relative` times the typical size of each unknown. Refuses rows that are zero.
+/// J = dF/dy + alpha dF/dydot against central differences of F(y + e, ydot + alpha e), with steps
+/// of `relative` times the typical size of each unknown. Refuses rows that are zero.
 inline void check_jacobian(const System& system, double t, const std::vector<double>& y,
                            double alpha, const ActiveSet* piece = nullptr, double relative = 1e-5) {
   const Structure& structure = system.structure();
