@@ -37,7 +37,7 @@ struct ModelRun {
 
 /// `step` 0: steps follow the error. `tolerance` is rtol; atol = tolerance * differential_scale().
 inline ModelRun run_model(const Model& model, const std::string& integrator, double step,
-                          double tolerance, double end) {
+                          double tolerance, double end, bool locate_events = false) {
   ModelRun run;
   run.states.push_back(model.start(run.counters));
   IntegratorSettings settings;
@@ -46,6 +46,7 @@ inline ModelRun run_model(const Model& model, const std::string& integrator, dou
   settings.scale = model.differential_scale();
   settings.atol = tolerance * settings.scale;
   settings.end = end;
+  settings.locate_events = locate_events;
   const auto stepper =
       Integrators::find(integrator, "integrator").make(model, settings, run.counters);
   while (run.last().t < end) {

@@ -138,6 +138,23 @@ TEST(Winkler, TightRunsOfTwoMethodsAgree) {
   EXPECT_GT(error_of(*model, a), difference);  // what is left is the discretization
 }
 
+// The piece is smooth: a method that ends its steps on the events keeps its order across them.
+TEST(Winkler, LocatedEventsKeepTheOrder) {
+  const auto model = winkler(27);
+  const State exact = run_model(*model, "esdirk-5", 1.25, 0, 200, true).last();
+  const auto error = [&](double step, bool locate) {
+    const State state = run_model(*model, "esdirk-4", step, 0, 200, locate).last();
+    double worst = 0;
+    for (int i = 0; i < 27; ++i) worst = std::max(worst, std::abs(state.y[2 * i] - exact.y[2 * i]));
+    return worst;
+  };
+  for (double step : {20.0, 10.0, 5.0})
+    std::printf("step %g: ignored %.2e, located %.2e\n", step, error(step, false),
+                error(step, true));
+  EXPECT_NEAR(std::log2(error(20, true) / error(5, true)) / 2, 4, 0.7);
+  EXPECT_LT(error(5, true), 0.1 * error(5, false));
+}
+
 // The arrow: delta last, no fill beyond its row and column.
 TEST(Winkler, ThousandsOfPointsFactorWithoutFill) {
   const int n = 4001;
