@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <gnomon/run.hpp>
 
-#include "problem_run.hpp"
+#include "support/problem_run.hpp"
 
 namespace gnomon {
 namespace {
