@@ -23,7 +23,7 @@ td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; }
 td.wrap { white-space: normal; min-width: 16rem; }
 tbody tr:hover { background: #f3f7fb; }
 .unit { font-weight: 400; color: #555; }
-td.marked { color: #7a4a00; background: #fff3d6; }
+td.marked, dt.marked { color: #7a4a00; background: #fff3d6; }
 tr.failed td { color: #8a1020; background: #fdeeee; }
 figure { margin: 1rem 0; } figure svg { max-width: 100%; height: auto; }
 .note { padding: .6rem .9rem; background: #f2f2f2; max-width: 52rem; }

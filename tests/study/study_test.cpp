@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <gnomon/study.hpp>
 #include <gnomon/surface_error.hpp>
 #include <thread>
 
@@ -80,6 +81,25 @@ TEST_F(StudyRuns, MarksErrorsThatTheReferenceCannotResolve) {
   EXPECT_EQ(row.at("marked"), "1");
   EXPECT_EQ(row.at("sweep"), "");
   EXPECT_THAT(test::read_text(folder() / "out/index.html"), HasSubstr("class=\"n marked\""));
+}
+
+TEST_F(StudyRuns, AClosedFormIsTheReferenceWhereThereIsOne) {
+  write("study.toml", head() + method("backward-euler", "steps = [50, 25]") + loose);
+  ASSERT_EQ(study({"--quiet"}).exit_code, 0);
+  Study study = load_study(folder() / "study.toml");
+  SweepPoint& sweep = study.sweep.front();
+  for (const double t : sweep.times)
+    sweep.exact.push_back(surface("backward-euler__step-25", t));
+  sweep.references.clear();
+  const StudyTable table = measure(study, folder() / "out");
+  EXPECT_EQ(table.references.front().text, "closed form");
+  EXPECT_EQ(table.references.front().error, 0.0);
+  const StudyRow& row = table.rows.front();
+  EXPECT_DOUBLE_EQ(row.shape_error.value(), shape_error(surface("backward-euler__step-50"),
+                                                        surface("backward-euler__step-25")));
+  EXPECT_FALSE(row.pressure_error);  // a closed form has no pressures
+  EXPECT_FALSE(row.marked_shape || row.marked_max || row.marked_pressure);
+  EXPECT_EQ(table.rows.back().shape_error, 0.0);
 }
 
 TEST_F(StudyRuns, FailuresStayInTheTableWithTheirReason) {
