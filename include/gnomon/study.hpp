@@ -29,10 +29,10 @@ struct StudyRun {
 
 /// One combination of the swept values.
 struct SweepPoint {
-  std::string label;                      ///< "body.young_modulus=20"; empty without a sweep
-  std::vector<double> times;              ///< at which errors are measured; the last: time.end
-  std::vector<ContactSurface> exact;      ///< in closed form at these times, if there is one
-  std::vector<std::size_t> references;    ///< runs; empty with a closed form
+  std::string label;                    ///< "body.young_modulus=20"; empty without a sweep
+  std::vector<double> times;            ///< at which errors are measured; the last: time.end
+  std::vector<ContactSurface> exact;    ///< in closed form at these times, if there is one
+  std::vector<std::size_t> references;  ///< runs; empty with a closed form
   std::optional<std::size_t> self_reference;
 };
 
@@ -50,7 +50,7 @@ struct Study {
   std::string title;  ///< its first comment
   std::filesystem::path file;
   std::filesystem::path scene;
-  std::string text;   ///< of the file
+  std::string text;            ///< of the file
   std::string self_reference;  ///< "backward-euler step 0.78125"; empty when none is asked for
   std::vector<SweepPoint> sweep;
   std::vector<StudyPoint> points;
@@ -72,12 +72,12 @@ struct StudyOptions {
 };
 
 struct StudyProgress {
-  std::size_t total = 0;    ///< runs
-  std::size_t kept = 0;     ///< done before
-  std::size_t done = 0;     ///< kept ones included
-  std::size_t failed = 0;   ///< of the done ones
-  std::string ended;        ///< name of the run that ended just now, if one did
-  std::string reason;       ///< why it failed, if it did
+  std::size_t total = 0;   ///< runs
+  std::size_t kept = 0;    ///< done before
+  std::size_t done = 0;    ///< kept ones included
+  std::size_t failed = 0;  ///< of the done ones
+  std::string ended;       ///< name of the run that ended just now, if one did
+  std::string reason;      ///< why it failed, if it did
 };
 
 struct StudyHooks {
@@ -95,13 +95,13 @@ StudyProgress run_study(const Study& study, const StudyOptions& options, const S
 struct StudyRow {
   StudyPoint point;
   std::string sweep;
-  std::string status;  ///< "finished", "failed"
-  std::string reason;  ///< of a failure
+  std::string status;                      ///< "finished", "failed"
+  std::string reason;                      ///< of a failure
   std::optional<double> shape_error;       ///< at the end [length]
   std::optional<double> shape_error_max;   ///< largest at the measured times [length]
   std::optional<double> shape_error_self;  ///< at the end, against the self-reference [length]
   std::optional<double> pressure_error;    ///< at the end, largest of a node [stress]
-  bool marked_shape = false;     ///< below ten times the reference's own error, or that is unknown
+  bool marked_shape = false;  ///< below ten times the reference's own error, or that is unknown
   bool marked_max = false;
   bool marked_pressure = false;
   std::optional<Counters> counters;

@@ -89,8 +89,7 @@ int study_command(const StudyCommandOptions& given) {
   write_text(options.folder / "study.csv", study_csv(study, table));
   write_study_hdf5(options.folder / "study.h5", study, table);
   const StudyFigures figures = study_figures(options.folder);
-  write_text(options.folder / "index.html",
-             study_page(study, table, figures.svgs, figures.note));
+  write_text(options.folder / "index.html", study_page(study, table, figures.svgs, figures.note));
   if (!given.quiet) {
     print_table(study, table);
     fmt::print("{}{}results: {} (index.html, study.csv, study.h5, runs)\n", figures.note,

@@ -59,8 +59,9 @@ StudyFigures study_figures(const fs::path& folder) {
   if (!fs::exists(script, error))
     return {{}, "No figures: this build has no plotting script (tools/plot/gnomon_plot.py)."};
   if (python({"-c", "import matplotlib"}, "/dev/null") != 0)
-    return {{}, "No figures: they need Python with Matplotlib (Debian: python3-matplotlib). "
-                "Install it and give the command again with --resume."};
+    return {{},
+            "No figures: they need Python with Matplotlib (Debian: python3-matplotlib). "
+            "Install it and give the command again with --resume."};
   fs::remove_all(figures, error);  // an earlier page's
   const fs::path log = folder / "figures.log";
   if (python({script.string(), "study", folder.string(), "--svg-out", figures.string()},

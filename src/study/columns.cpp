@@ -21,15 +21,14 @@ Column text(const std::string& name, std::function<std::string(const StudyRow&)>
 }
 
 Column real(const std::string& name, const std::string& unit,
-            std::optional<double> StudyRow::* member) {
+            std::optional<double> StudyRow::*member) {
   return {name, unit, Kind::real, [member](const Study&, const StudyTable&, const StudyRow& row) {
             return maybe(row.*member);
           }};
 }
 
-Column count(const std::string& name, long Counters::* member) {
-  return {name, "", Kind::integer,
-          [member](const Study&, const StudyTable&, const StudyRow& row) {
+Column count(const std::string& name, long Counters::*member) {
+  return {name, "", Kind::integer, [member](const Study&, const StudyTable&, const StudyRow& row) {
             return row.counters ? CellValue(std::int64_t{(*row.counters).*member}) : CellValue();
           }};
 }
@@ -43,7 +42,9 @@ std::vector<Column> setting_columns() {
       text("integrator", [](const StudyRow& row) { return row.point.integrator; }),
       text("setting_kind", [](const StudyRow& row) { return kind_name(row.point.setting.kind); }),
       {"setting", "s for step", Kind::real,
-       [](const Study&, const StudyTable&, const StudyRow& row) { return row.point.setting.value; }},
+       [](const Study&, const StudyTable&, const StudyRow& row) {
+         return row.point.setting.value;
+       }},
       text("status", [](const StudyRow& row) { return row.status; }),
       text("reason", [](const StudyRow& row) { return row.reason; }),
   };

@@ -106,10 +106,10 @@ private:
       declaration_.references.push_back(reference(table));
     else {
       const std::string near = nearest_name(table.name, {"sweep", "method", "reference"});
-      throw InputError(fmt::format(
-          "{}: unknown table, {}", message_about(declaration_.file, table.line, table.name),
-          near.empty() ? "expected [[sweep]], [[method]] or [[reference]]"
-                       : fmt::format("did you mean [[{}]]?", near)));
+      throw InputError(fmt::format("{}: unknown table, {}",
+                                   message_about(declaration_.file, table.line, table.name),
+                                   near.empty() ? "expected [[sweep]], [[method]] or [[reference]]"
+                                                : fmt::format("did you mean [[{}]]?", near)));
     }
   }
 
@@ -121,8 +121,8 @@ private:
     sweep.origin = keyed.where("key");
     for (const Sweep& earlier : declaration_.sweeps)
       if (earlier.key == sweep.key)
-        throw InputError(fmt::format("{}: `{}` is swept twice, expected once", sweep.origin,
-                                     sweep.key));
+        throw InputError(
+            fmt::format("{}: `{}` is swept twice, expected once", sweep.origin, sweep.key));
     for (const Key& key : scene_keys_)
       if (key.name == sweep.key) sweep_values(sweep, keyed);
     // Throws: the name is unknown.
@@ -133,8 +133,7 @@ private:
 
   void sweep_values(Sweep& sweep, const KeyedTable& keyed) const {
     for (const RawValue& value : keyed.open_values()) {
-      sweep.values.push_back(
-          scene_setting(sweep.key, value, keyed.where("values"), scene_keys_));
+      sweep.values.push_back(scene_setting(sweep.key, value, keyed.where("values"), scene_keys_));
       sweep.labels.push_back(sweep.key + "=" + label_text(value));
     }
   }
@@ -200,8 +199,11 @@ private:
     if (references.empty()) {
       const std::string origin = declaration_.file + ": default reference";
       // On the pin, the first is good to 1e-10 mm and the second to 1e-9 mm.
-      references = {{"esdirk-5", "esdirk-5", {{Kind::tolerance, 1e-8}},
-                     {{"integrator.events", "\"locate\"", origin}}, origin},
+      references = {{"esdirk-5",
+                     "esdirk-5",
+                     {{Kind::tolerance, 1e-8}},
+                     {{"integrator.events", "\"locate\"", origin}},
+                     origin},
                     {"bdf", "bdf", {{Kind::tolerance, 1e-9}}, {}, origin}};
     }
     const auto family = [](const Method& method) {
@@ -226,9 +228,8 @@ private:
     if (step == rtol)
       throw InputError(top.where("self_reference.method") +
                        ": expected one of self_reference.step and .tolerance beside it");
-    SelfReference self{method_called(top.text("self_reference.method"),
-                                     top.where("self_reference.method")),
-                       {}};
+    SelfReference self{
+        method_called(top.text("self_reference.method"), top.where("self_reference.method")), {}};
     self.setting = step ? StudySetting{Kind::step, top.real("self_reference.step")}
                         : StudySetting{Kind::tolerance, top.real("self_reference.tolerance")};
     const Method& method = declaration_.methods[self.method];
@@ -244,9 +245,8 @@ private:
     const auto found = std::find(names.begin(), names.end(), name);
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
     const std::string near = nearest_name(name, names);
-    throw InputError(fmt::format(
-        "{}: expected a method of the study, got \"{}\"{}", origin, name,
-        near.empty() ? "" : fmt::format(", did you mean \"{}\"?", near)));
+    throw InputError(fmt::format("{}: expected a method of the study, got \"{}\"{}", origin, name,
+                                 near.empty() ? "" : fmt::format(", did you mean \"{}\"?", near)));
   }
 
   /// A swept key must not be set elsewhere: one of the two would be ignored.
@@ -255,8 +255,8 @@ private:
       for (const SceneSetting& setting : settings)
         for (const Sweep& sweep : declaration_.sweeps)
           if (sweep.key == setting.key)
-            throw InputError(fmt::format("{}: expected it to be set or swept, not both",
-                                         setting.origin));
+            throw InputError(
+                fmt::format("{}: expected it to be set or swept, not both", setting.origin));
     };
     check(declaration_.common);
     for (const auto* methods : {&declaration_.methods, &declaration_.references})

@@ -70,7 +70,8 @@ std::vector<Key> sweep_keys() {
 }
 
 std::vector<Key> method_keys() {
-  return {name_key(), integrator_key(),
+  return {name_key(),
+          integrator_key(),
           {.name = "steps",
            .kind = KeyKind::reals,
            .unit = "s",
@@ -87,7 +88,8 @@ std::vector<Key> method_keys() {
 }
 
 std::vector<Key> reference_keys() {
-  return {name_key(), integrator_key(),
+  return {name_key(),
+          integrator_key(),
           {.name = "tolerance",
            .presence = required,
            .range = tolerance,

@@ -63,8 +63,7 @@ private:
     } catch (const InputError& error) {
       const std::string& label = study_.sweep.back().label;
       throw InputError(fmt::format("{}: {}{}{}: {}", declaration_.file, label,
-                                   label.empty() || what.empty() ? "" : ", ", what,
-                                   error.what()));
+                                   label.empty() || what.empty() ? "" : ", ", what, error.what()));
     }
   }
 
@@ -175,8 +174,7 @@ private:
     overrides[fixed ? "integrator.step" : "integrator.rtol"] = number_text(setting.value);
     overrides["output.every"] = "0";
     overrides["output.last"] = "true";
-    overrides["output.times"] =
-        fmt::format("[{}]", fmt::join(study_.sweep.back().times, ", "));
+    overrides["output.times"] = fmt::format("[{}]", fmt::join(study_.sweep.back().times, ", "));
     return guarded(title(method, setting), [&] {
       Scene scene = load_scene(declaration_.scene, override_texts(overrides), key_table);
       if (!fixed) scene = scene.without("integrator.step");
@@ -192,9 +190,9 @@ private:
     const std::string text = scene.resolved();
     const auto [place, is_new] = runs_.try_emplace(text, study_.runs.size());
     if (is_new) {
-      const std::string stem = file_name(
-          fmt::format("{}{}{}__{}-{}", prefix_, prefix_.empty() ? "" : "__", method.name,
-                      kind_name(setting.kind), number_text(setting.value)));
+      const std::string stem =
+          file_name(fmt::format("{}{}{}__{}-{}", prefix_, prefix_.empty() ? "" : "__", method.name,
+                                kind_name(setting.kind), number_text(setting.value)));
       std::string name = stem;  // names that differ in what files cannot be called get numbers
       for (int i = 2; names_.contains(name); ++i) name = fmt::format("{}__{}", stem, i);
       names_.insert(name);

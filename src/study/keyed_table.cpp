@@ -16,10 +16,9 @@ namespace {
                                const std::string& prefix, const std::vector<std::string>& names,
                                const std::string& help) {
   const std::string near = nearest_name(name, names);
-  throw InputError(
-      fmt::format("{}: unknown key, {}", origin,
-                  near.empty() ? "expected one of `" + help + "`"
-                               : fmt::format("did you mean `{}{}`?", prefix, near)));
+  throw InputError(fmt::format("{}: unknown key, {}", origin,
+                               near.empty() ? "expected one of `" + help + "`"
+                                            : fmt::format("did you mean `{}{}`?", prefix, near)));
 }
 
 std::vector<std::string> names_of(const std::vector<Key>& keys) {
@@ -70,7 +69,8 @@ SceneSetting scene_setting(const std::string& name, const RawValue& raw, const s
   const Key* key = find(scene_keys, name);
   if (!key) fail_unknown(origin, name, "", names_of(scene_keys), "gnomon help scene");
   if (const std::string by = owner(name); !by.empty())
-    throw InputError(fmt::format("{}: expected another key, `{}` is given by {}", origin, name, by));
+    throw InputError(
+        fmt::format("{}: expected another key, `{}` is given by {}", origin, name, by));
   return {name, toml_text(checked(*key, raw, origin)), origin};
 }
 
@@ -94,8 +94,7 @@ void KeyedTable::read(const RawEntry& entry, const TableSpec& spec) {
   }
   if (spec.scene_keys && entry.name == "set" && is_table(entry.value)) return;  // empty
   if (spec.scene_keys && entry.name.starts_with("set.")) {
-    settings_.push_back(
-        scene_setting(entry.name.substr(4), entry.value, origin, *spec.scene_keys));
+    settings_.push_back(scene_setting(entry.name.substr(4), entry.value, origin, *spec.scene_keys));
     return;
   }
   if (const Key* key = find(spec.keys, entry.name)) {

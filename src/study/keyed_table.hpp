@@ -28,9 +28,9 @@ SceneSetting scene_setting(const std::string& name, const RawValue& raw, const s
 
 /// What a table may hold.
 struct TableSpec {
-  std::string prefix;     ///< put before names in messages: "method."
+  std::string prefix;  ///< put before names in messages: "method."
   std::vector<Key> keys;
-  std::string open_key{};  ///< an array of values of any type; empty: none
+  std::string open_key{};                        ///< an array of values of any type; empty: none
   const std::vector<Key>* scene_keys = nullptr;  ///< what "set." may set; null: nothing
 };
 

@@ -77,7 +77,10 @@ private:
     Surfaces& self = self_surfaces_.emplace_back();
     if (sweep.self_reference) record_of(*sweep.self_reference, sweep, self);
     if (!sweep.exact.empty()) {
-      reference = {.text = "closed form", .usable = true, .error = 0.0, .error_max = 0.0,
+      reference = {.text = "closed form",
+                   .usable = true,
+                   .error = 0.0,
+                   .error_max = 0.0,
                    .pressure_error = std::nullopt};
       return;
     }

@@ -41,7 +41,7 @@ std::string text_cell(const std::string& text, const char* attributes = "") {
 
 struct Counted {
   const char* title;
-  long Counters::* member;
+  long Counters::*member;
 };
 
 constexpr Counted counted[] = {
@@ -81,12 +81,11 @@ private:
         "<p>Study <code>{}</code> of the scene <code>{}</code>: {} runs, {} failed; gnomon {}. The "
         "same table is in <code>study.csv</code> and <code>study.h5</code>, every run in "
         "<code>runs/</code>.</p>\n",
-        escaped(study_.name), escaped(study_.scene.filename().string()), table_.rows.size(),
-        failed, escaped(library_versions().at("gnomon")));
+        escaped(study_.name), escaped(study_.scene.filename().string()), table_.rows.size(), failed,
+        escaped(library_versions().at("gnomon")));
   }
 
-  static std::string figure_part(const std::vector<std::string>& figures,
-                                 const std::string& note) {
+  static std::string figure_part(const std::vector<std::string>& figures, const std::string& note) {
     std::string text;
     for (std::size_t i = 0; i < figures.size(); ++i)
       if (const std::string svg = inline_svg(figures[i], fmt::format("f{}-", i + 1)); !svg.empty())
@@ -140,7 +139,8 @@ private:
         "<dt class=\"marked\">marked cells: {}</dt><dd>The error is less than ten times that of "
         "its reference, or that is unknown: its digits mean little.</dd>\n"
         "</dl>\n<p>Measured at t = {:g} s{}.</p>\n",
-        mark, fmt::join(study_.sweep.front().times, ", "), same_times() ? "" : " in the first sweep point");
+        mark, fmt::join(study_.sweep.front().times, ", "),
+        same_times() ? "" : " in the first sweep point");
     return text;
   }
 

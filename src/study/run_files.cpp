@@ -88,8 +88,7 @@ void write_process_end(const RunFiles& files, const Scene& scene, const ProcessE
   json["peak_memory_mb"] = end.peak_memory_mb;
   json["versions"] = library_versions();
   json["scene"] = scene.resolved();
-  replace_text(files.process,
-               json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  replace_text(files.process, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::optional<RunRecord> read_record(const RunFiles& files, const Scene& scene) try {

@@ -119,18 +119,16 @@ private:
     for (const StudyPoint& point : study_.points) look(point.run);
   }
 
-  RunFiles files(std::size_t run) const {
-    return {options_.folder, study_.runs[run].name};
-  }
+  RunFiles files(std::size_t run) const { return {options_.folder, study_.runs[run].name}; }
 
   void start(std::size_t run) {
     const RunFiles files = this->files(run);
     remove_files(files);
     replace_text(files.scene, study_.runs[run].scene.resolved());
-    pool_.start(run, {.arguments = {options_.program.string(), "run", files.scene.string(), "-o",
-                                    files.result.string(), "--summary", files.summary.string(),
-                                    "--quiet"},
-                      .log = files.log});
+    pool_.start(
+        run, {.arguments = {options_.program.string(), "run", files.scene.string(), "-o",
+                            files.result.string(), "--summary", files.summary.string(), "--quiet"},
+              .log = files.log});
   }
 
   void finish(std::size_t run, const ProcessEnd& end) {

@@ -1,6 +1,7 @@
 // study.csv and study.h5.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <gnomon/error.hpp>
@@ -106,15 +107,14 @@ void write_table(hid_t file, const Study& study, const StudyTable& table) {
 }  // namespace
 
 std::string study_csv(const Study& study, const StudyTable& table) {
-  std::string text;
-  for (const Column& column : columns()) text += (text.empty() ? "" : ",") + column.name;
-  text += '\n';
+  std::vector<std::string> names;
+  for (const Column& column : columns()) names.push_back(column.name);
+  std::string text = fmt::format("{}\n", fmt::join(names, ","));
   for (const StudyRow& row : table.rows) {
-    std::string line;
+    std::vector<std::string> cells;
     for (const Column& column : columns())
-      line += quoted(cell_text(column.value(study, table, row))) + ",";
-    line.back() = '\n';
-    text += line;
+      cells.push_back(quoted(cell_text(column.value(study, table, row))));
+    text += fmt::format("{}\n", fmt::join(cells, ","));
   }
   return text;
 }
@@ -123,9 +123,9 @@ void write_study_hdf5(const std::filesystem::path& file, const Study& study,
                       const StudyTable& table) try {
   {
     const hdf5::QuietErrors quiet;
-    const Handle handle = own(
-        H5Fcreate(part_of(file).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
-        "create the file");
+    const Handle handle =
+        own(H5Fcreate(part_of(file).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
+            "create the file");
     write_table(handle.id(), study, table);
     hdf5::write_dataset(handle.id(), "text", study.text);
     check(H5Fflush(handle.id(), H5F_SCOPE_LOCAL), "write the file");

@@ -9,6 +9,8 @@
 #include <gnomon/surface_error.hpp>
 #include <thread>
 
+#include "results/hdf5_values.hpp"
+#include "study/markup.hpp"
 #include "study/study_fixture.hpp"
 
 namespace gnomon {
@@ -46,8 +48,7 @@ TEST_F(StudyRuns, MeasuresErrorsAgainstTheReference) {
 
   const std::string own = "young_modulus_640__backward-euler__step-10";
   const std::string reference = "young_modulus_640__esdirk-5__rtol-1e-8";
-  EXPECT_DOUBLE_EQ(std::stod(row.at("shape_error")),
-                   shape_error(surface(own), surface(reference)));
+  EXPECT_DOUBLE_EQ(std::stod(row.at("shape_error")), shape_error(surface(own), surface(reference)));
   EXPECT_DOUBLE_EQ(std::stod(row.at("pressure_error")),
                    pressure_error(surface(own), surface(reference)));
   double largest = 0;
@@ -57,21 +58,39 @@ TEST_F(StudyRuns, MeasuresErrorsAgainstTheReference) {
   EXPECT_DOUBLE_EQ(std::stod(row.at("shape_error_self")),
                    shape_error(surface(own), surface("young_modulus_640__backward-euler__step-5")));
   EXPECT_EQ(rows[5].at("shape_error_self"), "");  // the self-reference itself
-  EXPECT_DOUBLE_EQ(
-      std::stod(row.at("reference_error")),
-      shape_error(surface("young_modulus_640__bdf__rtol-1e-9"), surface(reference)));
+  EXPECT_DOUBLE_EQ(std::stod(row.at("reference_error")),
+                   shape_error(surface("young_modulus_640__bdf__rtol-1e-9"), surface(reference)));
   EXPECT_LT(std::stod(row.at("reference_error")), 1e-6);
   for (const char* name : {"wall_seconds", "cpu_seconds", "peak_memory_mb", "newton_iterations",
                            "factorizations", "linear_solves", "residual_evaluations"})
     EXPECT_GT(std::stod(row.at(name)), 0) << name;
   EXPECT_THAT(test::read_text(folder() / "out/index.html"), HasSubstr("body.young_modulus=640"));
-  EXPECT_TRUE(std::filesystem::exists(folder() / "out/study.h5"));
+  const hdf5::Handle file = hdf5::own(
+      H5Fopen((folder() / "out/study.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open");
+  EXPECT_EQ(hdf5::read_text(file.id(), "text"), test::read_text(folder() / "study.toml"));
+  const hdf5::Handle table = hdf5::own(H5Dopen2(file.id(), "study", H5P_DEFAULT), H5Dclose, "open");
+  const auto one = hdf5::own(H5Tcreate(H5T_COMPOUND, 8), H5Tclose, "describe");
+  H5Tinsert(one.id(), "shape_error", 0, H5T_NATIVE_DOUBLE);
+  std::vector<double> errors(6);
+  ASSERT_GE(H5Dread(table.id(), one.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, errors.data()), 0);
+  EXPECT_EQ(errors[3], std::stod(row.at("shape_error")));
 }
 
 /// References so loose that nothing can be said.
 const std::string loose =
     "[[reference]]\nintegrator = \"sdirk-2\"\ntolerance = 0.1\n"
     "[[reference]]\nintegrator = \"bdf\"\ntolerance = 0.1\n";
+
+TEST(Markup, SvgsShareAPage) {
+  const std::string svg =
+      "<?xml version=\"1.0\"?><!DOCTYPE svg><svg><metadata><a href=\"https://x\"/></metadata>"
+      "<path id=\"p\"/><use xlink:href=\"#p\"/><g clip-path=\"url(#p)\"/></svg>\n";
+  EXPECT_EQ(study::inline_svg(svg, "f1-"),
+            "<svg><path id=\"f1-p\"/><use xlink:href=\"#f1-p\"/>"
+            "<g clip-path=\"url(#f1-p)\"/></svg>");
+  EXPECT_EQ(study::inline_svg("no picture", "f1-"), "");
+  EXPECT_EQ(study::escaped("<a & \"b\">"), "&lt;a &amp; &quot;b&quot;&gt;");
+}
 
 TEST_F(StudyRuns, MarksErrorsThatTheReferenceCannotResolve) {
   write("study.toml", head() + method("bdf", "tolerances = [1e-3]") + loose);
@@ -88,8 +107,7 @@ TEST_F(StudyRuns, AClosedFormIsTheReferenceWhereThereIsOne) {
   ASSERT_EQ(study({"--quiet"}).exit_code, 0);
   Study study = load_study(folder() / "study.toml");
   SweepPoint& sweep = study.sweep.front();
-  for (const double t : sweep.times)
-    sweep.exact.push_back(surface("backward-euler__step-25", t));
+  for (const double t : sweep.times) sweep.exact.push_back(surface("backward-euler__step-25", t));
   sweep.references.clear();
   const StudyTable table = measure(study, folder() / "out");
   EXPECT_EQ(table.references.front().text, "closed form");
@@ -119,8 +137,8 @@ TEST_F(StudyRuns, FailuresStayInTheTableWithTheirReason) {
 }
 
 TEST_F(StudyRuns, AllFailedIsAFailure) {
-  write("study.toml", head() + "body.young_modulus = 0.1\n" +
-                          method("backward-euler", "steps = [50]") + loose);
+  write("study.toml",
+        head() + "body.young_modulus = 0.1\n" + method("backward-euler", "steps = [50]") + loose);
   EXPECT_EQ(study().exit_code, 3);
   EXPECT_THAT(rows(), SizeIs(1));
 }
@@ -144,8 +162,8 @@ TEST_F(StudyRuns, OnlyCompleteRunsOfTheSameSceneAreKept) {
   const auto summary = folder() / "out/runs/backward-euler__step-50.json";
   std::filesystem::resize_file(summary, std::filesystem::file_size(summary) / 2);
   EXPECT_THAT(study({"--resume"}).err, HasSubstr("4 runs, 3 done already"));
-  write("study.toml", head() + "load.force = 10.0\n" +
-                          method("backward-euler", "steps = [50, 25]") + loose);
+  write("study.toml",
+        head() + "load.force = 10.0\n" + method("backward-euler", "steps = [50, 25]") + loose);
   EXPECT_THAT(study({"--resume"}).err, HasSubstr("4 runs, 0 done already"));
 }
 
@@ -153,7 +171,8 @@ class Ended : public StudyRuns, public testing::WithParamInterface<int> {};
 
 TEST_P(Ended, AStudyGoesOnWhereItWas) {
   // The last run takes too long to end before the signal.
-  const std::string quick = head() + method("backward-euler", "steps = [50]", "name = \"a\"") + loose;
+  const std::string quick =
+      head() + method("backward-euler", "steps = [50]", "name = \"a\"") + loose;
   write("study.toml", quick + method("backward-euler", "steps = [0.0005]"));
   const pid_t child = start({"study", "study.toml", "-o", "out", "--jobs", "1"});
   const auto last = folder() / "out/runs/backward-euler__step-0.0005.h5";
