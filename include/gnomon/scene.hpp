@@ -73,6 +73,8 @@ public:
   /// The complete scene as TOML text, one `key = value  # [unit] help` a line, grouped in tables,
   /// defaults filled in. Loading this text gives an equal scene.
   std::string resolved() const;
+  /// The same scene with an optional key absent.
+  Scene without(const std::string& key) const;
 
   /// Same keys with the same values, wherever they came from.
   friend bool operator==(const Scene& a, const Scene& b);

@@ -26,9 +26,10 @@ CommandLine::CommandLine() : app_("gnomon integrates the shape of worn bodies in
       "Shows the versions of gnomon and its libraries");
   app_.require_subcommand(0, 1);
   app_.footer(
-      "More: gnomon help TOPIC, with TOPIC one of scene [PROBLEM], integrators, commands,\n"
-      "units, output, exit-codes, or a command.");
+      "More: gnomon help TOPIC, with TOPIC one of scene [PROBLEM], studies, integrators,\n"
+      "commands, units, output, exit-codes, or a command.");
   add_run();
+  add_study();
   add_check();
   add_inspection();
   add_compare();
@@ -66,9 +67,27 @@ void CommandLine::add_check() {
       [this] { command_ = [this] { return check_command(run_.scene, run_.overrides); }; });
 }
 
+void CommandLine::add_study() {
+  CLI::App* command =
+      app_.add_subcommand("study", "Runs a scene in many ways; tables errors and costs");
+  command->add_option("STUDY", study_.study, "Study file (TOML), see gnomon help studies")
+      ->required()
+      ->type_name("");
+  command
+      ->add_option("-o,--output", study_.folder,
+                   "Folder of the results; default: STUDY's name, in the current folder")
+      ->type_name("DIR");
+  command->add_option("--jobs", study_.jobs, "Runs at a time; default: the number of cores")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--resume", study_.resume, "Goes on in an existing folder, keeping what is done");
+  command->add_flag("--quiet", study_.quiet, "Prints nothing but errors");
+  command->callback([this] { command_ = [this] { return study_command(study_); }; });
+}
+
 void CommandLine::add_inspection() {
-  CLI::App* list = app_.add_subcommand("list", "Lists integrators, problems or scenes");
-  list->add_option("SUBJECT", subject_, "integrators, problems or scenes")
+  CLI::App* list = app_.add_subcommand("list", "Lists integrators, problems, scenes or studies");
+  list->add_option("SUBJECT", subject_, "integrators, problems, scenes or studies")
       ->required()
       ->type_name("");
   list->callback([this] { command_ = [this] { return list_command(subject_); }; });

@@ -18,7 +18,16 @@ struct RunOptions {
   bool quiet = false;
 };
 
+struct StudyCommandOptions {
+  std::filesystem::path study;
+  std::filesystem::path folder;  ///< empty: the study's name, in the current folder
+  int jobs = 0;                  ///< 0: one a core
+  bool resume = false;
+  bool quiet = false;
+};
+
 int run_command(const RunOptions& options);
+int study_command(const StudyCommandOptions& options);
 int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 int list_command(const std::string& what);
 int info_command(const std::filesystem::path& result);

@@ -62,6 +62,15 @@ std::string Scene::where(const std::string& key) const {
   return entry(key).origin;
 }
 
+Scene Scene::without(const std::string& key) const {
+  if (entry(key).key.presence != Key::Presence::optional)
+    throw std::logic_error("scene key `" + key + "` is not optional");
+  Scene result = *this;
+  for (Entry& entry : result.entries_)
+    if (entry.key.name == key) entry.value.reset();
+  return result;
+}
+
 bool operator==(const Scene& a, const Scene& b) {
   return std::equal(a.entries_.begin(), a.entries_.end(), b.entries_.begin(), b.entries_.end(),
                     [](const Scene::Entry& x, const Scene::Entry& y) {
