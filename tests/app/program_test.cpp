@@ -201,3 +201,19 @@ TEST_F(Program, FullStandardOutputIsAFailure) {
 
 }  // namespace
 }  // namespace gnomon
+TEST_F(Program, UnwritableStandardErrorEndsNoRun) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
+  const auto status = [&](const std::string& arguments) {
+    const std::string command =
+        "cd " + folder().string() + " && exec " + GNOMON_PROGRAM + " " + arguments;
+    return WEXITSTATUS(std::system(command.c_str()));
+  };
+  const std::string run = "run " + pin + " --set " + coarse + " --set time.end=100 -o ";
+  EXPECT_EQ(status(run + "full.h5 >/dev/null 2>/dev/full"), 0);
+  EXPECT_EQ(status(run + "closed.h5 >/dev/null 2>&-"), 0);
+  EXPECT_EQ(status(run + "both.h5 >&- 2>&-"), 1);  // what it says at its end is lost
+  EXPECT_EQ(status("info none.h5 2>/dev/full"), 2);
+  for (const char* name : {"full.h5", "closed.h5", "both.h5"})
+    EXPECT_EQ(ResultReader(folder() / name).status(), "finished") << name;
+}
+
