@@ -130,6 +130,12 @@ TEST_F(BadInput, Overrides) {
   expect_refused({"run", pin, "--set"}, {"--set"});
 }
 
+TEST_F(BadInput, NumbersBeyondReason) {
+  for (const char* value : {"integrator.rtol=1e-300", "integrator.atol=1e-300", "time.end=1e-300",
+                            "time.end=1e300", "integrator.step=1e-300"})
+    expect_refused({"run", pin, "--set", value}, {"expected a number in [1e-"});
+}
+
 TEST_F(BadInput, OutputsThatCannotBeWritten) {
   expect_refused({"run", pin, "--set", coarse, "-o", "no/such/folder.h5"}, {"no/such/folder.h5"});
   expect_refused({"run", pin, "--set", coarse, "--summary", "no/such.json"},
