@@ -83,7 +83,7 @@ TEST_F(BadInput, UnknownProblem) {
 
 TEST_F(BadInput, UnknownIntegrator) {
   expect_refused({"run", pin, "--integrator", "backward-euller"},
-                 {"integrator.name", "did you mean \"backward-euler\"?"});
+                 {"gnomon: --integrator: ", "did you mean \"backward-euler\"?"});
 }
 
 TEST_F(BadInput, SyntaxError) {
@@ -173,3 +173,5 @@ TEST_F(BadInput, ResultFiles) {
 
 }  // namespace
 }  // namespace gnomon
+  expect_refused({"help", "integrators", "x"}, {"argument `x`, see `gnomon help integrators`"});
+  expect_refused({"help", "scene", "pin_on_flat", "x"}, {"argument `x`, see `gnomon help`"});
