@@ -74,7 +74,8 @@ public:
   std::vector<HistoryRow> history() const;
   std::vector<double> stored_times() const;
   /// Contact surface of the stored step at `t`, or of the last one. Throws InputError naming the
-  /// stored times next to `t` when there is none within 1e-9 of the run's length.
+  /// stored times next to `t` when there is none within 1e-9 of the run's length, and not just one
+  /// within 1e-5 of itself (times are printed with six digits).
   ContactSurface contact(std::optional<double> t) const;
   /// A field of the stored step with index `step`.
   Field field(std::size_t step, const std::string& name) const;

@@ -175,3 +175,5 @@ TEST_F(BadInput, ResultFiles) {
 }  // namespace gnomon
   expect_refused({"help", "integrators", "x"}, {"argument `x`, see `gnomon help integrators`"});
   expect_refused({"help", "scene", "pin_on_flat", "x"}, {"argument `x`, see `gnomon help`"});
+  expect_refused({"contact", "a.h5", "--time", "nan"},
+                 {"--time: expected a finite number, got nan"});

@@ -123,6 +123,9 @@ TEST(ResultFile, FindsTheContactSurfaceAtATime) {
   EXPECT_EQ(contact.wear_depth, expected.wear_depth);
   EXPECT_EQ(contact.active, expected.active);
   EXPECT_EQ(reader.contact({}).wear_depth.front(), 1);
+  EXPECT_EQ(reader.contact(0.500004).wear_depth.front(), 0.5);  // as printed with six digits
+  EXPECT_THROW(reader.contact(0.50001), InputError);
+  EXPECT_THROW(reader.contact(NAN), InputError);
   EXPECT_THAT([&] { reader.contact(0.6); },
               ThrowsMessage<InputError>(HasSubstr("t = 0.6; next to it are t = 0.5 and 1")));
   EXPECT_THAT([&] { reader.contact(2); },
