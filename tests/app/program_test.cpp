@@ -131,6 +131,15 @@ TEST_F(Program, CompareGivesThePapersErrorAgainstTheReference) {
   EXPECT_THAT(both.out, HasSubstr(expected));
 }
 
+TEST_F(Program, CompareNamesTheKeysThatDiffer) {
+  ASSERT_EQ(run({"--quiet", "-o", "a.h5", "--set", "integrator.step=50"}).exit_code, 0);
+  ASSERT_EQ(run({"--quiet", "-o", "b.h5", "--set", "output.every=5"}).exit_code, 0);
+  ASSERT_EQ(run({"--quiet", "-o", "c.h5", "--set", "load.force=10"}).exit_code, 0);
+  EXPECT_EQ(gnomon({"compare", "a.h5", "b.h5"}).out.find("note:"), std::string::npos);
+  EXPECT_THAT(gnomon({"compare", "a.h5", "b.h5", "--reference", "c.h5"}).out,
+              HasSubstr("note: the scenes differ in load.force\n"));
+}
+
 TEST_F(Program, InfoTellsStatusUnknownsAndScene) {
   ASSERT_EQ(run({"--quiet", "-o", "a.h5", "--set", "integrator.step=5"}).exit_code, 0);
   const Outcome outcome = gnomon({"info", "a.h5"});
