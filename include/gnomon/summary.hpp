@@ -1,6 +1,7 @@
 // The summary of a run as JSON, for scripts.
 #pragma once
 
+#include <filesystem>
 #include <gnomon/run.hpp>
 #include <string>
 
@@ -12,5 +13,8 @@ namespace gnomon {
 /// `diagnosis` is empty unless the run failed.
 std::string summary_json(const Scene& scene, const RunHeader& header,
                          const IntegratorSettings& settings, const RunOutcome& outcome);
+
+/// Whether the file holds such a text.
+bool is_summary(const std::filesystem::path& file);
 
 }  // namespace gnomon

@@ -59,9 +59,15 @@ void CommandLine::add_run() {
   command
       ->add_option("-o,--output", run_.result,
                    "Result file; default: SCENE's name, -NAME and .h5, in the current folder")
-      ->type_name("RESULT.h5");
-  command->add_option("--summary", run_.summary, "Also writes a summary as JSON")
-      ->type_name("FILE.json");
+      ->type_name("RESULT.h5")
+      ->check(check_file_name);
+  command
+      ->add_option("--summary", run_.summary, "Also writes a summary as JSON; - prints it instead")
+      ->type_name("FILE.json")
+      ->check(check_file_name);
+  command->add_flag(
+      "--force", run_.force,
+      "Replaces result, sidecar and summary of an earlier run, once the start is solved");
   command->add_flag("--quiet", run_.quiet, "Prints nothing but errors");
   command->callback([this] {
     command_ = [this] {
@@ -125,15 +131,15 @@ int CommandLine::help() const {
   };
   if (!topic_) {
     print(&app_, "gnomon");
+  } else if (problem_ && *topic_ != "scene") {
+    throw InputError(
+        fmt::format("unexpected argument `{}`, see `gnomon help {}`", *problem_, *topic_));
   } else if (*topic_ == "commands") {
     for (const std::string& name : commands) {
       print(app_.get_subcommand(name), "gnomon " + name);
       fmt::print("\n");
     }
   } else if (std::find(commands.begin(), commands.end(), *topic_) != commands.end()) {
-  } else if (problem_ && *topic_ != "scene") {
-    throw InputError(
-        fmt::format("unexpected argument `{}`, see `gnomon help {}`", *problem_, *topic_));
     print(app_.get_subcommand(*topic_), "gnomon " + *topic_);
   } else {
     return help_command(*topic_, problem_, commands);

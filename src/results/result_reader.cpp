@@ -152,6 +152,19 @@ std::size_t find_step(const std::vector<double>& times, std::optional<double> t)
 
 }  // namespace
 
+// Not ResultReader, which refuses what it cannot read: a damaged result is still one.
+bool is_result(const std::filesystem::path& file) {
+  const hdf5::QuietErrors quiet;
+  try {
+    const Handle opened = open_file(file);
+    const Handle gnomon =
+        own(H5Gopen2(opened.id(), "gnomon", H5P_DEFAULT), H5Gclose, "open its results");
+    return hdf5::read_text_attribute(gnomon.id(), "format") == layout::kFormat;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
 class ResultReader::File {
 public:
   // Runs an action at the border of the room, where every failure is the file's. Whatever a damaged

@@ -1,3 +1,4 @@
+#include <fstream>
 #include <gnomon/summary.hpp>
 #include <nlohmann/json.hpp>
 
@@ -40,6 +41,15 @@ void add_scalars(Json& json, const RunOutcome& outcome) {
 }
 
 }  // namespace
+
+bool is_summary(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const Json json = Json::parse(stream, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object()) return false;
+  for (const char* key : {"problem", "integrator", "status", "t_end", "unknowns", "versions"})
+    if (!json.contains(key)) return false;
+  return true;
+}
 
 std::string summary_json(const Scene& scene, const RunHeader& header,
                          const IntegratorSettings& settings, const RunOutcome& outcome) {

@@ -176,6 +176,37 @@ TEST_F(Program, FailedSolutionExitsWith3AndSavesTheLastGoodState) {
   EXPECT_FALSE(json["diagnosis"].get<std::string>().empty());
 }
 
+TEST_F(Program, ForceReplacesTheFilesOfAnEarlierRunOnceTheStartIsSolved) {
+  const std::vector<std::string> names = {"-o", "a.h5", "--summary", "s.json", "--quiet"};
+  const auto run_again = [&](std::vector<std::string> further) {
+    further.insert(further.end(), names.begin(), names.end());
+    return run(further);
+  };
+  ASSERT_EQ(run_again({}).exit_code, 0);
+  const auto all = files();
+  std::vector<std::string> earlier;
+  for (const std::string& name : all) earlier.push_back(test::read_text(folder() / name));
+
+  const Outcome failed = run_again({"--force", "--set", "body.young_modulus=0.1"});
+  EXPECT_EQ(failed.exit_code, 3);
+  EXPECT_THAT(failed.err, HasSubstr("the earlier a.h5 is kept"));
+  ASSERT_EQ(files(), all);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    EXPECT_TRUE(test::read_text(folder() / all[i]) == earlier[i]) << all[i];
+
+  EXPECT_EQ(run_again({"--force", "--integrator", "bdf"}).exit_code, 0);
+  EXPECT_EQ(files(), all);
+  EXPECT_EQ(ResultReader(folder() / "a.h5").header().integrator, "bdf");
+  EXPECT_THAT(test::read_text(folder() / "s.json"), HasSubstr("\"bdf\""));
+}
+
+TEST_F(Program, SummaryIsPrintedInsteadOfTheText) {
+  const Outcome outcome = run({"-o", "a.h5", "--summary", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["status"], "finished");
+  EXPECT_THAT(files(), ElementsAre("a.h5", "a.xdmf"));
+}
+
 class Signals : public Program, public testing::WithParamInterface<int> {};
 
 TEST_P(Signals, EndTheRunAfterTheStepWithAReadableResult) {
@@ -201,15 +232,6 @@ TEST_P(Signals, EndTheRunAfterTheStepWithAReadableResult) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Signals, testing::Values(SIGINT, SIGTERM));
 
-TEST_F(Program, FullStandardOutputIsAFailure) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
-  const std::string command =
-      std::string("exec ") + GNOMON_PROGRAM + " help scene >/dev/full 2>/dev/null";
-  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1);
-}
-
-}  // namespace
-}  // namespace gnomon
 TEST_F(Program, UnwritableStandardErrorEndsNoRun) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
   const auto status = [&](const std::string& arguments) {
@@ -226,3 +248,12 @@ TEST_F(Program, UnwritableStandardErrorEndsNoRun) {
     EXPECT_EQ(ResultReader(folder() / name).status(), "finished") << name;
 }
 
+TEST_F(Program, FullStandardOutputIsAFailure) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
+  const std::string command =
+      std::string("exec ") + GNOMON_PROGRAM + " help scene >/dev/full 2>/dev/null";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1);
+}
+
+}  // namespace
+}  // namespace gnomon
