@@ -76,6 +76,10 @@ public:
   /// The same scene with an optional key absent.
   Scene without(const std::string& key) const;
 
+  /// The keys, in the order of the tables, whose values are not the same in both scenes; an absent
+  /// key differs from one with a value.
+  static std::vector<std::string> differing_keys(const Scene& a, const Scene& b);
+
   /// Same keys with the same values, wherever they came from.
   friend bool operator==(const Scene& a, const Scene& b);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <gnomon/error.hpp>
+#include <gnomon/integrator.hpp>
 #include <gnomon/scene.hpp>
 
 namespace gnomon::app {
@@ -15,6 +16,20 @@ void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
   command->add_option("--set", overrides, "Replaces a scene key; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+/// Throws InputError about the option, of which the scene knows nothing.
+const std::string& known_integrator(const std::string& name) {
+  try {
+    Integrators::find(name, "integrator");
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("--integrator: {}", error.what()));
+  }
+  return name;
+}
+
+std::string check_file_name(const std::string& name) {
+  return name.empty() ? "expected a file name, got an empty text" : "";
 }
 
 }  // namespace
@@ -46,13 +61,20 @@ void CommandLine::add_run() {
   command
       ->add_option("-o,--output", run_.result,
                    "Result file; default: SCENE's name, -NAME and .h5, in the current folder")
-      ->type_name("RESULT.h5");
-  command->add_option("--summary", run_.summary, "Also writes a summary as JSON")
-      ->type_name("FILE.json");
+      ->type_name("RESULT.h5")
+      ->check(check_file_name);
+  command
+      ->add_option("--summary", run_.summary, "Also writes a summary as JSON; - prints it instead")
+      ->type_name("FILE.json")
+      ->check(check_file_name);
+  command->add_flag(
+      "--force", run_.force,
+      "Replaces result, sidecar and summary of an earlier run, once the start is solved");
   command->add_flag("--quiet", run_.quiet, "Prints nothing but errors");
   command->callback([this] {
     command_ = [this] {
-      if (integrator_) run_.overrides.push_back("integrator.name=" + *integrator_);
+      if (integrator_)
+        run_.overrides.push_back("integrator.name=" + known_integrator(*integrator_));
       return run_command(run_);
     };
   });
@@ -142,6 +164,9 @@ int CommandLine::help() const {
   };
   if (!topic_) {
     print(&app_, "gnomon");
+  } else if (problem_ && *topic_ != "scene") {
+    throw InputError(
+        fmt::format("unexpected argument `{}`, see `gnomon help {}`", *problem_, *topic_));
   } else if (*topic_ == "commands") {
     for (const std::string& name : commands) {
       print(app_.get_subcommand(name), "gnomon " + name);
@@ -177,7 +202,8 @@ int CommandLine::operator()(int argc, char** argv) {
 std::string CommandLine::complaint(const CLI::ParseError& error) const {
   const auto chosen = app_.get_subcommands();
   const CLI::App* command = chosen.empty() ? &app_ : chosen.front();
-  const std::string help = chosen.empty() ? "gnomon help" : "gnomon help " + command->get_name();
+  const bool overview = chosen.empty() || command->get_name() == "help";
+  const std::string help = overview ? "gnomon help" : "gnomon help " + command->get_name();
   for (const std::string& word : app_.remaining(true)) {
     const bool option = word.starts_with("-");
     if (!option && !chosen.empty()) continue;

@@ -14,7 +14,8 @@ struct RunOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;  ///< "key=value", --integrator included
   std::filesystem::path result;        ///< empty: default_result()
-  std::filesystem::path summary;       ///< empty: none
+  std::filesystem::path summary;       ///< empty: none; "-": standard output
+  bool force = false;                  ///< replace what earlier runs left under these names
   bool quiet = false;
 };
 

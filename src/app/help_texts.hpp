@@ -62,6 +62,9 @@ inline constexpr const char* output_topic =
     pressure, equivalent stress and element quality; in the group /gnomon the contact surface, the
     scalars, sizes, orders and counters of every step, the resolved scene and versions.
 
+Nothing that exists is overwritten. --force replaces what an earlier run has left under these names,
+once the start is solved; a start that fails leaves them as they were.
+
 In ParaView open the .xdmf file; Warp By Vector with `shape` shows the worn body, with
 `displacement` added the deformed one. Which steps are stored is set by output.every, output.times
 and output.last; the start is always stored. The file is readable while the run goes on, and after
