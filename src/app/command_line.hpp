@@ -27,6 +27,7 @@ private:
   void add_check();
   void add_inspection();
   void add_compare();
+  void add_stability();
   void add_help();
   int help() const;
   std::vector<std::string> command_names() const;
@@ -36,6 +37,7 @@ private:
 
   // Where the options are bound to; each command uses its own part.
   RunOptions run_;
+  StabilityOptions stability_;
   std::optional<std::string> integrator_;
   std::string subject_;
   std::filesystem::path result_;

@@ -18,6 +18,14 @@ struct RunOptions {
   bool quiet = false;
 };
 
+struct StabilityOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;
+  std::vector<double> times;     ///< empty: start, a fifth of time.end, time.end
+  bool all = false;              ///< the whole spectrum
+  std::filesystem::path folder;  ///< for the tables as CSV; empty: none
+};
+
 int run_command(const RunOptions& options);
 int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 int list_command(const std::string& what);
@@ -26,6 +34,7 @@ int contact_command(const std::filesystem::path& result, std::optional<double> t
 /// `reference` empty: the last of the results.
 int compare_command(const std::vector<std::filesystem::path>& results,
                     const std::filesystem::path& reference);
+int stability_command(const StabilityOptions& options);
 /// Help topics but those of the command line itself. Throws InputError for an unknown topic, naming
 /// the nearest of `further_topics` and its own.
 int help_command(const std::string& topic, const std::optional<std::string>& problem,
