@@ -5,16 +5,14 @@
 // the algebraic components following (eq. 17), and the steps that it allows. docs/stability.md.
 #pragma once
 
-#include <complex>
-#include <span>
-#include <string>
-#include <vector>
-
 #include <Eigen/Core>
-
+#include <complex>
 #include <gnomon/integrator.hpp>
 #include <gnomon/linear/sparse_lu.hpp>
 #include <gnomon/system.hpp>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace gnomon {
 
@@ -23,11 +21,11 @@ namespace gnomon {
 std::vector<State> accurate_states(const Model& model, std::span<const double> times,
                                    Counters& counters);
 
-/// G at a consistent state on the smooth piece (active set) that the state lies in, as products with
-/// vectors: one factorization, then one solve a product.
+/// G at a consistent state on the smooth piece (active set) that the state lies in, as products
+/// with vectors: one factorization, then one solve a product.
 ///
-/// With J = dF/dy in blocks of differential (d) and algebraic (a) rows and columns, and differential
-/// rows ydot + f = 0:   a = -J_aa^-1 J_ad v,   G v = -(J_dd v + J_da a).
+/// With J = dF/dy in blocks of differential (d) and algebraic (a) rows and columns, and
+/// differential rows ydot + f = 0:   a = -J_aa^-1 J_ad v,   G v = -(J_dd v + J_da a).
 class ReducedJacobian {
 public:
   /// Throws SolutionError when the algebraic rows are singular.
@@ -66,8 +64,8 @@ std::vector<Mode> all_modes(const Eigen::MatrixXd& G);
 bool is_explicit(const ButcherTable& table);
 /// R(z) = 1 + z b^T (I - z A)^-1 1: what a step of size h makes of ydot = (z/h) y.
 std::complex<double> stability_function(const ButcherTable& table, std::complex<double> z);
-/// Largest r such that |R(s e^(i angle))| <= 1 for all s up to r. 0 where the method amplifies at once,
-/// infinite where it does not amplify at all up to 2 s^2, beyond which no explicit method reaches.
+/// Largest r such that |R(x e^(i angle))| <= 1, to rounding, for all x up to r. Infinite where that
+/// holds up to 2 s^2 for s stages: no explicit method reaches further.
 double stability_boundary(const ButcherTable& table, double angle);
 
 /// The largest step that amplifies no mode, and the mode that sets it.
@@ -76,8 +74,9 @@ struct CriticalStep {
   int mode;     ///< position in the modes; -1 when no mode bounds it
 };
 
-/// Nothing is asked of modes that grow by themselves (Re >= 0), which a method has to follow, nor of
-/// those a hundred times slower than the fastest one, which any step near the critical one resolves.
+/// Nothing is asked of modes that grow by themselves (Re >= 0), which a method has to follow, nor
+/// of those a hundred times slower than the fastest one, which any step near the critical one
+/// resolves.
 CriticalStep critical_step(const ButcherTable& table, std::span<const Mode> modes);
 
 /// How the empirical onset of instability is looked for.

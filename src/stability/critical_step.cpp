@@ -1,9 +1,7 @@
-#include <cmath>
-#include <limits>
-
 #include <Eigen/LU>
-
+#include <cmath>
 #include <gnomon/stability.hpp>
+#include <limits>
 
 namespace gnomon {
 
@@ -52,8 +50,7 @@ CriticalStep critical_step(const ButcherTable& table, std::span<const Mode> mode
   for (std::size_t k = 0; k < modes.size(); ++k) {
     const std::complex<double> eigenvalue = modes[k].eigenvalue;
     if (eigenvalue.real() >= 0 || std::abs(eigenvalue) < slow * largest) continue;
-    const double step =
-        stability_boundary(table, std::arg(eigenvalue)) / std::abs(eigenvalue);
+    const double step = stability_boundary(table, std::arg(eigenvalue)) / std::abs(eigenvalue);
     if (step < critical.step) critical = {step, static_cast<int>(k)};
   }
   return critical;

@@ -1,6 +1,5 @@
-#include <algorithm>
-
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 // GCC 12 takes a temporary in Spectra's Hessenberg solver for freed (a false alarm).
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
 #pragma GCC diagnostic ignored "-Wuse-after-free"

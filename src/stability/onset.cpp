@@ -1,12 +1,11 @@
-#include <cmath>
-#include <limits>
-
 #include <fmt/format.h>
 
+#include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/integration/stage_solver.hpp>
 #include <gnomon/integration/stepper.hpp>
 #include <gnomon/stability.hpp>
+#include <limits>
 
 namespace gnomon {
 
@@ -62,8 +61,8 @@ double OnsetSearch::distance(const State& a, const State& b) const {
   return std::sqrt(sum);
 }
 
-/// Steps of exactly this size; false when one of them had to be cut. Fixed steps end on the multiples
-/// of their size, so time is shifted onto one, by half a step at most.
+/// Steps of exactly this size; false when one of them had to be cut. Fixed steps end on the
+/// multiples of their size, so time is shifted onto one, by half a step at most.
 bool OnsetSearch::take(State& state, double step) const {
   const double first = std::round(state.t / step);
   IntegratorSettings settings;
@@ -103,8 +102,9 @@ double empirical_onset(const Model& model, const Integrator& integrator, const S
   while (search.grows(stable) && stable > guess / 10) stable /= 1.25;
   while (!search.grows(unstable) && unstable < guess * 10) unstable *= 1.25;
   if (search.grows(stable) || !search.grows(unstable))
-    throw SolutionError(fmt::format("{}: no onset of instability between steps of {:.3g} and {:.3g}",
-                                    integrator.name, stable, unstable));
+    throw SolutionError(
+        fmt::format("{}: no onset of instability between steps of {:.3g} and {:.3g}",
+                    integrator.name, stable, unstable));
   while (unstable - stable > options.accuracy * stable) {
     const double middle = (stable + unstable) / 2;
     (search.grows(middle) ? unstable : stable) = middle;

@@ -1,5 +1,4 @@
 #include <algorithm>
-
 #include <gnomon/error.hpp>
 #include <gnomon/stability.hpp>
 
