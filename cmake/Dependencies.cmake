@@ -47,6 +47,10 @@ if(GNOMON_TESTS)
   find_package(GTest QUIET)
   gnomon_need("GoogleTest and GoogleMock" "libgtest-dev libgmock-dev" "${GTest_FOUND}")
 endif()
+if(GNOMON_BENCHMARKS)
+  find_package(benchmark QUIET CONFIG)
+  gnomon_need("Google Benchmark" libbenchmark-dev "${benchmark_FOUND}")
+endif()
 
 # HDF5: Debian installs serial and MPI flavours side by side; gnomon wants the serial one.
 find_package(PkgConfig QUIET)

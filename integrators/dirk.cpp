@@ -42,10 +42,10 @@ Integrator describe(const Entry& entry) {
   integrator.stability = entry.stability;
   integrator.driver = "KINSOL, ARKODE table";
   integrator.help = std::string(entry.table).substr(7) + ": " + entry.help;
-  integrator.table = [name = entry.table](const IntegratorSettings&) { return arkode_table(name); };
+  integrator.table = [name = entry.table](const IntegratorSettings&) { return arkode_dirk_table(name); };
   integrator.make = [name = entry.table](const Model& model, const IntegratorSettings& settings,
                                          Counters& counters) {
-    return make_diagonally_implicit(model, settings, counters, arkode_table(name));
+    return make_diagonally_implicit(model, settings, counters, arkode_dirk_table(name));
   };
   return integrator;
 }

@@ -20,20 +20,13 @@ public:
     to = from;
     to.t = from.t + h;
     for (int i : norm_.components()) to.y[i] += h * from.ydot[i];
-    Attempt result = project(to, options);
-    if (!result.success) return result;
+    std::string reason = stages_.solve(to.y, options.piece);
+    if (!reason.empty()) return {.reason = std::move(reason)};
+    set_rates(system_, options.piece, to);
     // The difference to Heun's method.
     error_.clear();
     for (int i : norm_.components()) error_.push_back(h / 2 * (to.ydot[i] - from.ydot[i]));
-    result.error = norm_(error_, to.y);
-    return result;
-  }
-
-  Attempt project(State& state, const AttemptOptions& options) override {
-    std::string reason = stages_.solve(state.y, options.piece);
-    if (!reason.empty()) return {.reason = std::move(reason)};
-    set_rates(system_, options.piece, state);
-    return {.success = true};
+    return {.success = true, .error = norm_(error_, to.y)};
   }
 
   void accept(const State& state, bool) override { trace_.add(state.t, state.y); }

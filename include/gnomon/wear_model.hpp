@@ -15,8 +15,8 @@ public:
 
   const System& system() const override { return system_; }
   std::vector<BlockSize> blocks() const override;
-  /// Equilibrium at the initial shape by a load ramp (rows 1-2 of the system, shape frozen): the full
-  /// load is tried first, then ever smaller increments from the last equilibrium.
+  /// Equilibrium at the initial shape by a load ramp (rows 1-2 of the system, shape frozen). The
+  /// SolutionError names the fraction of the load that was in equilibrium.
   State start(Counters& counters) const override;
   /// contact_nodes, contact_force, max_pressure, contact_half_width (2D), worn_volume, wear_flux,
   /// element_quality.

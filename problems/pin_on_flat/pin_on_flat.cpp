@@ -12,6 +12,7 @@
 #include <gnomon/error.hpp>
 #include <gnomon/problem.hpp>
 #include <gnomon/wear_model.hpp>
+#include <gnomon/worn_body_scene.hpp>
 
 namespace gnomon {
 
@@ -61,20 +62,11 @@ void hold_boundary(WornBody<2>& body) {
     }
 }
 
-/// Uniform downward dead load of resultant `force` on the top.
-NodalField<2> top_load(const Mesh<2>& mesh, double force, double width) {
-  NodalField<2> load = NodalField<2>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), 2);
-  for (const auto& facet : mesh.boundary.at("top")) {
-    const double length = (mesh.nodes[facet[1]] - mesh.nodes[facet[0]]).norm();
-    for (int node : facet) load(node, 1) -= force / width * length / 2;
-  }
-  return load;
-}
-
-Scales make_scales(const Scene& scene, double k_v) {
+Scales make_scales(const Scene& scene) {
   const double nu = scene.real("body.poisson_ratio"), force = scene.real("load.force");
   const double reduced_modulus = scene.real("body.young_modulus") / (1 - nu * nu);
   const double width = scene.real("pin.width");
+  const double k_v = scene.real("wear.coefficient") * scene.real("wear.velocity");
   Scales scales;
   scales.force = force;
   scales.displacement = force / reduced_modulus;
@@ -91,28 +83,9 @@ std::unique_ptr<Model> make(const Scene& scene) {
   const auto& surface = body->mesh.boundary.at("bottom");
   body->contact_nodes = contact_patches<2>(body->mesh, surface);
   hold_boundary(*body);
-  const double width = scene.real("pin.width");
-  body->load = top_load(body->mesh, scene.real("load.force"), width);
-
-  const double young = scene.real("body.young_modulus");
-  body->material = NeoHookean::from_young_poisson(young, scene.real("body.poisson_ratio"));
-  body->auxiliary_material = NeoHookean::from_young_poisson(scene.real("shape.young_modulus"),
-                                                            scene.real("shape.poisson_ratio"));
-  const std::string& element = scene.text("body.element");
-  body->element = element == "plain"   ? ElementKind::plain
-                  : element == "f-bar" ? ElementKind::f_bar
-                                       : ElementKind::f_bar_variational;
-  const double k_v = scene.real("wear.coefficient") * scene.real("wear.velocity");
-  const double facet = width / static_cast<double>(surface.size());
-  body->contact.wear.rate_per_pressure = k_v;
-  body->contact.rho = scene.real("contact.regularization") * young / facet;
-  body->contact.normal_rule = scene.text("wear.normal") == "averaged" ? NormalRule::averaged
-                                                                      : NormalRule::normalised;
-  body->constraint = scene.text("shape.constraint") == "eliminated" ? ConstraintForm::eliminated
-                                                                    : ConstraintForm::multiplier;
-  body->scales = make_scales(scene, k_v);
-  body->augmentation = scene.real("shape.augmentation") * scene.real("shape.young_modulus") /
-                       facet * body->scales.duration;
+  body->load = uniform_load(body->mesh, "top", Vector<2>(0, -scene.real("load.force")));
+  body->scales = make_scales(scene);
+  read_worn_body(scene, scene.real("pin.width") / static_cast<double>(surface.size()), *body);
   return std::make_unique<WearModel<2>>(std::move(body));
 }
 

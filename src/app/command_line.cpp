@@ -33,6 +33,7 @@ CommandLine::CommandLine() : app_("gnomon integrates the shape of worn bodies in
   add_inspection();
   add_compare();
   add_stability();
+  add_plot();
   add_help();
 }
 
@@ -113,6 +114,19 @@ void CommandLine::add_stability() {
                    "Folder for spectrum.csv and critical_steps.csv; made when there is none")
       ->type_name("FOLDER");
   command->callback([this] { command_ = [this] { return stability_command(stability_); }; });
+}
+
+void CommandLine::add_plot() {
+  CLI::App* command = app_.add_subcommand("plot", "Draws figures as PNG and SVG");
+  command
+      ->add_option("RESULT|DIR", results_,
+                   "Result files (HDF5), and folders of studies, spectra or results")
+      ->required()
+      ->type_name("");
+  command
+      ->add_option("-o,--output", figures_, "Folder of the figures; default: figures, beside each")
+      ->type_name("DIR");
+  command->callback([this] { command_ = [this] { return plot_command(results_, figures_); }; });
 }
 
 void CommandLine::add_help() {

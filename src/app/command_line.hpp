@@ -28,6 +28,7 @@ private:
   void add_inspection();
   void add_compare();
   void add_stability();
+  void add_plot();
   void add_help();
   int help() const;
   std::vector<std::string> command_names() const;
@@ -44,6 +45,7 @@ private:
   std::optional<double> time_;
   std::vector<std::filesystem::path> results_;
   std::filesystem::path reference_;
+  std::filesystem::path figures_;
   std::optional<std::string> topic_;
   std::optional<std::string> problem_;
 };

@@ -30,7 +30,7 @@ void print_summary(const RunOutcome& outcome, const RunOptions& options) {
   for (const Scalar& scalar : outcome.last->scalars)
     table.add({"  " + scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});
   fmt::print("{}result: {} (for ParaView: {})\n", table.text(), options.result.string(),
-             std::filesystem::path(options.result).replace_extension(".xdmf").string());
+             sidecar_of(options.result).string());
 }
 
 int exit_code(const RunOutcome& outcome) {
@@ -53,8 +53,8 @@ std::string failure_message(const RunOutcome& outcome, const RunOptions& options
 
 RunOutcome integrate(const Setup& setup, const RunHeader& header,
                      const IntegratorSettings& settings, const RunOptions& options) {
+  const InterruptGuard guard(!options.quiet);  // first: a result that exists is always closed
   ResultWriter writer(options.result, header, setup.model->grid());
-  const InterruptGuard guard(!options.quiet);
   Progress progress(Progress::mode_for_stderr(options.quiet), settings.end);
   const RunHooks hooks{.on_step = [&](const HistoryRow& row) { progress.show(row); },
                        .interrupted = InterruptGuard::interrupted};

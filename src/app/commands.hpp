@@ -35,6 +35,9 @@ int contact_command(const std::filesystem::path& result, std::optional<double> t
 int compare_command(const std::vector<std::filesystem::path>& results,
                     const std::filesystem::path& reference);
 int stability_command(const StabilityOptions& options);
+/// Figures of results and of folders with studies or spectra. `folder` empty: beside each of them.
+int plot_command(const std::vector<std::filesystem::path>& targets,
+                 const std::filesystem::path& folder);
 /// Help topics but those of the command line itself. Throws InputError for an unknown topic, naming
 /// the nearest of `further_topics` and its own.
 int help_command(const std::string& topic, const std::optional<std::string>& problem,

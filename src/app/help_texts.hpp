@@ -45,6 +45,7 @@ Ctrl-C, a failure or a crash it holds everything up to the last step.
     gnomon info RESULT.h5          what it holds
     gnomon contact RESULT.h5       the contact surface as CSV
     gnomon compare RESULT.h5...    several runs side by side
+    gnomon plot RESULT.h5...       figures: shape, pressure, history, stress, worn volume
     gnomon run --summary FILE      the end of a run as JSON
 )";
 

@@ -14,7 +14,7 @@ volatile std::sig_atomic_t announced = 0;
 extern "C" void on_signal(int) {
   signalled = 1;
   if (!announced) return;
-  static const char text[] = "\ngnomon: ending after this step; once more kills\n";
+  static const char text[] = "\ngnomon: ending after this step (or the start); once more kills\n";
   // Nothing can be done about a failure, and nothing else is safe here.
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof text - 1);
 }

@@ -46,8 +46,12 @@ fs::path default_result(const fs::path& scene, const std::string& integrator) {
   return scene.stem().string() + "-" + integrator + ".h5";
 }
 
+fs::path sidecar_of(const fs::path& result) {
+  return fs::path(result).replace_extension(".xdmf");
+}
+
 void check_outputs(const RunOptions& options) {
-  const fs::path sidecar = fs::path(options.result).replace_extension(".xdmf");
+  const fs::path sidecar = sidecar_of(options.result);
   check_distinct(options.result, "the result", options.scene, "the scene");
   check_distinct(sidecar, "the result's sidecar", options.scene, "the scene");
   check_distinct(options.summary, "the summary", options.scene, "the scene");

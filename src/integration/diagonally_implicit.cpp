@@ -133,16 +133,17 @@ Attempt DiagonallyImplicit::attempt(const State& from, double h, const AttemptOp
       double& d = to.y[components[k]] = from.y[components[k]];
       for (int i = 0; i < table_.stages(); ++i) d += h * table_.b[i] * k_[i][k];
     }
-    const Attempt projected = project(to, options);
+    const Attempt projected = project(to, options.piece);
     if (!projected.success) return projected;
   }
   return {.success = true, .error = estimate(from, h, to)};
 }
 
-Attempt DiagonallyImplicit::project(State& state, const AttemptOptions& options) {
-  std::string reason = stages().solve(state.y, options.piece);
+/// Makes a state consistent with its differential components.
+Attempt DiagonallyImplicit::project(State& state, const ActiveSet* piece) {
+  std::string reason = stages().solve(state.y, piece);
   if (!reason.empty()) return {.reason = std::move(reason)};
-  set_rates(system_, options.piece, state);
+  set_rates(system_, piece, state);
   return {.success = true};
 }
 

@@ -109,6 +109,7 @@ int EventLocator::switch_at(double h, double width) {
 
 Landing EventLocator::land(const State& from, double h, State& to) {
   constexpr int most_attempts = 12;
+  constexpr double grazing = 1e-3;  // of the step: an event so near its start is its start
   const double width = tolerance * h;
   samples_.clear();
   sample(0, from.y);
@@ -117,7 +118,7 @@ Landing EventLocator::land(const State& from, double h, State& to) {
   double low = 0, high = h, guess = first_guess(from, h);
   Landing landing;
   for (int k = 0; k < most_attempts; ++k) {
-    if (high <= 3 * width) return {.grazing = true};
+    if (high <= grazing * h) return {.grazing = true};
     landing.h = std::clamp(guess, low + width / 2, high - width / 2);
     landing.attempt = method_.attempt(from, landing.h, {.piece = &piece_}, to);
     if (!landing.attempt.success) return landing;
@@ -127,8 +128,6 @@ Landing EventLocator::land(const State& from, double h, State& to) {
     if (std::abs(guess - landing.h) <= width) break;
   }
   landing.switched = switch_at(landing.h, 3 * width);
-  const Attempt projected = method_.project(to, {.piece = &piece_});
-  if (!projected.success) landing.attempt = projected;
   return landing;
 }
 

@@ -31,6 +31,10 @@ double StepSizeControl::after_failure(double h) {
   return h / 2;
 }
 
+double next_on_grid(double t, double step) {
+  return step * (std::floor(t / step * (1 + 1e-12) + 1e-9) + 1);
+}
+
 double first_step(const State& start, const Structure& structure,
                   const IntegratorSettings& settings, int order) {
   double largest = 0;

@@ -33,10 +33,8 @@ void OneStepStepper::begin(const State& state) {
 /// A step of about h that does not pass the next point to land on.
 OneStepStepper::Plan OneStepStepper::plan(const State& state, double t_stop, double h) const {
   double target = t_stop;
-  // The grid, by count rather than by adding up, so that it does not drift.
   if (fixed())
-    target = std::min(
-        t_stop, settings_.step * (std::floor(state.t / settings_.step * (1 + 1e-12) + 1e-9) + 1));
+    target = std::min(t_stop, next_on_grid(state.t, settings_.step));
   else if (settings_.max_step > 0)
     h = std::min(h, settings_.max_step);
   const double left = target - state.t;
@@ -74,7 +72,7 @@ double OneStepStepper::after_success(const Plan& plan, const Landing& landing) {
 }
 
 StepReport OneStepStepper::advance(State& state, double t_stop) {
-  constexpr int plain_attempts = 8, most_failures = 24;
+  constexpr int plain_attempts = 8, most_failures = 16;
   if (!begun_) begin(state);
   const long newton_before = counters_.newton_iterations;
   const double shortest = 1e-14 * settings_.end;

@@ -101,8 +101,8 @@ struct SparseLu::Factors {
   void* symbolic = nullptr;
   void* numeric = nullptr;
   std::vector<int> order;
-  mutable std::vector<int> workspace_int;
-  mutable std::vector<double> workspace;
+  std::vector<int> workspace_int;
+  std::vector<double> workspace;
 
   Factors(const SparsePattern& exact, const std::vector<int>& group)
       : pattern(pad_groups(exact, group)), values(pattern.row_index.size(), 0.0) {
@@ -153,10 +153,10 @@ bool SparseLu::factorize(std::span<const double> values) {
 }
 
 void SparseLu::solve(std::span<const double> b, std::span<double> x) const {
-  const Factors& f = *factors_;
+  Factors& f = *factors_;
   const int status = umfpack_di_wsolve(
       UMFPACK_A, f.pattern.column_start.data(), f.pattern.row_index.data(), f.values.data(),
-      x.data(), b.data(), f.numeric, f.control, factors_->info, f.workspace_int.data(),
+      x.data(), b.data(), f.numeric, f.control, f.info, f.workspace_int.data(),
       f.workspace.data());
   if (status != UMFPACK_OK)
     throw Error("UMFPACK could not solve (status " + std::to_string(status) + ")");

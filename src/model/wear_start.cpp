@@ -1,20 +1,27 @@
 // Consistent start of a worn body: equilibrium at the initial shape by a load ramp.
 
+#include "model/wear_start.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-
 #include <gnomon/error.hpp>
 #include <gnomon/integration/stepper.hpp>
 #include <gnomon/integration/stage_solver.hpp>
 #include <gnomon/wear_model.hpp>
+#include <limits>
 
 namespace gnomon {
 
 namespace {
 
-/// Moves the free body along the normal until its nearest point touches, so that the first matrix is
-/// not singular.
+/// An attempt that will succeed needs 3 to 9 iterations.
+constexpr int max_iterations = 15;
+/// Of equilibria on the way to the whole load.
+constexpr double rough_tolerance = 1e-3;
+
+/// Moves the free body along the normal until its nearest point touches, so that the first matrix
+/// is not singular.
 template <int dim>
 void close_initial_gap(const WornBody<dim>& body, NodalState<dim>& state) {
   const RigidPlane<dim>& plane = body.contact.counter_body;
@@ -26,38 +33,52 @@ void close_initial_gap(const WornBody<dim>& body, NodalState<dim>& state) {
       if (!body.displacement_fixed(node, i)) state.u(node, i) = -least * plane.normal[i];
 }
 
+double young_modulus(const NeoHookean& law) {
+  return law.mu * (3 * law.lambda + 2 * law.mu) / (law.lambda + law.mu);
+}
+
 }  // namespace
 
 template <int dim>
-State WearModel<dim>::start(Counters& counters) const {
-  constexpr double smallest_increment = 1e-4;
-  WearSystem<dim> contact(
-      std::make_shared<WornBody<dim>>(system_.body()),
-      {.deformation = true, .interior_shape = false, .contact_shape = false});
-  NewtonSolver newton(contact.structure(), counters);
+RampOptions ramp_options(const WornBody<dim>& body) {
+  const NeoHookean& law = body.material;
+  const double whole_strain = body.scales.stress / young_modulus(law);
+  const double strain = 3 * law.mu / (law.lambda + law.mu);
+  RampOptions options;
+  options.first = strain < whole_strain ? strain / whole_strain : 1;
+  options.smallest *= options.first;
+  return options;
+}
+
+template <int dim>
+RampReport find_equilibrium(WearSystem<dim>& contact, const RampOptions& options,
+                            NodalState<dim>& state, Counters& counters) {
+  NewtonSolver exact(contact.structure(), counters, {.max_iterations = max_iterations});
+  NewtonSolver rough(contact.structure(), counters,
+                     {.tolerance = rough_tolerance, .max_iterations = max_iterations});
   const NonlinearFunction function = algebraic_function(contact);
+  const LoadSolve solve = [&](double fraction, std::span<double> y) {
+    contact.set_load_factor(fraction);
+    return (fraction < 1 ? rough : exact).solve(function, y);
+  };
+  close_initial_gap(contact.body(), state);
+  std::vector<double> y(contact.structure().size);
+  contact.unknowns().gather(state, y);
+  const RampReport report = ramp_load(solve, options, y);
+  contact.unknowns().scatter(y, state);
+  return report;
+}
 
-  NodalState<dim> nodal = NodalState<dim>::zero(system_.body());
-  close_initial_gap(system_.body(), nodal);
-  std::vector<double> good(contact.structure().size), trial;
-  contact.unknowns().gather(nodal, good);
-  double reached = 0, increment = 1;
-  while (reached < 1) {
-    const double target = std::min(1.0, reached + increment);
-    contact.set_load_factor(target);
-    trial = good;
-    const NewtonReport report = newton.solve(function, trial);
-    if (report.converged) {
-      good = trial;
-      reached = target;
-      increment *= 2;
-    } else if ((increment /= 2) < smallest_increment) {
-      throw SolutionError(fmt::format("no equilibrium at t = 0 beyond load fraction {:.4f}: {}",
-                                      reached, report.reason));
-    }
-  }
-
-  contact.unknowns().scatter(good, nodal);
+template <int dim>
+State WearModel<dim>::start(Counters& counters) const {
+  const WornBody<dim>& body = system_.body();
+  WearSystem<dim> contact(system_.shared_body(),
+                          {.deformation = true, .interior_shape = false, .contact_shape = false});
+  NodalState<dim> nodal = NodalState<dim>::zero(body);
+  const RampReport ramp = find_equilibrium(contact, ramp_options(body), nodal, counters);
+  if (ramp.reached < 1)
+    throw SolutionError(fmt::format("no equilibrium at t = 0 beyond load fraction {:.4g}: {}",
+                                    ramp.reached, ramp.reason));
   State state;
   state.y.resize(system_.structure().size);
   system_.unknowns().gather(nodal, state.y);
@@ -65,6 +86,10 @@ State WearModel<dim>::start(Counters& counters) const {
   return state;
 }
 
+template RampOptions ramp_options(const WornBody<2>&);
+template RampOptions ramp_options(const WornBody<3>&);
+template RampReport find_equilibrium(WearSystem<2>&, const RampOptions&, NodalState<2>&, Counters&);
+template RampReport find_equilibrium(WearSystem<3>&, const RampOptions&, NodalState<3>&, Counters&);
 template State WearModel<2>::start(Counters&) const;
 template State WearModel<3>::start(Counters&) const;
 

@@ -45,6 +45,7 @@ private:
     state_ = model_.start(counters_);
     record({});
     store();
+    if (hooks_.interrupted()) return Status::interrupted;
     const auto stepper = integrator_.make(model_, settings_, counters_);
     while (state_.t < settings_.end) {
       if (hooks_.interrupted()) return Status::interrupted;

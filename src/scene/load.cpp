@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "scene/key_check.hpp"
+#include "scene/nesting.hpp"
 #include "scene/toml_reader.hpp"
 
 namespace gnomon {
@@ -34,8 +35,18 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+void refuse_deep_nesting(const std::string& text) {
+  constexpr std::size_t shown = 40;
+  const auto deep = find_deep_nesting(text);
+  if (!deep) return;
+  std::string key = trimmed(text.substr(0, text.find_first_of("=\r\n")));
+  if (key.size() > shown) key = key.substr(0, shown) + "...";
+  throw InputError(fmt::format("--set {}: {}", key, deep->message));
+}
+
 /// "key=value" of the command line.
 Given parse_override(const std::string& text) {
+  refuse_deep_nesting(text);
   const std::size_t equals = text.find('=');
   const std::string key = trimmed(text.substr(0, equals));
   if (equals == std::string::npos || key.empty())

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <gnomon/error.hpp>
 
+#include "scene/nesting.hpp"
 #include "scene/toml_text.hpp"
 
 namespace gnomon {
@@ -44,6 +45,8 @@ void flatten(const toml::table& table, const std::string& prefix, std::vector<Ra
 }  // namespace
 
 std::vector<RawEntry> read_toml(const std::string& text, const std::string& name) {
+  if (const auto deep = find_deep_nesting(text))
+    throw InputError(fmt::format("{}:{}: {}", name, deep->line, deep->message));
   std::vector<RawEntry> entries;
   try {
     flatten(toml::parse(text, name), "", entries);
@@ -59,6 +62,7 @@ std::vector<RawEntry> read_toml(const std::string& text, const std::string& name
 std::optional<RawValue> read_toml_value(const std::string& text) {
   // A line break would let the text smuggle in more than one value.
   if (text.find_first_of("\r\n") != std::string::npos) return std::nullopt;
+  if (find_deep_nesting(text)) return std::nullopt;
   try {
     const toml::table table = toml::parse("value = " + text);
     return value_of(*table.get("value"));

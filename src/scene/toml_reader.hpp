@@ -10,10 +10,10 @@
 namespace gnomon {
 
 /// All keys of a document in the order of their lines; an empty table is an entry of its own.
-/// Throws InputError "NAME:LINE: ..." for text that is not TOML.
+/// Throws InputError "NAME:LINE: ..." for text that is not TOML or nests absurdly (nesting.hpp).
 std::vector<RawEntry> read_toml(const std::string& text, const std::string& name);
 
-/// A value in TOML syntax; nothing when `text` is not exactly one value.
+/// A value in TOML syntax; nothing when `text` is not exactly one value, or nests absurdly.
 std::optional<RawValue> read_toml_value(const std::string& text);
 
 }  // namespace gnomon

@@ -11,12 +11,9 @@ using namespace sundials;
 
 namespace {
 void destroy_table(ARKodeButcherTableMem* table) { ARKodeButcherTable_Free(table); }
-}  // namespace
 
-ButcherTable arkode_table(const std::string& name) {
-  Owner<ARKodeButcherTableMem, destroy_table> table(
-      ARKodeButcherTable_LoadDIRKByName(name.c_str()));
-  if (!table) table.reset(ARKodeButcherTable_LoadERKByName(name.c_str()));
+ButcherTable copy_and_free(const std::string& name, ARKodeButcherTable owned) {
+  const Owner<ARKodeButcherTableMem, destroy_table> table(owned);
   if (!table) throw Error("ARKODE has no Butcher table called " + name);
   const int s = table->stages;
   ButcherTable result{name, table->q, Eigen::MatrixXd(s, s), Eigen::VectorXd(s),
@@ -30,6 +27,16 @@ ButcherTable arkode_table(const std::string& name) {
   result.embedded_order = table->p;
   result.b_embedded = Eigen::Map<const Eigen::VectorXd>(table->d, s);
   return result;
+}
+
+}  // namespace
+
+ButcherTable arkode_dirk_table(const std::string& name) {
+  return copy_and_free(name, ARKodeButcherTable_LoadDIRKByName(name.c_str()));
+}
+
+ButcherTable arkode_erk_table(const std::string& name) {
+  return copy_and_free(name, ARKodeButcherTable_LoadERKByName(name.c_str()));
 }
 
 }  // namespace gnomon

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include <gnomon/integration/stage_solver.hpp>
 #include <gnomon/integration/stepper.hpp>
 #include "semismooth_newton.hpp"
 
@@ -27,7 +29,11 @@ private:
   static int jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_Vector ydot, N_Vector F,
                       SUNMatrix J, void* self, N_Vector, N_Vector, N_Vector);
   static int weights(N_Vector y, N_Vector w, void* self);
+  static int switching(sunrealtype t, N_Vector y, N_Vector ydot, sunrealtype* values, void* self);
   void begin(const State& state);
+  int switch_nodes(const State& state, bool at_root);
+  void cross_event(State& state, bool at_root, StepReport& report);
+  const ActiveSet* piece() const { return settings_.locate_events ? &piece_ : nullptr; }
   [[noreturn]] void fail(int flag, double t) const;
 
   const System& system_;
@@ -36,6 +42,8 @@ private:
   long differential_ = 0;  // number of differential components
   bool begun_ = false;
   long rejected_ = 0;
+  ActiveSet piece_;  // the smooth piece that steps stay on while events are located
+  std::optional<StageSolver> stages_;  // made at the first event
   Guard guard_;
   // Destroyed in reverse: IDA before what it refers to, the context last.
   Context context_;
@@ -69,7 +77,7 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
     check(IDAGetNonlinearSystemData(ida_.get(), &t, &predicted, &res, &yy, &yp, &res, &gamma, &user),
           "IDAGetNonlinearSystemData");
     N_VLinearSum(1.0, predicted, 1.0, ycor, probe_.get());
-    active = gnomon::active_set(system_, view(probe_.get()));
+    active = piece() ? piece_ : active_set(system_, view(probe_.get()));
   };
   nonlinear_ = make_semismooth_newton(system.structure(), counters, guard_, newton, context_);
 }
@@ -93,6 +101,11 @@ void BdfSolver::Memory::begin(const State& state) {
   check(IDASetLinearSolver(ida, linear_.get(), matrix_.get()), "IDASetLinearSolver");
   check(IDASetJacFn(ida, &Memory::jacobian), "IDASetJacFn");
   check(IDASetNonlinearSolver(ida, nonlinear_.get()), "IDASetNonlinearSolver");
+  if (settings_.locate_events) {
+    piece_ = active_set(system_, state.y);
+    check(IDARootInit(ida, static_cast<int>(piece_.size()), &Memory::switching), "IDARootInit");
+    check(IDASetNoInactiveRootWarn(ida), "IDASetNoInactiveRootWarn");
+  }
   begun_ = true;
 }
 
@@ -100,7 +113,7 @@ int BdfSolver::Memory::residual(sunrealtype t, N_Vector y, N_Vector ydot, N_Vect
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
     ++self.counters_.residual_evaluations;
-    self.system_.residual({t, view(y), view(ydot)}, view(F));
+    self.system_.residual({t, view(y), view(ydot), self.piece()}, view(F));
     require_finite(view(F), "the residual");
   });
 }
@@ -110,7 +123,7 @@ int BdfSolver::Memory::jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
     ++self.counters_.jacobian_evaluations;
-    self.system_.jacobian({t, view(y), view(ydot)}, alpha, values(J));
+    self.system_.jacobian({t, view(y), view(ydot), self.piece()}, alpha, values(J));
   });
 }
 
@@ -122,6 +135,52 @@ int BdfSolver::Memory::weights(N_Vector y, N_Vector w, void* data) {
   for (std::size_t i = 0; i < view(y).size(); ++i)
     view(w)[i] = spread / (self.settings_.rtol * std::abs(view(y)[i]) + self.settings_.atol);
   return 0;
+}
+
+int BdfSolver::Memory::switching(sunrealtype, N_Vector y, N_Vector, sunrealtype* values,
+                                 void* data) {
+  Memory& self = *static_cast<Memory*>(data);
+  return self.guard_.run([&] {
+    self.system_.switching(view(y), std::span<double>(values, self.piece_.size()));
+  });
+}
+
+/// Switches the nodes at a root: the one that IDA names, and those that symmetry switches with it but
+/// rounding puts just before or behind. Returns how many.
+int BdfSolver::Memory::switch_nodes(const State& state, bool at_root) {
+  constexpr double together = 1e-9;  // of the largest switching function
+  std::vector<int> found(piece_.size(), 0);
+  if (at_root) check(IDAGetRootInfo(ida_.get(), found.data()), "IDAGetRootInfo");
+  std::vector<double> values(piece_.size());
+  system_.switching(state.y, values);
+  double largest = 0;
+  for (double value : values) largest = std::max(largest, std::abs(value));
+  int switched = 0;
+  for (std::size_t j = 0; j < piece_.size(); ++j) {
+    const bool rooted = found[j] != 0 && (found[j] < 0) != bool(piece_[j]);
+    const bool off = (values[j] <= 0) != bool(piece_[j]);
+    const bool beside = at_root && std::abs(values[j]) <= together * largest;
+    if (!rooted && !off && !beside) continue;
+    piece_[j] = !piece_[j];
+    ++switched;
+  }
+  return switched;
+}
+
+/// At an event the state is made consistent on the piece behind it, and IDA starts anew there, at
+/// order one.
+void BdfSolver::Memory::cross_event(State& state, bool at_root, StepReport& report) {
+  report.switched = switch_nodes(state, at_root);
+  if (report.switched == 0) return;
+  ++counters_.events;
+  if (!stages_) stages_.emplace(system_, counters_);
+  const std::string reason = stages_->solve(state.y, &piece_);
+  if (!reason.empty()) throw SolutionError("bdf, after an event: " + reason);
+  set_rates(system_, &piece_, state);
+  std::copy(state.y.begin(), state.y.end(), view(y_.get()).begin());
+  std::copy(state.ydot.begin(), state.ydot.end(), view(ydot_.get()).begin());
+  check(IDAReInit(ida_.get(), state.t, y_.get(), ydot_.get()), "IDAReInit");
+  rejected_ = 0;  // IDA's counts start anew
 }
 
 StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
@@ -149,7 +208,8 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   ++counters_.steps;
   state.t = t;
   std::copy(view(y_.get()).begin(), view(y_.get()).end(), state.y.begin());
-  set_rates(system_, nullptr, state);
+  set_rates(system_, piece(), state);
+  if (piece()) cross_event(state, flag == IDA_ROOT_RETURN, report);
   return report;
 }
 

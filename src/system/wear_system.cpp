@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <gnomon/system/wear_system.hpp>
 
@@ -18,6 +19,26 @@ WearSystem<dim>::WearSystem(std::shared_ptr<const WornBody<dim>> body, const Sel
   build_structure();
 }
 
+namespace {
+
+/// The problem's scales, raised to where rounding of positions and stresses ends what can be solved:
+/// a small load, a short run or a stiff body would otherwise ask for less.
+template <int dim>
+Scales above_rounding(const WornBody<dim>& body) {
+  Vector<dim> low = body.mesh.nodes.front(), high = low;
+  for (const Vector<dim>& X : body.mesh.nodes) low = low.cwiseMin(X), high = high.cwiseMax(X);
+  const double length = 1e-6 * (high - low).maxCoeff();
+  const double area = std::pow((high - low).maxCoeff(), dim - 1);
+  const double stiffness = 1e-7 * (body.material.lambda + 2 * body.material.mu) * area;
+  Scales scales = body.scales;
+  scales.displacement = std::max(scales.displacement, length);
+  scales.force = std::max(scales.force, stiffness);
+  if (scales.wear_depth < length) scales.auxiliary_force *= length / scales.wear_depth;
+  return scales;
+}
+
+}  // namespace
+
 template <int dim>
 void WearSystem<dim>::build_structure() {
   PatternBuilder builder(unknowns_.size());
@@ -32,7 +53,7 @@ void WearSystem<dim>::build_structure() {
   structure_.group = unknowns_.node();
   for (const auto& patch : body_->contact_nodes) structure_.switch_node.push_back(patch.node);
 
-  const Scales& s = body_->scales;
+  const Scales s = above_rounding(*body_);
   structure_.differential.assign(structure_.size, 0);
   structure_.row_scale.assign(structure_.size, s.auxiliary_force);
   structure_.unknown_scale.assign(structure_.size, s.wear_depth);

@@ -41,7 +41,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 TEST_F(Program, RunWritesResultSidecarAndSummary) {
-  const Outcome outcome = run({"--summary", "s.json"});
+  const Outcome outcome = run({"--summary", "s.json", "--set", "integrator.step=5"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("finished at t = 100 s"));
   EXPECT_THAT(outcome.out, HasSubstr("small_deformation-backward-euler.h5"));
@@ -104,7 +104,7 @@ TEST_F(Program, ContactPrintsCsvInFullPrecision) {
 }
 
 TEST_F(Program, ContactNamesTheStoredTimesNextToAMissingOne) {
-  ASSERT_EQ(run({"--quiet", "-o", "a.h5"}).exit_code, 0);
+  ASSERT_EQ(run({"--quiet", "-o", "a.h5", "--set", "integrator.step=5"}).exit_code, 0);
   const Outcome outcome = gnomon({"contact", "a.h5", "--time", "70"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("50 and 100"));
@@ -132,7 +132,7 @@ TEST_F(Program, CompareGivesThePapersErrorAgainstTheReference) {
 }
 
 TEST_F(Program, InfoTellsStatusUnknownsAndScene) {
-  ASSERT_EQ(run({"--quiet", "-o", "a.h5"}).exit_code, 0);
+  ASSERT_EQ(run({"--quiet", "-o", "a.h5", "--set", "integrator.step=5"}).exit_code, 0);
   const Outcome outcome = gnomon({"info", "a.h5"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* part : {"finished", "displacement", "0, 50, 100", "worn_volume", "elements = "})
@@ -146,7 +146,7 @@ TEST_F(Program, ListsAndHelp) {
   EXPECT_THAT(gnomon({"--version"}).out, HasSubstr("gnomon "));
   EXPECT_THAT(gnomon({"help", "scene", "pin_on_flat"}).out, HasSubstr("pin.radius"));
   for (const char* topic : {"scene", "integrators", "commands", "units", "output", "exit-codes",
-                            "run", "check", "list", "info", "contact", "compare", "help"}) {
+                            "run", "check", "list", "info", "contact", "compare", "plot", "help"}) {
     const Outcome outcome = gnomon({"help", topic});
     EXPECT_EQ(outcome.exit_code, 0) << topic;
     EXPECT_FALSE(outcome.out.empty()) << topic;
@@ -191,6 +191,23 @@ TEST_P(Signals, EndTheRunAfterTheStepWithAReadableResult) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Signals, testing::Values(SIGINT, SIGTERM));
+
+// Soft and nearly incompressible, so that the start takes a while.
+TEST_F(Program, SignalDuringTheStartEndsTheRunThere) {
+  const pid_t child =
+      start({"run", pin, "--set", "mesh.elements=[24,24]", "--set", "body.young_modulus=10",
+             "--set", "body.poisson_ratio=0.499", "-o", "a.h5"});
+  for (int i = 0; i < 10000 && !std::filesystem::exists(folder() / "a.h5"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  kill(child, SIGINT);
+  const Outcome outcome = finish(child);
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("interrupted at t = 0 s"));
+  const ResultReader result(folder() / "a.h5");
+  EXPECT_EQ(result.status(), "interrupted");
+  EXPECT_EQ(result.history().size(), 1u);
+  EXPECT_THAT(result.stored_times(), ElementsAre(0));
+}
 
 TEST_F(Program, FullStandardOutputIsAFailure) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();

@@ -81,16 +81,5 @@ TEST(Pin, StartsFromRest) {
     }
 }
 
-TEST(Pin, ReportsTheLoadThatItCannotCarry) {
-  const auto model = pin_model({elements(10), "body.young_modulus=0.5"});
-  Counters counters;
-  try {
-    model->start(counters);
-    FAIL() << "expected no equilibrium";
-  } catch (const SolutionError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("load fraction"));
-  }
-}
-
 }  // namespace
 }  // namespace gnomon

@@ -1,5 +1,6 @@
 // One case for every kind of mistake in a scene: file, line, key and what was expected are named.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -106,6 +107,53 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"ProblemIsNoText", "problem = 3\n",
                 "example.toml:1: key `problem`: expected a text, got 3"}),
     [](const auto& info) { return info.param.name; });
+
+std::string repeated(const std::string& part, int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += part;
+  return text;
+}
+
+const std::string too_many_parts =
+    "example.toml:4: a key of more than 32 parts, expected at most 32";
+const std::string too_deep =
+    "example.toml:4: arrays or tables nested more than 32 deep, expected at most 32";
+
+// 200,000 parts overflow the stack of the parser.
+TEST(AbsurdNesting, IsRefusedBeforeItIsParsed) {
+  for (const int count : {32, 200000}) {
+    const std::string dotted = repeated("a.", count) + "a",
+                      spaced = repeated("'b c' . ", count) + "a";
+    for (const std::string& line : {dotted + " = 1", spaced + " = 1", "[" + dotted + "]",
+                                    "[[" + dotted + "]]", "x = {y = [1, {" + dotted + " = 1}]}"})
+      EXPECT_EQ(complaint(with_line_4(line)), too_many_parts);
+  }
+  for (const int count : {33, 200000}) {
+    EXPECT_EQ(complaint(with_line_4("a = " + repeated("[", count))), too_deep);
+    EXPECT_EQ(complaint(with_line_4("a = " + repeated("{a = ", count))), too_deep);
+    EXPECT_EQ(complaint(with_line_4("a = " + repeated("[{a = ", count))), too_deep);
+  }
+}
+
+TEST(AbsurdNesting, CountsTheLinesOfStringsAndArrays) {
+  EXPECT_EQ(complaint("a = \"\"\"\n\\\n\"\"\"\"\n" + repeated("b.", 40) + "b = 1"), too_many_parts);
+  EXPECT_EQ(complaint("a = [\n1, # one\n2]\n" + repeated("b.", 40) + "b = 1"), too_many_parts);
+  EXPECT_EQ(complaint("a = 'C:\\'\n\n\n" + repeated("b.", 40) + "b = 1"), too_many_parts);
+}
+
+TEST(AbsurdNesting, DoesNotCountStringsCommentsOrNeighbours) {
+  const std::string dots = repeated(".[{", 100);
+  for (const std::string& text :
+       {"\"" + dots + "\\\"" + dots + "\"", "'" + dots + "\\'",
+        "\"\"\"" + dots + "\"\n\"\"" + dots + "\"\"\"\"\"", "'''" + dots + "\n'" + dots + "''''"})
+    EXPECT_EQ(complaint("problem = \"example\" # " + dots + "\noutput.title = " + text + " # " +
+                        dots + "\nbody.young_modulus = 1"),
+              "");
+  EXPECT_EQ(complaint(with_line_4("[output]\ntimes = [" + repeated("1.5, ", 1000) + "2.5]")), "");
+  // 32 parts are not too many, only unknown.
+  EXPECT_THAT(complaint(with_line_4("[" + repeated("a.", 31) + "a]")),
+              testing::HasSubstr("unknown key"));
+}
 
 TEST(BadSceneText, SyntaxErrorNamesFileAndLine) {
   const std::string message = complaint(with_line_4("poisson_ratio = = 3"));

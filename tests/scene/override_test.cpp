@@ -55,6 +55,17 @@ TEST(BadOverride, IsRefused) {
   EXPECT_EQ(complaint(text, {"problem=exmple"}), "--set problem: unknown problem \"exmple\"");
 }
 
+TEST(BadOverride, MayNotNestAbsurdly) {
+  std::string key, brackets;
+  for (int i = 0; i < 50000; ++i) key += "a.", brackets += '[';
+  EXPECT_EQ(complaint(text, {key + "a=1"}),
+            "--set " + key.substr(0, 40) + "...: a key of more than 32 parts, expected at most 32");
+  EXPECT_EQ(complaint(text, {"mesh.level={" + key + "a=1}"}),
+            "--set mesh.level: a key of more than 32 parts, expected at most 32");
+  EXPECT_EQ(complaint(text, {"mesh.level=" + brackets}),
+            "--set mesh.level: arrays or tables nested more than 32 deep, expected at most 32");
+}
+
 TEST(BadOverride, CannotSmuggleInASecondKey) {
   EXPECT_NE(complaint(text, {"mesh.level=3\nmesh.elements=[1,1]"}), "");
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <gnomon/integrator.hpp>
 #include <gnomon/stability.hpp>
-#include <gnomon/sundials/arkode_table.hpp>
 
 namespace gnomon {
 namespace {
@@ -50,10 +49,9 @@ TEST(StabilityFunction, IsTheTruncatedExponentialWhereStagesEqualOrder) {
 
 TEST(StabilityBoundary, IsThatOfKnownMethods) {
   EXPECT_NEAR(stability_boundary(table_of("forward-euler"), real_axis), 2, 1e-9);
-  EXPECT_NEAR(stability_boundary(arkode_table("ARKODE_HEUN_EULER_2_1_2"), real_axis), 2, 1e-9);
+  EXPECT_NEAR(stability_boundary(table_of("erk-2"), real_axis), 2, 1e-9);
   // Three stages of order three; the fourth of Bogacki and Shampine's is for the estimate alone.
-  EXPECT_NEAR(stability_boundary(arkode_table("ARKODE_BOGACKI_SHAMPINE_4_2_3"), real_axis),
-              2.512745, 1e-6);
+  EXPECT_NEAR(stability_boundary(table_of("erk-3"), real_axis), 2.512745, 1e-6);
   EXPECT_NEAR(stability_boundary(classical(), real_axis), 2.785294, 1e-6);
   EXPECT_NEAR(stability_boundary(classical(), imaginary_axis), 2 * std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(stability_boundary(table_of("forward-euler"), imaginary_axis), 0, 1e-5);
@@ -62,10 +60,10 @@ TEST(StabilityBoundary, IsThatOfKnownMethods) {
   EXPECT_TRUE(std::isinf(stability_boundary(table_of("backward-euler"), real_axis)));
 }
 
-// Its stages exceed its order: the polynomial has a term of fifth degree of its own, if the fifth
-// stage feeds the solution. Taken here from b^T A^k 1, and the boundary from that polynomial.
+// Five stages of order four, the fifth for the estimate alone: the boundary is that of the
+// polynomial with coefficients b^T A^k 1, which is the classical one.
 TEST(StabilityBoundary, OfZonneveldIsThatOfItsPolynomial) {
-  const ButcherTable table = arkode_table("ARKODE_ZONNEVELD_5_3_4");
+  const ButcherTable table = table_of("erk-4");
   std::vector<double> coefficients = {1};
   for (Eigen::VectorXd v = Eigen::VectorXd::Ones(5); coefficients.size() < 6; v = table.A * v)
     coefficients.push_back(table.b.dot(v));
@@ -80,7 +78,8 @@ TEST(StabilityBoundary, OfZonneveldIsThatOfItsPolynomial) {
     return sum;
   };
   const double boundary = stability_boundary(table, real_axis);
-  EXPECT_GT(boundary, 2);
+  EXPECT_NEAR(coefficients[5], 0, 1e-15);
+  EXPECT_NEAR(boundary, 2.785294, 1e-6);
   EXPECT_NEAR(std::abs(polynomial(-boundary)), 1, 1e-9);
   EXPECT_GT(std::abs(polynomial(-boundary - 1e-3)), 1);
   for (double x = 0.01; x < boundary; x += 0.01) EXPECT_LE(std::abs(polynomial(-x)), 1);

@@ -2,11 +2,7 @@
 // predicts.
 
 #include <cmath>
-#include <gnomon/integration/error_norm.hpp>
-#include <gnomon/integration/stage_solver.hpp>
-#include <gnomon/integration/stepper.hpp>
 #include <gnomon/stability.hpp>
-#include <gnomon/sundials/arkode_table.hpp>
 
 #include "support/pin.hpp"
 
@@ -14,66 +10,6 @@ namespace gnomon {
 namespace {
 
 using namespace testing;
-
-/// Any explicit table on the reduced ODE, without an error estimate.
-class Explicit : public OneStepMethod {
-public:
-  Explicit(const System& system, const IntegratorSettings& settings, Counters& counters,
-           ButcherTable table)
-      : system_(system),
-        components_(ErrorNorm(system.structure(), settings).components()),
-        stages_(system, counters),
-        table_(std::move(table)) {}
-
-  Attempt attempt(const State& from, double h, const AttemptOptions& options, State& to) override {
-    std::vector<std::vector<double>> rates;
-    to = from;
-    for (int i = 0; i < table_.stages(); ++i) {
-      advance(from, h, table_.A.row(i).transpose(), rates, to);
-      if (const Attempt stage = project(to, options); !stage.success) return stage;
-      rates.push_back(to.ydot);
-    }
-    advance(from, h, table_.b, rates, to);
-    to.t = from.t + h;
-    return project(to, options);
-  }
-  Attempt project(State& state, const AttemptOptions& options) override {
-    std::string reason = stages_.solve(state.y, options.piece);
-    if (!reason.empty()) return {.reason = std::move(reason)};
-    set_rates(system_, options.piece, state);
-    return {.success = true};
-  }
-  void accept(const State&, bool) override {}
-  const Trace& trace() const override { return trace_; }
-
-private:
-  void advance(const State& from, double h, const Eigen::VectorXd& weights,
-               const std::vector<std::vector<double>>& rates, State& to) const {
-    for (int i : components_) {
-      to.y[i] = from.y[i];
-      for (std::size_t j = 0; j < rates.size(); ++j) to.y[i] += h * weights[j] * rates[j][i];
-    }
-  }
-
-  const System& system_;
-  std::vector<int> components_;
-  StageSolver stages_;
-  ButcherTable table_;
-  Trace trace_;
-};
-
-Integrator explicit_method(const std::string& table) {
-  Integrator integrator;
-  integrator.name = table;
-  integrator.table = [table](const IntegratorSettings&) { return arkode_table(table); };
-  integrator.make = [table](const Model& model, const IntegratorSettings& settings,
-                            Counters& counters) -> std::unique_ptr<Stepper> {
-    return std::make_unique<OneStepStepper>(
-        model.system(), settings, counters,
-        std::make_unique<Explicit>(model.system(), settings, counters, arkode_table(table)), 1, 1);
-  };
-  return integrator;
-}
 
 /// Onset over prediction.
 double agreement(const Model& model, const Integrator& integrator, const State& state) {

@@ -30,7 +30,6 @@ public:
                      ButcherTable table);
 
   Attempt attempt(const State& from, double h, const AttemptOptions& options, State& to) override;
-  Attempt project(State& state, const AttemptOptions& options) override;
   void accept(const State& state, bool kink) override;
   const Trace& trace() const override { return trace_; }
 
@@ -44,6 +43,7 @@ private:
                                const AttemptOptions& options, State& to);
   void set_rates_of(double step, const Rates& base, std::span<const double> y,
                     std::span<double> ydot) const;
+  Attempt project(State& state, const ActiveSet* piece);
   double estimate(const State& from, double h, const State& to);
   StageSolver& stages();
 

@@ -20,10 +20,11 @@ struct Landing {
 /// changed sign at the end of a step, the first of these events is found by interpolation and by
 /// repeating the step, shorter, until its end is within `tolerance` of the event.
 ///
-/// The error of switching late or early by delta is (jump of the second derivative) delta^2 / 2.
+/// The tolerance is tight because the state found is not projected on the new piece: its rates, which
+/// the next step may use, are off by their slope there times the error in time.
 class EventLocator {
 public:
-  static constexpr double tolerance = 1e-4;  ///< of the time of an event, in units of the step
+  static constexpr double tolerance = 1e-7;  ///< of the time of an event, in units of the step
 
   EventLocator(const System& system, OneStepMethod& method) : system_(system), method_(method) {}
 
@@ -34,7 +35,7 @@ public:
   bool left(std::span<const double> y) const { return active_set(system_, y) != piece_; }
 
   /// For a step of size h from `from` that ended off the piece in `to`: the shorter step that ends on
-  /// the first event. `to` is then consistent on the new piece, which piece() gives.
+  /// the first event. piece() is then the one behind it.
   Landing land(const State& from, double h, State& to);
 
 private:

@@ -29,8 +29,6 @@ public:
   /// Tries a step of size h; fills `to` (whole) on success.
   virtual Attempt attempt(const State& from, double h, const AttemptOptions& options,
                           State& to) = 0;
-  /// Makes a state consistent with its differential components on the given piece.
-  virtual Attempt project(State& state, const AttemptOptions& options) = 0;
   /// `from` became the start of the next step; a kink there ends what can be extrapolated.
   virtual void accept(const State& state, bool kink) = 0;
   /// States of the last attempts.

@@ -33,6 +33,8 @@ public:
 
   const Unknowns<dim>& unknowns() const { return unknowns_; }
   const WornBody<dim>& body() const { return *body_; }
+  /// For another system of the same body.
+  const std::shared_ptr<const WornBody<dim>>& shared_body() const { return body_; }
   const ContactAssembly<dim>& contact() const { return contact_; }
 
   /// Nodal values of y; frozen blocks as last given to freeze() (zero before).

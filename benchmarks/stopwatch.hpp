@@ -1,0 +1,39 @@
+// Times parts of a loop against each other.
+#pragma once
+
+#include <algorithm>
+#include <ctime>
+#include <vector>
+
+namespace gnomon::bench {
+
+/// Times of one part, one a pass. The parts that are to be compared take turns in one loop, and
+/// what counts is processor time and its median: what else the machine does then cancels from the
+/// ratio.
+class Stopwatch {
+public:
+  template <typename Part>
+  void time(Part&& part) {
+    const double begin = now();
+    part();
+    seconds_.push_back(now() - begin);
+  }
+
+  double median() const {
+    std::vector<double> sorted = seconds_;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return *middle;
+  }
+
+private:
+  static double now() {  // of this thread: BLAS is kept to one
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+
+  std::vector<double> seconds_;
+};
+
+}  // namespace gnomon::bench

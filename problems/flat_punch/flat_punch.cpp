@@ -1,0 +1,153 @@
+// flat_punch: a rigid flat punch of half width a on the surface of a large elastic block, which
+// slides past and wears under it; plane strain, frictionless, wear rate k v |T_N|. Full contact
+// from beginning to end: no node ever switches.
+//
+// On a half-plane the pressure tends to the uniform F/(2a), and a small deviation p from it decays
+// in modes exp(-lambda_n t), lambda_n = c_n E* k v/a. The surface stays flat under the punch, so
+// that its displacement u(x) = (2/(pi E*)) integral of -ln|x - s| p(s) ds obeys udot + k v p =
+// const, and with lengths in units of a
+//
+//   mu_n p_n(x) = P integral over [-1, 1] of -ln|x - s| p_n(s) ds,   c_n = pi/(2 mu_n),
+//
+// P taking the mean away: c = 1.0031, 1.7267, 2.5627, 3.3143, 4.1300, antisymmetric modes first
+// (the punch does not tilt). The tests solve this equation, too.
+//
+// The block lies above the punch, on the plane y = 0 of which only |x| <= a exists. A uniform
+// traction presses on the top, the sides are held laterally. The contact nodes are those under the
+// punch, its edges included: of a node at an edge only the facet under the punch carries pressure
+// and wears, so that its area is half that facet, its normal that of it, and the areas add up to
+// 2a. The surface beside the punch keeps its shape: the step that wears at the edge is spread over
+// the first element beside it. That asks for depths small against the elements, and makes the
+// volume of the mesh shrink by more (half an element a side) than the wear integral, which has the
+// exact k v F t.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <gnomon/error.hpp>
+#include <gnomon/problem.hpp>
+#include <gnomon/wear_model.hpp>
+#include <gnomon/worn_body_scene.hpp>
+
+namespace gnomon {
+
+namespace {
+
+std::vector<Key> keys() {
+  constexpr Range positive{.min = 0, .min_open = true};
+  std::vector<Key> result = {
+      {.name = "punch.half_width", .unit = "mm", .range = positive, .help = "half width a"},
+      {.name = "block.width", .unit = "mm", .range = positive, .help = "width W of the block"},
+      {.name = "block.depth", .unit = "mm", .range = positive, .help = "depth H of the block"},
+      {.name = "mesh.punch_elements",
+       .kind = KeyKind::integer,
+       .presence = Key::Presence::defaulted,
+       .default_value = 20L,
+       .range = {.min = 2, .max = 2000},
+       .help = "elements under the punch, equally wide"},
+      {.name = "mesh.grading",
+       .presence = Key::Presence::defaulted,
+       .default_value = 1.2,
+       .range = {.min = 1, .max = 3, .min_open = true},
+       .help = "largest ratio of neighbouring elements away from the punch"}};
+  result.insert(result.end(), worn_body_keys().begin(), worn_body_keys().end());
+  return result;
+}
+
+/// Lines at 0 < ... <= `length`, which is the last. Every element is wider than the one before it
+/// by the same ratio, `grading` at most, and the first than `before`.
+std::vector<double> graded(double before, double length, double grading) {
+  const auto sum = [before](double ratio, int count) {
+    double total = 0, width = before;
+    for (int k = 0; k < count; ++k) total += width *= ratio;
+    return total;
+  };
+  int count = 1;
+  while (sum(grading, count) < length) ++count;
+  double low = 0, high = grading;
+  for (int k = 0; k < 200; ++k) {
+    const double middle = (low + high) / 2;
+    (sum(middle, count) < length ? low : high) = middle;
+  }
+  std::vector<double> lines;
+  for (int k = 1; k < count; ++k) lines.push_back(sum(high, k));
+  lines.push_back(length);
+  return lines;
+}
+
+Mesh<2> make_mesh(const Scene& scene) {
+  const double a = scene.real("punch.half_width"), grading = scene.real("mesh.grading");
+  const double side = scene.real("block.width") / 2 - a;
+  if (side <= 0)
+    throw InputError(fmt::format("{}: expected more than 2 punch.half_width = {:g} mm, got {:g}",
+                                 scene.where("block.width"), 2 * a, 2 * (side + a)));
+  const int under = static_cast<int>(scene.integer("mesh.punch_elements"));
+  const double element = 2 * a / under;
+  std::vector<double> x, y{0.0};
+  const std::vector<double> beside = graded(element, side, grading);
+  for (auto line = beside.rbegin(); line != beside.rend(); ++line) x.push_back(-a - *line);
+  for (int k = 0; k <= under; ++k) x.push_back(a * (2.0 * k / under - 1));
+  for (double line : beside) x.push_back(a + line);
+  for (double line : graded(element / grading, scene.real("block.depth"), grading))
+    y.push_back(line);
+  const int nx = static_cast<int>(x.size()) - 1, ny = static_cast<int>(y.size()) - 1;
+  return structured_quadrilaterals(nx, ny, [&](double s, double t) {
+    return Vector<2>(x[std::lround(s * nx)], y[std::lround(t * ny)]);
+  });
+}
+
+std::vector<Mesh<2>::Facet> facets_under_punch(const Mesh<2>& mesh, double half_width) {
+  std::vector<Mesh<2>::Facet> result;
+  for (const auto& facet : mesh.boundary.at("bottom"))
+    if (std::abs(mesh.nodes[facet[0]][0] + mesh.nodes[facet[1]][0]) / 2 < half_width)
+      result.push_back(facet);
+  return result;
+}
+
+/// The sides slide along themselves; the shape is held on the boundary but under the punch.
+void hold_boundary(WornBody<2>& body) {
+  const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
+  body.displacement_fixed = body.shape_fixed = NodalFlags<2>::Zero(nodes, 2);
+  for (const char* part : {"left", "right", "top", "bottom"})
+    for (int node : body.mesh.boundary_nodes(part)) body.shape_fixed.row(node).setOnes();
+  for (const char* part : {"left", "right"})
+    for (int node : body.mesh.boundary_nodes(part)) body.displacement_fixed(node, 0) = 1;
+  for (const auto& patch : body.contact_nodes) body.shape_fixed.row(patch.node).setZero();
+}
+
+Scales make_scales(const Scene& scene) {
+  const double nu = scene.real("body.poisson_ratio"), force = scene.real("load.force");
+  const double k_v = scene.real("wear.coefficient") * scene.real("wear.velocity");
+  Scales scales;
+  scales.force = force;
+  scales.displacement = force * (1 - nu * nu) / scene.real("body.young_modulus");
+  scales.stress = force / (2 * scene.real("punch.half_width"));
+  scales.duration = scene.real("time.end");
+  scales.wear_depth = k_v * scales.stress * scales.duration;
+  scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
+  return scales;
+}
+
+std::unique_ptr<Model> make(const Scene& scene) {
+  auto body = std::make_shared<WornBody<2>>();
+  const double a = scene.real("punch.half_width");
+  body->mesh = make_mesh(scene);
+  body->contact_nodes = contact_patches<2>(body->mesh, facets_under_punch(body->mesh, a));
+  hold_boundary(*body);
+  body->load = uniform_load(body->mesh, "top", Vector<2>(0, -scene.real("load.force")));
+  body->scales = make_scales(scene);
+  read_worn_body(scene, 2 * a / double(scene.integer("mesh.punch_elements")), *body);
+  return std::make_unique<WearModel<2>>(std::move(body));
+}
+
+const Registration<Problem> registration({
+    .name = "flat_punch",
+    .help =
+        "2D rigid flat punch on a large block, plane strain, frictionless: full contact, no event",
+    .keys = keys(),
+    .make = make,
+});
+
+}  // namespace
+
+}  // namespace gnomon

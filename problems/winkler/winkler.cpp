@@ -1,0 +1,222 @@
+// winkler: the worn pin on a bed of springs instead of an elastic body (a Winkler foundation; K. L.
+// Johnson, Contact Mechanics, sec. 4.3), cheap with thousands of points and solved in closed form.
+//
+// Points x_i, equally spaced over [-L/2, L/2] with both ends, carry the trapezoidal areas A_i. With
+// the gap g_i = x_i^2/(2R) + d_i - delta of the undeformed surface, d the wear depth, delta the
+// approach:
+//
+//   d_i:    ddot_i - k v p_i = 0
+//   p_i:    p_i + K_w g_i = 0 (closed, g_i <= 0)   or   p_i = 0 (open)
+//   delta:  sum_i A_i p_i - F = 0
+//
+// so that the wear flux, sum_i A_i k v p_i, is k v F exactly. The switching function is K_w g_i.
+//
+// Closed form of the continuum. The contact half width a grows; at its edge p = d = 0, so that
+// delta = a^2/(2R), and the balance of forces with the worn area k v F t gives
+//
+//   2 a^3/(3R) = F/K_w + k v F t:   a = a_0 s^(1/3),  delta = delta_0 s^(2/3),  s = 1 + kappa t,
+//
+// kappa = K_w k v, a_0^3 = 3 R F/(2 K_w), delta_0 = a_0^2/(2R). Where there is contact,
+// ddot = kappa (delta - x^2/(2R) - d); from the first touch, s_0 = max(1, xi^3) with xi = |x|/a_0,
+//
+//   d(x, t) = delta_0 integral from s_0 to s of (sigma^(2/3) - xi^2) exp(sigma - s) dsigma,
+//   p(x, t) = K_w (delta - x^2/(2R) - d),
+//
+// which holds as long as a <= L/2. The discrete pressure differs from it by O(h^2) and the depth by
+// O(h^3), h = L/(n - 1) (see the tests).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/error.hpp>
+#include <gnomon/integration/stage_solver.hpp>
+#include <gnomon/integration/stepper.hpp>
+#include <gnomon/problem.hpp>
+
+#include "winkler_system.hpp"
+
+namespace gnomon {
+
+namespace {
+
+using winkler::Foundation;
+using winkler::WinklerSystem;
+
+/// Integral over [low, high] by Gauss-Legendre with ten points a panel of length one at most.
+template <class Function>
+double integral(double low, double high, const Function& f) {
+  constexpr double node[] = {0.14887433898163121, 0.43339539412924719, 0.67940956829902441,
+                             0.86506336668898451, 0.97390652851717172};
+  constexpr double weight[] = {0.29552422471475287, 0.26926671930999636, 0.21908636251598204,
+                               0.14945134915058059, 0.06667134430868814};
+  if (high <= low) return 0;
+  const int panels = static_cast<int>(std::ceil(high - low));
+  const double half = (high - low) / (2 * panels);
+  double sum = 0;
+  for (int k = 0; k < panels; ++k) {
+    const double middle = low + (2 * k + 1) * half;
+    for (int g = 0; g < 5; ++g)
+      sum += half * weight[g] * (f(middle - half * node[g]) + f(middle + half * node[g]));
+  }
+  return sum;
+}
+
+class WinklerModel : public Model {
+public:
+  explicit WinklerModel(std::shared_ptr<const Foundation> foundation)
+      : foundation_(std::move(foundation)), system_(foundation_, true) {}
+
+  const System& system() const override { return system_; }
+  std::vector<BlockSize> blocks() const override {
+    const long n = system_.points();
+    return {{"worn_surface", "d", n, "points (differential)"},
+            {"pressure", "p", n, "points"},
+            {"approach", "delta", 1, "the pin"}};
+  }
+
+  State start(Counters& counters) const override {
+    const Foundation& f = *foundation_;
+    State state{0, std::vector<double>(system_.structure().size, 0.0), {}};
+    // From full contact Newton only ever opens points: the force is convex in delta.
+    state.y[system_.delta()] = f.profile(f.width / 2) + f.mean_pressure() / f.modulus;
+    const std::string reason = StageSolver(system_, counters).solve(state.y);
+    if (!reason.empty()) throw SolutionError("no equilibrium at t = 0: " + reason);
+    set_rates(system_, nullptr, state);
+    return state;
+  }
+
+  /// As of a worn body (WearModel), without the quality of elements.
+  std::vector<Scalar> observe(const State& state) const override {
+    const Foundation& f = *foundation_;
+    double force = 0, worn = 0, pressure = 0;
+    long active = 0;
+    for (int i = 0; i < system_.points(); ++i) {
+      force += f.area[i] * state.y[system_.p(i)];
+      worn += f.area[i] * state.y[system_.d(i)];
+      pressure = std::max(pressure, state.y[system_.p(i)]);
+      active += system_.gap(state.y, i) <= 0;
+    }
+    return {{"contact_nodes", "", double(active)},
+            {"contact_force", "N/mm", force},
+            {"max_pressure", "MPa", pressure},
+            {"worn_volume", "mm^2", worn},
+            {"wear_flux", "mm^2/s", f.wear_rate * force},
+            {"contact_half_width", "mm", half_width(state.y)}};
+  }
+
+  double differential_scale() const override { return foundation_->mean_depth(); }
+  std::optional<Grid> grid() const override { return std::nullopt; }
+  std::vector<Field> fields(const State&) const override { return {}; }
+
+  std::optional<ContactSurface> contact(const State& state) const override {
+    const Foundation& f = *foundation_;
+    ContactSurface surface;
+    for (int i = 0; i < system_.points(); ++i) {
+      const double y = f.profile(f.x[i]), d = state.y[system_.d(i)];
+      const double gap = system_.gap(state.y, i);
+      surface.node.push_back(i);
+      surface.initial.push_back({f.x[i], y, 0});
+      surface.worn.push_back({f.x[i], y + d, 0});
+      surface.current.push_back({f.x[i], std::max(0.0, gap), 0});
+      surface.pressure.push_back(std::max(0.0, state.y[system_.p(i)]));
+      surface.wear_depth.push_back(d);
+      surface.active.push_back(gap <= 0);
+    }
+    return surface;
+  }
+
+  std::optional<State> exact(double t) const override {
+    constexpr double memory = 40;  // exp(-40) is below rounding
+    const Foundation& f = *foundation_;
+    const double a_0 = std::cbrt(1.5 * f.radius * f.force / f.modulus);
+    const double kappa = f.modulus * f.wear_rate, s = 1 + kappa * t;
+    if (a_0 * std::cbrt(s) > f.width / 2) return std::nullopt;
+    State state{t, std::vector<double>(system_.structure().size, 0.0), {}};
+    state.ydot = state.y;
+    for (int i = 0; i < system_.points(); ++i) {
+      const double xi = std::abs(f.x[i]) / a_0;
+      const double first = std::max(1.0, xi * xi * xi);
+      if (s < first) continue;
+      const double depth = integral(std::max(first, s - memory), s, [=](double sigma) {
+        return (std::cbrt(sigma * sigma) - xi * xi) * std::exp(sigma - s);
+      });
+      const double delta_0 = f.profile(a_0);
+      state.y[system_.d(i)] = delta_0 * depth;
+      state.ydot[system_.d(i)] = kappa * delta_0 * (std::cbrt(s * s) - xi * xi - depth);
+    }
+    return state;
+  }
+
+private:
+  /// Half the distance between the zeros of the gap, linear between points.
+  double half_width(std::span<const double> y) const {
+    const int n = system_.points();
+    int first = 0, last = n - 1;
+    while (first < n && system_.gap(y, first) > 0) ++first;
+    while (last > first && system_.gap(y, last) > 0) --last;
+    if (first == n) return 0;
+    const auto edge = [&](int in, int out) {
+      if (out < 0 || out >= n) return foundation_->x[in];
+      const double g_in = system_.gap(y, in), g_out = system_.gap(y, out);
+      return foundation_->x[in] +
+             (foundation_->x[out] - foundation_->x[in]) * g_in / (g_in - g_out);
+    };
+    return (edge(last, last + 1) - edge(first, first - 1)) / 2;
+  }
+
+  std::shared_ptr<const Foundation> foundation_;
+  WinklerSystem system_;
+};
+
+std::vector<Key> keys() {
+  constexpr Range positive{.min = 0, .min_open = true};
+  std::vector<Key> result = {
+      {.name = "pin.radius",
+       .unit = "mm",
+       .range = positive,
+       .help = "radius of curvature R of the pin's surface y = x^2/(2R)"},
+      {.name = "pin.width", .unit = "mm", .range = positive, .help = "width L of the pin"},
+      {.name = "foundation.modulus",
+       .unit = "MPa/mm",
+       .range = positive,
+       .help = "modulus K_w of the springs: pressure a unit of compression"},
+      {.name = "foundation.points",
+       .kind = KeyKind::integer,
+       .presence = Key::Presence::defaulted,
+       .default_value = 401L,
+       .range = {.min = 3, .max = 1000000},
+       .help = "number of springs over the width, both ends included"}};
+  for (const Key& key : worn_body_keys())
+    if (key.name == "load.force" || key.name == "wear.coefficient" || key.name == "wear.velocity")
+      result.push_back(key);
+  return result;
+}
+
+std::unique_ptr<Model> make(const Scene& scene) {
+  auto f = std::make_shared<Foundation>();
+  f->radius = scene.real("pin.radius");
+  f->width = scene.real("pin.width");
+  f->modulus = scene.real("foundation.modulus");
+  f->force = scene.real("load.force");
+  f->wear_rate = scene.real("wear.coefficient") * scene.real("wear.velocity");
+  f->duration = scene.real("time.end");
+  const long n = scene.integer("foundation.points");
+  const double spacing = f->width / double(n - 1);
+  for (long i = 0; i < n; ++i) {
+    f->x.push_back(f->width * (double(i) / double(n - 1) - 0.5));
+    f->area.push_back(i == 0 || i == n - 1 ? spacing / 2 : spacing);
+  }
+  return std::make_unique<WinklerModel>(std::move(f));
+}
+
+const Registration<Problem> registration({
+    .name = "winkler",
+    .help = "2D parabolic pin on a bed of springs, worn by a sliding rigid flat; solved exactly",
+    .keys = keys(),
+    .make = make,
+});
+
+}  // namespace
+
+}  // namespace gnomon

@@ -1,0 +1,135 @@
+// The equations of the worn pin on springs (winkler.cpp says which) as a DAE.
+#pragma once
+
+#include <algorithm>
+#include <gnomon/system.hpp>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace gnomon::winkler {
+
+/// Data of the pin and its springs, and the trapezoidal points.
+struct Foundation {
+  double radius, width;      ///< R, L [mm]
+  double modulus;            ///< K_w [MPa/mm]
+  double force, wear_rate;   ///< F [N/mm], k v [mm/s/MPa]
+  double duration;           ///< of the run [s]
+  std::vector<double> x;     ///< positions of the points [mm]
+  std::vector<double> area;  ///< A_i [mm]
+
+  double profile(double at) const { return at * at / (2 * radius); }
+  double mean_pressure() const { return force / width; }
+  double mean_depth() const { return wear_rate * mean_pressure() * duration; }
+};
+
+/// Unknowns d_0, p_0, d_1, p_1, ..., delta; or p_0, p_1, ..., delta with d frozen. The Jacobian is
+/// an arrow: delta is coupled with every point, a point with nothing else.
+class WinklerSystem : public System {
+public:
+  WinklerSystem(std::shared_ptr<const Foundation> foundation, bool coupled)
+      : foundation_(std::move(foundation)), coupled_(coupled), frozen_(points(), 0.0) {
+    const int n = points(), size = delta() + 1;
+    PatternBuilder builder(size);
+    for (int i = 0; i < n; ++i) {
+      builder.add({p(i), delta()}, {p(i)});
+      builder.add({p(i)}, {delta()});
+      if (coupled_) builder.add({d(i)}, {p(i)}), builder.add({d(i), p(i)}, {d(i)});
+    }
+    structure_.size = size;
+    structure_.pattern = builder.build();
+    const Foundation& f = *foundation_;
+    structure_.group.assign(size, n);
+    structure_.differential.assign(size, 0);
+    structure_.row_scale.assign(size, f.force);
+    structure_.unknown_scale.assign(size, f.mean_pressure() / f.modulus);
+    for (int i = 0; i < n; ++i) {
+      structure_.switch_node.push_back(i);
+      structure_.group[p(i)] = i;
+      structure_.row_scale[p(i)] = structure_.unknown_scale[p(i)] = f.mean_pressure();
+      if (!coupled_) continue;
+      structure_.group[d(i)] = i;
+      structure_.differential[d(i)] = 1;
+      structure_.row_scale[d(i)] = f.mean_depth() / f.duration;
+      structure_.unknown_scale[d(i)] = f.mean_depth();
+    }
+    for (int i = 0; i < n; ++i) {
+      in_p_.push_back({position(p(i), p(i)), position(delta(), p(i)), position(p(i), delta())});
+      if (coupled_)
+        in_d_.push_back({position(d(i), d(i)), position(d(i), p(i)), position(p(i), d(i))});
+    }
+  }
+
+  const Structure& structure() const override { return structure_; }
+
+  void residual(const Point& at, std::span<double> F) const override {
+    const Foundation& f = *foundation_;
+    double force = 0;
+    for (int i = 0; i < points(); ++i) {
+      const double pressure = at.y[p(i)], spring = f.modulus * gap(at.y, i);
+      F[p(i)] = pressure + (closed(at.piece, i, spring) ? spring : 0);
+      if (coupled_) F[d(i)] = at.ydot[d(i)] - f.wear_rate * pressure;
+      force += f.area[i] * pressure;
+    }
+    F[delta()] = force - f.force;
+  }
+
+  void jacobian(const Point& at, double alpha, std::span<double> values) const override {
+    const Foundation& f = *foundation_;
+    std::fill(values.begin(), values.end(), 0.0);
+    for (int i = 0; i < points(); ++i) {
+      const double by_gap = closed(at.piece, i, f.modulus * gap(at.y, i)) ? f.modulus : 0;
+      values[in_p_[i].diagonal] = 1;
+      values[in_p_[i].row] = f.area[i];
+      values[in_p_[i].column] = -by_gap;
+      if (!coupled_) continue;
+      values[in_d_[i].diagonal] = alpha;
+      values[in_d_[i].row] = -f.wear_rate;
+      values[in_d_[i].column] = by_gap;
+    }
+  }
+
+  void switching(std::span<const double> y, std::span<double> values) const override {
+    for (int i = 0; i < points(); ++i) values[i] = foundation_->modulus * gap(y, i);
+  }
+
+  std::vector<Stage> make_stages() const override {
+    auto algebraic = std::make_unique<WinklerSystem>(foundation_, false);
+    Stage stage;
+    for (int i = 0; i < points(); ++i) stage.unknowns.push_back(p(i));
+    stage.unknowns.push_back(delta());
+    stage.freeze = [this, system = algebraic.get()](std::span<const double> y) {
+      for (int i = 0; i < points(); ++i) system->frozen_[i] = y[d(i)];
+    };
+    stage.system = std::move(algebraic);
+    std::vector<Stage> stages;
+    stages.push_back(std::move(stage));
+    return stages;
+  }
+
+  int points() const { return static_cast<int>(foundation_->x.size()); }
+  int d(int i) const { return 2 * i; }
+  int p(int i) const { return coupled_ ? 2 * i + 1 : i; }
+  int delta() const { return (coupled_ ? 2 : 1) * points(); }
+  /// Negative where the springs are compressed [length].
+  double gap(std::span<const double> y, int i) const {
+    return foundation_->profile(foundation_->x[i]) + (coupled_ ? y[d(i)] : frozen_[i]) - y[delta()];
+  }
+
+private:
+  struct Place {
+    int diagonal, row, column;  // positions in the values
+  };
+  int position(int row, int column) const { return structure_.pattern.find(row, column); }
+  static bool closed(const ActiveSet* piece, int i, double switching) {
+    return piece ? (*piece)[i] != 0 : switching <= 0;
+  }
+
+  std::shared_ptr<const Foundation> foundation_;
+  bool coupled_;
+  std::vector<double> frozen_;  // d
+  Structure structure_;
+  std::vector<Place> in_p_, in_d_;
+};
+
+}  // namespace gnomon::winkler

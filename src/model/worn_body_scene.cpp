@@ -1,0 +1,41 @@
+#include <gnomon/worn_body_scene.hpp>
+
+namespace gnomon {
+
+template <int dim>
+void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
+  const double young = scene.real("body.young_modulus");
+  const double shape_young = scene.real("shape.young_modulus");
+  body.material = NeoHookean::from_young_poisson(young, scene.real("body.poisson_ratio"));
+  body.auxiliary_material =
+      NeoHookean::from_young_poisson(shape_young, scene.real("shape.poisson_ratio"));
+  const std::string& element = scene.text("body.element");
+  body.element = element == "plain"   ? ElementKind::plain
+                 : element == "f-bar" ? ElementKind::f_bar
+                                      : ElementKind::f_bar_variational;
+  body.contact.wear.rate_per_pressure =
+      scene.real("wear.coefficient") * scene.real("wear.velocity");
+  body.contact.rho = scene.real("contact.regularization") * young / facet;
+  body.contact.normal_rule =
+      scene.text("wear.normal") == "averaged" ? NormalRule::averaged : NormalRule::normalised;
+  body.constraint = scene.text("shape.constraint") == "eliminated" ? ConstraintForm::eliminated
+                                                                   : ConstraintForm::multiplier;
+  body.augmentation = scene.real("shape.augmentation") * shape_young / facet * body.scales.duration;
+}
+
+NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part,
+                           const Vector<2>& resultant) {
+  NodalField<2> load = NodalField<2>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), 2);
+  double total = 0;
+  for (const auto& facet : mesh.boundary.at(part)) {
+    const double length = (mesh.nodes[facet[1]] - mesh.nodes[facet[0]]).norm();
+    total += length;
+    for (int node : facet) load.row(node) += length / 2 * resultant.transpose();
+  }
+  return load / total;
+}
+
+template void read_worn_body(const Scene&, double, WornBody<2>&);
+template void read_worn_body(const Scene&, double, WornBody<3>&);
+
+}  // namespace gnomon

@@ -1,0 +1,22 @@
+// How deep a TOML text nests, found out before a parser that recurses is let near it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gnomon {
+
+/// Most parts of a dotted key or table header, and most arrays and inline tables within each other.
+inline constexpr int max_nesting = 32;
+
+struct DeepNesting {
+  int line = 0;         ///< 1-based, where the limit is passed
+  std::string message;  ///< what there is and what was expected
+};
+
+/// The first place that nests deeper than max_nesting. Strings and comments do not count; text that
+/// is not TOML is read as far as it makes sense.
+std::optional<DeepNesting> find_deep_nesting(std::string_view text);
+
+}  // namespace gnomon

@@ -1,0 +1,185 @@
+#include <gnomon/sundials/erk.hpp>
+
+#include <arkode/arkode_erkstep.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <gnomon/integration/error_norm.hpp>
+#include <gnomon/integration/stage_solver.hpp>
+#include <gnomon/integration/step_size.hpp>
+#include <gnomon/integration/stepper.hpp>
+#include <gnomon/sundials/arkode_table.hpp>
+#include "room.hpp"
+
+namespace gnomon {
+
+using namespace sundials;
+
+namespace {
+void destroy_erk(void* memory) { ERKStepFree(&memory); }
+}  // namespace
+
+class ErkSolver::Memory {
+public:
+  Memory(const System& system, const IntegratorSettings& settings, Counters& counters,
+         const std::string& table);
+  StepReport advance(State& state, double t_stop);
+
+private:
+  static int rate(sunrealtype t, N_Vector d, N_Vector ddot, void* self);
+  static int weights(N_Vector d, N_Vector w, void* self);
+  void begin(const State& state);
+  void restart(const State& state, double h);
+  void set_step(const State& state, double t_stop);
+  void evaluate(double t, std::span<const double> d);
+  void gather(const std::vector<double>& y, std::span<double> d) const;
+
+  const System& system_;
+  IntegratorSettings settings_;
+  Counters& counters_;
+  ButcherTable table_;
+  ErrorNorm norm_;
+  StageSolver stages_;
+  State whole_;      // consistent state of the last evaluation, the guess for the next
+  double proposal_;  // fixed steps: what is tried next
+  long rejected_ = 0;
+  Guard guard_;
+  // Destroyed in reverse: ERKStep before what it refers to, the context last.
+  Context context_;
+  VectorOwner d_;
+  Owner<void, destroy_erk> erk_;
+};
+
+ErkSolver::Memory::Memory(const System& system, const IntegratorSettings& settings,
+                          Counters& counters, const std::string& table)
+    : system_(system),
+      settings_(settings),
+      counters_(counters),
+      table_(arkode_erk_table(table)),
+      norm_(system.structure(), settings),
+      stages_(system, counters),
+      proposal_(settings.step),
+      d_(make_vector(static_cast<long>(norm_.components().size()), context_)) {}
+
+void ErkSolver::Memory::gather(const std::vector<double>& y, std::span<double> d) const {
+  for (std::size_t k = 0; k < d.size(); ++k) d[k] = y[norm_.components()[k]];
+}
+
+/// Makes whole_ the consistent state with differential components d, its rates included.
+void ErkSolver::Memory::evaluate(double t, std::span<const double> d) {
+  State next = whole_;
+  next.t = t;
+  for (std::size_t k = 0; k < d.size(); ++k) next.y[norm_.components()[k]] = d[k];
+  const std::string reason = stages_.solve(next.y);
+  if (!reason.empty()) throw RecoverableError(reason);
+  set_rates(system_, nullptr, next);
+  whole_ = std::move(next);
+}
+
+int ErkSolver::Memory::rate(sunrealtype t, N_Vector d, N_Vector ddot, void* data) {
+  Memory& self = *static_cast<Memory*>(data);
+  return self.guard_.run([&] {
+    self.evaluate(t, view(d));
+    self.gather(self.whole_.ydot, view(ddot));
+  });
+}
+
+int ErkSolver::Memory::weights(N_Vector d, N_Vector w, void* data) {
+  const Memory& self = *static_cast<Memory*>(data);
+  for (std::size_t k = 0; k < view(d).size(); ++k) view(w)[k] = self.norm_.weight(view(d)[k]);
+  return 0;
+}
+
+void ErkSolver::Memory::begin(const State& state) {
+  whole_ = state;
+  gather(state.y, view(d_.get()));
+  erk_.reset(ERKStepCreate(&Memory::rate, state.t, d_.get(), context_));
+  void* erk = erk_.get();
+  check(erk, "ERKStepCreate");
+  GNOMON_SILENCE(ERKStepSetErrHandlerFn, erk);
+  check(ERKStepSetUserData(erk, this), "ERKStepSetUserData");
+  check(ERKStepSetTableName(erk, table_.name.c_str()), "ERKStepSetTableName");
+  check(ERKStepWFtolerances(erk, &Memory::weights), "ERKStepWFtolerances");
+  constexpr int pi_controller = 1;
+  check(ERKStepSetAdaptivityMethod(erk, pi_controller, SUNTRUE, SUNTRUE, nullptr),
+        "ERKStepSetAdaptivityMethod");
+  check(ERKStepSetMaxGrowth(erk, 5.0), "ERKStepSetMaxGrowth");
+  check(ERKStepSetMaxErrTestFails(erk, 30), "ERKStepSetMaxErrTestFails");
+  check(ERKStepSetMaxNumSteps(erk, -1), "ERKStepSetMaxNumSteps");
+  if (settings_.max_step > 0) check(ERKStepSetMaxStep(erk, settings_.max_step), "ERKStepSetMaxStep");
+  if (settings_.step == 0)
+    check(ERKStepSetInitStep(erk, first_step(state, system_.structure(), settings_,
+                                             table_.embedded_order)),
+          "ERKStepSetInitStep");
+}
+
+/// After a failed evaluation: from the last good state with a shorter step.
+void ErkSolver::Memory::restart(const State& state, double h) {
+  whole_ = state;
+  gather(state.y, view(d_.get()));
+  check(ERKStepReset(erk_.get(), state.t, d_.get()), "ERKStepReset");
+  if (settings_.step > 0)
+    proposal_ = h;
+  else
+    check(ERKStepSetInitStep(erk_.get(), h), "ERKStepSetInitStep");
+}
+
+void ErkSolver::Memory::set_step(const State& state, double t_stop) {
+  check(ERKStepSetStopTime(erk_.get(), t_stop), "ERKStepSetStopTime");
+  if (settings_.step == 0) return;
+  const double grid = next_on_grid(state.t, settings_.step);
+  const double h = std::min(proposal_, std::min(grid, t_stop) - state.t);
+  check(ERKStepSetFixedStep(erk_.get(), h), "ERKStepSetFixedStep");
+}
+
+StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
+  constexpr int most_failures = 30;
+  if (!erk_) begin(state);
+  void* erk = erk_.get();
+  const long newton_before = counters_.newton_iterations;
+  StepReport report;
+  for (int failures = 0;; ++failures) {
+    set_step(state, t_stop);
+    guard_.clear();
+    sunrealtype t = state.t, tried = 0;
+    const int flag = ERKStepEvolve(erk, t_stop, d_.get(), &t, ARK_ONE_STEP);
+    guard_.rethrow();
+    long error_fails = 0;
+    check(ERKStepGetNumErrTestFails(erk, &error_fails), "ERKStepGetNumErrTestFails");
+    counters_.rejected_steps += error_fails - rejected_;
+    report.restarted |= error_fails > rejected_;
+    rejected_ = error_fails;
+    if (flag >= 0) {
+      report.step = t - state.t;
+      evaluate(t, view(d_.get()));
+      break;
+    }
+    if (guard_.recoverable().empty() || failures == most_failures)
+      throw SolutionError(fmt::format("{} cannot go on from t = {:.6g}: code {}{}{}", table_.name,
+                                      state.t, flag, guard_.recoverable().empty() ? "" : "; last: ",
+                                      guard_.recoverable()));
+    check(ERKStepGetCurrentStep(erk, &tried), "ERKStepGetCurrentStep");
+    ++counters_.rejected_steps;
+    report.restarted = true;
+    restart(state, std::min(tried, t_stop - state.t) / 2);
+  }
+  if (settings_.step > 0) proposal_ = std::min(settings_.step, 2 * proposal_);
+  state = whole_;
+  ++counters_.steps;
+  report.order = table_.order;
+  report.newton_iterations = counters_.newton_iterations - newton_before;
+  return report;
+}
+
+ErkSolver::ErkSolver(const System& system, const IntegratorSettings& settings, Counters& counters,
+                     const std::string& table)
+    : memory_(std::make_unique<Memory>(system, settings, counters, table)) {}
+ErkSolver::~ErkSolver() = default;
+
+StepReport ErkSolver::advance(State& state, double t_stop) {
+  return memory_->advance(state, t_stop);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,123 @@
+// gnomon plot: figures of the program's own results, and its exit codes. Drawing needs matplotlib.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <regex>
+#include <set>
+
+#include "app/child.hpp"
+
+namespace gnomon {
+namespace {
+
+using test::Outcome;
+using testing::HasSubstr;
+using testing::IsEmpty;
+namespace fs = std::filesystem;
+
+class Plot : public test::ProgramTest {
+protected:
+  void SetUp() override {
+    if (std::system("/usr/bin/python3 -c 'import matplotlib, h5py' 2>/dev/null") != 0)
+      GTEST_SKIP() << "needs python3-matplotlib and python3-h5py";
+  }
+
+  void make_result(const std::string& name) const {
+    const Outcome outcome = gnomon({"run", test::pin, "--set", test::coarse, "--set",
+                                    "time.end=100", "--quiet", "-o", name, "--integrator", "bdf"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+
+  /// A bitmap that is not blank, and a drawing whose ids are its own.
+  void expect_figure(const std::string& stem) const {
+    const std::string png = test::read_text(folder() / (stem + ".png"));
+    EXPECT_EQ(png.substr(1, 3), "PNG") << stem;
+    EXPECT_GT(png.size(), 8000u) << stem;
+    const std::string svg = test::read_text(folder() / (stem + ".svg"));
+    EXPECT_THAT(svg, HasSubstr("</svg>")) << stem;
+    EXPECT_GT(svg.size(), 8000u) << stem;
+    EXPECT_LT(svg.size(), 1000000u) << stem;
+  }
+};
+
+std::set<std::string> ids_of(const fs::path& svg) {
+  const std::string text = test::read_text(svg);
+  const std::regex pattern("\\bid=\"([^\"]+)\"");
+  std::set<std::string> ids;
+  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it)
+    EXPECT_TRUE(ids.insert((*it)[1]).second) << (*it)[1];
+  return ids;
+}
+
+const char* const study_header =
+    "study,sweep,method,integrator,setting_kind,setting,status,reason,shape_error,shape_error_max,"
+    "shape_error_self,pressure_error,reference,reference_error,marked,steps,rejected,events,"
+    "newton_iterations,residual_evaluations,jacobian_evaluations,factorizations,linear_solves,"
+    "wall_seconds,cpu_seconds,peak_memory_mb\n";
+
+std::string study_row(const char* method, const char* kind, double setting, const char* status,
+                      const char* error) {
+  return std::string("mesh,640,") + method + "," + method + "," + kind + "," +
+         std::to_string(setting) + "," + status + ",," + error +
+         ",,,,tight,1e-5,0,10,0,0,30,40,5,5,30,0.1,0.1,50\n";
+}
+
+TEST_F(Plot, DrawsAResult) {
+  make_result("a b.h5");
+  const Outcome outcome = gnomon({"plot", "a b.h5", "-o", "figures"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  for (const char* kind : {"shape", "pressure", "history", "mesh", "wear"})
+    expect_figure(std::string("figures/a b-") + kind);
+  EXPECT_THAT(outcome.out, HasSubstr("pressure-map: skipped"));
+}
+
+TEST_F(Plot, DrawsAStudyAndASpectrum) {
+  std::string rows = study_header;
+  for (const double step : {50.0, 100.0, 200.0}) {
+    rows +=
+        study_row("backward-euler", "step", step, "finished", std::to_string(1e-4 * step).c_str());
+    rows += study_row("forward-euler", "step", step, step > 100 ? "failed" : "finished",
+                      step > 100 ? "" : std::to_string(1e-4 * step).c_str());
+    rows += study_row("bdf", "rtol", 1e-5 * step, "finished", std::to_string(1e-4 * step).c_str());
+  }
+  write("study.csv", rows);
+  write("spectrum.csv", "time,real,imag\n0,-0.5,0\n0,-0.1,0.02\n0,0,0\n10,-0.4,0\n");
+  write("critical_steps.csv",
+        "time,method,critical_step,empirical\n0,rk4,5.6,5.5\n0,forward-euler,4,\n");
+  const Outcome outcome = gnomon({"plot", "."});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::set<std::string> ids;
+  for (const char* stem :
+       {"mesh-error-step", "mesh-error-tolerance", "mesh-work", "spectrum", "critical-steps"}) {
+    expect_figure(std::string("figures/") + stem);
+    for (const std::string& id : ids_of(folder() / "figures" / (std::string(stem) + ".svg")))
+      EXPECT_TRUE(ids.insert(id).second) << id;
+  }
+}
+
+TEST_F(Plot, BadInputIsOneLineAndExitCode2) {
+  write("text.h5", "not HDF5");
+  write("study.csv", "study,sweep\na,b\n");
+  fs::create_directory(folder() / "empty");
+  for (const char* target : {"absent.h5", "text.h5", ".", "empty"}) {
+    const Outcome outcome = gnomon({"plot", target});
+    EXPECT_EQ(outcome.exit_code, 2) << target;
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+    EXPECT_THAT(outcome.err, testing::StartsWith("gnomon: ")) << target;
+  }
+  EXPECT_FALSE(fs::exists(folder() / "figures"));
+}
+
+TEST_F(Plot, WithoutPythonItNamesThePackages) {
+  write("a.h5", "");
+  setenv("PATH", "/nonexistent", 1);
+  const Outcome outcome = gnomon({"plot", "a.h5"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("python3-matplotlib python3-h5py"));
+}
+
+}  // namespace
+}  // namespace gnomon

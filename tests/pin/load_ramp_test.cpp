@@ -1,0 +1,161 @@
+// The load ramp at the start: its control on made-up solvers, and what it reaches on the pin.
+
+#include "model/load_ramp.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "model/wear_start.hpp"
+#include "support/pin.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// Converges to y = fraction when the fraction is within `reach` of the guess and below `limit`.
+struct Scripted {
+  double reach = 1, limit = 1;
+  int iterations = 3;
+  std::vector<double> fractions{}, guesses{};
+
+  LoadSolve solve() {
+    return [this](double fraction, std::span<double> y) {
+      fractions.push_back(fraction);
+      guesses.push_back(y[0]);
+      NewtonReport report;
+      report.converged = fraction <= limit && std::abs(fraction - y[0]) <= reach;
+      report.iterations = iterations;
+      report.reason = "inverted element 7";
+      y[0] = report.converged ? fraction : 1e9;
+      return report;
+    };
+  }
+};
+
+TEST(LoadRamp, TakesTheWholeLoadWhereItCan) {
+  Scripted script;
+  std::vector<double> y = {0};
+  const RampReport report = ramp_load(script.solve(), {}, y);
+  EXPECT_EQ(report.reached, 1);
+  EXPECT_EQ(report.increments, 1);
+  EXPECT_EQ(report.failures, 0);
+  EXPECT_EQ(report.reason, "");
+  EXPECT_THAT(y, ElementsAre(1));
+}
+
+TEST(LoadRamp, HalvesAndThenFollowsTheSecant) {
+  Scripted script{.reach = 0.3};
+  std::vector<double> y = {0};
+  const RampReport report = ramp_load(script.solve(), {}, y);
+  EXPECT_THAT(script.fractions, ElementsAre(1, 0.5, 0.25, 0.5, 0.75, 1));
+  EXPECT_THAT(script.guesses, ElementsAre(0, 0, 0, 0.5, 0.75, 1));  // the secant is exact here
+  EXPECT_EQ(report.failures, 2);
+  EXPECT_EQ(report.increments, 4);
+  EXPECT_THAT(y, ElementsAre(1));
+}
+
+TEST(LoadRamp, GrowsByAtMostAHalfAndShrinksWhenNewtonToils) {
+  std::vector<double> y = {0};
+  Scripted quick{.iterations = 1}, slow{.iterations = 12};
+  ramp_load(quick.solve(), {.first = 0.1}, y);
+  EXPECT_NEAR(quick.fractions[1], 0.25, 1e-15);
+  EXPECT_NEAR(quick.fractions[2], 0.475, 1e-15);
+  y = {0};
+  const RampReport report = ramp_load(slow.solve(), {.first = 0.4, .smallest = 0.05}, y);
+  EXPECT_NEAR(slow.fractions[1], 0.6, 1e-15);
+  EXPECT_EQ(report.reached, 1);  // shrinking after every success must not go on for ever
+  EXPECT_LT(report.increments, 12);
+}
+
+TEST(LoadRamp, EndsAtTheLimitWithTheLastEquilibrium) {
+  Scripted script{.limit = 0.4};
+  std::vector<double> y = {0};
+  const RampReport report = ramp_load(script.solve(), {}, y);
+  EXPECT_NEAR(report.reached, 0.4, 2e-4);
+  EXPECT_LE(report.reached, 0.4);
+  EXPECT_EQ(report.reason, "inverted element 7");
+  EXPECT_EQ(y[0], report.reached);
+}
+
+/// The pin's contact problem at the initial shape.
+struct ContactProblem {
+  std::unique_ptr<Model> model;
+  const WornBody<2>& body;
+  WearSystem<2> system;
+  NodalState<2> state;
+  Counters counters;
+
+  explicit ContactProblem(const Overrides& overrides)
+      : model(pin_model(overrides)),
+        body(wear().body()),
+        system(wear().shared_body(),
+               {.deformation = true, .interior_shape = false, .contact_shape = false}),
+        state(NodalState<2>::zero(body)) {}
+
+  RampReport ramp(const RampOptions& options) {
+    return find_equilibrium(system, options, state, counters);
+  }
+
+private:
+  const WearSystem<2>& wear() const {
+    return dynamic_cast<const WearModel<2>&>(*model).wear_system();
+  }
+};
+
+TEST(LoadRampOfThePin, DoesNotDependOnTheIncrements) {
+  const Overrides soft = {elements(16), "body.young_modulus=20", "body.poisson_ratio=0.499"};
+  ContactProblem usual(soft), tiny(soft);
+  const RampReport report = usual.ramp(ramp_options(usual.body));
+  EXPECT_EQ(report.reached, 1);
+  EXPECT_GT(report.increments, 3);
+  EXPECT_LT(usual.counters.newton_iterations, 60);
+  const RampReport slow = tiny.ramp({.first = 0.01, .largest = 0.01});
+  EXPECT_EQ(slow.reached, 1);
+  EXPECT_GE(slow.increments, 100);
+  EXPECT_LT((usual.state.u - tiny.state.u).norm(), 1e-9 * tiny.state.u.norm());
+  EXPECT_LT((usual.state.lambda - tiny.state.lambda).norm(), 1e-8 * tiny.state.lambda.norm());
+}
+
+TEST(LoadRampOfThePin, BeginsWithTheWholeLoadUnlessNearlyIncompressibleAndSoft) {
+  const auto first = [](const char* young, const char* poisson) {
+    const ContactProblem pin({elements(4), std::string("body.young_modulus=") + young,
+                              std::string("body.poisson_ratio=") + poisson});
+    return ramp_options(pin.body).first;
+  };
+  EXPECT_EQ(first("640", "0.3"), 1);
+  EXPECT_EQ(first("10", "0.3"), 1);
+  EXPECT_EQ(first("640", "0.499"), 1);
+  EXPECT_NEAR(first("10", "0.499"), 0.03, 1e-3);
+}
+
+TEST(LoadRampOfThePin, SoftAndNearlyIncompressibleStaysCheap) {
+  const auto model = pin_model({elements(20), "body.young_modulus=10", "body.poisson_ratio=0.499"});
+  Counters counters;
+  model->start(counters);
+  EXPECT_LT(counters.newton_iterations, 70);  // 46 when written; 120 without secant and control
+}
+
+TEST(LoadRampOfThePin, RefusalNamesTheFractionAndTheInvertedElement) {
+  const Overrides too_soft = {elements(10), "body.young_modulus=0.5"};
+  ContactProblem pin(too_soft);
+  const RampReport report = pin.ramp(ramp_options(pin.body));
+  EXPECT_GT(report.reached, 0.05);
+  EXPECT_LT(report.reached, 0.3);
+  EXPECT_THAT(report.reason, HasSubstr("inverted element"));
+  Counters counters;
+  try {
+    pin.model->start(counters);
+    FAIL() << "expected no equilibrium";
+  } catch (const SolutionError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              fmt::format("no equilibrium at t = 0 beyond load fraction {:.4g}: {}", report.reached,
+                          report.reason));
+  }
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,73 @@
+// What holds for every shipped scene.
+
+#include <algorithm>
+#include <filesystem>
+#include <gnomon/run.hpp>
+
+#include "problem_run.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+
+std::vector<std::string> scenes() {
+  const std::filesystem::path root = GNOMON_SOURCE_DIR "/problems";
+  std::vector<std::string> result;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root))
+    if (entry.path().extension() == ".toml")
+      result.push_back(std::filesystem::relative(entry.path(), root).string());
+  return result;
+}
+
+TEST(Scenes, EveryProblemHasOne) {
+  const std::vector<std::string> all = scenes();
+  for (const std::string& problem : Problems::names())
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const std::string& scene) {
+      return scene.starts_with(problem + "/");
+    })) << problem;
+}
+
+TEST(Scenes, BlocksAddUpAndTheExactSolutionIsOfTheDifferentialComponents) {
+  for (const std::string& scene : scenes()) {
+    SCOPED_TRACE(scene);
+    const auto model = model_of(scene);
+    const Structure& structure = model->system().structure();
+    long size = 0;
+    for (const BlockSize& block : model->blocks()) size += block.size;
+    EXPECT_EQ(size, structure.size);
+    const std::optional<State> exact = model->exact(1);
+    if (!exact) continue;
+    EXPECT_EQ(exact->t, 1);
+    ASSERT_EQ(exact->y.size(), std::size_t(structure.size));
+    ASSERT_EQ(exact->ydot.size(), std::size_t(structure.size));
+    for (long i = 0; i < structure.size; ++i)
+      EXPECT_TRUE(structure.differential[i] || exact->y[i] == 0) << i;
+  }
+}
+
+// Scenes of these problems finish; those of the pin are run by tests of their own.
+TEST(Scenes, FinishAndStartConsistently) {
+  for (const std::string& scene : scenes()) {
+    if (scene.starts_with("pin_on_flat/")) continue;
+    SCOPED_TRACE(scene);
+    const auto model = model_of(scene);
+    const Scene loaded =
+        load_scene(std::string(GNOMON_SOURCE_DIR "/problems/") + scene, {}, key_table);
+    EXPECT_EQ(loaded.text("integrator.name"), "esdirk-4");
+    const RunOutcome outcome = run(*model, chosen_integrator(loaded),
+                                   integrator_settings(loaded, *model), {}, nullptr, {});
+    EXPECT_EQ(outcome.text(), "finished");
+    EXPECT_EQ(outcome.last->t, loaded.real("time.end"));
+    Counters counters;
+    const State start = model->start(counters);
+    const Structure& structure = model->system().structure();
+    std::vector<double> F(start.y.size());
+    model->system().residual({0, start.y, start.ydot}, F);
+    for (std::size_t i = 0; i < F.size(); ++i)
+      ASSERT_LE(std::abs(F[i]), 1e-8 * structure.row_scale[i]) << "row " << i;
+  }
+}
+
+}  // namespace
+}  // namespace gnomon

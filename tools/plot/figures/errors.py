@@ -1,0 +1,189 @@
+"""Error against the step or the tolerance (figs. 5, 6)."""
+
+import math
+
+import numpy
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from . import style
+from .complaints import Unsuitable
+from .study import distinct
+
+ROOM_ABOVE = 1e3  # times the largest error of a sound run; what exploded further sits at the edge
+
+SYMBOLS = {"body.young_modulus": "$E$ [MPa]", "mesh.elements": "mesh"}
+
+
+def draw_steps(runs):
+    return draw([run for run in runs if run.fixed_step], "step [s]", "no run has a fixed step")
+
+
+def draw_tolerances(runs):
+    return draw([run for run in runs if not run.fixed_step], "relative tolerance",
+                "no run has a tolerance")
+
+
+def draw(runs, across, otherwise):
+    """Several sweep values: a panel a method, a colour a value. One value: a colour a method."""
+    if not any(0 < run.shape_error < math.inf for run in runs):
+        raise Unsuitable("no run has an error" if runs else otherwise)
+    swept = len(distinct(run.sweep for run in runs)) > 1
+    titles = distinct(run.method for run in runs) if swept else [""]
+    names = distinct(run.sweep if swept else run.method for run in runs)
+    looks = looks_of(names, ordered=swept)
+    figure, panels = panels_for(len(titles))
+    limits = error_limits(runs)
+    for panel, title in zip(panels, titles):
+        members = [run for run in runs if not swept or run.method == title]
+        draw_panel(panel, members, looks, lambda run: run.sweep if swept else run.method, limits)
+        panel.set_title(title)
+    finish(figure, panels, across)
+    style.legend_above_all(figure, handles_of(looks), notes_of(runs, limits))
+    return figure
+
+
+def looks_of(names, ordered):
+    colours = style.sequence(len(names)) if ordered else style.COLOURS
+    return {name: {"color": colours[i % len(colours)],
+                   "marker": style.MARKERS[(i + i // len(colours)) % len(style.MARKERS)]}
+            for i, name in enumerate(names)}
+
+
+def panels_for(count):
+    """Two or fewer stand in one column, more fill the page's width."""
+    columns = 1 if count <= 2 else 2 if count == 4 else 3
+    rows = math.ceil(count / columns)
+    width = style.SINGLE if columns == 1 else style.DOUBLE
+    figure = style.figure(width, rows * 0.68 * width / (columns * 0.92) + 0.3)
+    panels = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
+    for spare in panels.flat[count:]:
+        spare.remove()
+    return figure, list(panels.flat[:count])
+
+
+def error_limits(runs):
+    errors = [run.shape_error for run in runs if 0 < run.shape_error < math.inf]
+    sound = [run.shape_error for run in runs if run.finished and run.shape_error > 0] or errors
+    typical = numpy.median(sound)
+    top = min(max(errors), ROOM_ABOVE * typical)
+    references = [run.reference_error for run in runs if run.reference_error > 0]
+    low = min(errors + [0.5 * reference for reference in references])
+    return 0.5 * low, 4 * top
+
+
+def draw_panel(axes, runs, looks, key, limits):
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.tick_params(which="both", top=False, right=False)
+    draw_reference(axes, runs, limits)
+    draw_guides(axes, runs, key)
+    for name, look in looks.items():
+        members = sorted((run for run in runs if key(run) == name), key=lambda run: run.setting)
+        draw_series(axes, members, look, limits)
+
+
+def draw_reference(axes, runs, limits):
+    """The band in which a difference from the reference says nothing."""
+    axes.set_ylim(limits)
+    references = [run.reference_error for run in runs if run.reference_error > 0]
+    if references:
+        axes.axhspan(limits[0], max(references), color=style.BAND, zorder=0, linewidth=0)
+
+
+def draw_series(axes, runs, look, limits):
+    """Beyond the limits, or without an error at all: a cross at the upper edge."""
+    edge = limits[1] / 1.5
+    x = numpy.array([run.setting for run in runs])
+    errors = numpy.array([run.shape_error for run in runs])
+    lost = ~(errors < edge)
+    marked = numpy.array([run.marked for run in runs], bool) & ~lost
+    y = numpy.where(lost, edge, errors)
+    axes.plot(x, y, **(look | {"marker": ""}))
+    hollow = {"markerfacecolor": "white", "markeredgewidth": 0.7}
+    cross = {"marker": "x", "markersize": 5}
+    for chosen, sign in ((~lost & ~marked, {}), (marked, hollow), (lost, cross)):
+        if chosen.any():
+            axes.plot(x[chosen], y[chosen], **(look | {"linestyle": ""} | sign))
+
+
+def draw_guides(axes, runs, key):
+    """Lines of slope 1 and of the highest order that is seen, each below its lowest series."""
+    series = [[run for run in runs if key(run) == name and run.finished and run.shape_error > 0]
+              for name in distinct(key(run) for run in runs)]
+    series = {order: [runs for runs in series if order_of(runs) == order]
+              for order in {order_of(runs) for runs in series} - {0}}
+    every = [run for group in series.values() for runs in group for run in runs]
+    for order in sorted({1, max(series, default=1)}):
+        own = [run for runs in series.get(order, []) for run in runs] or every
+        if own:
+            factor = 0.5 * min(run.shape_error / run.setting**order for run in own)
+            draw_guide(axes, sorted(run.setting for run in own), order, factor)
+
+
+def draw_guide(axes, settings, order, factor):
+    x = numpy.array([settings[0], settings[-1]])
+    y = factor * x**order
+    axes.plot(x, y, color=style.GREY, linewidth=0.7, linestyle=style.DASHES, zorder=1)
+    text = axes.annotate(str(order), (x[1], y[1]), (3, 0), textcoords="offset points", va="center",
+                         fontsize=7, color="#555555", annotation_clip=True)
+    text.set_in_layout(False)
+
+
+def order_of(runs):
+    """The slope of most of the series, rounded; 0 when there is none."""
+    if len(runs) < 3:
+        return 0
+    runs = sorted(runs, key=lambda run: run.setting)
+    slopes = numpy.diff(numpy.log([run.shape_error for run in runs])) / numpy.diff(
+        numpy.log([run.setting for run in runs]))
+    return int(numpy.clip(numpy.round(numpy.median(slopes)), 1, 5))
+
+
+def notes_of(runs, limits):
+    """What the signs mean, those that occur."""
+    notes = []
+    if any(not run.shape_error < limits[1] / 1.5 for run in runs):
+        notes.append(Line2D([], [], color="black", linestyle="", marker="x", markersize=5,
+                            label="beyond, or failed"))
+    if any(run.reference_error > 0 for run in runs):
+        notes.append(reference_note())
+    if any(run.marked for run in runs):
+        known = any(run.reference_error > 0 for run in runs)
+        notes.append(Line2D([], [], color="black", linestyle="", marker="o",
+                            markerfacecolor="white",
+                            label="less than 10× that" if known else "by an unsure reference"))
+    if len(runs) > 2:
+        notes.append(Line2D([], [], color=style.GREY, linewidth=0.7, linestyle=style.DASHES,
+                            label="slope, as numbered"))
+    return notes
+
+
+def reference_note():
+    return Patch(color=style.BAND, linewidth=0, label="error of the reference")
+
+
+def finish(figure, panels, across):
+    for axes in panels:
+        if axes.get_subplotspec().is_first_col():
+            axes.set_ylabel("shape error [mm]")
+        style.log_ticks(axes.xaxis)
+        style.log_ticks(axes.yaxis)
+    columns = panels[0].get_subplotspec().get_gridspec().ncols
+    for axes in panels[-columns:]:  # the lowest of each column, whether or not its row is full
+        axes.set_xlabel(across)
+        axes.tick_params(labelbottom=True)
+
+
+def handles_of(looks):
+    """Sweep values by one key, "body.young_modulus=20": the first one says the key."""
+    key = common_key(looks)
+    names = [name.removeprefix(key + "=") if key else name for name in looks]
+    if key:
+        names[0] = SYMBOLS.get(key, key.rpartition(".")[2]) + ": " + names[0]
+    return [Line2D([], [], label=name, **look) for name, look in zip(names, looks.values())]
+
+
+def common_key(names):
+    keys = {name.partition("=")[0] if name.count("=") == 1 else "" for name in names}
+    return keys.pop() if len(keys) == 1 else ""

@@ -1,0 +1,98 @@
+"""Finds out what a target is and draws its figures."""
+
+import re
+from pathlib import Path
+
+from . import critical, errors, history, mesh, output, pressure, shape, spectrum, study, style
+from . import surface, wear, work
+from .complaints import BadInput, Unsuitable
+from .result import Result
+
+RESULT_FIGURES = {
+    "shape": shape.draw,
+    "pressure": pressure.draw,
+    "history": history.draw,
+    "mesh": mesh.draw,
+    "wear": wear.draw,
+    "pressure-map": surface.draw,
+}
+
+
+def draw(kind, targets, folder, svg_folder):
+    style.apply()
+    jobs = [job for target in targets for job in jobs_of(kind, target)]
+    for drawer, target in jobs:
+        drawer(target, Sink(target, folder, svg_folder))
+
+
+class Sink:
+    """Where the figures of a target go."""
+
+    def __init__(self, target, folder, svg_folder):
+        self.kinds = ("svg",) if svg_folder else ("png", "svg")
+        beside = target if target.is_dir() else target.parent
+        self.folder = Path(svg_folder or folder or beside / "figures")
+
+    def draw(self, name, drawer, *arguments):
+        """Draws and writes a figure, or says why not."""
+        try:
+            made = drawer(*arguments)
+        except Unsuitable as reason:
+            print(f"{name}: skipped, {reason}")
+            return
+        for path in output.save(made, self.folder, name, self.kinds):
+            print(path)
+
+
+def jobs_of(kind, target):
+    if kind == "result" or kind == "any" and target.is_file():
+        return [(draw_result, target)]
+    if not target.is_dir():
+        raise BadInput(f"{target} is not a folder")
+    known = {"study": ("study.csv", draw_study), "spectrum": ("spectrum.csv", draw_spectrum)}
+    wanted = known if kind == "any" else {kind: known[kind]}
+    jobs = [(drawer, target) for file, drawer in wanted.values() if (target / file).is_file()]
+    if kind == "any":
+        jobs += [(draw_result, path) for path in sorted(target.glob("*.h5")) if not jobs]
+    if not jobs:
+        files = " or ".join(file for file, _ in wanted.values())
+        raise BadInput(f"{target} holds no {files}" + (" or result" if kind == "any" else ""))
+    return jobs
+
+
+def draw_result(path, sink):
+    with Result(path) as result:
+        for name, drawer in RESULT_FIGURES.items():
+            sink.draw(f"{result.name}-{name}", checked, drawer, result)
+
+
+def checked(drawer, result):
+    """A file whose tables are not those of the format is bad input, not our failure."""
+    try:
+        return drawer(result)
+    except (OSError, KeyError, ValueError, IndexError) as error:
+        raise BadInput(f"{result.path} cannot be read as a result of gnomon: {error}") from error
+
+
+def draw_study(folder, sink):
+    runs = study.read(folder)
+    for name in study.distinct(run.study for run in runs):
+        own = [run for run in runs if run.study == name]
+        stem = file_name(name or "study")
+        sink.draw(f"{stem}-error-step", errors.draw_steps, own)
+        sink.draw(f"{stem}-error-tolerance", errors.draw_tolerances, own)
+        sweeps = study.distinct(run.sweep for run in own)
+        for sweep in sweeps:
+            tail = f"-{file_name(sweep)}" if len(sweeps) > 1 else ""
+            sink.draw(f"{stem}-work{tail}", work.draw, [run for run in own if run.sweep == sweep])
+
+
+def draw_spectrum(folder, sink):
+    spectra = spectrum.read(folder)
+    sink.draw("spectrum", spectrum.draw, spectra)
+    if (folder / "critical_steps.csv").is_file():
+        sink.draw("critical-steps", critical.draw, critical.read(folder))
+
+
+def file_name(text):
+    return re.sub(r"[^A-Za-z0-9.]+", "-", text).strip("-.") or "all"

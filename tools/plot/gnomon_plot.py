@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""Draws gnomon's figures: of results, of study directories, of spectra (docs/figures.md).
+
+    gnomon_plot.py result RESULT.h5... [-o DIR]
+    gnomon_plot.py study DIR [-o DIR] [--svg-out DIR]
+    gnomon_plot.py spectrum DIR [-o DIR] [--svg-out DIR]
+    gnomon_plot.py any RESULT.h5|DIR...      finds out which; what `gnomon plot` calls
+
+Exit codes: 0 done, 1 a package is missing or a file cannot be written, 2 bad input.
+"""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+PACKAGES = "python3-matplotlib python3-h5py"
+DEBIANS_OWN = "/usr/bin/python3"
+
+
+def find_packages():
+    """Another Python may come first in the path: the packages belong to Debian's."""
+    try:
+        import h5py  # noqa: F401
+        import matplotlib  # noqa: F401
+    except ImportError as error:
+        if not os.environ.get("GNOMON_PLOT_SECOND_TRY") and os.access(DEBIANS_OWN, os.X_OK):
+            os.environ["GNOMON_PLOT_SECOND_TRY"] = "1"
+            sys.stdout.flush()
+            os.execv(DEBIANS_OWN, [DEBIANS_OWN, *sys.argv])
+        raise SystemExit(complain(
+            f"figures need Python's {error.name}: install the packages {PACKAGES}", 1))
+
+
+def complain(message, code):
+    print("gnomon: " + " ".join(str(message).split()), file=sys.stderr)
+    return code
+
+
+def options():
+    parser = argparse.ArgumentParser(prog="gnomon_plot.py", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("kind", choices=["any", "result", "study", "spectrum"])
+    parser.add_argument("targets", nargs="+", type=Path, metavar="RESULT.h5|DIR")
+    parser.add_argument("-o", "--output", type=Path, metavar="DIR",
+                        help="folder of the figures; default: figures, beside or in the target")
+    parser.add_argument("--svg-out", type=Path, metavar="DIR", help="only SVG, into this folder")
+    return parser.parse_args()
+
+
+def main():
+    chosen = options()
+    missing = [target for target in chosen.targets if not target.exists()]
+    if missing:
+        return complain(f"there is no file or folder {missing[0]}", 2)
+    find_packages()
+    from figures import run
+    from figures.complaints import BadInput
+    try:
+        run.draw(chosen.kind, chosen.targets, chosen.output, chosen.svg_out)
+    except BadInput as error:
+        return complain(error, 2)
+    except OSError as error:
+        return complain(error, 1)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
