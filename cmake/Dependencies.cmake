@@ -33,6 +33,8 @@ find_package(SUNDIALS 6.4 QUIET CONFIG COMPONENTS kinsol ida arkode)
 gnomon_need("SUNDIALS 6.4 with KINSOL, IDA and ARKODE" libsundials-dev "${SUNDIALS_FOUND}")
 find_package(Eigen3 3.4 QUIET CONFIG)
 gnomon_need("Eigen 3.4" libeigen3-dev "${Eigen3_FOUND}")
+find_package(Spectra 1.0 QUIET CONFIG)
+gnomon_need("Spectra 1.0" libspectra-dev "${Spectra_FOUND}")
 find_package(tomlplusplus QUIET CONFIG)
 gnomon_need("toml++" libtomlplusplus-dev "${tomlplusplus_FOUND}")
 find_package(CLI11 QUIET CONFIG)
@@ -99,5 +101,5 @@ endif()
 add_library(gnomon_dependencies INTERFACE)
 target_link_libraries(gnomon_dependencies INTERFACE
   SUNDIALS::kinsol SUNDIALS::ida SUNDIALS::arkode BLAS::BLAS gnomon::umfpack gnomon::metis
-  Eigen3::Eigen PkgConfig::HDF5 tomlplusplus::tomlplusplus CLI11::CLI11 fmt::fmt
+  Eigen3::Eigen Spectra::Spectra PkgConfig::HDF5 tomlplusplus::tomlplusplus CLI11::CLI11 fmt::fmt
   nlohmann_json::nlohmann_json)

@@ -48,6 +48,7 @@ CommandLine::CommandLine() : app_("gnomon integrates the shape of worn bodies in
   add_check();
   add_inspection();
   add_compare();
+  add_stability();
   add_plot();
   add_help();
 }
@@ -133,6 +134,27 @@ void CommandLine::add_compare() {
       ->type_name("RESULT.h5");
   command->callback(
       [this] { command_ = [this] { return compare_command(results_, reference_); }; });
+}
+
+void CommandLine::add_stability() {
+  CLI::App* command = app_.add_subcommand(
+      "stability",
+      "Shows the spectrum of the wear rate, and the largest stable step of every explicit method");
+  command->add_option("SCENE", stability_.scene, "Scene file (TOML)")->required()->type_name("");
+  command
+      ->add_option("--time", stability_.times,
+                   "Where the spectrum is taken; repeatable; default: the start, time.end / 5 and "
+                   "time.end")
+      ->type_name("T")
+      ->allow_extra_args(false);
+  add_overrides(command, stability_.overrides);
+  command->add_flag("--all", stability_.all,
+                    "The whole spectrum instead of the largest eigenvalues");
+  command
+      ->add_option("-o,--output", stability_.folder,
+                   "Folder for spectrum.csv and critical_steps.csv; made when there is none")
+      ->type_name("FOLDER");
+  command->callback([this] { command_ = [this] { return stability_command(stability_); }; });
 }
 
 void CommandLine::add_plot() {

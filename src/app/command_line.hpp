@@ -28,6 +28,7 @@ private:
   void add_study();
   void add_inspection();
   void add_compare();
+  void add_stability();
   void add_plot();
   void add_help();
   int help() const;
@@ -39,6 +40,7 @@ private:
   // Where the options are bound to; each command uses its own part.
   RunOptions run_;
   StudyCommandOptions study_;
+  StabilityOptions stability_;
   std::optional<std::string> integrator_;
   std::string subject_;
   std::filesystem::path result_;

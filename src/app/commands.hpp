@@ -27,6 +27,14 @@ struct StudyCommandOptions {
   bool quiet = false;
 };
 
+struct StabilityOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;
+  std::vector<double> times;     ///< empty: start, a fifth of time.end, time.end
+  bool all = false;              ///< the whole spectrum
+  std::filesystem::path folder;  ///< for the tables as CSV; empty: none
+};
+
 int run_command(const RunOptions& options);
 int study_command(const StudyCommandOptions& options);
 int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
@@ -36,6 +44,7 @@ int contact_command(const std::filesystem::path& result, std::optional<double> t
 /// `reference` empty: the last of the results.
 int compare_command(const std::vector<std::filesystem::path>& results,
                     const std::filesystem::path& reference);
+int stability_command(const StabilityOptions& options);
 /// Figures of results and of folders with studies or spectra. `folder` empty: beside each of them.
 int plot_command(const std::vector<std::filesystem::path>& targets,
                  const std::filesystem::path& folder);

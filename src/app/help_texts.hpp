@@ -39,8 +39,9 @@ inline constexpr const char* integrators_topic =
     R"(Without integrator.step a method chooses its steps so that the estimated error of the worn surface
 stays below integrator.rtol and .atol in every step. With it the steps are fixed, and halved (counted
 as rejected) when their equations cannot be solved. Across the switching of a contact node every
-method falls to order two; integrator.events = "locate" ends steps there and keeps its order. Explicit methods are unstable above a critical
-step that is proportional to mesh size / Young's modulus.
+method falls to order two; integrator.events = "locate" ends steps there and keeps its order. Explicit
+methods are unstable above a critical step that is proportional to mesh size / Young's modulus;
+`gnomon stability SCENE.toml` computes it.
 )";
 
 inline constexpr const char* units_topic =

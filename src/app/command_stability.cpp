@@ -1,0 +1,127 @@
+// gnomon stability: the spectrum of the reduced Jacobian along a run, and what it allows explicit
+// methods, beside what they really bear.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <gnomon/error.hpp>
+#include <gnomon/stability.hpp>
+
+#include "app/commands.hpp"
+#include "app/output_files.hpp"
+#include "app/program.hpp"
+#include "app/setup.hpp"
+#include "app/text_table.hpp"
+
+namespace gnomon::app {
+
+namespace {
+
+using Align = TextTable::Align;
+constexpr int modes_shown = 6;
+
+std::vector<double> chosen_times(const StabilityOptions& options, double end) {
+  if (options.times.empty()) return {0, end / 5, end};
+  std::vector<double> times = options.times;
+  for (double time : times)
+    if (!(time >= 0 && time <= end))
+      throw InputError(fmt::format("--time: expected 0 to time.end = {:g} s, got {:g}", end, time));
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+/// Of the folder that is written to, before anything is computed.
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, error) &&
+      !std::filesystem::create_directories(folder, error))
+    throw InputError(fmt::format("cannot make the folder {}", folder.string()));
+}
+
+std::string eigenvalue_text(std::complex<double> value) {
+  if (value.imag() == 0) return fmt::format("{:.4g}", value.real());
+  return fmt::format("{:.4g} {} {:.4g}i", value.real(), value.imag() < 0 ? '-' : '+',
+                     std::abs(value.imag()));
+}
+
+/// What is printed and written, a state at a time.
+class Report {
+public:
+  Report(const Model& model, bool all) : model_(model), all_(all) {}
+
+  void add(const State& state) {
+    const ReducedJacobian G(model_.system(), state);
+    const std::vector<Mode> modes = all_ ? all_modes(G.dense()) : leading_modes(G, modes_shown);
+    for (const Mode& mode : modes)
+      spectrum_ += fmt::format("{:.10g},{:.10g},{:.10g}\n", state.t, mode.eigenvalue.real(),
+                               mode.eigenvalue.imag());
+    for (const Integrator& integrator : Integrators::all()) {
+      const auto table = integrator.table({});
+      if (table && is_explicit(*table)) add(state, modes, integrator, *table);
+    }
+  }
+
+  std::string text() const { return table_.text(); }
+  void write(const std::filesystem::path& folder) const {
+    write_text(folder / "spectrum.csv", spectrum_);
+    write_text(folder / "critical_steps.csv", critical_steps_);
+  }
+
+private:
+  void add(const State& state, const std::vector<Mode>& modes, const Integrator& integrator,
+           const ButcherTable& coefficients) {
+    const CriticalStep critical = critical_step(coefficients, modes);
+    const std::optional<double> onset = observed_onset(state, modes, integrator, critical);
+    const ActiveSet piece = active_set(model_.system(), state.y);
+    table_.add({fmt::format("{:g}", state.t),
+                fmt::format("{}", std::count(piece.begin(), piece.end(), 1)),
+                modes.empty() ? "-" : eigenvalue_text(modes.front().eigenvalue), integrator.name,
+                fmt::format("{:.4g}", critical.step), onset ? fmt::format("{:.4g}", *onset) : "-"});
+    critical_steps_ += fmt::format("{:.10g},{},{:.10g},{}\n", state.t, integrator.name,
+                                   critical.step, onset ? fmt::format("{:.10g}", *onset) : "");
+  }
+
+  /// None where there is nothing to look for, or nothing was found.
+  std::optional<double> observed_onset(const State& state, const std::vector<Mode>& modes,
+                                       const Integrator& integrator,
+                                       const CriticalStep& critical) const {
+    if (critical.mode < 0) return std::nullopt;
+    try {
+      return empirical_onset(model_, integrator, state, modes[critical.mode].direction,
+                             critical.step);
+    } catch (const SolutionError&) {
+      return std::nullopt;
+    }
+  }
+
+  const Model& model_;
+  bool all_;
+  TextTable table_{{{"time [s]", Align::right},
+                    {"contact nodes", Align::right},
+                    {"largest eigenvalue [1/s]", Align::right},
+                    {"method"},
+                    {"critical step [s]", Align::right},
+                    {"onset [s]", Align::right}}};
+  std::string spectrum_ = "time,real,imag\n";
+  std::string critical_steps_ = "time,method,critical_step,empirical\n";
+};
+
+}  // namespace
+
+int stability_command(const StabilityOptions& options) {
+  const Setup setup = set_up(options.scene, options.overrides);
+  const std::vector<double> times = chosen_times(options, setup.scene.real("time.end"));
+  make_folder(options.folder);
+  Counters counters;
+  Report report(*setup.model, options.all);
+  for (const State& state : accurate_states(*setup.model, times, counters)) report.add(state);
+  if (!options.folder.empty()) report.write(options.folder);
+  fmt::print(
+      "{}\ncritical step: of the linearised equations, by the method's stability region\n"
+      "onset: the step above which a small perturbation grows over {} real steps, to 1 %\n",
+      report.text(), OnsetOptions{}.steps);
+  return success;
+}
+
+}  // namespace gnomon::app

@@ -1,0 +1,35 @@
+#include <gnomon/stability.hpp>
+
+namespace gnomon {
+
+namespace {
+
+constexpr const char* method = "esdirk-4";
+constexpr double tolerance = 1e-5;
+
+IntegratorSettings accurate_settings(const Model& model, double end) {
+  IntegratorSettings settings;
+  settings.rtol = tolerance;
+  settings.scale = model.differential_scale();
+  settings.atol = tolerance * settings.scale;
+  settings.end = end;
+  return settings;
+}
+
+}  // namespace
+
+std::vector<State> accurate_states(const Model& model, std::span<const double> times,
+                                   Counters& counters) {
+  std::vector<State> states;
+  if (times.empty()) return states;
+  State state = model.start(counters);
+  const auto stepper = Integrators::find(method, "integrator")
+                           .make(model, accurate_settings(model, times.back()), counters);
+  for (double time : times) {
+    while (state.t < time) stepper->advance(state, time);
+    states.push_back(state);
+  }
+  return states;
+}
+
+}  // namespace gnomon

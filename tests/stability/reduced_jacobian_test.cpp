@@ -1,0 +1,106 @@
+// The reduced Jacobian against finite differences of the reduced rate, with the contact problem and
+// the mesh motion really solved, and its largest eigenvalues against all of them.
+
+#include <Eigen/Eigenvalues>
+#include <gnomon/integration/stage_solver.hpp>
+#include <gnomon/integration/stepper.hpp>
+#include <gnomon/stability.hpp>
+
+#include "support/derivatives.hpp"
+#include "support/pin.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+
+/// A worn state, of which the accuracy does not matter.
+PinRun worn_pin(int n, const Overrides& overrides = {}) {
+  Overrides all = overrides;
+  all.push_back(elements(n));
+  return run_pin("backward-euler", 50, 0, 100, all);
+}
+
+class ReducedRate {
+public:
+  ReducedRate(const System& system, const State& at)
+      : system_(system), at_(at), piece_(active_set(system, at.y)), stages_(system, counters_) {}
+
+  /// With the differential component at position i of y moved by `change`.
+  Eigen::VectorXd operator()(int i, double change, const std::vector<int>& components) {
+    State state = at_;
+    state.y[i] += change;
+    const std::string reason = stages_.solve(state.y, &piece_);
+    EXPECT_EQ(reason, "");
+    set_rates(system_, &piece_, state);
+    Eigen::VectorXd rate(components.size());
+    for (std::size_t k = 0; k < components.size(); ++k) rate[k] = state.ydot[components[k]];
+    return rate;
+  }
+
+private:
+  const System& system_;
+  State at_;
+  ActiveSet piece_;
+  Counters counters_;
+  StageSolver stages_;
+};
+
+void expect_derivative_of_the_rate(const Overrides& overrides) {
+  const PinRun pin = worn_pin(10, overrides);
+  const ReducedJacobian G(pin.model->system(), pin.last());
+  ReducedRate rate(pin.model->system(), pin.last());
+  const double change = 1e-6;  // mm
+  Eigen::MatrixXd differences(G.size(), G.size());
+  for (int j = 0; j < G.size(); ++j) {
+    const int i = G.components()[j];
+    differences.col(j) =
+        (rate(i, change, G.components()) - rate(i, -change, G.components())) / (2 * change);
+  }
+  // Not vacuous: several nodes wear, and their neighbours take part.
+  const Eigen::ArrayXXd size = differences.cwiseAbs().array() / differences.cwiseAbs().maxCoeff();
+  ASSERT_GE((size.matrix().diagonal().array() > 0.1).count(), 3);
+  ASSERT_GE((size > 0.01).count() - (size.matrix().diagonal().array() > 0.01).count(), 6);
+  expect_same_matrix(G.dense(), differences, 1e-5);
+}
+
+TEST(ReducedJacobian, IsTheDerivativeOfTheReducedRate) {
+  expect_derivative_of_the_rate({});
+}
+
+TEST(ReducedJacobian, IsItForOtherElementsNormalsAndConstraints) {
+  expect_derivative_of_the_rate({"body.element=plain", "wear.normal=normalised"});
+  expect_derivative_of_the_rate({"body.element=f-bar-variational", "shape.constraint=multiplier"});
+}
+
+TEST(LeadingModes, AreThoseOfTheWholeSpectrum) {
+  const PinRun pin = worn_pin(20);
+  const ReducedJacobian G(pin.model->system(), pin.last());
+  constexpr int count = 5;
+  ASSERT_GT(G.size(), 4 * count + 10) << "too small for the Arnoldi iteration";
+  const Eigen::MatrixXd dense = G.dense();
+  const std::vector<Mode> all = all_modes(dense), leading = leading_modes(G, count);
+  ASSERT_EQ(all.size(), static_cast<std::size_t>(G.size()));
+  ASSERT_EQ(leading.size(), static_cast<std::size_t>(count));
+  const double largest = std::abs(all[0].eigenvalue);
+  ASSERT_GT(largest, 0);
+  for (int k = 0; k < count; ++k) {
+    EXPECT_LT(std::abs(leading[k].eigenvalue - all[k].eigenvalue), 1e-8 * largest) << k;
+    const Eigen::VectorXcd v = leading[k].direction;
+    EXPECT_LT((dense * v - leading[k].eigenvalue * v).norm(), 1e-7 * largest) << k;
+    EXPECT_NEAR(v.norm(), 1, 1e-12);
+  }
+}
+
+TEST(LeadingModes, OfASmallMatrixAreFoundDirectly) {
+  const PinRun pin = worn_pin(8);
+  const ReducedJacobian G(pin.model->system(), pin.last());
+  const std::vector<Mode> all = all_modes(G.dense());
+  const std::vector<Mode> leading = leading_modes(G, 6);
+  ASSERT_EQ(leading.size(), 6u);
+  EXPECT_EQ(leading[0].eigenvalue, all[0].eigenvalue);
+  EXPECT_EQ(leading_modes(G, 1000).size(), all.size());
+}
+
+}  // namespace
+}  // namespace gnomon
