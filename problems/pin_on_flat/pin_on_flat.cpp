@@ -105,12 +105,13 @@ std::unique_ptr<Model> make(const Scene& scene) {
   const double k_v = scene.real("wear.coefficient") * scene.real("wear.velocity");
   const double facet = width / static_cast<double>(surface.size());
   body->contact.wear.rate_per_pressure = k_v;
-  body->contact.rho = scene.real("contact.regularization") * young / facet;
   body->contact.normal_rule = scene.text("wear.normal") == "averaged" ? NormalRule::averaged
                                                                       : NormalRule::normalised;
   body->constraint = scene.text("shape.constraint") == "eliminated" ? ConstraintForm::eliminated
                                                                     : ConstraintForm::multiplier;
   body->scales = make_scales(scene, k_v);
+  body->contact.rho =
+      scene.real("contact.regularization") * regularization_unit(young, facet, body->scales);
   body->augmentation = scene.real("shape.augmentation") * scene.real("shape.young_modulus") /
                        facet * body->scales.duration;
   return std::make_unique<WearModel<2>>(std::move(body));
