@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <gnomon/result_files.hpp>
 #include <gnomon/error.hpp>
 #include <gnomon/study.hpp>
 #include <thread>
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
-#include "app/output_files.hpp"
 #include "app/program.hpp"
 #include "app/study_figures.hpp"
 #include "app/study_progress.hpp"
@@ -86,10 +86,10 @@ int study_command(const StudyCommandOptions& given) {
     throw Error(fmt::format("interrupted with {} of {} runs done; --resume goes on from there",
                             progress.done, progress.total));
   const StudyTable table = measure(study, options.folder);
-  write_text(options.folder / "study.csv", study_csv(study, table));
+  write_file(options.folder / "study.csv", study_csv(study, table), Earlier::replaced);
   write_study_hdf5(options.folder / "study.h5", study, table);
   const StudyFigures figures = study_figures(options.folder);
-  write_text(options.folder / "index.html", study_page(study, table, figures.svgs, figures.note));
+  write_file(options.folder / "index.html", study_page(study, table, figures.svgs, figures.note), Earlier::replaced);
   if (!given.quiet) {
     print_table(study, table);
     fmt::print("{}{}results: {} (index.html, study.csv, study.h5, runs)\n", figures.note,

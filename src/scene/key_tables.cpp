@@ -186,7 +186,8 @@ std::vector<Key> make_worn_body_keys() {
        .presence = defaulted,
        .default_value = 0.01,
        .range = positive,
-       .help = "rho of eq. (26) in units of E / facet length; only Newton's path depends on it"});
+       .help = "rho of eq. (26) in units of E / facet length (of less under a light load); only "
+               "Newton's path depends on it"});
   return keys;
 }
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "results/replaced_file.hpp"
+#include <gnomon/result_files.hpp>
 
 namespace gnomon::study {
 
@@ -88,7 +88,7 @@ void write_process_end(const RunFiles& files, const Scene& scene, const ProcessE
   json["peak_memory_mb"] = end.peak_memory_mb;
   json["versions"] = library_versions();
   json["scene"] = scene.resolved();
-  replace_text(files.process, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_file(files.process, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", Earlier::replaced);
 }
 
 std::optional<RunRecord> read_record(const RunFiles& files, const Scene& scene) try {

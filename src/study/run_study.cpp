@@ -11,7 +11,7 @@
 #include <gnomon/study.hpp>
 #include <set>
 
-#include "results/replaced_file.hpp"
+#include <gnomon/result_files.hpp>
 #include "study/process_pool.hpp"
 #include "study/run_files.hpp"
 
@@ -124,7 +124,7 @@ private:
   void start(std::size_t run) {
     const RunFiles files = this->files(run);
     remove_files(files);
-    replace_text(files.scene, study_.runs[run].scene.resolved());
+    write_file(files.scene, study_.runs[run].scene.resolved(), Earlier::replaced);
     pool_.start(
         run, {.arguments = {options_.program.string(), "run", files.scene.string(), "-o",
                             files.result.string(), "--summary", files.summary.string(), "--quiet"},

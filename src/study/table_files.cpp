@@ -130,7 +130,7 @@ void write_study_hdf5(const std::filesystem::path& file, const Study& study,
     hdf5::write_dataset(handle.id(), "text", study.text);
     check(H5Fflush(handle.id(), H5F_SCOPE_LOCAL), "write the file");
   }
-  publish_part(file);
+  publish_part(file, Earlier::replaced);
 } catch (const hdf5::Failure& failure) {
   throw Error(fmt::format("{}: {}", file.string(), failure.what()));
 }

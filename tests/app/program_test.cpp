@@ -168,7 +168,7 @@ TEST_F(Program, ListsAndHelp) {
 }
 
 TEST_F(Program, FailedSolutionExitsWith3AndSavesTheLastGoodState) {
-  // Far too soft for its load: there is no equilibrium on the loading path.
+  // Far too soft for its load: the load ramp finds no equilibrium.
   const Outcome outcome =
       run({"--set", "body.young_modulus=0.1", "-o", "a.h5", "--summary", "s.json", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 3);
