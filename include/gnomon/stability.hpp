@@ -74,21 +74,23 @@ struct CriticalStep {
   int mode;     ///< position in the modes; -1 when no mode bounds it
 };
 
-/// Nothing is asked of modes that grow by themselves (Re >= 0), which a method has to follow, nor
+/// Nothing is asked of modes that grow by themselves (Re > 0), which a method has to follow, nor
 /// of those a hundred times slower than the fastest one, which any step near the critical one
 /// resolves.
 CriticalStep critical_step(const ButcherTable& table, std::span<const Mode> modes);
 
 /// How the empirical onset of instability is looked for.
 struct OnsetOptions {
-  int steps = 4;               ///< after which the growth is read
+  int steps = 10;              ///< after which the growth is read
   double perturbation = 1e-6;  ///< in units of Model::differential_scale()
   double accuracy = 0.01;      ///< of the onset, relative
 };
 
-/// The step above which a small perturbation grows over a few real, nonlinear steps of the method,
-/// from a consistent state: found by bisection from `guess` [time]. The perturbed state is made
-/// consistent. Throws SolutionError when steps of a tenth or ten times the guess say nothing.
+/// The step above which a small perturbation grows over some real, nonlinear steps of the method,
+/// from a consistent state: found by bisection from `guess` [time]. So that the state rests and
+/// everything else about it stays as it is, its own rate is taken off the equations and time stands
+/// still: ydot = r(t_0, y) - r(t_0, y_0). Throws SolutionError when steps of a tenth or ten times
+/// the guess say nothing.
 double empirical_onset(const Model& model, const Integrator& integrator, const State& state,
                        const Eigen::VectorXcd& direction, double guess,
                        const OnsetOptions& options = {});

@@ -86,7 +86,7 @@ private:
   std::optional<double> observed_onset(const State& state, const std::vector<Mode>& modes,
                                        const Integrator& integrator,
                                        const CriticalStep& critical) const {
-    if (critical.mode < 0) return std::nullopt;
+    if (critical.mode < 0 || critical.step == 0) return std::nullopt;
     try {
       return empirical_onset(model_, integrator, state, modes[critical.mode].direction,
                              critical.step);

@@ -5,59 +5,67 @@
 #include <gnomon/integration/stage_solver.hpp>
 #include <gnomon/integration/stepper.hpp>
 #include <gnomon/stability.hpp>
-#include <limits>
+
+#include "stability/resting_model.hpp"
 
 namespace gnomon {
 
 namespace {
 
+/// The state, made consistent to the tolerance of the steppers' own solves, with its rates.
+State consistent(const System& system, State state) {
+  Counters counters;
+  StageSolver stages(system, counters);
+  if (const std::string reason = stages.solve(state.y); !reason.empty())
+    throw SolutionError("a perturbed state cannot be made consistent: " + reason);
+  set_rates(system, nullptr, state);
+  return state;
+}
+
 class OnsetSearch {
 public:
   OnsetSearch(const Model& model, const Integrator& integrator, const State& state,
               const Eigen::VectorXcd& direction, const OnsetOptions& options)
-      : model_(model), integrator_(integrator), options_(options), state_(state) {
+      : integrator_(integrator),
+        options_(options),
+        model_(model, consistent(model.system(), state)) {
     const std::vector<char>& differential = model.system().structure().differential;
     for (int i = 0; i < static_cast<int>(differential.size()); ++i)
       if (differential[i]) components_.push_back(i);
+    Counters counters;
+    rest_ = model_.start(counters);
     perturb(direction);
   }
 
-  /// Does the perturbation grow over steps of this size?
-  bool grows(double step) const { return growth(step) > 1; }
+  /// Does the perturbation grow over steps of this size? What cannot be stepped over does.
+  bool grows(double step) const;
 
 private:
   void perturb(const Eigen::VectorXcd& direction);
-  double growth(double step) const;
   bool take(State& state, double step) const;
-  double distance(const State& a, const State& b) const;
+  double distance(const State& state) const;
 
-  const Model& model_;
   const Integrator& integrator_;
   OnsetOptions options_;
-  State state_, perturbed_;
+  RestingModel model_;
+  State rest_, perturbed_;
   std::vector<int> components_;
 };
 
-/// The real part of the direction, as long as asked for in its largest entry.
+/// By the real part of the direction, as long as asked for in its largest entry.
 void OnsetSearch::perturb(const Eigen::VectorXcd& direction) {
   const Eigen::VectorXd real = direction.real();
   const double length = options_.perturbation * model_.differential_scale();
   const double factor = length / real.cwiseAbs().maxCoeff();
-  perturbed_ = state_;
+  perturbed_ = rest_;
   for (std::size_t k = 0; k < components_.size(); ++k)
     perturbed_.y[components_[k]] += factor * real[static_cast<Eigen::Index>(k)];
-  Counters counters;
-  StageSolver stages(model_.system(), counters);
-  for (State* state : {&state_, &perturbed_}) {
-    if (const std::string reason = stages.solve(state->y); !reason.empty())
-      throw SolutionError("the perturbed state cannot be made consistent: " + reason);
-    set_rates(model_.system(), nullptr, *state);
-  }
+  perturbed_ = consistent(model_.system(), perturbed_);
 }
 
-double OnsetSearch::distance(const State& a, const State& b) const {
+double OnsetSearch::distance(const State& state) const {
   double sum = 0;
-  for (int i : components_) sum += (a.y[i] - b.y[i]) * (a.y[i] - b.y[i]);
+  for (int i : components_) sum += (state.y[i] - rest_.y[i]) * (state.y[i] - rest_.y[i]);
   return std::sqrt(sum);
 }
 
@@ -73,23 +81,18 @@ bool OnsetSearch::take(State& state, double step) const {
   Counters counters;
   const auto stepper = integrator_.make(model_, settings, counters);
   state.t = first * step;
-  for (int k = 1; k <= options_.steps; ++k) {
-    const StepReport report = stepper->advance(state, (first + k) * step);
-    if (report.restarted) return false;
-  }
+  for (int k = 1; k <= options_.steps; ++k)
+    if (stepper->advance(state, (first + k) * step).restarted) return false;
   return true;
 }
 
-/// Of the perturbation over the steps, as a factor. What cannot be stepped over is unstable.
-double OnsetSearch::growth(double step) const {
-  State plain = state_, perturbed = perturbed_;
+bool OnsetSearch::grows(double step) const {
+  State state = perturbed_;
   try {
-    if (!take(plain, step) || !take(perturbed, step))
-      return std::numeric_limits<double>::infinity();
+    return !take(state, step) || distance(state) > distance(perturbed_);
   } catch (const SolutionError&) {
-    return std::numeric_limits<double>::infinity();
+    return true;
   }
-  return distance(plain, perturbed) / distance(state_, perturbed_);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(Onset, OfHigherOrdersIsTheirCriticalStep) {
   const std::vector<double> times = {200};
   const State state = accurate_states(*model, times, counters).front();
   for (const char* name : {"erk-2", "erk-3", "erk-4"})
-    EXPECT_NEAR(agreement(*model, Integrators::find(name, "integrator"), state), 1, 0.1) << name;
+    EXPECT_NEAR(agreement(*model, Integrators::find(name, "integrator"), state), 1, 0.05) << name;
 }
 
 TEST(AccurateStates, AreConsistentAndOnTime) {

@@ -1,0 +1,62 @@
+// A model in which a given state rests: its rate there is taken off the equations, and time stands
+// still.
+#pragma once
+
+#include <gnomon/model.hpp>
+
+namespace gnomon {
+
+/// Differential rows ydot + f(t_0, y) - f(t_0, y_0), all others as they are.
+class RestingSystem : public System {
+public:
+  /// `state`: with its rates. Both must outlive the object.
+  RestingSystem(const System& system, const State& state) : system_(system), state_(state) {}
+
+  const Structure& structure() const override { return system_.structure(); }
+  void residual(const Point& at, std::span<double> F) const override {
+    system_.residual({state_.t, at.y, at.ydot, at.piece}, F);
+    for (std::size_t i = 0; i < F.size(); ++i)
+      if (structure().differential[i]) F[i] += state_.ydot[i];
+  }
+  void jacobian(const Point& at, double alpha, std::span<double> values) const override {
+    system_.jacobian({state_.t, at.y, at.ydot, at.piece}, alpha, values);
+  }
+  void switching(std::span<const double> y, std::span<double> values) const override {
+    system_.switching(y, values);
+  }
+  std::vector<Stage> make_stages() const override { return system_.make_stages(); }
+
+private:
+  const System& system_;
+  const State& state_;
+};
+
+/// What integrators see of such a system.
+class RestingModel : public Model {
+public:
+  RestingModel(const Model& model, const State& state)
+      : model_(model), state_(state), system_(model.system(), state_) {}
+
+  const System& system() const override { return system_; }
+  std::vector<BlockSize> blocks() const override { return model_.blocks(); }
+  State start(Counters&) const override {
+    State rest = state_;
+    rest.ydot.assign(rest.y.size(), 0.0);
+    return rest;
+  }
+  std::vector<Scalar> observe(const State& state) const override { return model_.observe(state); }
+  double differential_scale() const override { return model_.differential_scale(); }
+  std::optional<Grid> grid() const override { return model_.grid(); }
+  std::vector<Field> fields(const State& state) const override { return model_.fields(state); }
+  std::optional<ContactSurface> contact(const State& state) const override {
+    return model_.contact(state);
+  }
+  std::optional<State> exact(double) const override { return std::nullopt; }
+
+private:
+  const Model& model_;
+  State state_;
+  RestingSystem system_;
+};
+
+}  // namespace gnomon
