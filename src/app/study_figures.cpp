@@ -41,6 +41,14 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// What a program that failed said last.
+std::string last_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const std::size_t start = text.rfind('\n');
+  if (text.empty()) return "they need Python 3 with Matplotlib (Debian: python3-matplotlib)";
+  return start == std::string::npos ? text : text.substr(start + 1);
+}
+
 std::vector<fs::path> svg_files(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -58,15 +66,12 @@ StudyFigures study_figures(const fs::path& folder) {
   std::error_code error;
   if (!fs::exists(script, error))
     return {{}, "No figures: this build has no plotting script (tools/plot/gnomon_plot.py)."};
-  if (python({"-c", "import matplotlib"}, "/dev/null") != 0)
-    return {{},
-            "No figures: they need Python with Matplotlib (Debian: python3-matplotlib). "
-            "Install it and give the command again with --resume."};
   fs::remove_all(figures, error);  // an earlier page's
   const fs::path log = folder / "figures.log";
   if (python({script.string(), "study", folder.string(), "--svg-out", figures.string()},
              log.string()) != 0)
-    return {{}, "No figures: the plotting script failed; figures.log says why."};
+    return {{}, fmt::format("No figures: {} (then give the command again with --resume).",
+                            last_line(text_of(log)))};
   fs::remove(log, error);
   StudyFigures result;
   for (const fs::path& file : svg_files(figures)) result.svgs.push_back(text_of(file));
