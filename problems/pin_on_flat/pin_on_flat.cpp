@@ -2,7 +2,8 @@
 // strain, pressed on a rigid plane y = 0 that slides past; frictionless contact, wear rate k v |T_N|.
 //
 // Left and right sides are held laterally; a uniform traction acts on the top. The shape is held on
-// all of the boundary but the contact surface, whose end nodes belong to the sides.
+// the top, and on the sides across them; along them it slides, so that the end nodes of the contact
+// surface wear like all others (the paper does not say; pin.sides = "held" holds it altogether).
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,14 @@ std::vector<Key> keys() {
       {.name = "pin.width", .unit = "mm", .range = {.min = 0, .min_open = true},
        .help = "width L of the pin"},
       {.name = "pin.height", .unit = "mm", .range = {.min = 0, .min_open = true},
-       .help = "largest height H of the pin, at its centre line"}};
+       .help = "largest height H of the pin, at its centre line"},
+      {.name = "pin.sides",
+       .kind = KeyKind::text,
+       .presence = Key::Presence::defaulted,
+       .default_value = "sliding",
+       .choices = {"sliding", "held"},
+       .help = "shape of the left and right side: sliding along it, so that the end nodes of the "
+               "contact surface wear, or held"}};
   result.insert(result.end(), worn_body_keys().begin(), worn_body_keys().end());
   return result;
 }
@@ -52,12 +60,14 @@ Mesh<2> make_mesh(const Scene& scene) {
       });
 }
 
-void hold_boundary(WornBody<2>& body) {
+/// With sliding sides their shape nodes follow the wear along the side, so that the corners wear too.
+void hold_boundary(bool sliding_sides, WornBody<2>& body) {
   const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
   body.displacement_fixed = body.shape_fixed = NodalFlags<2>::Zero(nodes, 2);
   for (const char* side : {"left", "right", "top"})
     for (int node : body.mesh.boundary_nodes(side)) {
-      body.shape_fixed.row(node).setOnes();
+      body.shape_fixed(node, 0) = 1;
+      if (!sliding_sides || std::string(side) == "top") body.shape_fixed(node, 1) = 1;
       if (std::string(side) != "top") body.displacement_fixed(node, 0) = 1;
     }
 }
@@ -82,7 +92,7 @@ std::unique_ptr<Model> make(const Scene& scene) {
   body->mesh = make_mesh(scene);
   const auto& surface = body->mesh.boundary.at("bottom");
   body->contact_nodes = contact_patches<2>(body->mesh, surface);
-  hold_boundary(*body);
+  hold_boundary(scene.text("pin.sides") == "sliding", *body);
   body->load = uniform_load(body->mesh, "top", Vector<2>(0, -scene.real("load.force")));
   body->scales = make_scales(scene);
   read_worn_body(scene, scene.real("pin.width") / static_cast<double>(surface.size()), *body);

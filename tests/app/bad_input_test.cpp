@@ -42,31 +42,31 @@ protected:
 TEST_F(BadInput, UnknownKey) {
   write_scene("young_modulus = 640.0", "young_modlus = 640.0");
   expect_refused({"run", "scene.toml"},
-                 {"scene.toml:17: key `body.young_modlus`", "did you mean `body.young_modulus`?"});
+                 {"scene.toml:18: key `body.young_modlus`", "did you mean `body.young_modulus`?"});
 }
 
 TEST_F(BadInput, WrongType) {
   write_scene("young_modulus = 640.0", "young_modulus = \"steel\"");
-  expect_refused({"run", "scene.toml"}, {"scene.toml:17: key `body.young_modulus`: expected a "
+  expect_refused({"run", "scene.toml"}, {"scene.toml:18: key `body.young_modulus`: expected a "
                                          "number in (0, inf) [MPa], got \"steel\""});
 }
 
 TEST_F(BadInput, OutOfRange) {
   write_scene("poisson_ratio = 0.3", "poisson_ratio = 0.5");
-  expect_refused({"run", "scene.toml"}, {"scene.toml:18: key `body.poisson_ratio`: expected a "
+  expect_refused({"run", "scene.toml"}, {"scene.toml:19: key `body.poisson_ratio`: expected a "
                                          "number in [0, 0.5), got 0.5"});
 }
 
 TEST_F(BadInput, ArrayLength) {
   write_scene("[40, 40]", "[40, 40, 40]");
   expect_refused({"run", "scene.toml"},
-                 {"scene.toml:14: key `mesh.elements`: expected an array of 2 integers"});
+                 {"scene.toml:15: key `mesh.elements`: expected an array of 2 integers"});
 }
 
 TEST_F(BadInput, Choice) {
   write_scene("\"f-bar\"", "\"fbar\"");
   expect_refused({"run", "scene.toml"},
-                 {"scene.toml:19: key `body.element`", "did you mean \"f-bar\"?"});
+                 {"scene.toml:20: key `body.element`", "did you mean \"f-bar\"?"});
 }
 
 TEST_F(BadInput, MissingKey) {
@@ -88,7 +88,7 @@ TEST_F(BadInput, UnknownIntegrator) {
 
 TEST_F(BadInput, SyntaxError) {
   write_scene("[load]", "[load");
-  expect_refused({"check", "scene.toml"}, {"scene.toml:21: not valid TOML"});
+  expect_refused({"check", "scene.toml"}, {"scene.toml:22: not valid TOML"});
 }
 
 TEST_F(BadInput, BinaryFile) {

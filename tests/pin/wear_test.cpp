@@ -96,5 +96,25 @@ TEST(Pin, StartsFromRest) {
     }
 }
 
+// Ten times the paper's wear: the whole width is in contact, and the pressure uniform.
+TEST(Pin, WearsDownToItsCorners) {
+  const PinRun run = run_pin("bdf", 0, 1e-4, 1000, {elements(12), "wear.coefficient=1e-6"});
+  EXPECT_EQ(run.observed("contact_nodes"), 13);
+  EXPECT_NEAR(run.observed("max_pressure"), 2, 1e-3);  // F / L
+  EXPECT_NEAR(run.observed("worn_volume"), 20, 0.3);
+  // With sides that are held the corners go on carrying load.
+  const PinRun held = run_pin("bdf", 0, 1e-4, 1000,
+                              {elements(12), "wear.coefficient=1e-6", "pin.sides=held"});
+  EXPECT_GT(held.observed("max_pressure"), 10);
+}
+
+// A flat pin never has an event: uniform wear k v F t / L.
+TEST(Pin, FlatPinWearsUniformly) {
+  const PinRun run = run_pin("esdirk-4", 0, 1e-4, 1000, {elements(6), "pin.radius=1e9"});
+  const ContactSurface surface = run.model->contact(run.last()).value();
+  for (double depth : surface.wear_depth) EXPECT_NEAR(depth, 0.2, 1e-5);
+  for (double pressure : surface.pressure) EXPECT_NEAR(pressure, 2, 1e-2);
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -37,7 +37,7 @@ TEST_F(StabilityCommand, PrintsATableAndWritesTwo) {
     EXPECT_THAT(outcome.out, HasSubstr(part));
 
   const auto spectrum = rows(test::read_text(folder() / "new/tables/spectrum.csv"));
-  ASSERT_EQ(spectrum.size(), 1 + 2 * 22u);  // two components of eleven nodes, twice
+  ASSERT_EQ(spectrum.size(), 1 + 2 * 24u);  // two components of eleven nodes, twice
   EXPECT_EQ(spectrum[0], (std::vector<std::string>{"time", "real", "imag"}));
   EXPECT_EQ(spectrum[1][0], "0");
   EXPECT_EQ(spectrum.back()[0], "60");
