@@ -17,8 +17,8 @@ const Registration<Integrator> registration({
     .help = "variable step and order, error control on the worn surface (integrator.rtol, .atol)",
     .fixed_steps = false,
     .table = [](const IntegratorSettings&) { return std::nullopt; },
-    .make = [](const Model& model, const IntegratorSettings& settings, Counters& counters)
-        -> std::unique_ptr<Stepper> {
+    .make = [](const Model& model, const IntegratorSettings& settings,
+               Counters& counters) -> std::unique_ptr<Stepper> {
       return std::make_unique<BdfSolver>(model.system(), settings, counters);
     },
 });

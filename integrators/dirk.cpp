@@ -23,16 +23,16 @@ const Entry entries[] = {
      "two stages, |R| = 1/2 at infinity, its embedded method is backward Euler"},
     {"esdirk-2", "2", "embedded, order 3", "A, L, stiffly accurate", "ARKODE_TRBDF2_3_3_2",
      "trapezoidal rule and BDF2 in one step; its error estimate does not damp stiff modes"},
-    {"esdirk-3", "3", "embedded, order 2", "A, L, stiffly accurate",
-     "ARKODE_ESDIRK325L2SA_5_2_3", "five stages, of stage order 2 (Kennedy and Carpenter, 2019)"},
+    {"esdirk-3", "3", "embedded, order 2", "A, L, stiffly accurate", "ARKODE_ESDIRK325L2SA_5_2_3",
+     "five stages, of stage order 2 (Kennedy and Carpenter, 2019)"},
     {"esdirk-3-short", "3", "embedded, order 2", "A, L, stiffly accurate",
      "ARKODE_ESDIRK324L2SA_4_2_3", "four stages, of stage order 2 (Kennedy and Carpenter, 2016)"},
     {"sdirk-4", "4", "embedded, order 3", "A, L, stiffly accurate", "ARKODE_SDIRK_5_3_4",
      "five stages (Hairer and Wanner II, table IV.6.5)"},
-    {"esdirk-4", "4", "embedded, order 3", "A, L, stiffly accurate",
-     "ARKODE_ESDIRK436L2SA_6_3_4", "six stages, of stage order 2 (Kennedy and Carpenter, 2016)"},
-    {"esdirk-5", "5", "embedded, order 4", "A, L, stiffly accurate",
-     "ARKODE_ESDIRK547L2SA_7_4_5", "seven stages, of stage order 2 (Kennedy and Carpenter, 2016)"},
+    {"esdirk-4", "4", "embedded, order 3", "A, L, stiffly accurate", "ARKODE_ESDIRK436L2SA_6_3_4",
+     "six stages, of stage order 2 (Kennedy and Carpenter, 2016)"},
+    {"esdirk-5", "5", "embedded, order 4", "A, L, stiffly accurate", "ARKODE_ESDIRK547L2SA_7_4_5",
+     "seven stages, of stage order 2 (Kennedy and Carpenter, 2016)"},
 };
 
 Integrator describe(const Entry& entry) {
@@ -44,7 +44,9 @@ Integrator describe(const Entry& entry) {
   integrator.stability = entry.stability;
   integrator.driver = "KINSOL, ARKODE table";
   integrator.help = std::string(entry.table).substr(7) + ": " + entry.help;
-  integrator.table = [name = entry.table](const IntegratorSettings&) { return arkode_dirk_table(name); };
+  integrator.table = [name = entry.table](const IntegratorSettings&) {
+    return arkode_dirk_table(name);
+  };
   integrator.make = [name = entry.table](const Model& model, const IntegratorSettings& settings,
                                          Counters& counters) {
     return make_diagonally_implicit(model, settings, counters, arkode_dirk_table(name));

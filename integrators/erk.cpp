@@ -1,5 +1,6 @@
-// erk-*: explicit Runge-Kutta methods on the reduced ODE, driven by ARKODE's ERKStep with its own error
-// control. Every evaluation of the rate solves mesh motion and contact for the given surface (Remark 1).
+// erk-*: explicit Runge-Kutta methods on the reduced ODE, driven by ARKODE's ERKStep with its own
+// error control. Every evaluation of the rate solves mesh motion and contact for the given surface
+// (Remark 1).
 
 #include <gnomon/sundials/arkode_table.hpp>
 #include <gnomon/sundials/erk.hpp>
@@ -37,7 +38,9 @@ Integrator describe(const Entry& entry) {
   integrator.driver = "ARKODE ERKStep, KINSOL";
   integrator.help = std::string(entry.table).substr(7) + ": " + entry.help;
   integrator.locates_events = false;
-  integrator.table = [name = entry.table](const IntegratorSettings&) { return arkode_erk_table(name); };
+  integrator.table = [name = entry.table](const IntegratorSettings&) {
+    return arkode_erk_table(name);
+  };
   integrator.make = [name = entry.table](const Model& model, const IntegratorSettings& settings,
                                          Counters& counters) -> std::unique_ptr<Stepper> {
     return std::make_unique<ErkSolver>(model.system(), settings, counters, name);

@@ -1,5 +1,5 @@
-// forward-euler: the explicit scheme of eq. (15). The rate is known at the start of the step; the new
-// surface is then given, and mesh motion and contact are solved one after the other (Remark 1).
+// forward-euler: the explicit scheme of eq. (15). The rate is known at the start of the step; the
+// new surface is then given, and mesh motion and contact are solved one after the other (Remark 1).
 //
 //   d_{n+1} = d_n + h ddot_n,   ddot_n = -Wdot_n N_n   on the contact surface
 
@@ -51,12 +51,17 @@ const Registration<Integrator> registration({
             "critical step",
     .table =
         [](const IntegratorSettings&) {
-          ButcherTable table{"eq. (15)", 1, Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Ones(1),
-                             Eigen::VectorXd::Zero(1), 0, {}};
+          ButcherTable table{"eq. (15)",
+                             1,
+                             Eigen::MatrixXd::Zero(1, 1),
+                             Eigen::VectorXd::Ones(1),
+                             Eigen::VectorXd::Zero(1),
+                             0,
+                             {}};
           return table;
         },
-    .make = [](const Model& model, const IntegratorSettings& settings, Counters& counters)
-        -> std::unique_ptr<Stepper> {
+    .make = [](const Model& model, const IntegratorSettings& settings,
+               Counters& counters) -> std::unique_ptr<Stepper> {
       return std::make_unique<OneStepStepper>(
           model.system(), settings, counters,
           std::make_unique<ForwardEuler>(model.system(), settings, counters), 1, 1);

@@ -10,7 +10,7 @@ namespace {
 
 ButcherTable backward_euler(const IntegratorSettings&) {
   ButcherTable table{"eq. (18)", 1, Eigen::MatrixXd(1, 1), Eigen::VectorXd(1), Eigen::VectorXd(1),
-                     0, {}};
+                     0,          {}};
   table.A << 1;
   table.b << 1;
   table.c << 1;
@@ -19,8 +19,13 @@ ButcherTable backward_euler(const IntegratorSettings&) {
 
 ButcherTable theta(const IntegratorSettings& settings) {
   const double alpha = settings.alpha;
-  ButcherTable table{"eq. (21)", alpha == 0.5 ? 2 : 1, Eigen::MatrixXd(2, 2), Eigen::VectorXd(2),
-                     Eigen::VectorXd(2), 0, {}};
+  ButcherTable table{"eq. (21)",
+                     alpha == 0.5 ? 2 : 1,
+                     Eigen::MatrixXd(2, 2),
+                     Eigen::VectorXd(2),
+                     Eigen::VectorXd(2),
+                     0,
+                     {}};
   table.A << 0, 0, 1 - alpha, alpha;
   table.b << 1 - alpha, alpha;
   table.c << 0, 1;
@@ -52,8 +57,9 @@ const Registration<Integrator> theta_registration({
     .error_estimate = "from past rates",
     .stability = "A for alpha >= 0.5, stiffly accurate",
     .driver = "KINSOL",
-    .help = "eq. (21) with integrator.alpha; 0.5 is the trapezoidal rule, which does not damp stiff "
-            "modes",
+    .help =
+        "eq. (21) with integrator.alpha; 0.5 is the trapezoidal rule, which does not damp stiff "
+        "modes",
     .table = theta,
     .make = make<theta>,
 });

@@ -2,37 +2,36 @@
 #pragma once
 
 #include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-
 #include <gnomon/butcher_table.hpp>
 #include <gnomon/counters.hpp>
 #include <gnomon/model.hpp>
 #include <gnomon/registry.hpp>
+#include <memory>
+#include <optional>
+#include <string>
 
 namespace gnomon {
 
 /// The `integrator.*` keys of a scene, as numbers.
 struct IntegratorSettings {
-  double step = 0;         ///< fixed step [time]; 0: chosen by the error estimate
-  double rtol = 0;         ///< relative tolerance of the differential components, per step
-  double atol = 0;         ///< absolute tolerance [unit of the differential components]
-  double max_step = 0;     ///< upper bound on an adaptive step [time]; 0: none
-  double scale = 0;        ///< Model::differential_scale() [unit of the differential components]
-  double alpha = 0.5;      ///< of the theta method, eq. (21)
+  double step = 0;      ///< fixed step [time]; 0: chosen by the error estimate
+  double rtol = 0;      ///< relative tolerance of the differential components, per step
+  double atol = 0;      ///< absolute tolerance [unit of the differential components]
+  double max_step = 0;  ///< upper bound on an adaptive step [time]; 0: none
+  double scale = 0;     ///< Model::differential_scale() [unit of the differential components]
+  double alpha = 0.5;   ///< of the theta method, eq. (21)
   bool locate_events = false;  ///< end steps on changes of the active set
-  int max_order = 5;       ///< upper bound on the order of a variable-order method
-  double end = 0;          ///< time at which the run ends [time]
+  int max_order = 5;           ///< upper bound on the order of a variable-order method
+  double end = 0;              ///< time at which the run ends [time]
 };
 
 /// What one accepted step was.
 struct StepReport {
-  double step = 0;            ///< its size [time]
-  int order = 0;              ///< order of the method that took it
-  long newton_iterations = 0; ///< spent on it, rejected attempts included
-  bool restarted = false;     ///< a step or more was rejected before this one was accepted
-  int switched = 0;           ///< contact nodes whose change of state was located at its end
+  double step = 0;             ///< its size [time]
+  int order = 0;               ///< order of the method that took it
+  long newton_iterations = 0;  ///< spent on it, rejected attempts included
+  bool restarted = false;      ///< a step or more was rejected before this one was accepted
+  int switched = 0;            ///< contact nodes whose change of state was located at its end
 };
 
 /// Advances a state. Made for one run; holds the method's memory.
@@ -46,13 +45,13 @@ public:
 };
 
 struct Integrator {
-  std::string name;         ///< "backward-euler"
-  std::string family;       ///< "explicit, decoupled", "implicit one-step", "multistep"
-  std::string order;        ///< "1", "1-5"
+  std::string name;            ///< "backward-euler"
+  std::string family;          ///< "explicit, decoupled", "implicit one-step", "multistep"
+  std::string order;           ///< "1", "1-5"
   std::string error_estimate;  ///< order of the embedded method, or what else estimates the error
-  std::string stability;    ///< "A, L, stiffly accurate", "conditional", ...
-  std::string driver;       ///< "KINSOL", "IDA"
-  std::string help;         ///< one line, with the source (equation or reference)
+  std::string stability;       ///< "A, L, stiffly accurate", "conditional", ...
+  std::string driver;          ///< "KINSOL", "IDA"
+  std::string help;            ///< one line, with the source (equation or reference)
   bool fixed_steps = true;     ///< takes integrator.step
   bool locates_events = true;  ///< takes integrator.events = "locate"
   /// The coefficients, for Runge-Kutta methods (the Euler schemes and theta included).

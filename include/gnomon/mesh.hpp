@@ -3,11 +3,10 @@
 
 #include <array>
 #include <functional>
+#include <gnomon/tensor.hpp>
 #include <map>
 #include <string>
 #include <vector>
-
-#include <gnomon/tensor.hpp>
 
 namespace gnomon {
 

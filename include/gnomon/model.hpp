@@ -3,12 +3,11 @@
 #pragma once
 
 #include <array>
+#include <gnomon/counters.hpp>
+#include <gnomon/system.hpp>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <gnomon/counters.hpp>
-#include <gnomon/system.hpp>
 
 namespace gnomon {
 

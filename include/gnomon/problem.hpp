@@ -2,13 +2,12 @@
 #pragma once
 
 #include <functional>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include <gnomon/model.hpp>
 #include <gnomon/registry.hpp>
 #include <gnomon/scene.hpp>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace gnomon {
 

@@ -3,11 +3,10 @@
 #pragma once
 
 #include <algorithm>
-#include <string>
-#include <vector>
-
 #include <gnomon/error.hpp>
 #include <gnomon/scene.hpp>
+#include <string>
+#include <vector>
 
 namespace gnomon {
 
@@ -30,8 +29,10 @@ public:
       if (entry.name == name) return entry;
     std::string message = "unknown " + what + " \"" + name + "\"";
     const std::string near = nearest_name(name, names());
-    if (!near.empty()) message += ", did you mean \"" + near + "\"?";
-    else message += ", expected one of `gnomon list " + what + "s`";
+    if (!near.empty())
+      message += ", did you mean \"" + near + "\"?";
+    else
+      message += ", expected one of `gnomon list " + what + "s`";
     throw InputError(message);
   }
 

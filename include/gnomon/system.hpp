@@ -7,23 +7,22 @@
 #pragma once
 
 #include <functional>
+#include <gnomon/sparse.hpp>
 #include <memory>
 #include <span>
 #include <vector>
-
-#include <gnomon/sparse.hpp>
 
 namespace gnomon {
 
 /// Sizes and constants of a system that do not change during a run.
 struct Structure {
   long size = 0;
-  SparsePattern pattern;             ///< of J, the union over all states
-  std::vector<int> group;            ///< size entries: rows of one node share a number (ordering)
-  std::vector<char> differential;    ///< size entries: 1 where ydot enters F
-  std::vector<double> row_scale;     ///< size entries: |F_i| that matters, in the unit of the row
-  std::vector<double> unknown_scale; ///< size entries: typical |y_i|
-  std::vector<int> switch_node;      ///< one a switching function: the mesh node it belongs to
+  SparsePattern pattern;              ///< of J, the union over all states
+  std::vector<int> group;             ///< size entries: rows of one node share a number (ordering)
+  std::vector<char> differential;     ///< size entries: 1 where ydot enters F
+  std::vector<double> row_scale;      ///< size entries: |F_i| that matters, in the unit of the row
+  std::vector<double> unknown_scale;  ///< size entries: typical |y_i|
+  std::vector<int> switch_node;       ///< one a switching function: the mesh node it belongs to
 };
 
 /// One entry a complementarity condition (contact node): 1 where it is active (closed).

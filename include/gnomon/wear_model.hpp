@@ -1,10 +1,9 @@
 // The model of a worn body: consistent start, observations and fields.
 #pragma once
 
-#include <memory>
-
 #include <gnomon/model.hpp>
 #include <gnomon/system/wear_system.hpp>
+#include <memory>
 
 namespace gnomon {
 
@@ -36,10 +35,10 @@ private:
 /// Half the distance between the edges of the contact zone [length], along the rigid plane in the
 /// current configuration; 0 without contact. 2D, contact nodes in order along the surface.
 ///
-/// An edge lies between the last active node and the next open one. If the pressure falls towards it
-/// like a Hertzian edge (p^2 linear in the position), the edge is where p^2 extrapolates to zero; if
-/// it does not reach zero before the open node (a flat, worn profile), the edge is where the gap of
-/// the next two open nodes extrapolates to zero.
+/// An edge lies between the last active node and the next open one. If the pressure falls towards
+/// it like a Hertzian edge (p^2 linear in the position), the edge is where p^2 extrapolates to
+/// zero; if it does not reach zero before the open node (a flat, worn profile), the edge is where
+/// the gap of the next two open nodes extrapolates to zero.
 double contact_half_width(const WearSystem<2>& system, const NodalState<2>& state);
 
 }  // namespace gnomon

@@ -1,15 +1,15 @@
 // pin_on_flat: the paper's two-dimensional example, sec. 4.1. A parabolic pin y >= x^2/(2R), plane
-// strain, pressed on a rigid plane y = 0 that slides past; frictionless contact, wear rate k v |T_N|.
+// strain, pressed on a rigid plane y = 0 that slides past; frictionless contact, wear rate k v
+// |T_N|.
 //
 // Left and right sides are held laterally; a uniform traction acts on the top. The shape is held on
 // the top, and on the sides across them; along them it slides, so that the end nodes of the contact
 // surface wear like all others (the paper does not say; pin.sides = "held" holds it altogether).
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/problem.hpp>
 #include <gnomon/wear_model.hpp>
@@ -28,11 +28,17 @@ std::vector<Key> keys() {
        .range = {.min = 2, .max = 4000},
        .length = 2,
        .help = "elements across and along the height of the pin"},
-      {.name = "pin.radius", .unit = "mm", .range = {.min = 0, .min_open = true},
+      {.name = "pin.radius",
+       .unit = "mm",
+       .range = {.min = 0, .min_open = true},
        .help = "radius of curvature R of the contact surface y = x^2/(2R)"},
-      {.name = "pin.width", .unit = "mm", .range = {.min = 0, .min_open = true},
+      {.name = "pin.width",
+       .unit = "mm",
+       .range = {.min = 0, .min_open = true},
        .help = "width L of the pin"},
-      {.name = "pin.height", .unit = "mm", .range = {.min = 0, .min_open = true},
+      {.name = "pin.height",
+       .unit = "mm",
+       .range = {.min = 0, .min_open = true},
        .help = "largest height H of the pin, at its centre line"},
       {.name = "pin.sides",
        .kind = KeyKind::text,
@@ -53,14 +59,15 @@ Mesh<2> make_mesh(const Scene& scene) {
         "{}: expected more than L^2/(8R) = {:g} mm, so that the pin has sides, got {:g}",
         scene.where("pin.height"), side, H));
   const auto& elements = scene.integers("mesh.elements");
-  return structured_quadrilaterals(
-      static_cast<int>(elements[0]), static_cast<int>(elements[1]), [=](double s, double t) {
-        const double x = (s - 0.5) * L, bottom = x * x / (2 * R);
-        return Vector<2>(x, bottom + t * (H - bottom));
-      });
+  return structured_quadrilaterals(static_cast<int>(elements[0]), static_cast<int>(elements[1]),
+                                   [=](double s, double t) {
+                                     const double x = (s - 0.5) * L, bottom = x * x / (2 * R);
+                                     return Vector<2>(x, bottom + t * (H - bottom));
+                                   });
 }
 
-/// With sliding sides their shape nodes follow the wear along the side, so that the corners wear too.
+/// With sliding sides their shape nodes follow the wear along the side, so that the corners wear
+/// too.
 void hold_boundary(bool sliding_sides, WornBody<2>& body) {
   const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
   body.displacement_fixed = body.shape_fixed = NodalFlags<2>::Zero(nodes, 2);
@@ -101,7 +108,8 @@ std::unique_ptr<Model> make(const Scene& scene) {
 
 const Registration<Problem> registration({
     .name = "pin_on_flat",
-    .help = "2D parabolic pin on a sliding rigid flat, plane strain, frictionless (paper, sec. 4.1)",
+    .help =
+        "2D parabolic pin on a sliding rigid flat, plane strain, frictionless (paper, sec. 4.1)",
     .keys = keys(),
     .make = make,
 });

@@ -103,7 +103,8 @@ void CommandLine::add_study() {
   command->add_option("--jobs", study_.jobs, "Runs at a time; default: the number of cores")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
-  command->add_flag("--resume", study_.resume, "Goes on in an existing folder, keeping what is done");
+  command->add_flag("--resume", study_.resume,
+                    "Goes on in an existing folder, keeping what is done");
   command->add_flag("--quiet", study_.quiet, "Prints nothing but errors");
   command->callback([this] { command_ = [this] { return study_command(study_); }; });
 }

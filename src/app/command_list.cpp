@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 std::string list_integrators() {
   TextTable table({{"name"}, {"family"}, {"order"}, {"error estimate"}, {"stability"}, {"driver"}});
   for (const Integrator& entry : Integrators::all())
-    table.add(
-        {entry.name, entry.family, entry.order, entry.error_estimate, entry.stability, entry.driver});
+    table.add({entry.name, entry.family, entry.order, entry.error_estimate, entry.stability,
+               entry.driver});
   return table.text();
 }
 
@@ -68,8 +68,7 @@ std::string list_files(bool studies) {
 }  // namespace
 
 const std::vector<std::string>& list_subjects() {
-  static const std::vector<std::string> subjects = {"integrators", "problems", "scenes",
-                                                    "studies"};
+  static const std::vector<std::string> subjects = {"integrators", "problems", "scenes", "studies"};
   return subjects;
 }
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <gnomon/result_files.hpp>
 #include <gnomon/error.hpp>
+#include <gnomon/result_files.hpp>
 #include <gnomon/stability.hpp>
 
 #include "app/commands.hpp"

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <gnomon/result_files.hpp>
 #include <gnomon/error.hpp>
+#include <gnomon/result_files.hpp>
 #include <gnomon/study.hpp>
 #include <thread>
 
@@ -89,7 +89,8 @@ int study_command(const StudyCommandOptions& given) {
   write_file(options.folder / "study.csv", study_csv(study, table), Earlier::replaced);
   write_study_hdf5(options.folder / "study.h5", study, table);
   const StudyFigures figures = study_figures(options.folder);
-  write_file(options.folder / "index.html", study_page(study, table, figures.svgs, figures.note), Earlier::replaced);
+  write_file(options.folder / "index.html", study_page(study, table, figures.svgs, figures.note),
+             Earlier::replaced);
   if (!given.quiet) {
     print_table(study, table);
     fmt::print("{}{}results: {} (index.html, study.csv, study.h5, runs)\n", figures.note,

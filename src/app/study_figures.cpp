@@ -70,8 +70,9 @@ StudyFigures study_figures(const fs::path& folder) {
   const fs::path log = folder / "figures.log";
   if (python({script.string(), "study", folder.string(), "--svg-out", figures.string()},
              log.string()) != 0)
-    return {{}, fmt::format("No figures: {} (then give the command again with --resume).",
-                            last_line(text_of(log)))};
+    return {{},
+            fmt::format("No figures: {} (then give the command again with --resume).",
+                        last_line(text_of(log)))};
   fs::remove(log, error);
   StudyFigures result;
   for (const fs::path& file : svg_files(figures)) result.svgs.push_back(text_of(file));

@@ -1,11 +1,9 @@
-#include <gnomon/integration/diagonally_implicit.hpp>
-
-#include <algorithm>
-#include <utility>
-
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <gnomon/integration/diagonally_implicit.hpp>
 #include <gnomon/integration/stepper.hpp>
+#include <utility>
 
 namespace gnomon {
 

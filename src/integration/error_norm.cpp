@@ -1,5 +1,4 @@
 #include <cmath>
-
 #include <gnomon/integration/error_norm.hpp>
 
 namespace gnomon {

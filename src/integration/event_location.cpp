@@ -1,13 +1,14 @@
-#include <gnomon/integration/event_location.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <gnomon/integration/event_location.hpp>
 
 namespace gnomon {
 
 namespace {
 
-bool active(double value) { return value <= 0; }
+bool active(double value) {
+  return value <= 0;
+}
 
 /// Zero in [low, high] of the polynomial through (h, f), by bisection; it changes sign there.
 double polynomial_root(const std::vector<double>& h, std::vector<double> f, double low,
@@ -65,7 +66,8 @@ double EventLocator::first_guess(const State& from, double h) const {
   return h / 2;
 }
 
-/// First zero of a switching function between two samples next to each other, the first on the piece.
+/// First zero of a switching function between two samples next to each other, the first on the
+/// piece.
 double EventLocator::earliest_root(double low, double high) const {
   // Both ends and the two nearest samples beside them.
   std::vector<const Sample*> nodes;
@@ -91,8 +93,8 @@ double EventLocator::earliest_root(double low, double high) const {
 
 /// Switches every node whose own event is within `width` of h.
 int EventLocator::switch_at(double h, double width) {
-  const auto here = std::find_if(samples_.begin(), samples_.end(),
-                                 [h](const Sample& s) { return s.h == h; });
+  const auto here =
+      std::find_if(samples_.begin(), samples_.end(), [h](const Sample& s) { return s.h == h; });
   const auto there = here != samples_.begin() ? here - 1 : here + 1;
   int switched = 0;
   for (std::size_t j = 0; j < piece_.size(); ++j) {

@@ -21,8 +21,7 @@ NonlinearFunction algebraic_function(const System& system, const ActiveSet* piec
   return function;
 }
 
-StageSolver::StageSolver(const System& system, Counters& counters)
-    : stages_(system.make_stages()) {
+StageSolver::StageSolver(const System& system, Counters& counters) : stages_(system.make_stages()) {
   for (const Stage& stage : stages_) {
     newton_.push_back(
         std::make_unique<NewtonSolver>(stage.system->structure(), counters, modified_newton));

@@ -1,7 +1,6 @@
-#include <gnomon/integration/step_size.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <gnomon/integration/step_size.hpp>
 
 namespace gnomon {
 

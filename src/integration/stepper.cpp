@@ -1,11 +1,10 @@
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/integration/stepper.hpp>
+#include <utility>
 
 namespace gnomon {
 
@@ -24,8 +23,8 @@ OneStepStepper::OneStepStepper(const System& system, const IntegratorSettings& s
 
 void OneStepStepper::begin(const State& state) {
   begun_ = true;
-  proposal_ = fixed() ? settings_.step
-                      : first_step(state, system_.structure(), settings_, error_order_);
+  proposal_ =
+      fixed() ? settings_.step : first_step(state, system_.structure(), settings_, error_order_);
   method_->accept(state, true);
   if (locator_) locator_->begin(state.y);
 }

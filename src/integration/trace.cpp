@@ -1,7 +1,6 @@
-#include <gnomon/integration/trace.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <gnomon/integration/trace.hpp>
 #include <numeric>
 
 namespace gnomon {

@@ -1,5 +1,4 @@
 #include <algorithm>
-
 #include <gnomon/sparse.hpp>
 
 namespace gnomon {

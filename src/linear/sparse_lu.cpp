@@ -2,11 +2,10 @@
 #include <umfpack.h>
 
 #include <algorithm>
-#include <numeric>
-#include <string>
-
 #include <gnomon/error.hpp>
 #include <gnomon/linear/sparse_lu.hpp>
+#include <numeric>
+#include <string>
 
 // OpenBLAS has it, other BLAS do not; resolved when the program is loaded.
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
@@ -39,7 +38,8 @@ struct GroupGraph {
 
 /// Renumbers groups 0, 1, ... in order of first appearance; returns their count.
 int compress(std::vector<int>& group) {
-  std::vector<int> number(group.empty() ? 0 : *std::max_element(group.begin(), group.end()) + 1, -1);
+  std::vector<int> number(group.empty() ? 0 : *std::max_element(group.begin(), group.end()) + 1,
+                          -1);
   int count = 0;
   for (int& g : group) {
     if (number[g] < 0) number[g] = count++;
@@ -86,15 +86,14 @@ std::vector<int> nested_dissection(const SparsePattern& pattern, const std::vect
   }
   std::vector<int> result(compact.size());
   std::iota(result.begin(), result.end(), 0);
-  std::stable_sort(result.begin(), result.end(), [&](int a, int b) {
-    return position[compact[a]] < position[compact[b]];
-  });
+  std::stable_sort(result.begin(), result.end(),
+                   [&](int a, int b) { return position[compact[a]] < position[compact[b]]; });
   return result;
 }
 
 struct SparseLu::Factors {
-  SparsePattern pattern;        // padded
-  std::vector<int> position;    // in `values` of each entry of the caller's pattern
+  SparsePattern pattern;      // padded
+  std::vector<int> position;  // in `values` of each entry of the caller's pattern
   std::vector<double> values;
   double control[UMFPACK_CONTROL];
   double info[UMFPACK_INFO] = {};
@@ -143,9 +142,8 @@ bool SparseLu::factorize(std::span<const double> values) {
   Factors& f = *factors_;
   for (std::size_t k = 0; k < values.size(); ++k) f.values[f.position[k]] = values[k];
   if (f.numeric) umfpack_di_free_numeric(&f.numeric);
-  const int status =
-      umfpack_di_numeric(f.pattern.column_start.data(), f.pattern.row_index.data(), f.values.data(),
-                         f.symbolic, &f.numeric, f.control, f.info);
+  const int status = umfpack_di_numeric(f.pattern.column_start.data(), f.pattern.row_index.data(),
+                                        f.values.data(), f.symbolic, &f.numeric, f.control, f.info);
   if (status == UMFPACK_ERROR_out_of_memory)
     throw Error("out of memory while factorizing a matrix of " + std::to_string(f.pattern.size()) +
                 " unknowns");
@@ -156,8 +154,7 @@ void SparseLu::solve(std::span<const double> b, std::span<double> x) const {
   Factors& f = *factors_;
   const int status = umfpack_di_wsolve(
       UMFPACK_A, f.pattern.column_start.data(), f.pattern.row_index.data(), f.values.data(),
-      x.data(), b.data(), f.numeric, f.control, f.info, f.workspace_int.data(),
-      f.workspace.data());
+      x.data(), b.data(), f.numeric, f.control, f.info, f.workspace_int.data(), f.workspace.data());
   if (status != UMFPACK_OK)
     throw Error("UMFPACK could not solve (status " + std::to_string(status) + ")");
 }
@@ -166,6 +163,8 @@ double SparseLu::factor_nonzeros() const {
   return factors_->info[UMFPACK_LNZ] + factors_->info[UMFPACK_UNZ];
 }
 
-double SparseLu::factor_flops() const { return factors_->info[UMFPACK_FLOPS]; }
+double SparseLu::factor_flops() const {
+  return factors_->info[UMFPACK_FLOPS];
+}
 
 }  // namespace gnomon

@@ -1,5 +1,4 @@
 #include <algorithm>
-
 #include <gnomon/mesh.hpp>
 
 namespace gnomon {
@@ -7,7 +6,8 @@ namespace gnomon {
 template <int dim>
 std::vector<int> Mesh<dim>::boundary_nodes(const std::string& name) const {
   std::vector<int> result;
-  for (const Facet& facet : boundary.at(name)) result.insert(result.end(), facet.begin(), facet.end());
+  for (const Facet& facet : boundary.at(name))
+    result.insert(result.end(), facet.begin(), facet.end());
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;

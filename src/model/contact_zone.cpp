@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-
 #include <gnomon/wear_model.hpp>
 
 namespace gnomon {
@@ -43,8 +42,7 @@ double contact_half_width(const WearSystem<2>& system, const NodalState<2>& stat
   int first = -1, last = -1;
   for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c) {
     const int node = body.contact_nodes[c].node;
-    const Vector<2> x =
-        body.mesh.nodes[node] + (state.d.row(node) + state.u.row(node)).transpose();
+    const Vector<2> x = body.mesh.nodes[node] + (state.d.row(node) + state.u.row(node)).transpose();
     const ContactNode<2> contact = system.contact().node(state, c);
     points.push_back({along.dot(x), -contact.traction, body.contact.counter_body.gap(x),
                       contact.active && contact.traction < 0});

@@ -1,5 +1,4 @@
 #include <algorithm>
-
 #include <gnomon/integration/stepper.hpp>
 #include <gnomon/wear_model.hpp>
 
@@ -53,12 +52,10 @@ std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
   // Per unit thickness in 2D.
   const std::string force_unit = dim == 2 ? "N/mm" : "N";
   const std::string volume_unit = dim == 2 ? "mm^2" : "mm^3";
-  std::vector<Scalar> scalars = {{"contact_nodes", "", double(active)},
-                                 {"contact_force", force_unit, force},
-                                 {"max_pressure", "MPa", pressure},
-                                 {"worn_volume", volume_unit, worn},
-                                 {"wear_flux", volume_unit + "/s", flux},
-                                 {"element_quality", "", quality}};
+  std::vector<Scalar> scalars = {
+      {"contact_nodes", "", double(active)},   {"contact_force", force_unit, force},
+      {"max_pressure", "MPa", pressure},       {"worn_volume", volume_unit, worn},
+      {"wear_flux", volume_unit + "/s", flux}, {"element_quality", "", quality}};
   if constexpr (dim == 2)
     scalars.push_back({"contact_half_width", "mm", contact_half_width(system_, nodal)});
   return scalars;
@@ -111,8 +108,12 @@ std::vector<Field> WearModel<dim>::fields(const State& state) const {
     stress.values.push_back(equivalent_stress<dim>(body.element, body.material, X, u));
     quality.values.push_back(scaled_jacobian<dim>(X));
   }
-  return {nodal_vector<dim>("displacement", nodal.u), nodal_vector<dim>("shape", nodal.d),
-          nodal_vector<dim>("total_displacement", nodal.u + nodal.d), pressure, stress, quality};
+  return {nodal_vector<dim>("displacement", nodal.u),
+          nodal_vector<dim>("shape", nodal.d),
+          nodal_vector<dim>("total_displacement", nodal.u + nodal.d),
+          pressure,
+          stress,
+          quality};
 }
 
 template <int dim>

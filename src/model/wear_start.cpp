@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <gnomon/error.hpp>
-#include <gnomon/integration/stepper.hpp>
 #include <gnomon/integration/stage_solver.hpp>
+#include <gnomon/integration/stepper.hpp>
 #include <gnomon/wear_model.hpp>
 #include <limits>
 

@@ -27,13 +27,14 @@ StorePolicy store_policy(const Scene& scene) {
 const Integrator& chosen_integrator(const Scene& scene) {
   const Integrator& integrator = Integrators::find(scene.text("integrator.name"), "integrator");
   if (scene.has("integrator.step") && !integrator.fixed_steps)
-    throw InputError(fmt::format("{}: expected none, {} chooses its own steps (integrator.max_step "
-                                 "bounds them), got {:g}",
-                                 scene.where("integrator.step"), integrator.name,
-                                 scene.real("integrator.step")));
+    throw InputError(fmt::format(
+        "{}: expected none, {} chooses its own steps (integrator.max_step "
+        "bounds them), got {:g}",
+        scene.where("integrator.step"), integrator.name, scene.real("integrator.step")));
   if (scene.text("integrator.events") == "locate" && !integrator.locates_events)
-    throw InputError(fmt::format("{}: expected \"ignore\", {} does not locate events, got \"locate\"",
-                                 scene.where("integrator.events"), integrator.name));
+    throw InputError(
+        fmt::format("{}: expected \"ignore\", {} does not locate events, got \"locate\"",
+                    scene.where("integrator.events"), integrator.name));
   return integrator;
 }
 

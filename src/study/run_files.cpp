@@ -5,11 +5,10 @@
 
 #include <fstream>
 #include <gnomon/error.hpp>
+#include <gnomon/result_files.hpp>
 #include <gnomon/versions.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
-
-#include <gnomon/result_files.hpp>
 
 namespace gnomon::study {
 
@@ -88,7 +87,8 @@ void write_process_end(const RunFiles& files, const Scene& scene, const ProcessE
   json["peak_memory_mb"] = end.peak_memory_mb;
   json["versions"] = library_versions();
   json["scene"] = scene.resolved();
-  write_file(files.process, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", Earlier::replaced);
+  write_file(files.process, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n",
+             Earlier::replaced);
 }
 
 std::optional<RunRecord> read_record(const RunFiles& files, const Scene& scene) try {

@@ -8,10 +8,10 @@
 #include <cerrno>
 #include <cstring>
 #include <gnomon/error.hpp>
+#include <gnomon/result_files.hpp>
 #include <gnomon/study.hpp>
 #include <set>
 
-#include <gnomon/result_files.hpp>
 #include "study/process_pool.hpp"
 #include "study/run_files.hpp"
 

@@ -1,7 +1,9 @@
-#include <gnomon/sundials/arkode_table.hpp>
+#include <cstdio>  // ARKODE's headers use FILE
 
 #include <arkode/arkode_butcher_dirk.h>
 #include <arkode/arkode_butcher_erk.h>
+
+#include <gnomon/sundials/arkode_table.hpp>
 
 #include "room.hpp"
 
@@ -10,14 +12,16 @@ namespace gnomon {
 using namespace sundials;
 
 namespace {
-void destroy_table(ARKodeButcherTableMem* table) { ARKodeButcherTable_Free(table); }
+void destroy_table(ARKodeButcherTableMem* table) {
+  ARKodeButcherTable_Free(table);
+}
 
 ButcherTable copy_and_free(const std::string& name, ARKodeButcherTable owned) {
   const Owner<ARKodeButcherTableMem, destroy_table> table(owned);
   if (!table) throw Error("ARKODE has no Butcher table called " + name);
   const int s = table->stages;
-  ButcherTable result{name, table->q, Eigen::MatrixXd(s, s), Eigen::VectorXd(s),
-                      Eigen::VectorXd(s), 0, {}};
+  ButcherTable result{name, table->q, Eigen::MatrixXd(s, s), Eigen::VectorXd(s), Eigen::VectorXd(s),
+                      0,    {}};
   for (int i = 0; i < s; ++i) {
     for (int j = 0; j < s; ++j) result.A(i, j) = table->A[i][j];
     result.b[i] = table->b[i];

@@ -1,14 +1,13 @@
-#include <gnomon/sundials/bdf.hpp>
-
 #include <fmt/format.h>
 #include <ida/ida.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-
 #include <gnomon/integration/stage_solver.hpp>
 #include <gnomon/integration/stepper.hpp>
+#include <gnomon/sundials/bdf.hpp>
+#include <optional>
+
 #include "semismooth_newton.hpp"
 
 namespace gnomon {
@@ -16,7 +15,9 @@ namespace gnomon {
 using namespace sundials;
 
 namespace {
-void destroy_ida(void* memory) { IDAFree(&memory); }
+void destroy_ida(void* memory) {
+  IDAFree(&memory);
+}
 }  // namespace
 
 class BdfSolver::Memory {
@@ -74,8 +75,9 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
     sunrealtype t, gamma;
     N_Vector yy, yp, res;
     void* user = nullptr;
-    check(IDAGetNonlinearSystemData(ida_.get(), &t, &predicted, &res, &yy, &yp, &res, &gamma, &user),
-          "IDAGetNonlinearSystemData");
+    check(
+        IDAGetNonlinearSystemData(ida_.get(), &t, &predicted, &res, &yy, &yp, &res, &gamma, &user),
+        "IDAGetNonlinearSystemData");
     N_VLinearSum(1.0, predicted, 1.0, ycor, probe_.get());
     active = piece() ? piece_ : active_set(system_, view(probe_.get()));
   };
@@ -140,13 +142,12 @@ int BdfSolver::Memory::weights(N_Vector y, N_Vector w, void* data) {
 int BdfSolver::Memory::switching(sunrealtype, N_Vector y, N_Vector, sunrealtype* values,
                                  void* data) {
   Memory& self = *static_cast<Memory*>(data);
-  return self.guard_.run([&] {
-    self.system_.switching(view(y), std::span<double>(values, self.piece_.size()));
-  });
+  return self.guard_.run(
+      [&] { self.system_.switching(view(y), std::span<double>(values, self.piece_.size())); });
 }
 
-/// Switches the nodes at a root: the one that IDA names, and those that symmetry switches with it but
-/// rounding puts just before or behind. Returns how many.
+/// Switches the nodes at a root: the one that IDA names, and those that symmetry switches with it
+/// but rounding puts just before or behind. Returns how many.
 int BdfSolver::Memory::switch_nodes(const State& state, bool at_root) {
   constexpr double together = 1e-9;  // of the largest switching function
   std::vector<int> found(piece_.size(), 0);
@@ -214,13 +215,13 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
 }
 
 void BdfSolver::Memory::fail(int flag, double t) const {
-  const char* what = flag == IDA_ERR_FAIL    ? "the error test failed at the smallest step"
-                     : flag == IDA_CONV_FAIL ? "Newton failed at the smallest step"
+  const char* what = flag == IDA_ERR_FAIL       ? "the error test failed at the smallest step"
+                     : flag == IDA_CONV_FAIL    ? "Newton failed at the smallest step"
                      : flag == IDA_TOO_MUCH_ACC ? "the tolerance is below rounding"
                                                 : "IDA stopped";
-  throw SolutionError(fmt::format("bdf cannot go on from t = {:.6g}: {} (code {}){}{}", t, what, flag,
-                                  guard_.recoverable().empty() ? "" : "; last: ",
-                                  guard_.recoverable()));
+  throw SolutionError(
+      fmt::format("bdf cannot go on from t = {:.6g}: {} (code {}){}{}", t, what, flag,
+                  guard_.recoverable().empty() ? "" : "; last: ", guard_.recoverable()));
 }
 
 BdfSolver::BdfSolver(const System& system, const IntegratorSettings& settings, Counters& counters)

@@ -31,7 +31,9 @@ public:
   }
   Context(Context&& other) noexcept : context_(std::exchange(other.context_, nullptr)) {}
   Context& operator=(Context&&) = delete;
-  operator SUNContext() const { return context_; }
+  operator SUNContext() const {
+    return context_;
+  }
 
 private:
   SUNContext context_ = nullptr;
@@ -44,5 +46,6 @@ private:
 #define GNOMON_SILENCE(set_handler, memory) (void)(memory)
 #else
 #define GNOMON_SILENCE(set_handler, memory) \
-  set_handler(memory, [](int, const char*, const char*, char*, void*) {}, nullptr)
+  set_handler(                              \
+      memory, [](int, const char*, const char*, char*, void*) {}, nullptr)
 #endif

@@ -1,16 +1,15 @@
-#include <gnomon/sundials/erk.hpp>
-
 #include <arkode/arkode_erkstep.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-
 #include <gnomon/integration/error_norm.hpp>
 #include <gnomon/integration/stage_solver.hpp>
 #include <gnomon/integration/step_size.hpp>
 #include <gnomon/integration/stepper.hpp>
 #include <gnomon/sundials/arkode_table.hpp>
+#include <gnomon/sundials/erk.hpp>
+
 #include "room.hpp"
 
 namespace gnomon {
@@ -18,8 +17,12 @@ namespace gnomon {
 using namespace sundials;
 
 namespace {
-void destroy_erk(void* memory) { ERKStepFree(&memory); }
-void destroy_table(ARKodeButcherTableMem* table) { ARKodeButcherTable_Free(table); }
+void destroy_erk(void* memory) {
+  ERKStepFree(&memory);
+}
+void destroy_table(ARKodeButcherTableMem* table) {
+  ARKodeButcherTable_Free(table);
+}
 using TableOwner = Owner<ARKodeButcherTableMem, destroy_table>;
 
 /// ERKStep (6.4) takes the rate of a last stage at c = 1 for the rate at the end of the step, which
@@ -132,10 +135,11 @@ void ErkSolver::Memory::begin(const State& state) {
   check(ERKStepSetMaxGrowth(erk, 5.0), "ERKStepSetMaxGrowth");
   check(ERKStepSetMaxErrTestFails(erk, 30), "ERKStepSetMaxErrTestFails");
   check(ERKStepSetMaxNumSteps(erk, -1), "ERKStepSetMaxNumSteps");
-  if (settings_.max_step > 0) check(ERKStepSetMaxStep(erk, settings_.max_step), "ERKStepSetMaxStep");
+  if (settings_.max_step > 0)
+    check(ERKStepSetMaxStep(erk, settings_.max_step), "ERKStepSetMaxStep");
   if (settings_.step == 0)
-    check(ERKStepSetInitStep(erk, first_step(state, system_.structure(), settings_,
-                                             table_.embedded_order)),
+    check(ERKStepSetInitStep(
+              erk, first_step(state, system_.structure(), settings_, table_.embedded_order)),
           "ERKStepSetInitStep");
 }
 
@@ -181,9 +185,9 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
       break;
     }
     if (guard_.recoverable().empty() || failures == most_failures)
-      throw SolutionError(fmt::format("{} cannot go on from t = {:.6g}: code {}{}{}", table_.name,
-                                      state.t, flag, guard_.recoverable().empty() ? "" : "; last: ",
-                                      guard_.recoverable()));
+      throw SolutionError(
+          fmt::format("{} cannot go on from t = {:.6g}: code {}{}{}", table_.name, state.t, flag,
+                      guard_.recoverable().empty() ? "" : "; last: ", guard_.recoverable()));
     check(ERKStepGetCurrentStep(erk, &tried), "ERKStepGetCurrentStep");
     ++counters_.rejected_steps;
     report.restarted = true;

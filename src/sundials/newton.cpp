@@ -1,8 +1,7 @@
-#include <gnomon/sundials/newton.hpp>
-
 #include <kinsol/kinsol.h>
 
 #include <algorithm>
+#include <gnomon/sundials/newton.hpp>
 #include <tuple>
 
 #include "room.hpp"
@@ -12,7 +11,9 @@ namespace gnomon {
 using namespace sundials;
 
 namespace {
-void destroy_kinsol(void* memory) { KINFree(&memory); }
+void destroy_kinsol(void* memory) {
+  KINFree(&memory);
+}
 }  // namespace
 
 class NewtonSolver::Memory {

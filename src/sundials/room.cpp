@@ -39,7 +39,8 @@ double scaled_norm(std::span<const double> F, const std::vector<double>& row_sca
   return largest;
 }
 
-// ---- matrix --------------------------------------------------------------------------------------
+// ---- matrix
+// --------------------------------------------------------------------------------------
 
 namespace {
 
@@ -48,7 +49,9 @@ struct MatrixContent {
   std::vector<double> values;
 };
 
-MatrixContent& content(SUNMatrix matrix) { return *static_cast<MatrixContent*>(matrix->content); }
+MatrixContent& content(SUNMatrix matrix) {
+  return *static_cast<MatrixContent*>(matrix->content);
+}
 
 SUNMatrix new_matrix(const Structure& structure, SUNContext context) {
   SUNMatrix matrix = SUNMatNewEmpty(context);
@@ -75,9 +78,12 @@ MatrixOwner make_matrix(const Structure& structure, SUNContext context) {
   return matrix;
 }
 
-std::span<double> values(SUNMatrix matrix) { return content(matrix).values; }
+std::span<double> values(SUNMatrix matrix) {
+  return content(matrix).values;
+}
 
-// ---- linear solver -------------------------------------------------------------------------------
+// ---- linear solver
+// -------------------------------------------------------------------------------
 
 namespace {
 

@@ -1,5 +1,5 @@
-// The room that sees SUNDIALS: owners of its handles, views of its vectors, and the one way in which
-// errors and exceptions cross its C frames. Nothing outside src/sundials includes this file.
+// The room that sees SUNDIALS: owners of its handles, views of its vectors, and the one way in
+// which errors and exceptions cross its C frames. Nothing outside src/sundials includes this file.
 //
 // Version differences (6.4 and 7.x) belong here and in compat.hpp alone.
 #pragma once
@@ -9,15 +9,15 @@
 #include <sundials/sundials_nvector.h>
 
 #include <exception>
+#include <gnomon/counters.hpp>
+#include <gnomon/error.hpp>
+#include <gnomon/linear/sparse_lu.hpp>
+#include <gnomon/system.hpp>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "compat.hpp"
-#include <gnomon/counters.hpp>
-#include <gnomon/error.hpp>
-#include <gnomon/linear/sparse_lu.hpp>
-#include <gnomon/system.hpp>
 
 namespace gnomon::sundials {
 
@@ -29,9 +29,15 @@ struct Destroy {
 template <class T, void (*destroy)(T*)>
 using Owner = std::unique_ptr<T, Destroy<T, destroy>>;
 
-inline void destroy_vector(_generic_N_Vector* v) { N_VDestroy(v); }
-inline void destroy_matrix(_generic_SUNMatrix* m) { SUNMatDestroy(m); }
-inline void destroy_linear(_generic_SUNLinearSolver* s) { SUNLinSolFree(s); }
+inline void destroy_vector(_generic_N_Vector* v) {
+  N_VDestroy(v);
+}
+inline void destroy_matrix(_generic_SUNMatrix* m) {
+  SUNMatDestroy(m);
+}
+inline void destroy_linear(_generic_SUNLinearSolver* s) {
+  SUNLinSolFree(s);
+}
 using VectorOwner = Owner<_generic_N_Vector, destroy_vector>;
 using MatrixOwner = Owner<_generic_SUNMatrix, destroy_matrix>;
 using LinearSolverOwner = Owner<_generic_SUNLinearSolver, destroy_linear>;
@@ -54,7 +60,11 @@ public:
       body();
       return 0;
     } catch (const RecoverableError& error) {
-      try { recoverable_ = error.what(); } catch (...) { recoverable_.clear(); }
+      try {
+        recoverable_ = error.what();
+      } catch (...) {
+        recoverable_.clear();
+      }
       return 1;
     } catch (...) {
       pending_ = std::current_exception();

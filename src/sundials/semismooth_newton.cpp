@@ -24,7 +24,9 @@ struct Content {
   double norm() { return scaled_norm(view(delta.get()), structure.row_scale); }
 };
 
-Content& content(SUNNonlinearSolver solver) { return *static_cast<Content*>(solver->content); }
+Content& content(SUNNonlinearSolver solver) {
+  return *static_cast<Content*>(solver->content);
+}
 
 int Content::refactor(void* ida, bool converging) {
   int current = 0;
@@ -66,9 +68,10 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
   SUNNonlinearSolver solver = SUNNonlinSolNewEmpty(context);
   check(solver, "SUNNonlinSolNewEmpty");
   NonlinearSolverOwner owner(solver);
-  solver->content = new Content{structure, counters, guard, settings,
-                                make_vector(structure.size, context), nullptr, nullptr, nullptr,
-                                {}, {}, 0, 0};
+  solver->content =
+      new Content{structure, counters, guard,   settings, make_vector(structure.size, context),
+                  nullptr,   nullptr,  nullptr, {},       {},
+                  0,         0};
   auto* ops = solver->ops;
   ops->gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
   ops->initialize = [](SUNNonlinearSolver) { return SUN_NLS_SUCCESS; };

@@ -4,19 +4,21 @@
 #include <sundials/sundials_nonlinearsolver.h>
 
 #include <functional>
-
 #include <gnomon/sundials/newton.hpp>
+
 #include "room.hpp"
 
 namespace gnomon::sundials {
 
-inline void destroy_nonlinear(_generic_SUNNonlinearSolver* s) { SUNNonlinSolFree(s); }
+inline void destroy_nonlinear(_generic_SUNNonlinearSolver* s) {
+  SUNNonlinSolFree(s);
+}
 using NonlinearSolverOwner = Owner<_generic_SUNNonlinearSolver, destroy_nonlinear>;
 
 /// IDA's own Newton freezes the Jacobian within a step and gives up after four iterations, which
 /// fails whenever a contact node switches. This one refactors when IDA asks, when the active set is
-/// no longer that of the factor, and when an iteration contracts by less than `slow`; it ends when the
-/// scaled residual is below the tolerance of every gnomon solve.
+/// no longer that of the factor, and when an iteration contracts by less than `slow`; it ends when
+/// the scaled residual is below the tolerance of every gnomon solve.
 struct SemismoothSettings {
   NewtonOptions newton;
   double slow = 0.2;

@@ -57,8 +57,7 @@ void CellAssembly<dim>::fill_map(const SparsePattern& pattern, const Numbers& co
     cell_numbers(cell, rows_, rows);
     cell_numbers(cell, columns, cols);
     for (int column : cols)
-      for (int row : rows)
-        map.push_back(row >= 0 && column >= 0 ? pattern.find(row, column) : -1);
+      for (int row : rows) map.push_back(row >= 0 && column >= 0 ? pattern.find(row, column) : -1);
   }
 }
 

@@ -77,7 +77,7 @@ template <int dim>
 ContactNode<dim> ContactAssembly<dim>::node(const NodalState<dim>& state, int c,
                                             Branch branch) const {
   const ContactPatch<dim>& patch = body_.contact_nodes[c];
-  return {body_.contact, patch, patch_positions(state, c), state.u.row(patch.node).transpose(),
+  return {body_.contact,   patch, patch_positions(state, c), state.u.row(patch.node).transpose(),
           state.lambda[c], branch};
 }
 
@@ -105,8 +105,8 @@ void ContactAssembly<dim>::add_residual(const NodalState<dim>& state, std::span<
 template <int dim>
 void ContactAssembly<dim>::add_jacobian(const NodalState<dim>& state, double alpha,
                                         const ActiveSet* piece, std::span<double> values) const {
-  using Local = Eigen::Matrix<double, rows, Eigen::Dynamic, 0, rows,
-                              shape_column + dim * max_patch_nodes>;
+  using Local =
+      Eigen::Matrix<double, rows, Eigen::Dynamic, 0, rows, shape_column + dim * max_patch_nodes>;
   for (int c = 0; c < static_cast<int>(body_.contact_nodes.size()); ++c) {
     const ContactPatch<dim>& patch = body_.contact_nodes[c];
     const ContactNodeTangent<dim> tangent(body_.contact, patch, patch_positions(state, c),

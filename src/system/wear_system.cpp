@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-
 #include <gnomon/system/wear_system.hpp>
 
 namespace gnomon {
@@ -21,8 +20,8 @@ WearSystem<dim>::WearSystem(std::shared_ptr<const WornBody<dim>> body, const Sel
 
 namespace {
 
-/// The problem's scales, raised to where rounding of positions and stresses ends what can be solved:
-/// a small load, a short run or a stiff body would otherwise ask for less.
+/// The problem's scales, raised to where rounding of positions and stresses ends what can be
+/// solved: a small load, a short run or a stiff body would otherwise ask for less.
 template <int dim>
 Scales above_rounding(const WornBody<dim>& body) {
   Vector<dim> low = body.mesh.nodes.front(), high = low;
@@ -109,7 +108,8 @@ void WearSystem<dim>::switching(std::span<const double> y, std::span<double> val
   const NodalState<dim>& state = nodal(y);
   for (std::size_t c = 0; c < values.size(); ++c) {
     const int node = body_->contact_nodes[c].node;
-    const Vector<dim> x = body_->mesh.nodes[node] + (state.d.row(node) + state.u.row(node)).transpose();
+    const Vector<dim> x =
+        body_->mesh.nodes[node] + (state.d.row(node) + state.u.row(node)).transpose();
     values[c] = state.lambda[static_cast<Eigen::Index>(c)] +
                 body_->contact.rho * body_->contact.counter_body.gap(x);
   }

@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <map>
-#include <string>
-
 #include <gnomon/error.hpp>
 #include <gnomon/terms/contact_node.hpp>
+#include <map>
+#include <string>
 
 namespace gnomon {
 

@@ -50,8 +50,8 @@ void add_f_bar(const NeoHookean& law, const PointState<dim>& s, CellNodal<dim>& 
   R += m * Pn;
   for (int b = 0; b < (1 << dim); ++b)
     for (int a = 0; a < (1 << dim); ++a) {
-      const Tensor<dim> K_v = m * (c * material.stress_block(n.row(a), n.row(b)) -
-                                   h.row(a).transpose() * s.g.row(b));
+      const Tensor<dim> K_v =
+          m * (c * material.stress_block(n.row(a), n.row(b)) - h.row(a).transpose() * s.g.row(b));
       const Tensor<dim> K_v0 = m * h.row(a).transpose() * s.g0.row(b);
       K_u.template block<dim, dim>(dim * a, dim * b) += K_v + K_v0;
       if constexpr (with_shape)
@@ -87,8 +87,8 @@ void add_f_bar_variational(const NeoHookean& law, const PointState<dim>& s, Cell
           m * (c * material.stress_block(n.row(a), n.row(b)) + e.row(a).transpose() * dq.row(b) -
                k.row(a).transpose() * s.g.row(b));
       const Tensor<dim> K_v0 = m * k.row(a).transpose() * s.g0.row(b);
-      const Tensor<dim> K_x = m * q * (s.g.row(b).transpose() * s.g.row(a) -
-                                       s.g0.row(b).transpose() * s.g0.row(a));
+      const Tensor<dim> K_x =
+          m * q * (s.g.row(b).transpose() * s.g.row(a) - s.g0.row(b).transpose() * s.g0.row(a));
       K_u.template block<dim, dim>(dim * a, dim * b) += K_v + K_v0 + K_x;
       if constexpr (with_shape)
         K_d.template block<dim, dim>(dim * a, dim * b) +=
@@ -133,9 +133,12 @@ SolidKernel<dim> SolidKernel<dim>::of(ElementKind kind) {
                        &solid_tangent<k, true, dim>};
   };
   switch (kind) {
-    case ElementKind::plain: return make.template operator()<ElementKind::plain>();
-    case ElementKind::f_bar: return make.template operator()<ElementKind::f_bar>();
-    default: return make.template operator()<ElementKind::f_bar_variational>();
+    case ElementKind::plain:
+      return make.template operator()<ElementKind::plain>();
+    case ElementKind::f_bar:
+      return make.template operator()<ElementKind::f_bar>();
+    default:
+      return make.template operator()<ElementKind::f_bar_variational>();
   }
 }
 

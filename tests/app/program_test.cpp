@@ -156,9 +156,9 @@ TEST_F(Program, ListsAndHelp) {
   EXPECT_THAT(gnomon({"list", "scenes"}).out, testing::Not(HasSubstr("quick.toml")));
   EXPECT_THAT(gnomon({"--version"}).out, HasSubstr("gnomon "));
   EXPECT_THAT(gnomon({"help", "scene", "pin_on_flat"}).out, HasSubstr("pin.radius"));
-  for (const char* topic : {"scene", "studies", "integrators", "commands", "units", "output",
-                            "exit-codes", "run", "study", "check", "list", "info", "contact", "compare",
-                            "plot", "help"}) {
+  for (const char* topic :
+       {"scene", "studies", "integrators", "commands", "units", "output", "exit-codes", "run",
+        "study", "check", "list", "info", "contact", "compare", "plot", "help"}) {
     const Outcome outcome = gnomon({"help", topic});
     EXPECT_EQ(outcome.exit_code, 0) << topic;
     EXPECT_FALSE(outcome.out.empty()) << topic;

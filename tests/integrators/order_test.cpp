@@ -1,10 +1,9 @@
 // Orders, agreement and stability of the integrators on the worn pin.
 
-#include "support/pin.hpp"
-
 #include <cmath>
-
 #include <gnomon/sundials/newton.hpp>
+
+#include "support/pin.hpp"
 
 namespace gnomon {
 namespace {
@@ -17,7 +16,8 @@ TEST(BackwardEuler, IsOfFirstOrderAgainstTightBdf) {
   const Eigen::VectorXd exact = run_pin("bdf", 0, 1e-6, 200, coarse).worn_surface();
   std::vector<double> error;
   for (double step : {10.0, 5.0, 2.5})
-    error.push_back((run_pin("backward-euler", step, 0, 200, coarse).worn_surface() - exact).norm());
+    error.push_back(
+        (run_pin("backward-euler", step, 0, 200, coarse).worn_surface() - exact).norm());
   for (int k : {0, 1}) EXPECT_NEAR(std::log2(error[k] / error[k + 1]), 1, 0.2);
 }
 
@@ -37,8 +37,9 @@ TEST(Bdf, ErrorFollowsTheTolerance) {
   EXPECT_LT(tight, 0.1 * loose);
 }
 
-// The critical step is proportional to h/E: about 11 s at 40x40 and E = 640, so about 22 s at 20x20.
-// Below it the error is that of backward Euler with the same step, above it far larger (fig. 5, 6).
+// The critical step is proportional to h/E: about 11 s at 40x40 and E = 640, so about 22 s at
+// 20x20. Below it the error is that of backward Euler with the same step, above it far larger (fig.
+// 5, 6).
 double error_ratio(double step, const Overrides& overrides) {
   const Eigen::VectorXd exact = run_pin("bdf", 0, 1e-5, 600, overrides).worn_surface();
   const auto error = [&](const char* method) {

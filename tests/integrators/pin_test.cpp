@@ -3,7 +3,6 @@
 #include "support/pin.hpp"
 
 #include <cmath>
-
 #include <gnomon/error.hpp>
 #include <gnomon/integration/stepper.hpp>
 

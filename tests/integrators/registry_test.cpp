@@ -1,11 +1,11 @@
 // Every integrator of the registry, by real steps on problems with exact solutions.
 
-#include "support/problem_run.hpp"
+#include <fmt/format.h>
 
 #include <cmath>
 #include <complex>
 
-#include <fmt/format.h>
+#include "support/problem_run.hpp"
 
 namespace gnomon {
 namespace {
@@ -18,9 +18,9 @@ class Every : public ::testing::TestWithParam<std::string> {};
 /// The state of ydot = z y, y(0) = 1 after one step of size 1. Without forcing the two differential
 /// components are the real and the imaginary part of y.
 Complex one_step(const std::string& integrator, Complex z) {
-  const auto model = model_of("dahlquist/decay.toml",
-                              {fmt::format("dahlquist.rate_real={:.17g}", z.real()),
-                               fmt::format("dahlquist.rate_imag={:.17g}", z.imag())});
+  const auto model =
+      model_of("dahlquist/decay.toml", {fmt::format("dahlquist.rate_real={:.17g}", z.real()),
+                                        fmt::format("dahlquist.rate_imag={:.17g}", z.imag())});
   const ModelRun run = run_model(*model, integrator, 1, 1e-4, 1);
   EXPECT_EQ(run.counters.steps, 1);
   std::vector<double> y;
@@ -34,7 +34,8 @@ Complex rational(const ButcherTable& table, Complex z) {
   const auto n = table.stages();
   const Eigen::MatrixXcd A = table.A.cast<Complex>();
   const Eigen::MatrixXcd D = Eigen::MatrixXcd::Identity(n, n) - z * A;
-  const Eigen::MatrixXcd N = D + z * Eigen::VectorXcd::Ones(n) * table.b.transpose().cast<Complex>();
+  const Eigen::MatrixXcd N =
+      D + z * Eigen::VectorXcd::Ones(n) * table.b.transpose().cast<Complex>();
   return N.determinant() / D.determinant();
 }
 
@@ -79,7 +80,9 @@ TEST_P(Every, FollowsTheTolerance) {
   }
 }
 
-std::vector<std::string> all_names() { return Integrators::names(); }
+std::vector<std::string> all_names() {
+  return Integrators::names();
+}
 
 std::string parameter_name(const ::testing::TestParamInfo<std::string>& info) {
   std::string name = info.param;

@@ -3,11 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <complex>
-#include <string>
-
 #include <Eigen/Dense>
+#include <complex>
 #include <gnomon/integrator.hpp>
+#include <string>
 
 namespace gnomon {
 namespace {

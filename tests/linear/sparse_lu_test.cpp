@@ -1,9 +1,8 @@
-#include <gnomon/linear/sparse_lu.hpp>
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <gnomon/linear/sparse_lu.hpp>
 #include <random>
 
 namespace gnomon {

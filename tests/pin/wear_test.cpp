@@ -103,8 +103,8 @@ TEST(Pin, WearsDownToItsCorners) {
   EXPECT_NEAR(run.observed("max_pressure"), 2, 1e-3);  // F / L
   EXPECT_NEAR(run.observed("worn_volume"), 20, 0.3);
   // With sides that are held the corners go on carrying load.
-  const PinRun held = run_pin("bdf", 0, 1e-4, 1000,
-                              {elements(12), "wear.coefficient=1e-6", "pin.sides=held"});
+  const PinRun held =
+      run_pin("bdf", 0, 1e-4, 1000, {elements(12), "wear.coefficient=1e-6", "pin.sides=held"});
   EXPECT_GT(held.observed("max_pressure"), 10);
 }
 

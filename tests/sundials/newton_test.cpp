@@ -1,11 +1,9 @@
-#include <gnomon/sundials/newton.hpp>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-
 #include <gnomon/error.hpp>
+#include <gnomon/sundials/newton.hpp>
 
 namespace gnomon {
 namespace {

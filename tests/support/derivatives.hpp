@@ -1,5 +1,5 @@
-// Helpers for derivative tests: central differences and automatic differentiation of a residual that
-// is a template on its scalar, and a comparison that refuses to pass on a zero matrix.
+// Helpers for derivative tests: central differences and automatic differentiation of a residual
+// that is a template on its scalar, and a comparison that refuses to pass on a zero matrix.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -4,13 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include <gnomon/integrator.hpp>
 #include <gnomon/problem.hpp>
 #include <gnomon/wear_model.hpp>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace gnomon::testing {
 
@@ -46,9 +45,7 @@ struct PinRun {
   std::vector<StepReport> reports;
 
   const State& last() const { return states.back(); }
-  double observed(const std::string& name) const {
-    return testing::observed(*model, last(), name);
-  }
+  double observed(const std::string& name) const { return testing::observed(*model, last(), name); }
   /// Worn positions of the contact surface at the end, one after the other.
   Eigen::VectorXd worn_surface() const {
     const ContactSurface surface = model->contact(last()).value();

@@ -63,9 +63,9 @@ TEST(WearSystem, JacobianEqualsCentralDifferences) {
     for (const char* element : {"plain", "f-bar", "f-bar-variational"})
       for (const char* normal : {"averaged", "normalised"}) {
         SCOPED_TRACE(std::string(form) + " " + element + " " + normal);
-        const auto model =
-            pin_model({elements(4), std::string("shape.constraint=") + form,
-                       std::string("body.element=") + element, std::string("wear.normal=") + normal});
+        const auto model = pin_model({elements(4), std::string("shape.constraint=") + form,
+                                      std::string("body.element=") + element,
+                                      std::string("wear.normal=") + normal});
         const System& system = model->system();
         const std::vector<double> y = rough_state(*model);
         ActiveSet active = active_set(system, y);
@@ -116,8 +116,8 @@ TEST(WearSystem, StagesAreItsAlgebraicRows) {
   const std::vector<double> y = rough_state(*model);
   std::vector<double> F(y.size());
   system.residual({0, y, std::vector<double>(y.size(), 0.0)}, F);
-  long rows = std::count(system.structure().differential.begin(),
-                         system.structure().differential.end(), 1);
+  long rows =
+      std::count(system.structure().differential.begin(), system.structure().differential.end(), 1);
   for (const Stage& stage : system.make_stages()) {
     stage.freeze(y);
     std::vector<double> part, G(stage.unknowns.size());

@@ -44,7 +44,8 @@ struct Fixture {
     parameters.normal_rule = rule;
     X.resize(static_cast<int>(patch.nodes.size()), dim);
     for (int p = 0; p < X.rows(); ++p)
-      X.row(p) = mesh.nodes[patch.nodes[p]].transpose() + noise<Vector<dim>>(0.05, 10 + p).transpose();
+      X.row(p) =
+          mesh.nodes[patch.nodes[p]].transpose() + noise<Vector<dim>>(0.05, 10 + p).transpose();
   }
 };
 
@@ -114,7 +115,8 @@ void check_central_differences() {
       force.col(i) = (at(h).force - at(-h).force) / (2 * h);
       velocity.col(i) = (at(h).velocity - at(-h).velocity) / (2 * h);
     }
-    Tensor<dim> expected_force = tangent.force_by_X[p], expected_velocity = tangent.velocity_by_X[p];
+    Tensor<dim> expected_force = tangent.force_by_X[p],
+                expected_velocity = tangent.velocity_by_X[p];
     if (p == 0) expected_force += tangent.force_by_x, expected_velocity += tangent.velocity_by_x;
     if (force.norm() < 1e-9) continue;  // the far corner of a facet does not enter (3D)
     expect_same_matrix(expected_force, force, 1e-7);
@@ -127,8 +129,8 @@ TEST(ContactNode, TangentEqualsCentralDifferences) {
   check_central_differences<3>();
 }
 
-// Complementarity, eq. (9) and (26): a closed node asks for g = 0 and transmits lambda + rho g; an open
-// one asks for lambda = 0 and transmits nothing.
+// Complementarity, eq. (9) and (26): a closed node asks for g = 0 and transmits lambda + rho g; an
+// open one asks for lambda = 0 and transmits nothing.
 TEST(UnilateralContact, HasTheTwoBranchesOfEquation26) {
   const UnilateralContact<double> closed(-2.0, 0.1, 10.0);
   EXPECT_TRUE(closed.active);
@@ -140,8 +142,8 @@ TEST(UnilateralContact, HasTheTwoBranchesOfEquation26) {
   EXPECT_DOUBLE_EQ(open.constraint, 0.2);
 }
 
-// Nodal quadrature shares out exactly the area of a flat surface, and the normal of a flat surface is
-// the unit normal.
+// Nodal quadrature shares out exactly the area of a flat surface, and the normal of a flat surface
+// is the unit normal.
 TEST(NodalSurface, SharesOutAFlatSurface) {
   Mesh<3> mesh = wavy_surface<3>();
   for (auto& X : mesh.nodes) X[2] = 0;
@@ -157,8 +159,8 @@ TEST(NodalSurface, SharesOutAFlatSurface) {
   EXPECT_NEAR(area, 1.9 * 2.2, 1e-14);
 }
 
-// Eq. (35): the averaged normal of a kink of half-angle a between equal segments has length cos a; the
-// normalised one has length one and the same direction.
+// Eq. (35): the averaged normal of a kink of half-angle a between equal segments has length cos a;
+// the normalised one has length one and the same direction.
 TEST(NodalSurface, NormalRulesAtAKink) {
   Mesh<2> mesh;
   const double angle = 0.3;
@@ -167,15 +169,17 @@ TEST(NodalSurface, NormalRulesAtAKink) {
   const auto patch = contact_patches<2>(mesh, mesh.boundary.at("contact"))[1];
   PatchNodal<2> X(3, 2);
   for (int p = 0; p < 3; ++p) X.row(p) = mesh.nodes[patch.nodes[p]].transpose();
-  EXPECT_NEAR((NodalSurface<2>(patch, X, NormalRule::averaged).normal -
-               Vector<2>(0, -std::cos(angle))).norm(), 0, 1e-15);
+  EXPECT_NEAR(
+      (NodalSurface<2>(patch, X, NormalRule::averaged).normal - Vector<2>(0, -std::cos(angle)))
+          .norm(),
+      0, 1e-15);
   EXPECT_NEAR((NodalSurface<2>(patch, X, NormalRule::normalised).normal - Vector<2>(0, -1)).norm(),
               0, 1e-15);
 }
 
-// Eq. (35) weighs the facets with their initial lengths, 1 and 3, whatever they are now, 5 and 1. By hand:
-// N = 1/4 (-0.6, -0.8) + 3/4 (0, -1); weights of the current lengths would give (-0.5, -0.8333). The area
-// is the current one.
+// Eq. (35) weighs the facets with their initial lengths, 1 and 3, whatever they are now, 5 and 1.
+// By hand: N = 1/4 (-0.6, -0.8) + 3/4 (0, -1); weights of the current lengths would give (-0.5,
+// -0.8333). The area is the current one.
 TEST(NodalSurface, WeighsNormalsWithInitialAndSumsCurrentAreas) {
   Mesh<2> mesh;
   mesh.nodes = {{-1, 0}, {0, 0}, {3, 0}};

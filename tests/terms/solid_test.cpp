@@ -31,9 +31,10 @@ struct SolidTangent : ::testing::Test {
   CellNodal<dim> R;
   CellMatrix<dim> K_u, K_d;
 };
-using Cases = ::testing::Types<Case<2, ElementKind::plain>, Case<2, ElementKind::f_bar>,
-                               Case<2, ElementKind::f_bar_variational>, Case<3, ElementKind::plain>,
-                               Case<3, ElementKind::f_bar>, Case<3, ElementKind::f_bar_variational>>;
+using Cases =
+    ::testing::Types<Case<2, ElementKind::plain>, Case<2, ElementKind::f_bar>,
+                     Case<2, ElementKind::f_bar_variational>, Case<3, ElementKind::plain>,
+                     Case<3, ElementKind::f_bar>, Case<3, ElementKind::f_bar_variational>>;
 TYPED_TEST_SUITE(SolidTangent, Cases);
 
 TYPED_TEST(SolidTangent, EqualsAutomaticDifferentiation) {
@@ -41,12 +42,12 @@ TYPED_TEST(SolidTangent, EqualsAutomaticDifferentiation) {
   ASSERT_TRUE((solid_tangent<TypeParam::kind, true, dim>(material, this->X, this->u, this->R,
                                                          this->K_u, this->K_d)));
   CellNodal<dim, Dual> R;
-  ASSERT_TRUE((solid_residual<TypeParam::kind, dim, Dual>(
-      material, constant(this->X, local), independent(this->u, 0, local), R)));
+  ASSERT_TRUE((solid_residual<TypeParam::kind, dim, Dual>(material, constant(this->X, local),
+                                                          independent(this->u, 0, local), R)));
   expect_same_matrix(this->K_u, derivative_matrix(R, local), 1e-12);
   // d moves X and, at fixed u, x with it.
-  ASSERT_TRUE((solid_residual<TypeParam::kind, dim, Dual>(
-      material, independent(this->X, 0, local), constant(this->u, local), R)));
+  ASSERT_TRUE((solid_residual<TypeParam::kind, dim, Dual>(material, independent(this->X, 0, local),
+                                                          constant(this->u, local), R)));
   expect_same_matrix(this->K_d, derivative_matrix(R, local), 1e-12);
 }
 
@@ -94,9 +95,9 @@ TYPED_TEST(SolidTangent, ARotationCausesNoForce) {
   EXPECT_LT(R.norm(), 1e-13);
 }
 
-// Patch condition: under a homogeneous deformation every kind gives P n integrated over the faces, so
-// the nodal forces are the plain ones. The variational kind needs an affine cell in 3D: only there
-// (and in any quadrilateral) is the gradient at the centroid the mean gradient.
+// Patch condition: under a homogeneous deformation every kind gives P n integrated over the faces,
+// so the nodal forces are the plain ones. The variational kind needs an affine cell in 3D: only
+// there (and in any quadrilateral) is the gradient at the centroid the mean gradient.
 TYPED_TEST(SolidTangent, HomogeneousDeformationIsThatOfThePlainCell) {
   constexpr int dim = TypeParam::dim;
   if (dim == 3 && TypeParam::kind == ElementKind::f_bar_variational)
@@ -119,9 +120,9 @@ double asymmetry() {
   return (K - K.transpose()).norm() / K.norm();
 }
 
-// The variational element is the gradient of an energy, so K_u is symmetric; de Souza Neto's is not,
-// except in plane strain with this law, where its pressure depends on the area alone and the area of
-// a quadrilateral is four times the Jacobian at its centroid.
+// The variational element is the gradient of an energy, so K_u is symmetric; de Souza Neto's is
+// not, except in plane strain with this law, where its pressure depends on the area alone and the
+// area of a quadrilateral is four times the Jacobian at its centroid.
 TEST(Solid, OnlyEnergiesGiveSymmetricTangents) {
   EXPECT_LT((asymmetry<3, ElementKind::plain>()), 1e-14);
   EXPECT_LT((asymmetry<3, ElementKind::f_bar_variational>()), 1e-14);
@@ -157,8 +158,8 @@ TEST(NeoHookean, LinearisesToHooke) {
   EXPECT_NEAR(P(1, 1) / strain, E * nu / ((1 + nu) * (1 - 2 * nu)), 1e-5);
 }
 
-// Uniaxial strain F = diag(1.2, 1, 1) by hand: sigma_22 = sigma_33 = lambda (J - 1), so von Mises is
-// sigma_11 - sigma_22 = mu (1.2^2 - 1) / 1.2; without sigma_33 it would depend on lambda.
+// Uniaxial strain F = diag(1.2, 1, 1) by hand: sigma_22 = sigma_33 = lambda (J - 1), so von Mises
+// is sigma_11 - sigma_22 = mu (1.2^2 - 1) / 1.2; without sigma_33 it would depend on lambda.
 TEST(Solid, EquivalentStressOfUniaxialStrain) {
   const auto check = []<int dim>(ElementKind kind) {
     const CellNodal<dim> X = reference_cell<dim>() + noise<CellNodal<dim>>(0.2, 1);

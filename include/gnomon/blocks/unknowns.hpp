@@ -1,10 +1,9 @@
 // Numbering of the unknowns: which nodal value is which entry of y. Fixed values have no number.
 #pragma once
 
+#include <gnomon/blocks/worn_body.hpp>
 #include <span>
 #include <vector>
-
-#include <gnomon/blocks/worn_body.hpp>
 
 namespace gnomon {
 
@@ -35,10 +34,10 @@ public:
   Unknowns(const WornBody<dim>& body, const Selection& selection);
 
   int size() const { return size_; }
-  const Numbers& u() const { return u_; }            ///< nodes x dim
-  const Numbers& d() const { return d_; }            ///< nodes x dim
+  const Numbers& u() const { return u_; }                    ///< nodes x dim
+  const Numbers& d() const { return d_; }                    ///< nodes x dim
   const Eigen::VectorXi& lambda() const { return lambda_; }  ///< contact nodes
-  const Numbers& mu() const { return mu_; }          ///< contact nodes x dim
+  const Numbers& mu() const { return mu_; }                  ///< contact nodes x dim
   /// Row of the auxiliary equilibrium of each shape value: its own number off the contact surface,
   /// that of mu on it (so that both rows there have a nonzero diagonal), else -1. nodes x dim.
   const Numbers& auxiliary_row() const { return auxiliary_row_; }

@@ -49,7 +49,7 @@ struct WornBody {
   NodalField<dim> load;                          ///< nodal dead loads at full load
   NeoHookean material;
   ElementKind element = ElementKind::f_bar;
-  NeoHookean auxiliary_material;                 ///< eq. (20), always plain cells
+  NeoHookean auxiliary_material;  ///< eq. (20), always plain cells
   ContactParameters<dim> contact;
   ConstraintForm constraint = ConstraintForm::eliminated;
   double augmentation = 0;  ///< of mu: mu^ = mu + augmentation (ddot + Wdot N) [stress time/length]

@@ -1,15 +1,15 @@
-// Diagonally implicit Runge-Kutta methods on the DAE, the implicit Euler and theta methods included.
+// Diagonally implicit Runge-Kutta methods on the DAE, the implicit Euler and theta methods
+// included.
 #pragma once
-
-#include <memory>
-#include <optional>
-#include <vector>
 
 #include <gnomon/butcher_table.hpp>
 #include <gnomon/integration/error_norm.hpp>
 #include <gnomon/integration/one_step.hpp>
 #include <gnomon/integration/stage_solver.hpp>
 #include <gnomon/sundials/newton.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
 
 namespace gnomon {
 
@@ -18,8 +18,8 @@ namespace gnomon {
 ///   F(t_n + c_i h, y_i, ydot_i) = 0,   ydot_i = (d_i - d_n - h sum_{j<i} A_ij k_j) / (h A_ii),
 ///
 /// on the differential components d; k_i = ydot_i. An explicit first stage is the state itself. The
-/// step ends on the last stage of a stiffly accurate method; otherwise d_{n+1} = d_n + h sum b_i k_i,
-/// and the algebraic components are solved for.
+/// step ends on the last stage of a stiffly accurate method; otherwise d_{n+1} = d_n + h sum b_i
+/// k_i, and the algebraic components are solved for.
 ///
 /// Error: h sum (b_i - b^_i) k_i of the embedded method; for the theta family, which has none, the
 /// difference to the quadrature of the rates by the parabola through the last three of them:

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cmath>
-#include <span>
-#include <vector>
-
 #include <gnomon/integrator.hpp>
 #include <gnomon/system.hpp>
+#include <span>
+#include <vector>
 
 namespace gnomon {
 

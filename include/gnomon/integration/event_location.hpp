@@ -1,10 +1,9 @@
 // Ends a step where the active set changes, so that the order of a one-step method survives.
 #pragma once
 
-#include <vector>
-
 #include <gnomon/counters.hpp>
 #include <gnomon/integration/one_step.hpp>
+#include <vector>
 
 namespace gnomon {
 
@@ -16,12 +15,12 @@ struct Landing {
   int switched = 0;      ///< contact nodes that change there
 };
 
-/// Steps are taken on the smooth extension of one piece (Point::piece). When a switching function has
-/// changed sign at the end of a step, the first of these events is found by interpolation and by
-/// repeating the step, shorter, until its end is within `tolerance` of the event.
+/// Steps are taken on the smooth extension of one piece (Point::piece). When a switching function
+/// has changed sign at the end of a step, the first of these events is found by interpolation and
+/// by repeating the step, shorter, until its end is within `tolerance` of the event.
 ///
-/// The tolerance is tight because the state found is not projected on the new piece: its rates, which
-/// the next step may use, are off by their slope there times the error in time.
+/// The tolerance is tight because the state found is not projected on the new piece: its rates,
+/// which the next step may use, are off by their slope there times the error in time.
 class EventLocator {
 public:
   static constexpr double tolerance = 1e-7;  ///< of the time of an event, in units of the step
@@ -34,8 +33,8 @@ public:
   /// Has y left the piece?
   bool left(std::span<const double> y) const { return active_set(system_, y) != piece_; }
 
-  /// For a step of size h from `from` that ended off the piece in `to`: the shorter step that ends on
-  /// the first event. piece() is then the one behind it.
+  /// For a step of size h from `from` that ended off the piece in `to`: the shorter step that ends
+  /// on the first event. piece() is then the one behind it.
   Landing land(const State& from, double h, State& to);
 
 private:

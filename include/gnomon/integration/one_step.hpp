@@ -1,17 +1,16 @@
 // What a one-step method is to the code that drives it.
 #pragma once
 
-#include <string>
-
 #include <gnomon/integration/trace.hpp>
 #include <gnomon/model.hpp>
+#include <string>
 
 namespace gnomon {
 
 /// Outcome of one attempt at a step.
 struct Attempt {
   bool success = false;
-  double error = 0;    ///< estimated error of the step, 1 being the tolerance (ErrorNorm)
+  double error = 0;      ///< estimated error of the step, 1 being the tolerance (ErrorNorm)
   std::string reason{};  ///< why it failed
 };
 

@@ -1,11 +1,10 @@
 // Solves the algebraic part of a system for given differential components, stage after stage.
 #pragma once
 
+#include <gnomon/sundials/newton.hpp>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <gnomon/sundials/newton.hpp>
 
 namespace gnomon {
 
@@ -14,8 +13,8 @@ namespace gnomon {
 class StageSolver {
 public:
   StageSolver(const System& system, Counters& counters);
-  /// Makes y consistent with its differential components, which stay, on a piece (Point). On failure
-  /// returns the reason (empty on success) and leaves y unspecified.
+  /// Makes y consistent with its differential components, which stay, on a piece (Point). On
+  /// failure returns the reason (empty on success) and leaves y unspecified.
   std::string solve(std::span<double> y, const ActiveSet* piece = nullptr);
 
 private:

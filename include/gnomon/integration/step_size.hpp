@@ -24,12 +24,13 @@ private:
   bool may_grow_ = true;
 };
 
-/// The next point after t of the grid k step, by count rather than by adding up, so that it does not
-/// drift.
+/// The next point after t of the grid k step, by count rather than by adding up, so that it does
+/// not drift.
 double next_on_grid(double t, double step);
 
-/// First step: the one in which the surface would move, at its present rate, by as much of its final
-/// wear depth as a step of this order can at the tolerance. Rejections correct what this misses.
+/// First step: the one in which the surface would move, at its present rate, by as much of its
+/// final wear depth as a step of this order can at the tolerance. Rejections correct what this
+/// misses.
 double first_step(const State& start, const Structure& structure,
                   const IntegratorSettings& settings, int order);
 

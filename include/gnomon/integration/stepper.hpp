@@ -1,13 +1,12 @@
 // Drives a one-step method: fixed steps or steps that follow the error, halving, located events.
 #pragma once
 
-#include <memory>
-#include <optional>
-
 #include <gnomon/integration/event_location.hpp>
 #include <gnomon/integration/one_step.hpp>
 #include <gnomon/integration/step_size.hpp>
 #include <gnomon/integrator.hpp>
+#include <memory>
+#include <optional>
 
 namespace gnomon {
 

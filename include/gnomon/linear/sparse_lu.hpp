@@ -1,16 +1,15 @@
 // Sparse LU by UMFPACK, ordered by nested dissection (METIS) of the graph of groups.
 #pragma once
 
+#include <gnomon/sparse.hpp>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include <gnomon/sparse.hpp>
-
 namespace gnomon {
 
-/// Order of elimination: METIS on the graph of groups (mesh nodes), members of a group kept together
-/// in ascending order. Entry k is the unknown eliminated k-th.
+/// Order of elimination: METIS on the graph of groups (mesh nodes), members of a group kept
+/// together in ascending order. Entry k is the unknown eliminated k-th.
 std::vector<int> nested_dissection(const SparsePattern& pattern, const std::vector<int>& group);
 
 /// LU factors of matrices that share one pattern: analysed once, factorized often.

@@ -1,9 +1,8 @@
 // Variable-step, variable-order BDF by IDA, with a semismooth Newton solver inside.
 #pragma once
 
-#include <memory>
-
 #include <gnomon/integrator.hpp>
+#include <memory>
 
 namespace gnomon {
 

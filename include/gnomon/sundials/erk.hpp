@@ -1,10 +1,9 @@
 // Explicit Runge-Kutta methods on the reduced ODE, by ARKODE's ERKStep.
 #pragma once
 
+#include <gnomon/integrator.hpp>
 #include <memory>
 #include <string>
-
-#include <gnomon/integrator.hpp>
 
 namespace gnomon {
 

@@ -2,21 +2,20 @@
 #pragma once
 
 #include <functional>
+#include <gnomon/counters.hpp>
+#include <gnomon/system.hpp>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
-
-#include <gnomon/counters.hpp>
-#include <gnomon/system.hpp>
 
 namespace gnomon {
 
 /// When a nonlinear solve is done. Every integrator solves its equations to this tolerance, so that
 /// conserved quantities hold whatever the error tolerance of the time integration.
 struct NewtonOptions {
-  double tolerance = 1e-11;    ///< of the largest residual, each row by its row_scale
-  double acceptable = 1e-9;   ///< accepted when rounding stops the iteration above `tolerance`
+  double tolerance = 1e-11;  ///< of the largest residual, each row by its row_scale
+  double acceptable = 1e-9;  ///< accepted when rounding stops the iteration above `tolerance`
   int max_iterations = 30;
   bool keep_factors = false;  ///< modified Newton: factorize only when the last factors serve badly
   double slow = 0.2;          ///< contraction an iteration above which kept factors serve badly
@@ -28,7 +27,7 @@ struct NonlinearFunction {
   std::function<void(std::span<const double> y, std::span<double> values)> jacobian;
   /// The smooth piece that y lies in. Kept factors serve one piece only.
   std::function<ActiveSet(std::span<const double> y)> piece{};
-  double alpha = 0;              ///< weight of the rates in J; kept factors serve nearby weights
+  double alpha = 0;                ///< weight of the rates in J; kept factors serve nearby weights
   std::vector<int> switch_node{};  ///< mesh nodes of the piece's entries, for the diagnosis
 };
 
@@ -40,8 +39,9 @@ struct NewtonReport {
   std::string reason;         ///< why it did not converge
 };
 
-/// Newton steps with the exact Jacobian, or with kept factors as long as they contract; a step into a state without residual (inverted element) is halved by KINSOL.
-/// Holds the analysed factorization, so make one a system and use it often.
+/// Newton steps with the exact Jacobian, or with kept factors as long as they contract; a step into
+/// a state without residual (inverted element) is halved by KINSOL. Holds the analysed
+/// factorization, so make one a system and use it often.
 class NewtonSolver {
 public:
   /// `structure` must outlive the solver.

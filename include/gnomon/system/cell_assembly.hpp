@@ -1,12 +1,11 @@
-// Gather and scatter of a solid term over the cells of a mesh, written once for the body (rows of u,
-// derivatives by u and d) and for the mesh motion (rows and derivatives of d alone).
+// Gather and scatter of a solid term over the cells of a mesh, written once for the body (rows of
+// u, derivatives by u and d) and for the mesh motion (rows and derivatives of d alone).
 #pragma once
-
-#include <span>
-#include <vector>
 
 #include <gnomon/blocks/unknowns.hpp>
 #include <gnomon/sparse.hpp>
+#include <span>
+#include <vector>
 
 namespace gnomon {
 
@@ -15,9 +14,10 @@ class CellAssembly {
 public:
   using Numbers = typename Unknowns<dim>::Numbers;
 
-  /// `rows`, `columns`: numbers of the residual rows and of the unknown that plays the displacement.
-  /// `shape_columns`: numbers of the shape unknowns that move the reference configuration, or null
-  /// when it does not move. Cells without a row are left out. References must outlive the object.
+  /// `rows`, `columns`: numbers of the residual rows and of the unknown that plays the
+  /// displacement. `shape_columns`: numbers of the shape unknowns that move the reference
+  /// configuration, or null when it does not move. Cells without a row are left out. References
+  /// must outlive the object.
   CellAssembly(const Mesh<dim>& mesh, const NeoHookean& law, ElementKind kind, const Numbers& rows,
                const Numbers& columns, const Numbers* shape_columns);
 
@@ -47,8 +47,8 @@ private:
   const Numbers& rows_;
   const Numbers& columns_;
   const Numbers* shape_columns_;
-  std::vector<int> cells_;                // cells with at least one row
-  std::vector<int> map_, shape_map_;      // local*local positions a cell, column by column; -1: none
+  std::vector<int> cells_;            // cells with at least one row
+  std::vector<int> map_, shape_map_;  // local*local positions a cell, column by column; -1: none
 };
 
 }  // namespace gnomon

@@ -1,12 +1,11 @@
-// Gather and scatter of the contact nodes: rows of u (contact force), lambda (eq. 26), d (eq. 14) and,
-// in the multiplier form, the reaction mu in the auxiliary equilibrium (eq. 29).
+// Gather and scatter of the contact nodes: rows of u (contact force), lambda (eq. 26), d (eq. 14)
+// and, in the multiplier form, the reaction mu in the auxiliary equilibrium (eq. 29).
 #pragma once
-
-#include <span>
-#include <vector>
 
 #include <gnomon/blocks/unknowns.hpp>
 #include <gnomon/system.hpp>
+#include <span>
+#include <vector>
 
 namespace gnomon {
 
@@ -30,7 +29,8 @@ public:
   ContactNode<dim> node(const NodalState<dim>& state, int c, Branch branch = Branch::by_sign) const;
 
 private:
-  // Local rows: u | lambda | d (wear) | auxiliary equilibrium; columns: u | lambda | mu | d of patch.
+  // Local rows: u | lambda | d (wear) | auxiliary equilibrium; columns: u | lambda | mu | d of
+  // patch.
   static constexpr int rows = 3 * dim + 1;
   static constexpr int u_0 = 0, lambda_0 = dim, wear_0 = dim + 1, auxiliary_0 = 2 * dim + 1;
   static constexpr int mu_column = dim + 1, shape_column = 2 * dim + 1;

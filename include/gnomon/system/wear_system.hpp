@@ -2,12 +2,11 @@
 // other blocks frozen.
 #pragma once
 
-#include <memory>
-
 #include <gnomon/blocks/unknowns.hpp>
 #include <gnomon/system.hpp>
 #include <gnomon/system/cell_assembly.hpp>
 #include <gnomon/system/contact_assembly.hpp>
+#include <memory>
 
 namespace gnomon {
 
@@ -15,8 +14,8 @@ namespace gnomon {
 ///   u                equilibrium, eq. 23-25: internal + contact force - load          [force]
 ///   lambda           C_N, eq. 26                                                      [length]
 ///   d (interior)     auxiliary equilibrium, eq. 20                                    [force]
-///   d (contact)      ddot + Wdot N, eq. 14                                            [length/time]
-///   mu               auxiliary equilibrium minus A^ mu^, eq. 29 (multiplier form)     [force]
+///   d (contact)      ddot + Wdot N, eq. 14 [length/time] mu               auxiliary equilibrium
+///   minus A^ mu^, eq. 29 (multiplier form)     [force]
 /// Not safe for concurrent calls on one object (shared workspace).
 template <int dim>
 class WearSystem : public System {

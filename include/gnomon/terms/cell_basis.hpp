@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-
 #include <gnomon/tensor.hpp>
 
 namespace gnomon {
@@ -37,9 +36,9 @@ CellNodal<dim> basis_gradients(const Vector<dim>& xi) {
 /// Basis gradients at the points where cells are evaluated, computed once.
 template <int dim>
 struct CellBasis {
-  static constexpr int points = 1 << dim;         ///< 2^dim Gauss points, all of weight one
+  static constexpr int points = 1 << dim;  ///< 2^dim Gauss points, all of weight one
   std::array<CellNodal<dim>, points> gauss;
-  std::array<CellNodal<dim>, points> corners;     ///< at the nodes
+  std::array<CellNodal<dim>, points> corners;  ///< at the nodes
   CellNodal<dim> centroid;
 
   static const CellBasis& instance() {

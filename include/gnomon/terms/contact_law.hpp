@@ -10,13 +10,13 @@ enum class Branch { by_sign, closed, open };
 
 /// Augmented-Lagrangian treatment of unilateral contact, eq. (26), with its derivatives.
 /// lambda <= 0 is the nominal normal traction [stress], g the normal gap [length], rho > 0 the
-/// regularization [stress / length]. A branch that is given instead of chosen by the sign is continued
-/// smoothly beyond its border.
+/// regularization [stress / length]. A branch that is given instead of chosen by the sign is
+/// continued smoothly beyond its border.
 template <class Scalar = double>
 struct UnilateralContact {
-  bool active;               ///< lambda + rho g <= 0, or as given
-  Scalar traction;           ///< effective multiplier lambda_eff [stress]
-  Scalar constraint;         ///< C_N [length]
+  bool active;        ///< lambda + rho g <= 0, or as given
+  Scalar traction;    ///< effective multiplier lambda_eff [stress]
+  Scalar constraint;  ///< C_N [length]
   double traction_by_lambda, traction_by_gap;
   double constraint_by_lambda, constraint_by_gap;
 
@@ -39,7 +39,9 @@ struct FrictionlessWear {
   double rate_per_pressure = 0;  ///< k v
 
   template <class Scalar>
-  Scalar rate(const Scalar& traction) const { return Scalar(-rate_per_pressure * traction); }
+  Scalar rate(const Scalar& traction) const {
+    return Scalar(-rate_per_pressure * traction);
+  }
   double rate_by_traction() const { return -rate_per_pressure; }
 };
 

@@ -10,10 +10,9 @@
 #pragma once
 
 #include <array>
-#include <vector>
-
 #include <gnomon/mesh.hpp>
 #include <gnomon/terms/contact_law.hpp>
+#include <vector>
 
 namespace gnomon {
 
@@ -39,8 +38,8 @@ struct ContactPatch {
 /// Patches of all nodes of a surface, in ascending order of nodes (2D: along the surface when its
 /// nodes are numbered so). Throws Error beyond the bounds above.
 template <int dim>
-std::vector<ContactPatch<dim>> contact_patches(const Mesh<dim>& mesh,
-                                               const std::vector<typename Mesh<dim>::Facet>& facets);
+std::vector<ContactPatch<dim>> contact_patches(
+    const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets);
 
 enum class NormalRule { averaged, normalised };
 
@@ -100,7 +99,8 @@ struct ContactNodeTangent {
                      Branch branch = Branch::by_sign);
 };
 
-// ---- templates on the scalar ---------------------------------------------------------------------
+// ---- templates on the scalar
+// ---------------------------------------------------------------------
 
 /// Area vector of a corner, linear (2D) or bilinear (3D) in the positions.
 template <int dim, class Scalar>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-
 #include <gnomon/tensor.hpp>
 
 namespace gnomon {

@@ -1,23 +1,24 @@
-// A hyperelastic cell whose reference configuration moves: residual of eq. (24), integrated over the
-// undeformed configuration X = X^ + d, and its derivatives with respect to u and to d.
+// A hyperelastic cell whose reference configuration moves: residual of eq. (24), integrated over
+// the undeformed configuration X = X^ + d, and its derivatives with respect to u and to d.
 //
 //   F = I + (du/dxi)(dX/dxi)^-1 = (dx/dxi)(dX/dxi)^-1,     n_a = (dX/dxi)^-T dN_a/dxi,
 //   g_a = F^-T n_a (gradient in the current configuration), index 0: at the centroid,
 //   r = J_0 / J,   Fbar = r^(1/dim) F.
 //
 //   plain              R_a = sum_g det(dX/dxi) P(F) n_a
-//   f_bar              R_a = sum_g det(dX/dxi) r^(1/dim - 1) P(Fbar) n_a   (= sum_g w sigma(Fbar) g_a;
+//   f_bar              R_a = sum_g det(dX/dxi) r^(1/dim - 1) P(Fbar) n_a   (= sum_g w sigma(Fbar)
+//   g_a;
 //                      E. A. de Souza Neto et al., Int. J. Solids Struct. 33 (1996) 3277, in 2D the
 //                      in-plane form)
 //   f_bar_variational  R_a = sum_g det(dX/dxi) d phi(Fbar)/du_a, the literal reading of eq. (32):
 //                      r^(1/dim) [P(Fbar) n_a + q (g0_a - g_a)],  q = P(Fbar) : F / dim
 //
-// Variations, with v = du + (I - F) dd (times n_b: the variation of F) and v0 the same at the centroid:
+// Variations, with v = du + (I - F) dd (times n_b: the variation of F) and v0 the same at the
+// centroid:
 //   dr/r = g0_b . v0 - g_b . v,   dn_a = -n_b (n_a . dd_b),   dg_a = -g_b (g_a . (du_b + dd_b)).
 #pragma once
 
 #include <cmath>
-
 #include <gnomon/terms/cell_basis.hpp>
 #include <gnomon/terms/neo_hookean.hpp>
 
@@ -28,11 +29,11 @@ enum class ElementKind { plain, f_bar, f_bar_variational };
 /// Kinematics of a cell at one reference point.
 template <int dim, class Scalar = double>
 struct CellPoint {
-  Scalar volume;              ///< det(dX/dxi)
-  Tensor<dim, Scalar> F;      ///< deformation gradient
-  Scalar J;                   ///< det F
-  CellNodal<dim, Scalar> n;   ///< rows n_a
-  bool valid;                 ///< volume > 0 and J > 0
+  Scalar volume;             ///< det(dX/dxi)
+  Tensor<dim, Scalar> F;     ///< deformation gradient
+  Scalar J;                  ///< det F
+  CellNodal<dim, Scalar> n;  ///< rows n_a
+  bool valid;                ///< volume > 0 and J > 0
 
   CellPoint(const CellNodal<dim>& dN, const CellNodal<dim, Scalar>& X,
             const CellNodal<dim, Scalar>& u) {
@@ -82,8 +83,8 @@ bool solid_residual(const NeoHookean& law, const CellNodal<dim, Scalar>& X,
   return true;
 }
 
-/// Derivatives of the cell residual: K_u = dR/du, and K_d = dR/dd if `with_shape`. Same return value
-/// as solid_residual; R is computed along.
+/// Derivatives of the cell residual: K_u = dR/du, and K_d = dR/dd if `with_shape`. Same return
+/// value as solid_residual; R is computed along.
 template <ElementKind kind, bool with_shape, int dim>
 bool solid_tangent(const NeoHookean& law, const CellNodal<dim>& X, const CellNodal<dim>& u,
                    CellNodal<dim>& R, CellMatrix<dim>& K_u, CellMatrix<dim>& K_d);
@@ -91,10 +92,11 @@ bool solid_tangent(const NeoHookean& law, const CellNodal<dim>& X, const CellNod
 /// Runtime choice among the kinds, for callers that read it from a scene.
 template <int dim>
 struct SolidKernel {
-  bool (*residual)(const NeoHookean&, const CellNodal<dim>&, const CellNodal<dim>&, CellNodal<dim>&);
+  bool (*residual)(const NeoHookean&, const CellNodal<dim>&, const CellNodal<dim>&,
+                   CellNodal<dim>&);
   /// K_d is left alone by `tangent_u`.
-  bool (*tangent_u)(const NeoHookean&, const CellNodal<dim>&, const CellNodal<dim>&, CellNodal<dim>&,
-                    CellMatrix<dim>&, CellMatrix<dim>&);
+  bool (*tangent_u)(const NeoHookean&, const CellNodal<dim>&, const CellNodal<dim>&,
+                    CellNodal<dim>&, CellMatrix<dim>&, CellMatrix<dim>&);
   bool (*tangent_ud)(const NeoHookean&, const CellNodal<dim>&, const CellNodal<dim>&,
                      CellNodal<dim>&, CellMatrix<dim>&, CellMatrix<dim>&);
 
