@@ -44,9 +44,9 @@ TEST(Onset, OfHigherOrdersIsTheirCriticalStep) {
     EXPECT_NEAR(agreement(*model, Integrators::find(name, "integrator"), state), 1, 0.05) << name;
 }
 
-// ERKStep of SUNDIALS 6.4.1 takes Heun's second stage for the rate at the end of the step (its c is
-// 1, but it is not the new value), so that erk-2 becomes unstable at z = -1 instead of -2; to be
-// enabled when its driver is mended.
+// It is unstable above z = -1 instead of -2, as if ERKStep of SUNDIALS 6.4.1 took the rate of
+// Heun's second stage (c = 1) for that of the new value: docs/stability.md. To be enabled when that
+// is mended.
 TEST(Onset, DISABLED_OfHeunsMethodIsItsCriticalStep) {
   const auto model = pin_model({elements(10)});
   Counters counters;
