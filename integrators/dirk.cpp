@@ -25,6 +25,8 @@ const Entry entries[] = {
      "trapezoidal rule and BDF2 in one step; its error estimate does not damp stiff modes"},
     {"esdirk-3", "3", "embedded, order 2", "A, L, stiffly accurate",
      "ARKODE_ESDIRK325L2SA_5_2_3", "five stages, of stage order 2 (Kennedy and Carpenter, 2019)"},
+    {"esdirk-3-short", "3", "embedded, order 2", "A, L, stiffly accurate",
+     "ARKODE_ESDIRK324L2SA_4_2_3", "four stages, of stage order 2 (Kennedy and Carpenter, 2016)"},
     {"sdirk-4", "4", "embedded, order 3", "A, L, stiffly accurate", "ARKODE_SDIRK_5_3_4",
      "five stages (Hairer and Wanner II, table IV.6.5)"},
     {"esdirk-4", "4", "embedded, order 3", "A, L, stiffly accurate",

@@ -6,6 +6,7 @@
 #include <gnomon/counters.hpp>
 #include <gnomon/integrator.hpp>
 #include <gnomon/model.hpp>
+#include <gnomon/result_files.hpp>
 #include <map>
 #include <memory>
 #include <optional>
@@ -37,10 +38,12 @@ struct HistoryRow {
 /// keeps everything up to the call before, and later calls throw as well.
 class ResultWriter {
 public:
-  /// Creates the file and its sidecar (same name, .xdmf), replacing earlier ones. Throws InputError
-  /// when the file cannot be created there; an earlier file is then untouched.
+  /// Creates the file and its sidecar (same name, .xdmf). Earlier ones are refused, or replaced by
+  /// the first append(): until then the new file is FILE.part, which goes if nothing is appended.
+  /// Throws InputError when the file cannot be created there, when an earlier one is refused, and
+  /// while another run is writing it; an earlier file is then untouched.
   ResultWriter(const std::filesystem::path& file, const RunHeader& header,
-               const std::optional<Grid>& grid);
+               const std::optional<Grid>& grid, Earlier earlier = Earlier::refused);
   ~ResultWriter();
   ResultWriter(const ResultWriter&) = delete;
   ResultWriter& operator=(const ResultWriter&) = delete;
@@ -74,7 +77,8 @@ public:
   std::vector<HistoryRow> history() const;
   std::vector<double> stored_times() const;
   /// Contact surface of the stored step at `t`, or of the last one. Throws InputError naming the
-  /// stored times next to `t` when there is none within 1e-9 of the run's length.
+  /// stored times next to `t` when there is none within 1e-9 of the run's length, and not just one
+  /// within 1e-5 of itself (times are printed with six digits).
   ContactSurface contact(std::optional<double> t) const;
   /// A field of the stored step with index `step`.
   Field field(std::size_t step, const std::string& name) const;

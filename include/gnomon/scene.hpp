@@ -73,6 +73,12 @@ public:
   /// The complete scene as TOML text, one `key = value  # [unit] help` a line, grouped in tables,
   /// defaults filled in. Loading this text gives an equal scene.
   std::string resolved() const;
+  /// The same scene with an optional key absent.
+  Scene without(const std::string& key) const;
+
+  /// The keys, in the order of the tables, whose values are not the same in both scenes; an absent
+  /// key differs from one with a value.
+  static std::vector<std::string> differing_keys(const Scene& a, const Scene& b);
 
   /// Same keys with the same values, wherever they came from.
   friend bool operator==(const Scene& a, const Scene& b);

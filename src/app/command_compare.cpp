@@ -1,10 +1,13 @@
 // gnomon compare: results side by side, with the paper's error against one of them.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <gnomon/error.hpp>
 #include <gnomon/problem.hpp>
 #include <gnomon/results.hpp>
+#include <optional>
+#include <set>
 
 #include "app/commands.hpp"
 #include "app/program.hpp"
@@ -17,17 +20,50 @@ namespace {
 
 using Align = TextTable::Align;
 
-/// What the run's accuracy was asked for with: "step 5 s" or "rtol 1e-4".
-std::string setting(const RunHeader& header, const std::string& file) {
+/// None when another version of gnomon wrote it; all else can still be compared.
+std::optional<Scene> scene_of(const RunHeader& header, const std::filesystem::path& file) {
   try {
-    const Scene scene = parse_scene(header.scene, file, {}, key_table);
-    if (scene.has("integrator.step"))
-      return fmt::format("step {:g} s", scene.real("integrator.step"));
-    return fmt::format("rtol {:g}", scene.real("integrator.rtol"));
+    return parse_scene(header.scene, file.string(), {}, key_table);
   } catch (const InputError&) {
-    return "?";  // written by another version of gnomon; all else can still be compared
+    return std::nullopt;
   }
 }
+
+/// What the run's accuracy was asked for with: "step 5 s" or "rtol 1e-4".
+std::string setting(const std::optional<Scene>& scene) {
+  if (!scene) return "?";
+  if (scene->has("integrator.step"))
+    return fmt::format("step {:g} s", scene->real("integrator.step"));
+  return fmt::format("rtol {:g}", scene->real("integrator.rtol"));
+}
+
+/// Compares scenes with the first that it is given, but for how they are integrated and stored.
+class SceneDifferences {
+public:
+  void add(const std::filesystem::path& file) {
+    const auto scene = scene_of(ResultReader(file).header(), file);
+    if (!scene) {
+      unreadable_ += fmt::format(
+          "\nnote: the scene of {} was not compared, this version cannot "
+          "read it\n",
+          file.string());
+    } else if (!first_) {
+      first_ = scene;
+    } else {
+      for (const std::string& key : Scene::differing_keys(*first_, *scene))
+        if (!key.starts_with("integrator.") && !key.starts_with("output.")) keys_.insert(key);
+    }
+  }
+  std::string note() const {
+    if (keys_.empty()) return unreadable_;
+    return fmt::format("{}\nnote: the scenes differ in {}\n", unreadable_, fmt::join(keys_, ", "));
+  }
+
+private:
+  std::optional<Scene> first_;
+  std::set<std::string> keys_;
+  std::string unreadable_;
+};
 
 std::string worn_volume(const HistoryRow& row) {
   for (const Scalar& scalar : row.scalars)
@@ -49,7 +85,7 @@ void add_row(TextTable& table, const std::filesystem::path& file, const ShapeErr
   const HistoryRow last = history.empty() ? HistoryRow{} : history.back();
   const Counters& c = last.counters;
   const auto count = [](long value) { return fmt::format("{}", value); };
-  table.add({result.header().integrator, setting(result.header(), file.string()), count(c.steps),
+  table.add({result.header().integrator, setting(scene_of(result.header(), file)), count(c.steps),
              count(c.rejected_steps), count(c.newton_iterations), count(c.factorizations),
              fmt::format("{:.2f}", result.wall_seconds()), worn_volume(last),
              errors.against(file, result), name_and_status(file, result, last.t)});
@@ -76,6 +112,10 @@ int compare_command(const std::vector<std::filesystem::path>& results,
       "{}\nshape error: Euclidean norm of the differences of worn contact-node positions to the\n"
       "reference, {}, in the last stored state\n",
       table.text(), chosen.string());
+  SceneDifferences differences;
+  differences.add(chosen);
+  for (const auto& file : results) differences.add(file);
+  fmt::print("{}", differences.note());
   return success;
 }
 

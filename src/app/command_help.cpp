@@ -5,6 +5,7 @@
 #include <gnomon/error.hpp>
 #include <gnomon/integrator.hpp>
 #include <gnomon/problem.hpp>
+#include <gnomon/study.hpp>
 #include <gnomon/versions.hpp>
 
 #include "app/commands.hpp"
@@ -41,6 +42,8 @@ int help_command(const std::string& topic, const std::optional<std::string>& pro
                  const std::vector<std::string>& further_topics) {
   if (topic == "scene") {
     fmt::print("{}", scene_help(problem));
+  } else if (topic == "studies") {
+    fmt::print("{}{}", studies_topic, describe_study_keys());
   } else if (topic == "integrators") {
     fmt::print("{}", integrators_help());
   } else if (topic == "units") {
@@ -50,8 +53,8 @@ int help_command(const std::string& topic, const std::optional<std::string>& pro
   } else if (topic == "exit-codes") {
     fmt::print("{}", exit_codes_topic);
   } else {
-    std::vector<std::string> topics = {"scene", "integrators", "commands",
-                                       "units", "output",      "exit-codes"};
+    std::vector<std::string> topics = {"scene", "studies", "integrators", "commands",
+                                       "units", "output",  "exit-codes"};
     topics.insert(topics.end(), further_topics.begin(), further_topics.end());
     const std::string near = nearest_name(topic, topics);
     throw InputError(

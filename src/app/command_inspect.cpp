@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+#include <gnomon/error.hpp>
 #include <gnomon/results.hpp>
 
 #include "app/commands.hpp"
@@ -82,7 +84,8 @@ int info_command(const std::filesystem::path& file) {
   table.add({"fields", fmt::format("{}", fmt::join(result.field_names(), ", "))});
   table.add({"stored at t", times_text(result.stored_times())});
   std::vector<std::string> versions;
-  for (const auto& [name, version] : header.versions) versions.push_back(fmt::format("{} {}", name, version));
+  for (const auto& [name, version] : header.versions)
+    versions.push_back(fmt::format("{} {}", name, version));
   table.add({"versions", fmt::format("{}", fmt::join(versions, ", "))});
   fmt::print("{}", table.text());
   if (const auto history = result.history(); !history.empty()) print_history(history.back());
@@ -91,6 +94,8 @@ int info_command(const std::filesystem::path& file) {
 }
 
 int contact_command(const std::filesystem::path& file, std::optional<double> time) {
+  if (time && !std::isfinite(*time))
+    throw InputError(fmt::format("--time: expected a finite number, got {}", *time));
   const ContactSurface surface = ResultReader(file).contact(time);
   const bool flat = surface.dim == 2;
   fmt::print("node,{},pressure,wear_depth,active\n",

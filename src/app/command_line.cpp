@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <gnomon/error.hpp>
+#include <gnomon/integrator.hpp>
 #include <gnomon/scene.hpp>
 
 namespace gnomon::app {
@@ -17,6 +18,20 @@ void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
       ->allow_extra_args(false);
 }
 
+/// Throws InputError about the option, of which the scene knows nothing.
+const std::string& known_integrator(const std::string& name) {
+  try {
+    Integrators::find(name, "integrator");
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("--integrator: {}", error.what()));
+  }
+  return name;
+}
+
+std::string check_file_name(const std::string& name) {
+  return name.empty() ? "expected a file name, got an empty text" : "";
+}
+
 }  // namespace
 
 CommandLine::CommandLine() : app_("gnomon integrates the shape of worn bodies in time.", "gnomon") {
@@ -26,9 +41,10 @@ CommandLine::CommandLine() : app_("gnomon integrates the shape of worn bodies in
       "Shows the versions of gnomon and its libraries");
   app_.require_subcommand(0, 1);
   app_.footer(
-      "More: gnomon help TOPIC, with TOPIC one of scene [PROBLEM], integrators, commands,\n"
-      "units, output, exit-codes, or a command.");
+      "More: gnomon help TOPIC, with TOPIC one of scene [PROBLEM], studies, integrators,\n"
+      "commands, units, output, exit-codes, or a command.");
   add_run();
+  add_study();
   add_check();
   add_inspection();
   add_compare();
@@ -46,13 +62,20 @@ void CommandLine::add_run() {
   command
       ->add_option("-o,--output", run_.result,
                    "Result file; default: SCENE's name, -NAME and .h5, in the current folder")
-      ->type_name("RESULT.h5");
-  command->add_option("--summary", run_.summary, "Also writes a summary as JSON")
-      ->type_name("FILE.json");
+      ->type_name("RESULT.h5")
+      ->check(check_file_name);
+  command
+      ->add_option("--summary", run_.summary, "Also writes a summary as JSON; - prints it instead")
+      ->type_name("FILE.json")
+      ->check(check_file_name);
+  command->add_flag(
+      "--force", run_.force,
+      "Replaces result, sidecar and summary of an earlier run, once the start is solved");
   command->add_flag("--quiet", run_.quiet, "Prints nothing but errors");
   command->callback([this] {
     command_ = [this] {
-      if (integrator_) run_.overrides.push_back("integrator.name=" + *integrator_);
+      if (integrator_)
+        run_.overrides.push_back("integrator.name=" + known_integrator(*integrator_));
       return run_command(run_);
     };
   });
@@ -67,9 +90,27 @@ void CommandLine::add_check() {
       [this] { command_ = [this] { return check_command(run_.scene, run_.overrides); }; });
 }
 
+void CommandLine::add_study() {
+  CLI::App* command =
+      app_.add_subcommand("study", "Runs a scene in many ways; tables errors and costs");
+  command->add_option("STUDY", study_.study, "Study file (TOML), see gnomon help studies")
+      ->required()
+      ->type_name("");
+  command
+      ->add_option("-o,--output", study_.folder,
+                   "Folder of the results; default: STUDY's name, in the current folder")
+      ->type_name("DIR");
+  command->add_option("--jobs", study_.jobs, "Runs at a time; default: the number of cores")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--resume", study_.resume, "Goes on in an existing folder, keeping what is done");
+  command->add_flag("--quiet", study_.quiet, "Prints nothing but errors");
+  command->callback([this] { command_ = [this] { return study_command(study_); }; });
+}
+
 void CommandLine::add_inspection() {
-  CLI::App* list = app_.add_subcommand("list", "Lists integrators, problems or scenes");
-  list->add_option("SUBJECT", subject_, "integrators, problems or scenes")
+  CLI::App* list = app_.add_subcommand("list", "Lists integrators, problems, scenes or studies");
+  list->add_option("SUBJECT", subject_, "integrators, problems, scenes or studies")
       ->required()
       ->type_name("");
   list->callback([this] { command_ = [this] { return list_command(subject_); }; });
@@ -145,6 +186,9 @@ int CommandLine::help() const {
   };
   if (!topic_) {
     print(&app_, "gnomon");
+  } else if (problem_ && *topic_ != "scene") {
+    throw InputError(
+        fmt::format("unexpected argument `{}`, see `gnomon help {}`", *problem_, *topic_));
   } else if (*topic_ == "commands") {
     for (const std::string& name : commands) {
       print(app_.get_subcommand(name), "gnomon " + name);
@@ -180,7 +224,8 @@ int CommandLine::operator()(int argc, char** argv) {
 std::string CommandLine::complaint(const CLI::ParseError& error) const {
   const auto chosen = app_.get_subcommands();
   const CLI::App* command = chosen.empty() ? &app_ : chosen.front();
-  const std::string help = chosen.empty() ? "gnomon help" : "gnomon help " + command->get_name();
+  const bool overview = chosen.empty() || command->get_name() == "help";
+  const std::string help = overview ? "gnomon help" : "gnomon help " + command->get_name();
   for (const std::string& word : app_.remaining(true)) {
     const bool option = word.starts_with("-");
     if (!option && !chosen.empty()) continue;

@@ -25,6 +25,7 @@ public:
 private:
   void add_run();
   void add_check();
+  void add_study();
   void add_inspection();
   void add_compare();
   void add_stability();
@@ -38,6 +39,7 @@ private:
 
   // Where the options are bound to; each command uses its own part.
   RunOptions run_;
+  StudyCommandOptions study_;
   StabilityOptions stability_;
   std::optional<std::string> integrator_;
   std::string subject_;

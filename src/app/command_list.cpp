@@ -40,13 +40,19 @@ std::string first_comment(const fs::path& file) {
   return line.starts_with("#") && text != std::string::npos ? line.substr(text) : "";
 }
 
-std::string list_scenes() {
+/// Studies lie in folders of that name; every other TOML file is a scene.
+bool is_study(const fs::path& file) {
+  return file.parent_path().filename() == "studies";
+}
+
+std::string list_files(bool studies) {
   const fs::path root = GNOMON_SCENE_ROOT;
   std::error_code error;
   std::vector<fs::path> files;
   for (auto entry = fs::recursive_directory_iterator(root, error);
        entry != fs::recursive_directory_iterator(); entry.increment(error))
-    if (!error && entry->path().extension() == ".toml") files.push_back(entry->path());
+    if (!error && entry->path().extension() == ".toml" && is_study(entry->path()) == studies)
+      files.push_back(entry->path());
   if (error) throw InputError(fmt::format("cannot read the scenes in {}", root.string()));
   std::sort(files.begin(), files.end());
   TextTable table({{}, {}});
@@ -62,7 +68,8 @@ std::string list_scenes() {
 }  // namespace
 
 const std::vector<std::string>& list_subjects() {
-  static const std::vector<std::string> subjects = {"integrators", "problems", "scenes"};
+  static const std::vector<std::string> subjects = {"integrators", "problems", "scenes",
+                                                    "studies"};
   return subjects;
 }
 
@@ -72,11 +79,13 @@ int list_command(const std::string& what) {
   } else if (what == "problems") {
     fmt::print("{}", list_problems());
   } else if (what == "scenes") {
-    fmt::print("{}", list_scenes());
+    fmt::print("{}", list_files(false));
+  } else if (what == "studies") {
+    fmt::print("{}", list_files(true));
   } else {
     const std::string near = nearest_name(what, list_subjects());
     throw InputError(fmt::format("cannot list `{}`, {}", what,
-                                 near.empty() ? "expected integrators, problems or scenes"
+                                 near.empty() ? "expected integrators, problems, scenes or studies"
                                               : "did you mean `" + near + "`?"));
   }
   return success;

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <gnomon/error.hpp>
+#include <gnomon/result_files.hpp>
 #include <gnomon/run.hpp>
 #include <gnomon/summary.hpp>
+#include <utility>
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
@@ -45,7 +47,9 @@ int exit_code(const RunOutcome& outcome) {
   return other_failure;
 }
 
-std::string failure_message(const RunOutcome& outcome, const RunOptions& options) {
+std::string failure_message(const RunOutcome& outcome, const RunOptions& options, bool earlier) {
+  if (!outcome.last && earlier)
+    return fmt::format("{} (the earlier {} is kept)", outcome.diagnosis, options.result.string());
   if (!outcome.last) return outcome.diagnosis;
   return fmt::format("{} (everything up to t = {:g} s is in {})", outcome.diagnosis,
                      outcome.last->t, options.result.string());
@@ -54,13 +58,14 @@ std::string failure_message(const RunOutcome& outcome, const RunOptions& options
 RunOutcome integrate(const Setup& setup, const RunHeader& header,
                      const IntegratorSettings& settings, const RunOptions& options) {
   const InterruptGuard guard(!options.quiet);  // first: a result that exists is always closed
-  ResultWriter writer(options.result, header, setup.model->grid());
+  ResultWriter writer(options.result, header, setup.model->grid(),
+                      options.force ? Earlier::replaced : Earlier::refused);
   Progress progress(Progress::mode_for_stderr(options.quiet), settings.end);
   const RunHooks hooks{.on_step = [&](const HistoryRow& row) { progress.show(row); },
                        .interrupted = InterruptGuard::interrupted};
   try {
-    RunOutcome outcome =
-        run(*setup.model, chosen_integrator(setup.scene), settings, store_policy(setup.scene), &writer, hooks);
+    RunOutcome outcome = run(*setup.model, chosen_integrator(setup.scene), settings,
+                             store_policy(setup.scene), &writer, hooks);
     progress.finish();
     return outcome;
   } catch (const std::exception&) {
@@ -73,18 +78,21 @@ RunOutcome integrate(const Setup& setup, const RunHeader& header,
 
 int run_command(const RunOptions& given) {
   RunOptions options = given;
-  const Setup setup = set_up(options.scene, options.overrides);
-  const RunHeader header = run_header(setup);
-  if (options.result.empty()) options.result = default_result(options.scene, header.integrator);
-  check_outputs(options);
+  Scene scene = checked_scene(options.scene, options.overrides);
+  if (options.result.empty())
+    options.result = default_result(options.scene, scene.text("integrator.name"));
+  check_outputs(options);  // before anything that takes time
+  const bool earlier = is_taken(options.result);
 
+  const Setup setup = set_up(std::move(scene));
+  const RunHeader header = run_header(setup);
   const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
   const RunOutcome outcome = integrate(setup, header, settings, options);
-  if (!options.summary.empty())
-    write_text(options.summary, summary_json(setup.scene, header, settings, outcome));
+  write_summary(options, summary_json(setup.scene, header, settings, outcome),
+                outcome.last.has_value());
   if (outcome.status == RunOutcome::Status::failed)
-    throw SolutionError(failure_message(outcome, options));
-  if (!options.quiet) print_summary(outcome, options);
+    throw SolutionError(failure_message(outcome, options, earlier));
+  if (!options.quiet && options.summary != "-") print_summary(outcome, options);
   return exit_code(outcome);
 }
 

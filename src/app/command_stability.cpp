@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <gnomon/result_files.hpp>
 #include <gnomon/error.hpp>
 #include <gnomon/stability.hpp>
 
 #include "app/commands.hpp"
-#include "app/output_files.hpp"
 #include "app/program.hpp"
 #include "app/setup.hpp"
 #include "app/text_table.hpp"
@@ -64,8 +64,8 @@ public:
 
   std::string text() const { return table_.text(); }
   void write(const std::filesystem::path& folder) const {
-    write_text(folder / "spectrum.csv", spectrum_);
-    write_text(folder / "critical_steps.csv", critical_steps_);
+    write_file(folder / "spectrum.csv", spectrum_, Earlier::replaced);
+    write_file(folder / "critical_steps.csv", critical_steps_, Earlier::replaced);
   }
 
 private:

@@ -14,7 +14,16 @@ struct RunOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;  ///< "key=value", --integrator included
   std::filesystem::path result;        ///< empty: default_result()
-  std::filesystem::path summary;       ///< empty: none
+  std::filesystem::path summary;       ///< empty: none; "-": standard output
+  bool force = false;                  ///< replace what earlier runs left under these names
+  bool quiet = false;
+};
+
+struct StudyCommandOptions {
+  std::filesystem::path study;
+  std::filesystem::path folder;  ///< empty: the study's name, in the current folder
+  int jobs = 0;                  ///< 0: one a core
+  bool resume = false;
   bool quiet = false;
 };
 
@@ -27,6 +36,7 @@ struct StabilityOptions {
 };
 
 int run_command(const RunOptions& options);
+int study_command(const StudyCommandOptions& options);
 int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 int list_command(const std::string& what);
 int info_command(const std::filesystem::path& result);

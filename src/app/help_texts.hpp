@@ -9,6 +9,32 @@ come with gnomon, `gnomon check SCENE.toml` prints one in full, defaults include
 `--set KEY=VALUE` replaces a key for one run (a text needs no quotes there).
 )";
 
+inline constexpr const char* studies_topic =
+    R"(A study is a TOML file that has one scene run in many ways: several methods, each with a list of
+steps or tolerances, for all combinations of swept scene keys. `gnomon list studies` shows those
+that come with gnomon.
+
+    scene = "../small_deformation.toml"
+    [set]                           # scene keys of all runs; also [method.set], [reference.set]
+    mesh.elements = [20, 20]
+    [[sweep]]
+    key = "body.young_modulus"
+    values = [20, 640]
+    [[method]]
+    integrator = "backward-euler"
+    steps = [5, 50]
+    [[method]]
+    integrator = "bdf"
+    tolerances = [1e-3, 1e-5]
+
+Errors are measured against a closed form where the problem has one. Else two tight runs of
+different families are made; their difference estimates the error of the reference, and errors below
+ten times it are marked. Runs go side by side (--jobs); for times that can be compared, use
+--jobs 1 on an idle machine. The folder of the results holds study.csv, study.h5, index.html and
+runs/. A study that was interrupted or killed goes on with --resume. A run that fails stays in the
+table with its reason; the exit code is 3 only when all fail.
+)";
+
 inline constexpr const char* integrators_topic =
     R"(Without integrator.step a method chooses its steps so that the estimated error of the worn surface
 stays below integrator.rtol and .atol in every step. With it the steps are fixed, and halved (counted
@@ -36,6 +62,9 @@ inline constexpr const char* output_topic =
     the mesh once, in the initial configuration, and per stored step displacement, shape, nodal
     pressure, equivalent stress and element quality; in the group /gnomon the contact surface, the
     scalars, sizes, orders and counters of every step, the resolved scene and versions.
+
+Nothing that exists is overwritten. --force replaces what an earlier run has left under these names,
+once the start is solved; a start that fails leaves them as they were.
 
 In ParaView open the .xdmf file; Warp By Vector with `shape` shows the worn body, with
 `displacement` added the deformed one. Which steps are stored is set by output.every, output.times

@@ -1,4 +1,5 @@
-// Ctrl-C and SIGTERM end a run after its current step; a second one kills as usual.
+// Ctrl-C and SIGTERM end a run after its current step; a second one kills as usual. That nobody
+// reads its progress any more does not end it.
 #pragma once
 
 namespace gnomon::app {

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <fstream>
 #include <gnomon/error.hpp>
+#include <gnomon/result_files.hpp>
+#include <gnomon/summary.hpp>
 #include <system_error>
 
 namespace gnomon::app {
@@ -40,30 +42,73 @@ void check_writable(const fs::path& file) {
   if (access(target.c_str(), W_OK) != 0) fail(std::strerror(errno));
 }
 
+/// A terminal, a pipe, /dev/null: holds nothing that could be lost.
+bool is_stream(const fs::path& file) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+/// A kind of file that runs leave.
+struct Kind {
+  const char* option;  ///< that names it
+  const char* name;
+  bool (*made)(const fs::path&);  ///< whether a run can have made the file
+};
+
+void check_earlier(const fs::path& file, const Kind& kind, bool force) {
+  if (!is_taken(file)) return;
+  if (!force)
+    throw InputError(fmt::format("{} exists; give another name with {}, or --force to replace it",
+                                 file.string(), kind.option));
+  if (!kind.made(file))
+    throw InputError(
+        fmt::format("{} exists and is not {} of gnomon, so --force does not replace it",
+                    file.string(), kind.name));
+}
+
 }  // namespace
 
 fs::path default_result(const fs::path& scene, const std::string& integrator) {
   return scene.stem().string() + "-" + integrator + ".h5";
 }
 
-fs::path sidecar_of(const fs::path& result) {
-  return fs::path(result).replace_extension(".xdmf");
-}
-
 void check_outputs(const RunOptions& options) {
   const fs::path sidecar = sidecar_of(options.result);
+  const bool printed = options.summary.empty() || options.summary == "-";
+  const fs::path summary = printed ? fs::path() : options.summary;
+  if (options.result.extension() != ".h5")
+    throw InputError(
+        fmt::format("cannot write {}: expected a name that ends in .h5", options.result.string()));
   check_distinct(options.result, "the result", options.scene, "the scene");
   check_distinct(sidecar, "the result's sidecar", options.scene, "the scene");
-  check_distinct(options.summary, "the summary", options.scene, "the scene");
-  check_distinct(options.summary, "the summary", options.result, "the result");
-  check_distinct(options.summary, "the summary", sidecar, "the result's sidecar");
-  if (!options.summary.empty()) check_writable(options.summary);
+  check_distinct(summary, "the summary", options.scene, "the scene");
+  check_distinct(summary, "the summary", options.result, "the result");
+  check_distinct(summary, "the summary", sidecar, "the result's sidecar");
+
+  check_earlier(options.result, {"-o", "a result", is_result}, options.force);
+  check_earlier(sidecar, {"-o", "a sidecar", is_sidecar}, options.force);
+  check_writable(options.result);
+  if (printed) return;
+  if (!is_stream(summary))
+    check_earlier(summary, {"--summary", "a summary", is_summary}, options.force);
+  check_writable(summary);
 }
 
-void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text << std::flush;
-  if (!stream) throw Error(fmt::format("cannot write {}", file.string()));
+void write_summary(const RunOptions& options, const std::string& text, bool started) {
+  const fs::path& file = options.summary;
+  if (file.empty()) return;
+  if (file == "-") {
+    fmt::print("{}", text);
+  } else if (is_stream(file)) {
+    std::ofstream stream(file, std::ios::binary);
+    stream << text << std::flush;
+    if (!stream) throw Error(fmt::format("cannot write {}", file.string()));
+  } else if (started || !is_taken(file)) {
+    // A link is followed, so that it stays one.
+    write_file(is_taken(file) ? fs::canonical(file) : file, text,
+               options.force ? Earlier::replaced : Earlier::refused);
+  }
 }
 
 }  // namespace gnomon::app

@@ -12,14 +12,12 @@ namespace gnomon::app {
 std::filesystem::path default_result(const std::filesystem::path& scene,
                                      const std::string& integrator);
 
-/// The XDMF file that is written beside a result.
-std::filesystem::path sidecar_of(const std::filesystem::path& result);
-
-/// Throws InputError when a file that the run writes is another one that it writes or reads, or
-/// when the summary cannot be written. (The result file is checked when it is created.)
+/// Throws InputError when a file that the run writes is another one that it writes or reads, exists
+/// and is not to be replaced, or cannot be written.
 void check_outputs(const RunOptions& options);
 
-/// Replaces `file`. Throws Error.
-void write_text(const std::filesystem::path& file, const std::string& text);
+/// Writes the summary to where the options say. One of a run that failed at its start replaces
+/// nothing: the files of the earlier run stay together. Throws Error.
+void write_summary(const RunOptions& options, const std::string& text, bool started);
 
 }  // namespace gnomon::app

@@ -1,6 +1,8 @@
 #include "app/program.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <gnomon/error.hpp>
@@ -17,7 +19,14 @@ void complain(const std::string& message) {
   std::string line = message;
   for (char& c : line)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  fmt::print(stderr, "gnomon: {}\n", line);
+  std::fputs(("gnomon: " + line + "\n").c_str(), stderr);  // unlike fmt::print, never throws
+}
+
+/// The number of a closed stream would go to the next file that is opened, perhaps the result, and
+/// what is printed into that file. Here it goes to something that cannot be written.
+void occupy_closed_streams() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(descriptor, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != descriptor) return;
 }
 
 int guarded(CommandLine& command_line, int argc, char** argv) {
@@ -44,6 +53,7 @@ int guarded(CommandLine& command_line, int argc, char** argv) {
 }  // namespace
 
 int program(int argc, char** argv) {
+  occupy_closed_streams();
   CommandLine command_line;
   const int code = guarded(command_line, argc, argv);
   // A full disk behind a redirected stdout shows only here.

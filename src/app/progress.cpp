@@ -18,6 +18,12 @@ std::size_t terminal_width() {
   return 80;
 }
 
+/// A run does not end because nobody can read how far it is: failures are ignored.
+void put(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
+}
+
 }  // namespace
 
 std::string clock_text(double seconds) {
@@ -43,10 +49,7 @@ std::string progress_text(const HistoryRow& row, double end, double elapsed) {
 }
 
 Progress::Progress(Mode mode, double end) : mode_(mode), end_(end) {
-  if (mode_ == Mode::live) {
-    fmt::print(stderr, "\rlooking for equilibrium at t = 0\x1b[K");
-    std::fflush(stderr);
-  }
+  if (mode_ == Mode::live) put("\rlooking for equilibrium at t = 0\x1b[K");
 }
 
 Progress::Mode Progress::mode_for_stderr(bool quiet) {
@@ -67,19 +70,16 @@ void Progress::show(const HistoryRow& row) {
   const double elapsed = std::chrono::duration<double>(now - begin_).count();
   const std::string text = progress_text(row, end_, elapsed);
   if (mode_ == Mode::live)  // a line that wraps could not be overwritten
-    fmt::print(stderr, "\r{}\x1b[K", text.substr(0, terminal_width() - 1));
+    put(fmt::format("\r{}\x1b[K", text.substr(0, terminal_width() - 1)));
   else
-    fmt::print(stderr, "{}\n", text);
-  std::fflush(stderr);
+    put(text + "\n");
   shown_ = true;
   shown_at_ = now;
   shown_t_ = row.t;
 }
 
 void Progress::finish() {
-  if (mode_ != Mode::live) return;
-  fmt::print(stderr, "\r\x1b[K");
-  std::fflush(stderr);
+  if (mode_ == Mode::live) put("\r\x1b[K");
 }
 
 }  // namespace gnomon::app

@@ -2,16 +2,25 @@
 
 #include <gnomon/run.hpp>
 #include <gnomon/versions.hpp>
+#include <utility>
 
 namespace gnomon::app {
 
-Setup set_up(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  Setup setup;
-  setup.scene = load_scene(file, overrides, key_table);
-  store_policy(setup.scene);  // for their checks; a model may take long to make
-  chosen_integrator(setup.scene);
+Scene checked_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  Scene scene = load_scene(file, overrides, key_table);
+  store_policy(scene);  // for their checks
+  chosen_integrator(scene);
+  return scene;
+}
+
+Setup set_up(Scene scene) {
+  Setup setup{std::move(scene), nullptr};
   setup.model = Problems::find(setup.scene.text("problem"), "problem").make(setup.scene);
   return setup;
+}
+
+Setup set_up(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return set_up(checked_scene(file, overrides));
 }
 
 RunHeader run_header(const Setup& setup) {

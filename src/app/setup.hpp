@@ -15,7 +15,12 @@ struct Setup {
   std::unique_ptr<Model> model;
 };
 
-/// Loads the scene, checks it whole, and makes its model.
+/// Loads the scene and checks it whole, as far as that takes no model.
+Scene checked_scene(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
+
+/// The model of a checked scene, which may take long to make.
+Setup set_up(Scene scene);
+/// Both.
 Setup set_up(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 
 /// What the result file and the summary say about the run of a set-up.

@@ -3,19 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <gnomon/error.hpp>
+#include <gnomon/surface_error.hpp>
 
 namespace gnomon::app {
-
-double shape_error(const ContactSurface& surface, const ContactSurface& reference) {
-  if (surface.initial != reference.initial)
-    throw InputError("contact surfaces of different meshes cannot be compared");
-  double sum = 0;
-  for (std::size_t i = 0; i < surface.worn.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      sum += std::pow(surface.worn[i][k] - reference.worn[i][k], 2);
-  return std::sqrt(sum);
-}
 
 ShapeErrors::ShapeErrors(const std::filesystem::path& file) : file_(file) {
   const ResultReader result(file);

@@ -1,4 +1,4 @@
-// The paper's error: the distance of two worn shapes.
+// The paper's error (gnomon/surface_error.hpp) between result files.
 #pragma once
 
 #include <filesystem>
@@ -6,10 +6,6 @@
 #include <string>
 
 namespace gnomon::app {
-
-/// Euclidean norm of the difference of the worn contact-node positions (sec. 4.1). Throws
-/// InputError when the surfaces do not have the same nodes.
-double shape_error(const ContactSurface& surface, const ContactSurface& reference);
 
 /// Errors of the last stored states of results against that of a reference.
 class ShapeErrors {

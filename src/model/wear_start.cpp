@@ -33,6 +33,18 @@ void close_initial_gap(const WornBody<dim>& body, NodalState<dim>& state) {
       if (!body.displacement_fixed(node, i)) state.u(node, i) = -least * plane.normal[i];
 }
 
+/// As in a scene.
+const char* element_name(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::plain:
+      return "plain";
+    case ElementKind::f_bar:
+      return "f-bar";
+    default:
+      return "f-bar-variational";
+  }
+}
+
 double young_modulus(const NeoHookean& law) {
   return law.mu * (3 * law.lambda + 2 * law.mu) / (law.lambda + law.mu);
 }
@@ -77,8 +89,9 @@ State WearModel<dim>::start(Counters& counters) const {
   NodalState<dim> nodal = NodalState<dim>::zero(body);
   const RampReport ramp = find_equilibrium(contact, ramp_options(body), nodal, counters);
   if (ramp.reached < 1)
-    throw SolutionError(fmt::format("no equilibrium at t = 0 beyond load fraction {:.4g}: {}",
-                                    ramp.reached, ramp.reason));
+    throw SolutionError(fmt::format(
+        "the load ramp found no equilibrium beyond load fraction {:.4g} with element {}: {}",
+        ramp.reached, element_name(body.element), ramp.reason));
   State state;
   state.y.resize(system_.structure().size);
   system_.unknowns().gather(nodal, state.y);

@@ -15,7 +15,8 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
                                       : ElementKind::f_bar_variational;
   body.contact.wear.rate_per_pressure =
       scene.real("wear.coefficient") * scene.real("wear.velocity");
-  body.contact.rho = scene.real("contact.regularization") * young / facet;
+  body.contact.rho =
+      scene.real("contact.regularization") * regularization_unit(young, facet, body.scales);
   body.contact.normal_rule =
       scene.text("wear.normal") == "averaged" ? NormalRule::averaged : NormalRule::normalised;
   body.constraint = scene.text("shape.constraint") == "eliminated" ? ConstraintForm::eliminated

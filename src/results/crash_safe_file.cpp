@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "results/write_claim.hpp"
+
 namespace gnomon::hdf5 {
 
 namespace {
@@ -33,6 +35,12 @@ int rank_of(H5FD_mem_t type, const unsigned char* bytes, size_t size) {
   }
 }
 
+bool has_name(int descriptor, const std::filesystem::path& path) {
+  struct stat here = {}, there = {};
+  return fstat(descriptor, &here) == 0 && stat(path.c_str(), &there) == 0 &&
+         here.st_dev == there.st_dev && here.st_ino == there.st_ino;
+}
+
 int write_all(int descriptor, haddr_t address, const unsigned char* bytes, size_t size) {
   while (size > 0) {
     const ssize_t done = pwrite(descriptor, bytes, size, static_cast<off_t>(address));
@@ -47,13 +55,28 @@ int write_all(int descriptor, haddr_t address, const unsigned char* bytes, size_
 
 }  // namespace
 
+// Emptied only once it is claimed, and only if it still has its name: another writer may have
+// published it (and be done) since it was opened.
 CrashSafeFile::CrashSafeFile(const std::filesystem::path& path)
-    : descriptor_(open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+    : descriptor_(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) throw Failure(std::strerror(errno));
+  std::string trouble;
+  if (!claim_alone(descriptor_) || !has_name(descriptor_, path)) {
+    trouble = "another run is writing it";
+  } else if (ftruncate(descriptor_, 0) != 0) {
+    trouble = std::strerror(errno);
+  }
+  if (trouble.empty()) return;
+  ::close(descriptor_);
+  throw Failure(trouble);
 }
 
 CrashSafeFile::~CrashSafeFile() {
   ::close(descriptor_);
+}
+
+void CrashSafeFile::share() {
+  share_claim(descriptor_);
 }
 
 void CrashSafeFile::sync() {

@@ -23,7 +23,8 @@ namespace gnomon::hdf5 {
 ///   them as a whole or not at all.
 class CrashSafeFile {
 public:
-  /// Creates (truncates) the file. Throws Failure with the system's reason.
+  /// Creates the file, or takes over what a dead writer has left there. Throws Failure with the
+  /// system's reason, or when another writer has claimed the file.
   explicit CrashSafeFile(const std::filesystem::path& path);
   ~CrashSafeFile();
   CrashSafeFile(const CrashSafeFile&) = delete;
@@ -35,6 +36,8 @@ public:
   /// Drops everything uncommitted and makes later writes void: after a failed write, HDF5 can then
   /// be closed without touching what the disk holds.
   void abandon() { abandoned_ = true; }
+  /// From here on the file is for readers too (write_claim.hpp).
+  void share();
   /// Asks the system to bring the file to the medium itself. Throws Failure.
   void sync();
 

@@ -15,8 +15,8 @@ namespace {
 
 const std::vector<Column>& fixed_columns() {
   static const std::vector<Column> columns = {
-      {"t", "", false},
-      {"step_size", "", false},
+      {"t", "s", false},
+      {"step_size", "s", false},
       {"order", "", true},
       {"step_newton_iterations", "", true},
       {"restarted", "", true},

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <gnomon/error.hpp>
 #include <system_error>
@@ -15,6 +16,18 @@ namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& target, int error) {
   throw Error(fmt::format("cannot write {}: {}", target.string(), std::strerror(error)));
+}
+
+/// Returns 0 or an errno value.
+int rename_part(const std::filesystem::path& part, const std::filesystem::path& target,
+                Earlier earlier) {
+  if (earlier == Earlier::refused) {
+    if (renameat2(AT_FDCWD, part.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) == 0)
+      return 0;
+    if (errno != EINVAL && errno != ENOSYS) return errno;
+    if (is_taken(target)) return EEXIST;  // a file system that cannot look and rename in one
+  }
+  return std::rename(part.c_str(), target.c_str()) == 0 ? 0 : errno;
 }
 
 }  // namespace
@@ -38,16 +51,20 @@ std::filesystem::path replaceable(const std::filesystem::path& target) {
   return std::filesystem::canonical(target);
 }
 
-void publish_part(const std::filesystem::path& target) {
-  std::error_code error;
-  std::filesystem::rename(part_of(target), target, error);
-  if (error) {
-    unlink(part_of(target).c_str());
-    refuse(target, error.value());
+bool is_taken(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::exists(std::filesystem::symlink_status(file, ignored));
+}
+
+void publish_part(const std::filesystem::path& target, Earlier earlier) {
+  const auto part = part_of(target);
+  if (const int error = rename_part(part, target, earlier); error != 0) {
+    unlink(part.c_str());
+    refuse(target, error);
   }
 }
 
-void replace_text(const std::filesystem::path& target, const std::string& text) {
+void write_file(const std::filesystem::path& target, const std::string& text, Earlier earlier) {
   const auto part = part_of(target);
   const int descriptor = open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0) refuse(target, errno);
@@ -62,7 +79,7 @@ void replace_text(const std::filesystem::path& target, const std::string& text) 
     unlink(part.c_str());
     refuse(target, error);
   }
-  publish_part(target);
+  publish_part(target, earlier);
 }
 
 }  // namespace gnomon

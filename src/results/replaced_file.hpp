@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
+#include <gnomon/result_files.hpp>
 
 namespace gnomon {
 
@@ -14,10 +14,7 @@ std::filesystem::path part_of(const std::filesystem::path& target);
 std::filesystem::path replaceable(const std::filesystem::path& target);
 
 /// Renames the part to its target: whoever opens the target finds the old or the new file, whole.
-/// Throws Error with the system's reason.
-void publish_part(const std::filesystem::path& target);
-
-/// Replaces the target by a file with this text. Throws Error with the system's reason.
-void replace_text(const std::filesystem::path& target, const std::string& text);
+/// Throws Error with the system's reason, or when there is an old file that is refused.
+void publish_part(const std::filesystem::path& target, Earlier earlier);
 
 }  // namespace gnomon

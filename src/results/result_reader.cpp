@@ -125,7 +125,8 @@ std::optional<Grid> read_grid(hid_t file) {
   return grid;
 }
 
-// The stored step at t (none given: the last), within 1e-9 of the run's length.
+// The stored step at t (none given: the last): the nearest within 1e-9 of the run's length, or the
+// only one that agrees with t in the digits that are printed.
 std::size_t find_step(const std::vector<double>& times, std::optional<double> t) {
   if (times.empty()) throw Failure("it has no stored step");
   if (!t) return times.size() - 1;
@@ -136,6 +137,11 @@ std::size_t find_step(const std::vector<double>& times, std::optional<double> t)
   if (distance(*nearest) <= 1e-9 * length || *nearest == *t) {
     return static_cast<std::size_t>(nearest - times.begin());
   }
+  const auto alike = [&](double time) { return distance(time) <= 1e-5 * std::abs(time); };
+  if (std::count_if(times.begin(), times.end(), alike) == 1) {
+    return static_cast<std::size_t>(std::find_if(times.begin(), times.end(), alike) -
+                                    times.begin());
+  }
   const auto above = std::upper_bound(times.begin(), times.end(), *t);
   std::string next;
   if (above != times.begin()) next += fmt::format("{}", *(above - 1));
@@ -145,6 +151,19 @@ std::size_t find_step(const std::vector<double>& times, std::optional<double> t)
 }
 
 }  // namespace
+
+// Not ResultReader, which refuses what it cannot read: a damaged result is still one.
+bool is_result(const std::filesystem::path& file) {
+  const hdf5::QuietErrors quiet;
+  try {
+    const Handle opened = open_file(file);
+    const Handle gnomon =
+        own(H5Gopen2(opened.id(), "gnomon", H5P_DEFAULT), H5Gclose, "open its results");
+    return hdf5::read_text_attribute(gnomon.id(), "format") == layout::kFormat;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
 
 class ResultReader::File {
 public:

@@ -2,11 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
+#include <fstream>
+
 #include "results/replaced_file.hpp"
 
 namespace gnomon {
 
 namespace {
+
+// Every sidecar begins like this: what begins otherwise is not gnomon's.
+constexpr const char* head =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+    "<Xdmf Version=\"3.0\">\n"
+    "  <Domain>\n"
+    "    <Grid Name=\"steps\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -33,12 +43,22 @@ std::string escaped(const std::string& text) {
 
 }  // namespace
 
-std::filesystem::path XdmfSidecar::path_for(const std::filesystem::path& result) {
-  return std::filesystem::path(result).replace_extension(".xdmf");
+std::filesystem::path sidecar_of(const std::filesystem::path& result) {
+  std::error_code error;
+  std::filesystem::path file = result;
+  if (std::filesystem::is_symlink(result, error)) file = std::filesystem::canonical(result, error);
+  if (error) file = result;
+  return file.replace_extension(".xdmf");
+}
+
+bool is_sidecar(const std::filesystem::path& file) {
+  std::string start(std::strlen(head), '\0');
+  std::ifstream stream(file, std::ios::binary);
+  return stream.read(start.data(), static_cast<std::streamsize>(start.size())) && start == head;
 }
 
 XdmfSidecar::XdmfSidecar(const std::filesystem::path& result, const Grid& grid)
-    : path_(path_for(result)), result_name_(escaped(result.filename().string())) {
+    : path_(sidecar_of(result)), result_name_(escaped(result.filename().string())) {
   const bool flat = grid.cell == Grid::Cell::quadrilateral;
   const std::size_t corners = flat ? 4 : 8;
   points_ = grid.points.size();
@@ -49,7 +69,11 @@ XdmfSidecar::XdmfSidecar(const std::filesystem::path& result, const Grid& grid)
       flat ? "Quadrilateral" : "Hexahedron", cells_,
       item("/mesh/cells", fmt::format("{} {}", cells_, corners), true),
       item("/mesh/points", fmt::format("{} 3", points_), false));
-  write();
+}
+
+void XdmfSidecar::publish(Earlier earlier) {
+  write(earlier);
+  published_ = true;
 }
 
 std::string XdmfSidecar::item(const std::string& dataset, const std::string& extents,
@@ -74,20 +98,11 @@ void XdmfSidecar::add_step(double t, const std::string& group, const std::vector
         item(group + "/" + field.name, fmt::format("{}{}", count, vector ? " 3" : ""), false));
   }
   steps_ += "      </Grid>\n";
-  write();
+  if (published_) write(Earlier::replaced);
 }
 
-void XdmfSidecar::write() const {
-  replace_text(path_, fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                                  "<Xdmf Version=\"3.0\">\n"
-                                  "  <Domain>\n"
-                                  "    <Grid Name=\"steps\" GridType=\"Collection\" "
-                                  "CollectionType=\"Temporal\">\n"
-                                  "{}"
-                                  "    </Grid>\n"
-                                  "  </Domain>\n"
-                                  "</Xdmf>\n",
-                                  steps_));
+void XdmfSidecar::write(Earlier earlier) const {
+  write_file(path_, head + steps_ + "    </Grid>\n  </Domain>\n</Xdmf>\n", earlier);
 }
 
 }  // namespace gnomon

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <gnomon/model.hpp>
+#include <gnomon/result_files.hpp>
 #include <string>
 #include <vector>
 
@@ -10,17 +11,18 @@ namespace gnomon {
 
 class XdmfSidecar {
 public:
-  /// Writes the sidecar (same name as the result, .xdmf) with no steps yet. Throws Error.
+  /// A sidecar of the result with no steps yet. Nothing is written.
   XdmfSidecar(const std::filesystem::path& result, const Grid& grid);
 
-  /// Adds a step whose fields are datasets below `group` ("/steps/0000/000012"). The sidecar is
-  /// replaced as a whole, so it is valid XML at every moment. Throws Error.
+  /// Gives the file its name. Throws Error.
+  void publish(Earlier earlier);
+
+  /// Adds a step whose fields are datasets below `group` ("/steps/0000/000012"). A published
+  /// sidecar is replaced as a whole, so it is valid XML at every moment. Throws Error.
   void add_step(double t, const std::string& group, const std::vector<Field>& fields);
 
-  static std::filesystem::path path_for(const std::filesystem::path& result);
-
 private:
-  void write() const;
+  void write(Earlier earlier) const;
   std::string item(const std::string& dataset, const std::string& extents, bool integer) const;
 
   std::filesystem::path path_;
@@ -29,6 +31,7 @@ private:
   std::size_t cells_ = 0;
   std::string mesh_;   ///< topology and geometry, the same in every step
   std::string steps_;  ///< one Grid element a stored step
+  bool published_ = false;
 };
 
 }  // namespace gnomon

@@ -1,3 +1,4 @@
+#include <fstream>
 #include <gnomon/summary.hpp>
 #include <nlohmann/json.hpp>
 
@@ -32,14 +33,23 @@ void add_counters(Json& json, const Counters& counters) {
 
 void add_scalars(Json& json, const RunOutcome& outcome) {
   // Named even when there are none, so that scripts find the keys in every summary.
-  for (const char* name :
-       {"worn_volume", "wear_integral", "contact_half_width", "max_pressure", "contact_force"})
+  for (const char* name : {"contact_nodes", "contact_force", "max_pressure", "worn_volume",
+                           "wear_flux", "wear_integral", "element_quality", "contact_half_width"})
     json[name] = nullptr;
   if (!outcome.last) return;
   for (const Scalar& scalar : outcome.last->scalars) json[scalar.name] = scalar.value;
 }
 
 }  // namespace
+
+bool is_summary(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const Json json = Json::parse(stream, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object()) return false;
+  for (const char* key : {"problem", "integrator", "status", "t_end", "unknowns", "versions"})
+    if (!json.contains(key)) return false;
+  return true;
+}
 
 std::string summary_json(const Scene& scene, const RunHeader& header,
                          const IntegratorSettings& settings, const RunOutcome& outcome) {
@@ -51,7 +61,7 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
   json["rtol"] = settings.rtol;
   json["atol"] = settings.atol;
   json["status"] = status_name(outcome.status);
-  if (outcome.status == RunOutcome::Status::failed) json["diagnosis"] = outcome.diagnosis;
+  json["diagnosis"] = outcome.diagnosis;
   json["t"] = outcome.last ? Json(outcome.last->t) : Json(nullptr);
   json["t_end"] = settings.end;
   add_counters(json, outcome.counters);

@@ -21,8 +21,8 @@ bool is_integral(KeyKind kind) {
 }
 
 std::string interval(const Range& range) {
-  return fmt::format("{}{}, {}{}", range.min_open || std::isinf(range.min) ? '(' : '[', range.min,
-                     range.max, range.max_open || std::isinf(range.max) ? ')' : ']');
+  return fmt::format("{}{:g}, {:g}{}", range.min_open || std::isinf(range.min) ? '(' : '[',
+                     range.min, range.max, range.max_open || std::isinf(range.max) ? ')' : ']');
 }
 
 std::string number_expectation(const Key& key) {

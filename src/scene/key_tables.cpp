@@ -12,6 +12,8 @@ constexpr auto optional = Key::Presence::optional;
 
 constexpr Range positive{.min = 0, .min_open = true};
 constexpr Range non_negative{.min = 0};
+// Wide enough for every set of units, and far from where differences drown in rounding.
+constexpr Range duration{.min = 1e-6, .max = 1e12};
 
 std::vector<Key> integrator_keys() {
   return {
@@ -23,24 +25,24 @@ std::vector<Key> integrator_keys() {
        .unit = "s",
        .presence = optional,
        .absent_meaning = "steps chosen by the error estimate",
-       .range = positive,
+       .range = duration,
        .help = "fixed step, halved only when its equations cannot be solved; not for bdf"},
       {.name = "integrator.rtol",
        .presence = defaulted,
        .default_value = 1e-4,
-       .range = {.min = 0, .max = 1, .min_open = true, .max_open = true},
+       .range = {.min = 1e-13, .max = 1, .max_open = true},
        .help = "relative tolerance of the worn surface a step, when steps follow the error"},
       {.name = "integrator.atol",
        .unit = "mm",
        .presence = optional,
        .absent_meaning = "rtol times the mean wear depth at time.end",
-       .range = positive,
+       .range = {.min = 1e-20},
        .help = "absolute tolerance of the worn surface a step, when steps follow the error"},
       {.name = "integrator.max_step",
        .unit = "s",
        .presence = optional,
        .absent_meaning = "no bound",
-       .range = positive,
+       .range = duration,
        .help = "longest step, when steps follow the error"},
       {.name = "integrator.max_order",
        .kind = KeyKind::integer,
@@ -94,7 +96,7 @@ std::vector<Key> make_run_keys() {
       {.name = "time.end",
        .unit = "s",
        .presence = required,
-       .range = positive,
+       .range = duration,
        .help = "the run goes from t = 0 to here"},
   };
   for (const auto& part : {integrator_keys(), output_keys()})
@@ -184,7 +186,8 @@ std::vector<Key> make_worn_body_keys() {
        .presence = defaulted,
        .default_value = 0.01,
        .range = positive,
-       .help = "rho of eq. (26) in units of E / facet length; only Newton's path depends on it"});
+       .help = "rho of eq. (26) in units of E / facet length (of less under a light load); only "
+               "Newton's path depends on it"});
   return keys;
 }
 

@@ -85,8 +85,17 @@ SceneValue checked(const Key& key, const Given& given) {
   return std::get<SceneValue>(result);
 }
 
+/// Whether keys of the table stand below the name.
+bool names_table(const std::string& name, const std::vector<Key>& table) {
+  return std::any_of(table.begin(), table.end(),
+                     [&](const Key& key) { return key.name.starts_with(name + "."); });
+}
+
 [[noreturn]] void fail_unknown(const Given& given, const std::vector<Key>& table,
                                const std::string& problem) {
+  if (names_table(given.name, table))
+    throw InputError(fmt::format("{}: expected a table of keys, [{}], got {}", given.origin,
+                                 given.name, describe(given.value)));
   std::vector<std::string> names;
   for (const Key& key : table) names.push_back(key.name);
   const std::string near = nearest_name(given.name, names);
@@ -99,9 +108,7 @@ SceneValue checked(const Key& key, const Given& given) {
 bool is_empty_table(const Given& given, const std::vector<Key>& table) {
   const auto* scalar = std::get_if<RawScalar>(&given.value.content);
   const auto* foreign = scalar ? std::get_if<ForeignValue>(scalar) : nullptr;
-  return foreign && foreign->is_table &&
-         std::any_of(table.begin(), table.end(),
-                     [&](const Key& key) { return key.name.starts_with(given.name + "."); });
+  return foreign && foreign->is_table && names_table(given.name, table);
 }
 
 }  // namespace

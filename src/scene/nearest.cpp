@@ -29,11 +29,17 @@ std::string last_part(const std::string& name) {
   return name.substr(name.rfind('.') + 1);
 }
 
-/// Distance of a word to a candidate; forgives a wrong table and a missing half of the name.
+/// Distance of a word to a candidate; forgives a wrong table (where the name itself is near), a
+/// missing half of the name, and something behind it.
 std::size_t distance(const std::string& word, const std::string& candidate) {
   std::size_t result = edit_distance(word, candidate);
-  if (candidate.find('.') != std::string::npos)
-    result = std::min(result, edit_distance(last_part(word), last_part(candidate)) + 1);
+  if (candidate.find('.') != std::string::npos) {
+    const std::string name = last_part(candidate);
+    const std::size_t of_names = edit_distance(last_part(word), name);
+    if (of_names <= std::max<std::size_t>(1, name.size() / 3))
+      result = std::min(result, of_names + 1);
+  }
+  if (word.starts_with(candidate + ".")) result = std::min<std::size_t>(result, 1);
   if (word.size() >= 3 && candidate.find(word) != std::string::npos)
     result = std::min<std::size_t>(result, 1);
   return result;

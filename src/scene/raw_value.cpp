@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "scene/toml_text.hpp"
 
 namespace gnomon {
@@ -11,7 +13,10 @@ namespace {
 struct Description {
   std::string operator()(bool value) const { return value ? "true" : "false"; }
   std::string operator()(long value) const { return fmt::format("{}", value); }
-  std::string operator()(double value) const { return fmt::format("{}", value); }
+  // 2.0 stays one, so that "expected an integer, got 2.0" makes sense.
+  std::string operator()(double value) const {
+    return std::isfinite(value) ? toml_text(value) : fmt::format("{}", value);
+  }
   std::string operator()(const ForeignValue& value) const { return value.description; }
   std::string operator()(const std::string& value) const {
     constexpr std::size_t longest = 60;  // a message stays one readable line

@@ -25,6 +25,20 @@ struct RawEntry {
   std::string name;  ///< dotted, parts quoted as TOML does where they need it
   int line = 0;
   RawValue value;
+  std::vector<RawValue> elements{};  ///< of an array: each by itself, arrays included
+};
+
+/// One table of an array of tables: [[name]].
+struct RawTable {
+  std::string name;
+  int line = 0;
+  std::vector<RawEntry> entries;  ///< named as in the table
+};
+
+/// A document whose top level may hold arrays of tables.
+struct RawDocument {
+  std::vector<RawEntry> entries;
+  std::vector<RawTable> tables;
 };
 
 /// Short text of a value for messages: `-3`, `"steel"`, `an array of 3 values`.

@@ -62,6 +62,31 @@ std::string Scene::where(const std::string& key) const {
   return entry(key).origin;
 }
 
+Scene Scene::without(const std::string& key) const {
+  if (entry(key).key.presence != Key::Presence::optional)
+    throw std::logic_error("scene key `" + key + "` is not optional");
+  Scene result = *this;
+  for (Entry& entry : result.entries_)
+    if (entry.key.name == key) entry.value.reset();
+  return result;
+}
+
+std::vector<std::string> Scene::differing_keys(const Scene& a, const Scene& b) {
+  const auto value_in = [](const Scene& scene, const std::string& name) {
+    for (const Entry& entry : scene.entries_)
+      if (entry.key.name == name) return entry.value;
+    return std::optional<SceneValue>();
+  };
+  std::vector<std::string> keys;
+  for (const Entry& entry : a.entries_)
+    if (entry.value != value_in(b, entry.key.name)) keys.push_back(entry.key.name);
+  for (const Entry& entry : b.entries_)  // of another problem
+    if (entry.value && !value_in(a, entry.key.name) &&
+        std::find(keys.begin(), keys.end(), entry.key.name) == keys.end())
+      keys.push_back(entry.key.name);
+  return keys;
+}
+
 bool operator==(const Scene& a, const Scene& b) {
   return std::equal(a.entries_.begin(), a.entries_.end(), b.entries_.begin(), b.entries_.end(),
                     [](const Scene::Entry& x, const Scene::Entry& y) {

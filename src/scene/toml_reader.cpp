@@ -31,6 +31,17 @@ RawValue value_of(const toml::node& node) {
   return {values};
 }
 
+int line_of(const toml::node& node) {
+  return static_cast<int>(node.source().begin.line);
+}
+
+RawEntry entry_of(const std::string& name, const toml::node& node) {
+  RawEntry entry{name, line_of(node), value_of(node)};
+  if (const toml::array* array = node.as_array())
+    for (const toml::node& item : *array) entry.elements.push_back(value_of(item));
+  return entry;
+}
+
 void flatten(const toml::table& table, const std::string& prefix, std::vector<RawEntry>& entries) {
   for (const auto& [key, node] : table) {
     const std::string name = prefix + toml_key(std::string(key.str()));
@@ -38,8 +49,39 @@ void flatten(const toml::table& table, const std::string& prefix, std::vector<Ra
     if (inner && !inner->empty())
       flatten(*inner, name + ".", entries);
     else
-      entries.push_back({name, static_cast<int>(node.source().begin.line), value_of(node)});
+      entries.push_back(entry_of(name, node));
   }
+}
+
+template <class Item>
+void sort_by_line(std::vector<Item>& items) {
+  std::stable_sort(items.begin(), items.end(),
+                   [](const Item& a, const Item& b) { return a.line < b.line; });
+}
+
+toml::table parse(const std::string& text, const std::string& name) {
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}: not valid TOML: {}", name, error.source().begin.line,
+                                 error.description()));
+  }
+}
+
+/// Moves the arrays of tables of `table` into `tables`.
+void take_tables(toml::table& table, std::vector<RawTable>& tables) {
+  std::vector<std::string> taken;
+  for (const auto& [key, node] : table) {
+    if (!node.is_array_of_tables()) continue;
+    taken.emplace_back(key.str());
+    for (const toml::node& item : *node.as_array()) {
+      tables.push_back({toml_key(taken.back()), line_of(item), {}});
+      flatten(*item.as_table(), "", tables.back().entries);
+      sort_by_line(tables.back().entries);
+    }
+  }
+  for (const std::string& key : taken) table.erase(key);
+  sort_by_line(tables);
 }
 
 }  // namespace
@@ -48,15 +90,18 @@ std::vector<RawEntry> read_toml(const std::string& text, const std::string& name
   if (const auto deep = find_deep_nesting(text))
     throw InputError(fmt::format("{}:{}: {}", name, deep->line, deep->message));
   std::vector<RawEntry> entries;
-  try {
-    flatten(toml::parse(text, name), "", entries);
-  } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: not valid TOML: {}", name, error.source().begin.line,
-                                 error.description()));
-  }
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const RawEntry& a, const RawEntry& b) { return a.line < b.line; });
+  flatten(parse(text, name), "", entries);
+  sort_by_line(entries);
   return entries;
+}
+
+RawDocument read_toml_document(const std::string& text, const std::string& name) {
+  RawDocument document;
+  toml::table table = parse(text, name);
+  take_tables(table, document.tables);
+  flatten(table, "", document.entries);
+  sort_by_line(document.entries);
+  return document;
 }
 
 std::optional<RawValue> read_toml_value(const std::string& text) {

@@ -13,6 +13,9 @@ namespace gnomon {
 /// Throws InputError "NAME:LINE: ..." for text that is not TOML or nests absurdly (nesting.hpp).
 std::vector<RawEntry> read_toml(const std::string& text, const std::string& name);
 
+/// The same with the tables of arrays of tables apart, in the order of their lines.
+RawDocument read_toml_document(const std::string& text, const std::string& name);
+
 /// A value in TOML syntax; nothing when `text` is not exactly one value, or nests absurdly.
 std::optional<RawValue> read_toml_value(const std::string& text);
 

@@ -19,6 +19,30 @@ using namespace sundials;
 
 namespace {
 void destroy_erk(void* memory) { ERKStepFree(&memory); }
+void destroy_table(ARKodeButcherTableMem* table) { ARKodeButcherTable_Free(table); }
+using TableOwner = Owner<ARKodeButcherTableMem, destroy_table>;
+
+/// ERKStep (6.4) takes the rate of a last stage at c = 1 for the rate at the end of the step, which
+/// holds only where that stage is the new value; Heun's is not, and would lose half its stability.
+/// Where needed, the new value is appended as a stage of no weight, whose rate the next step uses.
+TableOwner table_with_end(const ButcherTable& table) {
+  const bool ends_on_value = table.stiffly_accurate() || table.c[table.stages() - 1] != 1;
+  const int s = table.stages(), n = ends_on_value ? s : s + 1;
+  TableOwner result(ARKodeButcherTable_Alloc(n, SUNTRUE));
+  check(result.get(), "ARKodeButcherTable_Alloc");
+  result->q = table.order;
+  result->p = table.embedded_order;
+  for (int i = 0; i < s; ++i) {
+    for (int j = 0; j < s; ++j) result->A[i][j] = table.A(i, j);
+    result->b[i] = table.b[i];
+    result->c[i] = table.c[i];
+    result->d[i] = table.b_embedded[i];
+  }
+  if (ends_on_value) return result;
+  for (int j = 0; j < s; ++j) result->A[s][j] = table.b[j];
+  result->c[s] = 1;
+  return result;
+}
 }  // namespace
 
 class ErkSolver::Memory {
@@ -100,7 +124,7 @@ void ErkSolver::Memory::begin(const State& state) {
   check(erk, "ERKStepCreate");
   GNOMON_SILENCE(ERKStepSetErrHandlerFn, erk);
   check(ERKStepSetUserData(erk, this), "ERKStepSetUserData");
-  check(ERKStepSetTableName(erk, table_.name.c_str()), "ERKStepSetTableName");
+  check(ERKStepSetTable(erk, table_with_end(table_).get()), "ERKStepSetTable");
   check(ERKStepWFtolerances(erk, &Memory::weights), "ERKStepWFtolerances");
   constexpr int pi_controller = 1;
   check(ERKStepSetAdaptivityMethod(erk, pi_controller, SUNTRUE, SUNTRUE, nullptr),

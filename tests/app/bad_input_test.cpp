@@ -83,7 +83,7 @@ TEST_F(BadInput, UnknownProblem) {
 
 TEST_F(BadInput, UnknownIntegrator) {
   expect_refused({"run", pin, "--integrator", "backward-euller"},
-                 {"integrator.name", "did you mean \"backward-euler\"?"});
+                 {"gnomon: --integrator: ", "did you mean \"backward-euler\"?"});
 }
 
 TEST_F(BadInput, SyntaxError) {
@@ -130,6 +130,12 @@ TEST_F(BadInput, Overrides) {
   expect_refused({"run", pin, "--set"}, {"--set"});
 }
 
+TEST_F(BadInput, NumbersBeyondReason) {
+  for (const char* value : {"integrator.rtol=1e-300", "integrator.atol=1e-300", "time.end=1e-300",
+                            "time.end=1e300", "integrator.step=1e-300"})
+    expect_refused({"run", pin, "--set", value}, {"expected a number in [1e-"});
+}
+
 TEST_F(BadInput, OutputsThatCannotBeWritten) {
   expect_refused({"run", pin, "--set", coarse, "-o", "no/such/folder.h5"}, {"no/such/folder.h5"});
   expect_refused({"run", pin, "--set", coarse, "--summary", "no/such.json"},
@@ -140,9 +146,35 @@ TEST_F(BadInput, OutputsThatCannotBeWritten) {
                  {"different files"});
 }
 
-TEST_F(BadInput, ResultDoesNotReplaceTheScene) {
+TEST_F(BadInput, ResultsAreNamedH5) {
   write_scene("[load]", "[load]");
-  expect_refused({"run", "scene.toml", "-o", "./scene.toml"}, {"different files"});
+  expect_refused({"run", "scene.toml", "-o", "./scene.toml"}, {"ends in .h5"});
+  expect_refused({"run", "scene.toml", "-o", "q.hdf5"}, {"q.hdf5: expected a name", "in .h5"});
+  expect_refused({"run", "scene.toml", "-o", ""}, {"expected a file name"});
+  expect_refused({"run", "scene.toml", "--summary", ""}, {"expected a file name"});
+}
+
+TEST_F(BadInput, NothingIsOverwritten) {
+  write("a.h5", "foreign");
+  write("b.xdmf", "foreign");
+  write("s.json", "{}");
+  write("small_deformation-backward-euler.h5", "foreign");
+  expect_refused({"run", pin, "-o", "a.h5"},
+                 {"a.h5 exists; give another name with -o, or --force to replace it"});
+  expect_refused({"run", pin, "-o", "b.h5"}, {"b.xdmf exists; give another name with -o"});
+  expect_refused({"run", pin, "-o", "c.h5", "--summary", "s.json"},
+                 {"s.json exists; give another name with --summary"});
+  expect_refused({"run", pin}, {"small_deformation-backward-euler.h5 exists"});
+}
+
+TEST_F(BadInput, ForceReplacesNothingForeign) {
+  write("a.h5", "foreign");
+  write("b.xdmf", "foreign");
+  write("s.json", "{\"status\": \"finished\"}");
+  expect_refused({"run", pin, "--force", "-o", "a.h5"}, {"a.h5 exists and is not a result"});
+  expect_refused({"run", pin, "--force", "-o", "b.h5"}, {"b.xdmf exists and is not a sidecar"});
+  expect_refused({"run", pin, "--force", "-o", "c.h5", "--summary", "s.json"},
+                 {"s.json exists and is not a summary"});
 }
 
 TEST_F(BadInput, CommandLine) {
@@ -154,7 +186,11 @@ TEST_F(BadInput, CommandLine) {
   expect_refused({"list", "integrator"}, {"did you mean `integrators`?"});
   expect_refused({"help", "exit-code"}, {"unknown topic `exit-code`, did you mean `exit-codes`?"});
   expect_refused({"help", "scene", "pin"}, {"unknown problem \"pin\""});
+  expect_refused({"help", "integrators", "x"}, {"argument `x`, see `gnomon help integrators`"});
+  expect_refused({"help", "scene", "pin_on_flat", "x"}, {"argument `x`, see `gnomon help`"});
   expect_refused({"contact", "a.h5", "--time", "soon"}, {"--time"});
+  expect_refused({"contact", "a.h5", "--time", "nan"},
+                 {"--time: expected a finite number, got nan"});
 }
 
 TEST_F(BadInput, ResultFiles) {

@@ -131,6 +131,15 @@ TEST_F(Program, CompareGivesThePapersErrorAgainstTheReference) {
   EXPECT_THAT(both.out, HasSubstr(expected));
 }
 
+TEST_F(Program, CompareNamesTheKeysThatDiffer) {
+  ASSERT_EQ(run({"--quiet", "-o", "a.h5", "--set", "integrator.step=50"}).exit_code, 0);
+  ASSERT_EQ(run({"--quiet", "-o", "b.h5", "--set", "output.every=5"}).exit_code, 0);
+  ASSERT_EQ(run({"--quiet", "-o", "c.h5", "--set", "load.force=10"}).exit_code, 0);
+  EXPECT_EQ(gnomon({"compare", "a.h5", "b.h5"}).out.find("note:"), std::string::npos);
+  EXPECT_THAT(gnomon({"compare", "a.h5", "b.h5", "--reference", "c.h5"}).out,
+              HasSubstr("note: the scenes differ in load.force\n"));
+}
+
 TEST_F(Program, InfoTellsStatusUnknownsAndScene) {
   ASSERT_EQ(run({"--quiet", "-o", "a.h5", "--set", "integrator.step=5"}).exit_code, 0);
   const Outcome outcome = gnomon({"info", "a.h5"});
@@ -143,10 +152,13 @@ TEST_F(Program, ListsAndHelp) {
   EXPECT_THAT(gnomon({"list", "integrators"}).out, HasSubstr("backward-euler"));
   EXPECT_THAT(gnomon({"list", "problems"}).out, HasSubstr("pin_on_flat"));
   EXPECT_THAT(gnomon({"list", "scenes"}).out, HasSubstr("small_deformation.toml"));
+  EXPECT_THAT(gnomon({"list", "studies"}).out, HasSubstr("quick.toml"));
+  EXPECT_THAT(gnomon({"list", "scenes"}).out, testing::Not(HasSubstr("quick.toml")));
   EXPECT_THAT(gnomon({"--version"}).out, HasSubstr("gnomon "));
   EXPECT_THAT(gnomon({"help", "scene", "pin_on_flat"}).out, HasSubstr("pin.radius"));
-  for (const char* topic : {"scene", "integrators", "commands", "units", "output", "exit-codes",
-                            "run", "check", "list", "info", "contact", "compare", "plot", "help"}) {
+  for (const char* topic : {"scene", "studies", "integrators", "commands", "units", "output",
+                            "exit-codes", "run", "study", "check", "list", "info", "contact", "compare",
+                            "plot", "help"}) {
     const Outcome outcome = gnomon({"help", topic});
     EXPECT_EQ(outcome.exit_code, 0) << topic;
     EXPECT_FALSE(outcome.out.empty()) << topic;
@@ -156,7 +168,7 @@ TEST_F(Program, ListsAndHelp) {
 }
 
 TEST_F(Program, FailedSolutionExitsWith3AndSavesTheLastGoodState) {
-  // Far too soft for its load: there is no equilibrium on the loading path.
+  // Far too soft for its load: the load ramp finds no equilibrium.
   const Outcome outcome =
       run({"--set", "body.young_modulus=0.1", "-o", "a.h5", "--summary", "s.json", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 3);
@@ -165,6 +177,37 @@ TEST_F(Program, FailedSolutionExitsWith3AndSavesTheLastGoodState) {
   const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
   EXPECT_EQ(json["status"], "failed");
   EXPECT_FALSE(json["diagnosis"].get<std::string>().empty());
+}
+
+TEST_F(Program, ForceReplacesTheFilesOfAnEarlierRunOnceTheStartIsSolved) {
+  const std::vector<std::string> names = {"-o", "a.h5", "--summary", "s.json", "--quiet"};
+  const auto run_again = [&](std::vector<std::string> further) {
+    further.insert(further.end(), names.begin(), names.end());
+    return run(further);
+  };
+  ASSERT_EQ(run_again({}).exit_code, 0);
+  const auto all = files();
+  std::vector<std::string> earlier;
+  for (const std::string& name : all) earlier.push_back(test::read_text(folder() / name));
+
+  const Outcome failed = run_again({"--force", "--set", "body.young_modulus=0.1"});
+  EXPECT_EQ(failed.exit_code, 3);
+  EXPECT_THAT(failed.err, HasSubstr("the earlier a.h5 is kept"));
+  ASSERT_EQ(files(), all);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    EXPECT_TRUE(test::read_text(folder() / all[i]) == earlier[i]) << all[i];
+
+  EXPECT_EQ(run_again({"--force", "--integrator", "bdf"}).exit_code, 0);
+  EXPECT_EQ(files(), all);
+  EXPECT_EQ(ResultReader(folder() / "a.h5").header().integrator, "bdf");
+  EXPECT_THAT(test::read_text(folder() / "s.json"), HasSubstr("\"bdf\""));
+}
+
+TEST_F(Program, SummaryIsPrintedInsteadOfTheText) {
+  const Outcome outcome = run({"-o", "a.h5", "--summary", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["status"], "finished");
+  EXPECT_THAT(files(), ElementsAre("a.h5", "a.xdmf"));
 }
 
 class Signals : public Program, public testing::WithParamInterface<int> {};
@@ -207,6 +250,22 @@ TEST_F(Program, SignalDuringTheStartEndsTheRunThere) {
   EXPECT_EQ(result.status(), "interrupted");
   EXPECT_EQ(result.history().size(), 1u);
   EXPECT_THAT(result.stored_times(), ElementsAre(0));
+}
+
+TEST_F(Program, UnwritableStandardErrorEndsNoRun) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
+  const auto status = [&](const std::string& arguments) {
+    const std::string command =
+        "cd " + folder().string() + " && exec " + GNOMON_PROGRAM + " " + arguments;
+    return WEXITSTATUS(std::system(command.c_str()));
+  };
+  const std::string run = "run " + pin + " --set " + coarse + " --set time.end=100 -o ";
+  EXPECT_EQ(status(run + "full.h5 >/dev/null 2>/dev/full"), 0);
+  EXPECT_EQ(status(run + "closed.h5 >/dev/null 2>&-"), 0);
+  EXPECT_EQ(status(run + "both.h5 >&- 2>&-"), 1);  // what it says at its end is lost
+  EXPECT_EQ(status("info none.h5 2>/dev/full"), 2);
+  for (const char* name : {"full.h5", "closed.h5", "both.h5"})
+    EXPECT_EQ(ResultReader(folder() / name).status(), "finished") << name;
 }
 
 TEST_F(Program, FullStandardOutputIsAFailure) {

@@ -200,5 +200,21 @@ TEST(Summary, HoldsCountersScalarsUnknownsAndVersions) {
     EXPECT_TRUE(json.contains(key)) << key;
 }
 
+TEST(Summary, HasTheSameKeysHoweverTheRunEnded) {
+  const auto keys_of = [](const RunOutcome& outcome) {
+    const auto json = nlohmann::json::parse(
+        summary_json(pin_scene({}), header(exact_decay()), settings(0.5, 2), outcome));
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : json.items()) keys.push_back(key);
+    return keys;
+  };
+  Decay model;
+  const RunOutcome good = run(model, exact_decay(), settings(0.5, 2), {}, nullptr, {});
+  model.starts = false;
+  const RunOutcome failed = run(model, exact_decay(), settings(0.5, 2), {}, nullptr, {});
+  EXPECT_FALSE(failed.last);
+  EXPECT_EQ(keys_of(good), keys_of(failed));
+}
+
 }  // namespace
 }  // namespace gnomon

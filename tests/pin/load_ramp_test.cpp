@@ -139,7 +139,7 @@ TEST(LoadRampOfThePin, SoftAndNearlyIncompressibleStaysCheap) {
   EXPECT_LT(counters.newton_iterations, 70);  // 46 when written; 120 without secant and control
 }
 
-TEST(LoadRampOfThePin, RefusalNamesTheFractionAndTheInvertedElement) {
+TEST(LoadRampOfThePin, RefusalNamesTheElementTheFractionAndTheInvertedCell) {
   const Overrides too_soft = {elements(10), "body.young_modulus=0.5"};
   ContactProblem pin(too_soft);
   const RampReport report = pin.ramp(ramp_options(pin.body));
@@ -149,12 +149,26 @@ TEST(LoadRampOfThePin, RefusalNamesTheFractionAndTheInvertedElement) {
   Counters counters;
   try {
     pin.model->start(counters);
-    FAIL() << "expected no equilibrium";
+    FAIL() << "expected the ramp to end before the whole load";
   } catch (const SolutionError& error) {
     EXPECT_EQ(std::string(error.what()),
-              fmt::format("no equilibrium at t = 0 beyond load fraction {:.4g}: {}", report.reached,
-                          report.reason));
+              fmt::format("the load ramp found no equilibrium beyond load fraction {:.4g} with "
+                          "element f-bar: {}",
+                          report.reached, report.reason));
   }
+}
+
+// A mean pressure of 2 MPa on E = 2 MPa. That the ramp ends does not mean that there is no
+// equilibrium.
+TEST(LoadRampOfThePin, FBarRefusesALoadThatOtherElementsCarry) {
+  const auto reached = [](const char* element) {
+    ContactProblem pin(
+        {elements(10), "body.young_modulus=2", std::string("body.element=") + element});
+    return pin.ramp(ramp_options(pin.body)).reached;
+  };
+  EXPECT_LT(reached("f-bar"), 0.7);
+  EXPECT_EQ(reached("plain"), 1);
+  EXPECT_EQ(reached("f-bar-variational"), 1);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include <complex>
 #include <gnomon/integration/stage_solver.hpp>
 
-#include "problem_run.hpp"
+#include "support/problem_run.hpp"
 
 namespace gnomon {
 namespace {

@@ -5,7 +5,7 @@
 #include <gnomon/linear/sparse_lu.hpp>
 #include <gnomon/wear_model.hpp>
 
-#include "problem_run.hpp"
+#include "support/problem_run.hpp"
 
 namespace gnomon {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <gnomon/run.hpp>
 
-#include "problem_run.hpp"
+#include "support/problem_run.hpp"
 
 namespace gnomon {
 namespace {
@@ -15,7 +15,7 @@ std::vector<std::string> scenes() {
   const std::filesystem::path root = GNOMON_SOURCE_DIR "/problems";
   std::vector<std::string> result;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root))
-    if (entry.path().extension() == ".toml")
+    if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "studies")
       result.push_back(std::filesystem::relative(entry.path(), root).string());
   return result;
 }

@@ -4,7 +4,7 @@
 #include <gnomon/error.hpp>
 #include <gnomon/linear/sparse_lu.hpp>
 
-#include "problem_run.hpp"
+#include "support/problem_run.hpp"
 
 namespace gnomon {
 namespace {

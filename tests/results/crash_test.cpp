@@ -204,6 +204,8 @@ TEST(Crash, KilledAtRandomInstantsLosesNothing) {
   for (int i = 0; i < 100; ++i) {
     const int delay = std::uniform_int_distribution<int>(0, 60000)(random);
     SCOPED_TRACE("seed " + std::to_string(seed) + ", kill " + std::to_string(i));
+    std::filesystem::remove(file);  // of the one before
+    std::filesystem::remove(sidecar_of(file));
     const Progress reached = kill_a_writer(file, grid, delay);
     ASSERT_NO_FATAL_FAILURE(expect_holds(file, reached, grid));
     EXPECT_EQ(ResultReader(file).status(), "running or crashed");

@@ -141,8 +141,10 @@ TEST(Writing, KeepsAnEarlierFileThatItMayNotReplace) {
   const auto folder = synthetic::folder("readonly");
   put(folder / "r.h5", "earlier");
   std::filesystem::permissions(folder / "r.h5", std::filesystem::perms::owner_read);
-  EXPECT_THAT([&] { ResultWriter(folder / "r.h5", synthetic::header(), std::nullopt); },
-              ThrowsMessage<InputError>(one_line(folder / "r.h5", "Permission denied")));
+  const auto create = [&] {
+    ResultWriter(folder / "r.h5", synthetic::header(), std::nullopt, Earlier::replaced);
+  };
+  EXPECT_THAT(create, ThrowsMessage<InputError>(one_line(folder / "r.h5", "Permission denied")));
   EXPECT_EQ(bytes_of(folder / "r.h5"), "earlier");
 }
 
@@ -150,20 +152,94 @@ TEST(Writing, KeepsAnEarlierFileWhenTheSidecarCannotBe) {
   const auto folder = synthetic::folder("sidecar");
   put(folder / "r.h5", "earlier");
   std::filesystem::create_directories(folder / "r.xdmf" / "in the way");
-  EXPECT_THAT([&] { write(folder / "r.h5"); },
-              ThrowsMessage<InputError>(one_line(folder / "r.h5", "r.xdmf: Is a directory")));
+  ResultWriter writer(folder / "r.h5", synthetic::header(), synthetic::grid(4, 3),
+                      Earlier::replaced);
+  EXPECT_THAT([&] { writer.append(synthetic::row(0)); },
+              ThrowsMessage<Error>(one_line(folder / "r.h5", "r.xdmf: Is a directory")));
   EXPECT_EQ(bytes_of(folder / "r.h5"), "earlier");
-  EXPECT_FALSE(std::filesystem::exists(folder / "r.h5.part"));
 }
 
 TEST(Writing, ReplacesAnEarlierResultAndFollowsALink) {
   const auto folder = synthetic::folder("replace");
   write(folder / "target.h5");
   std::filesystem::create_symlink("target.h5", folder / "link.h5");
-  ResultWriter(folder / "link.h5", synthetic::header(), std::nullopt).close("interrupted", 2);
+  {
+    ResultWriter writer(folder / "link.h5", synthetic::header(), std::nullopt, Earlier::replaced);
+    EXPECT_EQ(ResultReader(folder / "target.h5").status(), "finished");
+    writer.append(synthetic::row(0));
+    writer.close("interrupted", 2);
+  }
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.h5"));
   EXPECT_EQ(ResultReader(folder / "target.h5").status(), "interrupted");
   EXPECT_FALSE(std::filesystem::exists(folder / "target.h5.part"));
+}
+
+TEST(Writing, RefusesAnEarlierFile) {
+  const auto folder = synthetic::folder("refuse");
+  const auto create = [&](const std::string& name) {
+    ResultWriter(folder / name, synthetic::header(), synthetic::grid(4, 3));
+  };
+  put(folder / "a.h5", "earlier");
+  put(folder / "b.xdmf", "earlier");
+  EXPECT_THAT([&] { create("a.h5"); },
+              ThrowsMessage<InputError>(one_line(folder / "a.h5", "it exists")));
+  EXPECT_THAT([&] { create("b.h5"); },
+              ThrowsMessage<InputError>(one_line(folder / "b.h5", "b.xdmf exists")));
+  EXPECT_EQ(bytes_of(folder / "a.h5"), "earlier");
+  EXPECT_EQ(bytes_of(folder / "b.xdmf"), "earlier");
+  EXPECT_FALSE(std::filesystem::exists(folder / "b.h5"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "b.h5.part"));
+}
+
+TEST(Writing, KeepsAnEarlierFileWhenNothingIsAppended) {
+  const auto folder = synthetic::folder("nothing");
+  const std::string earlier = bytes_of(write(folder / "r.h5"));
+  const std::string sidecar = bytes_of(folder / "r.xdmf");
+  ResultWriter(folder / "r.h5", synthetic::header(), synthetic::grid(2, 2), Earlier::replaced)
+      .close("failed: no equilibrium", 1);
+  EXPECT_TRUE(bytes_of(folder / "r.h5") == earlier);
+  EXPECT_EQ(bytes_of(folder / "r.xdmf"), sidecar);
+  EXPECT_FALSE(std::filesystem::exists(folder / "r.h5.part"));
+}
+
+TEST(Writing, LeavesToAnotherWriterWhatItWrites) {
+  const auto folder = synthetic::folder("two");
+  const auto refused =
+      ThrowsMessage<InputError>(one_line(folder / "r.h5", "another run is writing it"));
+  const auto create = [&] {
+    return std::make_unique<ResultWriter>(folder / "r.h5", synthetic::header(), std::nullopt,
+                                          Earlier::replaced);
+  };
+  auto first = create();
+  EXPECT_THAT([&] { create(); }, refused);
+  first->append(synthetic::row(0));
+  first.reset();
+  auto second = create();  // waits in r.h5.part for its first row
+  EXPECT_THAT([&] { create(); }, refused);
+  second->append(synthetic::row(0));
+  EXPECT_EQ(ResultReader(folder / "r.h5").history().size(), 1u);
+}
+
+TEST(Writing, TakesOverWhatADeadWriterLeft) {
+  const auto folder = synthetic::folder("dead");
+  put(folder / "r.h5.part", std::string(100000, 'x'));
+  write(folder / "r.h5");
+  EXPECT_EQ(ResultReader(folder / "r.h5").status(), "finished");
+  EXPECT_FALSE(std::filesystem::exists(folder / "r.h5.part"));
+}
+
+TEST(Writing, KnowsItsFiles) {
+  const auto folder = synthetic::folder("kinds");
+  write(folder / "r.h5");
+  put(folder / "text.h5", "no HDF5 at all");
+  put(folder / "other.xdmf", "<?xml version=\"1.0\" ?>\n<Xdmf/>\n");
+  H5Fclose(H5Fcreate((folder / "other.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  EXPECT_TRUE(is_result(folder / "r.h5"));
+  EXPECT_TRUE(is_sidecar(folder / "r.xdmf"));
+  for (const char* name : {"text.h5", "other.h5", "r.xdmf", "none.h5"})
+    EXPECT_FALSE(is_result(folder / name)) << name;
+  for (const char* name : {"other.xdmf", "r.h5", "none.xdmf"})
+    EXPECT_FALSE(is_sidecar(folder / name)) << name;
 }
 
 TEST(Writing, CutsALongStatus) {

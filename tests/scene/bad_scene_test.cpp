@@ -50,6 +50,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"QuotedDottedKey", with_line_4("\"body.element\" = 1"),
                 "example.toml:4: key `body.\"body.element\"`: unknown key, did you mean "
                 "`body.element`?"},
+        Mistake{"KeyBelowAValue", with_line_4("element.kind = 1"),
+                "example.toml:4: key `body.element.kind`: unknown key, did you mean "
+                "`body.element`?"},
+        Mistake{"ArrayOfTables", with_line_4("[[mesh]]\nlevel = 2"),
+                "example.toml:4: key `mesh`: expected a table of keys, [mesh], got an array of 1 "
+                "value"},
         Mistake{"TextForNumber", with_line_4("poisson_ratio = \"soft\""),
                 "example.toml:4: key `body.poisson_ratio`: expected a number in [0, 0.5), got "
                 "\"soft\""},
@@ -59,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NumberForFlag", with_line_4("[output]\nlast = 1"),
                 "example.toml:5: key `output.last`: expected true or false, got 1"},
         Mistake{"RealForInteger", with_line_4("[mesh]\nlevel = 1.0"),
-                "example.toml:5: key `mesh.level`: expected an integer in [0, 9], got 1"},
+                "example.toml:5: key `mesh.level`: expected an integer in [0, 9], got 1.0"},
         Mistake{"ScalarForArray", with_line_4("[mesh]\nelements = 4"),
                 "example.toml:5: key `mesh.elements`: expected an array of 2 integers in [1, inf), "
                 "got 4"},

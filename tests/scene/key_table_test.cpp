@@ -96,6 +96,8 @@ TEST(NearestName, FindsWhatWasMeant) {
   EXPECT_EQ(nearest_name("bfd", names), "bdf");
   EXPECT_EQ(nearest_name("forward", names), "forward-euler");
   EXPECT_EQ(nearest_name("leapfrog", names), "");
+  EXPECT_EQ(nearest_name("integrator.step.foo", {"time.end", "integrator.step"}),
+            "integrator.step");
   EXPECT_EQ(nearest_name("", names), "");
   EXPECT_EQ(nearest_name(std::string(100000, 'x'), names), "");
 }

@@ -40,19 +40,8 @@ TEST(Onset, OfHigherOrdersIsTheirCriticalStep) {
   Counters counters;
   const std::vector<double> times = {200};
   const State state = accurate_states(*model, times, counters).front();
-  for (const char* name : {"erk-3", "erk-4"})
+  for (const char* name : {"erk-2", "erk-3", "erk-4"})
     EXPECT_NEAR(agreement(*model, Integrators::find(name, "integrator"), state), 1, 0.05) << name;
-}
-
-// It is unstable above z = -1 instead of -2, as if ERKStep of SUNDIALS 6.4.1 took the rate of
-// Heun's second stage (c = 1) for that of the new value: docs/stability.md. To be enabled when that
-// is mended.
-TEST(Onset, DISABLED_OfHeunsMethodIsItsCriticalStep) {
-  const auto model = pin_model({elements(10)});
-  Counters counters;
-  const std::vector<double> times = {200};
-  const State state = accurate_states(*model, times, counters).front();
-  EXPECT_NEAR(agreement(*model, Integrators::find("erk-2", "integrator"), state), 1, 0.05);
 }
 
 TEST(AccurateStates, AreConsistentAndOnTime) {

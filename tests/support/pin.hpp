@@ -61,7 +61,7 @@ struct PinRun {
 
 /// Runs the pin to `end`. `tolerance` is rtol; atol = tolerance * model.differential_scale().
 inline PinRun run_pin(const std::string& integrator, double step, double tolerance, double end,
-                   const Overrides& overrides = {}) {
+                      const Overrides& overrides = {}, bool locate_events = false) {
   PinRun run;
   run.model = pin_model(overrides);
   run.states.push_back(run.model->start(run.counters));
@@ -71,6 +71,7 @@ inline PinRun run_pin(const std::string& integrator, double step, double toleran
   settings.scale = run.model->differential_scale();
   settings.atol = tolerance * settings.scale;
   settings.end = end;
+  settings.locate_events = locate_events;
   const auto stepper =
       Integrators::find(integrator, "integrator").make(*run.model, settings, run.counters);
   while (run.states.back().t < end) {

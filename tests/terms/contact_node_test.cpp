@@ -173,5 +173,24 @@ TEST(NodalSurface, NormalRulesAtAKink) {
               0, 1e-15);
 }
 
+// Eq. (35) weighs the facets with their initial lengths, 1 and 3, whatever they are now, 5 and 1. By hand:
+// N = 1/4 (-0.6, -0.8) + 3/4 (0, -1); weights of the current lengths would give (-0.5, -0.8333). The area
+// is the current one.
+TEST(NodalSurface, WeighsNormalsWithInitialAndSumsCurrentAreas) {
+  Mesh<2> mesh;
+  mesh.nodes = {{-1, 0}, {0, 0}, {3, 0}};
+  mesh.boundary["contact"] = {{0, 1}, {1, 2}};
+  const auto patch = contact_patches<2>(mesh, mesh.boundary.at("contact"))[1];
+  mesh.nodes = {{-4, 3}, {0, 0}, {1, 0}};
+  PatchNodal<2> X(3, 2);
+  for (int p = 0; p < 3; ++p) X.row(p) = mesh.nodes[patch.nodes[p]].transpose();
+  const NodalSurface<2> averaged(patch, X, NormalRule::averaged);
+  const NodalSurface<2> normalised(patch, X, NormalRule::normalised);
+  EXPECT_NEAR((averaged.normal - Vector<2>(-0.15, -0.95)).norm(), 0, 1e-15);
+  EXPECT_NEAR((normalised.normal - Vector<2>(-0.15, -0.95) / std::sqrt(0.925)).norm(), 0, 1e-15);
+  EXPECT_DOUBLE_EQ(averaged.area, 3);
+  EXPECT_DOUBLE_EQ(normalised.area, 3);
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -157,6 +157,22 @@ TEST(NeoHookean, LinearisesToHooke) {
   EXPECT_NEAR(P(1, 1) / strain, E * nu / ((1 + nu) * (1 - 2 * nu)), 1e-5);
 }
 
+// Uniaxial strain F = diag(1.2, 1, 1) by hand: sigma_22 = sigma_33 = lambda (J - 1), so von Mises is
+// sigma_11 - sigma_22 = mu (1.2^2 - 1) / 1.2; without sigma_33 it would depend on lambda.
+TEST(Solid, EquivalentStressOfUniaxialStrain) {
+  const auto check = []<int dim>(ElementKind kind) {
+    const CellNodal<dim> X = reference_cell<dim>() + noise<CellNodal<dim>>(0.2, 1);
+    CellNodal<dim> u = CellNodal<dim>::Zero();
+    u.col(0) = 0.2 * X.col(0);
+    EXPECT_NEAR(equivalent_stress<dim>(kind, material, X, u), 2.5 * 0.44 / 1.2, 1e-13);
+  };
+  for (ElementKind kind :
+       {ElementKind::plain, ElementKind::f_bar, ElementKind::f_bar_variational}) {
+    check.operator()<2>(kind);
+    check.operator()<3>(kind);
+  }
+}
+
 TEST(Cell, VolumeAndQualityOfKnownShapes) {
   EXPECT_DOUBLE_EQ(cell_volume<2>(reference_cell<2>()), 4);
   EXPECT_DOUBLE_EQ(cell_volume<3>(reference_cell<3>()), 8);

@@ -2,12 +2,12 @@
 // problem declares, and what blocks, terms and system are made of.
 #pragma once
 
-#include <string>
-#include <vector>
-
+#include <algorithm>
 #include <gnomon/mesh.hpp>
 #include <gnomon/terms/contact_node.hpp>
 #include <gnomon/terms/solid.hpp>
+#include <string>
+#include <vector>
 
 namespace gnomon {
 
@@ -30,6 +30,15 @@ struct Scales {
   double duration = 1;         ///< of the run [time]
   double auxiliary_force = 1;  ///< of the mesh-motion rows
 };
+
+/// Unit of rho [stress / length]: Young's modulus by facet length, or, under a light load, what
+/// tractions and gaps that occur suggest. A rho that is hundreds of times their ratio lets gaps
+/// alone choose the active set, and Newton cycles; a small one does no harm.
+inline double regularization_unit(double young, double facet, const Scales& scales) {
+  constexpr double far_above = 1000;  // times the default of contact.regularization: 10
+  const double occurring = scales.stress / (scales.displacement + scales.wear_depth);
+  return std::min(young / facet, far_above * occurring);
+}
 
 template <int dim>
 struct WornBody {

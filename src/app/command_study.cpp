@@ -1,0 +1,104 @@
+// gnomon study: many runs of one scene, their errors and costs.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <gnomon/result_files.hpp>
+#include <gnomon/error.hpp>
+#include <gnomon/study.hpp>
+#include <thread>
+
+#include "app/commands.hpp"
+#include "app/interrupt.hpp"
+#include "app/program.hpp"
+#include "app/study_figures.hpp"
+#include "app/study_progress.hpp"
+#include "app/text_table.hpp"
+
+namespace gnomon::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+StudyOptions study_options(const Study& study, const StudyCommandOptions& given) {
+  StudyOptions options;
+  options.folder = given.folder.empty() ? fs::path(study.name) : given.folder;
+  options.program = fs::read_symlink("/proc/self/exe");
+  options.jobs = given.jobs > 0
+                     ? given.jobs
+                     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.resume = given.resume;
+  return options;
+}
+
+StudyProgress run_all(const Study& study, const StudyOptions& options, bool quiet) {
+  const InterruptGuard guard(false);
+  StudyProgressBar bar(Progress::mode_for_stderr(quiet));
+  const StudyHooks hooks{.on_progress = [&](const StudyProgress& p) { bar.show(p); },
+                         .interrupted = InterruptGuard::interrupted};
+  try {
+    const StudyProgress progress = run_study(study, options, hooks);
+    bar.finish();
+    return progress;
+  } catch (const std::exception&) {
+    bar.finish();  // before the message about it
+    throw;
+  }
+}
+
+std::string error_text(const std::optional<double>& error, bool marked) {
+  return error ? fmt::format("{:.2e}{}", *error, marked ? "*" : " ") : "- ";
+}
+
+void print_table(const Study& study, const StudyTable& table) {
+  constexpr auto right = TextTable::Align::right;
+  TextTable text({{"sweep"},
+                  {"run"},
+                  {"shape error", right},
+                  {"steps", right},
+                  {"factors", right},
+                  {"CPU [s]", right},
+                  {}});
+  for (const StudyRow& row : table.rows)
+    text.add({row.sweep, study.runs[row.point.run].title,
+              error_text(row.shape_error, row.marked_shape),
+              row.counters ? fmt::format("{}", row.counters->steps) : "-",
+              row.counters ? fmt::format("{}", row.counters->factorizations) : "-",
+              row.cpu_seconds ? fmt::format("{:.2f}", *row.cpu_seconds) : "-",
+              row.status == "finished" ? "" : row.status + ": " + row.reason});
+  fmt::print("{}", text.text());
+  for (std::size_t i = 0; i < table.references.size(); ++i) {
+    const std::string& label = study.sweep[i].label;
+    fmt::print("reference{}: {}, own error {}\n", label.empty() ? "" : " at " + label,
+               table.references[i].text, error_text(table.references[i].error, false));
+  }
+  fmt::print("* less than ten times the error of the reference, or that is unknown\n");
+}
+
+}  // namespace
+
+int study_command(const StudyCommandOptions& given) {
+  const Study study = load_study(given.study);
+  const StudyOptions options = study_options(study, given);
+  const StudyProgress progress = run_all(study, options, given.quiet);
+  if (progress.done < progress.total)
+    throw Error(fmt::format("interrupted with {} of {} runs done; --resume goes on from there",
+                            progress.done, progress.total));
+  const StudyTable table = measure(study, options.folder);
+  write_file(options.folder / "study.csv", study_csv(study, table), Earlier::replaced);
+  write_study_hdf5(options.folder / "study.h5", study, table);
+  const StudyFigures figures = study_figures(options.folder);
+  write_file(options.folder / "index.html", study_page(study, table, figures.svgs, figures.note), Earlier::replaced);
+  if (!given.quiet) {
+    print_table(study, table);
+    fmt::print("{}{}results: {} (index.html, study.csv, study.h5, runs)\n", figures.note,
+               figures.note.empty() ? "" : "\n", options.folder.string());
+  }
+  if (progress.failed == progress.total)
+    throw SolutionError(fmt::format("all {} runs failed (reasons in {})", progress.total,
+                                    (options.folder / "study.csv").string()));
+  return success;
+}
+
+}  // namespace gnomon::app

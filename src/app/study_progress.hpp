@@ -1,0 +1,27 @@
+// Shows how far a study is: one bar on a terminal, a line a run elsewhere.
+#pragma once
+
+#include <chrono>
+#include <gnomon/study.hpp>
+#include <string>
+
+#include "app/progress.hpp"
+
+namespace gnomon::app {
+
+/// "[#####.....] 12 of 40 runs  2 failed  left 3:20". `elapsed` is in seconds.
+std::string study_progress_text(const StudyProgress& progress, double elapsed);
+
+class StudyProgressBar {
+public:
+  explicit StudyProgressBar(Progress::Mode mode) : mode_(mode) {}
+  void show(const StudyProgress& progress);
+  /// Leaves the terminal clean for what comes next.
+  void finish();
+
+private:
+  Progress::Mode mode_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace gnomon::app

@@ -1,0 +1,29 @@
+// The columns of a study's table: a contract with everything that reads study.csv and study.h5.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <gnomon/study.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gnomon::study {
+
+/// Of one row; nothing where there is no value.
+using CellValue = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+struct Column {
+  enum class Kind { text, integer, real };
+  std::string name;
+  std::string unit;
+  Kind kind = Kind::text;
+  std::function<CellValue(const Study&, const StudyTable&, const StudyRow&)> value;
+};
+
+const std::vector<Column>& columns();
+
+/// Shortest exact text of a cell; empty when there is no value.
+std::string cell_text(const CellValue& value);
+
+}  // namespace gnomon::study

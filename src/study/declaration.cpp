@@ -1,0 +1,287 @@
+#include "study/declaration.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
+#include <gnomon/error.hpp>
+#include <gnomon/integrator.hpp>
+#include <gnomon/problem.hpp>
+#include <sstream>
+
+#include "scene/raw_value.hpp"
+#include "scene/toml_reader.hpp"
+#include "scene/toml_text.hpp"
+#include "study/declaration_keys.hpp"
+
+namespace gnomon::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = StudySetting::Kind;
+
+std::string read_file(const fs::path& file) {
+  std::error_code error;
+  const auto status = fs::status(file, error);
+  if (!fs::exists(status))
+    throw InputError(fmt::format("{}: no such file, expected a study", file.string()));
+  if (fs::is_directory(status))
+    throw InputError(fmt::format("{}: is a folder, expected a study file", file.string()));
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream.is_open() || stream.bad())
+    throw InputError(fmt::format("{}: cannot be read", file.string()));
+  return text.str();
+}
+
+std::string first_comment(const std::string& text) {
+  if (!text.starts_with("#")) return {};
+  const std::string line = text.substr(0, text.find('\n'));
+  const std::size_t begin = line.find_first_not_of("# ");
+  return begin == std::string::npos ? "" : line.substr(begin);
+}
+
+/// "20", "20x40": a value for names and labels.
+std::string label_text(const RawValue& value) {
+  const auto text = [](const RawScalar& scalar) {
+    if (const auto* real = std::get_if<double>(&scalar)) return number_text(*real);
+    if (const auto* word = std::get_if<std::string>(&scalar)) return *word;
+    return describe(scalar);
+  };
+  if (const auto* scalar = std::get_if<RawScalar>(&value.content)) return text(*scalar);
+  std::vector<std::string> parts;
+  for (const RawScalar& scalar : std::get<RawArray>(value.content)) parts.push_back(text(scalar));
+  return fmt::format("{}", fmt::join(parts, "x"));
+}
+
+class Reader {
+public:
+  Reader(const fs::path& file, std::string text)
+      : text_(std::move(text)), document_(read_toml_document(text_, file.string())) {
+    declaration_.file = file.string();
+    declaration_.title = first_comment(text_);
+  }
+
+  Declaration read() {
+    read_scene();
+    const KeyedTable top(declaration_.file, 0, document_.entries,
+                         {.prefix = "", .keys = top_keys(), .scene_keys = &scene_keys_});
+    declaration_.common = top.settings();
+    declaration_.times_origin = top.where("times");
+    if (top.has("times")) declaration_.times = top.reals("times");
+    for (const RawTable& table : document_.tables) read_table(table);
+    if (declaration_.methods.empty())
+      throw InputError(declaration_.file + ": expected one [[method]] or more, got none");
+    read_references();
+    read_self_reference(top);
+    check_conflicts();
+    declaration_.text = std::move(text_);
+    return std::move(declaration_);
+  }
+
+private:
+  /// The scene comes first: it says which keys there are to set.
+  void read_scene() {
+    const std::vector<Key> keys = top_keys();
+    std::vector<RawEntry> entries;
+    for (const RawEntry& entry : document_.entries)
+      if (!entry.name.starts_with("set.") && entry.name != "set") entries.push_back(entry);
+    const KeyedTable top(declaration_.file, 0, entries, {.prefix = "", .keys = keys});
+    declaration_.scene = fs::path(declaration_.file).parent_path() / top.text("scene");
+    if (!fs::is_regular_file(declaration_.scene))
+      throw InputError(fmt::format("{}: expected a scene file, there is no {}", top.where("scene"),
+                                   declaration_.scene.string()));
+    scene_keys_ = key_table(load_scene(declaration_.scene, {}, key_table).text("problem"));
+  }
+
+  void read_table(const RawTable& table) {
+    if (table.name == "sweep")
+      declaration_.sweeps.push_back(sweep(table));
+    else if (table.name == "method")
+      add_method(table);
+    else if (table.name == "reference")
+      declaration_.references.push_back(reference(table));
+    else {
+      const std::string near = nearest_name(table.name, {"sweep", "method", "reference"});
+      throw InputError(fmt::format("{}: unknown table, {}",
+                                   message_about(declaration_.file, table.line, table.name),
+                                   near.empty() ? "expected [[sweep]], [[method]] or [[reference]]"
+                                                : fmt::format("did you mean [[{}]]?", near)));
+    }
+  }
+
+  Sweep sweep(const RawTable& table) const {
+    const KeyedTable keyed(declaration_.file, table.line, table.entries,
+                           {.prefix = "sweep.", .keys = sweep_keys(), .open_key = "values"});
+    Sweep sweep;
+    sweep.key = keyed.text("key");
+    sweep.origin = keyed.where("key");
+    for (const Sweep& earlier : declaration_.sweeps)
+      if (earlier.key == sweep.key)
+        throw InputError(
+            fmt::format("{}: `{}` is swept twice, expected once", sweep.origin, sweep.key));
+    for (const Key& key : scene_keys_)
+      if (key.name == sweep.key) sweep_values(sweep, keyed);
+    // Throws: the name is unknown.
+    if (sweep.values.empty())
+      scene_setting(sweep.key, keyed.open_values().front(), sweep.origin, scene_keys_);
+    return sweep;
+  }
+
+  void sweep_values(Sweep& sweep, const KeyedTable& keyed) const {
+    for (const RawValue& value : keyed.open_values()) {
+      sweep.values.push_back(scene_setting(sweep.key, value, keyed.where("values"), scene_keys_));
+      sweep.labels.push_back(sweep.key + "=" + label_text(value));
+    }
+  }
+
+  Method common_of(const KeyedTable& keyed) const {
+    Method method;
+    method.integrator = keyed.text("integrator");
+    method.name = keyed.has("name") ? keyed.text("name") : method.integrator;
+    method.settings = keyed.settings();
+    method.origin = keyed.where("integrator");
+    try {
+      Integrators::find(method.integrator, "integrator");
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", method.origin, error.what()));
+    }
+    return method;
+  }
+
+  void add_method(const RawTable& table) {
+    const KeyedTable keyed(
+        declaration_.file, table.line, table.entries,
+        {.prefix = "method.", .keys = method_keys(), .scene_keys = &scene_keys_});
+    Method method = common_of(keyed);
+    add_ladder(method, keyed, "steps", Kind::step);
+    add_ladder(method, keyed, "tolerances", Kind::tolerance);
+    if (method.ladder.empty())
+      throw InputError(fmt::format("{}: `{}` has nothing to run, expected steps or tolerances",
+                                   method.origin, method.name));
+    if (keyed.has("steps") && !Integrators::find(method.integrator, "integrator").fixed_steps)
+      throw InputError(fmt::format("{}: expected tolerances, {} chooses its own steps",
+                                   keyed.where("steps"), method.integrator));
+    for (const Method& earlier : declaration_.methods)
+      if (earlier.name == method.name)
+        throw InputError(fmt::format("{}: two methods are called \"{}\", expected different names",
+                                     keyed.where(keyed.has("name") ? "name" : "integrator"),
+                                     method.name));
+    declaration_.methods.push_back(std::move(method));
+  }
+
+  static void add_ladder(Method& method, const KeyedTable& keyed, const std::string& key,
+                         Kind kind) {
+    if (!keyed.has(key)) return;
+    for (const double value : keyed.reals(key)) {
+      for (const StudySetting& earlier : method.ladder)
+        if (earlier.kind == kind && earlier.value == value)
+          throw InputError(fmt::format("{}: {} is there twice, expected once", keyed.where(key),
+                                       number_text(value)));
+      method.ladder.push_back({kind, value});
+    }
+  }
+
+  Method reference(const RawTable& table) const {
+    const KeyedTable keyed(
+        declaration_.file, table.line, table.entries,
+        {.prefix = "reference.", .keys = reference_keys(), .scene_keys = &scene_keys_});
+    Method method = common_of(keyed);
+    method.ladder = {{Kind::tolerance, keyed.real("tolerance")}};
+    return method;
+  }
+
+  void read_references() {
+    auto& references = declaration_.references;
+    if (references.empty()) {
+      const std::string origin = declaration_.file + ": default reference";
+      // On the pin, the first is good to 1e-10 mm and the second to 1e-9 mm.
+      references = {{"esdirk-5",
+                     "esdirk-5",
+                     {{Kind::tolerance, 1e-8}},
+                     {{"integrator.events", "\"locate\"", origin}},
+                     origin},
+                    {"bdf", "bdf", {{Kind::tolerance, 1e-9}}, {}, origin}};
+    }
+    const auto family = [](const Method& method) {
+      return Integrators::find(method.integrator, "integrator").family;
+    };
+    if (references.size() != 2)
+      throw InputError(fmt::format("{}: expected two [[reference]] tables or none, got {}",
+                                   references.back().origin, references.size()));
+    if (family(references[0]) == family(references[1]))
+      throw InputError(fmt::format("{}: expected references of two families, both are {}",
+                                   references[1].origin, family(references[0])));
+  }
+
+  void read_self_reference(const KeyedTable& top) {
+    const bool step = top.has("self_reference.step"), rtol = top.has("self_reference.tolerance");
+    if (!top.has("self_reference.method")) {
+      if (step || rtol)
+        throw InputError(top.where(step ? "self_reference.step" : "self_reference.tolerance") +
+                         ": expected self_reference.method beside it");
+      return;
+    }
+    if (step == rtol)
+      throw InputError(top.where("self_reference.method") +
+                       ": expected one of self_reference.step and .tolerance beside it");
+    SelfReference self{
+        method_called(top.text("self_reference.method"), top.where("self_reference.method")), {}};
+    self.setting = step ? StudySetting{Kind::step, top.real("self_reference.step")}
+                        : StudySetting{Kind::tolerance, top.real("self_reference.tolerance")};
+    const Method& method = declaration_.methods[self.method];
+    if (step && !Integrators::find(method.integrator, "integrator").fixed_steps)
+      throw InputError(fmt::format("{}: expected a tolerance, {} chooses its own steps",
+                                   top.where("self_reference.step"), method.integrator));
+    declaration_.self_reference = self;
+  }
+
+  std::size_t method_called(const std::string& name, const std::string& origin) const {
+    std::vector<std::string> names;
+    for (const Method& method : declaration_.methods) names.push_back(method.name);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    const std::string near = nearest_name(name, names);
+    throw InputError(fmt::format("{}: expected a method of the study, got \"{}\"{}", origin, name,
+                                 near.empty() ? "" : fmt::format(", did you mean \"{}\"?", near)));
+  }
+
+  /// A swept key must not be set elsewhere: one of the two would be ignored.
+  void check_conflicts() const {
+    const auto check = [&](const std::vector<SceneSetting>& settings) {
+      for (const SceneSetting& setting : settings)
+        for (const Sweep& sweep : declaration_.sweeps)
+          if (sweep.key == setting.key)
+            throw InputError(
+                fmt::format("{}: expected it to be set or swept, not both", setting.origin));
+    };
+    check(declaration_.common);
+    for (const auto* methods : {&declaration_.methods, &declaration_.references})
+      for (const Method& method : *methods) check(method.settings);
+  }
+
+  std::string text_;
+  RawDocument document_;
+  Declaration declaration_;
+  std::vector<Key> scene_keys_;
+};
+
+}  // namespace
+
+std::string kind_name(Kind kind) {
+  return kind == Kind::step ? "step" : "rtol";
+}
+
+std::string number_text(double value) {
+  std::string text = toml_text(value);
+  return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+}
+
+Declaration read_declaration(const fs::path& file) {
+  return Reader(file, read_file(file)).read();
+}
+
+}  // namespace gnomon::study

@@ -1,0 +1,59 @@
+// What a study file says, before it is spread out into runs.
+#pragma once
+
+#include <filesystem>
+#include <gnomon/study.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/keyed_table.hpp"
+
+namespace gnomon::study {
+
+/// A [[method]] or [[reference]].
+struct Method {
+  std::string name;
+  std::string integrator;
+  std::vector<StudySetting> ladder;
+  std::vector<SceneSetting> settings;
+  std::string origin;  ///< beginning of a message about it
+};
+
+/// A [[sweep]].
+struct Sweep {
+  std::string key;
+  std::vector<SceneSetting> values;
+  std::vector<std::string> labels;  ///< "body.young_modulus=20"
+  std::string origin;
+};
+
+/// The [self_reference].
+struct SelfReference {
+  std::size_t method = 0;
+  StudySetting setting;
+};
+
+struct Declaration {
+  std::string file;
+  std::string text;
+  std::string title;
+  std::filesystem::path scene;
+  std::vector<double> times;  ///< empty: five equal parts
+  std::string times_origin;
+  std::vector<SceneSetting> common;
+  std::vector<Method> methods;
+  std::vector<Method> references;
+  std::vector<Sweep> sweeps;
+  std::optional<SelfReference> self_reference;
+};
+
+/// Reads and checks a study file. Throws InputError.
+Declaration read_declaration(const std::filesystem::path& file);
+
+/// "step", "rtol".
+std::string kind_name(StudySetting::Kind kind);
+/// Shortest text of a number: 20 for 20.0.
+std::string number_text(double value);
+
+}  // namespace gnomon::study

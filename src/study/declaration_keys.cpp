@@ -1,0 +1,114 @@
+#include "study/declaration_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <gnomon/study.hpp>
+
+namespace gnomon::study {
+
+namespace {
+
+constexpr auto required = Key::Presence::required;
+constexpr auto optional = Key::Presence::optional;
+constexpr Range positive{.min = 0, .min_open = true};
+constexpr Range tolerance{.min = 0, .max = 1, .min_open = true, .max_open = true};
+
+Key integrator_key() {
+  return {.name = "integrator",
+          .kind = KeyKind::text,
+          .presence = required,
+          .help = "time integration method (gnomon list integrators)"};
+}
+
+Key name_key() {
+  return {.name = "name",
+          .kind = KeyKind::text,
+          .presence = optional,
+          .absent_meaning = "that of its integrator",
+          .help = "what tables and figures call it"};
+}
+
+}  // namespace
+
+std::vector<Key> top_keys() {
+  return {
+      {.name = "scene",
+       .kind = KeyKind::text,
+       .presence = required,
+       .help = "scene file, relative to the study file"},
+      {.name = "times",
+       .kind = KeyKind::reals,
+       .unit = "s",
+       .presence = optional,
+       .absent_meaning = "five equal parts of time.end",
+       .range = positive,
+       .help = "when errors are measured, beside time.end; steps end there exactly"},
+      {.name = "self_reference.method",
+       .kind = KeyKind::text,
+       .presence = optional,
+       .absent_meaning = "no errors against a run of the study itself",
+       .help = "the method whose run is a second reference, as the paper's was"},
+      {.name = "self_reference.step",
+       .unit = "s",
+       .presence = optional,
+       .absent_meaning = "self_reference.tolerance is given",
+       .range = positive,
+       .help = "its step"},
+      {.name = "self_reference.tolerance",
+       .presence = optional,
+       .absent_meaning = "self_reference.step is given",
+       .range = tolerance,
+       .help = "its tolerance"},
+  };
+}
+
+std::vector<Key> sweep_keys() {
+  return {{.name = "key",
+           .kind = KeyKind::text,
+           .presence = required,
+           .help = "the scene key that is varied; `values` holds its values"}};
+}
+
+std::vector<Key> method_keys() {
+  return {name_key(),
+          integrator_key(),
+          {.name = "steps",
+           .kind = KeyKind::reals,
+           .unit = "s",
+           .presence = optional,
+           .absent_meaning = "`tolerances` are given",
+           .range = positive,
+           .help = "fixed steps (integrator.step), one run each"},
+          {.name = "tolerances",
+           .kind = KeyKind::reals,
+           .presence = optional,
+           .absent_meaning = "`steps` are given",
+           .range = tolerance,
+           .help = "relative tolerances (integrator.rtol), one run each"}};
+}
+
+std::vector<Key> reference_keys() {
+  return {name_key(),
+          integrator_key(),
+          {.name = "tolerance",
+           .presence = required,
+           .range = tolerance,
+           .help = "relative tolerance (integrator.rtol)"}};
+}
+
+}  // namespace gnomon::study
+
+namespace gnomon {
+
+std::string describe_study_keys() {
+  const auto part = [](const std::string& title, const std::vector<Key>& keys) {
+    return fmt::format("\n{}\n\n{}", title, describe_keys(keys));
+  };
+  return part("KEYS OF A STUDY", study::top_keys()) +
+         part("KEYS OF EACH [[sweep]] (all combinations are run)", study::sweep_keys()) +
+         "values: array of values of that key\n" +
+         part("KEYS OF EACH [[method]]", study::method_keys()) +
+         part("KEYS OF EACH [[reference]] (two, of different families)", study::reference_keys());
+}
+
+}  // namespace gnomon

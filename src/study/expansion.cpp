@@ -1,0 +1,224 @@
+// Spreads a declaration out: the product of the swept values, and the runs of each.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <gnomon/error.hpp>
+#include <gnomon/problem.hpp>
+#include <gnomon/run.hpp>
+#include <gnomon/study.hpp>
+#include <map>
+#include <set>
+
+#include "study/declaration.hpp"
+
+namespace gnomon {
+
+namespace {
+
+using namespace study;
+using Kind = StudySetting::Kind;
+
+/// What a name of a file can safely hold.
+std::string file_name(const std::string& text) {
+  std::string name;
+  for (const char c : text) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '.';
+    name += plain ? c : '_';
+  }
+  return name;
+}
+
+std::string last_part(const std::string& label) {
+  return label.substr(label.rfind('.', label.find('=')) + 1);
+}
+
+class Expansion {
+public:
+  explicit Expansion(const Declaration& declaration) : declaration_(declaration) {
+    study_.file = declaration.file;
+    study_.name = study_.file.stem().string();
+    study_.title = declaration.title;
+    study_.scene = declaration.scene;
+    study_.text = declaration.text;
+    if (const auto& self = declaration.self_reference)
+      study_.self_reference = title(declaration.methods[self->method], self->setting);
+  }
+
+  Study operator()() {
+    std::vector<std::size_t> choice(declaration_.sweeps.size(), 0);
+    do add_sweep_point(choice);
+    while (advance(choice));
+    return std::move(study_);
+  }
+
+private:
+  /// Errors that only the whole scene shows are said to be of this study, sweep point and run.
+  template <class Function>
+  auto guarded(const std::string& what, const Function& function) const {
+    try {
+      return function();
+    } catch (const InputError& error) {
+      const std::string& label = study_.sweep.back().label;
+      throw InputError(fmt::format("{}: {}{}{}: {}", declaration_.file, label,
+                                   label.empty() || what.empty() ? "" : ", ", what, error.what()));
+    }
+  }
+
+  /// The next combination, the last sweep fastest; false after the last one.
+  bool advance(std::vector<std::size_t>& choice) const {
+    for (std::size_t i = choice.size(); i-- > 0;) {
+      if (++choice[i] < declaration_.sweeps[i].values.size()) return true;
+      choice[i] = 0;
+    }
+    return false;
+  }
+
+  void add_sweep_point(const std::vector<std::size_t>& choice) {
+    std::vector<std::string> labels, parts;
+    overrides_.clear();
+    override_with(declaration_.common);
+    for (std::size_t i = 0; i < choice.size(); ++i) {
+      const Sweep& sweep = declaration_.sweeps[i];
+      override_with({sweep.values[choice[i]]});
+      labels.push_back(sweep.labels[choice[i]]);
+      parts.push_back(last_part(labels.back()));
+    }
+    SweepPoint point;
+    point.label = fmt::format("{}", fmt::join(labels, "; "));
+    prefix_ = fmt::format("{}", fmt::join(parts, "__"));
+    study_.sweep.push_back(std::move(point));
+    add_times();
+    add_references();
+    for (std::size_t i = 0; i < declaration_.methods.size(); ++i) add_points(i);
+  }
+
+  void override_with(const std::vector<SceneSetting>& settings) {
+    for (const SceneSetting& setting : settings) overrides_[setting.key] = setting.value;
+  }
+
+  void add_times() {
+    const double end = guarded("", [&] { return base_scene().real("time.end"); });
+    auto& times = study_.sweep.back().times;
+    times = declaration_.times;
+    if (times.empty())
+      for (int i = 1; i < 5; ++i) times.push_back(end * i / 5);
+    for (const double time : times)
+      if (time > end)
+        throw InputError(fmt::format("{}: expected times up to time.end = {:g} s, got {:g}",
+                                     declaration_.times_origin, end, time));
+    std::sort(times.begin(), times.end());
+    times.push_back(end);
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+  }
+
+  Scene base_scene() const {
+    return load_scene(declaration_.scene, override_texts(overrides_), key_table);
+  }
+
+  static std::vector<std::string> override_texts(const std::map<std::string, std::string>& map) {
+    std::vector<std::string> texts;
+    for (const auto& [key, value] : map) texts.push_back(key + "=" + value);
+    return texts;
+  }
+
+  /// Runs two references, unless the problem has a closed form. Makes the model, which checks what
+  /// only it can check.
+  void add_references() {
+    SweepPoint& point = study_.sweep.back();
+    const Method& first = declaration_.methods.front();
+    const Scene scene = scene_of(first, first.ladder.front());
+    guarded(first.name, [&] {
+      const auto model = Problems::find(scene.text("problem"), "problem").make(scene);
+      if (!model->exact(point.times.back())) return;
+      for (const double t : point.times) point.exact.push_back(exact_surface(*model, t));
+    });
+    if (!point.exact.empty()) return;
+    for (const Method& method : declaration_.references)
+      point.references.push_back(run_of(method, method.ladder.front()));
+  }
+
+  static ContactSurface exact_surface(const Model& model, double t) {
+    auto surface = model.contact(*model.exact(t));
+    if (!surface) throw InputError("the problem has no contact surface, expected one to compare");
+    return *surface;
+  }
+
+  void add_points(std::size_t index) {
+    const Method& method = declaration_.methods[index];
+    const auto& self = declaration_.self_reference;
+    bool has_self = false;
+    for (const StudySetting& setting : method.ladder) {
+      add_point(method, setting);
+      if (self && self->method == index && self->setting.kind == setting.kind &&
+          self->setting.value == setting.value)
+        has_self = true;
+    }
+    if (!self || self->method != index) return;
+    if (!has_self) add_point(method, self->setting);
+    study_.sweep.back().self_reference = run_of(method, self->setting);
+  }
+
+  void add_point(const Method& method, const StudySetting& setting) {
+    study_.points.push_back({study_.sweep.size() - 1, run_of(method, setting), method.name,
+                             method.integrator, setting});
+  }
+
+  Scene scene_of(const Method& method, const StudySetting& setting) const {
+    auto overrides = overrides_;
+    for (const SceneSetting& own : method.settings) overrides[own.key] = own.value;
+    overrides["integrator.name"] = fmt::format("\"{}\"", method.integrator);
+    const bool fixed = setting.kind == Kind::step;
+    overrides[fixed ? "integrator.step" : "integrator.rtol"] = number_text(setting.value);
+    overrides["output.every"] = "0";
+    overrides["output.last"] = "true";
+    overrides["output.times"] = fmt::format("[{}]", fmt::join(study_.sweep.back().times, ", "));
+    return guarded(title(method, setting), [&] {
+      Scene scene = load_scene(declaration_.scene, override_texts(overrides), key_table);
+      if (!fixed) scene = scene.without("integrator.step");
+      store_policy(scene);
+      chosen_integrator(scene);
+      return scene;
+    });
+  }
+
+  /// The run of this scene, a new one unless there is one already.
+  std::size_t run_of(const Method& method, const StudySetting& setting) {
+    Scene scene = scene_of(method, setting);
+    const std::string text = scene.resolved();
+    const auto [place, is_new] = runs_.try_emplace(text, study_.runs.size());
+    if (is_new) {
+      const std::string stem =
+          file_name(fmt::format("{}{}{}__{}-{}", prefix_, prefix_.empty() ? "" : "__", method.name,
+                                kind_name(setting.kind), number_text(setting.value)));
+      std::string name = stem;  // names that differ in what files cannot be called get numbers
+      for (int i = 2; names_.contains(name); ++i) name = fmt::format("{}__{}", stem, i);
+      names_.insert(name);
+      study_.runs.push_back({name, title(method, setting), std::move(scene)});
+    }
+    return place->second;
+  }
+
+  static std::string title(const Method& method, const StudySetting& setting) {
+    return fmt::format("{} {} {}", method.name, kind_name(setting.kind),
+                       number_text(setting.value));
+  }
+
+  const Declaration& declaration_;
+  Study study_;
+  std::map<std::string, std::string> overrides_;  // of the sweep point: key, value in TOML
+  std::string prefix_;                            // of the names of its runs
+  std::map<std::string, std::size_t> runs_;       // resolved scene, index
+  std::set<std::string> names_;
+};
+
+}  // namespace
+
+Study load_study(const std::filesystem::path& file) {
+  const Declaration declaration = read_declaration(file);
+  return Expansion(declaration)();
+}
+
+}  // namespace gnomon

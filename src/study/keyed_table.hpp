@@ -1,0 +1,64 @@
+// One table of a study file, checked against its keys as scenes are against theirs.
+#pragma once
+
+#include <gnomon/scene.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/raw_value.hpp"
+
+namespace gnomon::study {
+
+/// A scene key that the study sets: its value in TOML, and where.
+struct SceneSetting {
+  std::string key;
+  std::string value;
+  std::string origin;  ///< beginning of a message about it
+};
+
+/// "FILE:LINE: key `KEY`", or "FILE: key `KEY`" for line 0.
+std::string message_about(const std::string& file, int line, const std::string& key);
+
+/// Checks `raw` for the scene key `name`; `origin` begins the message. Refuses keys that a study
+/// gives itself. Throws InputError.
+SceneSetting scene_setting(const std::string& name, const RawValue& raw, const std::string& origin,
+                           const std::vector<Key>& scene_keys);
+
+/// What a table may hold.
+struct TableSpec {
+  std::string prefix;  ///< put before names in messages: "method."
+  std::vector<Key> keys;
+  std::string open_key{};                        ///< an array of values of any type; empty: none
+  const std::vector<Key>* scene_keys = nullptr;  ///< what "set." may set; null: nothing
+};
+
+class KeyedTable {
+public:
+  /// Throws InputError for the first mistake.
+  KeyedTable(const std::string& file, int line, const std::vector<RawEntry>& entries,
+             const TableSpec& spec);
+
+  bool has(const std::string& key) const { return values_.contains(key); }
+  const std::string& text(const std::string& key) const;
+  double real(const std::string& key) const;
+  const std::vector<double>& reals(const std::string& key) const;
+  const std::vector<SceneSetting>& settings() const { return settings_; }
+  const std::vector<RawValue>& open_values() const { return open_values_; }
+  /// Beginning of a message about a key, or about the table where the key is absent.
+  std::string where(const std::string& key) const;
+
+private:
+  void read(const RawEntry& entry, const TableSpec& spec);
+
+  std::string file_;
+  int line_;
+  std::string prefix_;
+  std::map<std::string, SceneValue> values_;
+  std::map<std::string, int> lines_;
+  std::vector<SceneSetting> settings_;
+  std::vector<RawValue> open_values_;
+};
+
+}  // namespace gnomon::study

@@ -1,0 +1,15 @@
+// Pieces of HTML.
+#pragma once
+
+#include <string>
+
+namespace gnomon::study {
+
+/// Text with the characters that HTML takes for markup escaped; control characters become spaces.
+std::string escaped(const std::string& text);
+
+/// An SVG document as an element of a page: no prologue, no metadata (which holds links), and its
+/// identifiers begin with `prefix`, so that several fit into one page. Empty if it is no SVG.
+std::string inline_svg(const std::string& document, const std::string& prefix);
+
+}  // namespace gnomon::study

@@ -1,0 +1,170 @@
+// Errors of the runs of a study against the references of its sweep points.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <gnomon/error.hpp>
+#include <gnomon/results.hpp>
+#include <gnomon/study.hpp>
+#include <gnomon/surface_error.hpp>
+
+#include "study/run_files.hpp"
+
+namespace gnomon {
+
+namespace {
+
+using namespace study;
+
+/// The contact surface at the measured times.
+using Surfaces = std::vector<ContactSurface>;
+
+struct Errors {
+  double shape = 0, shape_max = 0, pressure = 0;
+};
+
+Errors errors_between(const Surfaces& surfaces, const Surfaces& reference) {
+  Errors errors;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    errors.shape = shape_error(surfaces[i], reference[i]);
+    // Keeps what is not a number.
+    if (!(errors.shape <= errors.shape_max) && !std::isnan(errors.shape_max))
+      errors.shape_max = errors.shape;
+  }
+  errors.pressure = pressure_error(surfaces.back(), reference.back());
+  return errors;
+}
+
+class Measurement {
+public:
+  Measurement(const Study& study, const std::filesystem::path& folder)
+      : study_(study), folder_(folder) {}
+
+  StudyTable operator()() {
+    for (const SweepPoint& sweep : study_.sweep) add_reference(sweep);
+    for (const StudyPoint& point : study_.points) table_.rows.push_back(row(point));
+    return std::move(table_);
+  }
+
+private:
+  RunFiles files(std::size_t run) const { return {folder_, study_.runs[run].name}; }
+
+  /// Record and surfaces; a result that cannot be read is a failure with its reason.
+  RunRecord record_of(std::size_t run, const SweepPoint& sweep, Surfaces& surfaces) const {
+    auto found = read_record(files(run), study_.runs[run].scene);
+    if (!found) {
+      RunRecord missing;
+      missing.status = "failed";
+      missing.reason = "not run";
+      return missing;
+    }
+    if (found->status != "finished") return *found;
+    try {
+      const ResultReader result(files(run).result);
+      for (const double t : sweep.times) surfaces.push_back(result.contact(t));
+    } catch (const Error& error) {
+      found->status = "failed";
+      found->reason = error.what();
+      surfaces.clear();
+    }
+    return *found;
+  }
+
+  /// Two references that agree; or one and no idea of its error; or none.
+  void add_reference(const SweepPoint& sweep) {
+    StudyReference& reference = table_.references.emplace_back();
+    Surfaces& chosen = surfaces_.emplace_back(sweep.exact);
+    Surfaces& self = self_surfaces_.emplace_back();
+    if (sweep.self_reference) record_of(*sweep.self_reference, sweep, self);
+    if (!sweep.exact.empty()) {
+      reference = {.text = "closed form",
+                   .usable = true,
+                   .error = 0.0,
+                   .error_max = 0.0,
+                   .pressure_error = std::nullopt};
+      return;
+    }
+    std::vector<Surfaces> found;
+    std::vector<std::string> used, failed;
+    for (const std::size_t run : sweep.references) {
+      Surfaces surfaces;
+      const RunRecord record = record_of(run, sweep, surfaces);
+      const std::string& title = study_.runs[run].title;
+      if (surfaces.empty()) {
+        failed.push_back(fmt::format("{} failed: {}", title, record.reason));
+      } else {
+        found.push_back(std::move(surfaces));
+        used.push_back(title);
+      }
+    }
+    describe(reference, used, failed);
+    if (found.empty()) return;
+    chosen = std::move(found.front());
+    if (found.size() < 2) return;
+    const Errors errors = errors_between(chosen, found.back());
+    reference.error = errors.shape;
+    reference.error_max = errors.shape_max;
+    reference.pressure_error = errors.pressure;
+  }
+
+  static void describe(StudyReference& reference, const std::vector<std::string>& used,
+                       const std::vector<std::string>& failed) {
+    reference.usable = !used.empty();
+    if (!used.empty()) reference.text = used.front();
+    if (used.size() > 1) reference.text += " checked by " + used[1];
+    if (used.size() == 1) reference.text += " unchecked";
+    for (const std::string& text : failed)
+      reference.text += (reference.text.empty() ? "" : "; ") + text;
+  }
+
+  StudyRow row(const StudyPoint& point) const {
+    const SweepPoint& sweep = study_.sweep[point.sweep];
+    Surfaces surfaces;
+    const RunRecord record = record_of(point.run, sweep, surfaces);
+    StudyRow row;
+    row.point = point;
+    row.sweep = sweep.label;
+    row.status = record.status;
+    row.reason = record.reason;
+    row.counters = record.counters;
+    row.wall_seconds = record.wall_seconds;
+    row.cpu_seconds = record.cpu_seconds;
+    row.peak_memory_mb = record.peak_memory_mb;
+    if (!surfaces.empty()) add_errors(row, surfaces);
+    return row;
+  }
+
+  void add_errors(StudyRow& row, const Surfaces& surfaces) const {
+    const std::size_t sweep = row.point.sweep;
+    const StudyReference& reference = table_.references[sweep];
+    if (reference.usable) {
+      const Errors errors = errors_between(surfaces, surfaces_[sweep]);
+      row.shape_error = errors.shape;
+      row.shape_error_max = errors.shape_max;
+      const bool closed = !study_.sweep[sweep].exact.empty();  // has no pressures
+      if (!closed) row.pressure_error = errors.pressure;
+      const auto mark = [](double error, const std::optional<double>& own) {
+        return !own || error < 10 * *own;
+      };
+      row.marked_shape = mark(errors.shape, reference.error);
+      row.marked_max = mark(errors.shape_max, reference.error_max);
+      row.marked_pressure = !closed && mark(errors.pressure, reference.pressure_error);
+    }
+    const Surfaces& self = self_surfaces_[sweep];
+    if (!self.empty() && row.point.run != study_.sweep[sweep].self_reference)
+      row.shape_error_self = shape_error(surfaces.back(), self.back());
+  }
+
+  const Study& study_;
+  const std::filesystem::path folder_;
+  StudyTable table_;
+  std::vector<Surfaces> surfaces_, self_surfaces_;  // of the references, one a sweep point
+};
+
+}  // namespace
+
+StudyTable measure(const Study& study, const std::filesystem::path& folder) {
+  return Measurement(study, folder)();
+}
+
+}  // namespace gnomon

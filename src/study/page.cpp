@@ -1,0 +1,215 @@
+// index.html: figures and tables of a study on one page that needs nothing but itself.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/study.hpp>
+#include <gnomon/versions.hpp>
+
+#include "study/declaration.hpp"
+#include "study/markup.hpp"
+#include "study/page_style.hpp"
+
+namespace gnomon {
+
+namespace {
+
+using namespace study;
+
+constexpr const char* mark = "&thinsp;*";
+
+std::string number(const std::optional<double>& value, const char* format = "{:.2e}") {
+  if (!value) return "&ndash;";
+  return std::isfinite(*value) ? fmt::format(fmt::runtime(format), *value) : "not finite";
+}
+
+std::string heading(const std::string& title, const std::string& unit, bool numeric) {
+  return fmt::format("<th scope=\"col\"{}>{}{}</th>", numeric ? " class=\"n\"" : "", title,
+                     unit.empty() ? "" : fmt::format("<br><span class=\"unit\">{}</span>", unit));
+}
+
+std::string cell(const std::string& content, bool marked = false) {
+  return fmt::format("<td class=\"n{}\">{}{}</td>", marked ? " marked" : "", content,
+                     marked ? mark : "");
+}
+
+std::string text_cell(const std::string& text, const char* attributes = "") {
+  return fmt::format("<td{}>{}</td>", attributes, escaped(text));
+}
+
+struct Counted {
+  const char* title;
+  long Counters::*member;
+};
+
+constexpr Counted counted[] = {
+    {"steps", &Counters::steps},
+    {"rejected", &Counters::rejected_steps},
+    {"events", &Counters::events},
+    {"Newton", &Counters::newton_iterations},
+    {"residuals", &Counters::residual_evaluations},
+    {"Jacobians", &Counters::jacobian_evaluations},
+    {"factors", &Counters::factorizations},
+    {"solves", &Counters::linear_solves},
+};
+
+class Page {
+public:
+  Page(const Study& study, const StudyTable& table) : study_(study), table_(table) {}
+
+  std::string operator()(const std::vector<std::string>& figures, const std::string& note) const {
+    const std::string title = study_.title.empty() ? study_.name : study_.title;
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}{3}"
+        "<h2>References</h2>\n{4}<h2>Runs</h2>\n{5}{6}"
+        "<h2>The study</h2>\n<pre>{7}</pre>\n</body>\n</html>\n",
+        escaped(title), page_style, introduction(), figure_part(figures, note), reference_table(),
+        legend(), run_tables(), escaped(study_.text));
+  }
+
+private:
+  bool has_self() const { return !study_.self_reference.empty(); }
+
+  std::string introduction() const {
+    const auto failed = std::count_if(table_.rows.begin(), table_.rows.end(),
+                                      [](const StudyRow& row) { return row.status != "finished"; });
+    return fmt::format(
+        "<p>Study <code>{}</code> of the scene <code>{}</code>: {} runs, {} failed; gnomon {}. The "
+        "same table is in <code>study.csv</code> and <code>study.h5</code>, every run in "
+        "<code>runs/</code>.</p>\n",
+        escaped(study_.name), escaped(study_.scene.filename().string()), table_.rows.size(), failed,
+        escaped(library_versions().at("gnomon")));
+  }
+
+  static std::string figure_part(const std::vector<std::string>& figures, const std::string& note) {
+    std::string text;
+    for (std::size_t i = 0; i < figures.size(); ++i)
+      if (const std::string svg = inline_svg(figures[i], fmt::format("f{}-", i + 1)); !svg.empty())
+        text += fmt::format("<figure>\n{}\n</figure>\n", svg);
+    if (text.empty() && !note.empty())
+      text = fmt::format("<p class=\"note\">{}</p>\n", escaped(note));
+    return text.empty() ? "" : "<h2>Figures</h2>\n" + text;
+  }
+
+  std::string reference_table() const {
+    std::string text =
+        "<p>Errors are measured against the first run named here; the second, of another family of "
+        "methods, checks it. Their difference estimates the error of the reference itself.</p>\n"
+        "<div class=\"scroll\"><table>\n<thead><tr>";
+    text += heading("sweep", "", false) + heading("reference", "", false) +
+            heading("difference of shape<br>at the end", "mm", true) +
+            heading("difference of shape<br>largest in time", "mm", true) +
+            heading("difference of pressure<br>at the end", "MPa", true) +
+            "</tr></thead>\n<tbody>\n";
+    for (std::size_t i = 0; i < table_.references.size(); ++i) {
+      const StudyReference& reference = table_.references[i];
+      text += fmt::format("<tr{}>", reference.error ? "" : " class=\"failed\"");
+      text += text_cell(sweep_title(study_.sweep[i].label)) +
+              text_cell(reference.text, " class=\"wrap\"") + cell(number(reference.error)) +
+              cell(number(reference.error_max)) + cell(number(reference.pressure_error)) +
+              "</tr>\n";
+    }
+    return text + "</tbody>\n</table></div>\n";
+  }
+
+  static std::string sweep_title(const std::string& label) {
+    return label.empty() ? "no sweep" : label;
+  }
+
+  std::string legend() const {
+    std::string text =
+        "<dl>\n<dt>shape error</dt><dd>Euclidean norm of the differences of the positions of the "
+        "contact nodes in the undeformed (worn) configuration, at the end of the run; "
+        "<em>largest</em>: the largest of the measured times.</dd>\n";
+    if (has_self())
+      text += fmt::format(
+          "<dt>self error</dt><dd>The same at the end, against the run {} of this study in place "
+          "of the reference. It hides the error that the two have in common.</dd>\n",
+          escaped(study_.self_reference));
+    text += fmt::format(
+        "<dt>pressure error</dt><dd>Largest difference of a nodal contact pressure at the "
+        "end.</dd>\n"
+        "<dt>wall time, CPU time, memory</dt><dd>Wall time of the integration; CPU time (user and "
+        "system) and peak resident memory of the whole process. Runs side by side slow each other "
+        "down.</dd>\n"
+        "<dt class=\"marked\">marked cells: {}</dt><dd>The error is less than ten times that of "
+        "its reference, or that is unknown: its digits mean little.</dd>\n"
+        "</dl>\n<p>Measured at t = {:g} s{}.</p>\n",
+        mark, fmt::join(study_.sweep.front().times, ", "),
+        same_times() ? "" : " in the first sweep point");
+    return text;
+  }
+
+  bool same_times() const {
+    return std::all_of(study_.sweep.begin(), study_.sweep.end(), [&](const SweepPoint& point) {
+      return point.times == study_.sweep.front().times;
+    });
+  }
+
+  std::string run_tables() const {
+    std::string text;
+    for (std::size_t i = 0; i < study_.sweep.size(); ++i) {
+      if (!study_.sweep[i].label.empty())
+        text += fmt::format("<h3>{}</h3>\n", escaped(study_.sweep[i].label));
+      text += "<div class=\"scroll\"><table>\n" + run_heading() + "<tbody>\n";
+      for (const StudyRow& row : table_.rows)
+        if (row.point.sweep == i) text += run_row(row);
+      text += "</tbody>\n</table></div>\n";
+    }
+    return text;
+  }
+
+  std::string run_heading() const {
+    std::string text = "<thead><tr>" + heading("method", "", false) +
+                       heading("setting", "", false) + heading("shape error", "mm", true) +
+                       heading("largest", "mm", true);
+    if (has_self()) text += heading("self error", "mm", true);
+    text += heading("pressure error", "MPa", true);
+    for (const Counted& count : counted) text += heading(count.title, "", true);
+    return text + heading("wall", "s", true) + heading("CPU", "s", true) +
+           heading("memory", "MB", true) + "</tr></thead>\n";
+  }
+
+  std::string run_row(const StudyRow& row) const {
+    const bool failed = row.status != "finished";
+    const StudyPoint& point = row.point;
+    const bool step = point.setting.kind == StudySetting::Kind::step;
+    std::string text = failed ? "<tr class=\"failed\">" : "<tr>";
+    text += text_cell(point.method == point.integrator
+                          ? point.method
+                          : fmt::format("{} ({})", point.method, point.integrator)) +
+            text_cell(fmt::format("{} {}{}", kind_name(point.setting.kind),
+                                  number_text(point.setting.value), step ? " s" : ""));
+    text += failed ? fmt::format("<td colspan=\"{}\" class=\"wrap\">{}</td>", has_self() ? 4 : 3,
+                                 escaped(row.status + ": " + row.reason))
+                   : errors(row);
+    for (const Counted& count : counted)
+      text += cell(row.counters ? fmt::format("{}", (*row.counters).*count.member) : "&ndash;");
+    return text + cell(number(row.wall_seconds, "{:.2f}")) +
+           cell(number(row.cpu_seconds, "{:.2f}")) + cell(number(row.peak_memory_mb, "{:.0f}")) +
+           "</tr>\n";
+  }
+
+  std::string errors(const StudyRow& row) const {
+    return cell(number(row.shape_error), row.shape_error && row.marked_shape) +
+           cell(number(row.shape_error_max), row.shape_error_max && row.marked_max) +
+           (has_self() ? cell(number(row.shape_error_self)) : "") +
+           cell(number(row.pressure_error), row.pressure_error && row.marked_pressure);
+  }
+
+  const Study& study_;
+  const StudyTable& table_;
+};
+
+}  // namespace
+
+std::string study_page(const Study& study, const StudyTable& table,
+                       const std::vector<std::string>& figures, const std::string& note) {
+  return Page(study, table)(figures, note);
+}
+
+}  // namespace gnomon

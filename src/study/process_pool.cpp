@@ -1,0 +1,99 @@
+#include "study/process_pool.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <gnomon/error.hpp>
+#include <thread>
+
+namespace gnomon::study {
+
+namespace {
+
+constexpr auto pause_between_looks = std::chrono::milliseconds(10);
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+ProcessEnd end_of(int status, const rusage& usage) {
+  ProcessEnd end;
+  if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
+  if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
+  end.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  end.peak_memory_mb = static_cast<double>(usage.ru_maxrss) * 1024e-6;
+  return end;
+}
+
+/// In the child, between fork and exec: only what is safe there.
+[[noreturn]] void become(pid_t parent, const char* log, char* const* argv) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(127);  // it died before the line above
+  signal(SIGINT, SIG_DFL);
+  signal(SIGTERM, SIG_DFL);
+  const int nothing = open("/dev/null", O_RDWR);
+  const int errors = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  dup2(nothing, STDIN_FILENO);
+  dup2(nothing, STDOUT_FILENO);
+  dup2(errors >= 0 ? errors : nothing, STDERR_FILENO);
+  if (nothing > STDERR_FILENO) close(nothing);
+  if (errors > STDERR_FILENO) close(errors);
+  execv(argv[0], argv);
+  _exit(127);
+}
+
+}  // namespace
+
+void ProcessPool::start(std::size_t index, const Command& command) {
+  std::vector<char*> argv;
+  for (const std::string& argument : command.arguments)
+    argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  const std::string log = command.log.string();
+  const pid_t parent = getpid(), process = fork();
+  if (process == 0) become(parent, log.c_str(), argv.data());
+  if (process < 0) throw Error(fmt::format("cannot start a process: {}", std::strerror(errno)));
+  children_.push_back({process, index});
+}
+
+bool ProcessPool::reap(const Ended& ended) {
+  bool any = false;
+  for (std::size_t i = 0; i < children_.size();) {
+    int status = 0;
+    rusage usage{};
+    const pid_t result = wait4(children_[i].process, &status, WNOHANG, &usage);
+    if (result == 0 || (result < 0 && errno == EINTR)) {
+      ++i;
+      continue;
+    }
+    const Child child = children_[i];
+    children_.erase(children_.begin() + static_cast<std::ptrdiff_t>(i));
+    any = true;
+    if (result > 0) ended(child.index, end_of(status, usage));
+  }
+  return any;
+}
+
+void ProcessPool::wait(const Ended& ended) {
+  if (!reap(ended) && running() > 0) std::this_thread::sleep_for(pause_between_looks);
+}
+
+void ProcessPool::stop() {
+  const auto ignore = [](std::size_t, const ProcessEnd&) {};
+  const auto begin = Clock::now();
+  for (const Child& child : children_) kill(child.process, SIGTERM);
+  while (running() > 0) {
+    if (Clock::now() - begin > std::chrono::seconds(3))
+      for (const Child& child : children_) kill(child.process, SIGKILL);
+    wait(ignore);
+  }
+}
+
+}  // namespace gnomon::study

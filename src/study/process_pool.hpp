@@ -1,0 +1,56 @@
+// Runs commands side by side, and tells what each has used.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gnomon::study {
+
+struct Command {
+  std::vector<std::string> arguments;  ///< the program first
+  std::filesystem::path log;           ///< takes standard error; standard output is dropped
+};
+
+struct ProcessEnd {
+  int exit_code = 0;  ///< meaningful when signal is 0
+  int signal = 0;     ///< that ended the process
+  double cpu_seconds = 0;
+  double peak_memory_mb = 0;  ///< [10^6 bytes]
+};
+
+/// The processes of a pool end with it, and with the process that made it, however that ends.
+class ProcessPool {
+public:
+  using Clock = std::chrono::steady_clock;
+  using Ended = std::function<void(std::size_t command, const ProcessEnd& end)>;
+
+  ProcessPool() = default;
+  ~ProcessPool() { stop(); }
+  ProcessPool(const ProcessPool&) = delete;
+  ProcessPool& operator=(const ProcessPool&) = delete;
+
+  std::size_t running() const { return children_.size(); }
+  /// Starts a command; `index` names it in wait(). Throws Error.
+  void start(std::size_t index, const Command& command);
+  /// Reports those that have ended; waits a moment when none has.
+  void wait(const Ended& ended);
+  /// Asks all to end, and kills after a few seconds.
+  void stop();
+
+private:
+  struct Child {
+    pid_t process;
+    std::size_t index;
+  };
+  bool reap(const Ended& ended);
+
+  std::vector<Child> children_;
+};
+
+}  // namespace gnomon::study

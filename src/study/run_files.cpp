@@ -1,0 +1,113 @@
+#include "study/run_files.hpp"
+
+#include <fmt/format.h>
+#include <string.h>
+
+#include <fstream>
+#include <gnomon/error.hpp>
+#include <gnomon/versions.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include <gnomon/result_files.hpp>
+
+namespace gnomon::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+std::string read_text(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// Nothing for a file that is missing or cut short.
+Json read_json(const fs::path& file) {
+  Json json = Json::parse(read_text(file), nullptr, false);
+  return json.is_object() ? json : Json();
+}
+
+Counters counters_of(const Json& json) {
+  const auto get = [&](const char* name) { return json.value(name, 0L); };
+  return {.steps = get("steps"),
+          .rejected_steps = get("rejected_steps"),
+          .events = get("events"),
+          .newton_iterations = get("newton_iterations"),
+          .residual_evaluations = get("residual_evaluations"),
+          .jacobian_evaluations = get("jacobian_evaluations"),
+          .factorizations = get("factorizations"),
+          .linear_solves = get("linear_solves")};
+}
+
+/// Why a process that left no summary has failed: its last words.
+std::string reason_of(const RunFiles& files, const Json& process) {
+  if (const int signal = process.value("signal", 0); signal != 0)
+    return fmt::format("ended by signal {} ({})", signal, strsignal(signal));
+  std::string line, last;
+  for (std::istringstream log(read_text(files.log)); std::getline(log, line);)
+    if (!line.empty()) last = line;
+  if (last.starts_with("gnomon: ")) last.erase(0, 8);
+  return last.empty() ? fmt::format("ended with exit code {}", process.value("exit_code", -1))
+                      : last;
+}
+
+void read_summary(RunRecord& record, const Json& summary) {
+  record.status = summary.value("status", "");
+  record.complete = record.status == "finished" || record.status == "failed";
+  record.reason = summary.value("diagnosis", "");
+  record.counters = counters_of(summary);
+  record.wall_seconds = summary.value("wall_seconds", 0.0);
+}
+
+}  // namespace
+
+RunFiles::RunFiles(const fs::path& folder, const std::string& name)
+    : scene(folder / "runs" / (name + ".toml")),
+      result(folder / "runs" / (name + ".h5")),
+      sidecar(folder / "runs" / (name + ".xdmf")),
+      summary(folder / "runs" / (name + ".json")),
+      process(folder / "runs" / (name + ".process.json")),
+      log(folder / "runs" / (name + ".log")) {}
+
+void remove_files(const RunFiles& files) {
+  std::error_code ignored;  // what cannot be removed cannot be written either, which is reported
+  for (const fs::path* file :
+       {&files.process, &files.summary, &files.result, &files.sidecar, &files.log})
+    fs::remove(*file, ignored);
+}
+
+void write_process_end(const RunFiles& files, const Scene& scene, const ProcessEnd& end) {
+  nlohmann::ordered_json json;
+  json["exit_code"] = end.exit_code;
+  json["signal"] = end.signal;
+  json["cpu_seconds"] = end.cpu_seconds;
+  json["peak_memory_mb"] = end.peak_memory_mb;
+  json["versions"] = library_versions();
+  json["scene"] = scene.resolved();
+  write_file(files.process, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", Earlier::replaced);
+}
+
+std::optional<RunRecord> read_record(const RunFiles& files, const Scene& scene) try {
+  const Json process = read_json(files.process);
+  if (process.value("scene", "") != scene.resolved() ||
+      process.value("versions", Json()) != Json(library_versions()))
+    return std::nullopt;
+  RunRecord record;
+  if (const Json summary = read_json(files.summary); !summary.is_null())
+    read_summary(record, summary);
+  if (!record.complete) {
+    record.status = "failed";
+    record.reason = reason_of(files, process);
+  }
+  record.cpu_seconds = process.value("cpu_seconds", 0.0);
+  record.peak_memory_mb = process.value("peak_memory_mb", 0.0);
+  return record;
+} catch (const Json::exception&) {
+  return std::nullopt;  // damaged: as good as none
+}
+
+}  // namespace gnomon::study

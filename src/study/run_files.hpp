@@ -1,0 +1,42 @@
+// The files of one run in FOLDER/runs, and whether they are those of a run that is done.
+#pragma once
+
+#include <filesystem>
+#include <gnomon/counters.hpp>
+#include <gnomon/study.hpp>
+#include <optional>
+#include <string>
+
+#include "study/process_pool.hpp"
+
+namespace gnomon::study {
+
+struct RunFiles {
+  RunFiles(const std::filesystem::path& folder, const std::string& name);
+
+  std::filesystem::path scene;    ///< NAME.toml, the resolved scene
+  std::filesystem::path result;   ///< NAME.h5
+  std::filesystem::path sidecar;  ///< NAME.xdmf
+  std::filesystem::path summary;  ///< NAME.json
+  std::filesystem::path process;  ///< NAME.process.json: what wait4 told, and of which scene
+  std::filesystem::path log;      ///< NAME.log: what went to standard error
+};
+
+/// What is known of a run that is over.
+struct RunRecord {
+  bool complete = false;  ///< the run ended by itself and wrote its summary
+  std::string status;     ///< "finished", "failed"
+  std::string reason;
+  std::optional<Counters> counters;
+  std::optional<double> wall_seconds;
+  std::optional<double> cpu_seconds;
+  std::optional<double> peak_memory_mb;
+};
+
+void remove_files(const RunFiles& files);
+/// Notes how the process of a run ended.
+void write_process_end(const RunFiles& files, const Scene& scene, const ProcessEnd& end);
+/// The record of a run of this very scene by this very version of gnomon; none when there is none.
+std::optional<RunRecord> read_record(const RunFiles& files, const Scene& scene);
+
+}  // namespace gnomon::study

@@ -1,0 +1,166 @@
+// Runs the processes of a study, and picks up where an earlier one stopped.
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <gnomon/error.hpp>
+#include <gnomon/study.hpp>
+#include <set>
+
+#include <gnomon/result_files.hpp>
+#include "study/process_pool.hpp"
+#include "study/run_files.hpp"
+
+namespace gnomon {
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace study;
+
+constexpr const char* marker = "study.toml";  // what makes a folder a study's
+
+/// Keeps a second study out of the folder while it lives, and dies with the process.
+class FolderLock {
+public:
+  explicit FolderLock(const fs::path& folder)
+      : descriptor_(open((folder / marker).c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+    const int error = errno;
+    if (descriptor_ >= 0) close(descriptor_);
+    throw InputError(fmt::format(
+        "{}: {}", folder.string(),
+        error == EWOULDBLOCK ? "another study is running there, expected none" : strerror(error)));
+  }
+  ~FolderLock() { close(descriptor_); }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+private:
+  int descriptor_;
+};
+
+void write_in_place(const fs::path& file, const std::string& text) {
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const bool written = descriptor >= 0 && write(descriptor, text.data(), text.size()) ==
+                                              static_cast<ssize_t>(text.size());
+  const int error = errno;
+  if (descriptor >= 0) close(descriptor);
+  if (!written)
+    throw InputError(fmt::format("cannot write {}: {}", file.string(), std::strerror(error)));
+}
+
+void check_folder(const StudyOptions& options) {
+  std::error_code error;
+  if (!fs::exists(options.folder, error)) return;
+  if (!fs::is_directory(options.folder, error))
+    throw InputError(fmt::format("{}: is a file, expected a folder for the study's results",
+                                 options.folder.string()));
+  if (fs::is_empty(options.folder, error)) return;
+  if (!fs::exists(options.folder / marker, error))
+    throw InputError(fmt::format("{}: is no study's folder, expected one or a new name",
+                                 options.folder.string()));
+  if (!options.resume)
+    throw InputError(fmt::format("{}: exists already, expected a new name, or --resume to go on",
+                                 options.folder.string()));
+}
+
+void prepare_folder(const StudyOptions& options, const Study& study) {
+  std::error_code error;
+  fs::create_directories(options.folder / "runs", error);
+  if (error)
+    throw InputError(
+        fmt::format("cannot make {}: {}", (options.folder / "runs").string(), error.message()));
+  // Not replaced by renaming: the lock is on this very file.
+  if (!fs::exists(options.folder / marker)) write_in_place(options.folder / marker, study.text);
+}
+
+class StudyRunner {
+public:
+  StudyRunner(const Study& study, const StudyOptions& options, const StudyHooks& hooks)
+      : study_(study), options_(options), hooks_(hooks) {}
+
+  StudyProgress operator()() {
+    look_what_is_done();
+    hooks_.on_progress(progress_);
+    std::size_t next = 0;
+    while (next < waiting_.size() || pool_.running() > 0) {
+      if (hooks_.interrupted()) break;
+      while (next < waiting_.size() && pool_.running() < static_cast<std::size_t>(options_.jobs))
+        start(waiting_[next++]);
+      pool_.wait([&](std::size_t run, const ProcessEnd& end) { finish(run, end); });
+    }
+    pool_.stop();
+    return progress_;
+  }
+
+private:
+  /// References first, as they take longest.
+  void look_what_is_done() {
+    progress_.total = study_.runs.size();
+    std::set<std::size_t> seen;
+    const auto look = [&](std::size_t run) {
+      if (!seen.insert(run).second) return;
+      const auto record = read_record(files(run), study_.runs[run].scene);
+      if (!record || !record->complete) {
+        waiting_.push_back(run);
+        return;
+      }
+      ++progress_.kept;
+      ++progress_.done;
+      progress_.failed += record->status != "finished";
+    };
+    for (const SweepPoint& point : study_.sweep)
+      for (const std::size_t run : point.references) look(run);
+    for (const StudyPoint& point : study_.points) look(point.run);
+  }
+
+  RunFiles files(std::size_t run) const { return {options_.folder, study_.runs[run].name}; }
+
+  void start(std::size_t run) {
+    const RunFiles files = this->files(run);
+    remove_files(files);
+    write_file(files.scene, study_.runs[run].scene.resolved(), Earlier::replaced);
+    pool_.start(
+        run, {.arguments = {options_.program.string(), "run", files.scene.string(), "-o",
+                            files.result.string(), "--summary", files.summary.string(), "--quiet"},
+              .log = files.log});
+  }
+
+  void finish(std::size_t run, const ProcessEnd& end) {
+    const RunFiles files = this->files(run);
+    if (hooks_.interrupted()) return;  // it may have been ended by the same signal
+    write_process_end(files, study_.runs[run].scene, end);
+    const auto record = read_record(files, study_.runs[run].scene);
+    std::error_code ignored;
+    if (fs::is_empty(files.log, ignored)) fs::remove(files.log, ignored);
+    ++progress_.done;
+    progress_.ended = study_.runs[run].name;
+    progress_.reason = record && record->status != "finished" ? record->reason : "";
+    progress_.failed += !record || record->status != "finished";
+    hooks_.on_progress(progress_);
+  }
+
+  const Study& study_;
+  const StudyOptions& options_;
+  const StudyHooks& hooks_;
+  StudyProgress progress_;
+  std::vector<std::size_t> waiting_;
+  ProcessPool pool_;
+};
+
+}  // namespace
+
+StudyProgress run_study(const Study& study, const StudyOptions& options, const StudyHooks& hooks) {
+  check_folder(options);
+  prepare_folder(options, study);
+  const FolderLock lock(options.folder);
+  write_in_place(options.folder / marker, study.text);
+  return StudyRunner(study, options, hooks)();
+}
+
+}  // namespace gnomon

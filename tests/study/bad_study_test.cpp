@@ -1,0 +1,125 @@
+// Bad studies: exit code 2, one line that says where and what was expected, nothing written.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "study/study_fixture.hpp"
+
+namespace gnomon {
+namespace {
+
+using test::Outcome;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+struct Case {
+  const char* name;
+  const char* text;  // behind the head, whose last line is the fourth
+  std::vector<std::string> parts;
+};
+
+void PrintTo(const Case& value, std::ostream* stream) {
+  *stream << value.name;
+}
+
+class BadStudy : public test::StudyTest, public testing::WithParamInterface<Case> {};
+
+TEST_P(BadStudy, IsRefused) {
+  write("study.toml", head() + GetParam().text);
+  const auto before = files();
+  const Outcome outcome = study();
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  EXPECT_THAT(outcome.out, IsEmpty());
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  for (const std::string& part : GetParam().parts) EXPECT_THAT(outcome.err, HasSubstr(part));
+  EXPECT_EQ(files(), before);
+}
+
+const Case cases[] = {
+    {"UnknownKey",
+     "[[method]]\nintegrator = \"bdf\"\ntolerancs = [1e-3]\n",
+     {"study.toml:7: key `method.tolerancs`: unknown key, did you mean `method.tolerances`?"}},
+    {"WrongType",
+     "[[method]]\nintegrator = \"bdf\"\ntolerances = 1e-3\n",
+     {"study.toml:7: key `method.tolerances`: expected an array of numbers in (0, 1)"}},
+    {"OutOfRange",
+     "[[method]]\nintegrator = \"sdirk-2\"\nsteps = [-1]\n",
+     {"study.toml:7: key `method.steps`: expected", "got -1 at place 1"}},
+    {"UnknownTable",
+     "[[methods]]\nintegrator = \"bdf\"\n",
+     {"study.toml:5: key `methods`: unknown table, did you mean [[method]]?"}},
+    {"NoMethod", "", {"study.toml: expected one [[method]] or more, got none"}},
+    {"NothingToRun", "[[method]]\nintegrator = \"bdf\"\n", {"study.toml:6", "nothing to run"}},
+    {"MissingIntegrator",
+     "[[method]]\nsteps = [1]\n",
+     {"study.toml:5: key `method.integrator`: missing, expected a text"}},
+    {"UnknownIntegrator",
+     "[[method]]\nintegrator = \"bfd\"\nsteps = [1]\n",
+     {"study.toml:6: key `method.integrator`: unknown integrator \"bfd\", did you mean \"bdf\"?"}},
+    {"StepsForBdf",
+     "[[method]]\nintegrator = \"bdf\"\nsteps = [1]\n",
+     {"study.toml:7: key `method.steps`: expected tolerances, bdf chooses its own steps"}},
+    {"UnknownSceneKey",
+     "body.young_modlus = 5.0\n",
+     {"study.toml:5: key `set.body.young_modlus`", "did you mean `body.young_modulus`?"}},
+    {"SceneValue",
+     "body.young_modulus = \"soft\"\n",
+     {"study.toml:5: key `set.body.young_modulus`: expected a number in (0, inf) [MPa]"}},
+    {"OwnedKey", "integrator.step = 5.0\n", {"study.toml:5", "given by `method.steps`"}},
+    {"SweptValue",
+     "[[sweep]]\nkey = \"mesh.elements\"\nvalues = [[8, 8], 8]\n",
+     {"study.toml:7: key `sweep.values`: expected an array of 2 integers", "got 8"}},
+    {"SweptKey",
+     "[[sweep]]\nkey = \"mesh.elemnts\"\nvalues = [8]\n",
+     {"study.toml:6: key `sweep.key`: unknown key, did you mean `mesh.elements`?"}},
+    {"SetAndSwept",
+     "[[sweep]]\nkey = \"time.end\"\nvalues = [8]\n[[method]]\nintegrator = \"bdf\"\n"
+     "tolerances = [1e-3]\n",
+     {"study.toml:4: key `set.time.end`: expected it to be set or swept, not both"}},
+    {"OneFamily",
+     "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
+     "[[reference]]\nintegrator = \"bdf\"\ntolerance = 1e-6\n"
+     "[[reference]]\nintegrator = \"bdf\"\ntolerance = 1e-7\n",
+     {"study.toml:12: key `reference.integrator`: expected references of two families"}},
+    {"SelfReference",
+     "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
+     "[self_reference]\nmethod = \"bdff\"\ntolerance = 1e-6\n",
+     {"study.toml:9: key `self_reference.method`", "did you mean \"bdf\"?"}},
+    {"Contradiction",
+     "pin.height = 1.0\n[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n",
+     {"study.toml", "pin.height", "expected more than"}},
+    {"Syntax", "[[method]\n", {"study.toml:5: not valid TOML"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Kinds, BadStudy, testing::ValuesIn(cases),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+class BadStudyFiles : public test::StudyTest {
+protected:
+  void expect_refused(const std::string& part) {
+    const auto before = files();
+    const Outcome outcome = study();
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr(part));
+    EXPECT_EQ(files(), before);
+  }
+};
+
+TEST_F(BadStudyFiles, Missing) {
+  expect_refused("study.toml: no such file, expected a study");
+}
+
+TEST_F(BadStudyFiles, MissingScene) {
+  write("study.toml", "scene = \"no.toml\"\n");
+  expect_refused("study.toml:1: key `scene`: expected a scene file, there is no no.toml");
+}
+
+TEST_F(BadStudyFiles, FolderOfSomethingElse) {
+  write("study.toml", head() + method("bdf", "tolerances = [0.1]"));
+  std::filesystem::create_directory(folder() / "out");
+  write("out/precious.txt", "mine");
+  expect_refused("out: is no study's folder");
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,201 @@
+// Studies through the real program: values, marks, failures, resuming.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <gnomon/study.hpp>
+#include <gnomon/surface_error.hpp>
+#include <thread>
+
+#include "results/hdf5_values.hpp"
+#include "study/markup.hpp"
+#include "study/study_fixture.hpp"
+
+namespace gnomon {
+namespace {
+
+using test::Outcome;
+using test::Row;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+class StudyRuns : public test::StudyTest {
+protected:
+  ContactSurface surface(const std::string& run, std::optional<double> t = std::nullopt) const {
+    return ResultReader(folder() / "out/runs" / (run + ".h5")).contact(t);
+  }
+};
+
+TEST_F(StudyRuns, MeasuresErrorsAgainstTheReference) {
+  write("study.toml", head() + "[[sweep]]\nkey = \"body.young_modulus\"\nvalues = [20, 640]\n" +
+                          method("backward-euler", "steps = [10, 50]") +
+                          "[self_reference]\nmethod = \"backward-euler\"\nstep = 5\n");
+  const Outcome outcome = study({"--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto rows = this->rows();
+  ASSERT_THAT(rows, SizeIs(6));  // the self-reference is a row of its own
+  const Row& row = rows[3];
+  EXPECT_EQ(row.at("study"), "study");
+  EXPECT_EQ(row.at("sweep"), "body.young_modulus=640");
+  EXPECT_EQ(row.at("method"), "backward-euler");
+  EXPECT_EQ(row.at("setting_kind"), "step");
+  EXPECT_EQ(row.at("setting"), "10");
+  EXPECT_EQ(row.at("status"), "finished");
+  EXPECT_EQ(row.at("steps"), "10");
+  EXPECT_EQ(row.at("marked"), "0");
+
+  const std::string own = "young_modulus_640__backward-euler__step-10";
+  const std::string reference = "young_modulus_640__esdirk-5__rtol-1e-8";
+  EXPECT_DOUBLE_EQ(std::stod(row.at("shape_error")), shape_error(surface(own), surface(reference)));
+  EXPECT_DOUBLE_EQ(std::stod(row.at("pressure_error")),
+                   pressure_error(surface(own), surface(reference)));
+  double largest = 0;
+  for (const double t : {20.0, 40.0, 60.0, 80.0, 100.0})
+    largest = std::max(largest, shape_error(surface(own, t), surface(reference, t)));
+  EXPECT_DOUBLE_EQ(std::stod(row.at("shape_error_max")), largest);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("shape_error_self")),
+                   shape_error(surface(own), surface("young_modulus_640__backward-euler__step-5")));
+  EXPECT_EQ(rows[5].at("shape_error_self"), "");  // the self-reference itself
+  EXPECT_DOUBLE_EQ(std::stod(row.at("reference_error")),
+                   shape_error(surface("young_modulus_640__bdf__rtol-1e-9"), surface(reference)));
+  EXPECT_LT(std::stod(row.at("reference_error")), 1e-6);
+  for (const char* name : {"wall_seconds", "cpu_seconds", "peak_memory_mb", "newton_iterations",
+                           "factorizations", "linear_solves", "residual_evaluations"})
+    EXPECT_GT(std::stod(row.at(name)), 0) << name;
+  EXPECT_THAT(test::read_text(folder() / "out/index.html"), HasSubstr("body.young_modulus=640"));
+  const hdf5::Handle file = hdf5::own(
+      H5Fopen((folder() / "out/study.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open");
+  EXPECT_EQ(hdf5::read_text(file.id(), "text"), test::read_text(folder() / "study.toml"));
+  const hdf5::Handle table = hdf5::own(H5Dopen2(file.id(), "study", H5P_DEFAULT), H5Dclose, "open");
+  const auto one = hdf5::own(H5Tcreate(H5T_COMPOUND, 8), H5Tclose, "describe");
+  H5Tinsert(one.id(), "shape_error", 0, H5T_NATIVE_DOUBLE);
+  std::vector<double> errors(6);
+  ASSERT_GE(H5Dread(table.id(), one.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, errors.data()), 0);
+  EXPECT_EQ(errors[3], std::stod(row.at("shape_error")));
+}
+
+/// References so loose that nothing can be said.
+const std::string loose =
+    "[[reference]]\nintegrator = \"sdirk-2\"\ntolerance = 0.1\n"
+    "[[reference]]\nintegrator = \"bdf\"\ntolerance = 0.1\n";
+
+TEST(Markup, SvgsShareAPage) {
+  const std::string svg =
+      "<?xml version=\"1.0\"?><!DOCTYPE svg><svg><metadata><a href=\"https://x\"/></metadata>"
+      "<path id=\"p\"/><use xlink:href=\"#p\"/><g clip-path=\"url(#p)\"/></svg>\n";
+  EXPECT_EQ(study::inline_svg(svg, "f1-"),
+            "<svg><path id=\"f1-p\"/><use xlink:href=\"#f1-p\"/>"
+            "<g clip-path=\"url(#f1-p)\"/></svg>");
+  EXPECT_EQ(study::inline_svg("no picture", "f1-"), "");
+  EXPECT_EQ(study::escaped("<a & \"b\">"), "&lt;a &amp; &quot;b&quot;&gt;");
+}
+
+TEST_F(StudyRuns, MarksErrorsThatTheReferenceCannotResolve) {
+  write("study.toml", head() + method("bdf", "tolerances = [1e-3]") + loose);
+  ASSERT_EQ(study().exit_code, 0);
+  const Row row = rows().front();
+  EXPECT_LT(std::stod(row.at("shape_error")), 10 * std::stod(row.at("reference_error")));
+  EXPECT_EQ(row.at("marked"), "1");
+  EXPECT_EQ(row.at("sweep"), "");
+  EXPECT_THAT(test::read_text(folder() / "out/index.html"), HasSubstr("class=\"n marked\""));
+}
+
+TEST_F(StudyRuns, AClosedFormIsTheReferenceWhereThereIsOne) {
+  write("study.toml", head() + method("backward-euler", "steps = [50, 25]") + loose);
+  ASSERT_EQ(study({"--quiet"}).exit_code, 0);
+  Study study = load_study(folder() / "study.toml");
+  SweepPoint& sweep = study.sweep.front();
+  for (const double t : sweep.times) sweep.exact.push_back(surface("backward-euler__step-25", t));
+  sweep.references.clear();
+  const StudyTable table = measure(study, folder() / "out");
+  EXPECT_EQ(table.references.front().text, "closed form");
+  EXPECT_EQ(table.references.front().error, 0.0);
+  const StudyRow& row = table.rows.front();
+  EXPECT_DOUBLE_EQ(row.shape_error.value(), shape_error(surface("backward-euler__step-50"),
+                                                        surface("backward-euler__step-25")));
+  EXPECT_FALSE(row.pressure_error);  // a closed form has no pressures
+  EXPECT_FALSE(row.marked_shape || row.marked_max || row.marked_pressure);
+  EXPECT_EQ(table.rows.back().shape_error, 0.0);
+}
+
+TEST_F(StudyRuns, FailuresStayInTheTableWithTheirReason) {
+  // Far too soft for its load: there is no equilibrium on the loading path.
+  write("study.toml", head() + "[[sweep]]\nkey = \"body.young_modulus\"\nvalues = [0.1, 640]\n" +
+                          method("backward-euler", "steps = [50]") + loose);
+  const Outcome outcome = study();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto rows = this->rows();
+  ASSERT_THAT(rows, SizeIs(2));
+  EXPECT_EQ(rows[0].at("status"), "failed");
+  EXPECT_NE(rows[0].at("reason"), "");
+  EXPECT_EQ(rows[0].at("shape_error"), "");
+  EXPECT_THAT(rows[0].at("reference"), HasSubstr("failed: "));
+  EXPECT_EQ(rows[0].at("reference_error"), "");
+  EXPECT_EQ(rows[1].at("status"), "finished");
+}
+
+TEST_F(StudyRuns, AllFailedIsAFailure) {
+  write("study.toml",
+        head() + "body.young_modulus = 0.1\n" + method("backward-euler", "steps = [50]") + loose);
+  EXPECT_EQ(study().exit_code, 3);
+  EXPECT_THAT(rows(), SizeIs(1));
+}
+
+TEST_F(StudyRuns, AnExistingFolderIsRefusedOrResumed) {
+  write("study.toml", head() + method("backward-euler", "steps = [50]") + loose);
+  ASSERT_EQ(study().exit_code, 0);
+  const std::string csv = test::read_text(folder() / "out/study.csv");
+  const Outcome again = study();
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_THAT(again.err, HasSubstr("--resume"));
+  const Outcome resumed = study({"--resume"});
+  EXPECT_EQ(resumed.exit_code, 0);
+  EXPECT_THAT(resumed.err, HasSubstr("3 runs, 3 done already"));
+  EXPECT_EQ(test::read_text(folder() / "out/study.csv"), csv);  // times included: nothing was rerun
+}
+
+TEST_F(StudyRuns, OnlyCompleteRunsOfTheSameSceneAreKept) {
+  write("study.toml", head() + method("backward-euler", "steps = [50, 25]") + loose);
+  ASSERT_EQ(study().exit_code, 0);
+  const auto summary = folder() / "out/runs/backward-euler__step-50.json";
+  std::filesystem::resize_file(summary, std::filesystem::file_size(summary) / 2);
+  EXPECT_THAT(study({"--resume"}).err, HasSubstr("4 runs, 3 done already"));
+  write("study.toml",
+        head() + "load.force = 10.0\n" + method("backward-euler", "steps = [50, 25]") + loose);
+  EXPECT_THAT(study({"--resume"}).err, HasSubstr("4 runs, 0 done already"));
+}
+
+class Ended : public StudyRuns, public testing::WithParamInterface<int> {};
+
+TEST_P(Ended, AStudyGoesOnWhereItWas) {
+  // The last run takes too long to end before the signal.
+  const std::string quick =
+      head() + method("backward-euler", "steps = [50]", "name = \"a\"") + loose;
+  write("study.toml", quick + method("backward-euler", "steps = [0.0005]"));
+  const pid_t child = start({"study", "study.toml", "-o", "out", "--jobs", "1"});
+  const auto last = folder() / "out/runs/backward-euler__step-0.0005.h5";
+  for (int i = 0; i < 3000 && !std::filesystem::exists(last); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(child, GetParam());
+  const Outcome outcome = finish(child);
+  EXPECT_EQ(outcome.exit_code, GetParam() == SIGKILL ? -SIGKILL : 1) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder() / "out/study.csv"));
+
+  // The run has ended as well: nobody writes its result any more.
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  const auto size = std::filesystem::file_size(last);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_EQ(std::filesystem::file_size(last), size);
+
+  write("study.toml", quick);
+  const Outcome resumed = study({"--resume"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_THAT(resumed.err, HasSubstr("3 runs, 3 done already"));
+}
+
+INSTANTIATE_TEST_SUITE_P(By, Ended, testing::Values(SIGINT, SIGTERM, SIGKILL));
+
+}  // namespace
+}  // namespace gnomon
