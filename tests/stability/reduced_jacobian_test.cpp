@@ -73,6 +73,28 @@ TEST(ReducedJacobian, IsItForOtherElementsNormalsAndConstraints) {
   expect_derivative_of_the_rate({"body.element=f-bar-variational", "shape.constraint=multiplier"});
 }
 
+// On springs every redistribution of the pressure decays at the rate K_w k v; the load fixes the
+// mean.
+TEST(ReducedJacobian, HasTheSpectrumOfTheSprings) {
+  const Scene scene = load_scene(GNOMON_SOURCE_DIR "/problems/winkler/pin.toml",
+                                 {"foundation.points=81"}, key_table);
+  const auto model = Problems::find("winkler", "problem").make(scene);
+  Counters counters;
+  const State start = model->start(counters);
+  const double rate = scene.real("foundation.modulus") * scene.real("wear.coefficient") *
+                      scene.real("wear.velocity");
+  const ReducedJacobian G(model->system(), start);
+  const ActiveSet piece = active_set(model->system(), start.y);
+  const auto closed = std::count(piece.begin(), piece.end(), 1);
+  ASSERT_GT(closed, 10);
+  ASSERT_LT(closed, G.size());
+  const std::vector<Mode> modes = all_modes(G.dense());
+  for (int k = 0; k < G.size(); ++k)
+    EXPECT_LT(std::abs(modes[k].eigenvalue - (k < closed - 1 ? -rate : 0.0)), 1e-9 * rate) << k;
+  for (const Mode& mode : leading_modes(G, 6))
+    EXPECT_LT(std::abs(mode.eigenvalue + rate), 1e-8 * rate);
+}
+
 TEST(LeadingModes, AreThoseOfTheWholeSpectrum) {
   const PinRun pin = worn_pin(20);
   const ReducedJacobian G(pin.model->system(), pin.last());
