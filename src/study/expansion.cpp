@@ -172,7 +172,7 @@ private:
     overrides["integrator.name"] = fmt::format("\"{}\"", method.integrator);
     const bool fixed = setting.kind == Kind::step;
     overrides[fixed ? "integrator.step" : "integrator.rtol"] = number_text(setting.value);
-    overrides["output.every"] = "0";
+    overrides["output.every"] = std::string(1, '0');  // a literal makes GCC 12 warn wrongly
     overrides["output.last"] = "true";
     overrides["output.times"] = fmt::format("[{}]", fmt::join(study_.sweep.back().times, ", "));
     return guarded(title(method, setting), [&] {

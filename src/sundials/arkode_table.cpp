@@ -1,5 +1,4 @@
-#include <cstdio>  // ARKODE's headers use FILE
-
+#include <arkode/arkode.h>  // the next two rely on its <stdio.h>
 #include <arkode/arkode_butcher_dirk.h>
 #include <arkode/arkode_butcher_erk.h>
 
