@@ -17,6 +17,9 @@ struct State {
   double t = 0;
   std::vector<double> y;
   std::vector<double> ydot;
+  /// The smooth piece that it was solved on, where events are located: at an event a node may be on
+  /// the other side by rounding. Empty: the one that y lies in.
+  ActiveSet piece = {};
 };
 
 /// A named scalar of a state, for histories and summaries.

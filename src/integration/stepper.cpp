@@ -47,6 +47,7 @@ OneStepStepper::Plan OneStepStepper::plan(const State& state, double t_stop, dou
 Landing OneStepStepper::take(const State& state, const Plan& plan, bool continuation) {
   AttemptOptions options{.piece = locator_ ? &locator_->piece() : nullptr,
                          .continuation = continuation};
+  next_.piece = locator_ ? locator_->piece() : ActiveSet{};
   Landing whole{.attempt = method_->attempt(state, plan.h, options, next_), .h = plan.h};
   const bool acceptable = whole.attempt.success && (fixed() || whole.attempt.error <= 1);
   if (!locator_ || !acceptable || !locator_->left(next_.y)) return whole;
@@ -58,6 +59,7 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, bool continua
   // Nodes that switch where the step starts: over the kink, on whatever pieces there are.
   options.piece = nullptr;
   whole.attempt = method_->attempt(state, plan.h, options, next_);
+  next_.piece.clear();
   if (whole.attempt.success) locator_->begin(next_.y);
   whole.grazing = true;
   return whole;

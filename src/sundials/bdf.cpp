@@ -211,6 +211,7 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   std::copy(view(y_.get()).begin(), view(y_.get()).end(), state.y.begin());
   set_rates(system_, piece(), state);
   if (piece()) cross_event(state, flag == IDA_ROOT_RETURN, report);
+  if (piece()) state.piece = piece_;
   return report;
 }
 
