@@ -20,6 +20,9 @@ struct State {
   /// The smooth piece that it was solved on, where events are located: at an event a node may be on
   /// the other side by rounding. Empty: the one that y lies in.
   ActiveSet piece = {};
+
+  /// As Point::piece wants it.
+  const ActiveSet* own_piece() const { return piece.empty() ? nullptr : &piece; }
 };
 
 /// A named scalar of a state, for histories and summaries.

@@ -7,10 +7,6 @@
 
 namespace gnomon {
 
-namespace {
-constexpr NewtonOptions modified_newton{.max_iterations = 60, .keep_factors = true};
-}
-
 DiagonallyImplicit::DiagonallyImplicit(const System& system, const IntegratorSettings& settings,
                                        Counters& counters, ButcherTable table)
     : system_(system),

@@ -2,10 +2,6 @@
 
 namespace gnomon {
 
-namespace {
-constexpr NewtonOptions modified_newton{.max_iterations = 60, .keep_factors = true};
-}
-
 NonlinearFunction algebraic_function(const System& system, const ActiveSet* piece) {
   NonlinearFunction function;
   function.residual = [&system, piece](std::span<const double> y, std::span<double> G) {

@@ -26,15 +26,6 @@ std::vector<BlockSize> WearModel<dim>::blocks() const {
   return blocks;
 }
 
-namespace {
-
-Branch branch_of(const State& state, int c) {
-  if (state.piece.empty()) return Branch::by_sign;
-  return state.piece[c] ? Branch::closed : Branch::open;
-}
-
-}  // namespace
-
 template <int dim>
 std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
   const NodalState<dim>& nodal = system_.nodal(state.y);
@@ -42,7 +33,7 @@ std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
   double force = 0, flux = 0, pressure = 0;
   long active = 0;
   for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c) {
-    const ContactNode<dim> node = system_.contact().node(nodal, c, branch_of(state, c));
+    const ContactNode<dim> node = system_.contact().node(nodal, c, state.own_piece());
     force -= node.area * node.traction;
     flux += node.area * node.wear_rate;
     pressure = std::max(pressure, -node.traction);
@@ -105,7 +96,7 @@ std::vector<Field> WearModel<dim>::fields(const State& state) const {
   pressure.values.assign(body.mesh.nodes.size(), 0.0);
   for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c)
     pressure.values[body.contact_nodes[c].node] =
-        std::max(0.0, -system_.contact().node(nodal, c, branch_of(state, c)).traction);
+        std::max(0.0, -system_.contact().node(nodal, c, state.own_piece()).traction);
   Field stress{"equivalent_stress", "MPa", Field::On::cells, 1, {}};
   Field quality{"element_quality", "", Field::On::cells, 1, {}};
   CellNodal<dim> X, u;
@@ -138,7 +129,7 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
   };
   for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c) {
     const int node = body.contact_nodes[c].node;
-    const ContactNode<dim> contact = system_.contact().node(nodal, c, branch_of(state, c));
+    const ContactNode<dim> contact = system_.contact().node(nodal, c, state.own_piece());
     const Vector<dim> d = nodal.d.row(node).transpose();
     const Vector<dim> u = nodal.u.row(node).transpose();
     surface.node.push_back(node);

@@ -10,6 +10,7 @@
 #include <gnomon/integration/stepper.hpp>
 #include <gnomon/wear_model.hpp>
 #include <limits>
+#include <optional>
 
 namespace gnomon {
 
@@ -66,12 +67,15 @@ template <int dim>
 RampReport find_equilibrium(WearSystem<dim>& contact, const RampOptions& options,
                             NodalState<dim>& state, Counters& counters) {
   NewtonSolver exact(contact.structure(), counters, {.max_iterations = max_iterations});
-  NewtonSolver rough(contact.structure(), counters,
-                     {.tolerance = rough_tolerance, .max_iterations = max_iterations});
+  std::optional<NewtonSolver> rough;  // most loads go on at once; its analysis costs
   const NonlinearFunction function = algebraic_function(contact);
   const LoadSolve solve = [&](double fraction, std::span<double> y) {
     contact.set_load_factor(fraction);
-    return (fraction < 1 ? rough : exact).solve(function, y);
+    if (fraction == 1) return exact.solve(function, y);
+    if (!rough)
+      rough.emplace(contact.structure(), counters,
+                    NewtonOptions{.tolerance = rough_tolerance, .max_iterations = max_iterations});
+    return rough->solve(function, y);
   };
   close_initial_gap(contact.body(), state);
   std::vector<double> y(contact.structure().size);

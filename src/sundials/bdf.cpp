@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gnomon/integration/error_norm.hpp>
 #include <gnomon/integration/stage_solver.hpp>
 #include <gnomon/integration/stepper.hpp>
 #include <gnomon/sundials/bdf.hpp>
@@ -40,7 +41,7 @@ private:
   const System& system_;
   IntegratorSettings settings_;
   Counters& counters_;
-  long differential_ = 0;  // number of differential components
+  ErrorNorm norm_;
   bool begun_ = false;
   long rejected_ = 0;
   ActiveSet piece_;  // the smooth piece that steps stay on while events are located
@@ -60,6 +61,7 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
     : system_(system),
       settings_(settings),
       counters_(counters),
+      norm_(system.structure(), settings),
       y_(make_vector(system.structure().size, context_)),
       ydot_(make_vector(system.structure().size, context_)),
       id_(make_vector(system.structure().size, context_)),
@@ -68,7 +70,6 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
       linear_(make_linear_solver(system.structure(), counters, guard_, context_)) {
   const auto& differential = system.structure().differential;
   std::copy(differential.begin(), differential.end(), view(id_.get()).begin());
-  differential_ = std::count(differential.begin(), differential.end(), 1);
   SemismoothSettings newton;
   newton.active_set = [this](N_Vector ycor, std::vector<char>& active) {
     N_Vector predicted = nullptr;
@@ -133,9 +134,9 @@ int BdfSolver::Memory::jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_
 // differential ones, so that rtol means the same however many algebraic unknowns there are.
 int BdfSolver::Memory::weights(N_Vector y, N_Vector w, void* data) {
   const Memory& self = *static_cast<Memory*>(data);
-  const double spread = std::sqrt(double(view(y).size()) / double(self.differential_));
+  const double spread = std::sqrt(double(view(y).size()) / double(self.norm_.components().size()));
   for (std::size_t i = 0; i < view(y).size(); ++i)
-    view(w)[i] = spread / (self.settings_.rtol * std::abs(view(y)[i]) + self.settings_.atol);
+    view(w)[i] = spread * self.norm_.weight(view(y)[i]);
   return 0;
 }
 

@@ -75,10 +75,14 @@ PatchNodal<dim> ContactAssembly<dim>::patch_positions(const NodalState<dim>& sta
 
 template <int dim>
 ContactNode<dim> ContactAssembly<dim>::node(const NodalState<dim>& state, int c,
-                                            Branch branch) const {
+                                            const ActiveSet* piece) const {
   const ContactPatch<dim>& patch = body_.contact_nodes[c];
-  return {body_.contact,   patch, patch_positions(state, c), state.u.row(patch.node).transpose(),
-          state.lambda[c], branch};
+  return {body_.contact,
+          patch,
+          patch_positions(state, c),
+          state.u.row(patch.node).transpose(),
+          state.lambda[c],
+          branch_of(piece, c)};
 }
 
 template <int dim>
@@ -86,7 +90,7 @@ void ContactAssembly<dim>::add_residual(const NodalState<dim>& state, std::span<
                                         const ActiveSet* piece, std::span<double> F) const {
   for (int c = 0; c < static_cast<int>(body_.contact_nodes.size()); ++c) {
     const ContactPatch<dim>& patch = body_.contact_nodes[c];
-    const ContactNode<dim> contact = node(state, c, branch_of(piece, c));
+    const ContactNode<dim> contact = node(state, c, piece);
     const bool augment = augmented(c);
     if (const int row = unknowns_.lambda()[c]; row >= 0) F[row] += contact.constraint;
     for (int i = 0; i < dim; ++i) {

@@ -4,15 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <complex>
 #include <gnomon/integrator.hpp>
+#include <gnomon/stability.hpp>
 #include <string>
 
 namespace gnomon {
 namespace {
 
 using Vec = Eigen::VectorXd;
-using Complex = std::complex<double>;
 
 struct Condition {
   int order;
@@ -51,14 +50,6 @@ int order_of(const ButcherTable& table, const Vec& b) {
     if (std::abs(condition.weight - condition.value) > 1e-12)
       order = std::min(order, condition.order - 1);
   return order;
-}
-
-/// R(z) = 1 + z b^T (I - z A)^-1 1.
-Complex stability_function(const ButcherTable& table, Complex z) {
-  const auto n = table.stages();
-  const Eigen::MatrixXcd M = Eigen::MatrixXcd::Identity(n, n) - z * table.A.cast<Complex>();
-  const Eigen::VectorXcd x = M.partialPivLu().solve(Eigen::VectorXcd::Ones(n));
-  return 1.0 + z * table.b.cast<Complex>().dot(x);
 }
 
 class Tables : public ::testing::TestWithParam<std::string> {

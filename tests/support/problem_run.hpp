@@ -32,6 +32,7 @@ inline double observed(const Model& model, const State& state, const std::string
 struct ModelRun {
   Counters counters;
   std::vector<State> states;  ///< the start first
+  std::vector<StepReport> reports;
   const State& last() const { return states.back(); }
 };
 
@@ -51,7 +52,7 @@ inline ModelRun run_model(const Model& model, const std::string& integrator, dou
       Integrators::find(integrator, "integrator").make(model, settings, run.counters);
   while (run.last().t < end) {
     State state = run.last();
-    stepper->advance(state, end);
+    run.reports.push_back(stepper->advance(state, end));
     run.states.push_back(std::move(state));
   }
   return run;

@@ -14,7 +14,6 @@ public:
   /// Adds a state, replacing one at the same time.
   void add(double t, std::span<const double> y);
   void clear() { points_.clear(); }
-  bool empty() const { return points_.empty(); }
 
   /// Value at t of the polynomial through the nearest states: of the highest degree, up to three,
   /// whose weights stay bounded (a far extrapolation falls back to lower degrees).

@@ -21,6 +21,9 @@ struct NewtonOptions {
   double slow = 0.2;          ///< contraction an iteration above which kept factors serve badly
 };
 
+/// What integrators solve their equations with.
+inline constexpr NewtonOptions modified_newton{.max_iterations = 60, .keep_factors = true};
+
 /// G(y) = 0 on the pattern of `structure`.
 struct NonlinearFunction {
   std::function<void(std::span<const double> y, std::span<double> G)> residual;

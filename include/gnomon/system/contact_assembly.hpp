@@ -25,8 +25,9 @@ public:
   void add_jacobian(const NodalState<dim>& state, double alpha, const ActiveSet* piece,
                     std::span<double> values) const;
 
-  /// The contact law at contact node c.
-  ContactNode<dim> node(const NodalState<dim>& state, int c, Branch branch = Branch::by_sign) const;
+  /// The contact law at contact node c, on a piece as in Point.
+  ContactNode<dim> node(const NodalState<dim>& state, int c,
+                        const ActiveSet* piece = nullptr) const;
 
 private:
   // Local rows: u | lambda | d (wear) | auxiliary equilibrium; columns: u | lambda | mu | d of

@@ -1,8 +1,13 @@
-// sdirk-*, esdirk-*: diagonally implicit Runge-Kutta methods on the DAE, one KINSOL solve a stage,
-// with coefficients from ARKODE's tables. The number in the name is the order.
+// Runge-Kutta methods with coefficients from ARKODE's tables. The number in the name is the order.
+//
+//   sdirk-*, esdirk-*   diagonally implicit, on the DAE, one KINSOL solve a stage
+//   erk-*               explicit, on the reduced ODE, driven by ERKStep with its own error control;
+//                       every rate is a solve of mesh motion and contact for the given surface
+//                       (Remark 1)
 
 #include <gnomon/integration/diagonally_implicit.hpp>
 #include <gnomon/sundials/arkode_table.hpp>
+#include <gnomon/sundials/erk.hpp>
 
 namespace gnomon {
 
@@ -18,7 +23,7 @@ struct Entry {
 };
 
 // Order and stability are stated here for the reader; the tests check them against the tables.
-const Entry entries[] = {
+const Entry implicit_entries[] = {
     {"sdirk-2", "2", "embedded, order 1", "A", "ARKODE_SDIRK_2_1_2",
      "two stages, |R| = 1/2 at infinity, its embedded method is backward Euler"},
     {"esdirk-2", "2", "embedded, order 3", "A, L, stiffly accurate", "ARKODE_TRBDF2_3_3_2",
@@ -35,15 +40,31 @@ const Entry entries[] = {
      "seven stages, of stage order 2 (Kennedy and Carpenter, 2016)"},
 };
 
+// The interval of stability is that of |R(z)| <= 1 on the negative real axis.
+const Entry explicit_entries[] = {
+    {"erk-2", "2", "embedded, order 1", "conditional, z > -2", "ARKODE_HEUN_EULER_2_1_2",
+     "Heun's method with an Euler estimate"},
+    {"erk-3", "3", "embedded, order 2", "conditional, z > -2.5", "ARKODE_BOGACKI_SHAMPINE_4_2_3",
+     "Bogacki and Shampine's pair"},
+    {"erk-4", "4", "embedded, order 3", "conditional, z > -2.8", "ARKODE_ZONNEVELD_5_3_4",
+     "Zonneveld's pair: the classical method with an estimate"},
+};
+
+/// What does not depend on the kind.
 Integrator describe(const Entry& entry) {
   Integrator integrator;
   integrator.name = entry.name;
-  integrator.family = "implicit Runge-Kutta";
   integrator.order = entry.order;
   integrator.error_estimate = entry.embedded;
   integrator.stability = entry.stability;
-  integrator.driver = "KINSOL, ARKODE table";
   integrator.help = std::string(entry.table).substr(7) + ": " + entry.help;
+  return integrator;
+}
+
+Integrator implicit(const Entry& entry) {
+  Integrator integrator = describe(entry);
+  integrator.family = "implicit Runge-Kutta";
+  integrator.driver = "KINSOL, ARKODE table";
   integrator.table = [name = entry.table](const IntegratorSettings&) {
     return arkode_dirk_table(name);
   };
@@ -54,8 +75,24 @@ Integrator describe(const Entry& entry) {
   return integrator;
 }
 
+Integrator explicit_on_reduced(const Entry& entry) {
+  Integrator integrator = describe(entry);
+  integrator.family = "explicit Runge-Kutta, decoupled";
+  integrator.driver = "ARKODE ERKStep, KINSOL";
+  integrator.locates_events = false;
+  integrator.table = [name = entry.table](const IntegratorSettings&) {
+    return arkode_erk_table(name);
+  };
+  integrator.make = [name = entry.table](const Model& model, const IntegratorSettings& settings,
+                                         Counters& counters) -> std::unique_ptr<Stepper> {
+    return std::make_unique<ErkSolver>(model.system(), settings, counters, name);
+  };
+  return integrator;
+}
+
 const bool registered = [] {
-  for (const Entry& entry : entries) Registry<Integrator>::add(describe(entry));
+  for (const Entry& entry : implicit_entries) Registry<Integrator>::add(implicit(entry));
+  for (const Entry& entry : explicit_entries) Registry<Integrator>::add(explicit_on_reduced(entry));
   return true;
 }();
 
