@@ -6,6 +6,7 @@
 // rows do not contain ydot. An index-1 differential-algebraic system, semismooth in y.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <gnomon/sparse.hpp>
 #include <memory>
@@ -13,6 +14,16 @@
 #include <vector>
 
 namespace gnomon {
+
+/// What an unknown is, for solvers that treat the blocks of J apart (docs/equations.md).
+enum class UnknownKind : char {
+  displacement,        ///< u
+  shape,               ///< d off the contact surface
+  worn_surface,        ///< d on the contact surface: differential
+  contact_multiplier,  ///< lambda
+  shape_multiplier,    ///< mu
+  rigid_motion         ///< w
+};
 
 /// Sizes and constants of a system that do not change during a run.
 struct Structure {
@@ -23,6 +34,10 @@ struct Structure {
   std::vector<double> row_scale;      ///< size entries: |F_i| that matters, in the unit of the row
   std::vector<double> unknown_scale;  ///< size entries: typical |y_i|
   std::vector<int> switch_node;       ///< one a switching function: the mesh node it belongs to
+  // For solvers by blocks; empty where a system has no such blocks.
+  std::vector<UnknownKind> kind;                ///< size entries
+  std::vector<char> component;                  ///< size entries: 0, 1, 2 of a vector, else 0
+  std::vector<std::array<double, 3>> position;  ///< of a `group`, initial configuration [length]
 };
 
 /// One entry a complementarity condition (contact node): 1 where it is active (closed).

@@ -53,6 +53,7 @@ void WearSystem<dim>::build_structure() {
   for (const auto& patch : body_->contact_nodes) structure_.switch_node.push_back(patch.node);
 
   const Scales s = above_rounding(*body_);
+  label_blocks();
   structure_.differential.assign(structure_.size, 0);
   structure_.row_scale.assign(structure_.size, s.auxiliary_force);
   structure_.unknown_scale.assign(structure_.size, s.wear_depth);
@@ -72,6 +73,32 @@ void WearSystem<dim>::build_structure() {
       if (number >= 0) structure_.differential[number] = 1;
     }
   }
+}
+
+/// Kind, component and place of every unknown, for solvers by blocks.
+template <int dim>
+void WearSystem<dim>::label_blocks() {
+  structure_.kind.resize(structure_.size);
+  structure_.component.assign(structure_.size, 0);
+  const auto label = [this](const auto& numbers, UnknownKind kind) {
+    for (Eigen::Index row = 0; row < numbers.rows(); ++row)
+      for (Eigen::Index i = 0; i < numbers.cols(); ++i) {
+        if (numbers(row, i) < 0) continue;
+        structure_.kind[numbers(row, i)] = kind;
+        structure_.component[numbers(row, i)] = static_cast<char>(i);
+      }
+  };
+  label(unknowns_.u(), UnknownKind::displacement);
+  label(unknowns_.d(), UnknownKind::shape);
+  label(unknowns_.lambda(), UnknownKind::contact_multiplier);
+  label(unknowns_.mu(), UnknownKind::shape_multiplier);
+  for (const auto& patch : body_->contact_nodes)
+    for (int i = 0; i < dim; ++i)
+      if (const int number = unknowns_.d()(patch.node, i); number >= 0)
+        structure_.kind[number] = UnknownKind::worn_surface;
+  structure_.position.assign(body_->mesh.nodes.size(), {});
+  for (std::size_t node = 0; node < body_->mesh.nodes.size(); ++node)
+    std::copy_n(body_->mesh.nodes[node].begin(), dim, structure_.position[node].begin());
 }
 
 template <int dim>

@@ -45,6 +45,7 @@ public:
 
 private:
   void build_structure();
+  void label_blocks();
 
   std::shared_ptr<const WornBody<dim>> body_;
   Selection selection_;
