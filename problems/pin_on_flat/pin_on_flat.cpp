@@ -103,6 +103,7 @@ std::unique_ptr<Model> make(const Scene& scene) {
   body->load = uniform_load(body->mesh, "top", Vector<2>(0, -scene.real("load.force")));
   body->scales = make_scales(scene);
   read_worn_body(scene, scene.real("pin.width") / static_cast<double>(surface.size()), *body);
+  body->contact.counter_body.velocity = Vector<2>(scene.real("wear.velocity"), 0);
   return std::make_unique<WearModel<2>>(std::move(body));
 }
 

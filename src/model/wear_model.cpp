@@ -21,6 +21,7 @@ std::vector<BlockSize> WearModel<dim>::blocks() const {
       {"shape", "d", count(unknowns.d()) - worn, "nodes off the contact surface"},
       {"worn_surface", "d", worn, "contact nodes (differential)"},
       {"contact_multiplier", "lambda", count(unknowns.lambda()), "contact nodes"}};
+  if (unknowns.w() >= 0) blocks.push_back({"rigid_motion", "w", 1, "counter-body"});
   if (system_.body().constraint == ConstraintForm::multiplier)
     blocks.push_back({"shape_multiplier", "mu", count(unknowns.mu()), "contact nodes"});
   return blocks;
