@@ -50,7 +50,7 @@ std::vector<Key> keys() {
        .default_value = 1.2,
        .range = {.min = 1, .max = 3, .min_open = true},
        .help = "largest ratio of neighbouring elements away from the punch"}};
-  result.insert(result.end(), worn_body_keys().begin(), worn_body_keys().end());
+  result.insert(result.end(), worn_body_keys(2).begin(), worn_body_keys(2).end());
   return result;
 }
 

@@ -47,7 +47,7 @@ std::vector<Key> keys() {
        .choices = {"sliding", "held"},
        .help = "shape of the left and right side: sliding along it, so that the end nodes of the "
                "contact surface wear, or held"}};
-  result.insert(result.end(), worn_body_keys().begin(), worn_body_keys().end());
+  result.insert(result.end(), worn_body_keys(2).begin(), worn_body_keys(2).end());
   return result;
 }
 
