@@ -25,6 +25,20 @@ enum class UnknownKind : char {
   rigid_motion         ///< w
 };
 
+/// How the linear systems of Newton's method are solved.
+struct LinearSolverChoice {
+  enum class Method {
+    direct,  ///< sparse LU of the whole Jacobian
+    block    ///< flexible GMRES on it, preconditioned by blocks (linear/block_preconditioner.hpp)
+  };
+  enum class Preconditioner {
+    factor,    ///< sparse Cholesky factors of the stiffness blocks
+    multigrid  ///< smoothed aggregation
+  };
+  Method method = Method::direct;
+  Preconditioner preconditioner = Preconditioner::factor;  ///< what `block` solves with
+};
+
 /// Sizes and constants of a system that do not change during a run.
 struct Structure {
   long size = 0;
@@ -34,6 +48,7 @@ struct Structure {
   std::vector<double> row_scale;      ///< size entries: |F_i| that matters, in the unit of the row
   std::vector<double> unknown_scale;  ///< size entries: typical |y_i|
   std::vector<int> switch_node;       ///< one a switching function: the mesh node it belongs to
+  LinearSolverChoice solver;
   // For solvers by blocks; empty where a system has no such blocks.
   std::vector<UnknownKind> kind;                ///< size entries
   std::vector<char> component;                  ///< size entries: 0, 1, 2 of a vector, else 0

@@ -55,13 +55,13 @@ const char* const study_header =
     "study,sweep,method,integrator,setting_kind,setting,status,reason,shape_error,shape_error_max,"
     "shape_error_self,pressure_error,reference,reference_error,marked,steps,rejected,events,"
     "newton_iterations,residual_evaluations,jacobian_evaluations,factorizations,linear_solves,"
-    "wall_seconds,cpu_seconds,peak_memory_mb\n";
+    "krylov_iterations,preconditioner_setups,wall_seconds,cpu_seconds,peak_memory_mb\n";
 
 std::string study_row(const char* method, const char* kind, double setting, const char* status,
                       const char* error) {
   return std::string("mesh,640,") + method + "," + method + "," + kind + "," +
          std::to_string(setting) + "," + status + ",," + error +
-         ",,,,tight,1e-5,0,10,0,0,30,40,5,5,30,0.1,0.1,50\n";
+         ",,,,tight,1e-5,0,10,0,0,30,40,5,5,30,0,0,0.1,0.1,50\n";
 }
 
 TEST_F(Plot, DrawsAResult) {
