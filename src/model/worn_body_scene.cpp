@@ -13,6 +13,7 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   body.element = element == "plain"   ? ElementKind::plain
                  : element == "f-bar" ? ElementKind::f_bar
                                       : ElementKind::f_bar_variational;
+  if (scene.text("body.kinematics") == "small") body.element = small_strain_limit(body.element);
   body.contact.wear.rate_per_pressure =
       scene.real("wear.coefficient") * scene.real("wear.velocity");
   body.contact.rho =

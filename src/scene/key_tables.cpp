@@ -147,6 +147,12 @@ std::vector<Key> body_keys() {
        .default_value = "f-bar",
        .choices = {"plain", "f-bar", "f-bar-variational"},
        .help = "plain, F-bar (de Souza Neto), or F-bar read as the variation of eq. (32)"},
+      {.name = "body.kinematics",
+       .kind = KeyKind::text,
+       .presence = defaulted,
+       .default_value = "finite",
+       .choices = {"finite", "small"},
+       .help = "strains of the body: finite, or linearised (K_uu then depends on the shape alone)"},
   };
 }
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <omp.h>
 
+#include <algorithm>
 #include <gnomon/error.hpp>
 #include <gnomon/system/cell_assembly.hpp>
 
@@ -80,45 +82,114 @@ void CellAssembly<dim>::gather(int cell, const NodalField<dim>* shape,
 }
 
 template <int dim>
-void CellAssembly<dim>::throw_inverted(int cell, const CellNodal<dim>& X) const {
-  const Vector<dim> centre = X.colwise().mean().transpose();
+void CellAssembly<dim>::throw_inverted(int cell, const NodalField<dim>* shape) const {
+  Vector<dim> centre = Vector<dim>::Zero();
+  for (int node : mesh_.cells[cell]) {
+    centre += mesh_.nodes[node] / Mesh<dim>::cell_nodes;
+    if (shape) centre += shape->row(node).transpose() / Mesh<dim>::cell_nodes;
+  }
   std::string place = fmt::format("({:.4g}, {:.4g}", centre[0], centre[1]);
   if constexpr (dim == 3) place += fmt::format(", {:.4g}", centre[2]);
   throw RecoverableError(fmt::format("inverted element {} at {})", cell, place));
 }
 
+namespace {
+
+/// Cells whose tangents a thread computes before they are added, so that they stay in its cache.
+constexpr int cells_at_once = 64;
+/// Entries of tangents (or residuals) below which threads cost more than they gain.
+constexpr long worth_threads = 1'000'000;
+
+/// compute(cell, value) for all cells, by all threads; then add(cell, value, thread, threads) in
+/// ascending order of the cells, by every thread, which adds what is its own. So no two threads
+/// write to one place, and sums do not depend on the number of threads. Returns the first cell
+/// whose compute() is false, else their number.
+template <class Value, class Compute, class Add>
+int for_cells(int cells, int entries, const Compute& compute, const Add& add) {
+  const int threads = long(cells) * entries < worth_threads ? 1 : omp_get_max_threads();
+  const int block = threads == 1 ? 1 : cells_at_once * threads;
+  std::vector<Value> values(std::min(block, cells));
+  int failed = cells;
+#pragma omp parallel num_threads(threads) reduction(min : failed)
+  for (int first = 0; first < cells; first += block) {
+    const int end = std::min(first + block, cells);
+#pragma omp for schedule(static)
+    for (int c = first; c < end; ++c)
+      if (!compute(c, values[c - first])) failed = std::min(failed, c);
+    for (int c = first; c < end; ++c)
+      add(c, values[c - first], omp_get_thread_num(), omp_get_num_threads());
+#pragma omp barrier
+  }
+  return failed;
+}
+
+/// Whether a row or column of the system is a thread's own: groups of eight in turn, so that
+/// neighbouring ones are spread over the threads.
+bool owns(int number, int thread, int threads) {
+  return number >= 0 && number / 8 % threads == thread;
+}
+
+template <int dim>
+struct CellTangents {
+  CellMatrix<dim> K_u, K_d;
+};
+
+}  // namespace
+
 template <int dim>
 void CellAssembly<dim>::add_residual(const NodalField<dim>* shape,
                                      const NodalField<dim>& displacement,
                                      std::span<double> F) const {
-  CellNodal<dim> X, u, R;
-  for (int cell : cells_) {
-    gather(cell, shape, displacement, X, u);
-    if (!kernel_.residual(law_, X, u, R)) throw_inverted(cell, X);
-    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
-      for (int i = 0; i < dim; ++i)
-        if (const int row = rows_(mesh_.cells[cell][a], i); row >= 0) F[row] += R(a, i);
-  }
+  const int count = static_cast<int>(cells_.size());
+  const int failed = for_cells<CellNodal<dim>>(
+      count, local,
+      [&](int c, CellNodal<dim>& R) {
+        CellNodal<dim> X, u;
+        gather(cells_[c], shape, displacement, X, u);
+        return kernel_.residual(law_, X, u, R);
+      },
+      [&](int c, const CellNodal<dim>& R, int thread, int threads) {
+        for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
+          for (int i = 0; i < dim; ++i)
+            if (const int row = rows_(mesh_.cells[cells_[c]][a], i); owns(row, thread, threads))
+              F[row] += R(a, i);
+      });
+  if (failed < count) throw_inverted(cells_[failed], shape);
+}
+
+template <int dim>
+void CellAssembly<dim>::add_columns(int c, const Numbers& columns, const std::vector<int>& map,
+                                    const CellMatrix<dim>& K, int thread, int threads,
+                                    std::span<double> values) const {
+  const int* position = map.data() + std::size_t(c) * local * local;
+  for (int b = 0; b < Mesh<dim>::cell_nodes; ++b)
+    for (int j = 0; j < dim; ++j, position += local) {
+      if (!owns(columns(mesh_.cells[cells_[c]][b], j), thread, threads)) continue;
+      const double* column = K.col(dim * b + j).data();
+      for (int k = 0; k < local; ++k)
+        if (position[k] >= 0) values[position[k]] += column[k];
+    }
 }
 
 template <int dim>
 void CellAssembly<dim>::add_jacobian(const NodalField<dim>* shape,
                                      const NodalField<dim>& displacement,
                                      std::span<double> values) const {
-  CellNodal<dim> X, u, R;
-  CellMatrix<dim> K_u, K_d;
+  const int count = static_cast<int>(cells_.size());
   const auto tangent = shape_columns_ ? kernel_.tangent_ud : kernel_.tangent_u;
-  for (std::size_t c = 0; c < cells_.size(); ++c) {
-    gather(cells_[c], shape, displacement, X, u);
-    if (!tangent(law_, X, u, R, K_u, K_d)) throw_inverted(cells_[c], X);
-    const int* map = map_.data() + c * local * local;
-    for (int k = 0; k < local * local; ++k)
-      if (map[k] >= 0) values[map[k]] += K_u.data()[k];
-    if (!shape_columns_) continue;
-    const int* shape_map = shape_map_.data() + c * local * local;
-    for (int k = 0; k < local * local; ++k)
-      if (shape_map[k] >= 0) values[shape_map[k]] += K_d.data()[k];
-  }
+  const int failed = for_cells<CellTangents<dim>>(
+      count, local * local,
+      [&](int c, CellTangents<dim>& K) {
+        CellNodal<dim> X, u, R;
+        gather(cells_[c], shape, displacement, X, u);
+        return tangent(law_, X, u, R, K.K_u, K.K_d);
+      },
+      [&](int c, const CellTangents<dim>& K, int thread, int threads) {
+        add_columns(c, columns_, map_, K.K_u, thread, threads, values);
+        if (shape_columns_)
+          add_columns(c, *shape_columns_, shape_map_, K.K_d, thread, threads, values);
+      });
+  if (failed < count) throw_inverted(cells_[failed], shape);
 }
 
 template class CellAssembly<2>;
