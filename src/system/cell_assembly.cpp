@@ -65,6 +65,7 @@ void CellAssembly<dim>::fill_map(const SparsePattern& pattern, const Numbers& co
 
 template <int dim>
 void CellAssembly<dim>::map_to(const SparsePattern& pattern) {
+  size_ = pattern.size();
   fill_map(pattern, columns_, map_);
   if (shape_columns_) fill_map(pattern, *shape_columns_, shape_map_);
 }
@@ -95,44 +96,59 @@ void CellAssembly<dim>::throw_inverted(int cell, const NodalField<dim>* shape) c
 
 namespace {
 
-/// Cells whose tangents a thread computes before they are added, so that they stay in its cache.
-constexpr int cells_at_once = 64;
 /// Entries of tangents (or residuals) below which threads cost more than they gain.
 constexpr long worth_threads = 1'000'000;
 
-/// compute(cell, value) for all cells, by all threads; then add(cell, value, thread, threads) in
-/// ascending order of the cells, by every thread, which adds what is its own. So no two threads
-/// write to one place, and sums do not depend on the number of threads. Returns the first cell
-/// whose compute() is false, else their number.
-template <class Value, class Compute, class Add>
-int for_cells(int cells, int entries, const Compute& compute, const Add& add) {
-  const int threads = long(cells) * entries < worth_threads ? 1 : omp_get_max_threads();
-  const int block = threads == 1 ? 1 : cells_at_once * threads;
-  std::vector<Value> values(std::min(block, cells));
+/// The rows or columns that a thread adds to.
+struct Range {
+  int begin, end;
+
+  bool holds(int number) const { return number >= begin && number < end; }
+};
+
+/// work(cell, range) for ascending cells by every thread, each with its own range of the numbers
+/// below `size`: cells between ranges are computed more than once, but nothing is waited for, and
+/// sums do not depend on the number of threads. Returns the first cell whose work() is false, else
+/// their number.
+template <class Work>
+int for_cells(int cells, int entries, std::size_t size, const Work& work) {
+  const int most = long(cells) * entries < worth_threads ? 1 : omp_get_max_threads();
   int failed = cells;
-#pragma omp parallel num_threads(threads) reduction(min : failed)
-  for (int first = 0; first < cells; first += block) {
-    const int end = std::min(first + block, cells);
-#pragma omp for schedule(static)
-    for (int c = first; c < end; ++c)
-      if (!compute(c, values[c - first])) failed = std::min(failed, c);
-    for (int c = first; c < end; ++c)
-      add(c, values[c - first], omp_get_thread_num(), omp_get_num_threads());
-#pragma omp barrier
+#pragma omp parallel num_threads(most) reduction(min : failed)
+  {
+    const std::size_t thread = omp_get_thread_num(), threads = omp_get_num_threads();
+    const Range own{static_cast<int>(thread * size / threads),
+                    static_cast<int>((thread + 1) * size / threads)};
+    bool good = true;
+    for (int c = 0; c < cells && good; ++c) {
+      good = work(c, own);
+      if (!good) failed = c;  // each thread's own here; the least remains
+    }
   }
   return failed;
 }
 
-/// Whether a row or column of the system is a thread's own: groups of eight in turn, so that
-/// neighbouring ones are spread over the threads.
-bool owns(int number, int thread, int threads) {
-  return number >= 0 && number / 8 % threads == thread;
+/// Whether one of a cell's values has its number in the range.
+template <class Cell, class Numbers>
+bool meets(const Cell& cell, const Numbers& numbers, const Range& range) {
+  for (int node : cell)
+    for (int i = 0; i < numbers.cols(); ++i)
+      if (range.holds(numbers(node, i))) return true;
+  return false;
 }
 
-template <int dim>
-struct CellTangents {
-  CellMatrix<dim> K_u, K_d;
-};
+/// Adds the columns of K that lie in the range; `position` is the cell's part of the map.
+template <int dim, class Cell, class Numbers>
+void add_columns(const Cell& cell, const Numbers& columns, const Range& range, const int* position,
+                 const CellMatrix<dim>& K, std::span<double> values) {
+  const double* entry = K.data();
+  for (int node : cell)
+    for (int j = 0; j < dim; ++j, position += K.rows(), entry += K.rows()) {
+      if (!range.holds(columns(node, j))) continue;
+      for (int k = 0; k < K.rows(); ++k)
+        if (position[k] >= 0) values[position[k]] += entry[k];
+    }
+}
 
 }  // namespace
 
@@ -141,34 +157,18 @@ void CellAssembly<dim>::add_residual(const NodalField<dim>* shape,
                                      const NodalField<dim>& displacement,
                                      std::span<double> F) const {
   const int count = static_cast<int>(cells_.size());
-  const int failed = for_cells<CellNodal<dim>>(
-      count, local,
-      [&](int c, CellNodal<dim>& R) {
-        CellNodal<dim> X, u;
-        gather(cells_[c], shape, displacement, X, u);
-        return kernel_.residual(law_, X, u, R);
-      },
-      [&](int c, const CellNodal<dim>& R, int thread, int threads) {
-        for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
-          for (int i = 0; i < dim; ++i)
-            if (const int row = rows_(mesh_.cells[cells_[c]][a], i); owns(row, thread, threads))
-              F[row] += R(a, i);
-      });
+  const int failed = for_cells(count, local, F.size(), [&](int c, const Range& own) {
+    const auto& cell = mesh_.cells[cells_[c]];
+    if (!meets(cell, rows_, own)) return true;
+    CellNodal<dim> X, u, R;
+    gather(cells_[c], shape, displacement, X, u);
+    if (!kernel_.residual(law_, X, u, R)) return false;
+    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
+      for (int i = 0; i < dim; ++i)
+        if (const int row = rows_(cell[a], i); own.holds(row)) F[row] += R(a, i);
+    return true;
+  });
   if (failed < count) throw_inverted(cells_[failed], shape);
-}
-
-template <int dim>
-void CellAssembly<dim>::add_columns(int c, const Numbers& columns, const std::vector<int>& map,
-                                    const CellMatrix<dim>& K, int thread, int threads,
-                                    std::span<double> values) const {
-  const int* position = map.data() + std::size_t(c) * local * local;
-  for (int b = 0; b < Mesh<dim>::cell_nodes; ++b)
-    for (int j = 0; j < dim; ++j, position += local) {
-      if (!owns(columns(mesh_.cells[cells_[c]][b], j), thread, threads)) continue;
-      const double* column = K.col(dim * b + j).data();
-      for (int k = 0; k < local; ++k)
-        if (position[k] >= 0) values[position[k]] += column[k];
-    }
 }
 
 template <int dim>
@@ -177,18 +177,20 @@ void CellAssembly<dim>::add_jacobian(const NodalField<dim>* shape,
                                      std::span<double> values) const {
   const int count = static_cast<int>(cells_.size());
   const auto tangent = shape_columns_ ? kernel_.tangent_ud : kernel_.tangent_u;
-  const int failed = for_cells<CellTangents<dim>>(
-      count, local * local,
-      [&](int c, CellTangents<dim>& K) {
-        CellNodal<dim> X, u, R;
-        gather(cells_[c], shape, displacement, X, u);
-        return tangent(law_, X, u, R, K.K_u, K.K_d);
-      },
-      [&](int c, const CellTangents<dim>& K, int thread, int threads) {
-        add_columns(c, columns_, map_, K.K_u, thread, threads, values);
-        if (shape_columns_)
-          add_columns(c, *shape_columns_, shape_map_, K.K_d, thread, threads, values);
-      });
+  const int failed = for_cells(count, local * local, size_, [&](int c, const Range& own) {
+    const auto& cell = mesh_.cells[cells_[c]];
+    if (!meets(cell, columns_, own) && !(shape_columns_ && meets(cell, *shape_columns_, own)))
+      return true;
+    CellNodal<dim> X, u, R;
+    CellMatrix<dim> K_u, K_d;
+    gather(cells_[c], shape, displacement, X, u);
+    if (!tangent(law_, X, u, R, K_u, K_d)) return false;
+    const std::size_t first = std::size_t(c) * local * local;
+    add_columns<dim>(cell, columns_, own, map_.data() + first, K_u, values);
+    if (shape_columns_)
+      add_columns<dim>(cell, *shape_columns_, own, shape_map_.data() + first, K_d, values);
+    return true;
+  });
   if (failed < count) throw_inverted(cells_[failed], shape);
 }
 

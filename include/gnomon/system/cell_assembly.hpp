@@ -40,9 +40,6 @@ private:
   void gather(int cell, const NodalField<dim>* shape, const NodalField<dim>& displacement,
               CellNodal<dim>& X, CellNodal<dim>& u) const;
   [[noreturn]] void throw_inverted(int cell, const NodalField<dim>* shape) const;
-  void add_columns(int c, const Numbers& columns, const std::vector<int>& map,
-                   const CellMatrix<dim>& K, int thread, int threads,
-                   std::span<double> values) const;
   void fill_map(const SparsePattern& pattern, const Numbers& columns, std::vector<int>& map) const;
 
   const Mesh<dim>& mesh_;
@@ -52,6 +49,7 @@ private:
   const Numbers& columns_;
   const Numbers* shape_columns_;
   std::vector<int> cells_;            // cells with at least one row
+  std::size_t size_ = 0;              // of the matrix
   std::vector<int> map_, shape_map_;  // local*local positions a cell, column by column; -1: none
 };
 
