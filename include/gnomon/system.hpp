@@ -8,6 +8,7 @@
 
 #include <array>
 #include <functional>
+#include <gnomon/linear_solver_choice.hpp>
 #include <gnomon/sparse.hpp>
 #include <memory>
 #include <span>
@@ -23,20 +24,6 @@ enum class UnknownKind : char {
   contact_multiplier,  ///< lambda
   shape_multiplier,    ///< mu
   rigid_motion         ///< w
-};
-
-/// How the linear systems of Newton's method are solved.
-struct LinearSolverChoice {
-  enum class Method {
-    direct,  ///< sparse LU of the whole Jacobian
-    block    ///< flexible GMRES on it, preconditioned by blocks (linear/block_preconditioner.hpp)
-  };
-  enum class Preconditioner {
-    factor,    ///< sparse Cholesky factors of the stiffness blocks
-    multigrid  ///< smoothed aggregation
-  };
-  Method method = Method::direct;
-  Preconditioner preconditioner = Preconditioner::factor;  ///< what `block` solves with
 };
 
 /// Sizes and constants of a system that do not change during a run.

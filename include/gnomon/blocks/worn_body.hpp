@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <gnomon/linear_solver_choice.hpp>
 #include <gnomon/mesh.hpp>
 #include <gnomon/terms/contact_node.hpp>
 #include <gnomon/terms/solid.hpp>
@@ -73,6 +74,7 @@ struct WornBody {
   ConstraintForm constraint = ConstraintForm::eliminated;
   double augmentation = 0;  ///< of mu: mu^ = mu + augmentation (ddot + Wdot N) [stress time/length]
   Scales scales;
+  LinearSolverChoice solver;
 
   /// The node that carries the shape unknowns of `node`.
   int shape_node(int node) const { return section ? section->node[section->of[node]] : node; }
