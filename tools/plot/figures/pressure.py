@@ -95,6 +95,6 @@ def limit(axes, tables):
     later = max((table["pressure"].max() for _, *rest in tables for table in rest), default=0)
     if 0 < 4 * later < start:
         axes.set_ylim(0, 1.15 * later)
-        return f" (up to {start:.3g} MPa)"
+        return f" (up to {style.number(round(start))} MPa)"
     axes.set_ylim(bottom=0)
     return ""
