@@ -1,5 +1,5 @@
-"""The worn mesh and, below, the equivalent stress in the deformed body (figs. 1, 3; in space figs. 7,
-9, 12, 14, seen obliquely)."""
+"""The worn mesh and, below, the equivalent stress in the deformed body (figs. 1, 3; in space, seen
+obliquely, figs. 7, 9, 12, 14)."""
 
 import numpy
 from matplotlib.cm import ScalarMappable
@@ -83,8 +83,8 @@ def finish_plane(panels):
 
 
 def finish_space(panels, view):
-    """Instead of scales, which a projection has not: the axes, with arms of a known length, in a strip
-    below the bodies."""
+    """Instead of scales, which a projection has not: the axes, with arms of a known length, in a
+    strip below the bodies."""
     for axes in panels.flat:
         axes.set(xticks=[], yticks=[])
         axes.spines[:].set_visible(False)

@@ -46,8 +46,8 @@ def normals(corners):
 
 
 class View:
-    """A parallel projection: x to the right, z up; the plane y = 0 in front, the contact surface seen
-    from where it faces, above or below."""
+    """A parallel projection: x to the right, z up; the plane y = 0 in front, the contact surface
+    seen from where it faces, above or below."""
 
     def __init__(self, result):
         self.faces, self.owners = boundary_faces(result.cells)

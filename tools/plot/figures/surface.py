@@ -56,18 +56,17 @@ def map_of(table, faces, across, mirrored):
 
 
 def paint(figure, axes, points, faces, pressure):
-    axes.add_collection(PolyCollection(points[faces], color=style.BAND, linewidth=0.2,
-                                       rasterized=True))
+    axes.add_collection(PolyCollection(points[faces], color=style.BAND))
     if pressure.max() > 0:
         levels = numpy.linspace(0, pressure.max(), LEVELS + 1)
         levels[0] = 1e-6 * pressure.max()
         scale = ScalarMappable(Normalize(0, pressure.max()), style.STRESS_MAP)
-        bands = axes.tricontourf(*triangles(points, faces, pressure), levels, cmap=scale.cmap,
-                                 norm=scale.norm)
-        for band in bands.collections:
-            band.set(edgecolor="face", linewidth=0.2, rasterized=True)
+        axes.tricontourf(*triangles(points, faces, pressure), levels, cmap=scale.cmap,
+                         norm=scale.norm)
         figure.colorbar(scale, ax=axes, orientation="horizontal", aspect=18,
                         ticks=MaxNLocator(4), label="pressure [MPa]")
+    for painted in axes.collections:
+        painted.set(edgecolor="face", linewidth=0.2, rasterized=True)
     axes.set_aspect("equal")
 
 
