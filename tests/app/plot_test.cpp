@@ -30,6 +30,15 @@ protected:
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
 
+  /// A quarter ball of 80 elements at 0, 100 and 200 s.
+  void make_ball(const std::string& name, const std::string& step) const {
+    const Outcome outcome = gnomon(
+        {"run", GNOMON_SOURCE_DIR "/problems/ball_on_flat/finite_deformation.toml", "--set",
+         "mesh.elements=[4,1,1]", "--set", "integrator.step=" + step, "--set", "time.end=200",
+         "--set", "output.times=[100]", "--integrator", "backward-euler", "--quiet", "-o", name});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+
   /// A bitmap that is not blank, and a drawing whose ids are its own.
   void expect_figure(const std::string& stem) const {
     const std::string png = test::read_text(folder() / (stem + ".png"));
@@ -72,6 +81,25 @@ TEST_F(Plot, DrawsAResult) {
   for (const char* kind : {"shape", "pressure", "history", "mesh", "wear"})
     expect_figure(std::string("figures/a b-") + kind);
   EXPECT_THAT(outcome.out, HasSubstr("pressure-map: skipped"));
+}
+
+TEST_F(Plot, DrawsBodiesInSpaceAndTwoResultsBesideEachOther) {
+  make_ball("two steps.h5", "100.0");
+  make_ball("four.h5", "50.0");
+  const Outcome outcome = gnomon({"plot", "two steps.h5", "four.h5"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  for (const char* kind : {"pressure", "history", "mesh", "wear", "pressure-map"})
+    for (const char* name : {"two steps-", "four-"})
+      expect_figure(std::string("figures/") + name + kind);
+  EXPECT_THAT(outcome.out, HasSubstr("four-shape: skipped"));
+  expect_figure("figures/two steps-four-pressure");
+}
+
+TEST_F(Plot, GeometryInSpace) {
+  const std::string tests = GNOMON_SOURCE_DIR "/tests/app/check_space.py";
+  const std::string tools = GNOMON_SOURCE_DIR "/tools/plot";
+  EXPECT_EQ(std::system(("/usr/bin/python3 '" + tests + "' '" + tools + "'").c_str()), 0);
 }
 
 TEST_F(Plot, DrawsAStudyAndASpectrum) {

@@ -1,9 +1,10 @@
-"""Curves on the contact surface: all of it in 2D; in space its cuts along the sliding direction x and
-across it."""
+"""Curves on the contact surface: all of it in 2D; in space its cuts along the sliding direction x
+and across it."""
 
 import numpy
 
 from . import space
+from .complaints import Unsuitable
 
 
 class Curve:
@@ -33,13 +34,15 @@ def edges_of(faces):
 
 
 def cut(table, edges, across, axis):
-    """Where the current surface meets the plane `across` = 0: its nodes in the plane, and between the
-    nodes of its edges that pass through it."""
+    """Where the current surface meets the plane `across` = 0: its nodes in the plane, and between
+    the nodes of its edges that pass through it."""
     distance = table[across].copy()
     distance[numpy.abs(distance) <= 1e-9 * numpy.ptp(distance)] = 0
     within = numpy.flatnonzero(distance == 0)
     first, second = edges[distance[edges].prod(axis=1) < 0].T
     first, second = numpy.append(within, first), numpy.append(within, second)
+    if not len(first):
+        raise Unsuitable(f"the contact surface does not meet {across} = 0")
     span = distance[first] - distance[second]
     weight = distance[first] / numpy.where(span == 0, 1, span)
     order = numpy.argsort((1 - weight) * table[axis][first] + weight * table[axis][second])

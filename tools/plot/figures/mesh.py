@@ -1,8 +1,8 @@
-"""The worn mesh and, below, the equivalent stress in the deformed body (figs. 1, 3; in space figs. 7,
-9, 12, 14, seen obliquely)."""
+"""The worn mesh and, below, the equivalent stress in the deformed body (figs. 1, 3; in space, seen
+obliquely, figs. 7, 9, 12, 14)."""
 
-import matplotlib
 import numpy
+from matplotlib.cm import ScalarMappable
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
 
@@ -55,7 +55,7 @@ def draw_state(figure, column, view, result, step):
     add_mesh(column[0], corners, shaded(numpy.ones((len(corners), 4)), light))
     corners, cells, light = view.polygons(worn + result.field(step, "displacement"))
     stress = result.field(step, "equivalent_stress")[cells]
-    scale = matplotlib.cm.ScalarMappable(Normalize(0, stress.max()), style.STRESS_MAP)
+    scale = ScalarMappable(Normalize(0, stress.max()), style.STRESS_MAP)
     add_mesh(column[1], corners, shaded(scale.to_rgba(stress), light))
     figure.colorbar(scale, ax=list(column), orientation="horizontal", aspect=18,
                     label="equivalent stress [MPa]")
@@ -83,8 +83,8 @@ def finish_plane(panels):
 
 
 def finish_space(panels, view):
-    """Instead of scales, which a projection has not: the axes, with arms of a known length, in a strip
-    below the bodies."""
+    """Instead of scales, which a projection has not: the axes, with arms of a known length, in a
+    strip below the bodies."""
     for axes in panels.flat:
         axes.set(xticks=[], yticks=[])
         axes.spines[:].set_visible(False)

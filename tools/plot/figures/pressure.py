@@ -1,5 +1,5 @@
-"""Contact pressure: profiles at stored times (in space along and across, figs. 11, 15), and those of two
-results beside each other (fig. 11)."""
+"""Contact pressure: profiles at stored times, in space along and across the sliding direction
+(figs. 11, 15), and those of two results in one figure (fig. 11)."""
 
 import numpy
 from matplotlib.lines import Line2D
@@ -30,9 +30,11 @@ def draw(result):
 
 def draw_two(first, second):
     """At the times that both have stored: colour is time, dashes are the second result."""
+    if first.attribute("problem") != second.attribute("problem"):
+        raise Unsuitable("the results are of different problems")
     pairs = [(i, j) for i in first.some_steps(MOST_TIMES) for j, t in enumerate(second.times)
              if numpy.isclose(first.times[i], t, rtol=1e-9)]
-    if not pairs or first.dim != second.dim:
+    if not pairs:
         raise Unsuitable("the results share no time after the start")
     lines, others = curves.of(first), curves.of(second)
     figure, panels = panels_for(lines)
@@ -73,7 +75,8 @@ def profile(axes, line, table, **look):
 
 
 def frame(axes, tables, axis):
-    """What was ever in contact, down to the first node that is not, and a margin within the surface."""
+    """What was ever in contact, down to the first node that is not, and a margin; no more than the
+    surface."""
     seen = numpy.concatenate([table[axis][with_neighbours(table["pressure"] > 0)]
                               for table in tables])
     whole = numpy.concatenate([table[axis] for table in tables])
@@ -95,6 +98,6 @@ def limit(axes, tables):
     later = max((table["pressure"].max() for _, *rest in tables for table in rest), default=0)
     if 0 < 4 * later < start:
         axes.set_ylim(0, 1.15 * later)
-        return f" (up to {start:.3g} MPa)"
+        return f" (up to {style.number(start)} MPa)"
     axes.set_ylim(bottom=0)
     return ""

@@ -30,13 +30,14 @@ def contact_faces(result):
 
 
 def is_half(result):
-    """Whether the body ends at y = 0 and does not leave this plane: half of a symmetric one."""
+    """Whether the body begins at y = 0 and does not leave this plane: half of a symmetric one."""
     y = result.points[:, 1]
-    plane = y <= 1e-9 * numpy.ptp(y)
+    tolerance = 1e-9 * numpy.ptp(y)
+    if abs(y.min()) > tolerance:
+        return False
     last = len(result.times) - 1
-    moved = sum(numpy.abs(result.field(last, name)[plane, 1]).max(initial=0)
-                for name in ("shape", "displacement"))
-    return y.min() >= -1e-9 * numpy.ptp(y) and moved <= 1e-9 * numpy.ptp(y)
+    return all(numpy.abs(result.field(last, name)[y <= tolerance, 1]).max() <= tolerance
+               for name in ("shape", "displacement"))
 
 
 def normals(corners):
@@ -45,8 +46,8 @@ def normals(corners):
 
 
 class View:
-    """A parallel projection: x to the right, z up; the plane y = 0 in front, the contact surface seen
-    from where it faces, above or below."""
+    """A parallel projection: x to the right, z up; the plane y = 0 in front, the contact surface
+    seen from where it faces, above or below."""
 
     def __init__(self, result):
         self.faces, self.owners = boundary_faces(result.cells)

@@ -2,7 +2,9 @@
 (figs. 8, 10, 13). Grey where there is no contact; a half is completed by its mirror image."""
 
 import numpy
+from matplotlib.cm import ScalarMappable
 from matplotlib.collections import PolyCollection
+from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
 from matplotlib.tri import Triangulation
 
@@ -27,9 +29,10 @@ def draw(result):
         paint(figure, axes, points, quads, pressure)
         axes.set_title(f"$t$ = {style.number(result.times[step])} s")
         axes.set_xlabel(f"${NAMES[across[0]]}$ [mm]")
+    panels[0].xaxis.set_major_locator(MaxNLocator(4))
     panels[0].set_ylabel(f"${NAMES[across[1]]}$ [mm]")
     ratio = frame(panels[0], maps)
-    panel = (style.DOUBLE - 0.4) / len(steps) - 0.15
+    panel = (style.DOUBLE - 0.4) / len(steps) - 0.03
     figure.set_figheight(min(panel * ratio, style.DOUBLE) + 1.15)
     return figure
 
@@ -53,16 +56,17 @@ def map_of(table, faces, across, mirrored):
 
 
 def paint(figure, axes, points, faces, pressure):
-    axes.add_collection(PolyCollection(points[faces], color=style.BAND, linewidth=0.2,
-                                       rasterized=True))
+    axes.add_collection(PolyCollection(points[faces], color=style.BAND))
     if pressure.max() > 0:
         levels = numpy.linspace(0, pressure.max(), LEVELS + 1)
         levels[0] = 1e-6 * pressure.max()
-        bands = axes.tricontourf(*triangles(points, faces, pressure), levels, cmap=style.STRESS_MAP)
-        for band in bands.collections:
-            band.set(edgecolor="face", linewidth=0.2, rasterized=True)
-        figure.colorbar(bands, ax=axes, orientation="horizontal", aspect=18, drawedges=False,
+        scale = ScalarMappable(Normalize(0, pressure.max()), style.STRESS_MAP)
+        axes.tricontourf(*triangles(points, faces, pressure), levels, cmap=scale.cmap,
+                         norm=scale.norm)
+        figure.colorbar(scale, ax=axes, orientation="horizontal", aspect=18,
                         ticks=MaxNLocator(4), label="pressure [MPa]")
+    for painted in axes.collections:
+        painted.set(edgecolor="face", linewidth=0.2, rasterized=True)
     axes.set_aspect("equal")
 
 
