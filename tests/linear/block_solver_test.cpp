@@ -137,14 +137,6 @@ TEST(BlockSolver, RefusesASystemWithoutBlocks) {
   EXPECT_THROW(BlockPreconditioner{Structure{}}, InputError);
 }
 
-#ifdef GNOMON_MULTIGRID
-TEST(BlockSolver, MultigridCountsHardlyGrowWithTheMesh) {
-  const long coarse = block_problem(6, 5, Preconditioner::multigrid).iterations();
-  const long fine = block_problem(12, 5, Preconditioner::multigrid).iterations();
-  EXPECT_LE(fine, 2 * coarse);
-}
-#endif
-
 /// Chooses for a system that is not const; scenes do it by a key.
 void choose_block(const System& system) {
   const_cast<Structure&>(system.structure()).solver.method = LinearSolverChoice::Method::block;
