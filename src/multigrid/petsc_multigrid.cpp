@@ -24,6 +24,7 @@ void initialize_petsc() {
   // One process talks to nobody: without these OpenMPI looks for networks, slowly and aloud.
   setenv("OMPI_MCA_btl", "self", 0);
   setenv("OMPI_MCA_pml", "ob1", 0);
+  setenv("OMPI_MCA_opal_signal", "", 0);  // signals stay the program's
   check(PetscOptionsSetValue(nullptr, "-no_signal_handler", "true"));
   check(PetscOptionsSetValue(nullptr, "-skip_petscrc", "true"));
   check(PetscInitializeNoArguments());
@@ -130,7 +131,7 @@ void PetscMultigrid::build_pattern(const StiffnessLayout& layout) {
 
 void PetscMultigrid::make_preconditioner(const StiffnessLayout& layout) {
   for (const auto& [option, value] : {std::pair{"-gnomon_mg_levels_ksp_type", "chebyshev"},
-                                      {"-gnomon_mg_levels_pc_type", "pbjacobi"},
+                                      {"-gnomon_mg_levels_pc_type", "sor"},
                                       {"-gnomon_mg_levels_ksp_max_it", "2"}})
     check(PetscOptionsSetValue(nullptr, option, value));
   check(PCCreate(PETSC_COMM_SELF, &multigrid_));
@@ -150,6 +151,16 @@ void PetscMultigrid::make_preconditioner(const StiffnessLayout& layout) {
   check(VecRestoreArray(coordinates, &place));
   MatNullSpace modes = nullptr;
   check(MatNullSpaceCreateRigidBody(coordinates, &modes));
+  // Held values do not take part in a mode.
+  PetscInt count = 0;
+  const Vec* vectors = nullptr;
+  check(MatNullSpaceGetVecs(modes, nullptr, &count, &vectors));
+  for (PetscInt k = 0; k < count; ++k) {
+    check(VecGetArray(vectors[k], &place));
+    for (std::size_t i = 0; i < nodes_.held.size(); ++i)
+      if (nodes_.held[i]) place[i] = 0;
+    check(VecRestoreArray(vectors[k], &place));
+  }
   check(MatSetNearNullSpace(matrix_, modes));
   check(MatNullSpaceDestroy(&modes));
   check(VecDestroy(&coordinates));
