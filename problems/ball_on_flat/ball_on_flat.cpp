@@ -30,7 +30,7 @@ std::vector<Key> keys() {
       {.name = "mesh.elements",
        .kind = KeyKind::integers,
        .presence = Key::Presence::defaulted,
-       .default_value = std::vector<long>{26, 5, 5},
+       .default_value = std::vector<long>{20, 6, 9},
        .range = {.min = 1, .max = 500},
        .length = 3,
        .help = "elements from the pole to the edge of the bottom patch, on to the mid-plane, and "
@@ -38,7 +38,7 @@ std::vector<Key> keys() {
       {.name = "mesh.patch",
        .unit = "mm",
        .presence = Key::Presence::defaulted,
-       .default_value = 3.25,
+       .default_value = 2.5,
        .range = positive,
        .help = "arc from the pole to the edge of the bottom patch of equal elements"},
       {.name = "contact.radius",
