@@ -35,6 +35,15 @@ void print_summary(const RunOutcome& outcome, const RunOptions& options) {
              sidecar_of(options.result).string());
 }
 
+/// A run that oscillates finishes like any other; its numbers are worthless.
+void warn_of_flicker(const RunOutcome& outcome) {
+  if (outcome.flickering_nodes == 0) return;
+  fmt::print(stderr,
+             "gnomon: warning: {} contact nodes left contact twice or more: the solution "
+             "oscillates; take shorter steps (gnomon stability: the longest of explicit methods)\n",
+             outcome.flickering_nodes);
+}
+
 int exit_code(const RunOutcome& outcome) {
   switch (outcome.status) {
     case RunOutcome::Status::finished:
@@ -93,6 +102,7 @@ int run_command(const RunOptions& given) {
   if (outcome.status == RunOutcome::Status::failed)
     throw SolutionError(failure_message(outcome, options, earlier));
   if (!options.quiet && options.summary != "-") print_summary(outcome, options);
+  if (!options.quiet) warn_of_flicker(outcome);
   return exit_code(outcome);
 }
 
