@@ -17,8 +17,10 @@ public:
   /// Equilibrium at the initial shape by a load ramp (rows 1-2 of the system, shape frozen). The
   /// SolutionError names the fraction of the load that was in equilibrium.
   State start(Counters& counters) const override;
-  /// contact_nodes, contact_force, max_pressure, contact_half_width (2D), worn_volume, wear_flux,
-  /// element_quality.
+  /// contact_nodes, contact_force (the integral of the pressure), max_pressure, worn_volume,
+  /// wear_flux, element_quality, approach (w, where the counter-body moves), contact_half_width
+  /// (2D). Forces and volumes are those of the whole body, of which symmetry may leave a part to be
+  /// modelled.
   std::vector<Scalar> observe(const State& state) const override;
   double differential_scale() const override { return system_.body().scales.wear_depth; }
   std::optional<Grid> grid() const override;

@@ -50,7 +50,7 @@ std::vector<Key> keys() {
        .default_value = 1.2,
        .range = {.min = 1, .max = 3, .min_open = true},
        .help = "largest ratio of neighbouring elements away from the punch"}};
-  result.insert(result.end(), worn_body_keys().begin(), worn_body_keys().end());
+  result.insert(result.end(), worn_body_keys(2).begin(), worn_body_keys(2).end());
   return result;
 }
 
@@ -137,6 +137,7 @@ std::unique_ptr<Model> make(const Scene& scene) {
   body->load = uniform_load(body->mesh, "top", Vector<2>(0, -scene.real("load.force")));
   body->scales = make_scales(scene);
   read_worn_body(scene, 2 * a / double(scene.integer("mesh.punch_elements")), *body);
+  body->contact.counter_body.velocity = Vector<2>(scene.real("wear.velocity"), 0);
   return std::make_unique<WearModel<2>>(std::move(body));
 }
 

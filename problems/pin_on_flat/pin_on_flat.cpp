@@ -47,7 +47,7 @@ std::vector<Key> keys() {
        .choices = {"sliding", "held"},
        .help = "shape of the left and right side: sliding along it, so that the end nodes of the "
                "contact surface wear, or held"}};
-  result.insert(result.end(), worn_body_keys().begin(), worn_body_keys().end());
+  result.insert(result.end(), worn_body_keys(2).begin(), worn_body_keys(2).end());
   return result;
 }
 
@@ -103,6 +103,7 @@ std::unique_ptr<Model> make(const Scene& scene) {
   body->load = uniform_load(body->mesh, "top", Vector<2>(0, -scene.real("load.force")));
   body->scales = make_scales(scene);
   read_worn_body(scene, scene.real("pin.width") / static_cast<double>(surface.size()), *body);
+  body->contact.counter_body.velocity = Vector<2>(scene.real("wear.velocity"), 0);
   return std::make_unique<WearModel<2>>(std::move(body));
 }
 

@@ -187,7 +187,7 @@ std::vector<Key> keys() {
        .default_value = 401L,
        .range = {.min = 3, .max = 1000000},
        .help = "number of springs over the width, both ends included"}};
-  for (const Key& key : worn_body_keys())
+  for (const Key& key : worn_body_keys(2))
     if (key.name == "load.force" || key.name == "wear.coefficient" || key.name == "wear.velocity")
       result.push_back(key);
   return result;

@@ -7,7 +7,7 @@ NodalState<dim> NodalState<dim>::zero(const WornBody<dim>& body) {
   const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
   const auto contact = static_cast<Eigen::Index>(body.contact_nodes.size());
   return {NodalField<dim>::Zero(nodes, dim), NodalField<dim>::Zero(nodes, dim),
-          Eigen::VectorXd::Zero(contact), NodalField<dim>::Zero(contact, dim)};
+          Eigen::VectorXd::Zero(contact), NodalField<dim>::Zero(contact, dim), 0};
 }
 
 template <int dim>
@@ -32,12 +32,15 @@ Unknowns<dim>::Unknowns(const WornBody<dim>& body, const Selection& selection) {
     for (int i = 0; i < dim; ++i)
       if (selection.deformation && !body.displacement_fixed(node, i)) u_(node, i) = number(node);
     for (int i = 0; i < dim; ++i)
-      if (shape && !body.shape_fixed(node, i)) d_(node, i) = number(node);
+      if (shape && !body.shape_fixed(node, i) && body.shape_node(node) == node)
+        d_(node, i) = number(node);
     if (c >= 0 && selection.deformation) lambda_[c] = number(node);
     for (int i = 0; i < dim; ++i)
       if (multiplier && !body.shape_fixed(node, i)) mu_(c, i) = number(node);
     for (int i = 0; i < dim; ++i) auxiliary_row_(node, i) = c < 0 ? d_(node, i) : mu_(c, i);
   }
+  for (int node = 0; node < nodes; ++node) d_.row(node) = d_.row(body.shape_node(node)).eval();
+  if (selection.deformation && body.counter_force) w_ = number(nodes);
 }
 
 namespace {
@@ -62,6 +65,7 @@ void Unknowns<dim>::scatter(std::span<const double> y, NodalState<dim>& state) c
   copy_in(d_, y, state.d);
   copy_in(lambda_, y, state.lambda);
   copy_in(mu_, y, state.mu);
+  if (w_ >= 0) state.w = y[w_];
 }
 
 template <int dim>
@@ -70,6 +74,7 @@ void Unknowns<dim>::gather(const NodalState<dim>& state, std::span<double> y) co
   copy_out(d_, state.d, y);
   copy_out(lambda_, state.lambda, y);
   copy_out(mu_, state.mu, y);
+  if (w_ >= 0) y[w_] = state.w;
 }
 
 template struct NodalState<2>;

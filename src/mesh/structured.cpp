@@ -1,20 +1,6 @@
-#include <algorithm>
-#include <gnomon/mesh.hpp>
+#include <gnomon/mesh/extrusion.hpp>
 
 namespace gnomon {
-
-template <int dim>
-std::vector<int> Mesh<dim>::boundary_nodes(const std::string& name) const {
-  std::vector<int> result;
-  for (const Facet& facet : boundary.at(name))
-    result.insert(result.end(), facet.begin(), facet.end());
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
-
-template std::vector<int> Mesh<2>::boundary_nodes(const std::string&) const;
-template std::vector<int> Mesh<3>::boundary_nodes(const std::string&) const;
 
 Mesh<2> structured_quadrilaterals(int nx, int ny,
                                   const std::function<Vector<2>(double s, double t)>& place) {
@@ -33,6 +19,26 @@ Mesh<2> structured_quadrilaterals(int nx, int ny,
     mesh.boundary["left"].push_back({node(0, j + 1), node(0, j)});
     mesh.boundary["right"].push_back({node(nx, j), node(nx, j + 1)});
   }
+  return mesh;
+}
+
+Mesh<3> structured_hexahedra(int nx, int ny, int nz,
+                             const std::function<Vector<3>(double r, double s, double t)>& place) {
+  const Mesh<2> section =
+      structured_quadrilaterals(ny, nz, [](double s, double t) { return Vector<2>(s, t); });
+  std::vector<double> stations(nx + 1);
+  for (int i = 0; i <= nx; ++i) stations[i] = double(i) / nx;
+  Mesh<3> mesh = extrude(section, stations).mesh;
+  for (Vector<3>& X : mesh.nodes) X = place(X[0], X[1], X[2]);
+  const auto rename = [&mesh](const char* from, const char* to) {
+    auto part = mesh.boundary.extract(from);
+    part.key() = to;
+    mesh.boundary.insert(std::move(part));
+  };
+  rename("left", "front");
+  rename("right", "back");
+  rename("begin", "left");
+  rename("end", "right");
   return mesh;
 }
 

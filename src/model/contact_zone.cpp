@@ -44,8 +44,8 @@ double contact_half_width(const WearSystem<2>& system, const NodalState<2>& stat
     const int node = body.contact_nodes[c].node;
     const Vector<2> x = body.mesh.nodes[node] + (state.d.row(node) + state.u.row(node)).transpose();
     const ContactNode<2> contact = system.contact().node(state, c);
-    points.push_back({along.dot(x), -contact.traction, body.contact.counter_body.gap(x),
-                      contact.active && contact.traction < 0});
+    points.push_back(
+        {along.dot(x), -contact.traction, contact.gap, contact.active && contact.traction < 0});
     if (!points.back().active) continue;
     if (first < 0) first = c;
     last = c;

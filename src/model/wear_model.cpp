@@ -21,6 +21,7 @@ std::vector<BlockSize> WearModel<dim>::blocks() const {
       {"shape", "d", count(unknowns.d()) - worn, "nodes off the contact surface"},
       {"worn_surface", "d", worn, "contact nodes (differential)"},
       {"contact_multiplier", "lambda", count(unknowns.lambda()), "contact nodes"}};
+  if (unknowns.w() >= 0) blocks.push_back({"rigid_motion", "w", 1, "counter-body"});
   if (system_.body().constraint == ConstraintForm::multiplier)
     blocks.push_back({"shape_multiplier", "mu", count(unknowns.mu()), "contact nodes"});
   return blocks;
@@ -34,8 +35,8 @@ std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
   long active = 0;
   for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c) {
     const ContactNode<dim> node = system_.contact().node(nodal, c, state.own_piece());
-    force -= node.area * node.traction;
-    flux += node.area * node.wear_rate;
+    force -= body.copies * node.area * node.traction;
+    flux += body.copies * node.area * node.wear_rate;
     pressure = std::max(pressure, -node.traction);
     active += node.active;
   }
@@ -52,10 +53,13 @@ std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
   // Per unit thickness in 2D.
   const std::string force_unit = dim == 2 ? "N/mm" : "N";
   const std::string volume_unit = dim == 2 ? "mm^2" : "mm^3";
-  std::vector<Scalar> scalars = {
-      {"contact_nodes", "", double(active)},   {"contact_force", force_unit, force},
-      {"max_pressure", "MPa", pressure},       {"worn_volume", volume_unit, worn},
-      {"wear_flux", volume_unit + "/s", flux}, {"element_quality", "", quality}};
+  std::vector<Scalar> scalars = {{"contact_nodes", "", double(active)},
+                                 {"contact_force", force_unit, force},
+                                 {"max_pressure", "MPa", pressure},
+                                 {"worn_volume", volume_unit, body.copies * body.repeat * worn},
+                                 {"wear_flux", volume_unit + "/s", flux},
+                                 {"element_quality", "", quality}};
+  if (body.counter_force) scalars.push_back({"approach", "mm", nodal.w});
   if constexpr (dim == 2)
     scalars.push_back({"contact_half_width", "mm", contact_half_width(system_, nodal)});
   return scalars;

@@ -21,17 +21,24 @@ constexpr int max_iterations = 15;
 /// Of equilibria on the way to the whole load.
 constexpr double rough_tolerance = 1e-3;
 
-/// Moves the free body along the normal until its nearest point touches, so that the first matrix
-/// is not singular.
+/// Brings body and counter-body together until the nearest point touches, so that the first matrix
+/// is not singular: the counter-body if it is free to move, else the body.
 template <int dim>
 void close_initial_gap(const WornBody<dim>& body, NodalState<dim>& state) {
-  const RigidPlane<dim>& plane = body.contact.counter_body;
+  const CounterBody<dim>& other = body.contact.counter_body;
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& patch : body.contact_nodes)
-    least = std::min(least, plane.gap(body.mesh.nodes[patch.node]));
+  Vector<dim> normal = other.normal;
+  for (const auto& patch : body.contact_nodes) {
+    const auto seen = other.template project<double>(body.mesh.nodes[patch.node]);
+    if (seen.gap < least) least = seen.gap, normal = seen.normal;
+  }
+  if (body.counter_force) {
+    state.w = least / normal.dot(other.approach);
+    return;
+  }
   for (Eigen::Index node = 0; node < state.u.rows(); ++node)
     for (int i = 0; i < dim; ++i)
-      if (!body.displacement_fixed(node, i)) state.u(node, i) = -least * plane.normal[i];
+      if (!body.displacement_fixed(node, i)) state.u(node, i) = -least * normal[i];
 }
 
 /// As in a scene.

@@ -13,8 +13,11 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   body.element = element == "plain"   ? ElementKind::plain
                  : element == "f-bar" ? ElementKind::f_bar
                                       : ElementKind::f_bar_variational;
-  body.contact.wear.rate_per_pressure =
-      scene.real("wear.coefficient") * scene.real("wear.velocity");
+  body.contact.wear.coefficient = scene.real("wear.coefficient");
+  if constexpr (dim == 3) {  // eq. (13): wear by the frictional dissipation
+    body.contact.friction = scene.real("friction.coefficient");
+    body.contact.wear.coefficient *= body.contact.friction;
+  }
   body.contact.rho =
       scene.real("contact.regularization") * regularization_unit(young, facet, body.scales);
   body.contact.normal_rule =

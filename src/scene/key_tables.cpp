@@ -104,18 +104,27 @@ std::vector<Key> make_run_keys() {
   return keys;
 }
 
-std::vector<Key> load_and_wear_keys() {
+Key friction_key() {
+  return {.name = "friction.coefficient",
+          .presence = required,
+          .range = non_negative,
+          .help = "Coulomb's coefficient of friction, eq. (10)"};
+}
+
+std::vector<Key> load_and_wear_keys(int dim) {
   return {
       {.name = "load.force",
-       .unit = "N/mm",
+       .unit = dim == 2 ? "N/mm" : "N",
        .presence = required,
        .range = positive,
-       .help = "normal force F, a unit of thickness in 2D"},
+       .help =
+           dim == 2 ? "normal force F, a unit of thickness" : "normal force F, on the whole body"},
       {.name = "wear.coefficient",
        .unit = "1/MPa",
        .presence = required,
        .range = positive,
-       .help = "wear coefficient k of the rate k v |T_N|, sec. 4.1"},
+       .help = dim == 2 ? "wear coefficient k of the rate k v |T_N|, sec. 4.1"
+                        : "wear coefficient K by the frictional dissipation, eq. (13)"},
       {.name = "wear.velocity",
        .unit = "mm/s",
        .presence = required,
@@ -177,10 +186,11 @@ std::vector<Key> shape_keys() {
   };
 }
 
-std::vector<Key> make_worn_body_keys() {
+std::vector<Key> make_worn_body_keys(int dim) {
   std::vector<Key> keys;
-  for (const auto& part : {body_keys(), load_and_wear_keys(), shape_keys()})
+  for (const auto& part : {body_keys(), load_and_wear_keys(dim), shape_keys()})
     keys.insert(keys.end(), part.begin(), part.end());
+  if (dim == 3) keys.push_back(friction_key());
   keys.push_back(
       {.name = "contact.regularization",
        .presence = defaulted,
@@ -200,9 +210,9 @@ const std::vector<Key>& run_keys() {
   return keys;
 }
 
-const std::vector<Key>& worn_body_keys() {
-  static const std::vector<Key> keys = make_worn_body_keys();
-  return keys;
+const std::vector<Key>& worn_body_keys(int dim) {
+  static const std::vector<Key> plane = make_worn_body_keys(2), solid = make_worn_body_keys(3);
+  return dim == 2 ? plane : solid;
 }
 
 }  // namespace gnomon

@@ -11,8 +11,7 @@ WearSystem<dim>::WearSystem(std::shared_ptr<const WornBody<dim>> body, const Sel
       unknowns_(*body_, selection),
       solid_(body_->mesh, body_->material, body_->element, unknowns_.u(), unknowns_.u(),
              &unknowns_.d()),
-      mesh_motion_(body_->mesh, body_->auxiliary_material, ElementKind::plain,
-                   unknowns_.auxiliary_row(), unknowns_.d(), nullptr),
+      mesh_motion_(*body_, unknowns_),
       contact_(*body_, unknowns_),
       state_(NodalState<dim>::zero(*body_)) {
   build_structure();
@@ -64,6 +63,7 @@ void WearSystem<dim>::build_structure() {
   };
   for (int number : unknowns_.u().reshaped()) set(number, s.force, s.displacement);
   for (int number : unknowns_.lambda()) set(number, s.displacement, s.stress);
+  set(unknowns_.w(), s.force, s.displacement);
   for (std::size_t c = 0; c < body_->contact_nodes.size(); ++c) {
     const ContactPatch<dim>& patch = body_->contact_nodes[c];
     for (int i = 0; i < dim; ++i) {
@@ -96,7 +96,8 @@ void WearSystem<dim>::label_blocks() {
     for (int i = 0; i < dim; ++i)
       if (const int number = unknowns_.d()(patch.node, i); number >= 0)
         structure_.kind[number] = UnknownKind::worn_surface;
-  structure_.position.assign(body_->mesh.nodes.size(), {});
+  if (unknowns_.w() >= 0) structure_.kind[unknowns_.w()] = UnknownKind::rigid_motion;
+  structure_.position.assign(body_->mesh.nodes.size() + 1, {});  // the last: of w, nowhere
   for (std::size_t node = 0; node < body_->mesh.nodes.size(); ++node)
     std::copy_n(body_->mesh.nodes[node].begin(), dim, structure_.position[node].begin());
 }
@@ -116,8 +117,9 @@ void WearSystem<dim>::residual(const Point& at, std::span<double> F) const {
     for (Eigen::Index k = 0; k < unknowns_.u().size(); ++k)
       if (const int row = unknowns_.u().data()[k]; row >= 0)
         F[row] -= load_factor_ * body_->load.data()[k];
+    if (const int row = unknowns_.w(); row >= 0) F[row] -= load_factor_ * *body_->counter_force;
   }
-  if (selection_.interior_shape) mesh_motion_.add_residual(nullptr, state.d, F);
+  if (selection_.interior_shape) mesh_motion_.add_residual(state.d, F);
   contact_.add_residual(state, at.ydot, at.piece, F);
 }
 
@@ -126,19 +128,21 @@ void WearSystem<dim>::jacobian(const Point& at, double alpha, std::span<double> 
   const NodalState<dim>& state = nodal(at.y);
   std::fill(values.begin(), values.end(), 0.0);
   if (selection_.deformation) solid_.add_jacobian(&state.d, state.u, values);
-  if (selection_.interior_shape) mesh_motion_.add_jacobian(nullptr, state.d, values);
+  if (selection_.interior_shape) mesh_motion_.add_jacobian(state.d, values);
   contact_.add_jacobian(state, alpha, at.piece, values);
 }
 
 template <int dim>
 void WearSystem<dim>::switching(std::span<const double> y, std::span<double> values) const {
   const NodalState<dim>& state = nodal(y);
+  const CounterBody<dim>& counter_body = body_->contact.counter_body;
   for (std::size_t c = 0; c < values.size(); ++c) {
     const int node = body_->contact_nodes[c].node;
     const Vector<dim> x =
         body_->mesh.nodes[node] + (state.d.row(node) + state.u.row(node)).transpose();
     values[c] = state.lambda[static_cast<Eigen::Index>(c)] +
-                body_->contact.rho * body_->contact.counter_body.gap(x);
+                body_->contact.rho *
+                    counter_body.template project<double>(x - state.w * counter_body.approach).gap;
   }
 }
 
@@ -156,6 +160,7 @@ std::vector<Stage> WearSystem<dim>::make_stages() const {
     match(part->unknowns_.d(), unknowns_.d());
     match(part->unknowns_.lambda(), unknowns_.lambda());
     match(part->unknowns_.mu(), unknowns_.mu());
+    if (part->unknowns_.w() >= 0) stage.unknowns[part->unknowns_.w()] = unknowns_.w();
     stage.freeze = [this, part = part.get()](std::span<const double> y) { part->freeze(nodal(y)); };
     stage.system = std::move(part);
     return stage;

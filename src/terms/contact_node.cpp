@@ -1,35 +1,8 @@
-#include <algorithm>
-#include <gnomon/error.hpp>
 #include <gnomon/terms/contact_node.hpp>
-#include <map>
-#include <string>
 
 namespace gnomon {
 
 namespace {
-
-/// Position of `node` in the patch, appended when new.
-template <int dim>
-int place_in_patch(ContactPatch<dim>& patch, int node) {
-  const auto found = std::find(patch.nodes.begin(), patch.nodes.end(), node);
-  if (found != patch.nodes.end()) return static_cast<int>(found - patch.nodes.begin());
-  patch.nodes.push_back(node);
-  return static_cast<int>(patch.nodes.size()) - 1;
-}
-
-template <int dim>
-typename ContactPatch<dim>::Corner make_corner(ContactPatch<dim>& patch,
-                                               const typename Mesh<dim>::Facet& facet, int local) {
-  typename ContactPatch<dim>::Corner corner{};
-  const int count = static_cast<int>(facet.size());
-  corner.nodes[0] = place_in_patch(patch, facet[local]);
-  corner.nodes[1] = place_in_patch(patch, facet[(local + 1) % count]);
-  if constexpr (dim == 3)
-    corner.nodes[2] = place_in_patch(patch, facet[(local + count - 1) % count]);
-  for (int node : facet) place_in_patch(patch, node);
-  corner.sign = local == 0 ? 1 : -1;
-  return corner;
-}
 
 /// The skew matrix with skew(a) w = a x w.
 Tensor<3> skew(const Vector<3>& a) {
@@ -83,66 +56,94 @@ struct SurfaceDerivative {
   }
 };
 
-}  // namespace
-
+/// The traction per nominal area, tau = lambda_eff (n - friction s), and the sliding speed, as
+/// changes of the node's position as seen from the counter-body, of its relative velocity and of
+/// lambda_eff.
 template <int dim>
-std::vector<ContactPatch<dim>> contact_patches(
-    const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets) {
-  std::map<int, ContactPatch<dim>> by_node;
-  for (const auto& facet : facets)
-    for (std::size_t local = 0; local < facet.size(); ++local) {
-      ContactPatch<dim>& patch = by_node[facet[local]];
-      patch.node = facet[local];
-      patch.corners.push_back(make_corner<dim>(patch, facet, static_cast<int>(local)));
-    }
-  std::vector<ContactPatch<dim>> patches;
-  for (auto& [node, patch] : by_node) {
-    if (patch.corners.size() > max_patch_facets || patch.nodes.size() > max_patch_nodes)
-      throw Error("contact surface: more than " + std::to_string(max_patch_facets) +
-                  " facets meet at node " + std::to_string(node));
-    PatchNodal<dim> X(patch.nodes.size(), dim);
-    for (std::size_t p = 0; p < patch.nodes.size(); ++p)
-      X.row(static_cast<int>(p)) = mesh.nodes[patch.nodes[p]].transpose();
-    for (auto& corner : patch.corners) {
-      corner.initial_area = corner_area_vector<dim, double>(corner, X).norm();
-      patch.initial_area += corner.initial_area;
-    }
-    patches.push_back(std::move(patch));
+struct TractionDerivative {
+  Vector<dim> direction;    // tau / lambda_eff
+  Tensor<dim> by_position;  // at constant lambda_eff and velocity
+  Tensor<dim> by_velocity;  // at constant lambda_eff
+  Vector<dim> speed_by_position, speed_by_velocity;
+
+  TractionDerivative(const Vector<dim>& n, const Tensor<dim>& n_by_x, const Vector<dim>& relative,
+                     const Sliding<dim>& sliding, double friction, double traction) {
+    const Tensor<dim> tangential = Tensor<dim>::Identity() - n * n.transpose();
+    const Tensor<dim> v_by_x =
+        -(n.dot(relative) * Tensor<dim>::Identity() + n * relative.transpose()) * n_by_x;
+    const Vector<dim>& s = sliding.direction;
+    direction = n - friction * s;
+    speed_by_position = v_by_x.transpose() * s;
+    speed_by_velocity = tangential * s;
+    by_position = traction * n_by_x;
+    by_velocity.setZero();
+    if (friction == 0 || sliding.speed == 0) return;
+    const Tensor<dim> turn =
+        -friction * traction / sliding.speed * (Tensor<dim>::Identity() - s * s.transpose());
+    by_position += turn * v_by_x;
+    by_velocity = turn * tangential;
   }
-  return patches;
-}
+};
+
+}  // namespace
 
 template <int dim>
 ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parameters,
                                             const ContactPatch<dim>& patch,
-                                            const PatchNodal<dim>& X, const Vector<dim>& u,
-                                            double lambda, Branch branch) {
-  const NodalSurface<dim> surface(patch, X, parameters.normal_rule);
-  const SurfaceDerivative<dim> derivative(patch, X, parameters.normal_rule);
-  const Vector<dim>& n = parameters.counter_body.normal;
-  const Vector<dim> x = X.row(0).transpose() + u;
-  const UnilateralContact<double> contact(lambda, parameters.counter_body.gap(x), parameters.rho,
-                                          branch);
-  const double rate = parameters.wear.rate(contact.traction);
-  const double rate_by_traction = parameters.wear.rate_by_traction();
+                                            const ContactInput<dim>& at, Branch branch) {
+  const CounterBody<dim>& body = parameters.counter_body;
+  const NodalSurface<dim> surface(patch, at.X, parameters.normal_rule);
+  const SurfaceDerivative<dim> derivative(patch, at.X, parameters.normal_rule);
+  const Vector<dim> seen_x = (at.X.row(0) + at.u.row(0)).transpose() - at.w * body.approach;
+  const auto seen = body.project(seen_x);
+  const Vector<dim>& n = seen.normal;
+  const UnilateralContact<double> contact(at.lambda, seen.gap, parameters.rho, branch);
+  const PatchNodal<dim> x = at.X + at.u;
+  const Vector<dim> relative =
+      relative_velocity<dim, double>(patch, at.X, x, parameters.streaming, body.velocity);
+  const Sliding<dim> sliding(relative, n);
+  const TractionDerivative<dim> traction(n, body.normal_by_x(seen_x), relative, sliding,
+                                         parameters.friction, contact.traction);
+  const double rate = parameters.wear.rate(contact.traction, sliding.speed);
+  const double rate_by_traction = parameters.wear.rate(1.0, sliding.speed);
+  const double rate_by_speed = parameters.wear.rate(contact.traction, 1.0);
 
-  force_by_x = surface.area * contact.traction_by_gap * n * n.transpose();
-  force_by_lambda = surface.area * contact.traction_by_lambda * n;
+  // What depends on the node's own position, as seen from the counter-body.
+  const Tensor<dim> force_by_seen =
+      surface.area *
+      (contact.traction_by_gap * traction.direction * n.transpose() + traction.by_position);
+  const Vector<dim> rate_by_seen =
+      rate_by_traction * contact.traction_by_gap * n + rate_by_speed * traction.speed_by_position;
   constraint_by_x = contact.constraint_by_gap * n;
   constraint_by_lambda = contact.constraint_by_lambda;
-  velocity_by_x = -rate_by_traction * contact.traction_by_gap * surface.normal * n.transpose();
+  constraint_by_w = -constraint_by_x.dot(body.approach);
+  force_by_lambda = surface.area * contact.traction_by_lambda * traction.direction;
+  force_by_w = -force_by_seen * body.approach;
   velocity_by_lambda = -rate_by_traction * contact.traction_by_lambda * surface.normal;
+  velocity_by_w = surface.normal * rate_by_seen.dot(body.approach);
   for (std::size_t p = 0; p < patch.nodes.size(); ++p) {
-    force_by_X[p] = contact.traction * n * derivative.area[p].transpose();
+    force_by_x[p].setZero();
+    velocity_by_x[p].setZero();
+    force_by_X[p] = contact.traction * traction.direction * derivative.area[p].transpose();
     velocity_by_X[p] = -rate * derivative.normal[p];
+  }
+  force_by_x[0] = force_by_seen;
+  velocity_by_x[0] = -surface.normal * rate_by_seen.transpose();
+
+  if (parameters.streaming.isZero(0)) return;
+  const RelativeVelocityDerivative<dim> change(patch, at.X, x, parameters.streaming);
+  const Tensor<dim> force_by_v = surface.area * traction.by_velocity;
+  const Tensor<dim> velocity_by_v =
+      -rate_by_speed * surface.normal * traction.speed_by_velocity.transpose();
+  for (std::size_t p = 0; p < patch.nodes.size(); ++p) {
+    force_by_x[p] += force_by_v * change.by_x[p];
+    force_by_X[p] += force_by_v * change.by_X[p];
+    velocity_by_x[p] += velocity_by_v * change.by_x[p];
+    velocity_by_X[p] += velocity_by_v * change.by_X[p];
   }
 }
 
 template struct ContactNodeTangent<2>;
 template struct ContactNodeTangent<3>;
-template std::vector<ContactPatch<2>> contact_patches<2>(const Mesh<2>&,
-                                                         const std::vector<Mesh<2>::Facet>&);
-template std::vector<ContactPatch<3>> contact_patches<3>(const Mesh<3>&,
-                                                         const std::vector<Mesh<3>::Facet>&);
 
 }  // namespace gnomon

@@ -17,7 +17,7 @@ namespace {
 
 std::vector<Key> all_keys() {
   std::vector<Key> keys = run_keys();
-  keys.insert(keys.end(), worn_body_keys().begin(), worn_body_keys().end());
+  keys.insert(keys.end(), worn_body_keys(2).begin(), worn_body_keys(2).end());
   for (const std::string& problem : Problems::names())
     for (const Key& key : key_table(problem)) keys.push_back(key);
   return keys;

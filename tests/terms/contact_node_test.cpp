@@ -27,106 +27,178 @@ Mesh<dim> wavy_surface() {
   return mesh;
 }
 
+/// What the node meets: a frictionless plane that slides past (sec. 4.1), the same with friction
+/// (4.2), a ball past which the body streams (4.3).
+enum class Meets { plane, rough_plane, rough_ball };
+
+template <int dim>
+ContactParameters<dim> parameters_of(Meets meets, NormalRule rule) {
+  ContactParameters<dim> parameters;
+  parameters.rho = 3;
+  parameters.wear.coefficient = 0.01;
+  parameters.normal_rule = rule;
+  parameters.counter_body.velocity = 2 * Vector<dim>::Unit(0);
+  if (meets == Meets::plane) return parameters;
+  parameters.friction = 0.5;
+  parameters.counter_body.approach = Vector<dim>(Vector<dim>::LinSpaced(0.2, 1)).normalized();
+  if (meets == Meets::rough_plane) return parameters;
+  parameters.counter_body.radius = 4;
+  parameters.counter_body.point = -4.1 * Vector<dim>::Unit(dim - 1) + 0.3 * Vector<dim>::Unit(0);
+  parameters.counter_body.velocity.setZero();
+  parameters.streaming = Vector<dim>::LinSpaced(2, 0.3);
+  return parameters;
+}
+
 template <int dim>
 struct Fixture {
   static constexpr int centre = dim == 2 ? 1 : 4;
   Mesh<dim> mesh = wavy_surface<dim>();
   std::vector<ContactPatch<dim>> patches = contact_patches<dim>(mesh, mesh.boundary.at("contact"));
   const ContactPatch<dim>& patch = patches[centre];
+  int nodes = static_cast<int>(patch.nodes.size());
   ContactParameters<dim> parameters;
-  PatchNodal<dim> X;
-  Vector<dim> u = noise<Vector<dim>>(0.1, 4);
-  double lambda;
+  ContactInput<dim> at;
 
-  Fixture(bool active, NormalRule rule) : lambda(active ? -30 : 20) {
-    parameters.rho = 3;
-    parameters.wear.rate_per_pressure = 0.01;
-    parameters.normal_rule = rule;
-    X.resize(static_cast<int>(patch.nodes.size()), dim);
-    for (int p = 0; p < X.rows(); ++p)
-      X.row(p) =
+  Fixture(bool active, NormalRule rule, Meets meets)
+      : parameters(parameters_of<dim>(meets, rule)),
+        at{PatchNodal<dim>(nodes, dim), PatchNodal<dim>(nodes, dim), active ? -30.0 : 20.0, 0.07} {
+    for (int p = 0; p < nodes; ++p) {
+      at.X.row(p) =
           mesh.nodes[patch.nodes[p]].transpose() + noise<Vector<dim>>(0.05, 10 + p).transpose();
+      at.u.row(p) = noise<Vector<dim>>(0.1, 40 + p).transpose();
+    }
+  }
+
+  /// The tangent as matrices whose columns are X, u of the patch, lambda, w.
+  struct Matrices {
+    Eigen::MatrixXd force, velocity, constraint;
+  };
+  Matrices tangent() const {
+    const ContactNodeTangent<dim> t(parameters, patch, at);
+    const int size = 2 * dim * nodes + 2;
+    Matrices m{Eigen::MatrixXd::Zero(dim, size), Eigen::MatrixXd::Zero(dim, size),
+               Eigen::MatrixXd::Zero(1, size)};
+    for (int p = 0; p < nodes; ++p) {
+      const int X = dim * p, u = dim * (nodes + p);
+      m.force.middleCols(X, dim) = t.force_by_X[p] + t.force_by_x[p];
+      m.force.middleCols(u, dim) = t.force_by_x[p];
+      m.velocity.middleCols(X, dim) = t.velocity_by_X[p] + t.velocity_by_x[p];
+      m.velocity.middleCols(u, dim) = t.velocity_by_x[p];
+    }
+    for (int own : {0, dim * nodes})
+      m.constraint.middleCols(own, dim) = t.constraint_by_x.transpose();
+    m.force.col(size - 2) = t.force_by_lambda, m.force.col(size - 1) = t.force_by_w;
+    m.velocity.col(size - 2) = t.velocity_by_lambda, m.velocity.col(size - 1) = t.velocity_by_w;
+    m.constraint(0, size - 2) = t.constraint_by_lambda;
+    m.constraint(0, size - 1) = t.constraint_by_w;
+    return m;
   }
 };
 
 template <int dim>
-void check_tangent(bool active, NormalRule rule) {
-  const Fixture<dim> f(active, rule);
-  const int nodes = static_cast<int>(f.X.rows()), total = dim * nodes + dim + 1;
-  const PatchNodal<dim, Dual> X = independent(f.X, 0, total);
-  const Vector<dim, Dual> u = independent(f.u, dim * nodes, total);
-  const Dual lambda(f.lambda, total, total - 1);
-  const ContactNode<dim, Dual> node(f.parameters, f.patch, X, u, lambda);
+void check_tangent(bool active, NormalRule rule, Meets meets) {
+  SCOPED_TRACE(dim * 100 + int(meets) * 10 + int(active));
+  const Fixture<dim> f(active, rule, meets);
+  const int total = 2 * dim * f.nodes + 2;
+  const ContactNode<dim, Dual> node(
+      f.parameters, f.patch,
+      {independent(f.at.X, 0, total), independent(f.at.u, dim * f.nodes, total),
+       Dual(f.at.lambda, total, total - 2), Dual(f.at.w, total, total - 1)});
   ASSERT_EQ(node.active, active);
-
-  const ContactNodeTangent<dim> tangent(f.parameters, f.patch, f.X, f.u, f.lambda);
-  Eigen::MatrixXd force = Eigen::MatrixXd::Zero(dim, total), velocity = force;
-  Eigen::MatrixXd constraint = Eigen::MatrixXd::Zero(1, total);
-  for (int p = 0; p < nodes; ++p) {
-    force.block<dim, dim>(0, dim * p) = tangent.force_by_X[p];
-    velocity.block<dim, dim>(0, dim * p) = tangent.velocity_by_X[p];
-  }
-  for (int column : {0, dim * nodes}) {  // the node's own X, and u
-    force.block<dim, dim>(0, column) += tangent.force_by_x;
-    velocity.block<dim, dim>(0, column) += tangent.velocity_by_x;
-    constraint.block<1, dim>(0, column) += tangent.constraint_by_x.transpose();
-  }
-  force.col(total - 1) = tangent.force_by_lambda;
-  velocity.col(total - 1) = tangent.velocity_by_lambda;
-  constraint(0, total - 1) = tangent.constraint_by_lambda;
-
+  const auto m = f.tangent();
   const auto row = [&](const Dual& value) {
     Eigen::Matrix<Dual, 1, 1> single;
     single(0, 0) = value;
     return derivative_matrix(single, total);
   };
-  expect_same_matrix(constraint, row(node.constraint), 1e-13);
+  expect_same_matrix(m.constraint, row(node.constraint), 1e-13);
   if (active) {
-    expect_same_matrix(force, derivative_matrix(node.force, total), 1e-12);
-    expect_same_matrix(velocity, derivative_matrix(node.velocity, total), 1e-12);
+    expect_same_matrix(m.force, derivative_matrix(node.force, total), 1e-12);
+    expect_same_matrix(m.velocity, derivative_matrix(node.velocity, total), 1e-12);
   } else {  // an open node exerts nothing and wears nothing, in every direction
-    EXPECT_EQ(force.norm(), 0);
-    EXPECT_EQ(velocity.norm(), 0);
+    EXPECT_EQ(m.force.norm(), 0);
+    EXPECT_EQ(m.velocity.norm(), 0);
     EXPECT_EQ(node.force.norm(), Dual(0));
   }
 }
 
 TEST(ContactNode, TangentEqualsAutomaticDifferentiation) {
   for (bool active : {true, false})
-    for (NormalRule rule : {NormalRule::averaged, NormalRule::normalised}) {
-      check_tangent<2>(active, rule);
-      check_tangent<3>(active, rule);
-    }
+    for (NormalRule rule : {NormalRule::averaged, NormalRule::normalised})
+      for (Meets meets : {Meets::plane, Meets::rough_plane, Meets::rough_ball}) {
+        check_tangent<2>(active, rule, meets);
+        check_tangent<3>(active, rule, meets);
+      }
 }
 
 template <int dim>
-void check_central_differences() {
-  Fixture<dim> f(true, NormalRule::averaged);
-  const ContactNodeTangent<dim> tangent(f.parameters, f.patch, f.X, f.u, f.lambda);
+void check_central_differences(Meets meets) {
+  Fixture<dim> f(true, NormalRule::averaged, meets);
+  const auto m = f.tangent();
   const double h = 1e-6;
-  for (int p = 0; p < f.X.rows(); ++p) {
-    Tensor<dim> force, velocity;
-    for (int i = 0; i < dim; ++i) {
-      const auto at = [&](double shift) {
-        PatchNodal<dim> X = f.X;
-        X(p, i) += shift;
-        return ContactNode<dim>(f.parameters, f.patch, X, f.u, f.lambda);
-      };
-      force.col(i) = (at(h).force - at(-h).force) / (2 * h);
-      velocity.col(i) = (at(h).velocity - at(-h).velocity) / (2 * h);
-    }
-    Tensor<dim> expected_force = tangent.force_by_X[p],
-                expected_velocity = tangent.velocity_by_X[p];
-    if (p == 0) expected_force += tangent.force_by_x, expected_velocity += tangent.velocity_by_x;
-    if (force.norm() < 1e-9) continue;  // the far corner of a facet does not enter (3D)
-    expect_same_matrix(expected_force, force, 1e-7);
-    expect_same_matrix(expected_velocity, velocity, 1e-7);
+  Eigen::MatrixXd force = 0 * m.force, velocity = 0 * m.velocity;
+  const auto shifted = [&](int column, double shift) {
+    ContactInput<dim> at = f.at;
+    const int size = dim * f.nodes, k = column % size;
+    (column < size        ? at.X(k / dim, k % dim)
+     : column < 2 * size  ? at.u(k / dim, k % dim)
+     : column == 2 * size ? at.lambda
+                          : at.w) += shift;
+    return ContactNode<dim>(f.parameters, f.patch, at);
+  };
+  for (int column = 0; column < force.cols(); ++column) {
+    const auto above = shifted(column, h), below = shifted(column, -h);
+    force.col(column) = (above.force - below.force) / (2 * h);
+    velocity.col(column) = (above.velocity - below.velocity) / (2 * h);
   }
+  expect_same_matrix(m.force, force, 1e-7);
+  expect_same_matrix(m.velocity, velocity, 1e-7);
 }
 
 TEST(ContactNode, TangentEqualsCentralDifferences) {
-  check_central_differences<2>();
-  check_central_differences<3>();
+  for (Meets meets : {Meets::plane, Meets::rough_plane, Meets::rough_ball}) {
+    check_central_differences<2>(meets);
+    check_central_differences<3>(meets);
+  }
+}
+
+// Sec. 3.1 by hand: under a pressure p the friction on the body opposes its sliding, so that the
+// residual (minus the force on the body) has p friction along it; and the dissipation p friction v
+// wears.
+TEST(ContactNode, FrictionOpposesSlidingAndItsDissipationWears) {
+  Fixture<3> f(true, NormalRule::averaged, Meets::rough_plane);
+  f.parameters.counter_body.velocity = Vector<3>(7, 0, 0);  // the body slides backwards by 7
+  const ContactNode<3> node(f.parameters, f.patch, f.at);
+  const double p = -node.traction;
+  ASSERT_GT(p, 0);
+  EXPECT_NEAR((node.force / node.area - p * Vector<3>(-0.5, 0, -1)).norm(), 0, 1e-13 * p);
+  EXPECT_NEAR(node.wear_rate, 0.01 * p * 7, 1e-14 * p);
+}
+
+// Eq. (7): under a homogeneous deformation F every facet carries V over into F V, and eq. (6) takes
+// its part in the tangent plane of the counter-body.
+TEST(ContactNode, StreamingIsCarriedByTheDeformation) {
+  Fixture<3> f(true, NormalRule::averaged, Meets::rough_ball);
+  for (int p = 0; p < f.nodes; ++p) f.at.X(p, 2) = 0.1;  // flat: V lies in every facet
+  f.parameters.streaming = Vector<3>(2, 1, 0);
+  Tensor<3> F = Tensor<3>::Identity() + 0.3 * noise<Tensor<3>>(1, 3);
+  f.at.u = f.at.X * (F - Tensor<3>::Identity()).transpose();
+  const Vector<3> FV = relative_velocity<3, double>(f.patch, f.at.X, f.at.X + f.at.u,
+                                                    f.parameters.streaming, Vector<3>::Zero());
+  EXPECT_NEAR((FV - F * Vector<3>(2, 1, 0)).norm(), 0, 1e-13);
+  const Sliding<3> sliding(FV, Vector<3>(0, 0, 1));
+  EXPECT_NEAR(sliding.speed, FV.head<2>().norm(), 1e-13);
+  EXPECT_NEAR(sliding.direction[2], 0, 1e-15);
+}
+
+// A point outside a ball, on its axis: gap and normal by hand.
+TEST(CounterBody, GapAndNormalOfABall) {
+  CounterBody<3> ball;
+  ball.point = Vector<3>(0, 0, 5);
+  ball.radius = 5;
+  const auto seen = ball.project<double>(Vector<3>(0, 0, -0.25));
+  EXPECT_DOUBLE_EQ(seen.gap, 0.25);
+  EXPECT_NEAR((seen.normal - Vector<3>(0, 0, -1)).norm(), 0, 1e-15);
 }
 
 // Complementarity, eq. (9) and (26): a closed node asks for g = 0 and transmits lambda + rho g; an

@@ -9,7 +9,7 @@ namespace gnomon {
 
 /// Which blocks a system solves for; the others are frozen.
 struct Selection {
-  bool deformation = true;     ///< u and lambda
+  bool deformation = true;     ///< u, lambda and w
   bool interior_shape = true;  ///< d off the contact surface, and mu where the form has it
   bool contact_shape = true;   ///< d on the contact surface: the differential unknowns
 };
@@ -21,11 +21,13 @@ struct NodalState {
   NodalField<dim> d;       ///< shape, nodes x dim
   Eigen::VectorXd lambda;  ///< contact multiplier, one a contact node
   NodalField<dim> mu;      ///< shape multiplier, contact nodes x dim
+  double w = 0;            ///< rigid motion of the counter-body [length]
 
   static NodalState zero(const WornBody<dim>& body);
 };
 
-/// Numbers are -1 where a value is fixed, frozen or absent. Node by node: u, d, lambda, mu.
+/// Numbers are -1 where a value is fixed, frozen or absent. Node by node: u, d, lambda, mu; then w.
+/// With a cross-section, nodes share the numbers of their shape.
 template <int dim>
 class Unknowns {
 public:
@@ -38,10 +40,11 @@ public:
   const Numbers& d() const { return d_; }                    ///< nodes x dim
   const Eigen::VectorXi& lambda() const { return lambda_; }  ///< contact nodes
   const Numbers& mu() const { return mu_; }                  ///< contact nodes x dim
+  int w() const { return w_; }
   /// Row of the auxiliary equilibrium of each shape value: its own number off the contact surface,
   /// that of mu on it (so that both rows there have a nonzero diagonal), else -1. nodes x dim.
   const Numbers& auxiliary_row() const { return auxiliary_row_; }
-  /// The mesh node that each unknown belongs to.
+  /// The mesh node that each unknown belongs to; w has a group of its own behind the nodes.
   const std::vector<int>& node() const { return node_; }
 
   /// Copies y into the nodal state, other values untouched.
@@ -50,7 +53,7 @@ public:
   void gather(const NodalState<dim>& state, std::span<double> y) const;
 
 private:
-  int size_ = 0;
+  int size_ = 0, w_ = -1;
   Numbers u_, d_, mu_, auxiliary_row_;
   Eigen::VectorXi lambda_;
   std::vector<int> node_;

@@ -1,4 +1,4 @@
-// Everything constant about one worn body in frictionless contact with a rigid counter-body: what a
+// Everything constant about one worn body in contact with a rigid counter-body: what a
 // problem declares, and what blocks, terms and system are made of.
 #pragma once
 
@@ -6,6 +6,7 @@
 #include <gnomon/mesh.hpp>
 #include <gnomon/terms/contact_node.hpp>
 #include <gnomon/terms/solid.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,14 @@ inline double regularization_unit(double young, double facet, const Scales& scal
   return std::min(young / facet, far_above * occurring);
 }
 
+/// The section of a body that is uniform along x and whose shape stays so (sec. 4.3): its shape
+/// unknowns are those of one cross-section, with components (y, z).
+struct CrossSection {
+  Mesh<2> mesh;           ///< in the plane (y, z)
+  std::vector<int> node;  ///< of the body, one a section node: it carries the shape unknowns
+  std::vector<int> of;    ///< section node of every node of the body
+};
+
 template <int dim>
 struct WornBody {
   Mesh<dim> mesh;
@@ -51,9 +60,21 @@ struct WornBody {
   ElementKind element = ElementKind::f_bar;
   NeoHookean auxiliary_material;  ///< eq. (20), always plain cells
   ContactParameters<dim> contact;
+  /// The force that presses the counter-body along its `approach`; without it the counter-body
+  /// stays.
+  std::optional<double> counter_force;
+  std::optional<CrossSection> section;  ///< 3D only: uniform along x
+  /// One a contact node: its part in the wear rate of its shape unknowns, by default 1; with a
+  /// section, the length that it stands for by the sliding length of a cycle.
+  std::vector<double> wear_weight;
+  double copies = 1;  ///< of the modelled part that make the whole (symmetry)
+  double repeat = 1;  ///< length of the worn path by that of the body, with a section
   ConstraintForm constraint = ConstraintForm::eliminated;
   double augmentation = 0;  ///< of mu: mu^ = mu + augmentation (ddot + Wdot N) [stress time/length]
   Scales scales;
+
+  /// The node that carries the shape unknowns of `node`.
+  int shape_node(int node) const { return section ? section->node[section->of[node]] : node; }
 };
 
 }  // namespace gnomon

@@ -1,5 +1,6 @@
-// Gather and scatter of the contact nodes: rows of u (contact force), lambda (eq. 26), d (eq. 14)
-// and, in the multiplier form, the reaction mu in the auxiliary equilibrium (eq. 29).
+// Gather and scatter of the contact nodes: rows of u (contact force), lambda (eq. 26), d (eq. 14),
+// w (balance of forces on the counter-body) and, in the multiplier form, the reaction mu in the
+// auxiliary equilibrium (eq. 29).
 #pragma once
 
 #include <gnomon/blocks/unknowns.hpp>
@@ -30,19 +31,25 @@ public:
                         const ActiveSet* piece = nullptr) const;
 
 private:
-  // Local rows: u | lambda | d (wear) | auxiliary equilibrium; columns: u | lambda | mu | d of
-  // patch.
-  static constexpr int rows = 3 * dim + 1;
-  static constexpr int u_0 = 0, lambda_0 = dim, wear_0 = dim + 1, auxiliary_0 = 2 * dim + 1;
-  static constexpr int mu_column = dim + 1, shape_column = 2 * dim + 1;
+  // Local rows: u | lambda | d (wear) | w | auxiliary equilibrium; columns: lambda | w | mu | u of
+  // patch | d of patch.
+  static constexpr int rows = 3 * dim + 2;
+  static constexpr int u_0 = 0, lambda_0 = dim, wear_0 = dim + 1, w_0 = 2 * dim + 1,
+                       auxiliary_0 = 2 * dim + 2;
+  static constexpr int w_column = 1, mu_column = 2, patch_column = dim + 2;
+  using Local = Eigen::Matrix<double, rows, Eigen::Dynamic, 0, rows,
+                              patch_column + 2 * dim * max_patch_nodes>;
 
   std::vector<int> row_numbers(int c) const;
   std::vector<int> column_numbers(int c) const;
-  PatchNodal<dim> patch_positions(const NodalState<dim>& state, int c) const;
+  ContactInput<dim> gather(const NodalState<dim>& state, int c) const;
+  Local tangent(const NodalState<dim>& state, double alpha, const ActiveSet* piece, int c) const;
   bool augmented(int c) const;
+  double weight(int c) const { return body_.wear_weight.empty() ? 1 : body_.wear_weight[c]; }
 
   const WornBody<dim>& body_;
   const Unknowns<dim>& unknowns_;
+  std::vector<char> owns_;             // 1 where a contact node carries its shape unknowns itself
   std::vector<std::vector<int>> map_;  // a contact node: positions, column by column; -1: none
 };
 

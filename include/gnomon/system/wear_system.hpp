@@ -6,6 +6,7 @@
 #include <gnomon/system.hpp>
 #include <gnomon/system/cell_assembly.hpp>
 #include <gnomon/system/contact_assembly.hpp>
+#include <gnomon/system/mesh_motion.hpp>
 #include <memory>
 
 namespace gnomon {
@@ -13,9 +14,11 @@ namespace gnomon {
 /// Rows, in the order of their unknowns:
 ///   u                equilibrium, eq. 23-25: internal + contact force - load          [force]
 ///   lambda           C_N, eq. 26                                                      [length]
+///   w                contact force on the counter-body - what presses it              [force]
 ///   d (interior)     auxiliary equilibrium, eq. 20                                    [force]
 ///   d (contact)      ddot + Wdot N, eq. 14 [length/time] mu               auxiliary equilibrium
 ///   minus A^ mu^, eq. 29 (multiplier form)     [force]
+/// With a cross-section, Wdot N of eq. 14 is averaged along the path (sec. 4.3).
 /// Not safe for concurrent calls on one object (shared workspace).
 template <int dim>
 class WearSystem : public System {
@@ -27,7 +30,7 @@ public:
   void jacobian(const Point& at, double alpha, std::span<double> values) const override;
   /// lambda + rho g of every contact node [stress].
   void switching(std::span<const double> y, std::span<double> values) const override;
-  /// Mesh motion (interior d, and mu where present), then contact (u, lambda).
+  /// Mesh motion (interior d, and mu where present), then contact (u, lambda, w).
   std::vector<Stage> make_stages() const override;
 
   const Unknowns<dim>& unknowns() const { return unknowns_; }
@@ -40,7 +43,7 @@ public:
   const NodalState<dim>& nodal(std::span<const double> y) const;
   /// Gives the blocks that this system does not solve for.
   void freeze(const NodalState<dim>& state) { state_ = state; }
-  /// Fraction of the dead load that acts; 1 unless a load ramp is under way.
+  /// Fraction of the load that acts; 1 unless a load ramp is under way.
   void set_load_factor(double factor) { load_factor_ = factor; }
 
 private:
@@ -50,8 +53,8 @@ private:
   std::shared_ptr<const WornBody<dim>> body_;
   Selection selection_;
   Unknowns<dim> unknowns_;
-  CellAssembly<dim> solid_;        // body: rows u, columns u and d
-  CellAssembly<dim> mesh_motion_;  // auxiliary problem: rows and columns d
+  CellAssembly<dim> solid_;  // body: rows u, columns u and d
+  MeshMotion<dim> mesh_motion_;
   ContactAssembly<dim> contact_;
   Structure structure_;
   double load_factor_ = 1;

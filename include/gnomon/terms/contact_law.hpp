@@ -33,27 +33,50 @@ struct UnilateralContact {
   }
 };
 
-/// Archard wear of a frictionless contact, sec. 4.1: Wdot = k v |T_N| [length / time], with k the
-/// wear coefficient [1 / stress] and v the sliding velocity [length / time].
-struct FrictionlessWear {
-  double rate_per_pressure = 0;  ///< k v
+/// Archard wear, Wdot = c |T_N| |v_T| [length / time], with the sliding velocity v_T. The
+/// coefficient c [1 / stress] is k where there is no friction (sec. 4.1), and K times the friction
+/// coefficient where wear follows the frictional dissipation (eq. 13).
+struct ArchardWear {
+  double coefficient = 0;
 
   template <class Scalar>
-  Scalar rate(const Scalar& traction) const {
-    return Scalar(-rate_per_pressure * traction);
+  Scalar rate(const Scalar& traction, const Scalar& speed) const {
+    return Scalar(-coefficient * traction * speed);
   }
-  double rate_by_traction() const { return -rate_per_pressure; }
 };
 
-/// A rigid half-space that the body may not enter: gap g(x) = n . (x - point), eq. (5).
+/// A rigid body that the worn body may not enter: a half-space, or a ball where `radius` is given.
+/// It moves by w along `approach`, so that a point x of the worn body lies at x - w approach as
+/// seen from it.
 template <int dim>
-struct RigidPlane {
-  Vector<dim> point = Vector<dim>::Zero();
-  Vector<dim> normal = Vector<dim>::Unit(dim - 1);  ///< unit, out of the rigid body
+struct CounterBody {
+  Vector<dim> point = Vector<dim>::Zero();  ///< on the plane, or the centre of the ball [length]
+  Vector<dim> normal = Vector<dim>::Unit(dim - 1);    ///< of the plane: unit, out of the half-space
+  double radius = 0;                                  ///< of the ball [length]; 0: a half-space
+  Vector<dim> approach = Vector<dim>::Unit(dim - 1);  ///< unit
+  Vector<dim> velocity = Vector<dim>::Zero();         ///< v^2 [length / time]
 
+  /// Normal gap g of eq. (5) [length] and the unit normal n out of the counter-body.
   template <class Scalar>
-  Scalar gap(const Vector<dim, Scalar>& x) const {
-    return normal.template cast<Scalar>().dot(x - point.template cast<Scalar>());
+  struct Projection {
+    Scalar gap;
+    Vector<dim, Scalar> normal;
+  };
+  template <class Scalar>
+  Projection<Scalar> project(const Vector<dim, Scalar>& x) const {
+    const Vector<dim, Scalar> from = x - point.template cast<Scalar>();
+    if (radius == 0)
+      return {Scalar(normal.template cast<Scalar>().dot(from)), normal.template cast<Scalar>()};
+    const Scalar distance = from.norm();
+    return {Scalar(distance - radius), from / distance};
+  }
+  /// dn/dx [1 / length].
+  Tensor<dim> normal_by_x(const Vector<dim>& x) const {
+    if (radius == 0) return Tensor<dim>::Zero();
+    const Vector<dim> from = x - point;
+    const double distance = from.norm();
+    const Vector<dim> n = from / distance;
+    return (Tensor<dim>::Identity() - n * n.transpose()) / distance;
   }
 };
 

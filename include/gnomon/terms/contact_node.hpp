@@ -4,56 +4,32 @@
 // area: half a segment, a quarter of |a x b| of a bilinear facet). Then
 //
 //   A = sum_f |S_f|,   N = sum_f A^_f S_f/|S_f| / sum_f A^_f        (A^_f: initial shares, eq. 35)
-//   force      = A lambda_eff n          row of u
-//   constraint = C_N                     row of lambda
-//   velocity   = -Wdot N                 row of d: ddot - velocity = 0, eq. (14)
+//   force      = A lambda_eff (n - friction s)    row of u;  s = v_T/|v_T|, eq. (25) and sec. 3.1
+//   constraint = C_N                              row of lambda
+//   velocity   = -Wdot N                          row of d: ddot - velocity = 0, eq. (14)
+//
+// v_T is the tangential part of F V - v^2 (sliding.hpp), n the normal of the counter-body.
 #pragma once
 
 #include <array>
-#include <gnomon/mesh.hpp>
 #include <gnomon/terms/contact_law.hpp>
-#include <vector>
+#include <gnomon/terms/contact_patch.hpp>
+#include <gnomon/terms/sliding.hpp>
 
 namespace gnomon {
-
-/// Upper bounds of a node's neighbourhood on the contact surface; meshes beyond them are refused.
-inline constexpr int max_patch_facets = 8;
-inline constexpr int max_patch_nodes = 17;
-
-/// A contact node and its facets.
-template <int dim>
-struct ContactPatch {
-  int node = 0;            ///< mesh node
-  std::vector<int> nodes;  ///< mesh nodes of the facets, each once; nodes[0] == node
-  struct Corner {
-    std::array<int, dim> nodes;  ///< positions in `nodes`: this node, then (2D) the other end,
-                                 ///< (3D) the next and the previous corner
-    double sign;                 ///< 2D: +1 when this node comes first in the facet
-    double initial_area;         ///< A^_f [length^(dim-1)]
-  };
-  std::vector<Corner> corners;
-  double initial_area = 0;  ///< sum of A^_f
-};
-
-/// Patches of all nodes of a surface, in ascending order of nodes (2D: along the surface when its
-/// nodes are numbered so). Throws Error beyond the bounds above.
-template <int dim>
-std::vector<ContactPatch<dim>> contact_patches(
-    const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets);
 
 enum class NormalRule { averaged, normalised };
 
 /// Constants of all contact nodes.
 template <int dim>
 struct ContactParameters {
-  RigidPlane<dim> counter_body;
-  FrictionlessWear wear;
+  CounterBody<dim> counter_body;
+  ArchardWear wear;
+  double friction = 0;                          ///< Coulomb's coefficient mu of eq. (10)
+  Vector<dim> streaming = Vector<dim>::Zero();  ///< V of eq. (7), along the surface [length / time]
   NormalRule normal_rule = NormalRule::averaged;
   double rho = 1;  ///< [stress / length]
 };
-
-template <int dim, class Scalar = double>
-using PatchNodal = Eigen::Matrix<Scalar, Eigen::Dynamic, dim, 0, max_patch_nodes, dim>;
 
 /// Area and normal of a node in the undeformed configuration.
 template <int dim, class Scalar = double>
@@ -62,6 +38,15 @@ struct NodalSurface {
   Vector<dim, Scalar> normal;
 
   NodalSurface(const ContactPatch<dim>& patch, const PatchNodal<dim, Scalar>& X, NormalRule rule);
+};
+
+/// Where a contact node is: what its residual depends on.
+template <int dim, class Scalar = double>
+struct ContactInput {
+  PatchNodal<dim, Scalar> X;  ///< undeformed positions of patch.nodes [length]
+  PatchNodal<dim, Scalar> u;  ///< their displacements [length]
+  Scalar lambda;              ///< of the node itself [stress]
+  Scalar w = Scalar(0);       ///< rigid motion of the counter-body [length]
 };
 
 /// Residual of a contact node.
@@ -73,47 +58,33 @@ struct ContactNode {
   Scalar wear_rate;  ///< Wdot [length / time]
   Scalar traction;   ///< lambda_eff [stress]
   Scalar area;       ///< A
+  Scalar gap;        ///< g [length]
   bool active;
 
-  /// X: undeformed positions of patch.nodes; u, lambda: of the node itself.
   ContactNode(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
-              const PatchNodal<dim, Scalar>& X, const Vector<dim, Scalar>& u, const Scalar& lambda,
-              Branch branch = Branch::by_sign);
+              const ContactInput<dim, Scalar>& at, Branch branch = Branch::by_sign);
 };
 
-/// Derivatives of ContactNode. The position x = X + u of the node enters through u and d alike, the
-/// patch positions X through area and normal.
+/// Derivatives of ContactNode. The positions x = X + u enter through u and d alike, the undeformed
+/// ones X through area, normal and streaming.
 template <int dim>
 struct ContactNodeTangent {
-  Tensor<dim> force_by_x;
-  Vector<dim> force_by_lambda;
-  std::array<Tensor<dim>, max_patch_nodes> force_by_X;
-  Vector<dim> constraint_by_x;
-  double constraint_by_lambda;
-  Tensor<dim> velocity_by_x;
-  Vector<dim> velocity_by_lambda;
-  std::array<Tensor<dim>, max_patch_nodes> velocity_by_X;
+  template <class T>
+  using PerNode = std::array<T, max_patch_nodes>;  ///< one a node of the patch
+
+  PerNode<Tensor<dim>> force_by_x, force_by_X;
+  Vector<dim> force_by_lambda, force_by_w;
+  Vector<dim> constraint_by_x;  ///< of the node itself
+  double constraint_by_lambda, constraint_by_w;
+  PerNode<Tensor<dim>> velocity_by_x, velocity_by_X;
+  Vector<dim> velocity_by_lambda, velocity_by_w;
 
   ContactNodeTangent(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
-                     const PatchNodal<dim>& X, const Vector<dim>& u, double lambda,
-                     Branch branch = Branch::by_sign);
+                     const ContactInput<dim>& at, Branch branch = Branch::by_sign);
 };
 
 // ---- templates on the scalar
 // ---------------------------------------------------------------------
-
-/// Area vector of a corner, linear (2D) or bilinear (3D) in the positions.
-template <int dim, class Scalar>
-Vector<dim, Scalar> corner_area_vector(const typename ContactPatch<dim>::Corner& corner,
-                                       const PatchNodal<dim, Scalar>& X) {
-  const Vector<dim, Scalar> a = (X.row(corner.nodes[1]) - X.row(corner.nodes[0])).transpose();
-  if constexpr (dim == 2) {
-    return Scalar(corner.sign / 2) * Vector<2, Scalar>(a[1], -a[0]);
-  } else {
-    const Vector<dim, Scalar> b = (X.row(corner.nodes[2]) - X.row(corner.nodes[0])).transpose();
-    return a.cross(b) / Scalar(4);
-  }
-}
 
 template <int dim, class Scalar>
 NodalSurface<dim, Scalar>::NodalSurface(const ContactPatch<dim>& patch,
@@ -132,19 +103,22 @@ NodalSurface<dim, Scalar>::NodalSurface(const ContactPatch<dim>& patch,
 template <int dim, class Scalar>
 ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,
                                       const ContactPatch<dim>& patch,
-                                      const PatchNodal<dim, Scalar>& X,
-                                      const Vector<dim, Scalar>& u, const Scalar& lambda,
-                                      Branch branch) {
-  const NodalSurface<dim, Scalar> surface(patch, X, parameters.normal_rule);
-  const Vector<dim, Scalar> x = X.row(0).transpose() + u;
-  const UnilateralContact<Scalar> contact(lambda, parameters.counter_body.gap(x), parameters.rho,
-                                          branch);
+                                      const ContactInput<dim, Scalar>& at, Branch branch) {
+  const CounterBody<dim>& body = parameters.counter_body;
+  const NodalSurface<dim, Scalar> surface(patch, at.X, parameters.normal_rule);
+  const Vector<dim, Scalar> x = (at.X.row(0) + at.u.row(0)).transpose();
+  const auto seen = body.template project<Scalar>(x - body.approach.template cast<Scalar>() * at.w);
+  const UnilateralContact<Scalar> contact(at.lambda, seen.gap, parameters.rho, branch);
+  const Sliding<dim, Scalar> sliding(
+      relative_velocity<dim, Scalar>(patch, at.X, at.X + at.u, parameters.streaming, body.velocity),
+      seen.normal);
   active = contact.active;
   traction = contact.traction;
+  gap = seen.gap;
   area = surface.area;
-  force = (area * traction) * parameters.counter_body.normal.template cast<Scalar>();
+  force = (area * traction) * (seen.normal - Scalar(parameters.friction) * sliding.direction);
   constraint = contact.constraint;
-  wear_rate = parameters.wear.rate(traction);
+  wear_rate = parameters.wear.rate(traction, sliding.speed);
   velocity = -wear_rate * surface.normal;
 }
 

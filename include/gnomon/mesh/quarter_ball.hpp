@@ -1,0 +1,30 @@
+// The lower half of a ball cut by a plane of symmetry: body of the ball-on-flat problem, sec. 4.2.
+#pragma once
+
+#include <gnomon/mesh.hpp>
+
+namespace gnomon {
+
+/// A core block below the mid-plane, wrapped at the bottom and at three sides by layers that follow
+/// the sphere. The elements of the contact zone have one size, patch_half_width / across.
+struct QuarterBall {
+  double radius = 1;            ///< R [length]
+  double patch_half_width = 0;  ///< arc from the pole to the edge of the bottom patch [length]
+  double contact_radius = 0;    ///< horizontal distance from the axis up to which the sphere may
+                                ///< come into contact [length]
+  int across = 1;               ///< elements from the pole to the edge of the patch
+  int height = 1;               ///< elements from the edge of the patch to the mid-plane
+  int layers = 1;               ///< elements from the core to the sphere
+
+  /// 2 across^2 (height + layers) + 4 across height layers.
+  int elements() const { return 2 * across * (across * (height + layers) + 2 * height * layers); }
+};
+
+/// The ball touches z = 0 at the origin; its centre is (0, 0, R). Kept are y >= 0 and z <= R.
+/// Boundary parts: "contact" (the sphere, facets with a corner within `contact_radius`), "free"
+/// (the rest of the sphere), "symmetry" (y = 0, exactly), "top" (z = R, exactly). Throws InputError
+/// when the patch does not leave room for the sides (its half width must lie between 0 and R) or a
+/// count is not positive.
+Mesh<3> quarter_ball(const QuarterBall& ball);
+
+}  // namespace gnomon

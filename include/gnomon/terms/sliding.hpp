@@ -1,0 +1,67 @@
+// Sliding velocity of a contact node, eq. (6) and (7), from the rigid-body motion of the two
+// bodies.
+//
+// The worn body streams with V through its undeformed configuration, so that its points move with
+// F V in the current one. V is tangent to the surface, and each facet that meets at the node gives
+// F V by its own edges there, T_j = X_j - X_0 undeformed and t_j = x_j - x_0 current:
+//
+//   V = sum_j c_j T_j   (least squares: c = (T'T)^-1 T'V),   F V = sum_j c_j t_j,
+//
+// averaged like the normal, with the initial areas of the facets. With the velocity v^2 of the
+// counter-body and its normal n:  v_T = (1 - n n') (F V - v^2).
+#pragma once
+
+#include <cmath>
+#include <gnomon/terms/contact_patch.hpp>
+
+namespace gnomon {
+
+/// F V - v^2 of a node [length / time].
+template <int dim, class Scalar>
+Vector<dim, Scalar> relative_velocity(const ContactPatch<dim>& patch,
+                                      const PatchNodal<dim, Scalar>& X,
+                                      const PatchNodal<dim, Scalar>& x,
+                                      const Vector<dim>& streaming, const Vector<dim>& counter) {
+  Vector<dim, Scalar> result = -counter.template cast<Scalar>();
+  if (streaming.isZero(0)) return result;
+  for (const auto& corner : patch.corners) {
+    const auto T = corner_edges<dim, Scalar>(corner, X);
+    const auto t = corner_edges<dim, Scalar>(corner, x);
+    const Eigen::Matrix<Scalar, dim - 1, dim - 1> G = (T.transpose() * T).inverse();
+    const Eigen::Matrix<Scalar, dim - 1, 1> c =
+        G * (T.transpose() * streaming.template cast<Scalar>());
+    result += Scalar(corner.initial_area / patch.initial_area) * (t * c);
+  }
+  return result;
+}
+
+/// Tangential part of a relative velocity: |v_T| and v_T/|v_T|, zero where nothing slides.
+template <int dim, class Scalar = double>
+struct Sliding {
+  Scalar speed;
+  Vector<dim, Scalar> direction;
+
+  Sliding(const Vector<dim, Scalar>& relative, const Vector<dim, Scalar>& normal) {
+    using std::sqrt;
+    const Vector<dim, Scalar> tangential = relative - normal * normal.dot(relative);
+    const Scalar square = tangential.squaredNorm();
+    if (square > Scalar(0)) {
+      speed = sqrt(square);
+      direction = tangential / speed;
+    } else {
+      speed = Scalar(0);
+      direction.setZero();
+    }
+  }
+};
+
+/// Derivatives of relative_velocity by the undeformed (X) and current (x) positions of the patch.
+template <int dim>
+struct RelativeVelocityDerivative {
+  std::array<Tensor<dim>, max_patch_nodes> by_X, by_x;
+
+  RelativeVelocityDerivative(const ContactPatch<dim>& patch, const PatchNodal<dim>& X,
+                             const PatchNodal<dim>& x, const Vector<dim>& streaming);
+};
+
+}  // namespace gnomon

@@ -1,0 +1,133 @@
+// ball_on_flat: the paper's sec. 4.2. An elastic ball is pressed on a rigid flat that slides past
+// with friction, and wears: half of the ball below its mid-plane, by symmetry a quarter.
+//
+// The mid-plane stays plane and does not move along the flat; a uniform normal displacement of it
+// is conjugate to the prescribed force. Only the motion relative to the flat matters, so that here
+// the mid-plane is at rest and the flat comes up by w: one scalar unknown. The shape is an unknown
+// near the contact only (Remark 2), within shape.reach of the pole.
+//
+// The ball touches the flat z = 0 at the origin; the flat moves along x, y = 0 is the plane of
+// symmetry.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <gnomon/error.hpp>
+#include <gnomon/hertz.hpp>
+#include <gnomon/mesh/quarter_ball.hpp>
+#include <gnomon/problem.hpp>
+#include <gnomon/wear_model.hpp>
+#include <gnomon/worn_body_scene.hpp>
+
+namespace gnomon {
+
+namespace {
+
+std::vector<Key> keys() {
+  constexpr Range positive{.min = 0, .min_open = true};
+  std::vector<Key> result = {
+      {.name = "ball.radius", .unit = "mm", .range = positive, .help = "radius R of the ball"},
+      {.name = "mesh.elements",
+       .kind = KeyKind::integers,
+       .presence = Key::Presence::defaulted,
+       .default_value = std::vector<long>{26, 5, 5},
+       .range = {.min = 1, .max = 500},
+       .length = 3,
+       .help = "elements from the pole to the edge of the bottom patch, on to the mid-plane, and "
+               "from the core to the surface"},
+      {.name = "mesh.patch",
+       .unit = "mm",
+       .presence = Key::Presence::defaulted,
+       .default_value = 3.25,
+       .range = positive,
+       .help = "arc from the pole to the edge of the bottom patch of equal elements"},
+      {.name = "contact.radius",
+       .unit = "mm",
+       .presence = Key::Presence::defaulted,
+       .default_value = 3.0,
+       .range = positive,
+       .help = "distance from the axis up to which the ball may touch the flat"},
+      {.name = "shape.reach",
+       .unit = "mm",
+       .presence = Key::Presence::defaulted,
+       .default_value = 4.0,
+       .range = positive,
+       .help = "distance from the pole up to which the shape is an unknown (Remark 2)"}};
+  result.insert(result.end(), worn_body_keys(3).begin(), worn_body_keys(3).end());
+  return result;
+}
+
+QuarterBall read_ball(const Scene& scene) {
+  const auto& elements = scene.integers("mesh.elements");
+  return {.radius = scene.real("ball.radius"),
+          .patch_half_width = scene.real("mesh.patch"),
+          .contact_radius = scene.real("contact.radius"),
+          .across = static_cast<int>(elements[0]),
+          .height = static_cast<int>(elements[1]),
+          .layers = static_cast<int>(elements[2])};
+}
+
+/// Displacement: zero on the mid-plane, in the plane of symmetry. Shape: zero beyond its reach and
+/// on all of the boundary but the contact surface, along which the plane of symmetry slides.
+void hold_boundary(double reach, WornBody<3>& body) {
+  const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
+  body.displacement_fixed = body.shape_fixed = NodalFlags<3>::Zero(nodes, 3);
+  for (Eigen::Index node = 0; node < nodes; ++node)
+    if (body.mesh.nodes[node].norm() > reach) body.shape_fixed.row(node).setOnes();
+  for (int node : body.mesh.boundary_nodes("free")) body.shape_fixed.row(node).setOnes();
+  for (int node : body.mesh.boundary_nodes("top")) {
+    body.shape_fixed.row(node).setOnes();
+    body.displacement_fixed.row(node).setOnes();
+  }
+  for (int node : body.mesh.boundary_nodes("symmetry"))
+    body.shape_fixed(node, 1) = body.displacement_fixed(node, 1) = 1;
+}
+
+Scales make_scales(const Scene& scene, double facet) {
+  const double R = scene.real("ball.radius"), force = scene.real("load.force");
+  const HertzPoint hertz(force, R, scene.real("body.young_modulus"),
+                         scene.real("body.poisson_ratio"));
+  Scales scales;
+  scales.duration = scene.real("time.end");
+  const double worn = scene.real("wear.coefficient") * scene.real("friction.coefficient") * force *
+                      scene.real("wear.velocity") * scales.duration;
+  const double worn_area =
+      std::sqrt(4 * R * worn * M_PI);  // pi a^2 of a rigid ball: pi a^4 = 4 R V
+  scales.force = force;
+  scales.displacement = hertz.approach;
+  scales.stress = force / (M_PI * hertz.radius * hertz.radius + worn_area);
+  scales.wear_depth = worn / worn_area;
+  scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth * facet;
+  return scales;
+}
+
+std::unique_ptr<Model> make(const Scene& scene) {
+  const QuarterBall ball = read_ball(scene);
+  if (scene.real("shape.reach") < ball.contact_radius)
+    throw InputError(fmt::format("{}: expected at least contact.radius = {:g} mm, got {:g}",
+                                 scene.where("shape.reach"), ball.contact_radius,
+                                 scene.real("shape.reach")));
+  auto body = std::make_shared<WornBody<3>>();
+  const double facet = ball.patch_half_width / ball.across;
+  body->mesh = quarter_ball(ball);
+  body->contact_nodes = contact_patches<3>(body->mesh, body->mesh.boundary.at("contact"));
+  hold_boundary(scene.real("shape.reach"), *body);
+  body->load = NodalField<3>::Zero(body->displacement_fixed.rows(), 3);
+  body->scales = make_scales(scene, facet);
+  read_worn_body(scene, facet, *body);
+  body->contact.counter_body.velocity = Vector<3>(scene.real("wear.velocity"), 0, 0);
+  body->copies = 2;
+  body->counter_force = scene.real("load.force") / body->copies;
+  return std::make_unique<WearModel<3>>(std::move(body));
+}
+
+const Registration<Problem> registration({
+    .name = "ball_on_flat",
+    .help = "3D elastic ball that wears on a sliding rigid flat, with friction (paper, sec. 4.2)",
+    .keys = keys(),
+    .make = make,
+});
+
+}  // namespace
+
+}  // namespace gnomon

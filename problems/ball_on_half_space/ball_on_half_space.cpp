@@ -1,0 +1,176 @@
+// ball_on_half_space: the paper's sec. 4.3. A rigid ball is pressed into an elastic half-space that
+// streams past it with friction and wears at every pass, as the disc of a pin-on-disc test does: a
+// groove that is uniform along the sliding direction.
+//
+// The half-space is a block, by symmetry half of it, on a rigid base (paper: depth and outer
+// boundary are left open). Its undeformed configuration is fixed in space and the material streams
+// through it with v along x; the ball at rest comes down by w under its force. The shape is a field
+// of the cross-section (y, z), and what wears a point is the mean along its path of length L, of
+// which the block is a part.
+//
+// The surface is z = 0, touched by the ball at the origin; y = 0 is the plane of symmetry.
+
+#include <cmath>
+#include <gnomon/hertz.hpp>
+#include <gnomon/mesh/extrusion.hpp>
+#include <gnomon/mesh/stations.hpp>
+#include <gnomon/problem.hpp>
+#include <gnomon/wear_model.hpp>
+#include <gnomon/worn_body_scene.hpp>
+
+namespace gnomon {
+
+namespace {
+
+std::vector<Key> keys() {
+  constexpr Range positive{.min = 0, .min_open = true};
+  std::vector<Key> result = {
+      {.name = "ball.radius", .unit = "mm", .range = positive, .help = "radius R of the ball"},
+      {.name = "block.length",
+       .unit = "mm",
+       .range = positive,
+       .help = "length of the block, along the sliding direction"},
+      {.name = "block.half_width", .unit = "mm", .range = positive, .help = "half its width"},
+      {.name = "block.depth",
+       .unit = "mm",
+       .range = positive,
+       .help = "its depth, down to a rigid base"},
+      {.name = "block.sides",
+       .kind = KeyKind::text,
+       .presence = Key::Presence::defaulted,
+       .default_value = "held",
+       .choices = {"held", "free"},
+       .help = "displacement of the two ends and of the outer side: held at zero, or free"},
+      {.name = "path.length",
+       .unit = "mm",
+       .range = positive,
+       .help = "sliding length of a cycle, L: the groove that the ball passes at every turn"},
+      {.name = "mesh.elements",
+       .kind = KeyKind::integers,
+       .presence = Key::Presence::defaulted,
+       .default_value = std::vector<long>{40, 82, 20},
+       .range = {.min = 2, .max = 2000},
+       .length = 3,
+       .help = "elements along the block (even), across its half width, in its depth"},
+      {.name = "mesh.size",
+       .kind = KeyKind::reals,
+       .unit = "mm",
+       .range = positive,
+       .length = 3,
+       .help = "sizes of the elements at the origin, in the same order"},
+      {.name = "mesh.fine",
+       .kind = KeyKind::reals,
+       .unit = "mm",
+       .range = {.min = 0},
+       .length = 3,
+       .help =
+           "distances from the origin up to which the elements keep that size; beyond, they grow"}};
+  result.insert(result.end(), worn_body_keys(3).begin(), worn_body_keys(3).end());
+  return result;
+}
+
+/// Lines of the mesh from the origin to `end` in direction `axis`.
+std::vector<double> stations(const Scene& scene, int axis, double end) {
+  const long elements = scene.integers("mesh.elements")[axis];
+  return graded_stations(scene.reals("mesh.size")[axis], scene.reals("mesh.fine")[axis], end,
+                         static_cast<int>(axis == 0 ? elements / 2 : elements));
+}
+
+Extrusion make_block(const Scene& scene, const std::vector<double>& along) {
+  const std::vector<double> y = stations(scene, 1, scene.real("block.half_width"));
+  const std::vector<double> depth = stations(scene, 2, scene.real("block.depth"));
+  const int ny = static_cast<int>(y.size()) - 1, nz = static_cast<int>(depth.size()) - 1;
+  const Mesh<2> section = structured_quadrilaterals(ny, nz, [&](double s, double t) {
+    return Vector<2>(y[std::lround(s * ny)], -depth[std::lround((1 - t) * nz)]);
+  });
+  return extrude(section, along);
+}
+
+/// Nodes that carry the shape: the first of each line along x. Wear of a line: the mean over the
+/// path.
+void make_section(const Extrusion& block, const std::vector<double>& x, double path,
+                  WornBody<3>& body) {
+  CrossSection section{block.section, std::vector<int>(block.section.nodes.size(), -1),
+                       block.section_node};
+  for (std::size_t node = 0; node < section.of.size(); ++node)
+    if (int& carrier = section.node[section.of[node]]; carrier < 0)
+      carrier = static_cast<int>(node);
+  for (const auto& patch : body.contact_nodes) {
+    const std::size_t i = patch.node - section.node[section.of[patch.node]];  // along the line
+    const double before = i > 0 ? x[i] - x[i - 1] : 0;
+    const double behind = i + 1 < x.size() ? x[i + 1] - x[i] : 0;
+    body.wear_weight.push_back((before + behind) / 2 / path);
+  }
+  body.section = std::move(section);
+  body.repeat = path / (x.back() - x.front());
+}
+
+/// The base is held, the ends and the outer side as the scene says. The shape is held on the base
+/// and the outer side.
+void hold_boundary(bool sides_held, WornBody<3>& body) {
+  const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
+  body.displacement_fixed = body.shape_fixed = NodalFlags<3>::Zero(nodes, 3);
+  body.shape_fixed.col(0).setOnes();
+  for (const char* part : {"bottom", "right"})
+    for (int node : body.mesh.boundary_nodes(part)) body.shape_fixed.row(node).setOnes();
+  for (int node : body.mesh.boundary_nodes("left"))
+    body.shape_fixed(node, 1) = body.displacement_fixed(node, 1) = 1;
+  for (int node : body.mesh.boundary_nodes("bottom")) body.displacement_fixed.row(node).setOnes();
+  if (!sides_held) return;
+  for (const char* part : {"right", "begin", "end"})
+    for (int node : body.mesh.boundary_nodes(part)) body.displacement_fixed.row(node).setOnes();
+}
+
+Scales make_scales(const Scene& scene, double facet) {
+  const double R = scene.real("ball.radius"), force = scene.real("load.force");
+  const HertzPoint hertz(force, R, scene.real("body.young_modulus"),
+                         scene.real("body.poisson_ratio"));
+  Scales scales;
+  scales.duration = scene.real("time.end");
+  const double groove = scene.real("wear.coefficient") * scene.real("friction.coefficient") *
+                        force * scene.real("wear.velocity") * scales.duration /
+                        scene.real("path.length");
+  const double half_width = std::cbrt(1.5 * R * groove);  // of a rigid ball: 2 a^3/(3 R) = groove
+  scales.force = force;
+  scales.displacement = hertz.approach;
+  scales.stress = force / (M_PI * hertz.radius * (hertz.radius + half_width));
+  scales.wear_depth = groove / (2 * std::max(half_width, hertz.radius));
+  scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
+  return scales;
+}
+
+std::unique_ptr<Model> make(const Scene& scene) {
+  const std::vector<double> half = stations(scene, 0, scene.real("block.length") / 2);
+  const std::vector<double> along = two_sided_stations(half, half);
+  const Extrusion block = make_block(scene, along);
+  auto body = std::make_shared<WornBody<3>>();
+  const double facet = scene.reals("mesh.size")[1];
+  body->mesh = block.mesh;
+  body->contact_nodes = contact_patches<3>(body->mesh, body->mesh.boundary.at("top"));
+  make_section(block, along, scene.real("path.length"), *body);
+  hold_boundary(scene.text("block.sides") == "held", *body);
+  body->load = NodalField<3>::Zero(body->displacement_fixed.rows(), 3);
+  body->scales = make_scales(scene, facet);
+  read_worn_body(scene, facet, *body);
+  CounterBody<3>& ball = body->contact.counter_body;
+  ball.radius = scene.real("ball.radius");
+  ball.point = Vector<3>(0, 0, ball.radius);
+  ball.approach = Vector<3>(0, 0, -1);
+  body->contact.streaming = Vector<3>(scene.real("wear.velocity"), 0, 0);
+  body->copies = 2;
+  body->counter_force = scene.real("load.force") / body->copies;
+  return std::make_unique<WearModel<3>>(std::move(body));
+}
+
+const Registration<Problem> registration({
+    .name = "ball_on_half_space",
+    .help =
+        "3D rigid ball that wears a groove into a block streaming past, with friction (paper, sec. "
+        "4.3)",
+    .keys = keys(),
+    .make = make,
+});
+
+}  // namespace
+
+}  // namespace gnomon

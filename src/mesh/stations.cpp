@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <gnomon/error.hpp>
+#include <gnomon/mesh/stations.hpp>
+
+namespace gnomon {
+
+namespace {
+
+/// q + q^2 + ... + q^elements.
+double geometric_sum(double q, int elements) {
+  double sum = 0;
+  for (int k = 0; k < elements; ++k) sum = (sum + 1) * q;
+  return sum;
+}
+
+/// The ratio at which that sum is `sum`, which it is at one q > 0 since it ascends.
+double ratio(double sum, int elements) {
+  double low = 0, high = 1;
+  while (geometric_sum(high, elements) < sum) high *= 2;
+  for (int k = 0; k < 200; ++k) {
+    const double middle = (low + high) / 2;
+    (geometric_sum(middle, elements) < sum ? low : high) = middle;
+  }
+  return high;
+}
+
+struct FineZone {
+  int elements;
+  double size;
+};
+
+FineZone fine_zone(double size, double fine, double end) {
+  if (!(size > 0 && fine >= 0 && end > 0 && fine <= end))
+    throw InputError(fmt::format(
+        "graded mesh: element size {}, fine length {} and length {} do not fit", size, fine, end));
+  const int elements = static_cast<int>(std::lround(fine / size));
+  if (fine > 0 && elements == 0) return {1, fine};
+  return {elements, elements > 0 ? fine / elements : size};
+}
+
+}  // namespace
+
+std::vector<double> graded_stations(double size, double fine, double end, int elements) {
+  const FineZone zone = fine_zone(size, fine, end);
+  const int growing = elements - zone.elements;
+  if (growing < 0 || (growing == 0) != (fine == end))
+    throw InputError(
+        fmt::format("graded mesh: {} elements do not fit a fine length of {} in elements of {} and "
+                    "a length of {}",
+                    elements, fine, zone.size, end));
+  std::vector<double> stations;
+  for (int k = 0; k < zone.elements; ++k) stations.push_back(fine * k / zone.elements);
+  stations.push_back(fine);
+  if (growing == 0) return stations;
+  const double q = ratio((end - fine) / zone.size, growing);
+  for (int k = 1; k < growing; ++k) stations.push_back(fine + zone.size * geometric_sum(q, k));
+  stations.push_back(end);
+  return stations;
+}
+
+std::vector<double> graded_stations_by_growth(double size, double fine, double end, double growth) {
+  if (!(growth > 1)) throw InputError(fmt::format("graded mesh: growth {} is not above 1", growth));
+  const FineZone zone = fine_zone(size, fine, end);
+  int growing = 0;
+  while (geometric_sum(growth, growing) < (1 - 1e-12) * (end - fine) / zone.size) ++growing;
+  return graded_stations(size, fine, end, zone.elements + growing);
+}
+
+std::vector<double> two_sided_stations(const std::vector<double>& left,
+                                       const std::vector<double>& right) {
+  std::vector<double> result;
+  for (std::size_t k = left.size(); k-- > 1;) result.push_back(-left[k]);
+  result.insert(result.end(), right.begin(), right.end());
+  return result;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,82 @@
+// Two methods agree: the two-dimensional pin in plane strain, and the same pin as a body of three
+// dimensions whose points do not move along its axis, with a shape of its own at every node or one
+// for its cross-section.
+
+#include <gnomon/mesh/extrusion.hpp>
+#include <gnomon/wear_model.hpp>
+
+#include "support/pin.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+
+constexpr double thickness = 0.7;
+
+/// The pin, carried along x through `thickness`; (x, y) of the plane becomes (y, z).
+std::shared_ptr<WornBody<3>> extruded(const WornBody<2>& pin, bool as_section) {
+  const Extrusion extrusion = extrude(pin.mesh, {0, 0.3 * thickness, thickness});
+  const std::vector<int>& of = extrusion.section_node;
+  auto body = std::make_shared<WornBody<3>>();
+  body->mesh = extrusion.mesh;
+  body->contact_nodes = contact_patches<3>(body->mesh, body->mesh.boundary.at("bottom"));
+  const auto nodes = static_cast<Eigen::Index>(of.size());
+  body->displacement_fixed = body->shape_fixed = NodalFlags<3>::Ones(nodes, 3);
+  body->load = NodalField<3>::Zero(nodes, 3);
+  for (Eigen::Index node = 0; node < nodes; ++node) {
+    const double x = body->mesh.nodes[node][0];
+    const double share = x == 0 ? 0.15 : x == thickness ? 0.35 : 0.5;  // of the thickness
+    body->displacement_fixed.row(node).tail<2>() = pin.displacement_fixed.row(of[node]);
+    body->shape_fixed.row(node).tail<2>() = pin.shape_fixed.row(of[node]);
+    body->load.row(node).tail<2>() = share * thickness * pin.load.row(of[node]);
+  }
+  if (as_section) {
+    CrossSection section{extrusion.section, std::vector<int>(pin.mesh.nodes.size(), -1), of};
+    for (Eigen::Index node = nodes - 1; node >= 0; --node)
+      section.node[of[node]] = static_cast<int>(node);
+    body->section = section;
+    for (const auto& patch : body->contact_nodes) {
+      const double x = body->mesh.nodes[patch.node][0];
+      body->wear_weight.push_back(x == 0 ? 0.15 : x == thickness ? 0.35 : 0.5);
+    }
+  }
+  body->material = pin.material;
+  body->element = pin.element;
+  body->auxiliary_material = pin.auxiliary_material;
+  body->contact.wear = pin.contact.wear;
+  body->contact.rho = pin.contact.rho;
+  body->contact.counter_body.velocity = Vector<3>(0, pin.contact.counter_body.velocity[0], 0);
+  body->scales = pin.scales;
+  body->scales.force *= thickness;
+  return body;
+}
+
+void check(bool as_section, double tolerance) {
+  const auto pin = pin_model({elements(8), "body.element=plain", "body.young_modulus=40"});
+  const WornBody<2>& flat = dynamic_cast<const WearModel<2>&>(*pin).wear_system().body();
+  const WearModel<3> solid(extruded(flat, as_section));
+  const ModelRun expected = run_model(*pin, "backward-euler", 100, 1e-3, 300);
+  const ModelRun actual = run_model(solid, "backward-euler", 100, 1e-3, 300);
+  const ContactSurface line = pin->contact(expected.last()).value();
+  const ContactSurface sheet = solid.contact(actual.last()).value();
+  ASSERT_EQ(sheet.node.size(), 3 * line.node.size());
+  for (std::size_t c = 0; c < sheet.node.size(); ++c) {
+    std::size_t k = 0;  // the node of the plane pin at the same place
+    while (k < line.node.size() && line.initial[k][0] != sheet.initial[c][1]) ++k;
+    ASSERT_LT(k, line.node.size());
+    EXPECT_NEAR(sheet.worn[c][1], line.worn[k][0], tolerance);
+    EXPECT_NEAR(sheet.worn[c][2], line.worn[k][1], tolerance);
+    EXPECT_NEAR(sheet.pressure[c], line.pressure[k], 1e3 * tolerance);
+  }
+  EXPECT_GT(observed(*pin, expected.last(), "worn_volume"), 0.5);
+  EXPECT_NEAR(observed(solid, actual.last(), "wear_flux") / thickness,
+              observed(*pin, expected.last(), "wear_flux"), 1e-12);
+}
+
+TEST(ExtrudedPin, WithOneShapeForItsSectionIsThePlanePin) {
+  check(true, 1e-9);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <gnomon/error.hpp>
+#include <gnomon/mesh/stations.hpp>
+
+namespace gnomon {
+namespace {
+
+std::vector<double> sizes(const std::vector<double>& stations) {
+  std::vector<double> result;
+  for (std::size_t k = 1; k < stations.size(); ++k) result.push_back(stations[k] - stations[k - 1]);
+  return result;
+}
+
+TEST(GradedStations, AreUniformThenGrowByOneRatio) {
+  const std::vector<double> stations = graded_stations(0.1, 0.5, 4, 12);
+  ASSERT_EQ(stations.size(), 13u);
+  EXPECT_EQ(stations.front(), 0);
+  EXPECT_EQ(stations[5], 0.5);
+  EXPECT_EQ(stations.back(), 4);
+  const std::vector<double> h = sizes(stations);
+  for (int k = 0; k < 5; ++k) EXPECT_NEAR(h[k], 0.1, 1e-15);
+  const double ratio = h[5] / 0.1;
+  EXPECT_GT(ratio, 1);
+  for (int k = 6; k < 12; ++k) EXPECT_NEAR(h[k] / h[k - 1], ratio, 1e-12);
+}
+
+// 1 = 0.1 (q + q^2 + q^3) has no root that is easy to type, but 14 = 1 (2 + 4 + 8) has.
+TEST(GradedStations, SolveForTheRatio) {
+  const std::vector<double> expected = {0, 1, 2, 4, 8, 16};
+  const std::vector<double> stations = graded_stations(1, 2, 16, 5);
+  ASSERT_EQ(stations.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(stations[k], expected[k], 1e-12);
+}
+
+TEST(GradedStations, ShrinkWhereTheFineSizeIsTooLargeAndFitItToTheFineLength) {
+  const std::vector<double> h = sizes(graded_stations(0.3, 1, 1.5, 7));  // 3 elements of 1/3
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(h[k], 1.0 / 3, 1e-15);
+  for (int k = 3; k < 7; ++k) EXPECT_LT(h[k], h[k - 1]);
+}
+
+TEST(GradedStations, ByGrowthTakeTheFewestElements) {
+  const std::vector<double> h = sizes(graded_stations_by_growth(0.1, 0.5, 4, 1.3));
+  EXPECT_LE(h.back() / h[h.size() - 2], 1.3);
+  const std::vector<double> fewer =
+      sizes(graded_stations(0.1, 0.5, 4, static_cast<int>(h.size()) - 1));
+  EXPECT_GT(fewer.back() / fewer[fewer.size() - 2], 1.3);
+  EXPECT_EQ(graded_stations_by_growth(1, 2, 16, 2).size(), 6u);
+}
+
+TEST(GradedStations, MayBeUniformThroughout) {
+  EXPECT_EQ(graded_stations(0.5, 2, 2, 4), (std::vector<double>{0, 0.5, 1, 1.5, 2}));
+}
+
+TEST(GradedStations, RefuseWhatCannotBe) {
+  EXPECT_THROW(graded_stations(0.1, 2, 1, 10), InputError);
+  EXPECT_THROW(graded_stations(0.1, 0.5, 1, 5), InputError);
+  EXPECT_THROW(graded_stations(0.5, 2, 2, 5), InputError);
+  EXPECT_THROW(graded_stations(0, 0, 1, 5), InputError);
+  EXPECT_THROW(graded_stations_by_growth(0.1, 0.5, 1, 1), InputError);
+}
+
+TEST(TwoSidedStations, ShareTheOrigin) {
+  EXPECT_EQ(two_sided_stations({0, 1, 3}, {0, 2}), (std::vector<double>{-3, -1, 0, 2}));
+}
+
+}  // namespace
+}  // namespace gnomon
