@@ -5,6 +5,7 @@
 #include <gnomon/error.hpp>
 #include <gnomon/result_files.hpp>
 #include <gnomon/run.hpp>
+#include <gnomon/stability.hpp>
 #include <gnomon/summary.hpp>
 #include <utility>
 
@@ -35,13 +36,14 @@ void print_summary(const RunOutcome& outcome, const RunOptions& options) {
              sidecar_of(options.result).string());
 }
 
-/// A run that oscillates finishes like any other; its numbers are worthless.
-void warn_of_flicker(const RunOutcome& outcome) {
-  if (outcome.flickering_nodes == 0) return;
+/// An explicit method above its critical step finishes like any other; its numbers are worthless.
+void warn_of_flicker(const RunOutcome& outcome, const Integrator& integrator) {
+  const auto table = integrator.table({});
+  if (outcome.flickering_nodes == 0 || !table || !is_explicit(*table)) return;
   fmt::print(stderr,
-             "gnomon: warning: {} contact nodes left contact twice or more: the solution "
-             "oscillates; take shorter steps (gnomon stability: the longest of explicit methods)\n",
-             outcome.flickering_nodes);
+             "gnomon: warning: {} contact nodes left contact twice or more: steps seem to exceed "
+             "the critical one of {} (gnomon stability)\n",
+             outcome.flickering_nodes, integrator.name);
 }
 
 int exit_code(const RunOutcome& outcome) {
@@ -102,7 +104,7 @@ int run_command(const RunOptions& given) {
   if (outcome.status == RunOutcome::Status::failed)
     throw SolutionError(failure_message(outcome, options, earlier));
   if (!options.quiet && options.summary != "-") print_summary(outcome, options);
-  if (!options.quiet) warn_of_flicker(outcome);
+  if (!options.quiet) warn_of_flicker(outcome, chosen_integrator(setup.scene));
   return exit_code(outcome);
 }
 

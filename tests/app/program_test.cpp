@@ -151,8 +151,8 @@ TEST_F(Program, InfoTellsStatusUnknownsAndScene) {
 TEST_F(Program, WarnsWhenTheContactFlickers) {
   const auto warning = [&](const std::string& step) {
     const Outcome outcome =
-        run({"--integrator", "forward-euler", "--set", "integrator.step=" + step, "--set",
-             "time.end=1000", "--force", "-o", "a.h5", "--summary", "s.json"});
+        gnomon({"run", pin, "--set", coarse, "--integrator", "forward-euler", "--set",
+                "integrator.step=" + step, "--force", "-o", "a.h5", "--summary", "s.json"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
     const bool warned = outcome.err.find("warning") != std::string::npos;
