@@ -26,8 +26,8 @@ struct PinSystem {
 
   const System& system() const { return model->system(); }
   const Structure& structure() const { return system().structure(); }
-  void residual() { system().residual(state.t, state.y, state.ydot, F); }
-  void jacobian() { system().jacobian(state.t, state.y, state.ydot, alpha, values); }
+  void residual() { system().residual({state.t, state.y, state.ydot}, F); }
+  void jacobian() { system().jacobian({state.t, state.y, state.ydot}, alpha, values); }
 
   std::unique_ptr<Model> model;
   State state;

@@ -29,7 +29,7 @@ macro(gnomon_find_plain name title package)
 endmacro()
 
 # Packages with a CMake configuration of their own.
-find_package(SUNDIALS 6.4 QUIET CONFIG COMPONENTS kinsol ida arkode)
+find_package(SUNDIALS 6.4 QUIET CONFIG COMPONENTS kinsol ida arkode sunlinsolspfgmr)
 gnomon_need("SUNDIALS 6.4 with KINSOL, IDA and ARKODE" libsundials-dev "${SUNDIALS_FOUND}")
 find_package(Eigen3 3.4 QUIET CONFIG)
 gnomon_need("Eigen 3.4" libeigen3-dev "${Eigen3_FOUND}")
@@ -39,6 +39,8 @@ find_package(tomlplusplus QUIET CONFIG)
 gnomon_need("toml++" libtomlplusplus-dev "${tomlplusplus_FOUND}")
 find_package(CLI11 QUIET CONFIG)
 gnomon_need("CLI11" libcli11-dev "${CLI11_FOUND}")
+find_package(OpenMP QUIET COMPONENTS CXX)
+gnomon_need("OpenMP" g++ "${OpenMP_CXX_FOUND}")
 find_package(fmt QUIET CONFIG)
 gnomon_need("fmt" libfmt-dev "${fmt_FOUND}")
 find_package(nlohmann_json QUIET CONFIG)
@@ -62,9 +64,21 @@ endif()
 
 # SuiteSparse and METIS; KLU serves the benchmarks only.
 gnomon_find_plain(umfpack UMFPACK libsuitesparse-dev)
+gnomon_find_plain(cholmod CHOLMOD libsuitesparse-dev)
 gnomon_find_plain(metis METIS libmetis-dev)
 if(GNOMON_BENCHMARKS)
   gnomon_find_plain(klu KLU libsuitesparse-dev)
+endif()
+
+# PETSc, with the MPI that its headers want, for multigrid alone: a module that is loaded on first use.
+if(GNOMON_MULTIGRID AND PKG_CONFIG_FOUND)
+  pkg_search_module(PETSC QUIET IMPORTED_TARGET PETSc petsc)
+  find_package(MPI QUIET COMPONENTS CXX)
+  if(NOT (PETSC_FOUND AND MPI_CXX_FOUND))
+    message(WARNING "No multigrid: PETSc or its MPI is missing (Debian: petsc-dev; "
+                    "-DGNOMON_MULTIGRID=OFF builds without).")
+    set(GNOMON_MULTIGRID OFF)
+  endif()
 endif()
 
 # BLAS: OpenBLAS where it exists, otherwise whatever there is; -DBLA_VENDOR=... chooses another.
@@ -100,6 +114,7 @@ endif()
 
 add_library(gnomon_dependencies INTERFACE)
 target_link_libraries(gnomon_dependencies INTERFACE
-  SUNDIALS::kinsol SUNDIALS::ida SUNDIALS::arkode BLAS::BLAS gnomon::umfpack gnomon::metis
+  SUNDIALS::kinsol SUNDIALS::ida SUNDIALS::arkode SUNDIALS::sunlinsolspfgmr BLAS::BLAS gnomon::umfpack gnomon::cholmod
+  gnomon::metis
   Eigen3::Eigen Spectra::Spectra PkgConfig::HDF5 tomlplusplus::tomlplusplus CLI11::CLI11 fmt::fmt
   nlohmann_json::nlohmann_json)

@@ -10,8 +10,10 @@ struct Counters {
   long newton_iterations = 0;
   long residual_evaluations = 0;
   long jacobian_evaluations = 0;
-  long factorizations = 0;  ///< numeric factorizations
-  long linear_solves = 0;   ///< solves with a factor
+  long factorizations = 0;         ///< numeric factorizations
+  long linear_solves = 0;          ///< solves with the Jacobian
+  long krylov_iterations = 0;      ///< of the block solver
+  long preconditioner_setups = 0;  ///< of the block solver, by factors or multigrid
 };
 
 }  // namespace gnomon

@@ -48,7 +48,7 @@ struct Key {
 const std::vector<Key>& run_keys();
 
 /// Keys shared by problems of a worn hyperelastic body: `body.*`, `load.*`, `wear.*`, `shape.*`,
-/// `contact.*`, and in 3D `friction.*`. A problem adds its own geometry and mesh keys.
+/// `solver.*`, `contact.*`, and in 3D `friction.*`. A problem adds its own geometry and mesh keys.
 const std::vector<Key>& worn_body_keys(int dim);
 
 /// A validated scene. Every key of its table either has a value or is an absent optional key.

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <functional>
+#include <gnomon/linear_solver_choice.hpp>
 #include <gnomon/sparse.hpp>
 #include <memory>
 #include <span>
@@ -34,6 +35,7 @@ struct Structure {
   std::vector<double> row_scale;      ///< size entries: |F_i| that matters, in the unit of the row
   std::vector<double> unknown_scale;  ///< size entries: typical |y_i|
   std::vector<int> switch_node;       ///< one a switching function: the mesh node it belongs to
+  LinearSolverChoice solver;
   // For solvers by blocks; empty where a system has no such blocks.
   std::vector<UnknownKind> kind;                ///< size entries
   std::vector<char> component;                  ///< size entries: 0, 1, 2 of a vector, else 0

@@ -18,9 +18,9 @@ public:
   /// SolutionError names the fraction of the load that was in equilibrium.
   State start(Counters& counters) const override;
   /// contact_nodes, contact_force (the integral of the pressure), max_pressure, worn_volume,
-  /// wear_flux, element_quality, approach (w, where the counter-body moves), contact_half_width
-  /// (2D). Forces and volumes are those of the whole body, of which symmetry may leave a part to be
-  /// modelled.
+  /// wear_flux, element_quality, groove_section (of a groove), approach (w, where the counter-body
+  /// moves), contact_half_width (2D). Forces and volumes are those of the whole body, of which
+  /// symmetry may leave a part to be modelled.
   std::vector<Scalar> observe(const State& state) const override;
   double differential_scale() const override { return system_.body().scales.wear_depth; }
   std::optional<Grid> grid() const override;

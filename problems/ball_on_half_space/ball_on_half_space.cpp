@@ -10,7 +10,10 @@
 //
 // The surface is z = 0, touched by the ball at the origin; y = 0 is the plane of symmetry.
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <gnomon/error.hpp>
 #include <gnomon/hertz.hpp>
 #include <gnomon/mesh/extrusion.hpp>
 #include <gnomon/mesh/stations.hpp>
@@ -91,7 +94,7 @@ Extrusion make_block(const Scene& scene, const std::vector<double>& along) {
 void make_section(const Extrusion& block, const std::vector<double>& x, double path,
                   WornBody<3>& body) {
   CrossSection section{block.section, std::vector<int>(block.section.nodes.size(), -1),
-                       block.section_node};
+                       block.section_node, x.back() - x.front(), path};
   for (std::size_t node = 0; node < section.of.size(); ++node)
     if (int& carrier = section.node[section.of[node]]; carrier < 0)
       carrier = static_cast<int>(node);
@@ -102,7 +105,6 @@ void make_section(const Extrusion& block, const std::vector<double>& x, double p
     body.wear_weight.push_back((before + behind) / 2 / path);
   }
   body.section = std::move(section);
-  body.repeat = path / (x.back() - x.front());
 }
 
 /// The base is held, the ends and the outer side as the scene says. The shape is held on the base
@@ -140,6 +142,12 @@ Scales make_scales(const Scene& scene, double facet) {
 }
 
 std::unique_ptr<Model> make(const Scene& scene) {
+  if (scene.text("shape.constraint") == "multiplier")
+    throw InputError(scene.where("shape.constraint") +
+                     ": expected \"eliminated\": a groove has no multiplier form");
+  if (const long along = scene.integers("mesh.elements")[0]; along % 2)
+    throw InputError(fmt::format("{}: expected an even number of elements along the block, got {}",
+                                 scene.where("mesh.elements"), along));
   const std::vector<double> half = stations(scene, 0, scene.real("block.length") / 2);
   const std::vector<double> along = two_sided_stations(half, half);
   const Extrusion block = make_block(scene, along);

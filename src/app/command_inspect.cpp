@@ -55,6 +55,10 @@ void print_history(const HistoryRow& last) {
   count("jacobian_evaluations", c.jacobian_evaluations);
   count("factorizations", c.factorizations);
   count("linear_solves", c.linear_solves);
+  if (c.preconditioner_setups > 0) {
+    count("krylov_iterations", c.krylov_iterations);
+    count("preconditioner_setups", c.preconditioner_setups);
+  }
   fmt::print("\nat the end:\n{}", table.text());
 }
 

@@ -7,8 +7,7 @@
 #include <numeric>
 #include <string>
 
-// OpenBLAS has it, other BLAS do not; resolved when the program is loaded.
-extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+#include "linear/blas.hpp"
 
 namespace gnomon {
 
@@ -121,9 +120,7 @@ struct SparseLu::Factors {
 
 SparseLu::SparseLu(const SparsePattern& pattern, const std::vector<int>& group)
     : factors_(std::make_unique<Factors>(pattern, group)) {
-  // The fronts of 2D problems are too small to share: a second thread only costs (measured: 11.7 s
-  // instead of 6.5 s for a run of 20 steps on busy cores).
-  if (openblas_set_num_threads) openblas_set_num_threads(1);
+  use_one_blas_thread();
   Factors& f = *factors_;
   f.order = nested_dissection(pattern, group);
   const int n = f.pattern.size();

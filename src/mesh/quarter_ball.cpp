@@ -40,7 +40,7 @@ struct Geometry {
 
   /// On the bottom patch (t = 0) or above its edge (a = -1, b = 1 or a = 1).
   Vector<3> sphere(double a, double b, double t) const {
-    const Vector<3> patch = downwards(patch_angle, a, b);
+    Vector<3> patch = downwards(patch_angle, a, b);
     if (t == 0) return patch;
     // Azimuth of the point above on the mid-plane, from +x: its share of the edge's way.
     const double way = a == 1 ? b / 4 : a == -1 ? 1 - b / 4 : (2 - a) / 4;

@@ -10,20 +10,20 @@ WearModel<dim>::WearModel(std::shared_ptr<const WornBody<dim>> body)
 
 template <int dim>
 std::vector<BlockSize> WearModel<dim>::blocks() const {
-  const Unknowns<dim>& unknowns = system_.unknowns();
-  const auto count = [](const auto& numbers) {
-    return static_cast<long>((numbers.array() >= 0).count());
+  const auto& kinds = system_.structure().kind;
+  const auto count = [&kinds](UnknownKind kind) {
+    return static_cast<long>(std::count(kinds.begin(), kinds.end(), kind));
   };
-  const auto& differential = system_.structure().differential;
-  const long worn = std::count(differential.begin(), differential.end(), 1);
   std::vector<BlockSize> blocks = {
-      {"displacement", "u", count(unknowns.u()), "all nodes"},
-      {"shape", "d", count(unknowns.d()) - worn, "nodes off the contact surface"},
-      {"worn_surface", "d", worn, "contact nodes (differential)"},
-      {"contact_multiplier", "lambda", count(unknowns.lambda()), "contact nodes"}};
-  if (unknowns.w() >= 0) blocks.push_back({"rigid_motion", "w", 1, "counter-body"});
+      {"displacement", "u", count(UnknownKind::displacement), "all nodes"},
+      {"shape", "d", count(UnknownKind::shape), "nodes off the contact surface"},
+      {"worn_surface", "d", count(UnknownKind::worn_surface), "contact nodes (differential)"},
+      {"contact_multiplier", "lambda", count(UnknownKind::contact_multiplier), "contact nodes"}};
+  if (system_.body().counter_force)
+    blocks.push_back({"rigid_motion", "w", count(UnknownKind::rigid_motion), "counter-body"});
   if (system_.body().constraint == ConstraintForm::multiplier)
-    blocks.push_back({"shape_multiplier", "mu", count(unknowns.mu()), "contact nodes"});
+    blocks.push_back(
+        {"shape_multiplier", "mu", count(UnknownKind::shape_multiplier), "contact nodes"});
   return blocks;
 }
 
@@ -50,15 +50,19 @@ std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
     worn += cell_volume<dim>(initial) - cell_volume<dim>(X);
     quality = std::min(quality, scaled_jacobian<dim>(X));
   }
+  worn *= body.copies;
   // Per unit thickness in 2D.
   const std::string force_unit = dim == 2 ? "N/mm" : "N";
   const std::string volume_unit = dim == 2 ? "mm^2" : "mm^3";
-  std::vector<Scalar> scalars = {{"contact_nodes", "", double(active)},
-                                 {"contact_force", force_unit, force},
-                                 {"max_pressure", "MPa", pressure},
-                                 {"worn_volume", volume_unit, body.copies * body.repeat * worn},
-                                 {"wear_flux", volume_unit + "/s", flux},
-                                 {"element_quality", "", quality}};
+  std::vector<Scalar> scalars = {
+      {"contact_nodes", "", double(active)},
+      {"contact_force", force_unit, force},
+      {"max_pressure", "MPa", pressure},
+      {"worn_volume", volume_unit,
+       body.section ? worn * body.section->path / body.section->length : worn},
+      {"wear_flux", volume_unit + "/s", flux},
+      {"element_quality", "", quality}};
+  if (body.section) scalars.push_back({"groove_section", "mm^2", worn / body.section->length});
   if (body.counter_force) scalars.push_back({"approach", "mm", nodal.w});
   if constexpr (dim == 2)
     scalars.push_back({"contact_half_width", "mm", contact_half_width(system_, nodal)});

@@ -43,14 +43,7 @@ void close_initial_gap(const WornBody<dim>& body, NodalState<dim>& state) {
 
 /// As in a scene.
 const char* element_name(ElementKind kind) {
-  switch (kind) {
-    case ElementKind::plain:
-      return "plain";
-    case ElementKind::f_bar:
-      return "f-bar";
-    default:
-      return "f-bar-variational";
-  }
+  return variational(kind) ? "f-bar-variational" : averaged(kind) ? "f-bar" : "plain";
 }
 
 double young_modulus(const NeoHookean& law) {

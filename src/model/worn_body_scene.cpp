@@ -13,11 +13,17 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   body.element = element == "plain"   ? ElementKind::plain
                  : element == "f-bar" ? ElementKind::f_bar
                                       : ElementKind::f_bar_variational;
+  if (scene.text("body.kinematics") == "small") body.element = small_strain_limit(body.element);
   body.contact.wear.coefficient = scene.real("wear.coefficient");
   if constexpr (dim == 3) {  // eq. (13): wear by the frictional dissipation
     body.contact.friction = scene.real("friction.coefficient");
     body.contact.wear.coefficient *= body.contact.friction;
   }
+  body.solver.method = scene.text("solver.method") == "direct" ? LinearSolverChoice::Method::direct
+                                                               : LinearSolverChoice::Method::block;
+  body.solver.preconditioner = scene.text("solver.preconditioner") == "factor"
+                                   ? LinearSolverChoice::Preconditioner::factor
+                                   : LinearSolverChoice::Preconditioner::multigrid;
   body.contact.rho =
       scene.real("contact.regularization") * regularization_unit(young, facet, body.scales);
   body.contact.normal_rule =

@@ -29,6 +29,8 @@ const std::vector<Column>& fixed_columns() {
       {"jacobian_evaluations", "", true},
       {"factorizations", "", true},
       {"linear_solves", "", true},
+      {"krylov_iterations", "", true},
+      {"preconditioner_setups", "", true},
   };
   return columns;
 }
@@ -64,9 +66,9 @@ HistoryRow row_of(const Cell* cell, const std::vector<Column>& columns) {
   row.step.restarted = (cell++)->integer != 0;
   row.step.switched = static_cast<int>((cell++)->integer);
   Counters& c = row.counters;
-  for (long* counter :
-       {&c.steps, &c.rejected_steps, &c.events, &c.newton_iterations, &c.residual_evaluations,
-        &c.jacobian_evaluations, &c.factorizations, &c.linear_solves}) {
+  for (long* counter : {&c.steps, &c.rejected_steps, &c.events, &c.newton_iterations,
+                        &c.residual_evaluations, &c.jacobian_evaluations, &c.factorizations,
+                        &c.linear_solves, &c.krylov_iterations, &c.preconditioner_setups}) {
     *counter = (cell++)->integer;
   }
   for (std::size_t i = fixed_columns().size(); i < columns.size(); ++i) {
@@ -90,7 +92,8 @@ std::vector<Cell> cells_of(const HistoryRow& row) {
        {static_cast<long>(row.step.order), row.step.newton_iterations,
         static_cast<long>(row.step.restarted), static_cast<long>(row.step.switched), c.steps,
         c.rejected_steps, c.events, c.newton_iterations, c.residual_evaluations,
-        c.jacobian_evaluations, c.factorizations, c.linear_solves}) {
+        c.jacobian_evaluations, c.factorizations, c.linear_solves, c.krylov_iterations,
+        c.preconditioner_setups}) {
     cells.push_back({.integer = value});
   }
   for (const Scalar& scalar : row.scalars) cells.push_back({.real = scalar.value});

@@ -29,6 +29,8 @@ void add_counters(Json& json, const Counters& counters) {
   json["jacobian_evaluations"] = counters.jacobian_evaluations;
   json["factorizations"] = counters.factorizations;
   json["linear_solves"] = counters.linear_solves;
+  json["krylov_iterations"] = counters.krylov_iterations;
+  json["preconditioner_setups"] = counters.preconditioner_setups;
 }
 
 void add_scalars(Json& json, const RunOutcome& outcome) {

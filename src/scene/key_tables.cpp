@@ -156,6 +156,12 @@ std::vector<Key> body_keys() {
        .default_value = "f-bar",
        .choices = {"plain", "f-bar", "f-bar-variational"},
        .help = "plain, F-bar (de Souza Neto), or F-bar read as the variation of eq. (32)"},
+      {.name = "body.kinematics",
+       .kind = KeyKind::text,
+       .presence = defaulted,
+       .default_value = "finite",
+       .choices = {"finite", "small"},
+       .help = "strains of the body: finite, or linearised (K_uu then depends on the shape alone)"},
   };
 }
 
@@ -186,9 +192,28 @@ std::vector<Key> shape_keys() {
   };
 }
 
+std::vector<Key> solver_keys(int dim) {
+  return {
+      {.name = "solver.method",
+       .kind = KeyKind::text,
+       .presence = defaulted,
+       .default_value = dim == 2 ? "direct" : "block",
+       .choices = {"direct", "block"},
+       .help = "linear systems: factors of the whole Jacobian, or flexible GMRES on it, "
+               "preconditioned block by block"},
+      {.name = "solver.preconditioner",
+       .kind = KeyKind::text,
+       .presence = defaulted,
+       .default_value = "factor",
+       .choices = {"factor", "multigrid"},
+       .help = "what solver.method = \"block\" solves the stiffness with: Cholesky factors, or "
+               "algebraic multigrid (needs PETSc)"},
+  };
+}
+
 std::vector<Key> make_worn_body_keys(int dim) {
   std::vector<Key> keys;
-  for (const auto& part : {body_keys(), load_and_wear_keys(dim), shape_keys()})
+  for (const auto& part : {body_keys(), load_and_wear_keys(dim), shape_keys(), solver_keys(dim)})
     keys.insert(keys.end(), part.begin(), part.end());
   if (dim == 3) keys.push_back(friction_key());
   keys.push_back(

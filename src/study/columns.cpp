@@ -85,6 +85,8 @@ std::vector<Column> cost_columns() {
       count("jacobian_evaluations", &Counters::jacobian_evaluations),
       count("factorizations", &Counters::factorizations),
       count("linear_solves", &Counters::linear_solves),
+      count("krylov_iterations", &Counters::krylov_iterations),
+      count("preconditioner_setups", &Counters::preconditioner_setups),
       real("wall_seconds", "s", &StudyRow::wall_seconds),
       real("cpu_seconds", "s", &StudyRow::cpu_seconds),
       real("peak_memory_mb", "MB", &StudyRow::peak_memory_mb),

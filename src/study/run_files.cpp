@@ -39,7 +39,9 @@ Counters counters_of(const Json& json) {
           .residual_evaluations = get("residual_evaluations"),
           .jacobian_evaluations = get("jacobian_evaluations"),
           .factorizations = get("factorizations"),
-          .linear_solves = get("linear_solves")};
+          .linear_solves = get("linear_solves"),
+          .krylov_iterations = get("krylov_iterations"),
+          .preconditioner_setups = get("preconditioner_setups")};
 }
 
 /// Why a process that left no summary has failed: its last words.

@@ -46,6 +46,7 @@ private:
   long rejected_ = 0;
   ActiveSet piece_;  // the smooth piece that steps stay on while events are located
   std::optional<StageSolver> stages_;  // made at the first event
+  LinearRequest request_;
   Guard guard_;
   // Destroyed in reverse: IDA before what it refers to, the context last.
   Context context_;
@@ -67,7 +68,7 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
       id_(make_vector(system.structure().size, context_)),
       probe_(make_vector(system.structure().size, context_)),
       matrix_(make_matrix(system.structure(), context_)),
-      linear_(make_linear_solver(system.structure(), counters, guard_, context_)) {
+      linear_(make_linear_solver(system.structure(), counters, guard_, context_, request_)) {
   const auto& differential = system.structure().differential;
   std::copy(differential.begin(), differential.end(), view(id_.get()).begin());
   SemismoothSettings newton;
@@ -82,7 +83,8 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
     N_VLinearSum(1.0, predicted, 1.0, ycor, probe_.get());
     active = piece() ? piece_ : active_set(system_, view(probe_.get()));
   };
-  nonlinear_ = make_semismooth_newton(system.structure(), counters, guard_, newton, context_);
+  nonlinear_ =
+      make_semismooth_newton(system.structure(), counters, guard_, newton, request_, context_);
 }
 
 void BdfSolver::Memory::begin(const State& state) {

@@ -4,7 +4,8 @@
 #include <gnomon/sundials/newton.hpp>
 #include <tuple>
 
-#include "room.hpp"
+#include "forcing.hpp"
+#include "linear_solver.hpp"
 
 namespace gnomon {
 
@@ -38,10 +39,11 @@ private:
   const NonlinearFunction* function_ = nullptr;
   std::vector<double> norms_;
   std::vector<ActiveSet> pieces_;  // of the iterates
-  // What the factors were made for; `keep_` tells the linear solver to leave them.
-  bool factored_ = false, keep_ = false, fresh_ = false, stalled_ = false;
+  // What the factors (the Jacobian, for iterative solvers) were made for.
+  bool factored_ = false, fresh_ = false, stalled_ = false;
   double factored_alpha_ = 0;
   ActiveSet factored_piece_;
+  LinearRequest request_;
   Guard guard_;
   // Destroyed in reverse: the solver before what it refers to, the context last.
   Context context_;
@@ -60,7 +62,7 @@ NewtonSolver::Memory::Memory(const Structure& structure, Counters& counters,
       unknown_scale_(make_vector(structure.size, context_)),
       row_scale_(make_vector(structure.size, context_)),
       matrix_(make_matrix(structure, context_)),
-      linear_(make_linear_solver(structure, counters, guard_, context_, &keep_)),
+      linear_(make_linear_solver(structure, counters, guard_, context_, request_)),
       kinsol_(KINCreate(context_)) {
   for (long i = 0; i < structure.size; ++i) {
     view(unknown_scale_.get())[i] = 1 / structure.unknown_scale[i];
@@ -104,9 +106,13 @@ int NewtonSolver::Memory::jacobian(N_Vector y, N_Vector, SUNMatrix J, void* data
       self.stalled_ = true;
       throw RecoverableError("rounding");  // the way to stop KINSOL here
     }
-    self.keep_ = self.options_.keep_factors && self.factors_serve(piece);
-    self.fresh_ = !self.keep_;
-    if (self.keep_) return;
+    self.fresh_ = !(self.options_.keep_factors && self.factors_serve(piece));
+    const std::size_t n = self.norms_.size();
+    self.request_ = {
+        .keep = !self.fresh_,
+        .reduction = linear_reduction(self.norms_.back(), n > 1 ? self.norms_[n - 2] : 0,
+                                      self.fresh_, self.options_.tolerance)};
+    if (!self.fresh_) return;
     self.factored_ = false;
     ++self.counters_.jacobian_evaluations;
     function.jacobian(view(y), values(J));

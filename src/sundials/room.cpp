@@ -59,10 +59,7 @@ SUNMatrix new_matrix(const Structure& structure, SUNContext context) {
   matrix->content = new MatrixContent{structure, std::vector<double>(structure.pattern.nonzeros())};
   matrix->ops->getid = [](SUNMatrix) { return SUNMATRIX_CUSTOM; };
   matrix->ops->clone = [](SUNMatrix m) { return new_matrix(content(m).structure, m->sunctx); };
-  matrix->ops->zero = [](SUNMatrix m) {
-    std::fill(content(m).values.begin(), content(m).values.end(), 0.0);
-    return 0;
-  };
+  matrix->ops->zero = [](SUNMatrix) { return 0; };
   matrix->ops->destroy = [](SUNMatrix m) {
     delete &content(m);
     SUNMatFreeEmpty(m);
@@ -80,67 +77,6 @@ MatrixOwner make_matrix(const Structure& structure, SUNContext context) {
 
 std::span<double> values(SUNMatrix matrix) {
   return content(matrix).values;
-}
-
-// ---- linear solver
-// -------------------------------------------------------------------------------
-
-namespace {
-
-struct LinearContent {
-  SparseLu lu;
-  Counters& counters;
-  Guard& guard;
-  const bool* keep;
-};
-
-LinearContent& content(SUNLinearSolver solver) {
-  return *static_cast<LinearContent*>(solver->content);
-}
-
-int setup(SUNLinearSolver solver, SUNMatrix matrix) {
-  LinearContent& c = content(solver);
-  if (c.keep && *c.keep) return 0;
-  return c.guard.run([&] {
-    ++c.counters.factorizations;
-    if (!c.lu.factorize(values(matrix))) throw RecoverableError("the Jacobian is singular");
-  });
-}
-
-int solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sunrealtype) {
-  LinearContent& c = content(solver);
-  return c.guard.run([&] {
-    ++c.counters.linear_solves;
-    if (x == b) {  // IDA solves in place, UMFPACK does not
-      const std::vector<double> right(view(b).begin(), view(b).end());
-      c.lu.solve(right, view(x));
-    } else {
-      c.lu.solve(view(b), view(x));
-    }
-  });
-}
-
-}  // namespace
-
-LinearSolverOwner make_linear_solver(const Structure& structure, Counters& counters, Guard& guard,
-                                     SUNContext context, const bool* keep) {
-  SUNLinearSolver solver = SUNLinSolNewEmpty(context);
-  check(solver, "SUNLinSolNewEmpty");
-  LinearSolverOwner owner(solver);
-  solver->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; };
-  solver->ops->getid = [](SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; };
-  solver->ops->initialize = [](SUNLinearSolver) { return 0; };
-  solver->ops->setup = setup;
-  solver->ops->solve = solve;
-  solver->ops->free = [](SUNLinearSolver s) {
-    delete static_cast<LinearContent*>(s->content);
-    s->content = nullptr;
-    SUNLinSolFreeEmpty(s);
-    return 0;
-  };
-  solver->content =
-      new LinearContent{SparseLu(structure.pattern, structure.group), counters, guard, keep};
-  return owner;
 }
 
 }  // namespace gnomon::sundials

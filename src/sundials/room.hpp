@@ -4,14 +4,11 @@
 // Version differences (6.4 and 7.x) belong here and in compat.hpp alone.
 #pragma once
 
-#include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_matrix.h>
 #include <sundials/sundials_nvector.h>
 
 #include <exception>
-#include <gnomon/counters.hpp>
 #include <gnomon/error.hpp>
-#include <gnomon/linear/sparse_lu.hpp>
 #include <gnomon/system.hpp>
 #include <memory>
 #include <span>
@@ -35,12 +32,8 @@ inline void destroy_vector(_generic_N_Vector* v) {
 inline void destroy_matrix(_generic_SUNMatrix* m) {
   SUNMatDestroy(m);
 }
-inline void destroy_linear(_generic_SUNLinearSolver* s) {
-  SUNLinSolFree(s);
-}
 using VectorOwner = Owner<_generic_N_Vector, destroy_vector>;
 using MatrixOwner = Owner<_generic_SUNMatrix, destroy_matrix>;
-using LinearSolverOwner = Owner<_generic_SUNLinearSolver, destroy_linear>;
 
 /// Throws Error with the function's name when a SUNDIALS call failed.
 void check(int flag, const char* what);
@@ -84,14 +77,10 @@ private:
   std::string recoverable_;
 };
 
-/// Values on a fixed pattern as a SUNMatrix. SUNMatZero leaves the pattern alone.
+/// Values on a fixed pattern as a SUNMatrix. SUNMatZero does nothing: System::jacobian overwrites
+/// every value, and a Jacobian that is kept stays.
 MatrixOwner make_matrix(const Structure& structure, SUNContext context);
 std::span<double> values(SUNMatrix matrix);
-
-/// SparseLu as a direct SUNLinearSolver; counts factorizations and solves. While *keep is true, a
-/// set-up leaves the last factors as they are (null: never).
-LinearSolverOwner make_linear_solver(const Structure& structure, Counters& counters, Guard& guard,
-                                     SUNContext context, const bool* keep = nullptr);
 
 /// Throws RecoverableError when an entry is not finite.
 void require_finite(std::span<const double> values, const char* what);

@@ -1,6 +1,6 @@
 #include "semismooth_newton.hpp"
 
-#include <limits>
+#include "forcing.hpp"
 
 namespace gnomon::sundials {
 
@@ -11,12 +11,13 @@ struct Content {
   Counters& counters;
   Guard& guard;
   SemismoothSettings settings;
+  LinearRequest& request;
   VectorOwner delta;
   SUNNonlinSolSysFn residual = nullptr;
   SUNNonlinSolLSetupFn setup = nullptr;
   SUNNonlinSolLSolveFn solve = nullptr;
-  std::vector<char> factored_set, current_set;  // active sets of the factor and of the iterate
-  long iterations = 0;                          // of the last solve
+  std::vector<char> factored_set{}, current_set{};  // active sets of the factor and of the iterate
+  long iterations = 0;                              // of the last solve
   long failures = 0;
 
   int iterate(N_Vector ycor, bool call_setup, void* ida);
@@ -38,18 +39,20 @@ int Content::refactor(void* ida, bool converging) {
 // Positive: recoverable, IDA cuts the step. Negative: fatal.
 int Content::iterate(N_Vector ycor, bool call_setup, void* ida) {
   iterations = 0;
-  double previous = std::numeric_limits<double>::infinity();
+  double previous = 0;
   for (;;) {
     if (const int flag = residual(ycor, delta.get(), ida)) return flag;
     const double current = norm();
     if (current <= settings.newton.tolerance) return SUN_NLS_SUCCESS;
-    const bool stalled = current > settings.slow * previous;
+    const bool stalled = previous > 0 && current > settings.slow * previous;
     if (stalled && iterations > 2 && !call_setup && current <= settings.newton.acceptable)
       return SUN_NLS_SUCCESS;  // rounding
     if (iterations == settings.newton.max_iterations) return SUN_NLS_CONV_RECVR;
     settings.active_set(ycor, current_set);
-    if (call_setup || stalled || current_set != factored_set)
+    const bool fresh = call_setup || stalled || current_set != factored_set;
+    if (fresh)
       if (const int flag = refactor(ida, iterations > 0)) return flag;
+    request.reduction = linear_reduction(current, previous, fresh, settings.newton.tolerance);
     call_setup = false;
     previous = current;
     N_VScale(-1.0, delta.get(), delta.get());
@@ -64,14 +67,12 @@ int Content::iterate(N_Vector ycor, bool call_setup, void* ida) {
 
 NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters& counters,
                                             Guard& guard, const SemismoothSettings& settings,
-                                            SUNContext context) {
+                                            LinearRequest& request, SUNContext context) {
   SUNNonlinearSolver solver = SUNNonlinSolNewEmpty(context);
   check(solver, "SUNNonlinSolNewEmpty");
   NonlinearSolverOwner owner(solver);
-  solver->content =
-      new Content{structure, counters, guard,   settings, make_vector(structure.size, context),
-                  nullptr,   nullptr,  nullptr, {},       {},
-                  0,         0};
+  solver->content = new Content{structure, counters, guard,
+                                settings,  request,  make_vector(structure.size, context)};
   auto* ops = solver->ops;
   ops->gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
   ops->initialize = [](SUNNonlinearSolver) { return SUN_NLS_SUCCESS; };

@@ -6,7 +6,7 @@
 #include <functional>
 #include <gnomon/sundials/newton.hpp>
 
-#include "room.hpp"
+#include "linear_solver.hpp"
 
 namespace gnomon::sundials {
 
@@ -26,8 +26,9 @@ struct SemismoothSettings {
   std::function<void(N_Vector ycor, std::vector<char>& active)> active_set;
 };
 
+/// Tells the linear solver through `request` what it needs. References must outlive the solver.
 NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters& counters,
                                             Guard& guard, const SemismoothSettings& settings,
-                                            SUNContext context);
+                                            LinearRequest& request, SUNContext context);
 
 }  // namespace gnomon::sundials

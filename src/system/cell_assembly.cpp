@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <omp.h>
 
+#include <algorithm>
 #include <gnomon/error.hpp>
 #include <gnomon/system/cell_assembly.hpp>
 
@@ -63,6 +65,7 @@ void CellAssembly<dim>::fill_map(const SparsePattern& pattern, const Numbers& co
 
 template <int dim>
 void CellAssembly<dim>::map_to(const SparsePattern& pattern) {
+  size_ = pattern.size();
   fill_map(pattern, columns_, map_);
   if (shape_columns_) fill_map(pattern, *shape_columns_, shape_map_);
 }
@@ -80,45 +83,115 @@ void CellAssembly<dim>::gather(int cell, const NodalField<dim>* shape,
 }
 
 template <int dim>
-void CellAssembly<dim>::throw_inverted(int cell, const CellNodal<dim>& X) const {
-  const Vector<dim> centre = X.colwise().mean().transpose();
+void CellAssembly<dim>::throw_inverted(int cell, const NodalField<dim>* shape) const {
+  Vector<dim> centre = Vector<dim>::Zero();
+  for (int node : mesh_.cells[cell]) {
+    centre += mesh_.nodes[node] / Mesh<dim>::cell_nodes;
+    if (shape) centre += shape->row(node).transpose() / Mesh<dim>::cell_nodes;
+  }
   std::string place = fmt::format("({:.4g}, {:.4g}", centre[0], centre[1]);
   if constexpr (dim == 3) place += fmt::format(", {:.4g}", centre[2]);
   throw RecoverableError(fmt::format("inverted element {} at {})", cell, place));
 }
 
+namespace {
+
+/// Entries of tangents (or residuals) below which threads cost more than they gain.
+constexpr long worth_threads = 1'000'000;
+
+/// The rows or columns that a thread adds to.
+struct Range {
+  int begin, end;
+
+  bool holds(int number) const { return number >= begin && number < end; }
+};
+
+/// work(cell, range) for ascending cells by every thread, each with its own range of the numbers
+/// below `size`: cells between ranges are computed more than once, but nothing is waited for, and
+/// sums do not depend on the number of threads. Returns the first cell whose work() is false, else
+/// their number.
+template <class Work>
+int for_cells(int cells, int entries, std::size_t size, const Work& work) {
+  const int most = long(cells) * entries < worth_threads ? 1 : omp_get_max_threads();
+  int failed = cells;
+#pragma omp parallel num_threads(most) reduction(min : failed)
+  {
+    const std::size_t thread = omp_get_thread_num(), threads = omp_get_num_threads();
+    const Range own{static_cast<int>(thread * size / threads),
+                    static_cast<int>((thread + 1) * size / threads)};
+    bool good = true;
+    for (int c = 0; c < cells && good; ++c) {
+      good = work(c, own);
+      if (!good) failed = c;  // each thread's own here; the least remains
+    }
+  }
+  return failed;
+}
+
+/// Whether one of a cell's values has its number in the range.
+template <class Cell, class Numbers>
+bool meets(const Cell& cell, const Numbers& numbers, const Range& range) {
+  for (int node : cell)
+    for (int i = 0; i < numbers.cols(); ++i)
+      if (range.holds(numbers(node, i))) return true;
+  return false;
+}
+
+/// Adds the columns of K that lie in the range; `position` is the cell's part of the map.
+template <int dim, class Cell, class Numbers>
+void add_columns(const Cell& cell, const Numbers& columns, const Range& range, const int* position,
+                 const CellMatrix<dim>& K, std::span<double> values) {
+  const double* entry = K.data();
+  for (int node : cell)
+    for (int j = 0; j < dim; ++j, position += K.rows(), entry += K.rows()) {
+      if (!range.holds(columns(node, j))) continue;
+      for (int k = 0; k < K.rows(); ++k)
+        if (position[k] >= 0) values[position[k]] += entry[k];
+    }
+}
+
+}  // namespace
+
 template <int dim>
 void CellAssembly<dim>::add_residual(const NodalField<dim>* shape,
                                      const NodalField<dim>& displacement,
                                      std::span<double> F) const {
-  CellNodal<dim> X, u, R;
-  for (int cell : cells_) {
-    gather(cell, shape, displacement, X, u);
-    if (!kernel_.residual(law_, X, u, R)) throw_inverted(cell, X);
+  const int count = static_cast<int>(cells_.size());
+  const int failed = for_cells(count, local, F.size(), [&](int c, const Range& own) {
+    const auto& cell = mesh_.cells[cells_[c]];
+    if (!meets(cell, rows_, own)) return true;
+    CellNodal<dim> X, u, R;
+    gather(cells_[c], shape, displacement, X, u);
+    if (!kernel_.residual(law_, X, u, R)) return false;
     for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
       for (int i = 0; i < dim; ++i)
-        if (const int row = rows_(mesh_.cells[cell][a], i); row >= 0) F[row] += R(a, i);
-  }
+        if (const int row = rows_(cell[a], i); own.holds(row)) F[row] += R(a, i);
+    return true;
+  });
+  if (failed < count) throw_inverted(cells_[failed], shape);
 }
 
 template <int dim>
 void CellAssembly<dim>::add_jacobian(const NodalField<dim>* shape,
                                      const NodalField<dim>& displacement,
                                      std::span<double> values) const {
-  CellNodal<dim> X, u, R;
-  CellMatrix<dim> K_u, K_d;
+  const int count = static_cast<int>(cells_.size());
   const auto tangent = shape_columns_ ? kernel_.tangent_ud : kernel_.tangent_u;
-  for (std::size_t c = 0; c < cells_.size(); ++c) {
+  const int failed = for_cells(count, local * local, size_, [&](int c, const Range& own) {
+    const auto& cell = mesh_.cells[cells_[c]];
+    if (!meets(cell, columns_, own) && !(shape_columns_ && meets(cell, *shape_columns_, own)))
+      return true;
+    CellNodal<dim> X, u, R;
+    CellMatrix<dim> K_u, K_d;
     gather(cells_[c], shape, displacement, X, u);
-    if (!tangent(law_, X, u, R, K_u, K_d)) throw_inverted(cells_[c], X);
-    const int* map = map_.data() + c * local * local;
-    for (int k = 0; k < local * local; ++k)
-      if (map[k] >= 0) values[map[k]] += K_u.data()[k];
-    if (!shape_columns_) continue;
-    const int* shape_map = shape_map_.data() + c * local * local;
-    for (int k = 0; k < local * local; ++k)
-      if (shape_map[k] >= 0) values[shape_map[k]] += K_d.data()[k];
-  }
+    if (!tangent(law_, X, u, R, K_u, K_d)) return false;
+    const std::size_t first = std::size_t(c) * local * local;
+    add_columns<dim>(cell, columns_, own, map_.data() + first, K_u, values);
+    if (shape_columns_)
+      add_columns<dim>(cell, *shape_columns_, own, shape_map_.data() + first, K_d, values);
+    return true;
+  });
+  if (failed < count) throw_inverted(cells_[failed], shape);
 }
 
 template class CellAssembly<2>;

@@ -49,6 +49,7 @@ void WearSystem<dim>::build_structure() {
   mesh_motion_.map_to(structure_.pattern);
   contact_.map_to(structure_.pattern);
   structure_.group = unknowns_.node();
+  structure_.solver = body_->solver;
   for (const auto& patch : body_->contact_nodes) structure_.switch_node.push_back(patch.node);
 
   const Scales s = above_rounding(*body_);

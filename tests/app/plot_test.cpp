@@ -31,6 +31,15 @@ protected:
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
 
+  /// A quarter ball of 80 elements at 0, 100 and 200 s.
+  void make_ball(const std::string& name, const std::string& step) const {
+    const Outcome outcome = gnomon(
+        {"run", GNOMON_SOURCE_DIR "/problems/ball_on_flat/finite_deformation.toml", "--set",
+         "mesh.elements=[4,1,1]", "--set", "integrator.step=" + step, "--set", "time.end=200",
+         "--set", "output.times=[100]", "--integrator", "backward-euler", "--quiet", "-o", name});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+
   /// A bitmap that is not blank, and a drawing whose ids are its own.
   void expect_figure(const std::string& stem) const {
     const std::string png = test::read_text(folder() / (stem + ".png"));
@@ -57,14 +66,14 @@ const char* const study_header =
     "max,"
     "shape_error_self,pressure_error,reference,reference_error,marked,steps,rejected,events,"
     "newton_iterations,residual_evaluations,jacobian_evaluations,factorizations,linear_solves,"
-    "wall_seconds,cpu_seconds,peak_memory_mb\n";
+    "krylov_iterations,preconditioner_setups,wall_seconds,cpu_seconds,peak_memory_mb\n";
 
 std::string study_row(const char* method, const char* kind, double setting, const char* status,
                       const char* error) {
   const std::string number = std::to_string(setting);
   return std::string("mesh,640,") + method + "," + method + "," + kind + "," + number + "," +
          method + number + "," + status + ",," + error +
-         ",,1e-3,,tight,1e-5,0,10,0,0,30,40,5,5,30,0.1,0.1,50\n";
+         ",,1e-3,,tight,1e-5,0,10,0,0,30,40,5,5,30,0,0,0.1,0.1,50\n";
 }
 
 TEST_F(Plot, DrawsAResult) {
@@ -75,6 +84,25 @@ TEST_F(Plot, DrawsAResult) {
   for (const char* kind : {"shape", "pressure", "history", "mesh", "wear"})
     expect_figure(std::string("figures/a b-") + kind);
   EXPECT_THAT(outcome.out, HasSubstr("pressure-map: skipped"));
+}
+
+TEST_F(Plot, DrawsBodiesInSpaceAndTwoResultsBesideEachOther) {
+  make_ball("two steps.h5", "100.0");
+  make_ball("four.h5", "50.0");
+  const Outcome outcome = gnomon({"plot", "two steps.h5", "four.h5"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  for (const char* kind : {"pressure", "history", "mesh", "wear", "pressure-map"})
+    for (const char* name : {"two steps-", "four-"})
+      expect_figure(std::string("figures/") + name + kind);
+  EXPECT_THAT(outcome.out, HasSubstr("four-shape: skipped"));
+  expect_figure("figures/two steps-four-pressure");
+}
+
+TEST_F(Plot, GeometryInSpace) {
+  const std::string tests = GNOMON_SOURCE_DIR "/tests/app/check_space.py";
+  const std::string tools = GNOMON_SOURCE_DIR "/tools/plot";
+  EXPECT_EQ(std::system(("/usr/bin/python3 '" + tests + "' '" + tools + "'").c_str()), 0);
 }
 
 TEST_F(Plot, DrawsAStudyAndASpectrum) {

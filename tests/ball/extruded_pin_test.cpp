@@ -32,7 +32,8 @@ std::shared_ptr<WornBody<3>> extruded(const WornBody<2>& pin, bool as_section) {
     body->load.row(node).tail<2>() = share * thickness * pin.load.row(of[node]);
   }
   if (as_section) {
-    CrossSection section{extrusion.section, std::vector<int>(pin.mesh.nodes.size(), -1), of};
+    CrossSection section{extrusion.section, std::vector<int>(pin.mesh.nodes.size(), -1), of,
+                         thickness, thickness};
     for (Eigen::Index node = nodes - 1; node >= 0; --node)
       section.node[of[node]] = static_cast<int>(node);
     body->section = section;

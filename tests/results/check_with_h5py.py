@@ -25,6 +25,8 @@ with h5py.File(path, "r") as file:
     assert np.array_equal(history["t"], 0.25 * np.arange(5))
     assert np.array_equal(history["worn_volume"], 0.5 * np.arange(5))
     assert np.array_equal(history["linear_solves"], 6 * np.arange(5))
+    assert np.array_equal(history["krylov_iterations"], 7 * np.arange(5))
+    assert np.array_equal(history["preconditioner_setups"], 2 * np.arange(5))
 
     points = file["mesh/points"][:]
     cells = file["mesh/cells"][:]

@@ -33,8 +33,12 @@ struct SolidTangent : ::testing::Test {
 };
 using Cases =
     ::testing::Types<Case<2, ElementKind::plain>, Case<2, ElementKind::f_bar>,
-                     Case<2, ElementKind::f_bar_variational>, Case<3, ElementKind::plain>,
-                     Case<3, ElementKind::f_bar>, Case<3, ElementKind::f_bar_variational>>;
+                     Case<2, ElementKind::f_bar_variational>, Case<2, ElementKind::small_plain>,
+                     Case<2, ElementKind::small_f_bar>,
+                     Case<2, ElementKind::small_f_bar_variational>, Case<3, ElementKind::plain>,
+                     Case<3, ElementKind::f_bar>, Case<3, ElementKind::f_bar_variational>,
+                     Case<3, ElementKind::small_plain>, Case<3, ElementKind::small_f_bar>,
+                     Case<3, ElementKind::small_f_bar_variational>>;
 TYPED_TEST_SUITE(SolidTangent, Cases);
 
 TYPED_TEST(SolidTangent, EqualsAutomaticDifferentiation) {
@@ -85,10 +89,14 @@ TYPED_TEST(SolidTangent, ResidualAgreesWithTheOneOfTheTangent) {
   expect_same_matrix(this->R, R, 1e-13);
 }
 
+// A rotation; with small strains an infinitesimal one, which is exact there however large.
 TYPED_TEST(SolidTangent, ARotationCausesNoForce) {
   constexpr int dim = TypeParam::dim;
   Tensor<dim> Q = Tensor<dim>::Identity();
-  Q.template topLeftCorner<2, 2>() << std::cos(0.7), -std::sin(0.7), std::sin(0.7), std::cos(0.7);
+  if (small_strain(TypeParam::kind))
+    Q.template topLeftCorner<2, 2>() << 1, -0.7, 0.7, 1;
+  else
+    Q.template topLeftCorner<2, 2>() << std::cos(0.7), -std::sin(0.7), std::sin(0.7), std::cos(0.7);
   const CellNodal<dim> u = this->X * Q.transpose() - this->X;
   CellNodal<dim> R;
   ASSERT_TRUE((solid_residual<TypeParam::kind, dim>(material, this->X, u, R)));
@@ -96,18 +104,57 @@ TYPED_TEST(SolidTangent, ARotationCausesNoForce) {
 }
 
 // Patch condition: under a homogeneous deformation every kind gives P n integrated over the faces,
-// so the nodal forces are the plain ones. The variational kind needs an affine cell in 3D: only
+// so the nodal forces are the plain ones. The variational kinds need an affine cell in 3D: only
 // there (and in any quadrilateral) is the gradient at the centroid the mean gradient.
 TYPED_TEST(SolidTangent, HomogeneousDeformationIsThatOfThePlainCell) {
   constexpr int dim = TypeParam::dim;
-  if (dim == 3 && TypeParam::kind == ElementKind::f_bar_variational)
+  constexpr ElementKind plain_kind =
+      small_strain(TypeParam::kind) ? ElementKind::small_plain : ElementKind::plain;
+  if (dim == 3 && variational(TypeParam::kind))
     this->X = reference_cell<dim>() * (Tensor<dim>::Identity() + noise<Tensor<dim>>(0.2, 6));
   const Tensor<dim> H = noise<Tensor<dim>>(0.2, 5);
   const CellNodal<dim> u = this->X * H.transpose();
   CellNodal<dim> R, plain;
   ASSERT_TRUE((solid_residual<TypeParam::kind, dim>(material, this->X, u, R)));
-  ASSERT_TRUE((solid_residual<ElementKind::plain, dim>(material, this->X, u, plain)));
+  ASSERT_TRUE((solid_residual<plain_kind, dim>(material, this->X, u, plain)));
   expect_same_matrix(R, plain, 1e-12);
+}
+
+/// Distance of the forces of a finite-strain kind and its small-strain limit at s times the noise.
+template <int dim, ElementKind kind>
+double distance_to_limit(double s) {
+  const CellNodal<dim> X = reference_cell<dim>() + noise<CellNodal<dim>>(0.2, 1);
+  const CellNodal<dim> u = s * noise<CellNodal<dim>>(0.3, 2);
+  CellNodal<dim> finite, small;
+  EXPECT_TRUE((solid_residual<kind, dim>(material, X, u, finite)));
+  EXPECT_TRUE((solid_residual<small_strain_limit(kind), dim>(material, X, u, small)));
+  return (finite - small).norm();
+}
+
+TEST(Solid, SmallStrainsAreTheFirstOrderOfFiniteOnes) {
+  const auto check = []<ElementKind kind>() {
+    const auto order = [](double coarse, double fine) { return std::log2(coarse / fine); };
+    EXPECT_NEAR(order(distance_to_limit<2, kind>(2e-3), distance_to_limit<2, kind>(1e-3)), 2, 0.02);
+    EXPECT_NEAR(order(distance_to_limit<3, kind>(2e-3), distance_to_limit<3, kind>(1e-3)), 2, 0.02);
+  };
+  check.operator()<ElementKind::plain>();
+  check.operator()<ElementKind::f_bar>();
+  check.operator()<ElementKind::f_bar_variational>();
+}
+
+TEST(Solid, SmallStrainStiffnessDoesNotDependOnTheDisplacement) {
+  const CellNodal<3> X = reference_cell<3>() + noise<CellNodal<3>>(0.2, 1);
+  for (ElementKind kind :
+       {ElementKind::small_plain, ElementKind::small_f_bar, ElementKind::small_f_bar_variational}) {
+    const auto kernel = SolidKernel<3>::of(kind);
+    CellNodal<3> R;
+    CellMatrix<3> one, other, K_d;
+    // A displacement that would turn a finite-strain cell inside out.
+    ASSERT_TRUE(kernel.tangent_u(material, X, noise<CellNodal<3>>(5, 2), R, one, K_d));
+    ASSERT_TRUE(kernel.tangent_u(material, X, CellNodal<3>::Zero(), R, other, K_d));
+    EXPECT_EQ(one, other);
+    EXPECT_EQ(R.norm(), 0);
+  }
 }
 
 template <int dim, ElementKind kind>
@@ -128,6 +175,9 @@ TEST(Solid, OnlyEnergiesGiveSymmetricTangents) {
   EXPECT_LT((asymmetry<3, ElementKind::f_bar_variational>()), 1e-14);
   EXPECT_GT((asymmetry<3, ElementKind::f_bar>()), 1e-3);
   EXPECT_LT((asymmetry<2, ElementKind::f_bar>()), 1e-14);
+  EXPECT_LT((asymmetry<3, ElementKind::small_plain>()), 1e-14);
+  EXPECT_LT((asymmetry<3, ElementKind::small_f_bar_variational>()), 1e-14);
+  EXPECT_GT((asymmetry<3, ElementKind::small_f_bar>()), 1e-3);
 }
 
 TEST(Solid, RefusesInvertedCells) {
@@ -139,6 +189,7 @@ TEST(Solid, RefusesInvertedCells) {
   u.setZero();
   X(0, 0) = 5;
   EXPECT_FALSE((solid_residual<ElementKind::plain, 2>(material, X, u, R)));
+  EXPECT_FALSE((solid_residual<ElementKind::small_plain, 2>(material, X, u, R)));
 }
 
 TEST(NeoHookean, StressIsTheDerivativeOfTheEnergy) {
@@ -159,16 +210,19 @@ TEST(NeoHookean, LinearisesToHooke) {
 }
 
 // Uniaxial strain F = diag(1.2, 1, 1) by hand: sigma_22 = sigma_33 = lambda (J - 1), so von Mises
-// is sigma_11 - sigma_22 = mu (1.2^2 - 1) / 1.2; without sigma_33 it would depend on lambda.
+// is sigma_11 - sigma_22 = mu (1.2^2 - 1) / 1.2, with small strains 2 mu 0.2; without sigma_33 it
+// would depend on lambda.
 TEST(Solid, EquivalentStressOfUniaxialStrain) {
   const auto check = []<int dim>(ElementKind kind) {
     const CellNodal<dim> X = reference_cell<dim>() + noise<CellNodal<dim>>(0.2, 1);
     CellNodal<dim> u = CellNodal<dim>::Zero();
     u.col(0) = 0.2 * X.col(0);
-    EXPECT_NEAR(equivalent_stress<dim>(kind, material, X, u), 2.5 * 0.44 / 1.2, 1e-13);
+    const double expected = small_strain(kind) ? 2 * 2.5 * 0.2 : 2.5 * 0.44 / 1.2;
+    EXPECT_NEAR(equivalent_stress<dim>(kind, material, X, u), expected, 1e-13);
   };
   for (ElementKind kind :
-       {ElementKind::plain, ElementKind::f_bar, ElementKind::f_bar_variational}) {
+       {ElementKind::plain, ElementKind::f_bar, ElementKind::f_bar_variational,
+        ElementKind::small_plain, ElementKind::small_f_bar, ElementKind::small_f_bar_variational}) {
     check.operator()<2>(kind);
     check.operator()<3>(kind);
   }

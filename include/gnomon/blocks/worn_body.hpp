@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <gnomon/linear_solver_choice.hpp>
 #include <gnomon/mesh.hpp>
 #include <gnomon/terms/contact_node.hpp>
 #include <gnomon/terms/solid.hpp>
@@ -47,6 +48,8 @@ struct CrossSection {
   Mesh<2> mesh;           ///< in the plane (y, z)
   std::vector<int> node;  ///< of the body, one a section node: it carries the shape unknowns
   std::vector<int> of;    ///< section node of every node of the body
+  double length = 0;      ///< of the body along x [length]
+  double path = 0;        ///< L, sliding length of a cycle, of which the body is a part [length]
 };
 
 template <int dim>
@@ -65,13 +68,13 @@ struct WornBody {
   std::optional<double> counter_force;
   std::optional<CrossSection> section;  ///< 3D only: uniform along x
   /// One a contact node: its part in the wear rate of its shape unknowns, by default 1; with a
-  /// section, the length that it stands for by the sliding length of a cycle.
+  /// section, the length that it stands for by that of the path.
   std::vector<double> wear_weight;
   double copies = 1;  ///< of the modelled part that make the whole (symmetry)
-  double repeat = 1;  ///< length of the worn path by that of the body, with a section
   ConstraintForm constraint = ConstraintForm::eliminated;
   double augmentation = 0;  ///< of mu: mu^ = mu + augmentation (ddot + Wdot N) [stress time/length]
   Scales scales;
+  LinearSolverChoice solver;
 
   /// The node that carries the shape unknowns of `node`.
   int shape_node(int node) const { return section ? section->node[section->of[node]] : node; }

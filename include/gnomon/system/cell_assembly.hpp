@@ -1,5 +1,6 @@
 // Gather and scatter of a solid term over the cells of a mesh, written once for the body (rows of
-// u, derivatives by u and d) and for the mesh motion (rows and derivatives of d alone).
+// u, derivatives by u and d) and for the mesh motion (rows and derivatives of d alone). On large
+// meshes by all threads (OMP_NUM_THREADS); results do not depend on their number.
 #pragma once
 
 #include <gnomon/blocks/unknowns.hpp>
@@ -38,7 +39,7 @@ private:
   void cell_numbers(int cell, const Numbers& numbers, std::vector<int>& result) const;
   void gather(int cell, const NodalField<dim>* shape, const NodalField<dim>& displacement,
               CellNodal<dim>& X, CellNodal<dim>& u) const;
-  [[noreturn]] void throw_inverted(int cell, const CellNodal<dim>& X) const;
+  [[noreturn]] void throw_inverted(int cell, const NodalField<dim>* shape) const;
   void fill_map(const SparsePattern& pattern, const Numbers& columns, std::vector<int>& map) const;
 
   const Mesh<dim>& mesh_;
@@ -48,6 +49,7 @@ private:
   const Numbers& columns_;
   const Numbers* shape_columns_;
   std::vector<int> cells_;            // cells with at least one row
+  std::size_t size_ = 0;              // of the matrix
   std::vector<int> map_, shape_map_;  // local*local positions a cell, column by column; -1: none
 };
 

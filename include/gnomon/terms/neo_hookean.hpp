@@ -23,7 +23,6 @@ template <int dim, class Scalar = double>
 class NeoHookeanPoint {
 public:
   using T = Tensor<dim, Scalar>;
-  using V = Vector<dim, Scalar>;
 
   NeoHookeanPoint(const NeoHookean& law, const T& F)
       : law_(law), F_(F), J_(F.determinant()), F_inverse_transposed_(F.inverse().transpose()) {}
@@ -51,20 +50,15 @@ public:
            geometric() * G * dF.transpose() * G;
   }
 
-  /// Q with Q v = [(dP/dF) : (v (x) n_b)] n_a for every v.
-  T stress_block(const V& n_a, const V& n_b) const {
-    const V g_a = F_inverse_transposed_ * n_a;
-    const V g_b = F_inverse_transposed_ * n_b;
-    return law_.mu * n_a.dot(n_b) * T::Identity() + volumetric() * g_a * g_b.transpose() +
-           geometric() * g_b * g_a.transpose();
-  }
+  // [(dP/dF) : (v (x) n_b)] n_a = [shear (n_a . n_b) I + volumetric g_a (x) g_b
+  //                                + geometric g_b (x) g_a] v,  g_a = F^-T n_a
+  double shear() const { return law_.mu; }
+  Scalar volumetric() const { return law_.lambda * J_ * (2 * J_ - 1); }
+  Scalar geometric() const { return law_.mu - law_.lambda * J_ * (J_ - 1); }
 
   const Scalar& J() const { return J_; }
 
 private:
-  Scalar volumetric() const { return law_.lambda * J_ * (2 * J_ - 1); }
-  Scalar geometric() const { return law_.mu - law_.lambda * J_ * (J_ - 1); }
-
   NeoHookean law_;
   T F_;
   Scalar J_;

@@ -1,7 +1,7 @@
-// A hyperelastic cell whose reference configuration moves: residual of eq. (24), integrated over
-// the undeformed configuration X = X^ + d, and its derivatives with respect to u and to d.
+// An elastic cell whose reference configuration moves: residual of eq. (24), integrated over the
+// undeformed configuration X = X^ + d, and its derivatives with respect to u and to d.
 //
-//   F = I + (du/dxi)(dX/dxi)^-1 = (dx/dxi)(dX/dxi)^-1,     n_a = (dX/dxi)^-T dN_a/dxi,
+//   H = (du/dxi)(dX/dxi)^-1,   F = I + H,   n_a = (dX/dxi)^-T dN_a/dxi,
 //   g_a = F^-T n_a (gradient in the current configuration), index 0: at the centroid,
 //   r = J_0 / J,   Fbar = r^(1/dim) F.
 //
@@ -13,27 +13,59 @@
 //   f_bar_variational  R_a = sum_g det(dX/dxi) d phi(Fbar)/du_a, the literal reading of eq. (32):
 //                      r^(1/dim) [P(Fbar) n_a + q (g0_a - g_a)],  q = P(Fbar) : F / dim
 //
-// Variations, with v = du + (I - F) dd (times n_b: the variation of F) and v0 the same at the
-// centroid:
+// The small-strain kinds are these linearised in u at u = 0, over the same X: with
+//   Hbar = H + (tr H_0 - tr H)/dim I,   sigma linear elastic, g_a = n_a,
+//
+//   small_plain              R_a = sum_g det(dX/dxi) sigma(H) n_a
+//   small_f_bar              R_a = sum_g det(dX/dxi) sigma(Hbar) n_a
+//   small_f_bar_variational  R_a = sum_g det(dX/dxi) [sigma(Hbar) n_a + q (n0_a - n_a)],
+//                            q = tr sigma(Hbar) / dim
+//
+// Variations, with v = du - H dd (times n_b: the variation of H) and v0 the same at the centroid:
 //   dr/r = g0_b . v0 - g_b . v,   dn_a = -n_b (n_a . dd_b),   dg_a = -g_b (g_a . (du_b + dd_b)).
 #pragma once
 
 #include <cmath>
 #include <gnomon/terms/cell_basis.hpp>
-#include <gnomon/terms/neo_hookean.hpp>
+#include <gnomon/terms/linear_elastic.hpp>
+#include <type_traits>
 
 namespace gnomon {
 
-enum class ElementKind { plain, f_bar, f_bar_variational };
+enum class ElementKind {
+  plain,
+  f_bar,
+  f_bar_variational,
+  small_plain,
+  small_f_bar,
+  small_f_bar_variational
+};
+
+constexpr bool small_strain(ElementKind kind) {
+  return kind >= ElementKind::small_plain;
+}
+/// Whether the change of volume is that of the centroid.
+constexpr bool averaged(ElementKind kind) {
+  return kind != ElementKind::plain && kind != ElementKind::small_plain;
+}
+constexpr bool variational(ElementKind kind) {
+  return kind == ElementKind::f_bar_variational || kind == ElementKind::small_f_bar_variational;
+}
+/// The small-strain kind that a finite-strain one becomes in the limit of small displacements.
+constexpr ElementKind small_strain_limit(ElementKind kind) {
+  return kind == ElementKind::plain   ? ElementKind::small_plain
+         : kind == ElementKind::f_bar ? ElementKind::small_f_bar
+                                      : ElementKind::small_f_bar_variational;
+}
 
 /// Kinematics of a cell at one reference point.
 template <int dim, class Scalar = double>
 struct CellPoint {
   Scalar volume;             ///< det(dX/dxi)
+  CellNodal<dim, Scalar> n;  ///< rows n_a
+  Tensor<dim, Scalar> H;     ///< displacement gradient
   Tensor<dim, Scalar> F;     ///< deformation gradient
   Scalar J;                  ///< det F
-  CellNodal<dim, Scalar> n;  ///< rows n_a
-  bool valid;                ///< volume > 0 and J > 0
 
   CellPoint(const CellNodal<dim>& dN, const CellNodal<dim, Scalar>& X,
             const CellNodal<dim, Scalar>& u) {
@@ -41,13 +73,60 @@ struct CellPoint {
     volume = A.determinant();
     n = dN.template cast<Scalar>() * A.inverse();
     // F from the displacement gradient: rounding then scales with the strain, not the position.
-    F = Tensor<dim, Scalar>::Identity() + u.transpose() * n;
+    H = u.transpose() * n;
+    F = Tensor<dim, Scalar>::Identity() + H;
     J = F.determinant();
-    valid = volume > Scalar(0) && J > Scalar(0);
+  }
+
+  /// Whether the cell is not inverted here; with small strains only its reference can be.
+  bool valid(ElementKind kind) const {
+    return volume > Scalar(0) && (small_strain(kind) || J > Scalar(0));
   }
 
   /// Rows g_a = F^-T n_a.
   CellNodal<dim, Scalar> spatial_gradients() const { return n * F.inverse(); }
+};
+
+/// The law at a Gauss point, whose change of volume may be that of the centroid.
+template <ElementKind kind, int dim, class Scalar = double>
+struct MaterialPoint {
+  using T = Tensor<dim, Scalar>;
+  using Cell = CellPoint<dim, Scalar>;
+  using Law = std::conditional_t<small_strain(kind), LinearElasticPoint<dim, Scalar>,
+                                 NeoHookeanPoint<dim, Scalar>>;
+
+  Scalar c;  ///< r^(1/dim), 1 with small strains
+  T strain;  ///< what the law is evaluated at: F, Fbar, H or Hbar
+  Law law;
+  Scalar weight;  ///< factor of P n_a in R_a
+
+  MaterialPoint(const NeoHookean& material, const Cell& centre, const Cell& point)
+      : c(stretch(centre, point)),
+        strain(strain_of(centre, point)),
+        law(material, strain),
+        weight(point.volume) {
+    if constexpr (kind == ElementKind::f_bar) weight = point.volume * c * point.J / centre.J;
+    if constexpr (kind == ElementKind::f_bar_variational) weight = point.volume * c;
+  }
+
+private:
+  static Scalar stretch(const Cell& centre, const Cell& point) {
+    using std::pow;
+    if constexpr (averaged(kind) && !small_strain(kind))
+      return pow(Scalar(centre.J / point.J), 1.0 / dim);
+    else
+      return Scalar(1);
+  }
+  T strain_of(const Cell& centre, const Cell& point) const {
+    if constexpr (small_strain(kind) && averaged(kind))
+      return point.H + Scalar((centre.H.trace() - point.H.trace()) / Scalar(dim)) * T::Identity();
+    else if constexpr (small_strain(kind))
+      return point.H;
+    else if constexpr (averaged(kind))
+      return c * point.F;
+    else
+      return point.F;
+  }
 };
 
 /// R [dim x nodes, one row a node] of a cell; false when the cell is inverted. The undeformed
@@ -55,30 +134,21 @@ struct CellPoint {
 template <ElementKind kind, int dim, class Scalar>
 bool solid_residual(const NeoHookean& law, const CellNodal<dim, Scalar>& X,
                     const CellNodal<dim, Scalar>& u, CellNodal<dim, Scalar>& R) {
-  using std::pow;
   const auto& basis = CellBasis<dim>::instance();
   const CellPoint<dim, Scalar> centre(basis.centroid, X, u);
-  if (!centre.valid) return false;
+  if (!centre.valid(kind)) return false;
   R.setZero();
   for (const CellNodal<dim>& dN : basis.gauss) {
     const CellPoint<dim, Scalar> point(dN, X, u);
-    if (!point.valid) return false;
-    if constexpr (kind == ElementKind::plain) {
-      const Tensor<dim, Scalar> P = NeoHookeanPoint<dim, Scalar>(law, point.F).stress();
-      R += point.volume * point.n * P.transpose();
-    } else {
-      const Scalar r = centre.J / point.J;
-      const Scalar c = pow(r, 1.0 / dim);
-      const Tensor<dim, Scalar> F_bar = c * point.F;
-      const Tensor<dim, Scalar> P = NeoHookeanPoint<dim, Scalar>(law, F_bar).stress();
-      if constexpr (kind == ElementKind::f_bar) {
-        R += (point.volume * c / r) * point.n * P.transpose();
-      } else {
-        const Scalar q = P.cwiseProduct(point.F).sum() / Scalar(dim);
-        R += (point.volume * c) * (point.n * P.transpose() +
-                                   q * (centre.spatial_gradients() - point.spatial_gradients()));
-      }
-    }
+    if (!point.valid(kind)) return false;
+    const MaterialPoint<kind, dim, Scalar> material(law, centre, point);
+    const Tensor<dim, Scalar> P = material.law.stress();
+    R += material.weight * point.n * P.transpose();
+    if constexpr (kind == ElementKind::f_bar_variational)
+      R += Scalar(material.weight * P.cwiseProduct(point.F).sum() / Scalar(dim)) *
+           (centre.spatial_gradients() - point.spatial_gradients());
+    if constexpr (kind == ElementKind::small_f_bar_variational)
+      R += Scalar(material.weight * P.trace() / Scalar(dim)) * (centre.n - point.n);
   }
   return true;
 }
@@ -104,6 +174,7 @@ struct SolidKernel {
 };
 
 /// Mean over the cell's Gauss points of the von Mises equivalent of the Cauchy stress [stress].
+/// With small strains sigma takes its place.
 template <int dim>
 double equivalent_stress(ElementKind kind, const NeoHookean& law, const CellNodal<dim>& X,
                          const CellNodal<dim>& u);

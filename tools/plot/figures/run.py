@@ -23,6 +23,8 @@ def draw(kind, targets, folder, svg_folder):
     jobs = [job for target in targets for job in jobs_of(kind, target)]
     for drawer, target in jobs:
         drawer(target, Sink(target, folder, svg_folder))
+    if [drawer for drawer, _ in jobs] == [draw_result] * 2:
+        draw_two_results(*(path for _, path in jobs), Sink(targets[0], folder, svg_folder))
 
 
 class Sink:
@@ -66,12 +68,18 @@ def draw_result(path, sink):
             sink.draw(f"{result.name}-{name}", checked, drawer, result)
 
 
-def checked(drawer, result):
+def draw_two_results(first, second, sink):
+    with Result(first) as one, Result(second) as two:
+        sink.draw(f"{one.name}-{two.name}-pressure", checked, pressure.draw_two, one, two)
+
+
+def checked(drawer, *results):
     """A file whose tables are not those of the format is bad input, not our failure."""
     try:
-        return drawer(result)
+        return drawer(*results)
     except (OSError, KeyError, ValueError, IndexError) as error:
-        raise BadInput(f"{result.path} cannot be read as a result of gnomon: {error}") from error
+        names = " or ".join(str(result.path) for result in results)
+        raise BadInput(f"{names} cannot be read as a result of gnomon: {error}") from error
 
 
 def draw_study(folder, sink):

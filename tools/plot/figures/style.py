@@ -87,6 +87,12 @@ def number(value):
         if 1e-3 <= abs(value) < 1e6 or value == 0 else f"{value:.3g}"
 
 
+def round_number(bound):
+    """The largest number of one digit up to a bound."""
+    power = 10.0 ** numpy.floor(numpy.log10(bound))
+    return float(power * numpy.floor(1.000001 * bound / power))
+
+
 def legend_above_all(figure, *groups):
     """Legends for all panels, a group below the other, in a strip of their own above the panels."""
     width, height = figure.get_size_inches()

@@ -1,0 +1,52 @@
+// Parts of a Jacobian, chosen by the kinds of its rows and columns.
+#pragma once
+
+#include <gnomon/system.hpp>
+#include <initializer_list>
+#include <span>
+#include <vector>
+
+namespace gnomon {
+
+using Kinds = std::initializer_list<UnknownKind>;
+
+/// The unknowns of some kinds, ascending.
+std::vector<int> unknowns_of(const Structure& structure, Kinds kinds);
+
+/// The entries of J in rows of some kinds and columns of others. Vectors have the system's size.
+class JacobianBlock {
+public:
+  JacobianBlock(const Structure& structure, Kinds rows, Kinds columns);
+
+  /// y -= J x over the block.
+  void subtract(std::span<const double> J, std::span<const double> x, std::span<double> y) const;
+
+private:
+  struct Entry {
+    int row, column, position;
+  };
+  std::vector<Entry> entries_;
+};
+
+/// The symmetric part of a diagonal block, numbered 0, 1, ... in ascending order of its unknowns.
+class SymmetricPart {
+public:
+  SymmetricPart(const SparsePattern& pattern, const std::vector<int>& unknowns);
+
+  const SparsePattern& lower() const { return lower_; }
+  /// Position in `lower` of an entry in the system's numbers, or -1.
+  int find(int row, int column) const;
+  /// (J + J^T) / 2 on `lower`.
+  void gather(std::span<const double> J, std::vector<double>& values) const;
+
+private:
+  std::vector<int> number_;  // of the system's unknowns in the block, -1: not in it
+  SparsePattern lower_;
+  std::vector<int> entry_, transposed_;  // positions in J, -1: structurally zero
+};
+
+/// y = J x.
+void multiply(const SparsePattern& pattern, std::span<const double> J, std::span<const double> x,
+              std::span<double> y);
+
+}  // namespace gnomon

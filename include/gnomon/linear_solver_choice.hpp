@@ -1,0 +1,20 @@
+// What a problem asks of the linear solvers.
+#pragma once
+
+namespace gnomon {
+
+/// How the linear systems of Newton's method are solved.
+struct LinearSolverChoice {
+  enum class Method {
+    direct,  ///< sparse LU of the whole Jacobian
+    block    ///< flexible GMRES on it, preconditioned by blocks (linear/block_preconditioner.hpp)
+  };
+  enum class Preconditioner {
+    factor,    ///< sparse Cholesky factors of the stiffness blocks
+    multigrid  ///< smoothed aggregation
+  };
+  Method method = Method::direct;
+  Preconditioner preconditioner = Preconditioner::factor;  ///< what `block` solves with
+};
+
+}  // namespace gnomon

@@ -1,0 +1,177 @@
+#include <algorithm>
+#include <gnomon/error.hpp>
+#include <gnomon/linear/block_preconditioner.hpp>
+#include <gnomon/linear/inner_solver.hpp>
+#include <gnomon/linear/jacobian_block.hpp>
+
+#include "linear/contact_elimination.hpp"
+
+namespace gnomon {
+
+namespace {
+
+constexpr Kinds core_kinds = {UnknownKind::displacement, UnknownKind::contact_multiplier,
+                              UnknownKind::worn_surface};
+
+std::unique_ptr<InnerSolver> make_inner(const StiffnessLayout& layout, const Structure& structure) {
+  return structure.solver.preconditioner == LinearSolverChoice::Preconditioner::multigrid
+             ? make_multigrid_solver(layout)
+             : make_factor_solver(layout);
+}
+
+/// A symmetric diagonal block with a solver of its own; may have no unknowns at all.
+struct StiffnessBlock {
+  std::vector<int> unknowns;
+  SymmetricPart part;
+  StiffnessLayout layout;
+  std::unique_ptr<InnerSolver> solver;
+  std::vector<double> values, b, x;
+  bool is_set_up = false;
+
+  StiffnessBlock(const Structure& structure, UnknownKind kind)
+      : unknowns(unknowns_of(structure, {kind})),
+        part(structure.pattern, unknowns),
+        b(unknowns.size()),
+        x(unknowns.size()) {
+    if (unknowns.empty()) return;
+    layout.lower = part.lower();
+    layout.position = structure.position;
+    for (int i : unknowns) {
+      layout.group.push_back(structure.group[i]);
+      layout.component.push_back(structure.component[i]);
+    }
+    solver = make_inner(layout, structure);
+  }
+
+  /// Of `values`. Returns how many factorizations were made.
+  int set_up(const char* what) {
+    if (!solver) return 0;
+    if (!solver->set_up(values)) throw RecoverableError(std::string(what) + " is singular");
+    is_set_up = true;
+    return solver->factorizations();
+  }
+
+  void solve(std::span<const double> s, std::span<double> z) {
+    if (!solver) return;
+    for (std::size_t k = 0; k < unknowns.size(); ++k) b[k] = s[unknowns[k]];
+    solver->apply(b, x);
+    for (std::size_t k = 0; k < unknowns.size(); ++k) z[unknowns[k]] = x[k];
+  }
+};
+
+}  // namespace
+
+struct BlockPreconditioner::Blocks {
+  const Structure& structure;
+  std::span<const double> J;
+  StiffnessBlock stiffness, mesh_motion;
+  ContactElimination contact;
+  JacobianBlock mesh_motion_row, multiplier_row, rigid_row, rigid_column;
+  std::vector<int> core, multipliers;
+  int rigid = -1;
+  bool bordered = false;       // the two below belong to J and the set-up
+  std::vector<double> border;  // core solution for the column of w
+  double schur = 1;            // of w
+  std::vector<double> work;
+
+  explicit Blocks(const Structure& s)
+      : structure(s),
+        stiffness(s, UnknownKind::displacement),
+        mesh_motion(s, UnknownKind::shape),
+        contact(s),
+        mesh_motion_row(s, {UnknownKind::shape}, {UnknownKind::worn_surface}),
+        multiplier_row(s, {UnknownKind::shape_multiplier},
+                       {UnknownKind::displacement, UnknownKind::contact_multiplier,
+                        UnknownKind::rigid_motion, UnknownKind::worn_surface, UnknownKind::shape}),
+        rigid_row(s, {UnknownKind::rigid_motion}, core_kinds),
+        rigid_column(s, core_kinds, {UnknownKind::rigid_motion}),
+        core(unknowns_of(s, core_kinds)),
+        multipliers(unknowns_of(s, {UnknownKind::shape_multiplier})),
+        border(s.size),
+        work(s.size) {
+    const std::vector<int> scalars = unknowns_of(s, {UnknownKind::rigid_motion});
+    if (scalars.size() > 1) throw Error("the block solver knows one scalar rigid motion only");
+    if (!scalars.empty()) rigid = scalars.front();
+  }
+
+  double diagonal(int i) const { return J[structure.pattern.find(i, i)]; }
+
+  /// Rows of u, lambda and c; s is changed.
+  void solve_core(std::span<double> s, std::span<double> z) {
+    contact.condense(s);
+    stiffness.solve(s, z);
+    contact.recover(s, z);
+  }
+
+  /// Solves for a unit of w: z_core = -border then, and what is left of J_ww is `schur`.
+  void make_border() {
+    std::fill(border.begin(), border.end(), 0.0);
+    std::fill(work.begin(), work.end(), 0.0);
+    border[rigid] = -1;
+    rigid_column.subtract(J, border, work);
+    border[rigid] = 0;
+    solve_core(work, border);
+    std::fill(work.begin(), work.end(), 0.0);
+    rigid_row.subtract(J, border, work);
+    schur = diagonal(rigid) + work[rigid];
+    if (schur == 0) schur = 1;  // nothing carries the force: an outer iteration will tell
+    bordered = true;
+  }
+
+  void solve_rigid(std::span<double> s, std::span<double> z) const {
+    rigid_row.subtract(J, z, s);
+    z[rigid] = s[rigid] / schur;
+    for (int i : core) z[i] -= border[i] * z[rigid];
+  }
+};
+
+BlockPreconditioner::BlockPreconditioner(const Structure& structure) {
+  if (structure.kind.empty() || structure.position.empty())
+    throw InputError("solver.method = \"block\": the system of this problem has no blocks");
+  blocks_ = std::make_unique<Blocks>(structure);
+}
+BlockPreconditioner::~BlockPreconditioner() = default;
+
+void BlockPreconditioner::refresh(std::span<const double> J) {
+  blocks_->J = J;
+  blocks_->contact.update(J);
+  blocks_->bordered = false;
+}
+
+int BlockPreconditioner::moved_springs() const {
+  return blocks_->contact.moved_springs();
+}
+
+int BlockPreconditioner::set_up(bool whole) {
+  Blocks& b = *blocks_;
+  b.stiffness.part.gather(b.J, b.stiffness.values);
+  b.contact.add_springs(b.stiffness.part, b.stiffness.values);
+  int factorizations = b.stiffness.set_up("the stiffness of the body");
+  if (whole || !b.mesh_motion.is_set_up) {
+    b.mesh_motion.part.gather(b.J, b.mesh_motion.values);
+    factorizations += b.mesh_motion.set_up("the stiffness of the mesh motion");
+  }
+  b.bordered = false;
+  return factorizations;
+}
+
+double BlockPreconditioner::set_up_cost() const {
+  const StiffnessBlock& largest =
+      blocks_->stiffness.solver ? blocks_->stiffness : blocks_->mesh_motion;
+  return largest.solver ? largest.solver->set_up_cost() : 0;
+}
+
+void BlockPreconditioner::apply(std::span<const double> r, std::span<double> z) {
+  Blocks& b = *blocks_;
+  if (b.rigid >= 0 && !b.bordered) b.make_border();
+  std::copy(r.begin(), r.end(), b.work.begin());
+  std::fill(z.begin(), z.end(), 0.0);
+  b.solve_core(b.work, z);
+  if (b.rigid >= 0) b.solve_rigid(b.work, z);
+  b.mesh_motion_row.subtract(b.J, z, b.work);
+  b.mesh_motion.solve(b.work, z);
+  b.multiplier_row.subtract(b.J, z, b.work);
+  for (int i : b.multipliers) z[i] = b.work[i] / b.diagonal(i);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,184 @@
+#include <cholmod.h>
+
+#include <algorithm>
+#include <gnomon/error.hpp>
+#include <gnomon/linear/inner_solver.hpp>
+#include <gnomon/linear/sparse_lu.hpp>
+#include <optional>
+
+#include "linear/blas.hpp"
+
+namespace gnomon {
+
+namespace {
+
+/// CHOLMOD's workspace and settings. 64-bit indices: a factor may have more than 2^31 entries.
+struct Common {
+  cholmod_common data;
+  Common() {
+    cholmod_l_start(&data);
+    data.itype = CHOLMOD_LONG;
+    data.supernodal = CHOLMOD_SUPERNODAL;
+    data.nmethods = 1;
+    data.method[0].ordering = CHOLMOD_GIVEN;
+    data.postorder = 1;
+    data.quick_return_if_not_posdef = 1;
+    data.print = 0;
+  }
+  ~Common() { cholmod_l_finish(&data); }
+  Common(const Common&) = delete;
+  Common& operator=(const Common&) = delete;
+};
+
+/// Both triangles from the lower one, and where in it each entry stands.
+struct Mirrored {
+  SparsePattern pattern;
+  std::vector<int> source;
+
+  explicit Mirrored(const SparsePattern& lower) {
+    PatternBuilder builder(lower.size());
+    for (int j = 0; j < lower.size(); ++j)
+      for (int k = lower.column_start[j]; k < lower.column_start[j + 1]; ++k) {
+        builder.add({lower.row_index[k]}, {j});
+        builder.add({j}, {lower.row_index[k]});
+      }
+    pattern = builder.build();
+    for (int j = 0; j < pattern.size(); ++j)
+      for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+        source.push_back(
+            lower.find(std::max(pattern.row_index[k], j), std::min(pattern.row_index[k], j)));
+  }
+};
+
+/// For matrices that are not positive definite.
+class Indefinite {
+public:
+  explicit Indefinite(const StiffnessLayout& layout)
+      : mirrored_(layout.lower), lu_(mirrored_.pattern, layout.group) {}
+
+  bool factorize(std::span<const double> lower) {
+    values_.resize(mirrored_.source.size());
+    for (std::size_t k = 0; k < values_.size(); ++k) values_[k] = lower[mirrored_.source[k]];
+    return lu_.factorize(values_);
+  }
+  void solve(std::span<const double> b, std::span<double> x) const { lu_.solve(b, x); }
+  double flops() const { return lu_.factor_flops(); }
+  double nonzeros() const { return lu_.factor_nonzeros(); }
+
+private:
+  Mirrored mirrored_;
+  SparseLu lu_;
+  std::vector<double> values_;
+};
+
+class FactorSolver : public InnerSolver {
+public:
+  explicit FactorSolver(const StiffnessLayout& layout);
+  ~FactorSolver() override;
+
+  bool set_up(std::span<const double> values) override;
+  void apply(std::span<const double> b, std::span<double> x) override;
+  int factorizations() const override { return factorizations_; }
+  double set_up_cost() const override;
+
+private:
+  cholmod_sparse view() const;
+  static cholmod_dense column(double* values, std::size_t size);
+
+  const StiffnessLayout& layout_;
+  Common common_;
+  std::vector<SuiteSparse_long> start_, row_;
+  std::vector<double> values_;
+  cholmod_factor* factor_ = nullptr;
+  cholmod_dense *x_ = nullptr, *y_ = nullptr, *e_ = nullptr;  // kept between solves
+  std::optional<Indefinite> indefinite_;
+  bool definite_ = true;
+  int factorizations_ = 0;
+};
+
+FactorSolver::FactorSolver(const StiffnessLayout& layout)
+    : layout_(layout),
+      start_(layout.lower.column_start.begin(), layout.lower.column_start.end()),
+      row_(layout.lower.row_index.begin(), layout.lower.row_index.end()),
+      values_(row_.size(), 1.0) {
+  use_one_blas_thread();
+  const std::vector<int> order = nested_dissection(layout.lower, layout.group);
+  std::vector<SuiteSparse_long> permutation(order.begin(), order.end());
+  cholmod_sparse matrix = view();
+  factor_ = cholmod_l_analyze_p(&matrix, permutation.data(), nullptr, 0, &common_.data);
+  if (!factor_)
+    throw Error("CHOLMOD could not analyse a matrix of " + std::to_string(layout.lower.size()) +
+                " unknowns");
+}
+
+FactorSolver::~FactorSolver() {
+  cholmod_l_free_dense(&x_, &common_.data);
+  cholmod_l_free_dense(&y_, &common_.data);
+  cholmod_l_free_dense(&e_, &common_.data);
+  cholmod_l_free_factor(&factor_, &common_.data);
+}
+
+cholmod_sparse FactorSolver::view() const {
+  cholmod_sparse matrix{};
+  matrix.nrow = matrix.ncol = static_cast<std::size_t>(layout_.lower.size());
+  matrix.nzmax = row_.size();
+  matrix.p = const_cast<SuiteSparse_long*>(start_.data());
+  matrix.i = const_cast<SuiteSparse_long*>(row_.data());
+  matrix.x = const_cast<double*>(values_.data());
+  matrix.stype = -1;
+  matrix.itype = CHOLMOD_LONG;
+  matrix.xtype = CHOLMOD_REAL;
+  matrix.dtype = CHOLMOD_DOUBLE;
+  matrix.sorted = matrix.packed = 1;
+  return matrix;
+}
+
+cholmod_dense FactorSolver::column(double* values, std::size_t size) {
+  cholmod_dense dense{};
+  dense.nrow = dense.nzmax = dense.d = size;
+  dense.ncol = 1;
+  dense.x = values;
+  dense.xtype = CHOLMOD_REAL;
+  dense.dtype = CHOLMOD_DOUBLE;
+  return dense;
+}
+
+bool FactorSolver::set_up(std::span<const double> values) {
+  std::copy(values.begin(), values.end(), values_.begin());
+  cholmod_sparse matrix = view();
+  factorizations_ = 1;
+  cholmod_l_factorize(&matrix, factor_, &common_.data);
+  if (common_.data.status == CHOLMOD_OUT_OF_MEMORY || common_.data.status == CHOLMOD_TOO_LARGE)
+    throw Error("out of memory while factorizing a matrix of " +
+                std::to_string(layout_.lower.size()) + " unknowns");
+  definite_ = common_.data.status == CHOLMOD_OK && factor_->minor == factor_->n;
+  if (definite_) return true;
+  ++factorizations_;
+  if (!indefinite_) indefinite_.emplace(layout_);
+  return indefinite_->factorize(values);
+}
+
+void FactorSolver::apply(std::span<const double> b, std::span<double> x) {
+  if (!definite_) return indefinite_->solve(b, x);
+  cholmod_dense right = column(const_cast<double*>(b.data()), b.size());
+  cholmod_l_solve2(CHOLMOD_A, factor_, &right, nullptr, &x_, nullptr, &y_, &e_, &common_.data);
+  if (common_.data.status != CHOLMOD_OK) throw Error("CHOLMOD could not solve");
+  std::copy_n(static_cast<const double*>(x_->x), x.size(), x.begin());
+}
+
+double FactorSolver::set_up_cost() const {
+  // Dense kernels of a factorization do some ten operations in the time of one of a solve, which
+  // waits for memory.
+  constexpr double faster = 10;
+  const double flops = definite_ ? common_.data.fl : indefinite_->flops();
+  const double entries = definite_ ? 2 * common_.data.lnz : indefinite_->nonzeros();
+  return flops / (2 * entries * faster);
+}
+
+}  // namespace
+
+std::unique_ptr<InnerSolver> make_factor_solver(const StiffnessLayout& layout) {
+  return std::make_unique<FactorSolver>(layout);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <gnomon/linear/jacobian_block.hpp>
+
+namespace gnomon {
+
+namespace {
+
+std::vector<char> marked(const Structure& structure, Kinds kinds) {
+  std::vector<char> mark(structure.kind.size());
+  for (std::size_t i = 0; i < mark.size(); ++i)
+    mark[i] = std::find(kinds.begin(), kinds.end(), structure.kind[i]) != kinds.end();
+  return mark;
+}
+
+}  // namespace
+
+std::vector<int> unknowns_of(const Structure& structure, Kinds kinds) {
+  const std::vector<char> mark = marked(structure, kinds);
+  std::vector<int> result;
+  for (std::size_t i = 0; i < mark.size(); ++i)
+    if (mark[i]) result.push_back(static_cast<int>(i));
+  return result;
+}
+
+JacobianBlock::JacobianBlock(const Structure& structure, Kinds rows, Kinds columns) {
+  const std::vector<char> row = marked(structure, rows), column = marked(structure, columns);
+  const SparsePattern& pattern = structure.pattern;
+  for (int j = 0; j < static_cast<int>(column.size()); ++j) {
+    if (!column[j]) continue;
+    for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+      if (const int i = pattern.row_index[k]; row[i]) entries_.push_back({i, j, k});
+  }
+}
+
+void JacobianBlock::subtract(std::span<const double> J, std::span<const double> x,
+                             std::span<double> y) const {
+  for (const Entry& entry : entries_) y[entry.row] -= J[entry.position] * x[entry.column];
+}
+
+SymmetricPart::SymmetricPart(const SparsePattern& pattern, const std::vector<int>& unknowns)
+    : number_(pattern.size(), -1) {
+  for (std::size_t k = 0; k < unknowns.size(); ++k) number_[unknowns[k]] = static_cast<int>(k);
+  std::vector<std::vector<int>> rows(unknowns.size());
+  for (int j : unknowns)
+    for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k) {
+      const int row = number_[pattern.row_index[k]], column = number_[j];
+      if (row >= 0) rows[std::min(row, column)].push_back(std::max(row, column));
+    }
+  lower_.column_start.push_back(0);
+  for (std::size_t column = 0; column < rows.size(); ++column) {
+    std::vector<int>& list = rows[column];
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    for (int row : list) {
+      lower_.row_index.push_back(row);
+      entry_.push_back(pattern.find(unknowns[row], unknowns[column]));
+      transposed_.push_back(pattern.find(unknowns[column], unknowns[row]));
+    }
+    lower_.column_start.push_back(static_cast<int>(lower_.row_index.size()));
+    std::vector<int>().swap(list);
+  }
+}
+
+int SymmetricPart::find(int row, int column) const {
+  const int i = number_[row], j = number_[column];
+  return lower_.find(std::max(i, j), std::min(i, j));
+}
+
+void SymmetricPart::gather(std::span<const double> J, std::vector<double>& values) const {
+  values.resize(entry_.size());
+  const auto at = [J](int position) { return position < 0 ? 0.0 : J[position]; };
+  for (std::size_t k = 0; k < values.size(); ++k)
+    values[k] = (at(entry_[k]) + at(transposed_[k])) / 2;
+}
+
+void multiply(const SparsePattern& pattern, std::span<const double> J, std::span<const double> x,
+              std::span<double> y) {
+  std::fill(y.begin(), y.end(), 0.0);
+  for (int j = 0; j < pattern.size(); ++j) {
+    const double factor = x[j];
+    for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+      y[pattern.row_index[k]] += J[k] * factor;
+  }
+}
+
+}  // namespace gnomon

@@ -1,0 +1,32 @@
+#include <dlfcn.h>
+
+#include <gnomon/error.hpp>
+#include <gnomon/linear/inner_solver.hpp>
+
+namespace gnomon {
+
+#ifdef GNOMON_MULTIGRID_MODULE
+
+std::unique_ptr<InnerSolver> make_multigrid_solver(const StiffnessLayout& layout) {
+  using New = InnerSolver*(const StiffnessLayout&);
+  // Loaded for good: PETSc and MPI do not bear being unloaded.
+  static void* const module = dlopen(GNOMON_MULTIGRID_MODULE, RTLD_NOW | RTLD_LOCAL);
+  static const auto make =
+      module ? reinterpret_cast<New*>(dlsym(module, "gnomon_new_multigrid")) : nullptr;
+  if (!make) {
+    const char* reason = dlerror();
+    throw Error(std::string("multigrid cannot be loaded: ") + (reason ? reason : "unknown"));
+  }
+  return std::unique_ptr<InnerSolver>(make(layout));
+}
+
+#else
+
+std::unique_ptr<InnerSolver> make_multigrid_solver(const StiffnessLayout&) {
+  throw InputError(
+      "solver.preconditioner = \"multigrid\" needs PETSc, which this gnomon was built without");
+}
+
+#endif
+
+}  // namespace gnomon

@@ -1,0 +1,99 @@
+// Sums over the Gauss points from which the tangent of a cell is made. All terms are collected
+// first and multiplied then: products of small matrices, with the nodes along memory.
+#pragma once
+
+#include <array>
+#include <gnomon/tensor.hpp>
+
+namespace gnomon {
+
+/// result = sum over t of factors[t * factor_stride] times the t-th run of `length` values; runs
+/// lie `run_stride` apart, aligned as Eigen's matrices. The sum is a local variable, so that it
+/// stays in registers up to a length of 24.
+template <int length>
+void combine(int terms, const double* runs, int run_stride, const double* factors,
+             int factor_stride, double* result) {
+  using Run = Eigen::Matrix<double, length, 1>;
+  using Given = Eigen::Map<const Run, Eigen::AlignedMax>;
+  Run sum = Given(runs) * factors[0];
+  for (int t = 1; t < terms; ++t) sum += Given(runs + t * run_stride) * factors[t * factor_stride];
+  Eigen::Map<Run, Eigen::AlignedMax>{result} = sum;
+}
+
+/// Sum of dyads x_a[i] y_b[j] of nodal fields x and y, `per_point` a Gauss point.
+template <int dim, int per_point>
+class DyadSum {
+public:
+  static constexpr int local = dim * (1 << dim);
+
+  void add(const CellNodal<dim>& x, const CellNodal<dim>& y) {
+    x_[count_] = x;
+    y_[count_++] = y;
+  }
+  /// Sum of x y_b[j], one value a node and component.
+  CellNodal<dim> column(int b, int j) const {
+    CellNodal<dim> sum;
+    combine<local>(count_, x_[0].data(), local, &y_[0](b, j), local, sum.data());
+    return sum;
+  }
+
+private:
+  std::array<CellNodal<dim>, per_point*(1 << dim)> x_, y_;
+  int count_ = 0;
+};
+
+/// One value a pair of nodes.
+template <int dim>
+using NodePairs = Eigen::Matrix<double, (1 << dim), (1 << dim)>;
+
+/// Sum of (n_a . n_b) D over the Gauss points, D any tensor.
+template <int dim>
+class PairSum {
+public:
+  void add(const CellNodal<dim>& n, const Tensor<dim>& D) {
+    pairs_[count_].noalias() = n.lazyProduct(n.transpose());
+    factors_[count_++] = D;
+  }
+  /// Sum of (n_a . n_b) D_ij.
+  NodePairs<dim> component(int i, int j) const {
+    constexpr int part = 16, size = NodePairs<dim>::SizeAtCompileTime;
+    NodePairs<dim> sum;
+    for (int first = 0; first < size; first += part)
+      combine<part>(count_, pairs_[0].data() + first, size, &factors_[0](i, j), dim * dim,
+                    sum.data() + first);
+    return sum;
+  }
+
+private:
+  std::array<NodePairs<dim>, (1 << dim)> pairs_;
+  std::array<Tensor<dim>, (1 << dim)> factors_;
+  int count_ = 0;
+};
+
+/// K(ab) = sum of direct dyads x_a (x) y_b, crossed ones y_b (x) x_a, and (n_a . n_b) D.
+template <int dim, int direct_dyads, int crossed_dyads>
+struct TangentSum {
+  static constexpr int nodes = 1 << dim;
+  DyadSum<dim, direct_dyads> direct;
+  DyadSum<dim, crossed_dyads> crossed;
+  PairSum<dim> pairs;
+
+  void write(CellMatrix<dim>& K) const {
+    std::array<CellNodal<dim>, dim * nodes> turned;
+    for (int i = 0; i < dim; ++i)
+      for (int b = 0; b < nodes; ++b) turned[i * nodes + b] = crossed.column(b, i);
+    for (int j = 0; j < dim; ++j) {
+      std::array<NodePairs<dim>, dim> pair;
+      for (int i = 0; i < dim; ++i) pair[i] = pairs.component(i, j);
+      for (int b = 0; b < nodes; ++b) {
+        CellNodal<dim> column = direct.column(b, j);
+        for (int i = 0; i < dim; ++i)
+          column.col(i) += pair[i].col(b) + turned[i * nodes + b].col(j);
+        Eigen::Map<Eigen::Matrix<double, dim, nodes>>(K.col(dim * b + j).data()) =
+            column.transpose();
+      }
+    }
+  }
+};
+
+}  // namespace gnomon

@@ -1,0 +1,164 @@
+// The block solver on exact coupled Jacobians, against what it must do by its derivation.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <gnomon/error.hpp>
+#include <gnomon/linear/block_preconditioner.hpp>
+#include <gnomon/linear/jacobian_block.hpp>
+#include <numbers>
+
+#include "sundials/krylov.hpp"
+#include "support/pin.hpp"
+#include "support/pressed_block.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+using Preconditioner = LinearSolverChoice::Preconditioner;
+
+/// A Jacobian, a right side, and a structure that asks for the block solver.
+struct Problem {
+  Structure structure;
+  std::vector<double> J, F;
+
+  Problem(const System& system, const std::vector<double>& y, double alpha,
+          Preconditioner preconditioner, const ActiveSet* piece = nullptr)
+      : structure(system.structure()), J(structure.pattern.nonzeros()), F(structure.size) {
+    structure.solver = {LinearSolverChoice::Method::block, preconditioner};
+    const std::vector<double> rest(structure.size, 0.0);
+    system.residual({0, y, rest, piece}, F);
+    system.jacobian({0, y, rest, piece}, alpha, J);
+  }
+  double size(const std::vector<double>& r) const {
+    double sum = 0;
+    for (long i = 0; i < structure.size; ++i) sum += std::pow(r[i] / structure.row_scale[i], 2);
+    return std::sqrt(sum);
+  }
+  /// Iterations at a relative tolerance of 1e-8; the residual is checked.
+  long iterations() const {
+    gnomon::sundials::Context context;
+    Counters counters;
+    gnomon::sundials::BlockSolver solver(structure, counters, context);
+    const auto b = gnomon::sundials::make_vector(structure.size, context);
+    const auto x = gnomon::sundials::make_vector(structure.size, context);
+    std::copy(F.begin(), F.end(), gnomon::sundials::view(b.get()).begin());
+    solver.set_up(J);
+    solver.solve(b.get(), x.get(), 1e-8);
+    std::vector<double> r(structure.size);
+    multiply(structure.pattern, J, gnomon::sundials::view(x.get()), r);
+    for (long i = 0; i < structure.size; ++i) r[i] -= F[i];
+    EXPECT_LT(size(r), 2e-8 * size(F));
+    return counters.krylov_iterations;
+  }
+};
+
+/// The pin at 50 s and the residual that a step of `step` meets there.
+Problem pin_problem(int n, double step, Preconditioner preconditioner, const Overrides& more = {}) {
+  Overrides overrides = {elements(n)};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  const PinRun run = run_pin("backward-euler", 25, 1e-4, 50, overrides);
+  return {run.model->system(), run.last().y, 1 / step, preconditioner};
+}
+
+/// The block under a Hertzian guess of the pressure, an eighth of its surface in contact.
+Problem block_problem(int n, double step, Preconditioner preconditioner) {
+  const PressedBlock block{.across = n, .high = n};
+  const auto body = pressed_block(block);
+  const WearSystem<3> system(body, {});
+  NodalState<3> state = NodalState<3>::zero(*body);
+  const double a = 0.4 * block.size, p0 = 6 * block.force / (std::numbers::pi * a * a);
+  ActiveSet piece;
+  for (std::size_t c = 0; c < body->contact_nodes.size(); ++c) {
+    const Vector<3>& X = body->mesh.nodes[body->contact_nodes[c].node];
+    const double inside = 1 - (X[0] * X[0] + X[1] * X[1]) / (a * a);
+    piece.push_back(inside > 0);
+    state.lambda[static_cast<Eigen::Index>(c)] = inside > 0 ? -p0 * std::sqrt(inside) : 0;
+  }
+  std::vector<double> y(system.structure().size);
+  system.unknowns().gather(state, y);
+  return {system, y, 1 / step, preconditioner, &piece};
+}
+
+/// Drops what the preconditioner drops: equilibrium by shape, and the shape of nodes beside.
+void decouple(Problem& problem) {
+  const Structure& s = problem.structure;
+  for (int j = 0; j < s.pattern.size(); ++j)
+    for (int k = s.pattern.column_start[j]; k < s.pattern.column_start[j + 1]; ++k) {
+      const int i = s.pattern.row_index[k];
+      const bool surface = s.kind[j] == UnknownKind::worn_surface;
+      const bool shape = surface || s.kind[j] == UnknownKind::shape;
+      if (s.kind[i] == UnknownKind::displacement && shape) problem.J[k] = 0;
+      if (s.kind[i] == UnknownKind::worn_surface && surface && s.group[i] != s.group[j])
+        problem.J[k] = 0;
+    }
+}
+
+// Where nodes wear enough for the compliance of a step to be their own, nothing else is neglected.
+TEST(BlockPreconditioner, IsTheInverseOfWhatItKeeps) {
+  for (const char* form : {"eliminated", "multiplier"}) {
+    Problem problem =
+        pin_problem(10, 200, Preconditioner::factor, {std::string("shape.constraint=") + form});
+    decouple(problem);
+    BlockPreconditioner preconditioner(problem.structure);
+    preconditioner.refresh(problem.J);
+    preconditioner.set_up(true);
+    const long n = problem.structure.size;
+    std::vector<double> r(n), z(n);
+    for (long j = 0; j < n; ++j) {
+      std::vector<double> unit(n, 0.0);
+      unit[j] = problem.structure.unknown_scale[j];
+      multiply(problem.structure.pattern, problem.J, unit, r);
+      preconditioner.apply(r, z);
+      for (long i = 0; i < n; ++i)
+        ASSERT_NEAR(z[i], unit[i], 1e-9 * problem.structure.unknown_scale[i]) << i << " " << j;
+    }
+  }
+}
+
+TEST(BlockSolver, IterationsHardlyGrowWithTheMeshOrTheStep) {
+  const long coarse = pin_problem(20, 50, Preconditioner::factor).iterations();
+  const long fine = pin_problem(40, 50, Preconditioner::factor).iterations();
+  EXPECT_LE(coarse, 15);
+  EXPECT_LE(fine, coarse + 4);
+  EXPECT_LE(pin_problem(40, 5, Preconditioner::factor).iterations(), 12);
+  EXPECT_LE(pin_problem(40, 200, Preconditioner::factor).iterations(), 22);
+}
+
+TEST(BlockSolver, SolvesInThreeDimensions) {
+  const long coarse = block_problem(4, 5, Preconditioner::factor).iterations();
+  const long fine = block_problem(8, 5, Preconditioner::factor).iterations();
+  EXPECT_LE(coarse, 25);
+  EXPECT_LE(fine, coarse + 6);
+}
+
+TEST(BlockSolver, RefusesASystemWithoutBlocks) {
+  EXPECT_THROW(BlockPreconditioner{Structure{}}, InputError);
+}
+
+/// Chooses for a system that is not const; scenes do it by a key.
+void choose_block(const System& system) {
+  const_cast<Structure&>(system.structure()).solver.method = LinearSolverChoice::Method::block;
+}
+
+TEST(BlockSolver, GivesTheTrajectoriesOfTheDirectOne) {
+  for (const char* name : {"backward-euler", "esdirk-3", "bdf"}) {
+    SCOPED_TRACE(name);
+    const double step = std::string(name) == "backward-euler" ? 25 : 0;
+    const auto direct = pin_model({elements(16)}), block = pin_model({elements(16)});
+    choose_block(block->system());
+    const ModelRun a = run_model(*direct, name, step, 1e-3, 200);
+    const ModelRun b = run_model(*block, name, step, 1e-3, 200);
+    ASSERT_EQ(a.counters.steps, b.counters.steps);
+    EXPECT_GT(b.counters.krylov_iterations, 0);
+    EXPECT_EQ(a.counters.krylov_iterations, 0);
+    EXPECT_LT(b.counters.factorizations, a.counters.factorizations + 10);
+    const Structure& structure = direct->system().structure();
+    for (long i = 0; i < structure.size; ++i)
+      EXPECT_NEAR(a.last().y[i], b.last().y[i], 1e-6 * structure.unknown_scale[i]);
+  }
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,43 @@
+#include <gnomon/system/wear_system.hpp>
+
+#include "support/derivatives.hpp"
+#include "support/pin.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+
+TEST(SmallStrains, JacobianEqualsCentralDifferences) {
+  for (const char* element : {"plain", "f-bar", "f-bar-variational"}) {
+    SCOPED_TRACE(element);
+    const auto model =
+        pin_model({elements(4), "body.kinematics=small", std::string("body.element=") + element});
+    std::mt19937 generator(7);
+    std::uniform_real_distribution<double> uniform(-0.05, 0.05);
+    std::vector<double> y(model->system().structure().size);
+    for (double& value : y) value = uniform(generator);
+    check_jacobian(model->system(), 0, y, 0.2);
+  }
+}
+
+// The stiffness of the body does not depend on its displacement: at frozen shape and on one smooth
+// piece the whole residual is linear in u and lambda, so its Jacobian is the same at every state.
+TEST(SmallStrains, ContactProblemIsLinearOnAPiece) {
+  const auto jacobian_at = [](const char* kinematics, double amplitude) {
+    const auto model = pin_model({elements(4), std::string("body.kinematics=") + kinematics});
+    const std::vector<Stage> stages = model->system().make_stages();
+    const System& contact = *stages.back().system;
+    std::vector<double> y(contact.structure().size);
+    for (std::size_t k = 0; k < y.size(); ++k) y[k] = amplitude * std::sin(3.0 * k);
+    const ActiveSet piece(contact.structure().switch_node.size(), 1);
+    std::vector<double> values(contact.structure().pattern.nonzeros());
+    contact.jacobian({.y = y, .piece = &piece}, 0, values);
+    return values;
+  };
+  EXPECT_EQ(jacobian_at("small", 0), jacobian_at("small", 0.05));
+  EXPECT_NE(jacobian_at("finite", 0), jacobian_at("finite", 0.05));
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,50 @@
+"""Curves on the contact surface: all of it in 2D; in space its cuts along the sliding direction x
+and across it."""
+
+import numpy
+
+from . import space
+from .complaints import Unsuitable
+
+
+class Curve:
+    """Rows of the contact table along a curve, by column and in the order of its `axis`."""
+
+    def __init__(self, axis, where, at):
+        self.axis, self.where, self.at = axis, where, at
+
+
+def of(result):
+    if result.dim == 2:
+        return [Curve("x", "", lambda step: in_order(result.contact(step), "x"))]
+    edges = edges_of(space.contact_faces(result))
+    return [Curve("x", "$y$ = 0", lambda step: cut(result.contact(step), edges, "y", "x")),
+            Curve("y", "$x$ = 0", lambda step: cut(result.contact(step), edges, "x", "y"))]
+
+
+def in_order(table, axis):
+    order = numpy.argsort(table[axis])
+    return {name: table[name][order] for name in table.dtype.names}
+
+
+def edges_of(faces):
+    """Pairs of rows, each once."""
+    pairs = numpy.concatenate([faces[:, [i, (i + 1) % 4]] for i in range(4)])
+    return numpy.unique(numpy.sort(pairs, axis=1), axis=0)
+
+
+def cut(table, edges, across, axis):
+    """Where the current surface meets the plane `across` = 0: its nodes in the plane, and between
+    the nodes of its edges that pass through it."""
+    distance = table[across].copy()
+    distance[numpy.abs(distance) <= 1e-9 * numpy.ptp(distance)] = 0
+    within = numpy.flatnonzero(distance == 0)
+    first, second = edges[distance[edges].prod(axis=1) < 0].T
+    first, second = numpy.append(within, first), numpy.append(within, second)
+    if not len(first):
+        raise Unsuitable(f"the contact surface does not meet {across} = 0")
+    span = distance[first] - distance[second]
+    weight = distance[first] / numpy.where(span == 0, 1, span)
+    order = numpy.argsort((1 - weight) * table[axis][first] + weight * table[axis][second])
+    return {name: ((1 - weight) * table[name][first] + weight * table[name][second])[order]
+            for name in table.dtype.names}

@@ -1,0 +1,71 @@
+"""Bodies in space: faces of hexahedra, symmetry, and the view onto the contact surface."""
+
+import numpy
+
+from .complaints import Unsuitable
+
+# Nodes of a hexahedron's faces, counterclockwise as seen from outside.
+FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+
+
+def boundary_faces(cells):
+    """Faces that belong to one cell, F x 4, and these cells."""
+    faces = numpy.concatenate([cells[:, face] for face in FACES])
+    _, first, count = numpy.unique(numpy.sort(faces, axis=1), axis=0, return_index=True,
+                                   return_counts=True)
+    outer = first[count == 1]
+    return faces[outer], outer % len(cells)
+
+
+def contact_faces(result):
+    """Boundary faces that lie in the contact surface, by rows of the contact table."""
+    nodes = result.contact(0)["node"]
+    row = numpy.full(len(result.points), -1)
+    row[nodes] = numpy.arange(len(nodes))
+    every, _ = boundary_faces(result.cells)
+    faces = row[every][(row[every] >= 0).all(axis=1)]
+    if not len(faces):
+        raise Unsuitable("the contact surface holds no face of the mesh")
+    return faces
+
+
+def is_half(result):
+    """Whether the body begins at y = 0 and does not leave this plane: half of a symmetric one."""
+    y = result.points[:, 1]
+    tolerance = 1e-9 * numpy.ptp(y)
+    if abs(y.min()) > tolerance:
+        return False
+    last = len(result.times) - 1
+    return all(numpy.abs(result.field(last, name)[y <= tolerance, 1]).max() <= tolerance
+               for name in ("shape", "displacement"))
+
+
+def normals(corners):
+    """Of faces, F x 4 x 3: half their vector area."""
+    return numpy.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+
+
+class View:
+    """A parallel projection: x to the right, z up; the plane y = 0 in front, the contact surface
+    seen from where it faces, above or below."""
+
+    def __init__(self, result):
+        self.faces, self.owners = boundary_faces(result.cells)
+        nodes = result.contact(0)["node"]
+        facing = normals(result.points[nodes[contact_faces(result)]]).sum(axis=0)[2]
+        self.eye = unit(numpy.array([-0.45, -1.0, 0.9 if facing > 0 else -0.9]))
+        right = unit(numpy.cross([0, 0, 1], self.eye))
+        self.screen = numpy.stack([right, numpy.cross(self.eye, right)], axis=1)
+
+    def polygons(self, points):
+        """Faces turned to the eye, the farthest first: corners on the screen, cells, and brightness
+        from 0 to 1."""
+        corners = points[self.faces]
+        towards = unit(normals(corners)) @ self.eye
+        order = numpy.argsort(corners.mean(axis=1) @ self.eye)
+        order = order[towards[order] > 0]
+        return corners[order] @ self.screen, self.owners[order], towards[order]
+
+
+def unit(vectors):
+    return vectors / numpy.maximum(numpy.linalg.norm(vectors, axis=-1, keepdims=True), 1e-300)
