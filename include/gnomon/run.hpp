@@ -37,6 +37,7 @@ struct RunOutcome {
   std::optional<HistoryRow> last;  ///< of the last good state; none when the start itself failed
   Counters counters;               ///< work of the whole run, failed attempts included
   double wall_seconds = 0;
+  long flickering_nodes = 0;  ///< contact nodes that left contact twice or more: an oscillation
 
   /// "finished", "interrupted", "failed: DIAGNOSIS"; what the result file and the summary say.
   std::string text() const;

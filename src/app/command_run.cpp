@@ -5,6 +5,7 @@
 #include <gnomon/error.hpp>
 #include <gnomon/result_files.hpp>
 #include <gnomon/run.hpp>
+#include <gnomon/stability.hpp>
 #include <gnomon/summary.hpp>
 #include <utility>
 
@@ -33,6 +34,16 @@ void print_summary(const RunOutcome& outcome, const RunOptions& options) {
     table.add({"  " + scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});
   fmt::print("{}result: {} (for ParaView: {})\n", table.text(), options.result.string(),
              sidecar_of(options.result).string());
+}
+
+/// An explicit method above its critical step finishes like any other; its numbers are worthless.
+void warn_of_flicker(const RunOutcome& outcome, const Integrator& integrator) {
+  const auto table = integrator.table({});
+  if (outcome.flickering_nodes == 0 || !table || !is_explicit(*table)) return;
+  fmt::print(stderr,
+             "gnomon: warning: {} contact nodes left contact twice or more: steps seem to exceed "
+             "the critical one of {} (gnomon stability)\n",
+             outcome.flickering_nodes, integrator.name);
 }
 
 int exit_code(const RunOutcome& outcome) {
@@ -93,6 +104,7 @@ int run_command(const RunOptions& given) {
   if (outcome.status == RunOutcome::Status::failed)
     throw SolutionError(failure_message(outcome, options, earlier));
   if (!options.quiet && options.summary != "-") print_summary(outcome, options);
+  if (!options.quiet) warn_of_flicker(outcome, chosen_integrator(setup.scene));
   return exit_code(outcome);
 }
 

@@ -6,7 +6,9 @@ namespace gnomon::app {
 inline constexpr const char* scene_topic =
     R"(A scene is a TOML file that holds every parameter of one run. `gnomon list scenes` shows those that
 come with gnomon, `gnomon check SCENE.toml` prints one in full, defaults included, and
-`--set KEY=VALUE` replaces a key for one run (a text needs no quotes there).
+`--set KEY=VALUE` replaces a key for one run (a text needs no quotes there). What is printed is a
+scene itself; a line `# KEY = ...` stands for an optional key without a value, and says what its
+absence means.
 )";
 
 inline constexpr const char* studies_topic =

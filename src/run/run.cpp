@@ -2,6 +2,7 @@
 #include <gnomon/error.hpp>
 #include <gnomon/run.hpp>
 
+#include "run/flicker.hpp"
 #include "run/store_schedule.hpp"
 #include "run/wear_integral.hpp"
 
@@ -36,6 +37,7 @@ public:
     if (outcome_.status != Status::finished && outcome_.last) store();
     outcome_.wall_seconds = elapsed();
     outcome_.counters = counters_;
+    outcome_.flickering_nodes = flicker_.nodes();
     if (writer_) writer_->close(outcome_.text(), outcome_.wall_seconds);
     return outcome_;
   }
@@ -59,6 +61,7 @@ private:
   void record(const StepReport& report) {
     HistoryRow row{state_.t, report, counters_, model_.observe(state_)};
     wear_integral_.append_to(row.scalars, state_.t);
+    flicker_.add(model_.contact(state_));
     if (writer_) writer_->append(row);
     outcome_.last = std::move(row);
     hooks_.on_step(*outcome_.last);
@@ -94,6 +97,7 @@ private:
   Counters counters_;
   State state_;
   WearIntegral wear_integral_;
+  Flicker flicker_;
   RunOutcome outcome_;
   bool stored_ = false;
   double stored_at_ = 0;

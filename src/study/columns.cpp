@@ -45,6 +45,10 @@ std::vector<Column> setting_columns() {
        [](const Study&, const StudyTable&, const StudyRow& row) {
          return row.point.setting.value;
        }},
+      {"run", "", Kind::text,
+       [](const Study& study, const StudyTable&, const StudyRow& row) {
+         return study.runs[row.point.run].name;
+       }},
       text("status", [](const StudyRow& row) { return row.status; }),
       text("reason", [](const StudyRow& row) { return row.reason; }),
   };

@@ -24,9 +24,10 @@ protected:
       GTEST_SKIP() << "needs python3-matplotlib and python3-h5py";
   }
 
-  void make_result(const std::string& name) const {
+  void make_result(const std::string& name,
+                   const std::string& setting = "integrator.name=\"bdf\"") const {
     const Outcome outcome = gnomon({"run", test::pin, "--set", test::coarse, "--set",
-                                    "time.end=100", "--quiet", "-o", name, "--integrator", "bdf"});
+                                    "time.end=100", "--quiet", "-o", name, "--set", setting});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
 
@@ -61,16 +62,18 @@ std::set<std::string> ids_of(const fs::path& svg) {
 }
 
 const char* const study_header =
-    "study,sweep,method,integrator,setting_kind,setting,status,reason,shape_error,shape_error_max,"
+    "study,sweep,method,integrator,setting_kind,setting,run,status,reason,shape_error,shape_error_"
+    "max,"
     "shape_error_self,pressure_error,reference,reference_error,marked,steps,rejected,events,"
     "newton_iterations,residual_evaluations,jacobian_evaluations,factorizations,linear_solves,"
     "krylov_iterations,preconditioner_setups,wall_seconds,cpu_seconds,peak_memory_mb\n";
 
 std::string study_row(const char* method, const char* kind, double setting, const char* status,
                       const char* error) {
-  return std::string("mesh,640,") + method + "," + method + "," + kind + "," +
-         std::to_string(setting) + "," + status + ",," + error +
-         ",,,,tight,1e-5,0,10,0,0,30,40,5,5,30,0,0,0.1,0.1,50\n";
+  const std::string number = std::to_string(setting);
+  return std::string("mesh,640,") + method + "," + method + "," + kind + "," + number + "," +
+         method + number + "," + status + ",," + error +
+         ",,1e-3,,tight,1e-5,0,10,0,0,30,40,5,5,30,0,0,0.1,0.1,50\n";
 }
 
 TEST_F(Plot, DrawsAResult) {
@@ -124,6 +127,22 @@ TEST_F(Plot, DrawsAStudyAndASpectrum) {
     for (const std::string& id : ids_of(folder() / "figures" / (std::string(stem) + ".svg")))
       EXPECT_TRUE(ids.insert(id).second) << id;
   }
+}
+
+// Figs. 2 and 4: only of methods whose longest and shortest steps have left results.
+TEST_F(Plot, LaysTheShapesOfAStudyOverEachOther) {
+  std::string rows = study_header;
+  for (const double step : {25.0, 50.0})
+    for (const char* method : {"backward-euler", "forward-euler"})
+      rows += study_row(method, "step", step, "finished", "1e-3");
+  write("study.csv", rows);
+  fs::create_directory(folder() / "runs");
+  make_result("runs/backward-euler25.000000.h5", "integrator.step=25");
+  EXPECT_THAT(gnomon({"plot", "."}).out, HasSubstr("shapes: skipped, no method has results"));
+  make_result("runs/backward-euler50.000000.h5", "integrator.step=50");
+  const Outcome outcome = gnomon({"plot", "."});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_figure("figures/mesh-shapes");
 }
 
 TEST_F(Plot, BadInputIsOneLineAndExitCode2) {

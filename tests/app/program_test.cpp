@@ -148,6 +148,21 @@ TEST_F(Program, InfoTellsStatusUnknownsAndScene) {
     EXPECT_THAT(outcome.out, HasSubstr(part));
 }
 
+TEST_F(Program, WarnsWhenTheContactFlickers) {
+  const auto warning = [&](const std::string& step) {
+    const Outcome outcome =
+        gnomon({"run", pin, "--set", coarse, "--integrator", "forward-euler", "--set",
+                "integrator.step=" + step, "--force", "-o", "a.h5", "--summary", "s.json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
+    const bool warned = outcome.err.find("warning") != std::string::npos;
+    EXPECT_EQ(warned, json["flickering_nodes"] > 0);
+    return warned;
+  };
+  EXPECT_FALSE(warning("20"));  // the critical step is some 46 s
+  EXPECT_TRUE(warning("100"));
+}
+
 TEST_F(Program, ListsAndHelp) {
   EXPECT_THAT(gnomon({"list", "integrators"}).out, HasSubstr("backward-euler"));
   EXPECT_THAT(gnomon({"list", "problems"}).out, HasSubstr("pin_on_flat"));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <gnomon/error.hpp>
+#include <gnomon/integration/diagonally_implicit.hpp>
 #include <gnomon/integration/stepper.hpp>
 
 namespace gnomon {
@@ -131,6 +132,62 @@ TEST(FixedSteps, GiveUpWithTheReasonAndTheLastGoodState) {
   EXPECT_EQ(run.state.t, 0);
   EXPECT_EQ(run.state.y, y);
   EXPECT_TRUE(run.method->continued);  // shorter steps first, then continuation
+}
+
+/// One step of backward Euler from the start, E = 20 MPa.
+struct FirstStep {
+  std::unique_ptr<Model> model = pin_model({elements(10), "body.young_modulus=20"});
+  Counters counters;
+  State start = model->start(counters), end;
+  Attempt attempt;
+
+  FirstStep(double step, bool continuation) {
+    IntegratorSettings settings;
+    settings.step = settings.end = step;
+    settings.rtol = settings.atol = settings.scale = 1;
+    const auto table = Integrators::find("backward-euler", "integrator").table(settings);
+    DiagonallyImplicit method(model->system(), settings, counters, *table);
+    method.accept(start, true);
+    attempt = method.attempt(start, step, {.continuation = continuation}, end);
+  }
+};
+
+// 20000 s wear the pin by 4 mm of its 10 in one step.
+TEST(Continuation, RescuesAStepThatNewtonCannotTake) {
+  const FirstStep plain(20000, false), continued(20000, true);
+  EXPECT_FALSE(plain.attempt.success);
+  EXPECT_THAT(plain.attempt.reason, ::testing::HasSubstr("inverted element"));
+  ASSERT_TRUE(continued.attempt.success) << continued.attempt.reason;
+  // The step is that of backward Euler: the equations hold at its end with the rate (d1 - d0) / h.
+  const Structure& structure = continued.model->system().structure();
+  State end = continued.end;
+  for (long i = 0; i < structure.size; ++i)
+    end.ydot[i] = structure.differential[i] ? (end.y[i] - continued.start.y[i]) / 20000 : 0;
+  std::vector<double> F(end.y.size());
+  continued.model->system().residual({end.t, end.y, end.ydot}, F);
+  for (long i = 0; i < structure.size; ++i)
+    ASSERT_LE(std::abs(F[i]), 1e-8 * structure.row_scale[i]) << "row " << i;
+}
+
+// 100000 s would wear it by 20 mm: there is no such step.
+TEST(Continuation, SaysHowFarItCameAndWhy) {
+  const FirstStep step(100000, true);
+  EXPECT_FALSE(step.attempt.success);
+  EXPECT_THAT(step.attempt.reason,
+              ::testing::MatchesRegex(".*(inverted element|did not converge|cycles).*"
+                                      "continuation in the step reached 0\\.[0-9]+ of it\\)"));
+}
+
+// Worn through: halving and continuation fail as well, and the run ends with time and reason.
+TEST(Continuation, ARunThatWearsItsBodyThroughEndsWithTheReason) {
+  try {
+    run_pin("backward-euler", 5000, 1e-4, 1e5, {elements(4), "pin.height=3.5"});
+    FAIL() << "no exception";
+  } catch (const SolutionError& error) {
+    EXPECT_THAT(error.what(),
+                ::testing::MatchesRegex("no step from t = [0-9.]+ succeeds, down to .*: "
+                                        "(inverted element|Newton did not converge|.*cycles).*"));
+  }
 }
 
 }  // namespace

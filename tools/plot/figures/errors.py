@@ -12,6 +12,8 @@ from .study import distinct
 
 ROOM_ABOVE = 1e3  # times the largest error of a sound run; what exploded further sits at the edge
 
+SELF = {"marker": "", "linestyle": (0, (1, 1)), "linewidth": 0.9}  # against a run of the study
+
 SYMBOLS = {"body.young_modulus": "$E$ [MPa]", "mesh.elements": "mesh"}
 
 
@@ -34,12 +36,14 @@ def draw(runs, across, otherwise):
     looks = looks_of(names, ordered=swept)
     figure, panels = panels_for(len(titles))
     limits = error_limits(runs)
+    guides = False
     for panel, title in zip(panels, titles):
         members = [run for run in runs if not swept or run.method == title]
-        draw_panel(panel, members, looks, lambda run: run.sweep if swept else run.method, limits)
+        guides |= draw_panel(panel, members, looks,
+                             lambda run: run.sweep if swept else run.method, limits)
         panel.set_title(title)
     finish(figure, panels, across)
-    style.legend_above_all(figure, handles_of(looks), notes_of(runs, limits))
+    style.legend_above_all(figure, handles_of(looks), notes_of(runs, limits, guides))
     return figure
 
 
@@ -67,28 +71,35 @@ def error_limits(runs):
     sound = [run.shape_error for run in runs if run.finished and run.shape_error > 0] or errors
     typical = numpy.median(sound)
     top = min(max(errors), ROOM_ABOVE * typical)
-    references = [run.reference_error for run in runs if run.reference_error > 0]
-    low = min(errors + [0.5 * reference for reference in references])
-    return 0.5 * low, 4 * top
+    # Errors of references far below what was measured would take the room from it.
+    low = min(errors)
+    references = [run.reference_error for run in runs if run.reference_error > 0.1 * low]
+    return 0.5 * min([low, *references]), 4 * top
 
 
 def draw_panel(axes, runs, looks, key, limits):
+    """True if there are lines of slope."""
+    axes.set_xmargin(0.1)  # room for the numbers of the slopes
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.tick_params(which="both", top=False, right=False)
     draw_reference(axes, runs, limits)
-    draw_guides(axes, runs, key)
     for name, look in looks.items():
         members = sorted((run for run in runs if key(run) == name), key=lambda run: run.setting)
         draw_series(axes, members, look, limits)
+    return draw_guides(axes, runs, key)
 
 
 def draw_reference(axes, runs, limits):
     """The band in which a difference from the reference says nothing."""
     axes.set_ylim(limits)
-    references = [run.reference_error for run in runs if run.reference_error > 0]
-    if references:
-        axes.axhspan(limits[0], max(references), color=style.BAND, zorder=0, linewidth=0)
+    if has_band(runs, limits):
+        highest = max(run.reference_error for run in runs if run.reference_error > 0)
+        axes.axhspan(limits[0], highest, color=style.BAND, zorder=0, linewidth=0)
+
+
+def has_band(runs, limits):
+    return any(run.reference_error > limits[0] for run in runs)
 
 
 def draw_series(axes, runs, look, limits):
@@ -100,6 +111,7 @@ def draw_series(axes, runs, look, limits):
     marked = numpy.array([run.marked for run in runs], bool) & ~lost
     y = numpy.where(lost, edge, errors)
     axes.plot(x, y, **(look | {"marker": ""}))
+    axes.plot(x, [run.shape_error_self for run in runs], **(look | SELF))
     hollow = {"markerfacecolor": "white", "markeredgewidth": 0.7}
     cross = {"marker": "x", "markersize": 5}
     for chosen, sign in ((~lost & ~marked, {}), (marked, hollow), (lost, cross)):
@@ -108,7 +120,8 @@ def draw_series(axes, runs, look, limits):
 
 
 def draw_guides(axes, runs, key):
-    """Lines of slope 1 and of the highest order that is seen, each below its lowest series."""
+    """Lines of slope 1 and of the highest order that is seen, each below its lowest series; false
+    where no series is long enough to have a slope."""
     series = [[run for run in runs if key(run) == name and run.finished and run.shape_error > 0]
               for name in distinct(key(run) for run in runs)]
     series = {order: [runs for runs in series if order_of(runs) == order]
@@ -119,6 +132,7 @@ def draw_guides(axes, runs, key):
         if own:
             factor = 0.5 * min(run.shape_error / run.setting**order for run in own)
             draw_guide(axes, sorted(run.setting for run in own), order, factor)
+    return bool(every)
 
 
 def draw_guide(axes, settings, order, factor):
@@ -140,20 +154,22 @@ def order_of(runs):
     return int(numpy.clip(numpy.round(numpy.median(slopes)), 1, 5))
 
 
-def notes_of(runs, limits):
+def notes_of(runs, limits, guides):
     """What the signs mean, those that occur."""
     notes = []
     if any(not run.shape_error < limits[1] / 1.5 for run in runs):
         notes.append(Line2D([], [], color="black", linestyle="", marker="x", markersize=5,
                             label="beyond, or failed"))
-    if any(run.reference_error > 0 for run in runs):
+    if has_band(runs, limits):
         notes.append(reference_note())
     if any(run.marked for run in runs):
         known = any(run.reference_error > 0 for run in runs)
         notes.append(Line2D([], [], color="black", linestyle="", marker="o",
                             markerfacecolor="white",
-                            label="less than 10× that" if known else "by an unsure reference"))
-    if len(runs) > 2:
+                            label="below 10× the reference's error" if known else "by an unsure reference"))
+    if any(run.shape_error_self > 0 for run in runs):
+        notes.append(Line2D([], [], color="black", **SELF, label="against the study's own run"))
+    if guides:
         notes.append(Line2D([], [], color=style.GREY, linewidth=0.7, linestyle=style.DASHES,
                             label="slope, as numbered"))
     return notes
@@ -182,6 +198,13 @@ def handles_of(looks):
     if key:
         names[0] = SYMBOLS.get(key, key.rpartition(".")[2]) + ": " + names[0]
     return [Line2D([], [], label=name, **look) for name, look in zip(names, looks.values())]
+
+
+def sweep_text(sweep):
+    """A value of the sweep as a title: "body.young_modulus=20" is "E [MPa]: 20"."""
+    parts = (part.partition("=") for part in sweep.split("; ") if part)
+    return ", ".join(f"{SYMBOLS.get(key, key.rpartition('.')[2])}: {value}"
+                     for key, _, value in parts)
 
 
 def common_key(names):

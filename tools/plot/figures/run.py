@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 from . import critical, errors, history, mesh, output, pressure, shape, spectrum, study, style
-from . import surface, wear, work
+from . import shapes, surface, wear, work
 from .complaints import BadInput, Unsuitable
 from .result import Result
 
@@ -92,7 +92,9 @@ def draw_study(folder, sink):
         sweeps = study.distinct(run.sweep for run in own)
         for sweep in sweeps:
             tail = f"-{file_name(sweep)}" if len(sweeps) > 1 else ""
-            sink.draw(f"{stem}-work{tail}", work.draw, [run for run in own if run.sweep == sweep])
+            members = [run for run in own if run.sweep == sweep]
+            sink.draw(f"{stem}-work{tail}", work.draw, members)
+            sink.draw(f"{stem}-shapes{tail}", shapes.draw, folder, members)
 
 
 def draw_spectrum(folder, sink):

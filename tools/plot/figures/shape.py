@@ -16,31 +16,29 @@ def draw(result):
     steps = result.some_steps(MOST_TIMES)
     figure = style.figure()
     axes = figure.add_subplot()
-    handles = [draw_initial(axes, result)]
+    handles = [draw_initial(axes, result.contact(0))]
     for step, colour in zip(steps, style.sequence(len(steps))):
         table = result.contact(step)
         order = numpy.argsort(table["X0"])
         axes.plot(table["X"][order], table["Y"][order], color=colour)
         handles.append(Line2D([], [], color=colour, label=f"{style.number(result.times[step])} s"))
-    frame(axes, result, steps)
+    frame(axes, result.contact(steps[-1] if steps else 0))
     stretch, ratio = scale(axes)
-    axes.set_xlabel("$X$ [mm]" + ("" if stretch == 1 else f"   (heights drawn {stretch}×)"))
+    axes.set_xlabel(across(stretch))
     axes.set_ylabel("$Y$ [mm]")
     figure.set_figheight(ratio * 0.86 * style.SINGLE + 0.52 + 0.15 * -(-len(handles) // 4))
     style.legend(axes, handles, columns=4)
     return figure
 
 
-def draw_initial(axes, result):
-    table = result.contact(0)
+def draw_initial(axes, table):
     order = numpy.argsort(table["X0"])
-    return axes.plot(table["X0"][order], table["Y0"][order], color="black", linestyle="--",
+    return axes.plot(table["X0"][order], table["Y0"][order], color="black", linestyle=":",
                      linewidth=0.8, label="initial")[0]
 
 
-def frame(axes, result, steps):
-    """The worn part and a margin; all of the surface when nothing is worn."""
-    table = result.contact(steps[-1] if steps else 0)
+def frame(axes, table):
+    """The part that is worn at last and a margin; all of the surface when nothing is."""
     worn = worn_part(table)
     left, right = table["X0"][worn].min(), table["X0"][worn].max()
     margin = 0.12 * (right - left)
@@ -68,3 +66,7 @@ def scale(axes, lowest=0.22):
     stretch = next((s for s in STRETCHES if s * ratio >= lowest), STRETCHES[-1])
     axes.set_aspect(stretch)
     return stretch, stretch * ratio
+
+
+def across(stretch):
+    return "$X$ [mm]" + ("" if stretch == 1 else f"   (heights drawn {stretch}×)")

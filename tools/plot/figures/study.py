@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from . import tables
 
-NUMBERS = ("setting", "shape_error", "reference_error", "newton_iterations", "factorizations",
-           "wall_seconds")
+NUMBERS = ("setting", "shape_error", "shape_error_self", "reference_error", "newton_iterations",
+           "factorizations", "wall_seconds")
 TEXTS = ("study", "sweep", "method", "integrator", "setting_kind", "status", "marked")
 
 
@@ -19,10 +19,12 @@ class Run:
     method: str
     integrator: str
     setting_kind: str
+    run: str
     status: str
     marked: bool
     setting: float
     shape_error: float
+    shape_error_self: float
     reference_error: float
     newton_iterations: float
     factorizations: float
@@ -44,6 +46,7 @@ def read(folder):
 
 def run_of(path, row):
     values = {name: (row[name] or "").strip() for name in TEXTS}
+    values["run"] = row.get("run") or ""  # tables of 2026-11 and before have none
     values["marked"] = values["marked"].lower() in ("1", "true", "yes")
     values.update({name: tables.number(path, row, name) for name in NUMBERS})
     return Run(**values)

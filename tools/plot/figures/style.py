@@ -3,6 +3,7 @@
 import matplotlib
 import numpy
 from matplotlib.figure import Figure
+from matplotlib.textpath import TextPath
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 SINGLE = 85 / 25.4  # inch: width of a column
@@ -110,10 +111,11 @@ def legend_above_all(figure, *groups):
 
 def legend_columns(handles, width):
     """As many as fit, by the widths of their texts at 7 pt and the keys before them."""
+    widths = numpy.array([TextPath((0, 0), handle.get_label() or " ", size=7).get_extents().x1 / 72
+                          for handle in handles])
     for columns in range(len(handles), 1, -1):
-        lengths = numpy.array([len(handle.get_label()) for handle in handles])
-        longest = [part.max() for part in numpy.array_split(lengths, columns)]
-        if sum(0.06 * length + 0.36 for length in longest) <= width:
+        widest = [part.max() for part in numpy.array_split(widths, columns)]
+        if sum(0.345 + text for text in widest) <= width:
             return columns
     return 1
 

@@ -5,8 +5,8 @@ from matplotlib.lines import Line2D
 
 from . import style
 from .complaints import Unsuitable
-from .errors import (ROOM_ABOVE, draw_reference, error_limits, handles_of, looks_of,
-                     reference_note)
+from .errors import (ROOM_ABOVE, draw_reference, error_limits, handles_of, has_band, looks_of,
+                     reference_note, sweep_text)
 from .study import distinct
 
 COSTS = {"newton_iterations": "Newton iterations", "factorizations": "factorizations",
@@ -28,7 +28,9 @@ def draw(runs):
         draw_panel(axes, runs, looks, cost, limits)
         axes.set_xlabel(label)
     panels[0].set_ylabel("shape error [mm]")
-    style.legend_above_all(figure, handles_of(looks), notes_of(runs, every - len(runs)))
+    panels[len(panels) // 2].set_title(sweep_text(runs[0].sweep))
+    style.legend_above_all(figure, handles_of(looks),
+                           notes_of(runs, every - len(runs), has_band(runs, limits)))
     return figure
 
 
@@ -57,12 +59,12 @@ def draw_panel(axes, runs, looks, cost, limits):
     style.log_ticks(axes.yaxis)
 
 
-def notes_of(runs, left_out):
+def notes_of(runs, left_out, band):
     both = len({run.fixed_step for run in runs}) == 2
     notes = [Line2D([], [], color="black", linestyle=FIXED if fixed else "-",
                     label="fixed steps" if fixed else "steps by tolerance")
              for fixed in (True, False) if any(run.fixed_step == fixed for run in runs) and both]
-    if any(run.reference_error > 0 for run in runs):
+    if band:
         notes.append(reference_note())
     if left_out:
         notes.append(Line2D([], [], linestyle="", label=f"{left_out} failed or far off: not drawn"))

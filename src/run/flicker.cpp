@@ -1,0 +1,18 @@
+#include "run/flicker.hpp"
+
+#include <algorithm>
+
+namespace gnomon {
+
+void Flicker::add(const std::optional<ContactSurface>& surface) {
+  if (!surface) return;
+  losses_.resize(surface->active.size());
+  for (std::size_t c = 0; c < active_.size(); ++c) losses_[c] += active_[c] && !surface->active[c];
+  active_.assign(surface->active.begin(), surface->active.end());
+}
+
+long Flicker::nodes() const {
+  return std::count_if(losses_.begin(), losses_.end(), [](int losses) { return losses >= 2; });
+}
+
+}  // namespace gnomon

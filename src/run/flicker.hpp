@@ -1,0 +1,22 @@
+// Contact nodes that open and close again and again: the sign of steps above the critical one.
+#pragma once
+
+#include <gnomon/model.hpp>
+#include <optional>
+#include <vector>
+
+namespace gnomon {
+
+class Flicker {
+public:
+  /// The contact surface after a step; a model without one never flickers.
+  void add(const std::optional<ContactSurface>& surface);
+  /// Nodes that have left contact twice or more.
+  long nodes() const;
+
+private:
+  std::vector<char> active_;
+  std::vector<int> losses_;  // of contact, a node
+};
+
+}  // namespace gnomon
