@@ -32,9 +32,10 @@ ContactElimination::ContactElimination(const Structure& structure)
   }
   for (int j = 0; j < pattern.size(); ++j)
     for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k) {
-      const int c = contact_of[pattern.row_index[k]];
+      const int row = pattern.row_index[k], c = contact_of[row];
       if (c < 0) continue;
-      if (kind[j] == UnknownKind::displacement) contact_[c].u.add(j);
+      // The pattern may hold the displacements around; the gap contains those of the node.
+      if (kind[j] == UnknownKind::displacement && group[j] == group[row]) contact_[c].u.add(j);
       if (kind[j] == UnknownKind::worn_surface)
         contact_[c].candidates.push_back(surface_of[group[j]]);
     }

@@ -32,8 +32,11 @@ TEST(Ball, TendsToTheUniformPressureOfARigidBall) {
   const ContactSurface surface = model->contact(run.last()).value();
   for (std::size_t c = 0; c < surface.node.size(); ++c) {
     const double r = std::hypot(surface.initial[c][0], surface.initial[c][1]);
-    if (r < a / 2) EXPECT_NEAR(surface.pressure[c], 100 / (M_PI * a * a), 0.15 * 5.62) << r;
-    if (r > a + 0.6) EXPECT_EQ(surface.pressure[c], 0) << r;
+    if (r < a / 2) {
+      EXPECT_NEAR(surface.pressure[c], 100 / (M_PI * a * a), 0.15 * 5.62) << r;
+    } else if (r > a + 0.6) {
+      EXPECT_EQ(surface.pressure[c], 0) << r;
+    }
   }
 }
 

@@ -137,17 +137,12 @@ TEST(BlockSolver, RefusesASystemWithoutBlocks) {
   EXPECT_THROW(BlockPreconditioner{Structure{}}, InputError);
 }
 
-/// Chooses for a system that is not const; scenes do it by a key.
-void choose_block(const System& system) {
-  const_cast<Structure&>(system.structure()).solver.method = LinearSolverChoice::Method::block;
-}
-
 TEST(BlockSolver, GivesTheTrajectoriesOfTheDirectOne) {
   for (const char* name : {"backward-euler", "esdirk-3", "bdf"}) {
     SCOPED_TRACE(name);
     const double step = std::string(name) == "backward-euler" ? 25 : 0;
-    const auto direct = pin_model({elements(16)}), block = pin_model({elements(16)});
-    choose_block(block->system());
+    const auto direct = pin_model({elements(16)});
+    const auto block = pin_model({elements(16), "solver.method=block"});
     const ModelRun a = run_model(*direct, name, step, 1e-3, 200);
     const ModelRun b = run_model(*block, name, step, 1e-3, 200);
     ASSERT_EQ(a.counters.steps, b.counters.steps);

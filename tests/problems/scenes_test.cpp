@@ -69,7 +69,7 @@ TEST_P(EveryScene, StartsConsistently) {
     ASSERT_LE(std::abs(F[i]), 1e-8 * structure.row_scale[i]) << "row " << i;
 }
 
-/// Explicit methods get through these as well, but in tens of thousands of steps.
+/// Explicit methods would need tens of thousands of steps.
 bool is_stiff(const std::string& scene) {
   return scene == "dahlquist/stiff.toml" || scene.starts_with("ball_on");
 }

@@ -77,7 +77,8 @@ inline std::shared_ptr<WornBody<3>> pressed_block(const PressedBlock& block) {
   scales.auxiliary_force = scales.wear_depth * block.size;
   body->contact.counter_body.point = Vector<3>::Zero();
   body->contact.counter_body.normal = Vector<3>(0, 0, 1);
-  body->contact.wear.rate_per_pressure = block.wear;
+  body->contact.wear.coefficient = block.wear;
+  body->contact.counter_body.velocity = Vector<3>::Unit(0);
   body->contact.rho = 0.01 * regularization_unit(block.young_modulus, block.size / n, body->scales);
   return body;
 }

@@ -1,0 +1,35 @@
+// Both linear solvers on the balls: friction, the rigid motion, the shape of a cross-section.
+
+#include "ball/coarse.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+
+void check(const std::string& scene, const Overrides& mesh, double end) {
+  SCOPED_TRACE(scene);
+  const auto direct = model_of(scene, mesh + Overrides{"solver.method=direct"});
+  const auto block = model_of(scene, mesh + Overrides{"solver.method=block"});
+  const ModelRun a = run_model(*direct, "backward-euler", end / 4, 1e-2, end);
+  const ModelRun b = run_model(*block, "backward-euler", end / 4, 1e-2, end);
+  EXPECT_EQ(a.counters.krylov_iterations, 0);
+  EXPECT_GT(b.counters.krylov_iterations, 0);
+  EXPECT_LT(b.counters.krylov_iterations, 40 * b.counters.linear_solves);
+  const Structure& structure = direct->system().structure();
+  for (long i = 0; i < structure.size; ++i)
+    ASSERT_NEAR(a.last().y[i], b.last().y[i], 1e-6 * structure.unknown_scale[i]) << i;
+}
+
+TEST(Ball, BlockAndDirectSolversAgree) {
+  check(ball_small, ball_mesh(4, 2, 1), 200);
+  check(ball_finite, ball_mesh(4, 2, 1), 200);
+}
+
+TEST(Groove, BlockAndDirectSolversAgree) {
+  check(groove_small, block_mesh(6, 10, 4, 0.08), 100);
+  check(groove_finite, block_mesh(6, 8, 4, 0.8), 200);
+}
+
+}  // namespace
+}  // namespace gnomon
