@@ -103,6 +103,9 @@ Scales make_scales(const Scene& scene, double facet) {
 
 std::unique_ptr<Model> make(const Scene& scene) {
   const QuarterBall ball = read_ball(scene);
+  if (ball.patch_half_width >= ball.radius)
+    throw InputError(fmt::format("{}: expected less than ball.radius = {:g} mm, got {:g}",
+                                 scene.where("mesh.patch"), ball.radius, ball.patch_half_width));
   if (scene.real("shape.reach") < ball.contact_radius)
     throw InputError(fmt::format("{}: expected at least contact.radius = {:g} mm, got {:g}",
                                  scene.where("shape.reach"), ball.contact_radius,

@@ -144,6 +144,7 @@ void BallMesh::add_layers(const Mesh<3>::Facet& facet) {
 }
 
 void BallMesh::name_boundary() {
+  mesh_.boundary["free"];  // stays empty where every facet is near
   for (const Mesh<3>::Facet& facet : exterior_facets(mesh_)) {
     bool symmetry = true, top = true, near = false;
     for (int node : facet) {

@@ -22,9 +22,9 @@ struct QuarterBall {
 
 /// The ball touches z = 0 at the origin; its centre is (0, 0, R). Kept are y >= 0 and z <= R.
 /// Boundary parts: "contact" (the sphere, facets with a corner within `contact_radius`), "free"
-/// (the rest of the sphere), "symmetry" (y = 0, exactly), "top" (z = R, exactly). Throws InputError
-/// when the patch does not leave room for the sides (its half width must lie between 0 and R) or a
-/// count is not positive.
+/// (the rest of the sphere, which may be none), "symmetry" (y = 0, exactly), "top" (z = R,
+/// exactly). Throws InputError when the patch does not leave room for the sides (its half width
+/// must lie between 0 and R) or a count is not positive.
 Mesh<3> quarter_ball(const QuarterBall& ball);
 
 }  // namespace gnomon
