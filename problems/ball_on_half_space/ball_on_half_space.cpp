@@ -75,8 +75,15 @@ std::vector<Key> keys() {
 /// Lines of the mesh from the origin to `end` in direction `axis`.
 std::vector<double> stations(const Scene& scene, int axis, double end) {
   const long elements = scene.integers("mesh.elements")[axis];
-  return graded_stations(scene.reals("mesh.size")[axis], scene.reals("mesh.fine")[axis], end,
-                         static_cast<int>(axis == 0 ? elements / 2 : elements));
+  constexpr const char* directions[] = {"along half of the block", "across its half width",
+                                        "in its depth"};
+  try {
+    return graded_stations(scene.reals("mesh.size")[axis], scene.reals("mesh.fine")[axis], end,
+                           static_cast<int>(axis == 0 ? elements / 2 : elements));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{} with mesh.size and mesh.fine, {}: {}",
+                                 scene.where("mesh.elements"), directions[axis], error.what()));
+  }
 }
 
 Extrusion make_block(const Scene& scene, const std::vector<double>& along) {

@@ -60,7 +60,7 @@ std::vector<Key> integrator_keys() {
        .presence = defaulted,
        .default_value = "ignore",
        .choices = {"ignore", "locate"},
-       .help = "locate: end steps where contact nodes switch (implicit one-step methods and bdf)"},
+       .help = "locate: end steps where contact nodes switch (implicit one-step methods, forward-euler and bdf)"},
   };
 }
 
