@@ -72,18 +72,27 @@ std::vector<Key> keys() {
   return result;
 }
 
-/// Lines of the mesh from the origin to `end` in direction `axis`.
+/// Lines of the mesh from the origin to `end` in direction `axis`, at distances that do not shrink.
 std::vector<double> stations(const Scene& scene, int axis, double end) {
   const long elements = scene.integers("mesh.elements")[axis];
+  const double size = scene.reals("mesh.size")[axis];
   constexpr const char* directions[] = {"along half of the block", "across its half width",
                                         "in its depth"};
+  const auto refuse = [&](const std::string& why) {
+    return InputError(fmt::format("{} with mesh.size and mesh.fine, {}: {}",
+                                  scene.where("mesh.elements"), directions[axis], why));
+  };
+  std::vector<double> lines;
   try {
-    return graded_stations(scene.reals("mesh.size")[axis], scene.reals("mesh.fine")[axis], end,
-                           static_cast<int>(axis == 0 ? elements / 2 : elements));
+    lines = graded_stations(size, scene.reals("mesh.fine")[axis], end,
+                            static_cast<int>(axis == 0 ? elements / 2 : elements));
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{} with mesh.size and mesh.fine, {}: {}",
-                                 scene.where("mesh.elements"), directions[axis], error.what()));
+    throw refuse(error.what());
   }
+  if (const std::size_t n = lines.size(); lines[n - 1] - lines[n - 2] < 0.999 * lines[1])
+    throw refuse(fmt::format("expected elements that grow, {} of {:g} mm and more exceed {:g} mm",
+                             n - 1, size, end));
+  return lines;
 }
 
 Extrusion make_block(const Scene& scene, const std::vector<double>& along) {

@@ -49,6 +49,30 @@ bool EventLocator::off_piece(const Sample& sample) const {
   return false;
 }
 
+bool EventLocator::crossed(const State& from, std::size_t j) const {
+  return from.t == crossed_at_ && crossed_[j];
+}
+
+bool EventLocator::starts_off_piece(const State& from) const {
+  for (std::size_t j = 0; j < piece_.size(); ++j)
+    if (!crossed(from, j) && active(at(0).values[j]) != bool(piece_[j])) return true;
+  return false;
+}
+
+/// Switches the nodes that are off the piece at `behind`, a moment later or now.
+Landing EventLocator::switch_at_start(const State& from, const Sample& behind) {
+  if (from.t != crossed_at_) crossed_.assign(piece_.size(), 0);
+  crossed_at_ = from.t;
+  Landing landing{.grazing = true};
+  for (std::size_t j = 0; j < piece_.size(); ++j) {
+    if (crossed_[j] || active(behind.values[j]) == bool(piece_[j])) continue;
+    piece_[j] = !piece_[j];
+    crossed_[j] = 1;
+    ++landing.switched;
+  }
+  return landing;
+}
+
 /// From the dense output of the step that left the piece: where it first does.
 double EventLocator::first_guess(const State& from, double h) const {
   constexpr int parts = 32;
@@ -97,6 +121,7 @@ int EventLocator::switch_at(double h, double width) {
       std::find_if(samples_.begin(), samples_.end(), [h](const Sample& s) { return s.h == h; });
   const auto there = here != samples_.begin() ? here - 1 : here + 1;
   int switched = 0;
+  crossed_.assign(piece_.size(), 0);
   for (std::size_t j = 0; j < piece_.size(); ++j) {
     const double value = here->values[j];
     const double slope = (value - there->values[j]) / (here->h - there->h);
@@ -104,6 +129,7 @@ int EventLocator::switch_at(double h, double width) {
     const bool leaving = piece_[j] ? slope > 0 : slope < 0;
     if (!off && !(leaving && std::abs(value) <= std::abs(slope) * width)) continue;
     piece_[j] = !piece_[j];
+    crossed_[j] = 1;
     ++switched;
   }
   return switched;
@@ -116,11 +142,11 @@ Landing EventLocator::land(const State& from, double h, State& to) {
   samples_.clear();
   sample(0, from.y);
   sample(h, to.y);
-  if (off_piece(at(0))) return {.grazing = true};
+  if (starts_off_piece(from)) return switch_at_start(from, at(0));
   double low = 0, high = h, guess = first_guess(from, h);
   Landing landing;
   for (int k = 0; k < most_attempts; ++k) {
-    if (high <= grazing * h) return {.grazing = true};
+    if (high <= grazing * h) return switch_at_start(from, at(high));
     landing.h = std::clamp(guess, low + width / 2, high - width / 2);
     landing.attempt = method_.attempt(from, landing.h, {.piece = &piece_}, to);
     if (!landing.attempt.success) return landing;
@@ -130,6 +156,7 @@ Landing EventLocator::land(const State& from, double h, State& to) {
     if (std::abs(guess - landing.h) <= width) break;
   }
   landing.switched = switch_at(landing.h, 3 * width);
+  crossed_at_ = to.t;
   return landing;
 }
 

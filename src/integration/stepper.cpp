@@ -45,23 +45,34 @@ OneStepStepper::Plan OneStepStepper::plan(const State& state, double t_stop, dou
 
 /// One attempt, ended on the first event when these are located.
 Landing OneStepStepper::take(const State& state, const Plan& plan, bool continuation) {
+  constexpr int most_switches = 8;  // at the start, one after the other
   AttemptOptions options{.piece = locator_ ? &locator_->piece() : nullptr,
                          .continuation = continuation};
-  next_.piece = locator_ ? locator_->piece() : ActiveSet{};
-  Landing whole{.attempt = method_->attempt(state, plan.h, options, next_), .h = plan.h};
-  const bool acceptable = whole.attempt.success && (fixed() || whole.attempt.error <= 1);
-  if (!locator_ || !acceptable || !locator_->left(next_.y)) return whole;
-  Landing landing = locator_->land(state, plan.h, next_);
-  if (!landing.grazing) {
-    landing.attempt.error = whole.attempt.error;  // of the size that the control asked for
-    return landing;
+  int switched = 0;
+  for (int k = 0; k < most_switches; ++k) {
+    next_.piece = locator_ ? locator_->piece() : ActiveSet{};
+    Landing whole{.attempt = method_->attempt(state, plan.h, options, next_), .h = plan.h};
+    whole.switched = switched;
+    const bool acceptable = whole.attempt.success && (fixed() || whole.attempt.error <= 1);
+    if (!locator_ || !acceptable || !locator_->left(next_.y)) return whole;
+    Landing landing = locator_->land(state, plan.h, next_);
+    if (!landing.grazing) {
+      landing.attempt.error = whole.attempt.error;  // of the size that the control asked for
+      return landing;
+    }
+    if (landing.switched == 0) break;
+    switched += landing.switched;
   }
-  // Nodes that switch where the step starts: over the kink, on whatever pieces there are.
+  return step_over(state, plan, options);
+}
+
+/// Over a kink at the start that cannot be ended on, on whatever pieces there are.
+Landing OneStepStepper::step_over(const State& state, const Plan& plan, AttemptOptions options) {
   options.piece = nullptr;
-  whole.attempt = method_->attempt(state, plan.h, options, next_);
+  Landing whole{
+      .attempt = method_->attempt(state, plan.h, options, next_), .grazing = true, .h = plan.h};
   next_.piece.clear();
   if (whole.attempt.success) locator_->begin(next_.y);
-  whole.grazing = true;
   return whole;
 }
 

@@ -55,10 +55,6 @@ std::vector<double> graded_stations(double size, double fine, double end, int el
   stations.push_back(fine);
   if (growing == 0) return stations;
   const double q = ratio((end - fine) / zone.size, growing);
-  if (q < 1 - 1e-9)
-    throw InputError(
-        fmt::format("graded mesh: {} elements of {} and more do not fit a length of {}", elements,
-                    zone.size, end));
   for (int k = 1; k < growing; ++k) stations.push_back(fine + zone.size * geometric_sum(q, k));
   stations.push_back(end);
   return stations;

@@ -44,7 +44,8 @@ private:
   ErrorNorm norm_;
   bool begun_ = false;
   long rejected_ = 0;
-  ActiveSet piece_;  // the smooth piece that steps stay on while events are located
+  ActiveSet piece_;                  // the smooth piece that steps stay on while events are located
+  std::vector<double> switched_at_;  // time of each node's last event
   std::optional<StageSolver> stages_;  // made at the first event
   LinearRequest request_;
   Guard guard_;
@@ -108,6 +109,7 @@ void BdfSolver::Memory::begin(const State& state) {
   check(IDASetNonlinearSolver(ida, nonlinear_.get()), "IDASetNonlinearSolver");
   if (settings_.locate_events) {
     piece_ = active_set(system_, state.y);
+    switched_at_.assign(piece_.size(), -settings_.end);
     check(IDARootInit(ida, static_cast<int>(piece_.size()), &Memory::switching), "IDARootInit");
     check(IDASetNoInactiveRootWarn(ida), "IDASetNoInactiveRootWarn");
   }
@@ -150,9 +152,11 @@ int BdfSolver::Memory::switching(sunrealtype, N_Vector y, N_Vector, sunrealtype*
 }
 
 /// Switches the nodes at a root: the one that IDA names, and those that symmetry switches with it
-/// but rounding puts just before or behind. Returns how many.
+/// but rounding puts just before or behind. Returns how many. A node that has just switched starts
+/// from zero with a sign that is rounding's, and may reach its new piece by a root: it stays.
 int BdfSolver::Memory::switch_nodes(const State& state, bool at_root) {
   constexpr double together = 1e-9;  // of the largest switching function
+  constexpr double moment = 1e-6;    // of the run
   std::vector<int> found(piece_.size(), 0);
   if (at_root) check(IDAGetRootInfo(ida_.get(), found.data()), "IDAGetRootInfo");
   std::vector<double> values(piece_.size());
@@ -161,11 +165,14 @@ int BdfSolver::Memory::switch_nodes(const State& state, bool at_root) {
   for (double value : values) largest = std::max(largest, std::abs(value));
   int switched = 0;
   for (std::size_t j = 0; j < piece_.size(); ++j) {
+    if (state.t - switched_at_[j] <= moment * settings_.end) continue;
     const bool rooted = found[j] != 0 && (found[j] < 0) != bool(piece_[j]);
+    if (found[j] != 0 && !rooted) continue;
     const bool off = (values[j] <= 0) != bool(piece_[j]);
     const bool beside = at_root && std::abs(values[j]) <= together * largest;
     if (!rooted && !off && !beside) continue;
     piece_[j] = !piece_[j];
+    switched_at_[j] = state.t;
     ++switched;
   }
   return switched;

@@ -11,9 +11,11 @@ namespace gnomon::sundials {
 /// With a fresh Jacobian the second choice of Eisenstat and Walker (SIAM J. Sci. Comput. 17 (1996)
 /// 16), 0.9 (current / previous)^2: as accurate as the next contraction may be. A kept Jacobian
 /// contracts by the same factor again, and a tenth of that is enough. Never so loose that Newton
-/// takes it for slow contraction, nor below what ends the iteration.
+/// takes it for slow contraction, nor below what ends the iteration. Near its end an iteration that
+/// stalls counts as stopped by rounding, so there the solve must not be what stalls it.
 inline double linear_reduction(double current, double previous, bool fresh, double tolerance) {
-  constexpr double loosest = 0.05, first = 1e-2, tightest = 1e-10, margin = 0.2;
+  constexpr double first = 1e-2, tightest = 1e-10, margin = 0.2, near_end = 1e4;
+  const double loosest = current <= near_end * tolerance ? 1e-4 : 0.05;
   const double contraction = previous > 0 ? current / previous : 0;
   double reduction = first;
   if (previous > 0) reduction = fresh ? 0.9 * contraction * contraction : 0.1 * contraction;

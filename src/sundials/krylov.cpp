@@ -37,7 +37,8 @@ BlockSolver::BlockSolver(const Structure& structure, Counters& counters, SUNCont
   check(SUNLinSolSetATimes(gmres_.get(), this, product), "SUNLinSolSetATimes");
   check(SUNLinSolSetPreconditioner(gmres_.get(), this, nullptr, precondition),
         "SUNLinSolSetPreconditioner");
-  check(SUNLinSolSetScalingVectors(gmres_.get(), row_scale_.get(), nullptr),
+  // Krylov vectors live in scaled rows: what enters the preconditioner is scaled back.
+  check(SUNLinSolSetScalingVectors(gmres_.get(), row_scale_.get(), row_scale_.get()),
         "SUNLinSolSetScalingVectors");
   check(SUNLinSolInitialize(gmres_.get()), "SUNLinSolInitialize");
 }

@@ -194,10 +194,10 @@ TEST(Summary, HoldsCountersScalarsUnknownsAndVersions) {
   EXPECT_EQ(json["versions"]["gnomon"], "1.2.3");
   EXPECT_DOUBLE_EQ(json["worn_volume"], 1 - std::exp(-2.0));
   EXPECT_TRUE(json["max_pressure"].is_null());  // this model has none
-  for (const char* key : {"rejected_steps", "newton_iterations", "residual_evaluations",
-                          "jacobian_evaluations", "factorizations", "linear_solves",
-                          "krylov_iterations", "preconditioner_setups", "wall_seconds",
-                          "wear_integral", "contact_half_width", "contact_force"})
+  for (const char* key :
+       {"rejected_steps", "newton_iterations", "residual_evaluations", "jacobian_evaluations",
+        "factorizations", "linear_solves", "krylov_iterations", "preconditioner_setups",
+        "wall_seconds", "wear_integral", "contact_half_width", "contact_force"})
     EXPECT_TRUE(json.contains(key)) << key;
 }
 

@@ -190,5 +190,25 @@ TEST(Continuation, ARunThatWearsItsBodyThroughEndsWithTheReason) {
   }
 }
 
+// A located event is a change of the active set, and no set changes otherwise: nodes do not flip
+// back and forth behind it by rounding. By symmetry two nodes switch at a time.
+TEST(Pin, LocatedEventsAreTheChangesOfTheActiveSet) {
+  for (const char* integrator : {"esdirk-3", "bdf"}) {
+    SCOPED_TRACE(integrator);
+    const PinRun run = located(integrator, 0, 1e-6, 1000);
+    ASSERT_GT(run.counters.events, 1);
+    double active = observed(*run.model, run.states.front(), "contact_nodes");
+    long changes = 0;
+    for (std::size_t k = 0; k < run.reports.size(); ++k) {
+      const double now = observed(*run.model, run.states[k + 1], "contact_nodes");
+      EXPECT_GE(now, active);
+      changes += now != active;
+      EXPECT_EQ(run.reports[k].switched % 2, 0);
+      active = now;
+    }
+    EXPECT_EQ(run.counters.events, changes);
+  }
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -12,7 +12,7 @@ struct Landing {
   Attempt attempt{};     ///< the step that ends on the event; its failure if Newton failed
   bool grazing = false;  ///< the event is at the very start: there is nothing to end there
   double h = 0;          ///< size of the step [time]
-  int switched = 0;      ///< contact nodes that change there
+  int switched = 0;      ///< contact nodes that change there, or at the start when grazing
 };
 
 /// Steps are taken on the smooth extension of one piece (Point::piece). When a switching function
@@ -34,7 +34,9 @@ public:
   bool left(std::span<const double> y) const { return active_set(system_, y) != piece_; }
 
   /// For a step of size h from `from` that ended off the piece in `to`: the shorter step that ends
-  /// on the first event. piece() is then the one behind it.
+  /// on the first event. piece() is then the one behind it. Where the event is at the start itself,
+  /// piece() is that behind it, too, and the step is to be taken again; if nothing switches there
+  /// (nodes that did so before are off again), it can only be stepped over.
   Landing land(const State& from, double h, State& to);
 
 private:
@@ -46,13 +48,20 @@ private:
   double first_guess(const State& from, double h) const;
   double earliest_root(double low, double high) const;
   int switch_at(double h, double width);
+  Landing switch_at_start(const State& from, const Sample& behind);
+  bool crossed(const State& from, std::size_t j) const;
   const Sample& at(double h) const;
   bool off_piece(const Sample& sample) const;
+  bool starts_off_piece(const State& from) const;
 
   const System& system_;
   OneStepMethod& method_;
   ActiveSet piece_;
   std::vector<Sample> samples_;  // ascending in h
+  // Nodes that switched at the event on which the last step ended, or behind it: there their
+  // functions vanish, with a sign that is rounding's.
+  std::vector<char> crossed_;
+  double crossed_at_ = -1;
 };
 
 }  // namespace gnomon

@@ -30,6 +30,7 @@ private:
   void begin(const State& state);
   Plan plan(const State& state, double t_stop, double h) const;
   Landing take(const State& state, const Plan& plan, bool continuation);
+  Landing step_over(const State& state, const Plan& plan, AttemptOptions options);
   double after_success(const Plan& plan, const Landing& landing);
   bool fixed() const { return settings_.step > 0; }
 
