@@ -33,6 +33,7 @@ struct SweepPoint {
   std::vector<double> times;            ///< at which errors are measured; the last: time.end
   std::vector<ContactSurface> exact;    ///< in closed form at these times, if there is one
   std::vector<std::size_t> references;  ///< runs; empty with a closed form
+  bool has_closed_form() const { return !exact.empty(); }
   std::optional<std::size_t> self_reference;
 };
 

@@ -73,7 +73,7 @@ private:
     Surfaces& chosen = surfaces_.emplace_back(sweep.exact);
     Surfaces& self = self_surfaces_.emplace_back();
     if (sweep.self_reference) record_of(*sweep.self_reference, sweep, self);
-    if (!sweep.exact.empty()) {
+    if (sweep.has_closed_form()) {
       reference = {.text = "closed form",
                    .usable = true,
                    .error = 0.0,
@@ -138,7 +138,7 @@ private:
       const Errors errors = errors_between(surfaces, surfaces_[sweep]);
       row.shape_error = errors.shape;
       row.shape_error_max = errors.shape_max;
-      const bool closed = !study_.sweep[sweep].exact.empty();  // has no pressures
+      const bool closed = study_.sweep[sweep].has_closed_form();  // has no pressures
       if (!closed) row.pressure_error = errors.pressure;
       const auto mark = [](double error, const std::optional<double>& own) {
         return !own || error < 10 * *own;
