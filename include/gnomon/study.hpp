@@ -33,6 +33,7 @@ struct SweepPoint {
   std::vector<double> times;            ///< at which errors are measured; the last: time.end
   std::vector<ContactSurface> exact;    ///< in closed form at these times, if there is one
   std::vector<std::size_t> references;  ///< runs; empty with a closed form
+  bool has_closed_form() const { return !exact.empty(); }
   std::optional<std::size_t> self_reference;
 };
 
@@ -87,8 +88,8 @@ struct StudyHooks {
 };
 
 /// Runs what is not done yet; every run leaves its files in FOLDER/runs. Throws InputError for a
-/// folder that exists (unless resuming), is not a study's, or is in use by another study.
-/// What of it was done when it returned; less than all after an interruption.
+/// folder that exists (unless resuming), is not a study's, holds a study of another name, or is in
+/// use. What of it was done when it returned; less than all after an interruption.
 StudyProgress run_study(const Study& study, const StudyOptions& options, const StudyHooks& hooks);
 
 /// One row of the results. Errors are absent when a run or its reference has failed.

@@ -66,6 +66,7 @@ public:
   }
 
   Declaration read() {
+    check_brackets();
     read_scene();
     const KeyedTable top(declaration_.file, 0, document_.entries,
                          {.prefix = "", .keys = top_keys(), .scene_keys = &scene_keys_});
@@ -83,6 +84,16 @@ public:
   }
 
 private:
+  /// One bracket too few, and the table's keys would merely seem unknown.
+  void check_brackets() const {
+    for (const RawEntry& entry : document_.entries)
+      for (const char* name : {"sweep", "method", "reference"})
+        if (entry.name == name || entry.name.starts_with(fmt::format("{}.", name)))
+          throw InputError(fmt::format("{}: there may be several, write [[{}]]",
+                                       message_about(declaration_.file, entry.line, entry.name),
+                                       name));
+  }
+
   /// The scene comes first: it says which keys there are to set.
   void read_scene() {
     const std::vector<Key> keys = top_keys();
@@ -133,7 +144,12 @@ private:
 
   void sweep_values(Sweep& sweep, const KeyedTable& keyed) const {
     for (const RawValue& value : keyed.open_values()) {
-      sweep.values.push_back(scene_setting(sweep.key, value, keyed.where("values"), scene_keys_));
+      SceneSetting setting = scene_setting(sweep.key, value, keyed.where("values"), scene_keys_);
+      for (const SceneSetting& earlier : sweep.values)
+        if (earlier.value == setting.value)
+          throw InputError(
+              fmt::format("{}: {} is there twice, expected once", setting.origin, setting.value));
+      sweep.values.push_back(std::move(setting));
       sweep.labels.push_back(sweep.key + "=" + label_text(value));
     }
   }
@@ -143,6 +159,10 @@ private:
     method.integrator = keyed.text("integrator");
     method.name = keyed.has("name") ? keyed.text("name") : method.integrator;
     method.settings = keyed.settings();
+    for (const SceneSetting& setting : method.settings)
+      if (setting.key == "time.end")
+        throw InputError(setting.origin +
+                         ": cannot differ between methods, expected it in [set] or a [[sweep]]");
     method.origin = keyed.where("integrator");
     try {
       Integrators::find(method.integrator, "integrator");

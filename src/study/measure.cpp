@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <gnomon/error.hpp>
-#include <gnomon/results.hpp>
 #include <gnomon/study.hpp>
 #include <gnomon/surface_error.hpp>
 
@@ -60,12 +59,10 @@ private:
     }
     if (found->status != "finished") return *found;
     try {
-      const ResultReader result(files(run).result);
-      for (const double t : sweep.times) surfaces.push_back(result.contact(t));
+      surfaces = read_surfaces(files(run), sweep.times);
     } catch (const Error& error) {
       found->status = "failed";
       found->reason = error.what();
-      surfaces.clear();
     }
     return *found;
   }
@@ -76,7 +73,7 @@ private:
     Surfaces& chosen = surfaces_.emplace_back(sweep.exact);
     Surfaces& self = self_surfaces_.emplace_back();
     if (sweep.self_reference) record_of(*sweep.self_reference, sweep, self);
-    if (!sweep.exact.empty()) {
+    if (sweep.has_closed_form()) {
       reference = {.text = "closed form",
                    .usable = true,
                    .error = 0.0,
@@ -141,7 +138,7 @@ private:
       const Errors errors = errors_between(surfaces, surfaces_[sweep]);
       row.shape_error = errors.shape;
       row.shape_error_max = errors.shape_max;
-      const bool closed = !study_.sweep[sweep].exact.empty();  // has no pressures
+      const bool closed = study_.sweep[sweep].has_closed_form();  // has no pressures
       if (!closed) row.pressure_error = errors.pressure;
       const auto mark = [](double error, const std::optional<double>& own) {
         return !own || error < 10 * *own;

@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <gnomon/error.hpp>
 #include <gnomon/result_files.hpp>
 #include <gnomon/study.hpp>
@@ -22,7 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 using namespace study;
 
-constexpr const char* marker = "study.toml";  // what makes a folder a study's
+constexpr const char* marker = "study.toml";     // what makes a folder a study's
+constexpr const char* name_file = "study.name";  // which one's
 
 /// Keeps a second study out of the folder while it lives, and dies with the process.
 class FolderLock {
@@ -79,6 +81,17 @@ void prepare_folder(const StudyOptions& options, const Study& study) {
   if (!fs::exists(options.folder / marker)) write_in_place(options.folder / marker, study.text);
 }
 
+/// Keeps the tables of one study from those of another. A folder without a name was left before it
+/// had one.
+void claim_folder(const fs::path& folder, const std::string& name) {
+  const fs::path file = folder / name_file;
+  std::string holder;
+  if (std::ifstream stream(file); std::getline(stream, holder) && holder != name)
+    throw InputError(fmt::format("{}: holds study \"{}\", expected \"{}\" or an empty folder",
+                                 folder.string(), holder, name));
+  if (holder.empty()) write_file(file, name + "\n", Earlier::replaced);
+}
+
 class StudyRunner {
 public:
   StudyRunner(const Study& study, const StudyOptions& options, const StudyHooks& hooks)
@@ -103,10 +116,10 @@ private:
   void look_what_is_done() {
     progress_.total = study_.runs.size();
     std::set<std::size_t> seen;
-    const auto look = [&](std::size_t run) {
+    const auto look = [&](std::size_t run, const SweepPoint& sweep) {
       if (!seen.insert(run).second) return;
       const auto record = read_record(files(run), study_.runs[run].scene);
-      if (!record || !record->complete) {
+      if (!record || !is_done(run, *record, sweep)) {
         waiting_.push_back(run);
         return;
       }
@@ -114,9 +127,17 @@ private:
       ++progress_.done;
       progress_.failed += record->status != "finished";
     };
-    for (const SweepPoint& point : study_.sweep)
-      for (const std::size_t run : point.references) look(run);
-    for (const StudyPoint& point : study_.points) look(point.run);
+    for (const SweepPoint& sweep : study_.sweep)
+      for (const std::size_t run : sweep.references) look(run, sweep);
+    for (const StudyPoint& point : study_.points) look(point.run, study_.sweep[point.sweep]);
+  }
+
+  /// A finished run whose surfaces cannot be read is of no use; a failed one may have left none.
+  bool is_done(std::size_t run, const RunRecord& record, const SweepPoint& sweep) const try {
+    if (record.status == "finished") read_surfaces(files(run), sweep.times);
+    return record.complete;
+  } catch (const Error&) {
+    return false;
   }
 
   RunFiles files(std::size_t run) const { return {options_.folder, study_.runs[run].name}; }
@@ -159,6 +180,7 @@ StudyProgress run_study(const Study& study, const StudyOptions& options, const S
   check_folder(options);
   prepare_folder(options, study);
   const FolderLock lock(options.folder);
+  claim_folder(options.folder, study.name);
   write_in_place(options.folder / marker, study.text);
   return StudyRunner(study, options, hooks)();
 }

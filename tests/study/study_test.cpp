@@ -94,12 +94,16 @@ TEST(Markup, SvgsShareAPage) {
 
 TEST_F(StudyRuns, MarksErrorsThatTheReferenceCannotResolve) {
   write("study.toml", head() + method("bdf", "tolerances = [1e-3]") + loose);
-  ASSERT_EQ(study().exit_code, 0);
+  const Outcome outcome = study();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\n* less than ten times"));
   const Row row = rows().front();
   EXPECT_LT(std::stod(row.at("shape_error")), 10 * std::stod(row.at("reference_error")));
   EXPECT_EQ(row.at("marked"), "1");
   EXPECT_EQ(row.at("sweep"), "");
-  EXPECT_THAT(test::read_text(folder() / "out/index.html"), HasSubstr("class=\"n marked\""));
+  EXPECT_THAT(test::read_text(folder() / "out/index.html"),
+              AllOf(HasSubstr("class=\"n marked\""), HasSubstr("marked cells"),
+                    HasSubstr("of another family")));
 }
 
 TEST_F(StudyRuns, AClosedFormIsTheReferenceWhereThereIsOne) {
@@ -118,6 +122,20 @@ TEST_F(StudyRuns, AClosedFormIsTheReferenceWhereThereIsOne) {
   EXPECT_FALSE(row.pressure_error);  // a closed form has no pressures
   EXPECT_FALSE(row.marked_shape || row.marked_max || row.marked_pressure);
   EXPECT_EQ(table.rows.back().shape_error, 0.0);
+}
+
+TEST_F(StudyRuns, AClosedFormIsCalledExact) {
+  write("scene.toml", test::read_text(winkler));
+  write("study.toml", "scene = \"scene.toml\"\n[set]\nfoundation.points = 41\n" +
+                          method("backward-euler", "steps = [100]"));
+  const Outcome outcome = study();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("reference: closed form, exact\n"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("* less than")));
+  const std::string page = test::read_text(folder() / "out/index.html");
+  EXPECT_THAT(page, HasSubstr("<td class=\"n\">exact</td>"));
+  EXPECT_THAT(page, Not(HasSubstr("of another family")));
+  EXPECT_THAT(page, Not(HasSubstr("marked cells")));
 }
 
 TEST_F(StudyRuns, FailuresStayInTheTableWithTheirReason) {
@@ -165,6 +183,42 @@ TEST_F(StudyRuns, OnlyCompleteRunsOfTheSameSceneAreKept) {
   write("study.toml",
         head() + "load.force = 10.0\n" + method("backward-euler", "steps = [50, 25]") + loose);
   EXPECT_THAT(study({"--resume"}).err, HasSubstr("4 runs, 0 done already"));
+}
+
+TEST_F(StudyRuns, AnotherStudysFolderIsRefusedAndKept) {
+  write("study.toml", head() + method("backward-euler", "steps = [50]") + loose);
+  ASSERT_EQ(study().exit_code, 0);
+  const auto before = files();
+  const std::string csv = test::read_text(folder() / "out/study.csv");
+  const std::string extended = head() + method("backward-euler", "steps = [50, 25]") + loose;
+  write("other.toml", extended);
+  const Outcome other = gnomon({"study", "other.toml", "-o", "out", "--resume"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_EQ(other.err,
+            "gnomon: out: holds study \"study\", expected \"other\" or an empty folder\n");
+  std::filesystem::remove(folder() / "other.toml");
+  EXPECT_EQ(files(), before);
+  EXPECT_EQ(test::read_text(folder() / "out/study.csv"), csv);
+
+  write("study.toml", extended);
+  EXPECT_THAT(study({"--resume"}).err, HasSubstr("4 runs, 3 done already"));
+  EXPECT_THAT(rows(), SizeIs(2));
+}
+
+TEST_F(StudyRuns, RunsWhoseResultCannotBeReadAreMadeAnew) {
+  write("study.toml", head() + method("backward-euler", "steps = [50, 25, 20]") + loose);
+  ASSERT_EQ(study().exit_code, 0);
+  const auto before = rows();
+  const auto result = [&](const std::string& step) {
+    return folder() / "out/runs" / ("backward-euler__step-" + step + ".h5");
+  };
+  std::filesystem::remove(result("50"));
+  std::filesystem::resize_file(result("25"), std::filesystem::file_size(result("25")) / 2);
+  EXPECT_THAT(study({"--resume"}).err, HasSubstr("5 runs, 3 done already"));
+  const auto after = rows();
+  ASSERT_THAT(after, SizeIs(3));
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(after[i].at("shape_error"), before[i].at("shape_error")) << i;
 }
 
 class Ended : public StudyRuns, public testing::WithParamInterface<int> {};
