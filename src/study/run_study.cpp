@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <gnomon/error.hpp>
 #include <gnomon/result_files.hpp>
 #include <gnomon/study.hpp>
@@ -22,7 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 using namespace study;
 
-constexpr const char* marker = "study.toml";  // what makes a folder a study's
+constexpr const char* marker = "study.toml";     // what makes a folder a study's
+constexpr const char* name_file = "study.name";  // which one's
 
 /// Keeps a second study out of the folder while it lives, and dies with the process.
 class FolderLock {
@@ -77,6 +79,17 @@ void prepare_folder(const StudyOptions& options, const Study& study) {
         fmt::format("cannot make {}: {}", (options.folder / "runs").string(), error.message()));
   // Not replaced by renaming: the lock is on this very file.
   if (!fs::exists(options.folder / marker)) write_in_place(options.folder / marker, study.text);
+}
+
+/// Keeps the tables of one study from those of another. A folder without a name was left before it
+/// had one.
+void claim_folder(const fs::path& folder, const std::string& name) {
+  const fs::path file = folder / name_file;
+  std::string holder;
+  if (std::ifstream stream(file); std::getline(stream, holder) && holder != name)
+    throw InputError(fmt::format("{}: holds study \"{}\", expected \"{}\" or an empty folder",
+                                 folder.string(), holder, name));
+  if (holder.empty()) write_file(file, name + "\n", Earlier::replaced);
 }
 
 class StudyRunner {
@@ -159,6 +172,7 @@ StudyProgress run_study(const Study& study, const StudyOptions& options, const S
   check_folder(options);
   prepare_folder(options, study);
   const FolderLock lock(options.folder);
+  claim_folder(options.folder, study.name);
   write_in_place(options.folder / marker, study.text);
   return StudyRunner(study, options, hooks)();
 }

@@ -167,6 +167,25 @@ TEST_F(StudyRuns, OnlyCompleteRunsOfTheSameSceneAreKept) {
   EXPECT_THAT(study({"--resume"}).err, HasSubstr("4 runs, 0 done already"));
 }
 
+TEST_F(StudyRuns, AnotherStudysFolderIsRefusedAndKept) {
+  write("study.toml", head() + method("backward-euler", "steps = [50]") + loose);
+  ASSERT_EQ(study().exit_code, 0);
+  const std::string text = test::read_text(folder() / "out/study.toml");
+  const std::string csv = test::read_text(folder() / "out/study.csv");
+  const std::string extended = head() + method("backward-euler", "steps = [50, 25]") + loose;
+  write("other.toml", extended);
+  const Outcome other = gnomon({"study", "other.toml", "-o", "out", "--resume"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_EQ(other.err,
+            "gnomon: out: holds study \"study\", expected \"other\" or an empty folder\n");
+  EXPECT_EQ(test::read_text(folder() / "out/study.toml"), text);
+  EXPECT_EQ(test::read_text(folder() / "out/study.csv"), csv);
+
+  write("study.toml", extended);
+  EXPECT_THAT(study({"--resume"}).err, HasSubstr("4 runs, 3 done already"));
+  EXPECT_THAT(rows(), SizeIs(2));
+}
+
 class Ended : public StudyRuns, public testing::WithParamInterface<int> {};
 
 TEST_P(Ended, AStudyGoesOnWhereItWas) {
