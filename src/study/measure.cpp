@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <gnomon/error.hpp>
-#include <gnomon/results.hpp>
 #include <gnomon/study.hpp>
 #include <gnomon/surface_error.hpp>
 
@@ -60,12 +59,10 @@ private:
     }
     if (found->status != "finished") return *found;
     try {
-      const ResultReader result(files(run).result);
-      for (const double t : sweep.times) surfaces.push_back(result.contact(t));
+      surfaces = read_surfaces(files(run), sweep.times);
     } catch (const Error& error) {
       found->status = "failed";
       found->reason = error.what();
-      surfaces.clear();
     }
     return *found;
   }

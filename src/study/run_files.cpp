@@ -6,6 +6,7 @@
 #include <fstream>
 #include <gnomon/error.hpp>
 #include <gnomon/result_files.hpp>
+#include <gnomon/results.hpp>
 #include <gnomon/versions.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -110,6 +111,13 @@ std::optional<RunRecord> read_record(const RunFiles& files, const Scene& scene) 
   return record;
 } catch (const Json::exception&) {
   return std::nullopt;  // damaged: as good as none
+}
+
+std::vector<ContactSurface> read_surfaces(const RunFiles& files, const std::vector<double>& times) {
+  const ResultReader result(files.result);
+  std::vector<ContactSurface> surfaces;
+  for (const double t : times) surfaces.push_back(result.contact(t));
+  return surfaces;
 }
 
 }  // namespace gnomon::study

@@ -6,6 +6,7 @@
 #include <gnomon/study.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "study/process_pool.hpp"
 
@@ -38,5 +39,8 @@ void remove_files(const RunFiles& files);
 void write_process_end(const RunFiles& files, const Scene& scene, const ProcessEnd& end);
 /// The record of a run of this very scene by this very version of gnomon; none when there is none.
 std::optional<RunRecord> read_record(const RunFiles& files, const Scene& scene);
+
+/// The contact surface of a result at these times. Throws InputError when one cannot be read.
+std::vector<ContactSurface> read_surfaces(const RunFiles& files, const std::vector<double>& times);
 
 }  // namespace gnomon::study

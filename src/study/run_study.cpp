@@ -116,10 +116,10 @@ private:
   void look_what_is_done() {
     progress_.total = study_.runs.size();
     std::set<std::size_t> seen;
-    const auto look = [&](std::size_t run) {
+    const auto look = [&](std::size_t run, const SweepPoint& sweep) {
       if (!seen.insert(run).second) return;
       const auto record = read_record(files(run), study_.runs[run].scene);
-      if (!record || !record->complete) {
+      if (!record || !is_done(run, *record, sweep)) {
         waiting_.push_back(run);
         return;
       }
@@ -127,9 +127,17 @@ private:
       ++progress_.done;
       progress_.failed += record->status != "finished";
     };
-    for (const SweepPoint& point : study_.sweep)
-      for (const std::size_t run : point.references) look(run);
-    for (const StudyPoint& point : study_.points) look(point.run);
+    for (const SweepPoint& sweep : study_.sweep)
+      for (const std::size_t run : sweep.references) look(run, sweep);
+    for (const StudyPoint& point : study_.points) look(point.run, study_.sweep[point.sweep]);
+  }
+
+  /// A finished run whose surfaces cannot be read is of no use; a failed one may have left none.
+  bool is_done(std::size_t run, const RunRecord& record, const SweepPoint& sweep) const try {
+    if (record.status == "finished") read_surfaces(files(run), sweep.times);
+    return record.complete;
+  } catch (const Error&) {
+    return false;
   }
 
   RunFiles files(std::size_t run) const { return {options_.folder, study_.runs[run].name}; }

@@ -186,6 +186,22 @@ TEST_F(StudyRuns, AnotherStudysFolderIsRefusedAndKept) {
   EXPECT_THAT(rows(), SizeIs(2));
 }
 
+TEST_F(StudyRuns, RunsWhoseResultCannotBeReadAreMadeAnew) {
+  write("study.toml", head() + method("backward-euler", "steps = [50, 25, 20]") + loose);
+  ASSERT_EQ(study().exit_code, 0);
+  const auto before = rows();
+  const auto result = [&](const std::string& step) {
+    return folder() / "out/runs" / ("backward-euler__step-" + step + ".h5");
+  };
+  std::filesystem::remove(result("50"));
+  std::filesystem::resize_file(result("25"), std::filesystem::file_size(result("25")) / 2);
+  EXPECT_THAT(study({"--resume"}).err, HasSubstr("5 runs, 3 done already"));
+  const auto after = rows();
+  ASSERT_THAT(after, SizeIs(3));
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(after[i].at("shape_error"), before[i].at("shape_error")) << i;
+}
+
 class Ended : public StudyRuns, public testing::WithParamInterface<int> {};
 
 TEST_P(Ended, AStudyGoesOnWhereItWas) {
