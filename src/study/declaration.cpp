@@ -66,6 +66,7 @@ public:
   }
 
   Declaration read() {
+    check_brackets();
     read_scene();
     const KeyedTable top(declaration_.file, 0, document_.entries,
                          {.prefix = "", .keys = top_keys(), .scene_keys = &scene_keys_});
@@ -83,6 +84,16 @@ public:
   }
 
 private:
+  /// One bracket too few, and the table's keys would merely seem unknown.
+  void check_brackets() const {
+    for (const RawEntry& entry : document_.entries)
+      for (const char* name : {"sweep", "method", "reference"})
+        if (entry.name == name || entry.name.starts_with(fmt::format("{}.", name)))
+          throw InputError(fmt::format("{}: there may be several, write [[{}]]",
+                                       message_about(declaration_.file, entry.line, entry.name),
+                                       name));
+  }
+
   /// The scene comes first: it says which keys there are to set.
   void read_scene() {
     const std::vector<Key> keys = top_keys();

@@ -103,7 +103,7 @@ void KeyedTable::read(const RawEntry& entry, const TableSpec& spec) {
   }
   std::vector<std::string> names = names_of(spec.keys);
   if (!spec.open_key.empty()) names.push_back(spec.open_key);
-  fail_unknown(origin, entry.name, prefix_, names, "gnomon help study");
+  fail_unknown(origin, entry.name, prefix_, names, "gnomon help studies");
 }
 
 const std::string& KeyedTable::text(const std::string& key) const {
