@@ -144,7 +144,12 @@ private:
 
   void sweep_values(Sweep& sweep, const KeyedTable& keyed) const {
     for (const RawValue& value : keyed.open_values()) {
-      sweep.values.push_back(scene_setting(sweep.key, value, keyed.where("values"), scene_keys_));
+      SceneSetting setting = scene_setting(sweep.key, value, keyed.where("values"), scene_keys_);
+      for (const SceneSetting& earlier : sweep.values)
+        if (earlier.value == setting.value)
+          throw InputError(
+              fmt::format("{}: {} is there twice, expected once", setting.origin, setting.value));
+      sweep.values.push_back(std::move(setting));
       sweep.labels.push_back(sweep.key + "=" + label_text(value));
     }
   }
