@@ -159,6 +159,10 @@ private:
     method.integrator = keyed.text("integrator");
     method.name = keyed.has("name") ? keyed.text("name") : method.integrator;
     method.settings = keyed.settings();
+    for (const SceneSetting& setting : method.settings)
+      if (setting.key == "time.end")
+        throw InputError(setting.origin +
+                         ": cannot differ between methods, expected it in [set] or a [[sweep]]");
     method.origin = keyed.where("integrator");
     try {
       Integrators::find(method.integrator, "integrator");

@@ -92,6 +92,12 @@ const Case cases[] = {
      "[[sweep]]\nkey = \"time.end\"\nvalues = [8]\n[[method]]\nintegrator = \"bdf\"\n"
      "tolerances = [1e-3]\n",
      {"study.toml:4: key `set.time.end`: expected it to be set or swept, not both"}},
+    {"EndOfOneMethod",
+     "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\nset.time.end = 50.0\n",
+     {"study.toml:8: key `method.set.time.end`: cannot differ between methods"}},
+    {"EndOfOneReference",
+     "[[reference]]\nintegrator = \"bdf\"\ntolerance = 1e-6\nset.time.end = 50.0\n",
+     {"study.toml:8: key `reference.set.time.end`: cannot differ between methods"}},
     {"OneFamily",
      "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
      "[[reference]]\nintegrator = \"bdf\"\ntolerance = 1e-6\n"
