@@ -51,6 +51,11 @@ std::string error_text(const std::optional<double>& error, bool marked) {
   return error ? fmt::format("{:.2e}{}", *error, marked ? "*" : " ") : "- ";
 }
 
+std::string own_error_text(const SweepPoint& sweep, const std::optional<double>& error) {
+  if (!sweep.exact.empty()) return "exact";
+  return error ? fmt::format("own error {:.2e}", *error) : "own error unknown";
+}
+
 void print_table(const Study& study, const StudyTable& table) {
   constexpr auto right = TextTable::Align::right;
   TextTable text({{"sweep"},
@@ -70,10 +75,12 @@ void print_table(const Study& study, const StudyTable& table) {
   fmt::print("{}", text.text());
   for (std::size_t i = 0; i < table.references.size(); ++i) {
     const std::string& label = study.sweep[i].label;
-    fmt::print("reference{}: {}, own error {}\n", label.empty() ? "" : " at " + label,
-               table.references[i].text, error_text(table.references[i].error, false));
+    fmt::print("reference{}: {}, {}\n", label.empty() ? "" : " at " + label,
+               table.references[i].text, own_error_text(study.sweep[i], table.references[i].error));
   }
-  fmt::print("* less than ten times the error of the reference, or that is unknown\n");
+  const bool marked = std::any_of(table.rows.begin(), table.rows.end(),
+                                  [](const StudyRow& row) { return row.marked_shape; });
+  if (marked) fmt::print("* less than ten times the error of the reference, or that is unknown\n");
 }
 
 }  // namespace

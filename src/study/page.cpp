@@ -95,11 +95,21 @@ private:
     return text.empty() ? "" : "<h2>Figures</h2>\n" + text;
   }
 
+  std::string reference_introduction() const {
+    const auto closed = std::count_if(study_.sweep.begin(), study_.sweep.end(),
+                                      [](const SweepPoint& s) { return !s.exact.empty(); });
+    std::string text = "<p>";
+    if (closed > 0)
+      text += "A closed form of the shape is exact; pressures then have no reference. ";
+    if (closed < std::ssize(study_.sweep))
+      text +=
+          "Errors are measured against the first run named here; the second, of another family of "
+          "methods, checks it. Their difference estimates the error of the reference itself.";
+    return text + "</p>\n";
+  }
+
   std::string reference_table() const {
-    std::string text =
-        "<p>Errors are measured against the first run named here; the second, of another family of "
-        "methods, checks it. Their difference estimates the error of the reference itself.</p>\n"
-        "<div class=\"scroll\"><table>\n<thead><tr>";
+    std::string text = reference_introduction() + "<div class=\"scroll\"><table>\n<thead><tr>";
     text += heading("sweep", "", false) + heading("reference", "", false) +
             heading("difference of shape<br>at the end", "mm", true) +
             heading("difference of shape<br>largest in time", "mm", true) +
@@ -107,11 +117,13 @@ private:
             "</tr></thead>\n<tbody>\n";
     for (std::size_t i = 0; i < table_.references.size(); ++i) {
       const StudyReference& reference = table_.references[i];
+      const auto own = [&](const std::optional<double>& error) {
+        return cell(study_.sweep[i].exact.empty() ? number(error) : "exact");
+      };
       text += fmt::format("<tr{}>", reference.error ? "" : " class=\"failed\"");
       text += text_cell(sweep_title(study_.sweep[i].label)) +
-              text_cell(reference.text, " class=\"wrap\"") + cell(number(reference.error)) +
-              cell(number(reference.error_max)) + cell(number(reference.pressure_error)) +
-              "</tr>\n";
+              text_cell(reference.text, " class=\"wrap\"") + own(reference.error) +
+              own(reference.error_max) + cell(number(reference.pressure_error)) + "</tr>\n";
     }
     return text + "</tbody>\n</table></div>\n";
   }
@@ -135,13 +147,21 @@ private:
         "end.</dd>\n"
         "<dt>wall time, CPU time, memory</dt><dd>Wall time of the integration; CPU time (user and "
         "system) and peak resident memory of the whole process. Runs side by side slow each other "
-        "down.</dd>\n"
-        "<dt class=\"marked\">marked cells: {}</dt><dd>The error is less than ten times that of "
-        "its reference, or that is unknown: its digits mean little.</dd>\n"
-        "</dl>\n<p>Measured at t = {:g} s{}.</p>\n",
-        mark, fmt::join(study_.sweep.front().times, ", "),
+        "down.</dd>\n{}</dl>\n<p>Measured at t = {:g} s{}.</p>\n",
+        mark_legend(), fmt::join(study_.sweep.front().times, ", "),
         same_times() ? "" : " in the first sweep point");
     return text;
+  }
+
+  std::string mark_legend() const {
+    const bool any = std::any_of(table_.rows.begin(), table_.rows.end(), [](const StudyRow& row) {
+      return row.marked_shape || row.marked_max || row.marked_pressure;
+    });
+    if (!any) return {};
+    return fmt::format(
+        "<dt class=\"marked\">marked cells: {}</dt><dd>The error is less than ten times that of "
+        "its reference, or that is unknown: its digits mean little.</dd>\n",
+        mark);
   }
 
   bool same_times() const {

@@ -94,12 +94,16 @@ TEST(Markup, SvgsShareAPage) {
 
 TEST_F(StudyRuns, MarksErrorsThatTheReferenceCannotResolve) {
   write("study.toml", head() + method("bdf", "tolerances = [1e-3]") + loose);
-  ASSERT_EQ(study().exit_code, 0);
+  const Outcome outcome = study();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\n* less than ten times"));
   const Row row = rows().front();
   EXPECT_LT(std::stod(row.at("shape_error")), 10 * std::stod(row.at("reference_error")));
   EXPECT_EQ(row.at("marked"), "1");
   EXPECT_EQ(row.at("sweep"), "");
-  EXPECT_THAT(test::read_text(folder() / "out/index.html"), HasSubstr("class=\"n marked\""));
+  EXPECT_THAT(test::read_text(folder() / "out/index.html"),
+              AllOf(HasSubstr("class=\"n marked\""), HasSubstr("marked cells"),
+                    HasSubstr("of another family")));
 }
 
 TEST_F(StudyRuns, AClosedFormIsTheReferenceWhereThereIsOne) {
@@ -118,6 +122,21 @@ TEST_F(StudyRuns, AClosedFormIsTheReferenceWhereThereIsOne) {
   EXPECT_FALSE(row.pressure_error);  // a closed form has no pressures
   EXPECT_FALSE(row.marked_shape || row.marked_max || row.marked_pressure);
   EXPECT_EQ(table.rows.back().shape_error, 0.0);
+}
+
+TEST_F(StudyRuns, AClosedFormIsCalledExact) {
+  write("scene.toml",
+        test::read_text(std::string(GNOMON_SOURCE_DIR) + "/problems/winkler/pin.toml"));
+  write("study.toml", "scene = \"scene.toml\"\n[set]\nfoundation.points = 41\n" +
+                          method("backward-euler", "steps = [100]"));
+  const Outcome outcome = study();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("reference: closed form, exact\n"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("* less than")));
+  const std::string page = test::read_text(folder() / "out/index.html");
+  EXPECT_THAT(page, HasSubstr("<td class=\"n\">exact</td>"));
+  EXPECT_THAT(page, Not(HasSubstr("of another family")));
+  EXPECT_THAT(page, Not(HasSubstr("marked cells")));
 }
 
 TEST_F(StudyRuns, FailuresStayInTheTableWithTheirReason) {
