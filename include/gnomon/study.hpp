@@ -88,7 +88,7 @@ struct StudyHooks {
 };
 
 /// Runs what is not done yet; every run leaves its files in FOLDER/runs. Throws InputError for a
-/// folder that exists (unless resuming), is not a study's, , or is in
+/// folder that exists (unless resuming), is not a study's, holds a study of another name, or is in
 /// use. What of it was done when it returned; less than all after an interruption.
 StudyProgress run_study(const Study& study, const StudyOptions& options, const StudyHooks& hooks);
 
