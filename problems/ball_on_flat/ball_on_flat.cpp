@@ -72,8 +72,8 @@ QuarterBall read_ball(const Scene& scene) {
 void hold_boundary(double reach, WornBody<3>& body) {
   const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
   body.displacement_fixed = body.shape_fixed = NodalFlags<3>::Zero(nodes, 3);
-  for (Eigen::Index node = 0; node < nodes; ++node)
-    if (body.mesh.nodes[node].norm() > reach) body.shape_fixed.row(node).setOnes();
+  for (int node : nodes_where<3>(body.mesh, [=](const Vector<3>& X) { return X.norm() > reach; }))
+    body.shape_fixed.row(node).setOnes();
   for (int node : body.mesh.boundary_nodes("free")) body.shape_fixed.row(node).setOnes();
   for (int node : body.mesh.boundary_nodes("top")) {
     body.shape_fixed.row(node).setOnes();

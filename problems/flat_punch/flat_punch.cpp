@@ -25,6 +25,7 @@
 
 #include <cmath>
 #include <gnomon/error.hpp>
+#include <gnomon/mesh/stations.hpp>
 #include <gnomon/problem.hpp>
 #include <gnomon/wear_model.hpp>
 #include <gnomon/worn_body_scene.hpp>
@@ -54,27 +55,6 @@ std::vector<Key> keys() {
   return result;
 }
 
-/// Lines at 0 < ... <= `length`, which is the last. Every element is wider than the one before it
-/// by the same ratio, `grading` at most, and the first than `before`.
-std::vector<double> graded(double before, double length, double grading) {
-  const auto sum = [before](double ratio, int count) {
-    double total = 0, width = before;
-    for (int k = 0; k < count; ++k) total += width *= ratio;
-    return total;
-  };
-  int count = 1;
-  while (sum(grading, count) < length) ++count;
-  double low = 0, high = grading;
-  for (int k = 0; k < 200; ++k) {
-    const double middle = (low + high) / 2;
-    (sum(middle, count) < length ? low : high) = middle;
-  }
-  std::vector<double> lines;
-  for (int k = 1; k < count; ++k) lines.push_back(sum(high, k));
-  lines.push_back(length);
-  return lines;
-}
-
 Mesh<2> make_mesh(const Scene& scene) {
   const double a = scene.real("punch.half_width"), grading = scene.real("mesh.grading");
   const double side = scene.real("block.width") / 2 - a;
@@ -83,13 +63,13 @@ Mesh<2> make_mesh(const Scene& scene) {
                                  scene.where("block.width"), 2 * a, 2 * (side + a)));
   const int under = static_cast<int>(scene.integer("mesh.punch_elements"));
   const double element = 2 * a / under;
-  std::vector<double> x, y{0.0};
-  const std::vector<double> beside = graded(element, side, grading);
-  for (auto line = beside.rbegin(); line != beside.rend(); ++line) x.push_back(-a - *line);
+  std::vector<double> x;
+  const std::vector<double> beside = graded_stations_by_growth(element, 0, side, grading);
+  const std::vector<double> y =
+      graded_stations_by_growth(element / grading, 0, scene.real("block.depth"), grading);
+  for (std::size_t k = beside.size(); k-- > 1;) x.push_back(-a - beside[k]);
   for (int k = 0; k <= under; ++k) x.push_back(a * (2.0 * k / under - 1));
-  for (double line : beside) x.push_back(a + line);
-  for (double line : graded(element / grading, scene.real("block.depth"), grading))
-    y.push_back(line);
+  for (std::size_t k = 1; k < beside.size(); ++k) x.push_back(a + beside[k]);
   const int nx = static_cast<int>(x.size()) - 1, ny = static_cast<int>(y.size()) - 1;
   return structured_quadrilaterals(nx, ny, [&](double s, double t) {
     return Vector<2>(x[std::lround(s * nx)], y[std::lround(t * ny)]);

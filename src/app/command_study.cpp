@@ -52,7 +52,7 @@ std::string error_text(const std::optional<double>& error, bool marked) {
 }
 
 std::string own_error_text(const SweepPoint& sweep, const std::optional<double>& error) {
-  if (!sweep.exact.empty()) return "exact";
+  if (sweep.has_closed_form()) return "exact";
   return error ? fmt::format("own error {:.2e}", *error) : "own error unknown";
 }
 

@@ -135,7 +135,7 @@ private:
       if (!model->exact(point.times.back())) return;
       for (const double t : point.times) point.exact.push_back(exact_surface(*model, t));
     });
-    if (!point.exact.empty()) return;
+    if (point.has_closed_form()) return;
     for (const Method& method : declaration_.references)
       point.references.push_back(run_of(method, method.ladder.front()));
   }

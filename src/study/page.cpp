@@ -97,7 +97,7 @@ private:
 
   std::string reference_introduction() const {
     const auto closed = std::count_if(study_.sweep.begin(), study_.sweep.end(),
-                                      [](const SweepPoint& s) { return !s.exact.empty(); });
+                                      [](const SweepPoint& s) { return s.has_closed_form(); });
     std::string text = "<p>";
     if (closed > 0)
       text += "A closed form of the shape is exact; pressures then have no reference. ";
@@ -118,7 +118,7 @@ private:
     for (std::size_t i = 0; i < table_.references.size(); ++i) {
       const StudyReference& reference = table_.references[i];
       const auto own = [&](const std::optional<double>& error) {
-        return cell(study_.sweep[i].exact.empty() ? number(error) : "exact");
+        return cell(study_.sweep[i].has_closed_form() ? "exact" : number(error));
       };
       text += fmt::format("<tr{}>", reference.error ? "" : " class=\"failed\"");
       text += text_cell(sweep_title(study_.sweep[i].label)) +
