@@ -11,6 +11,8 @@
 #include <gnomon/versions.hpp>
 #include <nlohmann/json.hpp>
 
+#include "linear/blas.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -46,6 +48,7 @@ std::string compiler() {
 std::map<std::string, std::string> library_versions() {
   return {
       {"gnomon", GNOMON_VERSION},
+      {"BLAS", blas_name()},
       {"CLI11", CLI11_VERSION},
       {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
       {"fmt", dotted(FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},

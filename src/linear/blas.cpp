@@ -1,12 +1,50 @@
 #include "linear/blas.hpp"
 
-// OpenBLAS has it, other BLAS do not; resolved when the program is loaded.
+#include <dlfcn.h>
+
+#include <filesystem>
+
+// OpenBLAS has them, other BLAS do not; resolved when the program is loaded.
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+extern "C" char* openblas_get_config() __attribute__((weak));
 
 namespace gnomon {
 
+namespace {
+
+/// The file that dgemm comes from, links resolved: they are how Debian chooses among several.
+std::filesystem::path blas_file() {
+  void* dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
+  Dl_info info{};
+  if (!dgemm || !dladdr(dgemm, &info) || !info.dli_fname) return "unknown";
+  std::error_code none;
+  const std::filesystem::path resolved = std::filesystem::canonical(info.dli_fname, none);
+  return none ? std::filesystem::path(info.dli_fname) : resolved;
+}
+
+bool is_openblas(const std::filesystem::path& file) {
+  return file.string().find("openblas") != std::string::npos;
+}
+
+}  // namespace
+
 void use_one_blas_thread() {
   if (openblas_set_num_threads) openblas_set_num_threads(1);
+}
+
+std::string blas_name() {
+  const std::filesystem::path file = blas_file();
+  if (!is_openblas(file) || !openblas_get_config) return file.filename().string();
+  const std::string config = openblas_get_config();  // name, version, options
+  return config.substr(0, config.find(' ', config.find(' ') + 1));
+}
+
+bool is_reference_blas() {
+  // Netlib's library bears a plain name and lies in a folder that names no other.
+  const std::filesystem::path file = blas_file();
+  return !is_openblas(file) && file.filename().string().starts_with("libblas.so") &&
+         file.string().find("atlas") == std::string::npos &&
+         file.string().find("blis") == std::string::npos;
 }
 
 }  // namespace gnomon

@@ -1,10 +1,19 @@
-// Settings of the BLAS behind the factorizations.
+// The BLAS behind the factorizations.
 #pragma once
+
+#include <string>
 
 namespace gnomon {
 
 /// The fronts of 2D problems are too small to share: a second thread only costs (measured: 11.7 s
 /// instead of 6.5 s for a run of 20 steps on busy cores), and OpenBLAS wakes one for each of them.
 void use_one_blas_thread();
+
+/// Which BLAS this process runs, such as "OpenBLAS 0.3.21", or the name of its file.
+std::string blas_name();
+
+/// Whether it is the reference implementation (netlib), with which a factorization takes 4 to 6
+/// times as long.
+bool is_reference_blas();
 
 }  // namespace gnomon

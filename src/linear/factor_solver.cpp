@@ -1,10 +1,10 @@
 #include <cholmod.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/linear/sparse_lu.hpp>
-#include <optional>
 
 #include "linear/blas.hpp"
 
@@ -30,47 +30,6 @@ struct Common {
   Common& operator=(const Common&) = delete;
 };
 
-/// Both triangles from the lower one, and where in it each entry stands.
-struct Mirrored {
-  SparsePattern pattern;
-  std::vector<int> source;
-
-  explicit Mirrored(const SparsePattern& lower) {
-    PatternBuilder builder(lower.size());
-    for (int j = 0; j < lower.size(); ++j)
-      for (int k = lower.column_start[j]; k < lower.column_start[j + 1]; ++k) {
-        builder.add({lower.row_index[k]}, {j});
-        builder.add({j}, {lower.row_index[k]});
-      }
-    pattern = builder.build();
-    for (int j = 0; j < pattern.size(); ++j)
-      for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
-        source.push_back(
-            lower.find(std::max(pattern.row_index[k], j), std::min(pattern.row_index[k], j)));
-  }
-};
-
-/// For matrices that are not positive definite.
-class Indefinite {
-public:
-  explicit Indefinite(const StiffnessLayout& layout)
-      : mirrored_(layout.lower), lu_(mirrored_.pattern, layout.group) {}
-
-  bool factorize(std::span<const double> lower) {
-    values_.resize(mirrored_.source.size());
-    for (std::size_t k = 0; k < values_.size(); ++k) values_[k] = lower[mirrored_.source[k]];
-    return lu_.factorize(values_);
-  }
-  void solve(std::span<const double> b, std::span<double> x) const { lu_.solve(b, x); }
-  double flops() const { return lu_.factor_flops(); }
-  double nonzeros() const { return lu_.factor_nonzeros(); }
-
-private:
-  Mirrored mirrored_;
-  SparseLu lu_;
-  std::vector<double> values_;
-};
-
 class FactorSolver : public InnerSolver {
 public:
   explicit FactorSolver(const StiffnessLayout& layout);
@@ -83,6 +42,7 @@ public:
 
 private:
   cholmod_sparse view() const;
+  bool factorize();
   static cholmod_dense column(double* values, std::size_t size);
 
   const StiffnessLayout& layout_;
@@ -91,8 +51,7 @@ private:
   std::vector<double> values_;
   cholmod_factor* factor_ = nullptr;
   cholmod_dense *x_ = nullptr, *y_ = nullptr, *e_ = nullptr;  // kept between solves
-  std::optional<Indefinite> indefinite_;
-  bool definite_ = true;
+  std::vector<SuiteSparse_long> diagonal_;                    // positions in values_
   int factorizations_ = 0;
 };
 
@@ -102,6 +61,7 @@ FactorSolver::FactorSolver(const StiffnessLayout& layout)
       row_(layout.lower.row_index.begin(), layout.lower.row_index.end()),
       values_(row_.size(), 1.0) {
   use_one_blas_thread();
+  for (int j = 0; j < layout.lower.size(); ++j) diagonal_.push_back(layout.lower.find(j, j));
   const std::vector<int> order = nested_dissection(layout.lower, layout.group);
   std::vector<SuiteSparse_long> permutation(order.begin(), order.end());
   cholmod_sparse matrix = view();
@@ -143,23 +103,28 @@ cholmod_dense FactorSolver::column(double* values, std::size_t size) {
   return dense;
 }
 
-bool FactorSolver::set_up(std::span<const double> values) {
-  std::copy(values.begin(), values.end(), values_.begin());
+/// Returns false where the matrix is not positive definite.
+bool FactorSolver::factorize() {
   cholmod_sparse matrix = view();
-  factorizations_ = 1;
+  ++factorizations_;
   cholmod_l_factorize(&matrix, factor_, &common_.data);
   if (common_.data.status == CHOLMOD_OUT_OF_MEMORY || common_.data.status == CHOLMOD_TOO_LARGE)
     throw Error("out of memory while factorizing a matrix of " +
                 std::to_string(layout_.lower.size()) + " unknowns");
-  definite_ = common_.data.status == CHOLMOD_OK && factor_->minor == factor_->n;
-  if (definite_) return true;
-  ++factorizations_;
-  if (!indefinite_) indefinite_.emplace(layout_);
-  return indefinite_->factorize(values);
+  return common_.data.status == CHOLMOD_OK && factor_->minor == factor_->n;
+}
+
+bool FactorSolver::set_up(std::span<const double> values) {
+  factorizations_ = 0;
+  for (const double stiffer : {0.0, 0.01, 0.1, 1.0}) {
+    std::copy(values.begin(), values.end(), values_.begin());
+    for (SuiteSparse_long k : diagonal_) values_[k] += stiffer * std::abs(values_[k]);
+    if (factorize()) return true;
+  }
+  return false;
 }
 
 void FactorSolver::apply(std::span<const double> b, std::span<double> x) {
-  if (!definite_) return indefinite_->solve(b, x);
   cholmod_dense right = column(const_cast<double*>(b.data()), b.size());
   cholmod_l_solve2(CHOLMOD_A, factor_, &right, nullptr, &x_, nullptr, &y_, &e_, &common_.data);
   if (common_.data.status != CHOLMOD_OK) throw Error("CHOLMOD could not solve");
@@ -170,9 +135,7 @@ double FactorSolver::set_up_cost() const {
   // Dense kernels of a factorization do some ten operations in the time of one of a solve, which
   // waits for memory.
   constexpr double faster = 10;
-  const double flops = definite_ ? common_.data.fl : indefinite_->flops();
-  const double entries = definite_ ? 2 * common_.data.lnz : indefinite_->nonzeros();
-  return flops / (2 * entries * faster);
+  return common_.data.fl / (4 * common_.data.lnz * faster);
 }
 
 }  // namespace

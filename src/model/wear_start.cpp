@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/integration/stage_solver.hpp>
 #include <gnomon/integration/stepper.hpp>
@@ -41,6 +42,15 @@ void close_initial_gap(const WornBody<dim>& body, NodalState<dim>& state) {
       if (!body.displacement_fixed(node, i)) state.u(node, i) = -least * normal[i];
 }
 
+/// How far a counter-body under part of its force comes near a body at rest, about: as a ball does,
+/// by F^(2/3) (Hertz). From there Newton meets a whole patch of active nodes. With one node alone
+/// that touches it would turn the elements beside that node inside out, the sooner the finer they
+/// are.
+template <int dim>
+double indentation(const WornBody<dim>& body, double fraction) {
+  return body.scales.displacement * std::cbrt(fraction * fraction);
+}
+
 /// As in a scene.
 const char* element_name(ElementKind kind) {
   return variational(kind) ? "f-bar-variational" : averaged(kind) ? "f-bar" : "plain";
@@ -69,15 +79,20 @@ RampReport find_equilibrium(WearSystem<dim>& contact, const RampOptions& options
   NewtonSolver exact(contact.structure(), counters, {.max_iterations = max_iterations});
   std::optional<NewtonSolver> rough;  // most loads go on at once; its analysis costs
   const NonlinearFunction function = algebraic_function(contact);
+  close_initial_gap(contact.body(), state);
+  const double touching = state.w;
+  bool loaded = false;
   const LoadSolve solve = [&](double fraction, std::span<double> y) {
     contact.set_load_factor(fraction);
-    if (fraction == 1) return exact.solve(function, y);
-    if (!rough)
+    if (!loaded && contact.body().counter_force)
+      y[contact.unknowns().w()] = touching + indentation(contact.body(), fraction);
+    if (fraction < 1 && !rough)
       rough.emplace(contact.structure(), counters,
                     NewtonOptions{.tolerance = rough_tolerance, .max_iterations = max_iterations});
-    return rough->solve(function, y);
+    const NewtonReport report = (fraction < 1 ? *rough : exact).solve(function, y);
+    loaded = loaded || report.converged;
+    return report;
   };
-  close_initial_gap(contact.body(), state);
   std::vector<double> y(contact.structure().size);
   contact.unknowns().gather(state, y);
   const RampReport report = ramp_load(solve, options, y);

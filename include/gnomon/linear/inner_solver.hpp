@@ -32,8 +32,9 @@ public:
   virtual double set_up_cost() const = 0;
 };
 
-/// Supernodal Cholesky factors (CHOLMOD) ordered by nested dissection; where the matrix is not
-/// positive definite, LU factors. `layout` must outlive the solver.
+/// Supernodal Cholesky factors (CHOLMOD) ordered by nested dissection. Of a matrix that is not
+/// positive definite, as between two equilibria far apart, with the diagonal raised by 1, 10 or 100
+/// %: what the outer iteration makes up for. `layout` must outlive the solver.
 std::unique_ptr<InnerSolver> make_factor_solver(const StiffnessLayout& layout);
 
 /// One cycle of smoothed-aggregation multigrid (PETSc GAMG) that knows the rigid-body modes. Throws
