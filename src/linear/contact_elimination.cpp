@@ -15,7 +15,8 @@ void ContactElimination::Numbers::add(int number) {
 ContactElimination::ContactElimination(const Structure& structure)
     : structure_(structure),
       wear_row_(structure, {UnknownKind::worn_surface},
-                {UnknownKind::displacement, UnknownKind::contact_multiplier}) {
+                {UnknownKind::displacement, UnknownKind::contact_multiplier}),
+      wear_block_(structure, {UnknownKind::worn_surface}) {
   const auto& [kind, group, pattern] = std::tie(structure.kind, structure.group, structure.pattern);
   const int groups = group.empty() ? 0 : *std::max_element(group.begin(), group.end()) + 1;
   std::vector<int> surface_of(groups, -1), contact_of(structure.size, -1);
@@ -50,6 +51,7 @@ void ContactElimination::update(std::span<const double> J) {
   J_ = J;
   for (SurfaceNode& node : surface_) update_surface(node);
   for (ContactNode& node : contact_) update_contact(node);
+  wear_block_.factorize(J);
 }
 
 void ContactElimination::update_surface(SurfaceNode& node) const {
@@ -138,20 +140,14 @@ void ContactElimination::condense(std::span<double> s) const {
   }
 }
 
-void ContactElimination::recover(std::span<double> s, std::span<double> z) const {
+void ContactElimination::recover(std::span<double> s, std::span<double> z) {
   for (const ContactNode& node : contact_) {
     double left = -s[node.multiplier];
     for (int k = 0; k < node.u.size; ++k) left += node.C[k] * z[node.u[k]];
     z[node.multiplier] = left / node.D;
   }
   wear_row_.subtract(J_, z, s);
-  for (const SurfaceNode& node : surface_) {
-    const Numbers& c = node.unknowns;
-    Values right = Values::Zero();
-    for (int k = 0; k < c.size; ++k) right[k] = s[c[k]];
-    const Values solution = node.inverse * right;
-    for (int k = 0; k < c.size; ++k) z[c[k]] = solution[k];
-  }
+  wear_block_.solve(s, z);
 }
 
 }  // namespace gnomon

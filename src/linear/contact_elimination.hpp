@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "linear/factored_block.hpp"
+
 namespace gnomon {
 
 /// With r and z right side and solution, and B, C the columns and rows of a multiplier l at the
@@ -17,8 +19,8 @@ namespace gnomon {
 ///   row of l   C du - D dl = r_l,   C = J_lu - a J_cu,  D = a J_cl - J_ll,  a = J_lc J_cc^-1
 ///   row of u   K_uu du + B dl = r_u
 ///
-/// so that K_uu + B D^-1 C, K_uu with springs, remains. Only a node's own entries are eliminated,
-/// and D is kept from vanishing.
+/// so that K_uu + B D^-1 C, K_uu with springs, remains. In a and D only a node's own entries of
+/// J_cc count, and D is kept from vanishing.
 class ContactElimination {
 public:
   /// `structure` must outlive the object.
@@ -35,7 +37,7 @@ public:
   /// Turns the right side into that of K_uu with springs; s_l and s_c are kept for recover().
   void condense(std::span<double> s) const;
   /// z_l and z_c from z_u; s as condense() left it, changed.
-  void recover(std::span<double> s, std::span<double> z) const;
+  void recover(std::span<double> s, std::span<double> z);
 
 private:
   static constexpr int most = 3;   // components of a node
@@ -73,6 +75,7 @@ private:
   std::vector<SurfaceNode> surface_;
   std::vector<ContactNode> contact_;
   JacobianBlock wear_row_;
+  FactoredBlock wear_block_;
 };
 
 }  // namespace gnomon

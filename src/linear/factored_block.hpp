@@ -1,0 +1,28 @@
+// A small diagonal block of a Jacobian with LU factors of its own.
+#pragma once
+
+#include <gnomon/linear/jacobian_block.hpp>
+#include <gnomon/linear/sparse_lu.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gnomon {
+
+/// Of the unknowns of some kinds; may have none. Vectors have the system's size.
+class FactoredBlock {
+public:
+  FactoredBlock(const Structure& structure, Kinds kinds);
+
+  /// Throws RecoverableError when the block is singular or not finite.
+  void factorize(std::span<const double> J);
+  /// z = J^-1 s over the block.
+  void solve(std::span<const double> s, std::span<double> z);
+
+private:
+  std::vector<int> unknowns_, source_;  // in the system; positions in J
+  std::vector<double> values_, b_, x_;
+  std::unique_ptr<SparseLu> lu_;
+};
+
+}  // namespace gnomon
