@@ -51,10 +51,12 @@ struct StiffnessBlock {
     return solver->factorizations();
   }
 
-  void solve(std::span<const double> s, std::span<double> z) {
+  void solve(std::span<const double> s, std::span<double> z,
+             const SpringUpdate* springs = nullptr) {
     if (!solver) return;
     for (std::size_t k = 0; k < unknowns.size(); ++k) b[k] = s[unknowns[k]];
     solver->apply(b, x);
+    if (springs) springs->correct(x);
     for (std::size_t k = 0; k < unknowns.size(); ++k) z[unknowns[k]] = x[k];
   }
 };
@@ -66,6 +68,7 @@ struct BlockPreconditioner::Blocks {
   std::span<const double> J;
   StiffnessBlock stiffness, mesh_motion;
   ContactElimination contact;
+  SpringUpdate springs;
   JacobianBlock mesh_motion_row, multiplier_row, rigid_row, rigid_column;
   std::vector<int> core, multipliers;
   int rigid = -1;
@@ -99,7 +102,7 @@ struct BlockPreconditioner::Blocks {
   /// Rows of u, lambda and c; s is changed.
   void solve_core(std::span<double> s, std::span<double> z) {
     contact.condense(s);
-    stiffness.solve(s, z);
+    stiffness.solve(s, z, &springs);
     contact.recover(s, z);
   }
 
@@ -138,14 +141,22 @@ void BlockPreconditioner::refresh(std::span<const double> J) {
   blocks_->bordered = false;
 }
 
-int BlockPreconditioner::moved_springs() const {
-  return blocks_->contact.moved_springs();
+double BlockPreconditioner::update_springs() {
+  // Columns that are solved for together share the way through the factors.
+  constexpr double cost_of_a_column = 0.3;
+  Blocks& b = *blocks_;
+  const std::vector<SpringDirection> moved = b.contact.moved_springs(b.stiffness.part);
+  if (!moved.empty())
+    b.springs.append(moved, *b.stiffness.solver, static_cast<long>(b.stiffness.unknowns.size()));
+  if (b.springs.columns() > 0) b.springs.change(b.contact.changes());
+  return cost_of_a_column * static_cast<double>(moved.size());
 }
 
 int BlockPreconditioner::set_up(bool whole) {
   Blocks& b = *blocks_;
   b.stiffness.part.gather(b.J, b.stiffness.values);
   b.contact.add_springs(b.stiffness.part, b.stiffness.values);
+  b.springs.clear();
   int factorizations = b.stiffness.set_up("the stiffness of the body");
   if (whole || !b.mesh_motion.is_set_up) {
     b.mesh_motion.part.gather(b.J, b.mesh_motion.values);

@@ -110,23 +110,42 @@ void ContactElimination::update_contact(ContactNode& node) const {
 }
 
 void ContactElimination::add_springs(const SymmetricPart& part, std::vector<double>& values) {
+  followed_.clear();
   for (ContactNode& node : contact_) {
     node.spring_set = node.spring;
+    node.followed = false;
     if (node.spring == 0) continue;
-    const Values n = node.C.normalized();
+    node.direction = node.C.normalized();
     for (int k = 0; k < node.u.size; ++k)
       for (int m = 0; m <= k; ++m)
-        values[part.find(node.u[k], node.u[m])] += node.spring * n[k] * n[m];
+        values[part.find(node.u[k], node.u[m])] +=
+            node.spring * node.direction[k] * node.direction[m];
   }
 }
 
-int ContactElimination::moved_springs() const {
-  return static_cast<int>(
-      std::count_if(contact_.begin(), contact_.end(), [](const ContactNode& node) {
-        const double change = std::abs(node.spring - node.spring_set);
-        return change > 0.5 * std::max(node.spring, node.spring_set) &&
-               change > 0.3 * node.stiffness;
-      }));
+std::vector<SpringDirection> ContactElimination::moved_springs(const SymmetricPart& part) {
+  std::vector<SpringDirection> moved;
+  for (std::size_t c = 0; c < contact_.size(); ++c) {
+    ContactNode& node = contact_[c];
+    const double change = std::abs(node.spring - node.spring_set);
+    if (node.followed || change <= 0.5 * std::max(node.spring, node.spring_set) ||
+        change <= 0.3 * node.stiffness)
+      continue;
+    if (node.spring_set == 0) node.direction = node.C.normalized();
+    node.followed = true;
+    followed_.push_back(static_cast<int>(c));
+    SpringDirection& spring = moved.emplace_back();
+    for (int k = 0; k < node.u.size; ++k) spring.unknown[k] = part.number(node.u[k]);
+    spring.v = node.direction;
+  }
+  return moved;
+}
+
+Eigen::VectorXd ContactElimination::changes() const {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(followed_.size()));
+  for (std::size_t j = 0; j < followed_.size(); ++j)
+    result[j] = contact_[followed_[j]].spring - contact_[followed_[j]].spring_set;
+  return result;
 }
 
 void ContactElimination::condense(std::span<double> s) const {

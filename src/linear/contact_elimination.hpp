@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "linear/factored_block.hpp"
+#include "linear/spring_update.hpp"
 
 namespace gnomon {
 
@@ -31,8 +32,11 @@ public:
 
   /// Adds the springs to K_uu, as (C.B / D) along C, and remembers them.
   void add_springs(const SymmetricPart& part, std::vector<double>& values);
-  /// Nodes whose springs have changed since, by more than preconditioning bears.
-  int moved_springs() const;
+  /// Springs that since add_springs(), and for the first time, have changed by more than
+  /// preconditioning bears. They are followed from now on.
+  std::vector<SpringDirection> moved_springs(const SymmetricPart& part);
+  /// Changes of all springs that are followed, in their order.
+  Eigen::VectorXd changes() const;
 
   /// Turns the right side into that of K_uu with springs; s_l and s_c are kept for recover().
   void condense(std::span<double> s) const;
@@ -63,6 +67,8 @@ private:
     double D = 1;
     double stiffness = 0;  ///< of the node itself along C
     double spring = 0, spring_set = 0;
+    Values direction = Values::Zero();  ///< of spring_set
+    bool followed = false;
   };
 
   double entry(int row, int column) const;
@@ -74,6 +80,7 @@ private:
   std::span<const double> J_;
   std::vector<SurfaceNode> surface_;
   std::vector<ContactNode> contact_;
+  std::vector<int> followed_;  // in contact_
   JacobianBlock wear_row_;
   FactoredBlock wear_block_;
 };

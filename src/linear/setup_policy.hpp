@@ -5,11 +5,12 @@
 
 namespace gnomon {
 
-/// A set-up is due when the Krylov iterations spent beyond those of a fresh preconditioner amount
-/// to its price. Counts decide, never clocks, so that runs repeat.
+/// A set-up is due when what was spent on doing without amounts to its price: on Krylov iterations
+/// beyond those of a fresh preconditioner, on updates. Counts decide, never clocks, so that runs
+/// repeat.
 class SetupPolicy {
 public:
-  bool due() const { return failed_ || excess_ * applications_an_iteration >= cost_; }
+  bool due() const { return failed_ || spent_ >= cost_; }
   /// Whether the mesh motion is to be set up with the rest, for a fresh stiffness alone no longer
   /// brings the iterations down.
   bool whole() const { return failed_ || fresh_rate_ > 1.5 * whole_rate_; }
@@ -20,7 +21,7 @@ public:
     if (whole) whole_rate_ = 0;
     fresh_ = true;
     failed_ = false;
-    fresh_rate_ = excess_ = 0;
+    fresh_rate_ = spent_ = 0;
   }
   /// After a solve that reduced the residual by `digits` powers of ten.
   void solved(int iterations, double digits) {
@@ -29,9 +30,11 @@ public:
       fresh_rate_ = rate;
       if (whole_rate_ == 0) whole_rate_ = rate;
     }
-    excess_ += std::max(0.0, iterations - fresh_rate_ * digits);
+    spent_ += applications_an_iteration * std::max(0.0, iterations - fresh_rate_ * digits);
     fresh_ = false;
   }
+  /// After an update that cost that many applications.
+  void spent(double applications) { spent_ += applications; }
   /// After a solve that did not converge.
   void failed() { failed_ = true; }
   /// Whether nothing was solved since the set-up.
@@ -41,7 +44,7 @@ private:
   static constexpr double applications_an_iteration = 2;  // product with J and orthogonalisation
   double cost_ = 0, whole_rate_ = 0;
   bool fresh_ = false, failed_ = true;
-  double fresh_rate_ = 0, excess_ = 0;
+  double fresh_rate_ = 0, spent_ = 0;
 };
 
 }  // namespace gnomon

@@ -9,8 +9,6 @@ namespace gnomon::sundials {
 namespace {
 
 constexpr int most_iterations = 80;
-/// Each moved spring costs about one iteration a solve.
-constexpr int most_moved_springs = 8;
 /// What a solve must reach at least to be of use to Newton's method.
 constexpr double useful = 0.3;
 
@@ -47,8 +45,8 @@ void BlockSolver::set_up(std::span<const double> J) {
   require_finite(J, "the Jacobian");
   J_ = J;
   preconditioner_.refresh(J);
-  if (policy_.due() || preconditioner_.moved_springs() > most_moved_springs)
-    set_up_preconditioner();
+  if (!policy_.due()) policy_.spent(preconditioner_.update_springs());
+  if (policy_.due()) set_up_preconditioner();
 }
 
 void BlockSolver::set_up_preconditioner() {

@@ -21,8 +21,9 @@ public:
 
   /// Takes the values of a new Jacobian, which must outlive their use. The inner solvers stay.
   void refresh(std::span<const double> J);
-  /// Contact nodes whose springs are no longer those of the last set-up.
-  int moved_springs() const;
+  /// Accounts for the springs that have moved since the last set-up, without a new one. Returns
+  /// what that cost, in applications.
+  double update_springs();
   /// Sets up the inner solvers for the Jacobian of refresh(); that of the mesh motion only if it is
   /// new or `whole`. Throws RecoverableError where a block is singular. Returns how many numeric
   /// factorizations were made.

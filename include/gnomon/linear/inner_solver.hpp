@@ -24,7 +24,8 @@ public:
 
   /// Takes the values on `lower`. Returns false when the matrix is singular or not finite.
   virtual bool set_up(std::span<const double> values) = 0;
-  /// x = approximately K^-1 b. The same linear map until the next set-up.
+  /// x = approximately K^-1 b, of one or more columns one behind the other. The same linear map
+  /// until the next set-up.
   virtual void apply(std::span<const double> b, std::span<double> x) = 0;
   /// Numeric factorizations that the last set-up made.
   virtual int factorizations() const = 0;

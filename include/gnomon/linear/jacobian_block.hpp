@@ -34,6 +34,8 @@ public:
   SymmetricPart(const SparsePattern& pattern, const std::vector<int>& unknowns);
 
   const SparsePattern& lower() const { return lower_; }
+  /// Number in the block of one of its unknowns.
+  int number(int unknown) const { return number_[unknown]; }
   /// Position in `lower` of an entry in the system's numbers, or -1.
   int find(int row, int column) const;
   /// (J + J^T) / 2 on `lower`.
