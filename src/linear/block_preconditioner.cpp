@@ -141,15 +141,18 @@ void BlockPreconditioner::refresh(std::span<const double> J) {
   blocks_->bordered = false;
 }
 
-double BlockPreconditioner::update_springs() {
+double BlockPreconditioner::update_cost() const {
   // Columns that are solved for together share the way through the factors.
   constexpr double cost_of_a_column = 0.3;
+  return cost_of_a_column * static_cast<double>(blocks_->contact.moved_springs());
+}
+
+void BlockPreconditioner::update_springs() {
   Blocks& b = *blocks_;
-  const std::vector<SpringDirection> moved = b.contact.moved_springs(b.stiffness.part);
+  const std::vector<SpringDirection> moved = b.contact.follow_springs(b.stiffness.part);
   if (!moved.empty())
     b.springs.append(moved, *b.stiffness.solver, static_cast<long>(b.stiffness.unknowns.size()));
   if (b.springs.columns() > 0) b.springs.change(b.contact.changes());
-  return cost_of_a_column * static_cast<double>(moved.size());
 }
 
 int BlockPreconditioner::set_up(bool whole) {

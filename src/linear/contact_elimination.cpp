@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <gnomon/error.hpp>
 
 namespace gnomon {
@@ -123,22 +124,28 @@ void ContactElimination::add_springs(const SymmetricPart& part, std::vector<doub
   }
 }
 
-std::vector<SpringDirection> ContactElimination::moved_springs(const SymmetricPart& part) {
-  std::vector<SpringDirection> moved;
+bool ContactElimination::ContactNode::moved() const {
+  const double change = std::abs(spring - spring_set);
+  return !followed && change > 0.5 * std::max(spring, spring_set) && change > 0.3 * stiffness;
+}
+
+long ContactElimination::moved_springs() const {
+  return std::count_if(contact_.begin(), contact_.end(), std::mem_fn(&ContactNode::moved));
+}
+
+std::vector<SpringDirection> ContactElimination::follow_springs(const SymmetricPart& part) {
+  std::vector<SpringDirection> result;
   for (std::size_t c = 0; c < contact_.size(); ++c) {
     ContactNode& node = contact_[c];
-    const double change = std::abs(node.spring - node.spring_set);
-    if (node.followed || change <= 0.5 * std::max(node.spring, node.spring_set) ||
-        change <= 0.3 * node.stiffness)
-      continue;
+    if (!node.moved()) continue;
     if (node.spring_set == 0) node.direction = node.C.normalized();
     node.followed = true;
     followed_.push_back(static_cast<int>(c));
-    SpringDirection& spring = moved.emplace_back();
+    SpringDirection& spring = result.emplace_back();
     for (int k = 0; k < node.u.size; ++k) spring.unknown[k] = part.number(node.u[k]);
     spring.v = node.direction;
   }
-  return moved;
+  return result;
 }
 
 Eigen::VectorXd ContactElimination::changes() const {

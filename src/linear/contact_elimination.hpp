@@ -32,9 +32,10 @@ public:
 
   /// Adds the springs to K_uu, as (C.B / D) along C, and remembers them.
   void add_springs(const SymmetricPart& part, std::vector<double>& values);
-  /// Springs that since add_springs(), and for the first time, have changed by more than
-  /// preconditioning bears. They are followed from now on.
-  std::vector<SpringDirection> moved_springs(const SymmetricPart& part);
+  /// How many springs that are not followed have changed since by more than preconditioning bears.
+  long moved_springs() const;
+  /// Those; they are followed from now on until add_springs().
+  std::vector<SpringDirection> follow_springs(const SymmetricPart& part);
   /// Changes of all springs that are followed, in their order.
   Eigen::VectorXd changes() const;
 
@@ -69,6 +70,8 @@ private:
     double spring = 0, spring_set = 0;
     Values direction = Values::Zero();  ///< of spring_set
     bool followed = false;
+
+    bool moved() const;
   };
 
   double entry(int row, int column) const;

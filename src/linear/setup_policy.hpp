@@ -33,7 +33,7 @@ public:
     spent_ += applications_an_iteration * std::max(0.0, iterations - fresh_rate_ * digits);
     fresh_ = false;
   }
-  /// After an update that cost that many applications.
+  /// Before an update that costs that many applications; it is not made if a set-up is due then.
   void spent(double applications) { spent_ += applications; }
   /// After a solve that did not converge.
   void failed() { failed_ = true; }

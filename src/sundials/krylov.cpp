@@ -45,8 +45,11 @@ void BlockSolver::set_up(std::span<const double> J) {
   require_finite(J, "the Jacobian");
   J_ = J;
   preconditioner_.refresh(J);
-  if (!policy_.due()) policy_.spent(preconditioner_.update_springs());
-  if (policy_.due()) set_up_preconditioner();
+  policy_.spent(preconditioner_.update_cost());
+  if (policy_.due())
+    set_up_preconditioner();
+  else
+    preconditioner_.update_springs();
 }
 
 void BlockSolver::set_up_preconditioner() {

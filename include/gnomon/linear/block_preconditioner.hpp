@@ -21,9 +21,10 @@ public:
 
   /// Takes the values of a new Jacobian, which must outlive their use. The inner solvers stay.
   void refresh(std::span<const double> J);
-  /// Accounts for the springs that have moved since the last set-up, without a new one. Returns
-  /// what that cost, in applications.
-  double update_springs();
+  /// What update_springs() would cost, in applications.
+  double update_cost() const;
+  /// Accounts for the springs that have moved since the last set-up, without a new one.
+  void update_springs();
   /// Sets up the inner solvers for the Jacobian of refresh(); that of the mesh motion only if it is
   /// new or `whole`. Throws RecoverableError where a block is singular. Returns how many numeric
   /// factorizations were made.
