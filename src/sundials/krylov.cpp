@@ -43,11 +43,11 @@ BlockSolver::BlockSolver(const Structure& structure, Counters& counters, SUNCont
   check(SUNLinSolInitialize(gmres_.get()), "SUNLinSolInitialize");
 }
 
-void BlockSolver::set_up(std::span<const double> J) {
+void BlockSolver::set_up(std::span<const double> J, bool anew) {
   require_finite(J, "the Jacobian");
   J_ = J;
   preconditioner_.refresh(J);
-  if (policy_.due() || preconditioner_.moved_springs() > most_moved_springs)
+  if (anew || policy_.due() || preconditioner_.moved_springs() > most_moved_springs)
     set_up_preconditioner();
 }
 
