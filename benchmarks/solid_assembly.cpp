@@ -3,10 +3,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include <fstream>
 #include <gnomon/system/cell_assembly.hpp>
 #include <memory>
 #include <string>
+
+#include "memory.hpp"
 
 namespace gnomon::bench {
 
@@ -86,14 +87,6 @@ struct Block {
   int size = 0;
   NodalField<3> displacement;
 };
-
-/// Largest memory that the process ever had in RAM [MB].
-double peak_memory() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.rfind("VmHWM:", 0) == 0) return std::stod(line.substr(6)) / 1024;
-  return 0;
-}
 
 void pattern(::benchmark::State& loop) {
   const Block block(loop.range(0));

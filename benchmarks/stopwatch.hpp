@@ -27,9 +27,9 @@ public:
   }
 
 private:
-  static double now() {  // of this thread: BLAS is kept to one
+  static double now() {  // of all threads of the process
     timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
   }
 

@@ -73,6 +73,8 @@ public:
   /// The complete scene as TOML text, one `key = value  # [unit] help` a line, grouped in tables,
   /// defaults filled in. Loading this text gives an equal scene.
   std::string resolved() const;
+  /// The same scene with an optional key given a value.
+  Scene with(const std::string& key, SceneValue value) const;
   /// The same scene with an optional key absent.
   Scene without(const std::string& key) const;
 
@@ -91,6 +93,7 @@ private:
     std::string origin;
   };
   const Entry& entry(const std::string& key) const;
+  std::optional<SceneValue>& optional_value(const std::string& key);
 
   std::filesystem::path path_;
   std::vector<Entry> entries_;

@@ -8,7 +8,8 @@
 namespace gnomon {
 
 /// Fills in what worn_body_keys() say: materials, element, wear, contact and the form of the shape
-/// constraint. `facet` is a typical length of a contact facet; body.scales must be given.
+/// constraint. `facet` is a typical length of a contact facet; body.mesh and body.scales must be
+/// given.
 template <int dim>
 void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body);
 

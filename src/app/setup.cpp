@@ -13,10 +13,22 @@ Scene checked_scene(const std::filesystem::path& file, const std::vector<std::st
   return scene;
 }
 
+namespace {
+
+/// What the size of the model decided, for the resolved scene to say it.
+Scene with_choices(const Scene& scene, const LinearSolverChoice& solver) {
+  if (solver.method != LinearSolverChoice::Method::block || scene.has("solver.preconditioner"))
+    return scene;
+  const bool factor = solver.preconditioner == LinearSolverChoice::Preconditioner::factor;
+  return scene.with("solver.preconditioner", factor ? "factor" : "multigrid");
+}
+
+}  // namespace
+
 Setup set_up(Scene scene) {
-  Setup setup{std::move(scene), nullptr};
-  setup.model = Problems::find(setup.scene.text("problem"), "problem").make(setup.scene);
-  return setup;
+  auto model = Problems::find(scene.text("problem"), "problem").make(scene);
+  Scene complete = with_choices(scene, model->system().structure().solver);
+  return {std::move(complete), std::move(model)};
 }
 
 Setup set_up(const std::filesystem::path& file, const std::vector<std::string>& overrides) {

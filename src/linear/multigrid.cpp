@@ -7,6 +7,10 @@ namespace gnomon {
 
 #ifdef GNOMON_MULTIGRID_MODULE
 
+bool has_multigrid() {
+  return true;
+}
+
 std::unique_ptr<InnerSolver> make_multigrid_solver(const StiffnessLayout& layout) {
   using New = InnerSolver*(const StiffnessLayout&);
   // Loaded for good: PETSc and MPI do not bear being unloaded.
@@ -21,6 +25,10 @@ std::unique_ptr<InnerSolver> make_multigrid_solver(const StiffnessLayout& layout
 }
 
 #else
+
+bool has_multigrid() {
+  return false;
+}
 
 std::unique_ptr<InnerSolver> make_multigrid_solver(const StiffnessLayout&) {
   throw InputError(

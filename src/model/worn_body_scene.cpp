@@ -1,6 +1,22 @@
+#include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/worn_body_scene.hpp>
 
 namespace gnomon {
+
+namespace {
+
+using Preconditioner = LinearSolverChoice::Preconditioner;
+
+/// Factors of a plane body stay cheap; in space they cost more time and far more memory from some
+/// size on (docs/linear.md).
+Preconditioner preconditioner_by_size(int dim, std::size_t nodes) {
+  constexpr std::size_t many_displacements = 100'000;
+  return dim == 3 && dim * nodes >= many_displacements && has_multigrid()
+             ? Preconditioner::multigrid
+             : Preconditioner::factor;
+}
+
+}  // namespace
 
 template <int dim>
 void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
@@ -21,9 +37,11 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   }
   body.solver.method = scene.text("solver.method") == "direct" ? LinearSolverChoice::Method::direct
                                                                : LinearSolverChoice::Method::block;
-  body.solver.preconditioner = scene.text("solver.preconditioner") == "factor"
-                                   ? LinearSolverChoice::Preconditioner::factor
-                                   : LinearSolverChoice::Preconditioner::multigrid;
+  body.solver.preconditioner = preconditioner_by_size(dim, body.mesh.nodes.size());
+  if (scene.has("solver.preconditioner"))
+    body.solver.preconditioner = scene.text("solver.preconditioner") == "factor"
+                                     ? Preconditioner::factor
+                                     : Preconditioner::multigrid;
   body.contact.rho =
       scene.real("contact.regularization") * regularization_unit(young, facet, body.scales);
   body.contact.normal_rule =

@@ -203,8 +203,8 @@ std::vector<Key> solver_keys(int dim) {
                "preconditioned block by block"},
       {.name = "solver.preconditioner",
        .kind = KeyKind::text,
-       .presence = defaulted,
-       .default_value = "factor",
+       .presence = optional,
+       .absent_meaning = "by size, factor unless in 3D and large (docs/linear.md)",
        .choices = {"factor", "multigrid"},
        .help = "what solver.method = \"block\" solves the stiffness with: Cholesky factors, or "
                "algebraic multigrid (needs PETSc)"},

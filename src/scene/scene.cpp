@@ -62,12 +62,23 @@ std::string Scene::where(const std::string& key) const {
   return entry(key).origin;
 }
 
-Scene Scene::without(const std::string& key) const {
+std::optional<SceneValue>& Scene::optional_value(const std::string& key) {
   if (entry(key).key.presence != Key::Presence::optional)
     throw std::logic_error("scene key `" + key + "` is not optional");
+  return std::find_if(entries_.begin(), entries_.end(),
+                      [&](const Entry& entry) { return entry.key.name == key; })
+      ->value;
+}
+
+Scene Scene::with(const std::string& key, SceneValue value) const {
   Scene result = *this;
-  for (Entry& entry : result.entries_)
-    if (entry.key.name == key) entry.value.reset();
+  result.optional_value(key) = std::move(value);
+  return result;
+}
+
+Scene Scene::without(const std::string& key) const {
+  Scene result = *this;
+  result.optional_value(key).reset();
   return result;
 }
 

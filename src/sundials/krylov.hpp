@@ -18,8 +18,9 @@ public:
   /// References must outlive the solver. Errors as BlockPreconditioner.
   BlockSolver(const Structure& structure, Counters& counters, SUNContext context);
 
-  /// Takes a new Jacobian, which must outlive the solves with it.
-  void set_up(std::span<const double> J);
+  /// Takes a new Jacobian, which must outlive the solves with it. `anew`: with a new
+  /// preconditioner, also where the old one would serve.
+  void set_up(std::span<const double> J, bool anew = false);
   /// Solves until the residual, rows divided by their scales, has fallen to `reduction` of the
   /// right side's in the Euclidean norm. b may be x. Throws RecoverableError when even a fresh
   /// preconditioner does not bring the residual down.

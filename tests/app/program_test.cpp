@@ -85,6 +85,14 @@ TEST_F(Program, CheckPrintsASceneAndWritesNothing) {
               load_scene(pin, {coarse}, key_table));
 }
 
+TEST_F(Program, CheckSaysWhatTheSizeDecides) {
+  const std::string groove =
+      GNOMON_SOURCE_DIR "/problems/ball_on_half_space/small_deformation.toml";
+  EXPECT_THAT(gnomon({"check", groove}).out, HasSubstr("\npreconditioner = \"factor\""));
+  EXPECT_THAT(gnomon({"check", groove, "--set", "solver.method=direct"}).out,
+              HasSubstr("\n# preconditioner = ..."));
+}
+
 TEST_F(Program, ContactPrintsCsvInFullPrecision) {
   ASSERT_EQ(run({"--quiet", "-o", "a.h5", "--set", "output.times=[20]"}).exit_code, 0);
   const Outcome outcome = gnomon({"contact", "a.h5", "--time", "20"});

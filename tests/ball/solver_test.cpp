@@ -1,5 +1,8 @@
 // Both linear solvers on the balls: friction, the rigid motion, the shape of a cross-section.
 
+#include <gnomon/linear/inner_solver.hpp>
+#include <gnomon/worn_body_scene.hpp>
+
 #include "ball/coarse.hpp"
 
 namespace gnomon {
@@ -29,6 +32,22 @@ TEST(Ball, BlockAndDirectSolversAgree) {
 TEST(Groove, BlockAndDirectSolversAgree) {
   check(groove_small, block_mesh(6, 10, 4, 0.08), 100);
   check(groove_finite, block_mesh(6, 8, 4, 0.8), 200);
+}
+
+TEST(Solver, LargeBodiesAskForMultigridUnlessToldOtherwise) {
+  const auto chosen = [](std::size_t nodes, const Overrides& overrides) {
+    const Scene scene = load_scene(std::string(GNOMON_SOURCE_DIR "/problems/") + groove_small,
+                                   overrides, key_table);
+    WornBody<3> body;
+    body.mesh.nodes.resize(nodes);
+    read_worn_body(scene, 0.1, body);
+    return body.solver.preconditioner;
+  };
+  using enum LinearSolverChoice::Preconditioner;
+  EXPECT_EQ(chosen(33'333, {}), factor);
+  EXPECT_EQ(chosen(33'334, {}), has_multigrid() ? multigrid : factor);
+  EXPECT_EQ(chosen(33'334, {"solver.preconditioner=factor"}), factor);
+  EXPECT_EQ(chosen(10, {"solver.preconditioner=multigrid"}), multigrid);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/linear/block_preconditioner.hpp>
+#include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/linear/jacobian_block.hpp>
 #include <numbers>
 
@@ -36,8 +37,12 @@ struct Problem {
     for (long i = 0; i < structure.size; ++i) sum += std::pow(r[i] / structure.row_scale[i], 2);
     return std::sqrt(sum);
   }
-  /// Iterations at a relative tolerance of 1e-8; the residual is checked.
-  long iterations() const {
+  struct Solution {
+    long iterations = 0;
+    std::vector<double> x;
+  };
+  /// At a relative tolerance of 1e-8; the residual is checked.
+  Solution solve() const {
     gnomon::sundials::Context context;
     Counters counters;
     gnomon::sundials::BlockSolver solver(structure, counters, context);
@@ -46,12 +51,14 @@ struct Problem {
     std::copy(F.begin(), F.end(), gnomon::sundials::view(b.get()).begin());
     solver.set_up(J);
     solver.solve(b.get(), x.get(), 1e-8);
+    const auto values = gnomon::sundials::view(x.get());
     std::vector<double> r(structure.size);
-    multiply(structure.pattern, J, gnomon::sundials::view(x.get()), r);
+    multiply(structure.pattern, J, values, r);
     for (long i = 0; i < structure.size; ++i) r[i] -= F[i];
     EXPECT_LT(size(r), 2e-8 * size(F));
-    return counters.krylov_iterations;
+    return {counters.krylov_iterations, {values.begin(), values.end()}};
   }
+  long iterations() const { return solve().iterations; }
 };
 
 /// The pin at 50 s and the residual that a step of `step` meets there.
@@ -63,8 +70,9 @@ Problem pin_problem(int n, double step, Preconditioner preconditioner, const Ove
 }
 
 /// The block under a Hertzian guess of the pressure, an eighth of its surface in contact.
-Problem block_problem(int n, double step, Preconditioner preconditioner) {
-  const PressedBlock block{.across = n, .high = n};
+Problem block_problem(int n, double step, Preconditioner preconditioner,
+                      double poisson_ratio = 0.3) {
+  const PressedBlock block{.across = n, .high = n, .poisson_ratio = poisson_ratio};
   const auto body = pressed_block(block);
   const WearSystem<3> system(body, {});
   NodalState<3> state = NodalState<3>::zero(*body);
@@ -138,6 +146,61 @@ TEST(BlockSolver, SolvesInThreeDimensions) {
   const long fine = block_problem(8, 5, Preconditioner::factor).iterations();
   EXPECT_LE(coarse, 12);
   EXPECT_LE(fine, coarse + 3);
+}
+
+// On 16x16x16 elements there is an aggregate of one node, which leaves zero rows on the level below.
+TEST(Multigrid, IterationsHardlyGrowWithTheMesh) {
+  if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
+  for (const auto& [poisson_ratio, most] : {std::pair{0.3, 14}, {0.45, 19}}) {
+    SCOPED_TRACE(poisson_ratio);
+    const auto iterations = [&](int n) {
+      return block_problem(n, 5, Preconditioner::multigrid, poisson_ratio).iterations();
+    };
+    const long coarse = iterations(8), fine = iterations(16);
+    EXPECT_LE(coarse, most);
+    EXPECT_LE(fine, coarse + 4);
+  }
+  EXPECT_LE(pin_problem(40, 50, Preconditioner::multigrid).iterations(), 16);
+}
+
+TEST(Multigrid, AgreesWithFactors) {
+  if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
+  const auto factors = block_problem(8, 50, Preconditioner::factor).solve();
+  const Problem problem = block_problem(8, 50, Preconditioner::multigrid);
+  const auto multigrid = problem.solve();
+  for (long i = 0; i < problem.structure.size; ++i)
+    ASSERT_NEAR(factors.x[i], multigrid.x[i], 1e-6 * problem.structure.unknown_scale[i]) << i;
+}
+
+// What flexible GMRES does not need, but runs that repeat do.
+TEST(Multigrid, IsOneLinearMap) {
+  if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
+  const Problem problem = block_problem(10, 5, Preconditioner::multigrid);
+  const auto& scale = problem.structure.row_scale;
+  BlockPreconditioner first(problem.structure), second(problem.structure);
+  for (BlockPreconditioner* p : {&first, &second}) {
+    p->refresh(problem.J);
+    p->set_up(true);
+  }
+  const std::size_t n = scale.size();
+  std::vector<double> a(n), b(n), sum(n), Ma(n), Mb(n), Msum(n), again(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    a[i] = scale[i] * std::sin(1.0 * i);
+    b[i] = scale[i] * std::cos(1.7 * i);
+    sum[i] = a[i] - 2 * b[i];
+  }
+  first.apply(a, Ma);
+  first.apply(b, Mb);
+  first.apply(sum, Msum);
+  second.apply(sum, again);
+  EXPECT_EQ(Msum, again);
+  double largest = 0, error = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double z = Ma[i] - 2 * Mb[i], unit = problem.structure.unknown_scale[i];
+    largest = std::max(largest, std::abs(z / unit));
+    error = std::max(error, std::abs((z - Msum[i]) / unit));
+  }
+  EXPECT_LT(error, 1e-10 * largest);
 }
 
 TEST(BlockSolver, RefusesASystemWithoutBlocks) {

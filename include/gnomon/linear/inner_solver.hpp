@@ -38,6 +38,9 @@ public:
 /// %: what the outer iteration makes up for. `layout` must outlive the solver.
 std::unique_ptr<InnerSolver> make_factor_solver(const StiffnessLayout& layout);
 
+/// Whether gnomon was built with PETSc.
+bool has_multigrid();
+
 /// One cycle of smoothed-aggregation multigrid (PETSc GAMG) that knows the rigid-body modes. Throws
 /// InputError where gnomon was built without PETSc. `layout` must outlive the solver.
 std::unique_ptr<InnerSolver> make_multigrid_solver(const StiffnessLayout& layout);

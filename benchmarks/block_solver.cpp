@@ -1,0 +1,93 @@
+// What a coupled Newton iteration by the block solver costs against the size of the mesh, and
+// against the contact problem alone.
+
+#include <benchmark/benchmark.h>
+
+#include <cstdlib>
+
+#include "groove.hpp"
+#include "memory.hpp"
+
+namespace gnomon::bench {
+
+namespace {
+
+/// A hundredth of a refinement is the unit of the argument: benchmarks take whole numbers.
+double refinement(const ::benchmark::State& loop) {
+  return 0.01 * static_cast<double>(loop.range(0));
+}
+
+void report(::benchmark::State& loop, const NewtonIteration& newton) {
+  loop.counters["unknowns"] = static_cast<double>(newton.structure().size);
+  loop.counters["krylov"] = newton.krylov();
+  loop.counters["assembly"] = newton.assembly();
+  loop.counters["set_up"] = newton.set_up();
+  loop.counters["solve"] = newton.solve();
+  loop.counters["newton"] = newton.all();
+}
+
+/// Times of the counters are in seconds of all processors; `first_set_up` chooses aggregates.
+void block_newton(::benchmark::State& loop, bool multigrid) {
+  const auto body = groove(refinement(loop), multigrid);
+  NewtonIteration newton(body, {});
+  newton.run();
+  loop.counters["first_set_up"] = newton.set_up();
+  newton.forget();
+  while (loop.KeepRunning()) newton.run();
+  report(loop, newton);
+  loop.counters["elements"] = static_cast<double>(body->mesh.cells.size());
+  loop.counters["peak_MB"] = peak_memory();
+}
+
+/// The two take turns. `coupled/contact` is what wear and shape cost; the others are the same ratio
+/// of the parts.
+void coupled_against_contact(::benchmark::State& loop, bool multigrid) {
+  const auto body = groove(refinement(loop), multigrid);
+  NewtonIteration coupled(body, {});
+  NewtonIteration contact(body,
+                          {.deformation = true, .interior_shape = false, .contact_shape = false});
+  for (NewtonIteration* newton : {&coupled, &contact}) {
+    newton->run();
+    newton->forget();
+  }
+  while (loop.KeepRunning()) {
+    coupled.run();
+    contact.run();
+  }
+  report(loop, coupled);
+  loop.counters["contact_krylov"] = contact.krylov();
+  loop.counters["contact_unknowns"] = static_cast<double>(contact.structure().size);
+  loop.counters["contact_newton"] = contact.all();
+  loop.counters["assembly_ratio"] = coupled.assembly() / contact.assembly();
+  loop.counters["set_up_ratio"] = coupled.set_up() / contact.set_up();
+  loop.counters["solve_ratio"] = coupled.solve() / contact.solve();
+  loop.counters["coupled/contact"] = coupled.all() / contact.all();
+}
+
+/// Refinements in hundredths, from 1,800 elements on. Beyond 100,000 elements only where
+/// GNOMON_LARGE_BENCHMARKS is set: the largest takes many GB.
+void sizes(::benchmark::internal::Benchmark* benchmark, std::vector<int> large) {
+  std::vector<int> all = {30, 40, 50, 65, 80, 100};
+  if (std::getenv("GNOMON_LARGE_BENCHMARKS")) all.insert(all.end(), large.begin(), large.end());
+  for (int size : all) benchmark->Arg(size);
+  benchmark->ArgName("refinement")->Unit(::benchmark::kMillisecond)->MeasureProcessCPUTime();
+}
+
+void factor_sizes(::benchmark::internal::Benchmark* benchmark) {
+  sizes(benchmark, {});
+}
+void multigrid_sizes(::benchmark::internal::Benchmark* benchmark) {
+  sizes(benchmark, {125, 160, 200});
+}
+void middle(::benchmark::internal::Benchmark* benchmark) {
+  benchmark->Arg(50)->Arg(80)->ArgName("refinement")->Unit(::benchmark::kMillisecond);
+}
+
+BENCHMARK_CAPTURE(block_newton, factor, false)->Apply(factor_sizes);
+BENCHMARK_CAPTURE(block_newton, multigrid, true)->Apply(multigrid_sizes);
+BENCHMARK_CAPTURE(coupled_against_contact, factor, false)->Apply(middle)->Iterations(3);
+BENCHMARK_CAPTURE(coupled_against_contact, multigrid, true)->Apply(middle)->Iterations(3);
+
+}  // namespace
+
+}  // namespace gnomon::bench

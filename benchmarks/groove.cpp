@@ -1,0 +1,76 @@
+#include "groove.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <gnomon/hertz.hpp>
+#include <gnomon/problem.hpp>
+
+namespace gnomon::bench {
+
+std::shared_ptr<const WornBody<3>> groove(double refinement, bool multigrid) {
+  const auto elements = [&](double paper) { return std::lround(paper * refinement); };
+  const double size = 0.015 / refinement;
+  const Scene scene = load_scene(
+      GNOMON_SOURCE_DIR "/problems/ball_on_half_space/small_deformation.toml",
+      {fmt::format("mesh.elements=[{}, {}, {}]", 2 * elements(20), elements(82), elements(20)),
+       fmt::format("mesh.size=[{0}, {0}, {0}]", size), "mesh.fine=[0.15, 0.3, 0.03]",
+       fmt::format("solver.preconditioner={}", multigrid ? "multigrid" : "factor")},
+      key_table);
+  const auto model = Problems::find(scene.text("problem"), "problem").make(scene);
+  return dynamic_cast<const WearModel<3>&>(*model).wear_system().shared_body();
+}
+
+NodalState<3> NewtonIteration::guess(const WornBody<3>& body) {
+  NodalState<3> state = NodalState<3>::zero(body);
+  const NeoHookean& law = body.material;
+  const double nu = law.lambda / (2 * (law.lambda + law.mu)), young = 2 * law.mu * (1 + nu);
+  const HertzPoint hertz(body.copies * body.counter_force.value(), body.contact.counter_body.radius,
+                         young, nu);
+  for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {
+    const Vector<3>& X = body.mesh.nodes[body.contact_nodes[c].node];
+    const double inside = 1 - (X[0] * X[0] + X[1] * X[1]) / (hertz.radius * hertz.radius);
+    state.lambda[static_cast<Eigen::Index>(c)] =
+        inside > 0 ? -hertz.peak_pressure * std::sqrt(inside) : 0;
+  }
+  return state;
+}
+
+NewtonIteration::NewtonIteration(const std::shared_ptr<const WornBody<3>>& body,
+                                 const Selection& selection)
+    : system_(body, selection),
+      y_(structure().size),
+      rest_(structure().size),
+      F_(structure().size),
+      J_(structure().pattern.nonzeros()),
+      right_(sundials::make_vector(structure().size, context_)),
+      solution_(sundials::make_vector(structure().size, context_)),
+      solver_(structure(), counters_, context_) {
+  const NodalState<3> state = guess(*body);
+  for (double lambda : state.lambda) piece_.push_back(lambda < 0);
+  system_.freeze(state);
+  system_.unknowns().gather(state, y_);
+}
+
+void NewtonIteration::run() {
+  constexpr double alpha = 1.0 / 50, reduction = 1e-4;
+  const Point at{.t = 0, .y = y_, .ydot = rest_, .piece = &piece_};
+  residual_.time([&] { system_.residual(at, F_); });
+  jacobian_.time([&] { system_.jacobian(at, alpha, J_); });
+  std::copy(F_.begin(), F_.end(), sundials::view(right_.get()).begin());
+  set_up_.time([&] { solver_.set_up(J_, true); });
+  solve_.time([&] { solver_.solve(right_.get(), solution_.get(), reduction); });
+  ++runs_;
+}
+
+void NewtonIteration::forget() {
+  residual_ = jacobian_ = set_up_ = solve_ = {};
+  counters_ = {};
+  runs_ = 0;
+}
+
+double NewtonIteration::krylov() const {
+  return static_cast<double>(counters_.krylov_iterations) / static_cast<double>(runs_);
+}
+
+}  // namespace gnomon::bench

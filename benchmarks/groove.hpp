@@ -1,0 +1,52 @@
+// The ball that wears a groove into a half-space, on meshes of the paper's proportions: the first
+// Newton iteration of a step by the block solver.
+#pragma once
+
+#include <gnomon/wear_model.hpp>
+#include <memory>
+#include <vector>
+
+#include "stopwatch.hpp"
+#include "sundials/krylov.hpp"
+
+namespace gnomon::bench {
+
+/// `refinement` 1 is the paper's mesh of 40 x 82 x 20 elements (65,600); lengths of elements scale
+/// with its inverse. In every other key as the scene of small deformations says.
+std::shared_ptr<const WornBody<3>> groove(double refinement, bool multigrid);
+
+/// A Newton iteration on the whole system of the body or on a part of it, at the Hertzian guess of
+/// the pressure, undeformed. alpha = 1/50 s.
+class NewtonIteration {
+public:
+  NewtonIteration(const std::shared_ptr<const WornBody<3>>& body, const Selection& selection);
+
+  /// Residual, Jacobian, a set-up of the preconditioner, and a solve down to 1e-4.
+  void run();
+  /// So that what follows is measured without what came before.
+  void forget();
+
+  const Structure& structure() const { return system_.structure(); }
+  /// Processor time [s], medians over the runs.
+  double assembly() const { return residual_.median() + jacobian_.median(); }
+  double set_up() const { return set_up_.median(); }
+  double solve() const { return solve_.median(); }
+  double all() const { return assembly() + set_up() + solve(); }
+  /// Krylov iterations of a solve.
+  double krylov() const;
+
+private:
+  static NodalState<3> guess(const WornBody<3>& body);
+
+  WearSystem<3> system_;
+  std::vector<double> y_, rest_, F_, J_;
+  ActiveSet piece_;
+  sundials::Context context_;
+  Counters counters_;
+  long runs_ = 0;
+  sundials::VectorOwner right_, solution_;
+  sundials::BlockSolver solver_;
+  Stopwatch residual_, jacobian_, set_up_, solve_;
+};
+
+}  // namespace gnomon::bench
