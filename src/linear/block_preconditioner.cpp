@@ -52,11 +52,11 @@ struct StiffnessBlock {
   }
 
   void solve(std::span<const double> s, std::span<double> z,
-             const SpringUpdate* springs = nullptr) {
+             const LowRankUpdate* change = nullptr) {
     if (!solver) return;
     for (std::size_t k = 0; k < unknowns.size(); ++k) b[k] = s[unknowns[k]];
     solver->apply(b, x);
-    if (springs) springs->correct(x);
+    if (change) change->correct(x);
     for (std::size_t k = 0; k < unknowns.size(); ++k) z[unknowns[k]] = x[k];
   }
 };
@@ -68,7 +68,7 @@ struct BlockPreconditioner::Blocks {
   std::span<const double> J;
   StiffnessBlock stiffness, mesh_motion;
   ContactElimination contact;
-  SpringUpdate springs;
+  LowRankUpdate change;  // of the stiffness
   JacobianBlock mesh_motion_row, multiplier_row, rigid_row, rigid_column;
   std::vector<int> core, multipliers;
   int rigid = -1;
@@ -99,10 +99,16 @@ struct BlockPreconditioner::Blocks {
 
   double diagonal(int i) const { return J[structure.pattern.find(i, i)]; }
 
+  void update_change() {
+    if (stiffness.solver)
+      change.set(contact.terms(stiffness.part), *stiffness.solver,
+                 static_cast<long>(stiffness.unknowns.size()));
+  }
+
   /// Rows of u, lambda and c; s is changed.
   void solve_core(std::span<double> s, std::span<double> z) {
     contact.condense(s);
-    stiffness.solve(s, z, &springs);
+    stiffness.solve(s, z, &change);
     contact.recover(s, z);
   }
 
@@ -144,23 +150,22 @@ void BlockPreconditioner::refresh(std::span<const double> J) {
 double BlockPreconditioner::update_cost() const {
   // Columns that are solved for together share the way through the factors.
   constexpr double cost_of_a_column = 0.12;
-  return cost_of_a_column * static_cast<double>(blocks_->contact.moved_springs());
+  const Blocks& b = *blocks_;
+  return cost_of_a_column *
+         static_cast<double>(b.change.columns_to_solve(b.contact.terms(b.stiffness.part)));
 }
 
-void BlockPreconditioner::update_springs() {
-  Blocks& b = *blocks_;
-  const std::vector<SpringDirection> moved = b.contact.follow_springs(b.stiffness.part);
-  if (!moved.empty())
-    b.springs.append(moved, *b.stiffness.solver, static_cast<long>(b.stiffness.unknowns.size()));
-  if (b.springs.columns() > 0) b.springs.change(b.contact.changes());
+void BlockPreconditioner::update() {
+  blocks_->update_change();
 }
 
 int BlockPreconditioner::set_up(bool whole) {
   Blocks& b = *blocks_;
   b.stiffness.part.gather(b.J, b.stiffness.values);
   b.contact.add_springs(b.stiffness.part, b.stiffness.values);
-  b.springs.clear();
+  b.change.clear();
   int factorizations = b.stiffness.set_up("the stiffness of the body");
+  b.update_change();
   if (whole || !b.mesh_motion.is_set_up) {
     b.mesh_motion.part.gather(b.J, b.mesh_motion.values);
     factorizations += b.mesh_motion.set_up("the stiffness of the mesh motion");

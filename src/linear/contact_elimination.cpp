@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <gnomon/error.hpp>
 
 namespace gnomon {
@@ -41,6 +40,7 @@ ContactElimination::ContactElimination(const Structure& structure)
       if (kind[j] == UnknownKind::worn_surface)
         contact_[c].candidates.push_back(surface_of[group[j]]);
     }
+  work_.resize(contact_.size());
 }
 
 double ContactElimination::entry(int row, int column) const {
@@ -52,6 +52,10 @@ void ContactElimination::update(std::span<const double> J) {
   J_ = J;
   for (SurfaceNode& node : surface_) update_surface(node);
   for (ContactNode& node : contact_) update_contact(node);
+  share_surfaces();
+  for (ContactNode& node : contact_) update_spring(node);
+  for (SurfaceNode& node : surface_) update_line(node);
+  follow_moved_springs();
   wear_block_.factorize(J);
 }
 
@@ -71,9 +75,6 @@ ContactElimination::Values ContactElimination::surface_row(int multiplier, int s
 }
 
 void ContactElimination::update_contact(ContactNode& node) const {
-  // A spring ten times as stiff as the node itself leaves the preconditioned multipliers' spectrum
-  // within 10 % of one.
-  constexpr double stiff = 10;
   const int l = node.multiplier, n = node.u.size;
   Square K = Square::Zero();
   for (int k = 0; k < n; ++k) {
@@ -82,6 +83,7 @@ void ContactElimination::update_contact(ContactNode& node) const {
     for (int m = 0; m < n; ++m) K(k, m) = entry(node.u[k], node.u[m]);
   }
   node.D = -entry(l, l);
+  node.alpha = node.epsilon = 0;
   // The pattern of the row holds the shape of all nodes around; the gap contains one.
   node.surface = -1;
   double largest = 0;
@@ -91,23 +93,58 @@ void ContactElimination::update_contact(ContactNode& node) const {
       node.surface = candidate;
     }
   if (node.surface >= 0) {
-    const auto& [c, inverse] = surface_[node.surface];
+    const auto& [c, inverse, closed, gamma] = surface_[node.surface];
     node.a = inverse.transpose() * surface_row(l, node.surface);
+    node.e = Values::Zero();
     for (int k = 0; k < c.size; ++k) {
-      node.D += node.a[k] * entry(c[k], l);
+      node.e[k] = entry(c[k], l);
       for (int m = 0; m < n; ++m) node.C[m] -= node.a[k] * entry(c[k], node.u[m]);
     }
   }
-  node.spring = node.stiffness = 0;
-  const double CB = node.C.dot(node.B);
-  if (CB == 0) {  // open
+  node.CB = node.C.dot(node.B);
+  node.stiffness = node.CB == 0 ? 0 : node.C.dot(K * node.C) / node.C.squaredNorm();
+}
+
+/// D of a node that is alone on its surface contains its wear; nodes that share one wear together.
+void ContactElimination::share_surfaces() {
+  for (SurfaceNode& surface : surface_) surface.closed.clear();
+  for (std::size_t c = 0; c < contact_.size(); ++c)
+    if (contact_[c].surface >= 0 && contact_[c].CB != 0)
+      surface_[contact_[c].surface].closed.push_back(static_cast<int>(c));
+  for (SurfaceNode& surface : surface_) {
+    Values sum = Values::Zero();
+    for (int c : surface.closed) sum += contact_[c].e;
+    const Values direction = sum.stableNormalized();
+    for (int c : surface.closed) {
+      ContactNode& node = contact_[c];
+      if (surface.closed.size() == 1) {
+        node.D += node.a.dot(node.e);
+      } else {
+        node.alpha = node.a.dot(direction);
+        node.epsilon = node.e.dot(direction);
+      }
+    }
+  }
+}
+
+void ContactElimination::update_spring(ContactNode& node) const {
+  // A spring ten times as stiff as the node itself leaves the preconditioned multipliers' spectrum
+  // within 10 % of one.
+  constexpr double stiff = 10;
+  node.spring = 0;
+  if (node.CB == 0) {  // open
     if (node.D == 0) node.D = 1;
     return;
   }
-  node.stiffness = node.C.dot(K * node.C) / node.C.squaredNorm();
-  const double least = std::abs(CB) / (stiff * node.stiffness);
-  node.D = std::copysign(std::max(std::copysign(1.0, CB) * node.D, least), CB);
-  node.spring = CB / node.D;
+  const double least = std::abs(node.CB) / (stiff * node.stiffness);
+  node.D = std::copysign(std::max(std::copysign(1.0, node.CB) * node.D, least), node.CB);
+  node.spring = node.CB / node.D;
+}
+
+void ContactElimination::update_line(SurfaceNode& surface) const {
+  double sum = 1;
+  for (int c : surface.closed) sum += contact_[c].epsilon * contact_[c].alpha / contact_[c].D;
+  surface.gamma = sum == 0 ? 0 : 1 / sum;
 }
 
 void ContactElimination::add_springs(const SymmetricPart& part, std::vector<double>& values) {
@@ -124,54 +161,80 @@ void ContactElimination::add_springs(const SymmetricPart& part, std::vector<doub
   }
 }
 
-bool ContactElimination::ContactNode::moved() const {
-  const double change = std::abs(spring - spring_set);
-  return !followed && change > 0.5 * std::max(spring, spring_set) && change > 0.3 * stiffness;
-}
-
-long ContactElimination::moved_springs() const {
-  return std::count_if(contact_.begin(), contact_.end(), std::mem_fn(&ContactNode::moved));
-}
-
-std::vector<SpringDirection> ContactElimination::follow_springs(const SymmetricPart& part) {
-  std::vector<SpringDirection> result;
+/// Springs that have changed since they were added by more than preconditioning bears.
+void ContactElimination::follow_moved_springs() {
   for (std::size_t c = 0; c < contact_.size(); ++c) {
     ContactNode& node = contact_[c];
-    if (!node.moved()) continue;
+    const double change = std::abs(node.spring - node.spring_set);
+    if (node.followed || change <= 0.5 * std::max(node.spring, node.spring_set) ||
+        change <= 0.3 * node.stiffness)
+      continue;
     if (node.spring_set == 0) node.direction = node.C.normalized();
     node.followed = true;
     followed_.push_back(static_cast<int>(c));
-    SpringDirection& spring = result.emplace_back();
-    for (int k = 0; k < node.u.size; ++k) spring.unknown[k] = part.number(node.u[k]);
-    spring.v = node.direction;
+  }
+}
+
+std::vector<RankOneTerm> ContactElimination::terms(const SymmetricPart& part) const {
+  std::vector<RankOneTerm> result;
+  const auto append = [&part](SparseVector& vector, const ContactNode& node, const Values& value) {
+    for (int k = 0; k < node.u.size; ++k) {
+      vector.index.push_back(part.number(node.u[k]));
+      vector.value.push_back(value[k]);
+    }
+  };
+  for (int c : followed_) {
+    const ContactNode& node = contact_[c];
+    RankOneTerm& term = result.emplace_back(RankOneTerm{c, node.spring - node.spring_set, {}, {}});
+    append(term.u, node, node.direction);
+    term.v = term.u;
+  }
+  for (std::size_t s = 0; s < surface_.size(); ++s) {
+    if (surface_[s].closed.size() < 2) continue;
+    const int id = static_cast<int>(contact_.size() + s);
+    RankOneTerm& term = result.emplace_back(RankOneTerm{id, -surface_[s].gamma, {}, {}});
+    for (int c : surface_[s].closed) {
+      const ContactNode& node = contact_[c];
+      const double symmetric = node.CB / node.C.squaredNorm();  // B along C, as in the springs
+      append(term.u, node, node.C * (symmetric * node.alpha / node.D));
+      append(term.v, node, node.C * (node.epsilon / node.D));
+    }
   }
   return result;
 }
 
-Eigen::VectorXd ContactElimination::changes() const {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(followed_.size()));
-  for (std::size_t j = 0; j < followed_.size(); ++j)
-    result[j] = contact_[followed_[j]].spring - contact_[followed_[j]].spring_set;
-  return result;
+void ContactElimination::divide_by_D(std::vector<double>& r) const {
+  for (std::size_t c = 0; c < contact_.size(); ++c) r[c] /= contact_[c].D;
+  for (const SurfaceNode& surface : surface_) {
+    double sum = 0;
+    for (int c : surface.closed) sum += contact_[c].epsilon * r[c];
+    for (int c : surface.closed) r[c] -= surface.gamma * sum * contact_[c].alpha / contact_[c].D;
+  }
 }
 
-void ContactElimination::condense(std::span<double> s) const {
-  for (const ContactNode& node : contact_) {
+void ContactElimination::condense(std::span<double> s) {
+  for (std::size_t i = 0; i < contact_.size(); ++i) {
+    const ContactNode& node = contact_[i];
     double& right = s[node.multiplier];
     if (node.surface >= 0) {
       const Numbers& c = surface_[node.surface].unknowns;
       for (int k = 0; k < c.size; ++k) right -= node.a[k] * s[c[k]];
     }
-    for (int k = 0; k < node.u.size; ++k) s[node.u[k]] += node.B[k] * right / node.D;
+    work_[i] = right;
   }
+  divide_by_D(work_);
+  for (std::size_t i = 0; i < contact_.size(); ++i)
+    for (int k = 0; k < contact_[i].u.size; ++k) s[contact_[i].u[k]] += contact_[i].B[k] * work_[i];
 }
 
 void ContactElimination::recover(std::span<double> s, std::span<double> z) {
-  for (const ContactNode& node : contact_) {
-    double left = -s[node.multiplier];
-    for (int k = 0; k < node.u.size; ++k) left += node.C[k] * z[node.u[k]];
-    z[node.multiplier] = left / node.D;
+  for (std::size_t i = 0; i < contact_.size(); ++i) {
+    const ContactNode& node = contact_[i];
+    work_[i] = -s[node.multiplier];
+    for (int k = 0; k < node.u.size; ++k) work_[i] += node.C[k] * z[node.u[k]];
   }
+  divide_by_D(work_);
+  for (std::size_t i = 0; i < contact_.size(); ++i) z[contact_[i].multiplier] = work_[i];
   wear_row_.subtract(J_, z, s);
   wear_block_.solve(s, z);
 }

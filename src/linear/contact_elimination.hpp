@@ -9,19 +9,21 @@
 #include <vector>
 
 #include "linear/factored_block.hpp"
-#include "linear/spring_update.hpp"
+#include "linear/low_rank_update.hpp"
 
 namespace gnomon {
 
-/// With r and z right side and solution, and B, C the columns and rows of a multiplier l at the
-/// displacement of its node:
+/// With r and z right side and solution, and B, C the columns and rows of the multipliers l at the
+/// displacements of their nodes:
 ///
 ///   row of c   dd_c = J_cc^-1 (r_c - J_cu du - J_cl dl)
 ///   row of l   C du - D dl = r_l,   C = J_lu - a J_cu,  D = a J_cl - J_ll,  a = J_lc J_cc^-1
 ///   row of u   K_uu du + B dl = r_u
 ///
-/// so that K_uu + B D^-1 C, K_uu with springs, remains. In a and D only a node's own entries of
-/// J_cc count, and D is kept from vanishing.
+/// so that K_uu + B D^-1 C, K_uu with springs, remains. In a only a node's own entries of J_cc
+/// count. D is diagonal where every node has a worn surface of its own, and kept from vanishing.
+/// Nodes that share one (the line of a groove) wear together: there D is diagonal but for a matrix
+/// of rank one, and so is the change that it brings to K_uu with the springs of the diagonal.
 class ContactElimination {
 public:
   /// `structure` must outlive the object.
@@ -32,15 +34,12 @@ public:
 
   /// Adds the springs to K_uu, as (C.B / D) along C, and remembers them.
   void add_springs(const SymmetricPart& part, std::vector<double>& values);
-  /// How many springs that are not followed have changed since by more than preconditioning bears.
-  long moved_springs() const;
-  /// Those; they are followed from now on until add_springs().
-  std::vector<SpringDirection> follow_springs(const SymmetricPart& part);
-  /// Changes of all springs that are followed, in their order.
-  Eigen::VectorXd changes() const;
+  /// What K_uu with the springs of add_springs() lacks: those that have moved since by more than
+  /// preconditioning bears, and common wear.
+  std::vector<RankOneTerm> terms(const SymmetricPart& part) const;
 
   /// Turns the right side into that of K_uu with springs; s_l and s_c are kept for recover().
-  void condense(std::span<double> s) const;
+  void condense(std::span<double> s);
   /// z_l and z_c from z_u; s as condense() left it, changed.
   void recover(std::span<double> s, std::span<double> z);
 
@@ -58,6 +57,8 @@ private:
   struct SurfaceNode {
     Numbers unknowns;
     Square inverse = Square::Zero();
+    std::vector<int> closed;  ///< in contact_
+    double gamma = 0;         ///< 1 / (1 + epsilon D^-1 alpha) over them
   };
   struct ContactNode {
     int multiplier = 0;
@@ -65,19 +66,25 @@ private:
     int surface = -1;             ///< the one that its gap contains, -1: none
     Numbers u;
     Values B = Values::Zero(), C = Values::Zero(), a = Values::Zero();
-    double D = 1;
-    double stiffness = 0;  ///< of the node itself along C
+    Values e = Values::Zero();      ///< J_cl
+    double CB = 0;                  ///< C.B; zero: open
+    double D = 1;                   ///< its diagonal
+    double alpha = 0, epsilon = 0;  ///< of a shared surface: D contains alpha_i epsilon_j
+    double stiffness = 0;           ///< of the node itself along C
     double spring = 0, spring_set = 0;
     Values direction = Values::Zero();  ///< of spring_set
     bool followed = false;
-
-    bool moved() const;
   };
 
   double entry(int row, int column) const;
   void update_surface(SurfaceNode& node) const;
   Values surface_row(int multiplier, int surface) const;
   void update_contact(ContactNode& node) const;
+  void share_surfaces();
+  void update_spring(ContactNode& node) const;
+  void update_line(SurfaceNode& surface) const;
+  void follow_moved_springs();
+  void divide_by_D(std::vector<double>& r) const;
 
   const Structure& structure_;
   std::span<const double> J_;
@@ -86,6 +93,7 @@ private:
   std::vector<int> followed_;  // in contact_
   JacobianBlock wear_row_;
   FactoredBlock wear_block_;
+  std::vector<double> work_;  // of contact_
 };
 
 }  // namespace gnomon

@@ -49,7 +49,7 @@ void BlockSolver::set_up(std::span<const double> J, bool anew) {
   if (anew || policy_.due())
     set_up_preconditioner();
   else
-    preconditioner_.update_springs();
+    preconditioner_.update();
 }
 
 void BlockSolver::set_up_preconditioner() {

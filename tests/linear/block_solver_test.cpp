@@ -148,7 +148,8 @@ TEST(BlockSolver, SolvesInThreeDimensions) {
   EXPECT_LE(fine, coarse + 3);
 }
 
-// On 16x16x16 elements there is an aggregate of one node, which leaves zero rows on the level below.
+// On 16x16x16 elements there is an aggregate of one node, which leaves zero rows on the level
+// below.
 TEST(Multigrid, IterationsHardlyGrowWithTheMesh) {
   if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
   for (const auto& [poisson_ratio, most] : {std::pair{0.3, 14}, {0.45, 19}}) {

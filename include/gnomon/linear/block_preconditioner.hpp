@@ -21,10 +21,10 @@ public:
 
   /// Takes the values of a new Jacobian, which must outlive their use. The inner solvers stay.
   void refresh(std::span<const double> J);
-  /// What update_springs() would cost, in applications.
+  /// What update() would cost, in applications.
   double update_cost() const;
   /// Accounts for the springs that have moved since the last set-up, without a new one.
-  void update_springs();
+  void update();
   /// Sets up the inner solvers for the Jacobian of refresh(); that of the mesh motion only if it is
   /// new or `whole`. Throws RecoverableError where a block is singular. Returns how many numeric
   /// factorizations were made.

@@ -1,0 +1,90 @@
+#include "linear/low_rank_update.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon {
+
+double SparseVector::dot(const double* x) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < index.size(); ++k) sum += value[k] * x[index[k]];
+  return sum;
+}
+
+namespace {
+
+/// |a - b| / |b| in the greatest entry; b may not vanish. 1 where they have different entries.
+double turned(const SparseVector& a, const SparseVector& b) {
+  if (a.index != b.index) return 1;
+  double difference = 0, size = 0;
+  for (std::size_t k = 0; k < a.value.size(); ++k) {
+    difference = std::max(difference, std::abs(a.value[k] - b.value[k]));
+    size = std::max(size, std::abs(b.value[k]));
+  }
+  return difference / size;
+}
+
+}  // namespace
+
+void LowRankUpdate::clear() {
+  columns_.clear();
+  terms_.clear();
+  column_of_.clear();
+  Y_.resize(0, 0);
+}
+
+bool LowRankUpdate::serves(const RankOneTerm& term) const {
+  constexpr double tolerance = 0.1;
+  const auto found = columns_.find(term.id);
+  return found != columns_.end() && turned(found->second.u, term.u) < tolerance;
+}
+
+long LowRankUpdate::columns_to_solve(const std::vector<RankOneTerm>& terms) const {
+  return std::count_if(terms.begin(), terms.end(),
+                       [this](const RankOneTerm& term) { return !serves(term); });
+}
+
+void LowRankUpdate::solve(const std::vector<RankOneTerm>& terms, InnerSolver& stiffness,
+                          long size) {
+  std::vector<long> number;
+  Eigen::MatrixXd U = Eigen::MatrixXd::Zero(size, columns_to_solve(terms));
+  if (U.cols() == 0) return;
+  for (const RankOneTerm& term : terms) {
+    if (serves(term)) continue;
+    for (std::size_t k = 0; k < term.u.index.size(); ++k)
+      U(term.u.index[k], static_cast<long>(number.size())) = term.u.value[k];
+    Column& column =
+        columns_.try_emplace(term.id, long(columns_.size()), SparseVector{}).first->second;
+    column.u = term.u;
+    number.push_back(column.number);
+  }
+  Eigen::MatrixXd solved(U.rows(), U.cols());
+  const auto entries = static_cast<std::size_t>(U.size());
+  stiffness.apply({U.data(), entries}, {solved.data(), entries});
+  Y_.conservativeResize(size, static_cast<long>(columns_.size()));
+  for (std::size_t j = 0; j < number.size(); ++j) Y_.col(number[j]) = solved.col(long(j));
+}
+
+void LowRankUpdate::set(const std::vector<RankOneTerm>& terms, InnerSolver& stiffness, long size) {
+  solve(terms, stiffness, size);
+  terms_ = terms;
+  column_of_.clear();
+  for (const RankOneTerm& term : terms) column_of_.push_back(columns_.at(term.id).number);
+  const long count = static_cast<long>(terms.size());
+  Eigen::MatrixXd M = Eigen::MatrixXd::Identity(count, count);
+  for (long j = 0; j < count; ++j)
+    for (long i = 0; i < count; ++i)
+      M(i, j) += terms[i].k * terms[i].v.dot(Y_.col(column_of_[j]).data());
+  if (count > 0) inverse_.compute(M);
+}
+
+void LowRankUpdate::correct(std::span<double> x) const {
+  if (terms_.empty()) return;
+  Eigen::VectorXd s(static_cast<long>(terms_.size())), y = Eigen::VectorXd::Zero(Y_.cols());
+  for (std::size_t i = 0; i < terms_.size(); ++i) s[i] = terms_[i].k * terms_[i].v.dot(x.data());
+  s = inverse_.solve(s);
+  for (std::size_t i = 0; i < terms_.size(); ++i) y[column_of_[i]] = s[i];
+  Eigen::Map<Eigen::VectorXd>(x.data(), Y_.rows()).noalias() -= Y_ * y;
+}
+
+}  // namespace gnomon

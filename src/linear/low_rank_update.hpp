@@ -1,0 +1,59 @@
+// The inverse of a stiffness that has changed by few columns since it was factorized.
+#pragma once
+
+#include <Eigen/LU>
+#include <gnomon/linear/inner_solver.hpp>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace gnomon {
+
+struct SparseVector {
+  std::vector<int> index;
+  std::vector<double> value;
+
+  double dot(const double* x) const;
+};
+
+/// k u v^T, to be added to a matrix. `id` tells the term from others and finds it again.
+struct RankOneTerm {
+  int id = 0;
+  double k = 0;
+  SparseVector u, v;
+};
+
+/// Of K + U diag(k) V^T by the formula of Sherman, Morrison and Woodbury, with Y = K^-1 U:
+///
+///   x = x0 - Y (1 + diag(k) V^T Y)^-1 diag(k) V^T x0,   x0 = K^-1 b
+///
+/// A column of Y costs less than a solve with K, once; a new factorization costs some dozens.
+class LowRankUpdate {
+public:
+  /// Forgets everything: K is new.
+  void clear();
+  /// How many columns set() would have to solve for: of terms that are new, and of those whose u
+  /// has turned so far that the old one serves badly.
+  long columns_to_solve(const std::vector<RankOneTerm>& terms) const;
+  /// Takes the terms that make up the change, all of them, and solves for their columns with
+  /// `stiffness` of `size` unknowns where need be.
+  void set(const std::vector<RankOneTerm>& terms, InnerSolver& stiffness, long size);
+  /// x0 becomes x.
+  void correct(std::span<double> x) const;
+
+private:
+  struct Column {
+    long number;
+    SparseVector u;
+  };
+  bool serves(const RankOneTerm& term) const;
+  void solve(const std::vector<RankOneTerm>& terms, InnerSolver& stiffness, long size);
+
+  std::map<int, Column> columns_;  // by id
+  std::vector<RankOneTerm> terms_;
+  std::vector<long> column_of_;  // of terms_
+  Eigen::MatrixXd Y_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> inverse_;
+};
+
+}  // namespace gnomon
