@@ -6,10 +6,14 @@
 
 namespace gnomon::app {
 
-Scene checked_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  Scene scene = load_scene(file, overrides, key_table);
+void check_run(const Scene& scene) {
   store_policy(scene);  // for their checks
   chosen_integrator(scene);
+}
+
+Scene checked_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  Scene scene = load_scene(file, overrides, key_table);
+  check_run(scene);
   return scene;
 }
 
