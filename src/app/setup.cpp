@@ -30,7 +30,7 @@ Scene with_choices(const Scene& scene, const LinearSolverChoice& solver) {
 }  // namespace
 
 Setup set_up(Scene scene) {
-  auto model = Problems::find(scene.text("problem"), "problem").make(scene);
+  auto model = make_model(scene);
   Scene complete = with_choices(scene, model->system().structure().solver);
   return {std::move(complete), std::move(model)};
 }

@@ -131,7 +131,7 @@ private:
     const Method& first = declaration_.methods.front();
     const Scene scene = scene_of(first, first.ladder.front());
     guarded(first.name, [&] {
-      const auto model = Problems::find(scene.text("problem"), "problem").make(scene);
+      const auto model = make_model(scene);
       if (!model->exact(point.times.back())) return;
       for (const double t : point.times) point.exact.push_back(exact_surface(*model, t));
     });
