@@ -16,6 +16,7 @@ const Registration<Integrator> registration({
     .driver = "IDA",
     .help = "variable step and order, error control on the worn surface (integrator.rtol, .atol)",
     .fixed_steps = false,
+    .one_step = false,
     .table = [](const IntegratorSettings&) { return std::nullopt; },
     .make = [](const Model& model, const IntegratorSettings& settings,
                Counters& counters) -> std::unique_ptr<Stepper> {

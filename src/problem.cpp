@@ -1,7 +1,25 @@
+#include <fmt/format.h>
+
 #include <gnomon/integrator.hpp>
 #include <gnomon/problem.hpp>
+#include <gnomon/worn_body_scene.hpp>
 
 namespace gnomon {
+
+double estimated_memory(const Scene& scene) {
+  const Problem& problem = Problems::find(scene.text("problem"), "problem");
+  return problem.mesh_size ? estimated_memory(problem.mesh_size(scene), linear_solver_of(scene))
+                           : 0;
+}
+
+std::unique_ptr<Model> make_model(const Scene& scene) {
+  const double needed = estimated_memory(scene), available = available_memory();
+  if (needed > available)
+    throw InputError(fmt::format(
+        "{}: its mesh needs about {} of memory, {} are available; expected a coarser mesh",
+        scene.path().string(), memory_text(needed), memory_text(available)));
+  return Problems::find(scene.text("problem"), "problem").make(scene);
+}
 
 std::vector<Key> key_table(const std::string& problem) {
   std::vector<Key> table = run_keys();

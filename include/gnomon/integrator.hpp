@@ -8,7 +8,9 @@
 #include <gnomon/registry.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace gnomon {
 
@@ -42,6 +44,13 @@ public:
   /// the step would pass it). Updates `state` to a consistent state. Throws SolutionError when no
   /// step can be taken; `state` is then unchanged (the last good one).
   virtual StepReport advance(State& state, double t_stop) = 0;
+
+  /// What the next step takes over from earlier ones beside the state, where it is to be kept:
+  /// always equally many numbers.
+  virtual std::vector<double> memory() const { return {}; }
+  /// Before the first step: goes on from a state that a stepper of the same method reached, with
+  /// the memory it had there.
+  virtual void restore(const State&, std::span<const double> /*memory*/) {}
 };
 
 struct Integrator {
@@ -54,6 +63,8 @@ struct Integrator {
   std::string help;            ///< one line, with the source (equation or reference)
   bool fixed_steps = true;     ///< takes integrator.step
   bool locates_events = true;  ///< takes integrator.events = "locate"
+  /// A new stepper, restored, goes on as well as the old one; else it begins at order one.
+  bool one_step = true;
   /// The coefficients, for Runge-Kutta methods (the Euler schemes and theta included).
   std::function<std::optional<ButcherTable>(const IntegratorSettings&)> table;
   std::function<std::unique_ptr<Stepper>(const Model&, const IntegratorSettings&, Counters&)> make;

@@ -17,6 +17,10 @@ struct StorePolicy {
   long every = 0;             ///< every n-th step; 0: none
   std::vector<double> times;  ///< at these times, ascending, in (0, end]
   bool last = true;           ///< at the end of the run
+  /// A checkpoint (Checkpoint) is written at the start, at the end, and after the step with which
+  /// this many steps and Newton iterations have been made since the last; 0: none. There a one-step
+  /// method is started anew, so that a run that goes on from it takes the same steps.
+  long checkpoint_work = 0;
 };
 
 /// The `output.*` keys. Throws InputError for a time beyond time.end.
@@ -50,10 +54,23 @@ struct RunHooks {
   std::function<bool()> interrupted = [] { return false; };
 };
 
-/// Integrates. Everything goes to `writer` (null: nowhere) as it is computed, and its close() is
-/// called whatever happens. A SolutionError ends the run with status failed, the last good state
-/// stored; other exceptions pass through.
+/// Where an earlier run stopped, for one that goes on from there.
+struct Resumption {
+  Checkpoint checkpoint;
+  HistoryRow row;                ///< of the history at the checkpoint
+  std::optional<double> stored;  ///< time of the last step stored by then
+  double wall_seconds = 0;       ///< spent so far
+};
+
+/// The state that a checkpoint was made at. Throws InputError when it is not one of the model.
+State state_at(const Checkpoint& checkpoint, const Model& model);
+
+/// Integrates, from the start or from a checkpoint. Everything goes to `writer` (null: nowhere) as
+/// it is computed, and its close() is called whatever happens. A SolutionError ends the run with
+/// status failed, the last good state stored; other exceptions pass through, InputError for a
+/// checkpoint of another model among them.
 RunOutcome run(const Model& model, const Integrator& integrator, const IntegratorSettings& settings,
-               const StorePolicy& policy, ResultWriter* writer, const RunHooks& hooks);
+               const StorePolicy& policy, ResultWriter* writer, const RunHooks& hooks,
+               const Resumption* from = nullptr);
 
 }  // namespace gnomon

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gnomon/blocks/worn_body.hpp>
+#include <gnomon/memory_estimate.hpp>
 #include <gnomon/scene.hpp>
 #include <string>
 
@@ -12,6 +13,9 @@ namespace gnomon {
 /// given.
 template <int dim>
 void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body);
+
+/// The `solver.*` keys, and what the size of the mesh decides.
+LinearSolverChoice linear_solver_of(const Scene& scene, const MeshSize& mesh);
 
 /// Nodal dead loads of a uniform traction on a boundary part, of the given resultant.
 NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part,

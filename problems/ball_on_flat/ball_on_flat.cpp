@@ -67,6 +67,11 @@ QuarterBall read_ball(const Scene& scene) {
           .layers = static_cast<int>(elements[2])};
 }
 
+MeshSize mesh_size(const Scene& scene) {
+  // As many as of a cube.
+  return {3, std::pow(std::cbrt(double(read_ball(scene).elements())) + 1, 3)};
+}
+
 /// Displacement: zero on the mid-plane, in the plane of symmetry. Shape: zero beyond its reach and
 /// on all of the boundary but the contact surface, along which the plane of symmetry slides.
 void hold_boundary(double reach, WornBody<3>& body) {
@@ -129,6 +134,7 @@ const Registration<Problem> registration({
     .help = "3D elastic ball that wears on a sliding rigid flat, with friction (paper, sec. 4.2)",
     .keys = keys(),
     .make = make,
+    .mesh_size = mesh_size,
 });
 
 }  // namespace

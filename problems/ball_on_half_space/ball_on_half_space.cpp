@@ -95,6 +95,12 @@ std::vector<double> stations(const Scene& scene, int axis, double end) {
   return lines;
 }
 
+MeshSize mesh_size(const Scene& scene) {
+  MeshSize size{3, 1};
+  for (const long elements : scene.integers("mesh.elements")) size.nodes *= double(elements + 1);
+  return size;
+}
+
 Extrusion make_block(const Scene& scene, const std::vector<double>& along) {
   const std::vector<double> y = stations(scene, 1, scene.real("block.half_width"));
   const std::vector<double> depth = stations(scene, 2, scene.real("block.depth"));
@@ -193,6 +199,7 @@ const Registration<Problem> registration({
         "4.3)",
     .keys = keys(),
     .make = make,
+    .mesh_size = mesh_size,
 });
 
 }  // namespace

@@ -55,7 +55,12 @@ std::vector<Key> keys() {
   return result;
 }
 
-Mesh<2> make_mesh(const Scene& scene) {
+/// The lines of the mesh, across and in depth.
+struct Lines {
+  std::vector<double> x, y;
+};
+
+Lines mesh_lines(const Scene& scene) {
   const double a = scene.real("punch.half_width"), grading = scene.real("mesh.grading");
   const double side = scene.real("block.width") / 2 - a;
   if (side <= 0)
@@ -63,13 +68,23 @@ Mesh<2> make_mesh(const Scene& scene) {
                                  scene.where("block.width"), 2 * a, 2 * (side + a)));
   const int under = static_cast<int>(scene.integer("mesh.punch_elements"));
   const double element = 2 * a / under;
-  std::vector<double> x;
   const std::vector<double> beside = graded_stations_by_growth(element, 0, side, grading);
-  const std::vector<double> y =
-      graded_stations_by_growth(element / grading, 0, scene.real("block.depth"), grading);
-  for (std::size_t k = beside.size(); k-- > 1;) x.push_back(-a - beside[k]);
-  for (int k = 0; k <= under; ++k) x.push_back(a * (2.0 * k / under - 1));
-  for (std::size_t k = 1; k < beside.size(); ++k) x.push_back(a + beside[k]);
+  Lines lines;
+  lines.y = graded_stations_by_growth(element / grading, 0, scene.real("block.depth"), grading);
+  for (std::size_t k = beside.size(); k-- > 1;) lines.x.push_back(-a - beside[k]);
+  for (int k = 0; k <= under; ++k) lines.x.push_back(a * (2.0 * k / under - 1));
+  for (std::size_t k = 1; k < beside.size(); ++k) lines.x.push_back(a + beside[k]);
+  return lines;
+}
+
+MeshSize mesh_size(const Scene& scene) {
+  const Lines lines = mesh_lines(scene);
+  return {2, double(lines.x.size()) * double(lines.y.size())};
+}
+
+Mesh<2> make_mesh(const Scene& scene) {
+  const Lines lines = mesh_lines(scene);
+  const std::vector<double>&x = lines.x, &y = lines.y;
   const int nx = static_cast<int>(x.size()) - 1, ny = static_cast<int>(y.size()) - 1;
   return structured_quadrilaterals(nx, ny, [&](double s, double t) {
     return Vector<2>(x[std::lround(s * nx)], y[std::lround(t * ny)]);
@@ -127,6 +142,7 @@ const Registration<Problem> registration({
         "2D rigid flat punch on a large block, plane strain, frictionless: full contact, no event",
     .keys = keys(),
     .make = make,
+    .mesh_size = mesh_size,
 });
 
 }  // namespace

@@ -66,6 +66,11 @@ Mesh<2> make_mesh(const Scene& scene) {
                                    });
 }
 
+MeshSize mesh_size(const Scene& scene) {
+  const auto& elements = scene.integers("mesh.elements");
+  return {2, double(elements[0] + 1) * double(elements[1] + 1)};
+}
+
 /// With sliding sides their shape nodes follow the wear along the side, so that the corners wear
 /// too.
 void hold_boundary(bool sliding_sides, WornBody<2>& body) {
@@ -113,6 +118,7 @@ const Registration<Problem> registration({
         "2D parabolic pin on a sliding rigid flat, plane strain, frictionless (paper, sec. 4.1)",
     .keys = keys(),
     .make = make,
+    .mesh_size = mesh_size,
 });
 
 }  // namespace

@@ -19,6 +19,8 @@ int check_command(const std::filesystem::path& scene, const std::vector<std::str
   }
   table.add({"# all", "", fmt::format("{}", total), ""});
   fmt::print("{}\n{}", setup.scene.resolved(), table.text());
+  if (const double memory = estimated_memory(setup.scene); memory > 0)
+    fmt::print("# a run takes about {} of memory\n", memory_text(memory));
   return success;
 }
 

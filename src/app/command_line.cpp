@@ -32,6 +32,13 @@ std::string check_file_name(const std::string& name) {
   return name.empty() ? "expected a file name, got an empty text" : "";
 }
 
+void add_run_options(CLI::App* command, std::filesystem::path& summary, bool& quiet) {
+  command->add_option("--summary", summary, "Also writes a summary as JSON; - prints it instead")
+      ->type_name("FILE.json")
+      ->check(check_file_name);
+  command->add_flag("--quiet", quiet, "Prints nothing but errors");
+}
+
 }  // namespace
 
 CommandLine::CommandLine() : app_("gnomon integrates the shape of worn bodies in time.", "gnomon") {
@@ -44,6 +51,7 @@ CommandLine::CommandLine() : app_("gnomon integrates the shape of worn bodies in
       "More: gnomon help TOPIC, with TOPIC one of scene [PROBLEM], studies, integrators,\n"
       "commands, units, output, exit-codes, or a command.");
   add_run();
+  add_resume();
   add_study();
   add_check();
   add_inspection();
@@ -64,14 +72,10 @@ void CommandLine::add_run() {
                    "Result file; default: SCENE's name, -NAME and .h5, in the current folder")
       ->type_name("RESULT.h5")
       ->check(check_file_name);
-  command
-      ->add_option("--summary", run_.summary, "Also writes a summary as JSON; - prints it instead")
-      ->type_name("FILE.json")
-      ->check(check_file_name);
   command->add_flag(
       "--force", run_.force,
       "Replaces result, sidecar and summary of an earlier run, once the start is solved");
-  command->add_flag("--quiet", run_.quiet, "Prints nothing but errors");
+  add_run_options(command, run_.summary, run_.quiet);
   command->callback([this] {
     command_ = [this] {
       if (integrator_)
@@ -79,6 +83,19 @@ void CommandLine::add_run() {
       return run_command(run_);
     };
   });
+}
+
+void CommandLine::add_resume() {
+  CLI::App* command = app_.add_subcommand(
+      "resume", "Goes on with a run that was interrupted, failed, was killed, or has ended");
+  command->add_option("RESULT", resume_.result, "Result file (HDF5); what is new goes there, too")
+      ->required()
+      ->type_name("");
+  command->add_option("--end", resume_.end, "A later end; the same as --set time.end=T")
+      ->type_name("T");
+  add_overrides(command, resume_.overrides);
+  add_run_options(command, resume_.summary, resume_.quiet);
+  command->callback([this] { command_ = [this] { return resume_command(resume_); }; });
 }
 
 void CommandLine::add_check() {

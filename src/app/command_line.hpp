@@ -24,6 +24,7 @@ public:
 
 private:
   void add_run();
+  void add_resume();
   void add_check();
   void add_study();
   void add_inspection();
@@ -39,6 +40,7 @@ private:
 
   // Where the options are bound to; each command uses its own part.
   RunOptions run_;
+  ResumeOptions resume_;
   StudyCommandOptions study_;
   StabilityOptions stability_;
   std::optional<std::string> integrator_;

@@ -19,6 +19,14 @@ struct RunOptions {
   bool quiet = false;
 };
 
+struct ResumeOptions {
+  std::filesystem::path result;
+  std::vector<std::string> overrides;  ///< "key=value"
+  std::optional<double> end;           ///< instead of the scene's
+  std::filesystem::path summary;       ///< as in RunOptions
+  bool quiet = false;
+};
+
 struct StudyCommandOptions {
   std::filesystem::path study;
   std::filesystem::path folder;  ///< empty: the study's name, in the current folder
@@ -36,6 +44,7 @@ struct StabilityOptions {
 };
 
 int run_command(const RunOptions& options);
+int resume_command(const ResumeOptions& options);
 int study_command(const StudyCommandOptions& options);
 int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 int list_command(const std::string& what);

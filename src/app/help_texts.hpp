@@ -71,8 +71,12 @@ once the start is solved; a start that fails leaves them as they were.
 In ParaView open the .xdmf file; Warp By Vector with `shape` shows the worn body, with
 `displacement` added the deformed one. Which steps are stored is set by output.every, output.times
 and output.last; the start is always stored. The file is readable while the run goes on, and after
-Ctrl-C, a failure or a crash it holds everything up to the last step.
+Ctrl-C, a failure or a crash it holds everything up to the last step. A run that is resumed takes
+the steps of one that was not interrupted, bit for bit with one-step methods; bdf begins at order
+one, and agrees to its tolerance. --set may then change time.end, tolerances and steps of the
+integrator, output.* and solver.*. The result is replaced once the new one has come as far.
 
+    gnomon resume RESULT.h5        goes on from its last checkpoint (output.checkpoints); --end T
     gnomon info RESULT.h5          what it holds
     gnomon contact RESULT.h5       the contact surface as CSV
     gnomon compare RESULT.h5...    several runs side by side

@@ -6,10 +6,14 @@
 
 namespace gnomon::app {
 
-Scene checked_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  Scene scene = load_scene(file, overrides, key_table);
+void check_run(const Scene& scene) {
   store_policy(scene);  // for their checks
   chosen_integrator(scene);
+}
+
+Scene checked_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  Scene scene = load_scene(file, overrides, key_table);
+  check_run(scene);
   return scene;
 }
 
@@ -26,7 +30,7 @@ Scene with_choices(const Scene& scene, const LinearSolverChoice& solver) {
 }  // namespace
 
 Setup set_up(Scene scene) {
-  auto model = Problems::find(scene.text("problem"), "problem").make(scene);
+  auto model = make_model(scene);
   Scene complete = with_choices(scene, model->system().structure().solver);
   return {std::move(complete), std::move(model)};
 }

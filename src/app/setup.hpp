@@ -15,6 +15,9 @@ struct Setup {
   std::unique_ptr<Model> model;
 };
 
+/// Checks of several keys that take no model. Throws InputError.
+void check_run(const Scene& scene);
+
 /// Loads the scene and checks it whole, as far as that takes no model.
 Scene checked_scene(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 

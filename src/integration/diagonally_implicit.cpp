@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <gnomon/integration/diagonally_implicit.hpp>
 #include <gnomon/integration/stepper.hpp>
+#include <gnomon/packed_numbers.hpp>
 #include <utility>
 
 namespace gnomon {
@@ -31,6 +32,21 @@ void DiagonallyImplicit::accept(const State& state, bool kink) {
   std::swap(rate_old_, rate_new_);
   rate_new_.resize(base_.size());
   for (std::size_t k = 0; k < base_.size(); ++k) rate_new_[k] = state.ydot[norm_.components()[k]];
+}
+
+std::vector<double> DiagonallyImplicit::memory() const {
+  if (table_.embedded_order > 0) return {};
+  std::vector<double> memory = {double(!rate_old_.empty()), t_old_};
+  pack(memory, rate_old_.empty() ? Rates(base_.size()) : rate_old_);
+  return memory;
+}
+
+void DiagonallyImplicit::restore(std::span<const double> memory) {
+  if (table_.embedded_order > 0) return;
+  Unpacker numbers(memory);
+  const bool known = numbers.one() != 0;
+  t_old_ = numbers.one();
+  rate_old_ = known ? numbers.many<double>(base_.size()) : Rates();
 }
 
 void DiagonallyImplicit::set_rates_of(double step, const Rates& base, std::span<const double> y,

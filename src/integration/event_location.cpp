@@ -31,6 +31,26 @@ double polynomial_root(const std::vector<double>& h, std::vector<double> f, doub
 
 }  // namespace
 
+EventLocator::EventLocator(const System& system, OneStepMethod& method)
+    : system_(system),
+      method_(method),
+      piece_(system.structure().switch_node.size()),
+      crossed_(piece_.size()) {}
+
+std::vector<double> EventLocator::memory() const {
+  std::vector<double> memory = {crossed_at_};
+  pack(memory, piece_);
+  pack(memory, crossed_);
+  return memory;
+}
+
+void EventLocator::restore(Unpacker& memory) {
+  const std::size_t nodes = piece_.size();
+  crossed_at_ = memory.one();
+  piece_ = memory.many<char>(nodes);
+  crossed_ = memory.many<char>(nodes);
+}
+
 void EventLocator::sample(double h, std::span<const double> y) {
   Sample sample{h, std::vector<double>(piece_.size())};
   system_.switching(y, sample.values);

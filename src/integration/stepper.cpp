@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/integration/stepper.hpp>
+#include <gnomon/packed_numbers.hpp>
 #include <utility>
 
 namespace gnomon {
@@ -27,6 +28,24 @@ void OneStepStepper::begin(const State& state) {
       fixed() ? settings_.step : first_step(state, system_.structure(), settings_, error_order_);
   method_->accept(state, true);
   if (locator_) locator_->begin(state.y);
+}
+
+std::vector<double> OneStepStepper::memory() const {
+  std::vector<double> memory = {proposal_};
+  pack(memory, control_.memory());
+  if (locator_) pack(memory, locator_->memory());
+  pack(memory, method_->memory());
+  return memory;
+}
+
+void OneStepStepper::restore(const State& state, std::span<const double> memory) {
+  begin(state);
+  Unpacker numbers(memory);
+  const double proposal = numbers.one();
+  proposal_ = fixed() ? std::min(proposal, settings_.step) : proposal;
+  control_.restore(numbers);
+  if (locator_) locator_->restore(numbers);
+  method_->restore(numbers.rest());
 }
 
 /// A step of about h that does not pass the next point to land on.

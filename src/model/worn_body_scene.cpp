@@ -9,9 +9,9 @@ using Preconditioner = LinearSolverChoice::Preconditioner;
 
 /// Factors of a plane body stay cheap; in space they cost more time and far more memory from some
 /// size on (docs/linear.md).
-Preconditioner preconditioner_by_size(int dim, std::size_t nodes) {
-  constexpr std::size_t many_displacements = 100'000;
-  return dim == 3 && dim * nodes >= many_displacements && has_multigrid()
+Preconditioner preconditioner_by_size(const MeshSize& mesh) {
+  constexpr double many_displacements = 100'000;
+  return mesh.dim == 3 && mesh.dim * mesh.nodes >= many_displacements && has_multigrid()
              ? Preconditioner::multigrid
              : Preconditioner::factor;
 }
@@ -35,13 +35,7 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
     body.contact.friction = scene.real("friction.coefficient");
     body.contact.wear.coefficient *= body.contact.friction;
   }
-  body.solver.method = scene.text("solver.method") == "direct" ? LinearSolverChoice::Method::direct
-                                                               : LinearSolverChoice::Method::block;
-  body.solver.preconditioner = preconditioner_by_size(dim, body.mesh.nodes.size());
-  if (scene.has("solver.preconditioner"))
-    body.solver.preconditioner = scene.text("solver.preconditioner") == "factor"
-                                     ? Preconditioner::factor
-                                     : Preconditioner::multigrid;
+  body.solver = linear_solver_of(scene, {dim, double(body.mesh.nodes.size())});
   body.contact.rho =
       scene.real("contact.regularization") * regularization_unit(young, facet, body.scales);
   body.contact.normal_rule =
@@ -49,6 +43,16 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   body.constraint = scene.text("shape.constraint") == "eliminated" ? ConstraintForm::eliminated
                                                                    : ConstraintForm::multiplier;
   body.augmentation = scene.real("shape.augmentation") * shape_young / facet * body.scales.duration;
+}
+
+LinearSolverChoice linear_solver_of(const Scene& scene, const MeshSize& mesh) {
+  const bool direct = scene.text("solver.method") == "direct";
+  Preconditioner preconditioner = preconditioner_by_size(mesh);
+  if (scene.has("solver.preconditioner"))
+    preconditioner = scene.text("solver.preconditioner") == "factor" ? Preconditioner::factor
+                                                                     : Preconditioner::multigrid;
+  return {direct ? LinearSolverChoice::Method::direct : LinearSolverChoice::Method::block,
+          preconditioner};
 }
 
 NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part,

@@ -5,6 +5,7 @@
 #include <functional>
 #include <gnomon/results.hpp>
 
+#include "results/checkpoint_table.hpp"
 #include "results/hdf5_values.hpp"
 #include "results/history_table.hpp"
 #include "results/layout.hpp"
@@ -244,11 +245,28 @@ std::vector<double> ResultReader::stored_times() const {
   return file_->guarded([&] { return file_->times(); });
 }
 
+std::vector<Checkpoint> ResultReader::checkpoints() const {
+  return file_->guarded([&] {
+    const std::size_t rows = layout::read_history(file_->gnomon()).size();
+    const std::size_t stored = file_->times().size();
+    auto checkpoints = layout::read_checkpoints(file_->gnomon());
+    for (const Checkpoint& checkpoint : checkpoints)
+      if (checkpoint.rows > long(rows) || checkpoint.stored > long(stored))
+        throw Failure("it holds fewer steps than its checkpoint");
+    return checkpoints;
+  });
+}
+
 ContactSurface ResultReader::contact(std::optional<double> t) const {
   return file_->guarded([&] {
     const std::size_t step = find_step(file_->times(), t);
     return read_contact(file_->gnomon(), "contact/" + layout::step_path(step));
   });
+}
+
+bool ResultReader::has_contact() const {
+  return file_->guarded(
+      [&] { return hdf5::exists(file_->gnomon(), "contact/" + layout::step_path(0)); });
 }
 
 Field ResultReader::field(std::size_t step, const std::string& name) const {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <gnomon/results.hpp>
 
+#include "results/checkpoint_table.hpp"
 #include "results/crash_safe_file.hpp"
 #include "results/growing_table.hpp"
 #include "results/hdf5_values.hpp"
@@ -24,12 +25,13 @@ using layout::create_group;
 class ResultWriter::File {
 public:
   File(const std::filesystem::path& path, const RunHeader& header, const std::optional<Grid>& grid,
-       Earlier earlier);
+       Earlier earlier, double from);
   ~File();
 
   void append(const HistoryRow& row);
   void store(double t, const std::vector<Field>& fields,
              const std::optional<ContactSurface>& contact);
+  void checkpoint(const Checkpoint& checkpoint);
   void close(const std::string& status, double wall_seconds);
   // Runs an action at the border of the room: HDF5 stays silent, and after a failure nothing more
   // reaches the disk, which keeps the last committed state.
@@ -46,10 +48,12 @@ private:
 
   std::filesystem::path path_;
   Earlier earlier_;
+  double from_;
   bool published_ = false;
   std::optional<hdf5::CrashSafeFile> disk_;
   Handle file_, gnomon_, steps_, contacts_;  // released in reverse order, the file last
   hdf5::GrowingTable history_, stored_;
+  layout::CheckpointTable checkpoints_;
   std::vector<layout::Column> columns_;
   std::optional<XdmfSidecar> sidecar_;
   std::size_t points_ = 0, cells_ = 0;
@@ -57,15 +61,15 @@ private:
 };
 
 ResultWriter::File::File(const std::filesystem::path& path, const RunHeader& header,
-                         const std::optional<Grid>& grid, Earlier earlier)
-    : path_(replaceable(path)), earlier_(earlier) {
+                         const std::optional<Grid>& grid, Earlier earlier, double from)
+    : path_(replaceable(path)), earlier_(earlier), from_(from) {
   const hdf5::QuietErrors quiet;
   try {
     if (sidecar_of(path_) == path_) throw Error("the suffix .xdmf is the sidecar's");
     disk_.emplace(part_of(path_));
     check_earlier();  // now that the part is claimed, nobody else gives a file this name
     create(header, grid);
-    // An earlier result stays until this run has something better: its start.
+    // An earlier result stays until this run has something better.
     if (!is_taken(path_) && !is_taken(sidecar_of(path_))) publish();
   } catch (const std::exception& error) {
     discard();
@@ -122,6 +126,7 @@ void ResultWriter::File::discard() noexcept {
 ResultWriter::File::~File() {
   const hdf5::QuietErrors quiet;
   if (!published_) discard();
+  checkpoints_ = {};
   stored_ = {};
   history_ = {};
   contacts_ = {};
@@ -160,7 +165,7 @@ void ResultWriter::File::append(const HistoryRow& row) {
   }
   history_.append(layout::cells_of(row).data());
   flush();
-  if (!published_) publish();
+  if (!published_ && row.t >= from_) publish();
 }
 
 void ResultWriter::File::check_field(const Field& field) const {
@@ -207,6 +212,13 @@ void ResultWriter::File::store(double t, const std::vector<Field>& fields,
   if (sidecar_) sidecar_->add_step(t, "/" + whole, fields);
 }
 
+void ResultWriter::File::checkpoint(const Checkpoint& checkpoint) {
+  if (!checkpoints_)
+    checkpoints_ = layout::CheckpointTable::create(gnomon_.id(), checkpoint.numbers.size());
+  checkpoints_.put(checkpoint);
+  flush();
+}
+
 void ResultWriter::File::close(const std::string& status, double wall_seconds) {
   hdf5::write_attribute(gnomon_.id(), "wall_seconds", wall_seconds);
   hdf5::rewrite_attribute(gnomon_.id(), "status", status);
@@ -215,8 +227,8 @@ void ResultWriter::File::close(const std::string& status, double wall_seconds) {
 }
 
 ResultWriter::ResultWriter(const std::filesystem::path& file, const RunHeader& header,
-                           const std::optional<Grid>& grid, Earlier earlier)
-    : file_(std::make_unique<File>(file, header, grid, earlier)) {}
+                           const std::optional<Grid>& grid, Earlier earlier, double from)
+    : file_(std::make_unique<File>(file, header, grid, earlier, from)) {}
 
 ResultWriter::~ResultWriter() = default;
 
@@ -227,6 +239,10 @@ void ResultWriter::append(const HistoryRow& row) {
 void ResultWriter::store(double t, const std::vector<Field>& fields,
                          const std::optional<ContactSurface>& contact) {
   file_->guarded([&] { file_->store(t, fields, contact); });
+}
+
+void ResultWriter::checkpoint(const Checkpoint& checkpoint) {
+  file_->guarded([&] { file_->checkpoint(checkpoint); });
 }
 
 void ResultWriter::close(const std::string& status, double wall_seconds) {

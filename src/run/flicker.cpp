@@ -15,4 +15,16 @@ long Flicker::nodes() const {
   return std::count_if(losses_.begin(), losses_.end(), [](int losses) { return losses >= 2; });
 }
 
+void Flicker::pack_into(std::vector<double>& numbers) const {
+  pack(numbers, double(active_.size()));
+  pack(numbers, active_);
+  pack(numbers, losses_);
+}
+
+void Flicker::unpack_from(Unpacker& numbers) {
+  const auto nodes = static_cast<std::size_t>(numbers.one());
+  active_ = numbers.many<char>(nodes);
+  losses_ = numbers.many<int>(nodes);
+}
+
 }  // namespace gnomon

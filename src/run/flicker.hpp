@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gnomon/model.hpp>
+#include <gnomon/packed_numbers.hpp>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,9 @@ public:
   void add(const std::optional<ContactSurface>& surface);
   /// Nodes that have left contact twice or more.
   long nodes() const;
+
+  void pack_into(std::vector<double>& numbers) const;
+  void unpack_from(Unpacker& numbers);
 
 private:
   std::vector<char> active_;

@@ -2,7 +2,7 @@
 #include <gnomon/error.hpp>
 #include <gnomon/run.hpp>
 
-#include "run/flicker.hpp"
+#include "run/checkpoint_numbers.hpp"
 #include "run/store_schedule.hpp"
 #include "run/wear_integral.hpp"
 
@@ -19,12 +19,14 @@ public:
       : model_(model),
         integrator_(integrator),
         settings_(settings),
+        checkpoint_work_(policy.checkpoint_work),
         schedule_(policy, settings.end),
         writer_(writer),
         hooks_(hooks) {}
 
-  RunOutcome operator()() {
+  RunOutcome operator()(const Resumption* from) {
     try {
+      from ? resume(*from) : start();
       outcome_.status = integrate();
     } catch (const SolutionError& error) {
       outcome_.status = Status::failed;
@@ -37,41 +39,77 @@ public:
     if (outcome_.status != Status::finished && outcome_.last) store();
     outcome_.wall_seconds = elapsed();
     outcome_.counters = counters_;
-    outcome_.flickering_nodes = flicker_.nodes();
+    outcome_.flickering_nodes = memory_.flicker.nodes();
     if (writer_) writer_->close(outcome_.text(), outcome_.wall_seconds);
     return outcome_;
   }
 
 private:
-  Status integrate() {
-    state_ = model_.start(counters_);
+  void start() {
+    state() = model_.start(counters_);
     record({});
     store();
-    if (hooks_.interrupted()) return Status::interrupted;
-    const auto stepper = integrator_.make(model_, settings_, counters_);
-    while (state_.t < settings_.end) {
+    if (hooks_.interrupted()) return;
+    make_stepper();
+    checkpoint();
+  }
+
+  void resume(const Resumption& from) {
+    memory_ = unpacked(from.checkpoint.numbers, model_.system().structure());
+    counters_ = from.row.counters;
+    wear_integral_.resume(from.row.scalars, from.row.t);
+    outcome_.last = from.row;
+    last_checkpoint_ = from.checkpoint;
+    next_checkpoint_ = work() + checkpoint_work_;
+    stored_at_ = from.stored;
+    earlier_seconds_ = from.wall_seconds;
+    schedule_.wants(state().t, counters_.steps);  // what is wanted up to here is stored
+  }
+
+  Status integrate() {
+    while (state().t < settings_.end) {
       if (hooks_.interrupted()) return Status::interrupted;
-      const StepReport report = stepper->advance(state_, schedule_.stop());
+      if (!stepper_) make_stepper();
+      const StepReport report = stepper_->advance(state(), schedule_.stop());
       record(report);
-      if (schedule_.wants(state_.t, counters_.steps)) store();
+      if (schedule_.wants(state().t, counters_.steps)) store();
+      if (work() >= next_checkpoint_ || state().t >= settings_.end) checkpoint();
     }
     return Status::finished;
   }
 
   void record(const StepReport& report) {
-    HistoryRow row{state_.t, report, counters_, model_.observe(state_)};
-    wear_integral_.append_to(row.scalars, state_.t);
-    flicker_.add(model_.contact(state_));
+    HistoryRow row{state().t, report, counters_, model_.observe(state())};
+    wear_integral_.append_to(row.scalars, state().t);
+    memory_.flicker.add(model_.contact(state()));
     if (writer_) writer_->append(row);
+    ++last_checkpoint_.rows;
     outcome_.last = std::move(row);
     hooks_.on_step(*outcome_.last);
   }
 
   void store() {
-    if (stored_ && stored_at_ == state_.t) return;
-    if (writer_) writer_->store(state_.t, model_.fields(state_), model_.contact(state_));
-    stored_ = true;
-    stored_at_ = state_.t;
+    if (stored_at_ == state().t) return;
+    if (writer_) writer_->store(state().t, model_.fields(state()), model_.contact(state()));
+    ++last_checkpoint_.stored;
+    stored_at_ = state().t;
+  }
+
+  void make_stepper() {
+    stepper_ = integrator_.make(model_, settings_, counters_);
+    if (counters_.steps > 0) stepper_->restore(state(), memory_.stepper);
+  }
+
+  /// A one-step method then begins anew as it would when resumed: without the factors, and the
+  /// states for guesses, that it has kept.
+  void checkpoint() {
+    if (checkpoint_work_ == 0) return;
+    memory_.stepper = stepper_->memory();
+    ++last_checkpoint_.number;
+    last_checkpoint_.numbers = packed(memory_, model_.system().structure());
+    if (writer_) writer_->checkpoint(last_checkpoint_);
+    next_checkpoint_ = work() + checkpoint_work_;
+    if (integrator_.one_step) stepper_.reset();
   }
 
   /// On the way out with an exception, which matters more than one from here.
@@ -82,25 +120,31 @@ private:
     }
   }
 
+  State& state() { return memory_.state; }
+  long work() const { return counters_.steps + counters_.newton_iterations; }
   double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    const auto now = std::chrono::steady_clock::now();
+    return earlier_seconds_ + std::chrono::duration<double>(now - begin_).count();
   }
 
   const Model& model_;
   const Integrator& integrator_;
   const IntegratorSettings& settings_;
+  const long checkpoint_work_;
   StoreSchedule schedule_;
   ResultWriter* writer_;
   const RunHooks& hooks_;
 
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  double earlier_seconds_ = 0;
   Counters counters_;
-  State state_;
+  RunMemory memory_;
+  std::unique_ptr<Stepper> stepper_;
   WearIntegral wear_integral_;
-  Flicker flicker_;
   RunOutcome outcome_;
-  bool stored_ = false;
-  double stored_at_ = 0;
+  std::optional<double> stored_at_;
+  Checkpoint last_checkpoint_{-1, 0, 0, {}};  // with the rows and stored steps of now
+  long next_checkpoint_ = 0;                  // when work() comes to this
 };
 
 }  // namespace
@@ -117,9 +161,14 @@ std::string RunOutcome::text() const {
   return {};
 }
 
+State state_at(const Checkpoint& checkpoint, const Model& model) {
+  return unpacked(checkpoint.numbers, model.system().structure()).state;
+}
+
 RunOutcome run(const Model& model, const Integrator& integrator, const IntegratorSettings& settings,
-               const StorePolicy& policy, ResultWriter* writer, const RunHooks& hooks) {
-  return Runner(model, integrator, settings, policy, writer, hooks)();
+               const StorePolicy& policy, ResultWriter* writer, const RunHooks& hooks,
+               const Resumption* from) {
+  return Runner(model, integrator, settings, policy, writer, hooks)(from);
 }
 
 }  // namespace gnomon

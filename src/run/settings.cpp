@@ -14,6 +14,7 @@ StorePolicy store_policy(const Scene& scene) {
   policy.every = scene.integer("output.every");
   policy.times = scene.reals("output.times");
   policy.last = scene.flag("output.last");
+  policy.checkpoint_work = scene.integer("output.checkpoints");
   std::sort(policy.times.begin(), policy.times.end());
   policy.times.erase(std::unique(policy.times.begin(), policy.times.end()), policy.times.end());
   if (!policy.times.empty() && policy.times.back() > end)

@@ -26,4 +26,14 @@ void WearIntegral::append_to(std::vector<Scalar>& scalars, double t) {
   scalars.push_back({"wear_integral", unit, value_});
 }
 
+void WearIntegral::resume(const std::vector<Scalar>& scalars, double t) {
+  t_ = t;
+  for (const Scalar& scalar : scalars) {
+    if (scalar.name == "wear_flux") flux_ = scalar.value;
+    if (scalar.name != "wear_integral") continue;
+    value_ = scalar.value;
+    started_ = true;
+  }
+}
+
 }  // namespace gnomon

@@ -11,6 +11,8 @@ public:
   /// Advances the integral to `t` and appends it to the scalars as "wear_integral". Nothing happens
   /// when the model has no wear flux.
   void append_to(std::vector<Scalar>& scalars, double t);
+  /// Goes on from the scalars that it was appended to at `t`.
+  void resume(const std::vector<Scalar>& scalars, double t);
 
 private:
   double t_ = 0;

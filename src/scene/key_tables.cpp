@@ -60,7 +60,8 @@ std::vector<Key> integrator_keys() {
        .presence = defaulted,
        .default_value = "ignore",
        .choices = {"ignore", "locate"},
-       .help = "locate: end steps where contact nodes switch (implicit one-step methods, forward-euler and bdf)"},
+       .help = "locate: end steps where contact nodes switch (implicit one-step methods, "
+               "forward-euler and bdf)"},
   };
 }
 
@@ -84,6 +85,12 @@ std::vector<Key> output_keys() {
        .presence = defaulted,
        .default_value = true,
        .help = "store fields at the end of the run"},
+      {.name = "output.checkpoints",
+       .kind = KeyKind::integer,
+       .presence = defaulted,
+       .default_value = 200L,
+       .range = non_negative,
+       .help = "steps and Newton iterations between checkpoints (gnomon resume), 0: none"},
   };
 }
 

@@ -131,7 +131,7 @@ private:
     const Method& first = declaration_.methods.front();
     const Scene scene = scene_of(first, first.ladder.front());
     guarded(first.name, [&] {
-      const auto model = Problems::find(scene.text("problem"), "problem").make(scene);
+      const auto model = make_model(scene);
       if (!model->exact(point.times.back())) return;
       for (const double t : point.times) point.exact.push_back(exact_surface(*model, t));
     });
@@ -174,6 +174,7 @@ private:
     overrides[fixed ? "integrator.step" : "integrator.rtol"] = number_text(setting.value);
     overrides["output.every"] = std::string(1, '0');  // a literal makes GCC 12 warn wrongly
     overrides["output.last"] = "true";
+    overrides["output.checkpoints"] = std::string(1, '0');  // runs are redone, and costs compared
     overrides["output.times"] = fmt::format("[{}]", fmt::join(study_.sweep.back().times, ", "));
     return guarded(title(method, setting), [&] {
       Scene scene = load_scene(declaration_.scene, override_texts(overrides), key_table);

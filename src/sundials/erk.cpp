@@ -53,6 +53,8 @@ public:
   Memory(const System& system, const IntegratorSettings& settings, Counters& counters,
          const std::string& table);
   StepReport advance(State& state, double t_stop);
+  double proposal() const { return proposal_; }
+  void restore(double proposal);
 
 private:
   static int rate(sunrealtype t, N_Vector d, N_Vector ddot, void* self);
@@ -70,7 +72,7 @@ private:
   ErrorNorm norm_;
   StageSolver stages_;
   State whole_;      // consistent state of the last evaluation, the guess for the next
-  double proposal_;  // fixed steps: what is tried next
+  double proposal_;  // what is tried next; 0 before the first of the steps that are chosen
   long rejected_ = 0;
   Guard guard_;
   // Destroyed in reverse: ERKStep before what it refers to, the context last.
@@ -137,10 +139,16 @@ void ErkSolver::Memory::begin(const State& state) {
   check(ERKStepSetMaxNumSteps(erk, -1), "ERKStepSetMaxNumSteps");
   if (settings_.max_step > 0)
     check(ERKStepSetMaxStep(erk, settings_.max_step), "ERKStepSetMaxStep");
-  if (settings_.step == 0)
-    check(ERKStepSetInitStep(
-              erk, first_step(state, system_.structure(), settings_, table_.embedded_order)),
-          "ERKStepSetInitStep");
+  if (settings_.step > 0) return;
+  if (proposal_ > 0)  // not the first step, which may be far too small
+    check(ERKStepSetMaxFirstGrowth(erk, 5.0), "ERKStepSetMaxFirstGrowth");
+  else
+    proposal_ = first_step(state, system_.structure(), settings_, table_.embedded_order);
+  check(ERKStepSetInitStep(erk, proposal_), "ERKStepSetInitStep");
+}
+
+void ErkSolver::Memory::restore(double proposal) {
+  proposal_ = settings_.step > 0 ? std::min(proposal, settings_.step) : proposal;
 }
 
 /// After a failed evaluation: from the last good state with a shorter step.
@@ -193,7 +201,10 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
     report.restarted = true;
     restart(state, std::min(tried, t_stop - state.t) / 2);
   }
-  if (settings_.step > 0) proposal_ = std::min(settings_.step, 2 * proposal_);
+  if (settings_.step > 0)
+    proposal_ = std::min(settings_.step, 2 * proposal_);
+  else
+    check(ERKStepGetCurrentStep(erk, &proposal_), "ERKStepGetCurrentStep");
   state = whole_;
   ++counters_.steps;
   report.order = table_.order;
@@ -205,6 +216,14 @@ ErkSolver::ErkSolver(const System& system, const IntegratorSettings& settings, C
                      const std::string& table)
     : memory_(std::make_unique<Memory>(system, settings, counters, table)) {}
 ErkSolver::~ErkSolver() = default;
+
+std::vector<double> ErkSolver::memory() const {
+  return {memory_->proposal()};
+}
+
+void ErkSolver::restore(const State&, std::span<const double> memory) {
+  memory_->restore(memory.front());
+}
 
 StepReport ErkSolver::advance(State& state, double t_stop) {
   return memory_->advance(state, t_stop);

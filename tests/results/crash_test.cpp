@@ -43,14 +43,39 @@ constexpr int kStoreEvery = 3;
 struct Progress {
   int appended = 0;
   int stored = 0;
+  int checkpoints = 0;
 };
+
+// Over several pages, and different in every number.
+Checkpoint checkpoint(int step) {
+  Checkpoint result{step, step + 1, step / kStoreEvery + 1, std::vector<double>(1500)};
+  for (std::size_t i = 0; i < result.numbers.size(); ++i)
+    result.numbers[i] = step + 1e-3 * static_cast<double>(i);
+  return result;
+}
 
 void write_step(ResultWriter& writer, const Grid& grid, int step, Progress& progress) {
   writer.append(synthetic::row(step));
   progress.appended = step + 1;
-  if (step % kStoreEvery != 0) return;
-  writer.store(step, synthetic::fields(grid, step), synthetic::contact(step));
-  progress.stored = step / kStoreEvery + 1;
+  if (step % kStoreEvery == 0) {
+    writer.store(step, synthetic::fields(grid, step), synthetic::contact(step));
+    progress.stored = step / kStoreEvery + 1;
+  }
+  writer.checkpoint(checkpoint(step));
+  progress.checkpoints = step + 1;
+}
+
+void expect_holds_a_checkpoint(const ResultReader& reader, int done) {
+  const auto checkpoints = reader.checkpoints();
+  if (done == 0) return;
+  ASSERT_FALSE(checkpoints.empty());
+  const Checkpoint& last = checkpoints.back();
+  ASSERT_GE(last.number, done - 1);
+  ASSERT_LE(last.number, done);
+  const Checkpoint expected = checkpoint(static_cast<int>(last.number));
+  ASSERT_EQ(last.rows, expected.rows);
+  ASSERT_EQ(last.stored, expected.stored);
+  ASSERT_EQ(last.numbers, expected.numbers);
 }
 
 // Opens the file as any HDF5 program would and reads every dataset in it.
@@ -94,6 +119,7 @@ void expect_holds(const std::filesystem::path& file, const Progress& done, const
     ASSERT_EQ(row.counters.linear_solves, synthetic::row(i).counters.linear_solves);
     ASSERT_EQ(row.scalars.at(0).value, synthetic::row(i).scalars[0].value);
   }
+  ASSERT_NO_FATAL_FAILURE(expect_holds_a_checkpoint(reader, done.checkpoints));
   for (int i = 0; i < stored; ++i) ASSERT_EQ(times[static_cast<std::size_t>(i)], i * kStoreEvery);
   if (stored == 0) return;
   for (const Field& expected : synthetic::fields(grid, times.back())) {

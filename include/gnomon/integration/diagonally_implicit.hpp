@@ -32,6 +32,8 @@ public:
   Attempt attempt(const State& from, double h, const AttemptOptions& options, State& to) override;
   void accept(const State& state, bool kink) override;
   const Trace& trace() const override { return trace_; }
+  std::vector<double> memory() const override;
+  void restore(std::span<const double> memory) override;
 
 private:
   using Rates = std::vector<double>;  // one entry a differential component

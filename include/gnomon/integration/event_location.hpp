@@ -3,6 +3,7 @@
 
 #include <gnomon/counters.hpp>
 #include <gnomon/integration/one_step.hpp>
+#include <gnomon/packed_numbers.hpp>
 #include <vector>
 
 namespace gnomon {
@@ -25,13 +26,16 @@ class EventLocator {
 public:
   static constexpr double tolerance = 1e-7;  ///< of the time of an event, in units of the step
 
-  EventLocator(const System& system, OneStepMethod& method) : system_(system), method_(method) {}
+  EventLocator(const System& system, OneStepMethod& method);
 
   /// Takes the piece from the signs at y.
   void begin(std::span<const double> y) { piece_ = active_set(system_, y); }
   const ActiveSet& piece() const { return piece_; }
   /// Has y left the piece?
   bool left(std::span<const double> y) const { return active_set(system_, y) != piece_; }
+
+  std::vector<double> memory() const;
+  void restore(Unpacker& memory);
 
   /// For a step of size h from `from` that ended off the piece in `to`: the shorter step that ends
   /// on the first event. piece() is then the one behind it. Where the event is at the start itself,

@@ -3,7 +3,9 @@
 
 #include <gnomon/integration/trace.hpp>
 #include <gnomon/model.hpp>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace gnomon {
 
@@ -32,6 +34,11 @@ public:
   virtual void accept(const State& state, bool kink) = 0;
   /// States of the last attempts.
   virtual const Trace& trace() const = 0;
+
+  /// What error estimates use of earlier steps: always equally many numbers.
+  virtual std::vector<double> memory() const { return {}; }
+  /// After accept() of the state at which it was that.
+  virtual void restore(std::span<const double> /*memory*/) {}
 };
 
 }  // namespace gnomon

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <gnomon/integrator.hpp>
+#include <gnomon/packed_numbers.hpp>
+#include <vector>
 
 namespace gnomon {
 
@@ -17,6 +19,12 @@ public:
   double after_rejection(double h, double error);
   /// A step that failed for another reason is half as long, and the next does not grow.
   double after_failure(double h);
+
+  std::vector<double> memory() const { return {last_error_, double(may_grow_)}; }
+  void restore(Unpacker& memory) {
+    last_error_ = memory.one();
+    may_grow_ = memory.one() != 0;
+  }
 
 private:
   double exponent_;

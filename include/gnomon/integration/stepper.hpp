@@ -20,6 +20,8 @@ public:
   OneStepStepper(const System& system, const IntegratorSettings& settings, Counters& counters,
                  std::unique_ptr<OneStepMethod> method, int order, int error_order);
   StepReport advance(State& state, double t_stop) override;
+  std::vector<double> memory() const override;
+  void restore(const State& state, std::span<const double> memory) override;
 
 private:
   struct Plan {

@@ -17,6 +17,8 @@ public:
             const std::string& table);
   ~ErkSolver() override;
   StepReport advance(State& state, double t_stop) override;
+  std::vector<double> memory() const override;
+  void restore(const State& state, std::span<const double> memory) override;
 
 private:
   class Memory;

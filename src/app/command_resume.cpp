@@ -1,0 +1,130 @@
+// gnomon resume: goes on from the last checkpoint of a result, into a new file that takes the place
+// of the old one as soon as it has come as far.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <gnomon/error.hpp>
+#include <gnomon/result_files.hpp>
+#include <gnomon/run.hpp>
+#include <gnomon/summary.hpp>
+#include <utility>
+
+#include "app/commands.hpp"
+#include "app/interrupt.hpp"
+#include "app/output_files.hpp"
+#include "app/program.hpp"
+#include "app/run_end.hpp"
+#include "app/setup.hpp"
+
+namespace gnomon::app {
+
+namespace {
+
+/// What may differ from the scene that the result holds: nothing that the problem, its mesh, the
+/// method or what it remembers depend on.
+const std::vector<std::string>& changeable_keys() {
+  static const std::vector<std::string> keys = {
+      "time.end",           "integrator.rtol", "integrator.atol",      "integrator.max_step",
+      "integrator.step",    "output.every",    "output.times",         "output.last",
+      "output.checkpoints", "solver.method",   "solver.preconditioner"};
+  return keys;
+}
+
+Scene changed_scene(const ResultReader& earlier, const ResumeOptions& options) {
+  const std::string name = options.result.string(), text = earlier.header().scene;
+  const Scene old = parse_scene(text, name, {}, key_table);
+  std::vector<std::string> overrides = options.overrides;
+  if (options.end) overrides.push_back(fmt::format("time.end={}", *options.end));
+  Scene scene = parse_scene(text, name, overrides, key_table);
+  for (const std::string& key : Scene::differing_keys(old, scene))
+    if (std::ranges::find(changeable_keys(), key) == changeable_keys().end())
+      throw InputError(fmt::format("--set {}: resuming can change only {}", key,
+                                   fmt::join(changeable_keys(), ", ")));
+  check_run(scene);
+  return scene;
+}
+
+Resumption last_checkpoint(const ResultReader& earlier, const std::string& name) {
+  const std::vector<Checkpoint> checkpoints = earlier.checkpoints();
+  if (checkpoints.empty())
+    throw InputError(fmt::format(
+        "{} holds no checkpoint to resume from (output.checkpoints = 0, or it ended at its start)",
+        name));
+  Resumption from;
+  from.checkpoint = checkpoints.back();
+  from.row = earlier.history()[static_cast<std::size_t>(from.checkpoint.rows - 1)];
+  if (from.checkpoint.stored > 0)
+    from.stored = earlier.stored_times()[static_cast<std::size_t>(from.checkpoint.stored - 1)];
+  from.wall_seconds = earlier.wall_seconds();
+  return from;
+}
+
+void check_end(const Scene& scene, double reached, const std::string& name) {
+  const double end = scene.real("time.end");
+  if (end < reached)
+    throw InputError(fmt::format("{}: expected at least {:g} s, which {} has reached, got {:g}",
+                                 scene.where("time.end"), reached, name, end));
+}
+
+void check_same(const Model& model, const ResultReader& earlier, const std::string& name) {
+  const auto same_block = [](const BlockSize& a, const BlockSize& b) {
+    return a.name == b.name && a.size == b.size;
+  };
+  const auto grid = model.grid(), old = earlier.grid();
+  const bool same_grid = grid.has_value() == old.has_value() &&
+                         (!grid || (grid->points == old->points && grid->cells == old->cells));
+  if (!std::ranges::equal(model.blocks(), earlier.header().blocks, same_block) || !same_grid)
+    throw InputError(
+        fmt::format("{}: this version of gnomon makes another mesh of its scene", name));
+}
+
+std::vector<std::string> field_names(const Model& model, const Checkpoint& checkpoint) {
+  std::vector<std::string> names;
+  for (const Field& field : model.fields(state_at(checkpoint, model))) names.push_back(field.name);
+  return names;
+}
+
+}  // namespace
+
+int resume_command(const ResumeOptions& options) {
+  const std::string name = options.result.string();
+  const RunOptions files{.scene = {},
+                         .overrides = {},
+                         .result = options.result,
+                         .summary = options.summary,
+                         .force = true,
+                         .quiet = options.quiet};
+  const ResultReader earlier(options.result);
+  const Resumption from = last_checkpoint(earlier, name);
+  const double reached = earlier.history().back().t;
+  Scene scene = changed_scene(earlier, options);
+  check_end(scene, reached, name);
+  if (earlier.status() == "finished" && scene.real("time.end") == reached) {
+    if (!options.quiet) fmt::print("{} is finished; --end goes on to a later time\n", name);
+    return success;
+  }
+  check_outputs(files);
+
+  if (!options.quiet) warn_of_slow_blas();
+  const Setup setup = set_up(std::move(scene));
+  check_same(*setup.model, earlier, name);
+  const RunHeader header = run_header(setup);
+  const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
+  const RunOutcome outcome = [&] {
+    const InterruptGuard guard(!options.quiet);
+    ResultWriter writer(options.result, header, setup.model->grid(), Earlier::replaced, reached);
+    copy_to_last_checkpoint(earlier, field_names(*setup.model, from.checkpoint), writer);
+    return integrate(setup, settings, writer, options.quiet, &from);
+  }();
+  const bool replaced = outcome.last->t >= reached;
+  write_summary(files, summary_json(setup.scene, header, settings, outcome), replaced);
+  return report_end(outcome, chosen_integrator(setup.scene),
+                    {.result = options.result,
+                     .kept = !replaced,
+                     .quiet = options.quiet,
+                     .table = options.summary != "-"});
+}
+
+}  // namespace gnomon::app

@@ -1,0 +1,103 @@
+#include "app/run_end.hpp"
+
+#include <fmt/format.h>
+
+#include <gnomon/error.hpp>
+#include <gnomon/result_files.hpp>
+#include <gnomon/stability.hpp>
+
+#include "app/interrupt.hpp"
+#include "app/program.hpp"
+#include "app/progress.hpp"
+#include "app/text_table.hpp"
+#include "linear/blas.hpp"
+
+namespace gnomon::app {
+
+namespace {
+
+void print_summary(const RunOutcome& outcome, const EndReport& report) {
+  const Counters& counters = outcome.counters;
+  fmt::print(
+      "{} at t = {:g} s after {:.3g} s: {} steps ({} attempts rejected), {} Newton iterations, "
+      "{} factorizations\n",
+      outcome.status == RunOutcome::Status::finished ? "finished" : "interrupted", outcome.last->t,
+      outcome.wall_seconds, counters.steps, counters.rejected_steps, counters.newton_iterations,
+      counters.factorizations);
+  TextTable table({{}, {.align = TextTable::Align::right}, {}});
+  for (const Scalar& scalar : outcome.last->scalars)
+    table.add({"  " + scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});
+  fmt::print("{}", table.text());
+  if (report.kept)
+    fmt::print("the earlier {} is kept, which goes further\n", report.result.string());
+  else
+    fmt::print("result: {} (for ParaView: {})\n", report.result.string(),
+               sidecar_of(report.result).string());
+}
+
+/// An explicit method above its critical step finishes like any other; its numbers are worthless.
+void warn_of_flicker(const RunOutcome& outcome, const Integrator& integrator) {
+  const auto table = integrator.table({});
+  if (outcome.flickering_nodes == 0 || !table || !is_explicit(*table)) return;
+  fmt::print(stderr,
+             "gnomon: warning: {} contact nodes left contact twice or more: steps seem to exceed "
+             "the critical one of {} (gnomon stability)\n",
+             outcome.flickering_nodes, integrator.name);
+}
+
+int exit_code(const RunOutcome& outcome) {
+  switch (outcome.status) {
+    case RunOutcome::Status::finished:
+      return success;
+    case RunOutcome::Status::interrupted:
+      return other_failure;
+    case RunOutcome::Status::failed:
+      return solution_failed;
+  }
+  return other_failure;
+}
+
+std::string failure_message(const RunOutcome& outcome, const EndReport& report) {
+  const std::string file = report.result.string();
+  if (report.kept) return fmt::format("{} (the earlier {} is kept)", outcome.diagnosis, file);
+  if (!outcome.last) return outcome.diagnosis;
+  return fmt::format("{} (everything up to t = {:g} s is in {})", outcome.diagnosis,
+                     outcome.last->t, file);
+}
+
+}  // namespace
+
+void warn_of_slow_blas() {
+  if (is_reference_blas())
+    fmt::print(
+        stderr,
+        "gnomon: warning: {} is the reference BLAS: factorizations take 4 to 6 times as long "
+        "as with OpenBLAS (Debian: libopenblas0-pthread)\n",
+        blas_name());
+}
+
+RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, ResultWriter& writer,
+                     bool quiet, const Resumption* from) {
+  Progress progress(Progress::mode_for_stderr(quiet), settings.end);
+  const RunHooks hooks{.on_step = [&](const HistoryRow& row) { progress.show(row); },
+                       .interrupted = InterruptGuard::interrupted};
+  try {
+    RunOutcome outcome = run(*setup.model, chosen_integrator(setup.scene), settings,
+                             store_policy(setup.scene), &writer, hooks, from);
+    progress.finish();
+    return outcome;
+  } catch (const std::exception&) {
+    progress.finish();  // before the message about it
+    throw;
+  }
+}
+
+int report_end(const RunOutcome& outcome, const Integrator& integrator, const EndReport& report) {
+  if (outcome.status == RunOutcome::Status::failed)
+    throw SolutionError(failure_message(outcome, report));
+  if (!report.quiet && report.table) print_summary(outcome, report);
+  if (!report.quiet) warn_of_flicker(outcome, integrator);
+  return exit_code(outcome);
+}
+
+}  // namespace gnomon::app

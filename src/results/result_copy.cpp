@@ -1,0 +1,38 @@
+#include <gnomon/error.hpp>
+#include <gnomon/results.hpp>
+
+namespace gnomon {
+
+namespace {
+
+void copy_step(const ResultReader& from, std::size_t step, double t,
+               const std::vector<std::string>& fields, ResultWriter& to) {
+  std::vector<Field> values;
+  for (const std::string& field : fields) values.push_back(from.field(step, field));
+  to.store(t, values, from.has_contact() ? std::optional(from.contact(t)) : std::nullopt);
+}
+
+}  // namespace
+
+void copy_to_last_checkpoint(const ResultReader& from, const std::vector<std::string>& fields,
+                             ResultWriter& to) {
+  const std::vector<Checkpoint> checkpoints = from.checkpoints();
+  const auto rows = static_cast<std::size_t>(checkpoints.back().rows);
+  const auto steps = static_cast<std::size_t>(checkpoints.back().stored);
+  const std::vector<HistoryRow> history = from.history();
+  const std::vector<double> times = from.stored_times();
+  std::size_t step = 0;
+  for (std::size_t row = 0; row < rows; ++row) {
+    to.append(history[row]);
+    if (step < steps && times[step] == history[row].t) {
+      copy_step(from, step, times[step], fields, to);
+      ++step;
+    }
+    // Their place in the file is that behind the start.
+    if (row == 0)
+      for (const Checkpoint& checkpoint : checkpoints) to.checkpoint(checkpoint);
+  }
+  if (step != steps) throw InputError("its stored steps are not at the times of its history");
+}
+
+}  // namespace gnomon

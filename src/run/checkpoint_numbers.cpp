@@ -1,0 +1,38 @@
+#include "run/checkpoint_numbers.hpp"
+
+#include <gnomon/packed_numbers.hpp>
+
+namespace gnomon {
+
+std::vector<double> packed(const RunMemory& memory, const Structure& structure) {
+  const State& state = memory.state;
+  std::vector<double> numbers = {double(structure.size), state.t, double(!state.piece.empty())};
+  pack(numbers, state.y);
+  for (std::size_t i = 0; i < state.ydot.size(); ++i)
+    if (structure.differential[i]) pack(numbers, state.ydot[i]);
+  pack(numbers, state.piece.empty() ? ActiveSet(structure.switch_node.size()) : state.piece);
+  memory.flicker.pack_into(numbers);
+  pack(numbers, memory.stepper);
+  return numbers;
+}
+
+RunMemory unpacked(const std::vector<double>& numbers, const Structure& structure) {
+  Unpacker rest(numbers);
+  if (rest.one() != double(structure.size))
+    throw InputError("the checkpoint does not belong to this scene");
+  RunMemory memory;
+  State& state = memory.state;
+  state.t = rest.one();
+  const bool has_piece = rest.one() != 0;
+  state.y = rest.many<double>(static_cast<std::size_t>(structure.size));
+  state.ydot.assign(state.y.size(), 0.0);
+  for (std::size_t i = 0; i < state.ydot.size(); ++i)
+    if (structure.differential[i]) state.ydot[i] = rest.one();
+  state.piece = rest.many<char>(structure.switch_node.size());
+  if (!has_piece) state.piece.clear();
+  memory.flicker.unpack_from(rest);
+  memory.stepper.assign(rest.rest().begin(), rest.rest().end());
+  return memory;
+}
+
+}  // namespace gnomon

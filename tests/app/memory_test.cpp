@@ -1,0 +1,81 @@
+// The memory of a run is told beforehand, and a run that would need more than there is is refused.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <gnomon/problem.hpp>
+
+#include "app/child.hpp"
+
+namespace gnomon {
+namespace {
+
+using test::Outcome;
+using testing::HasSubstr;
+
+const std::string problems = std::string(GNOMON_SOURCE_DIR) + "/problems/";
+
+class Memory : public test::ProgramTest {
+protected:
+  /// Peak memory of a step of the scene [bytes], as the system counts it.
+  double peak(const std::string& scene, const std::vector<std::string>& overrides) const {
+    std::vector<std::string> arguments = {
+        "run",        problems + scene, "--quiet",        "--set", "output.times=[]",  "--set",
+        "time.end=1", "--integrator",   "backward-euler", "--set", "integrator.step=1"};
+    for (const std::string& text : overrides) arguments.insert(arguments.end(), {"--set", text});
+    const pid_t child = start(arguments);
+    int status = 0;
+    rusage usage{};
+    wait4(child, &status, 0, &usage);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << scene;
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);
+  }
+
+  static double estimate(const std::string& scene, const std::vector<std::string>& overrides) {
+    return estimated_memory(load_scene(problems + scene, overrides, key_table));
+  }
+};
+
+TEST_F(Memory, IsEstimatedWithinAFactorOfTwo) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer takes much more";
+#endif
+  const std::pair<const char*, std::vector<std::string>> scenes[] = {
+      {"pin_on_flat/small_deformation.toml", {}},
+      {"pin_on_flat/finite_deformation.toml", {"solver.method=block"}},
+      {"flat_punch/small_block.toml", {}},
+      {"ball_on_flat/small_deformation.toml", {"mesh.elements=[8,3,4]"}},
+      {"ball_on_flat/small_deformation.toml", {"mesh.elements=[5,2,3]", "solver.method=direct"}},
+      {"ball_on_half_space/small_deformation.toml", {}}};
+  for (const auto& [scene, overrides] : scenes) {
+    const double told = estimate(scene, overrides), taken = peak(scene, overrides);
+    EXPECT_LT(told, 2 * taken) << scene;
+    EXPECT_GT(told, taken / 2) << scene;
+  }
+}
+
+TEST_F(Memory, TooLargeAMeshIsRefusedWithTheFigures) {
+  rlimit old{};
+  getrlimit(RLIMIT_AS, &old);
+  rlimit small = old;
+  small.rlim_cur = 2'000'000'000;
+  setrlimit(RLIMIT_AS, &small);  // the child has it from us
+  for (const char* command : {"run", "check", "stability"}) {
+    const Outcome outcome = gnomon({command, test::pin, "--set", "mesh.elements=[1000,1000]"});
+    EXPECT_EQ(outcome.exit_code, 2) << command;
+    EXPECT_THAT(outcome.err, HasSubstr("needs about 21 GB of memory, 2 GB are available"));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+  setrlimit(RLIMIT_AS, &old);
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Memory, IsToldByCheck) {
+  EXPECT_THAT(gnomon({"check", test::pin}).out, HasSubstr("# a run takes about 45 MB of memory"));
+  EXPECT_EQ(gnomon({"check", problems + "dahlquist/decay.toml"}).out.find("memory"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,260 @@
+// A run that goes on from a checkpoint is the run that was never interrupted.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <gnomon/error.hpp>
+
+#include "resume/runs.hpp"
+
+namespace gnomon {
+namespace {
+
+using test::bytes_of;
+using test::expect_same;
+using test::Overrides;
+using test::resume;
+using test::run_scene;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::ThrowsMessage;
+
+const std::string pin = "pin_on_flat/small_deformation.toml";
+
+Overrides coarse(const Overrides& further) {
+  Overrides all = {"mesh.elements=[8,6]", "time.end=200", "output.checkpoints=12", "output.every=3",
+                   "output.times=[55.5]"};
+  all.insert(all.end(), further.begin(), further.end());
+  return all;
+}
+
+struct Method {
+  const char* name;
+  std::string scene;
+  Overrides overrides;
+  friend void PrintTo(const Method& method, std::ostream* stream) { *stream << method.name; }
+};
+
+class OneStep : public test::FolderTest, public testing::WithParamInterface<Method> {};
+
+TEST_P(OneStep, ResumedIsTheUninterruptedRunByteByByte) {
+  const Method& method = GetParam();
+  const RunOutcome whole = run_scene(method.scene, method.overrides, file("whole"));
+  ASSERT_EQ(whole.status, RunOutcome::Status::finished);
+  ASSERT_GE(ResultReader(file("whole")).checkpoints().back().number, 3);
+  const long steps = whole.counters.steps;
+  for (const long cut : {1L, steps / 3, 2 * steps / 3, steps - 1}) {
+    SCOPED_TRACE("cut after step " + std::to_string(cut));
+    run_scene(method.scene, method.overrides, file("cut"), cut);
+    ASSERT_EQ(resume(file("cut")), 0);
+    expect_same(file("cut"), file("whole"));
+  }
+}
+
+const std::string dahlquist = "dahlquist/decay.toml";
+
+INSTANTIATE_TEST_SUITE_P(
+    Methods, OneStep,
+    testing::Values(
+        Method{"fixed_forward_euler", pin,
+               coarse({"integrator.name=forward-euler", "integrator.step=4"})},
+        Method{"backward_euler", pin,
+               coarse({"integrator.name=backward-euler", "integrator.rtol=1e-2"})},
+        Method{"theta", pin, coarse({"integrator.name=theta", "integrator.rtol=1e-3"})},
+        Method{"esdirk_3", pin, coarse({"integrator.name=esdirk-3", "integrator.rtol=1e-4"})},
+        Method{"sdirk_2", pin, coarse({"integrator.name=sdirk-2", "integrator.rtol=1e-3"})},
+        Method{"esdirk_4_with_events", pin,
+               coarse({"integrator.name=esdirk-4", "integrator.rtol=1e-4",
+                       "integrator.events=locate"})},
+        Method{"forward_euler_with_events", pin,
+               coarse({"integrator.name=forward-euler", "integrator.rtol=1e-2",
+                       "integrator.events=locate"})},
+        Method{"erk_3", pin, coarse({"integrator.name=erk-3", "integrator.rtol=1e-3"})},
+        Method{"fixed_erk_2", pin, coarse({"integrator.name=erk-2", "integrator.step=5"})},
+        Method{
+            "by_blocks", pin,
+            coarse({"integrator.name=esdirk-3", "integrator.rtol=1e-3", "solver.method=block"})}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+class Resume : public test::FolderTest {};
+
+TEST_F(Resume, BdfGoesOnToItsTolerance) {
+  const Overrides overrides = coarse({"integrator.name=bdf", "integrator.rtol=1e-6"});
+  const RunOutcome whole = run_scene(pin, overrides, file("whole"));
+  run_scene(pin, overrides, file("cut"), whole.counters.steps / 2);
+  const long kept = ResultReader(file("cut")).checkpoints().back().rows;
+  ASSERT_GT(kept, 5);
+  ASSERT_EQ(resume(file("cut")), 0);
+  const ResultReader cut(file("cut")), reference(file("whole"));
+  EXPECT_EQ(cut.history()[static_cast<std::size_t>(kept)].step.order, 1);
+  EXPECT_EQ(cut.history().back().t, 200);
+  const auto depth = cut.contact(200.0).wear_depth, expected = reference.contact(200.0).wear_depth;
+  const double deepest = *std::max_element(expected.begin(), expected.end());
+  for (std::size_t i = 0; i < depth.size(); ++i)
+    EXPECT_NEAR(depth[i], expected[i], 1e-4 * deepest) << i;
+}
+
+TEST_F(Resume, GoesOnToALaterEnd) {
+  const Overrides be = {"mesh.elements=[8,6]", "integrator.name=backward-euler",
+                        "integrator.step=10"};
+  const auto with_end = [&](const char* end) {
+    Overrides all = be;
+    all.push_back(end);
+    return all;
+  };
+  run_scene(pin, with_end("time.end=200"), file("whole"));
+  run_scene(pin, with_end("time.end=120"), file("first"));
+  ASSERT_EQ(resume(file("first"), {}, 200.0), 0);
+  const ResultReader extended(file("first")), whole(file("whole"));
+  EXPECT_EQ(extended.status(), "finished");
+  EXPECT_EQ(extended.history().size(), whole.history().size());
+  EXPECT_THAT(extended.stored_times(), testing::IsSupersetOf({0.0, 120.0, 200.0}));
+  EXPECT_THAT(extended.header().scene, HasSubstr("end = 200"));
+  const auto& row = extended.history().back();
+  const auto& expected = whole.history().back();
+  for (std::size_t i = 0; i < row.scalars.size(); ++i)
+    EXPECT_NEAR(row.scalars[i].value, expected.scalars[i].value,
+                1e-8 * std::abs(expected.scalars[i].value))
+        << row.scalars[i].name;
+}
+
+// A method that gives up at a step is a run that ends with exit code 3.
+TEST_F(Resume, GoesOnFromBeforeAFailureWithAnotherTolerance) {
+  const Overrides overrides = coarse({"integrator.name=esdirk-3", "integrator.rtol=1e-3"});
+  {
+    const app::Setup setup = app::set_up(GNOMON_SOURCE_DIR "/problems/" + pin, overrides);
+    Integrator fails = chosen_integrator(setup.scene);
+    struct Stops : Stepper {
+      std::unique_ptr<Stepper> inner;
+      StepReport advance(State& state, double t_stop) override {
+        if (state.t > 100) throw SolutionError("an element is inverted");
+        return inner->advance(state, t_stop);
+      }
+      std::vector<double> memory() const override { return inner->memory(); }
+      void restore(const State& state, std::span<const double> memory) override {
+        inner->restore(state, memory);
+      }
+    };
+    fails.make = [make = fails.make](const Model& model, const IntegratorSettings& settings,
+                                     Counters& counters) -> std::unique_ptr<Stepper> {
+      auto stepper = std::make_unique<Stops>();
+      stepper->inner = make(model, settings, counters);
+      return stepper;
+    };
+    ResultWriter writer(file("r"), app::run_header(setup), setup.model->grid());
+    const auto outcome = run(*setup.model, fails, integrator_settings(setup.scene, *setup.model),
+                             store_policy(setup.scene), &writer, {});
+    ASSERT_EQ(outcome.status, RunOutcome::Status::failed);
+  }
+  ASSERT_EQ(ResultReader(file("r")).status(), "failed: an element is inverted");
+  ASSERT_EQ(resume(file("r"), {"integrator.rtol=1e-4"}), 0);
+  const ResultReader result(file("r"));
+  EXPECT_EQ(result.status(), "finished");
+  EXPECT_THAT(result.header().scene, HasSubstr("rtol = 0.0001"));
+  EXPECT_EQ(result.history().back().t, 200);
+}
+
+TEST_F(Resume, AnEarlierEndOfTheContinuationLosesNothing) {
+  Overrides overrides = coarse({"integrator.name=backward-euler", "integrator.step=5"});
+  overrides[2] = "output.checkpoints=40";
+  run_scene(pin, overrides, file("r"), 20);
+  const auto rows = static_cast<long>(ResultReader(file("r")).history().size());
+  ASSERT_LT(ResultReader(file("r")).checkpoints().back().rows, rows);
+  // As if it were killed before its first step.
+  const std::string before = bytes_of(file("r")), sidecar = bytes_of(sidecar_of(file("r")));
+  {
+    const ResultReader earlier(file("r"));
+    ResultWriter writer(file("r"), earlier.header(), earlier.grid(), Earlier::replaced,
+                        earlier.history().back().t);
+    copy_to_last_checkpoint(earlier, earlier.field_names(), writer);
+  }
+  EXPECT_TRUE(bytes_of(file("r")) == before);
+  EXPECT_EQ(bytes_of(sidecar_of(file("r"))), sidecar);
+  EXPECT_FALSE(std::filesystem::exists(file("r").string() + ".part"));
+}
+
+TEST_F(Resume, FinishedRunIsLeftAlone) {
+  run_scene(pin, coarse({"integrator.name=backward-euler", "integrator.step=20"}), file("r"));
+  const std::string before = bytes_of(file("r"));
+  EXPECT_EQ(resume(file("r")), 0);
+  EXPECT_TRUE(bytes_of(file("r")) == before);
+}
+
+TEST_F(Resume, RefusesInOneLine) {
+  const Overrides be = {"integrator.name=backward-euler", "integrator.step=20"};
+  run_scene(pin, coarse(be), file("r"), 6);
+  const auto refused = [&](const std::string& name, const Overrides& overrides,
+                           std::optional<double> end, const std::string& reason) {
+    EXPECT_THAT([&] { resume(file(name), overrides, end); },
+                ThrowsMessage<InputError>(AllOf(HasSubstr(reason), Not(HasSubstr("\n")))))
+        << reason;
+  };
+  refused("none", {}, {}, "there is no such file");
+  refused("r", {}, 90.0, "expected at least");
+  refused("r", {"time.end=70"}, {}, "expected at least");
+  refused("r", {"body.young_modulus=20"}, {},
+          "--set body.young_modulus: resuming can change only time.end, integrator.rtol");
+  refused("r", {"integrator.name=theta"}, {}, "resuming can change only");
+  refused("r", {"mesh.elements=[9,9]"}, {}, "resuming can change only");
+  refused("r", {"mesh.element=[9,9]"}, {}, "did you mean");
+  Overrides none = coarse(be);
+  none[2] = "output.checkpoints=0";
+  run_scene(pin, none, file("without"), 6);
+  refused("without", {}, {}, "holds no checkpoint");
+  std::ofstream(file("foreign")) << "problem = \"pin_on_flat\"\n";
+  refused("foreign", {}, {}, "it is not an HDF5 file");
+  const int next = 2;
+  test::write_attribute(file("r"), "format_version", H5T_NATIVE_INT, &next);
+  refused("r", {}, {}, "its format is 2, this program reads 1");
+}
+
+TEST_F(Resume, ARunThatIsStillGoingIsRefused) {
+  const app::Setup setup = app::set_up(GNOMON_SOURCE_DIR "/problems/" + pin,
+                                       coarse({"integrator.name=theta", "integrator.step=10"}));
+  ResultWriter writer(file("r"), app::run_header(setup), setup.model->grid());
+  int tried = 0;
+  const RunHooks hooks{.on_step = [&](const HistoryRow& row) {
+    if (row.counters.steps != 10) return;
+    ++tried;
+    EXPECT_THAT([&] { resume(file("r")); },
+                ThrowsMessage<InputError>(HasSubstr("another run is writing it")));
+  }};
+  const auto settings = integrator_settings(setup.scene, *setup.model);
+  run(*setup.model, chosen_integrator(setup.scene), settings, store_policy(setup.scene), &writer,
+      hooks);
+  EXPECT_EQ(tried, 1);
+  EXPECT_EQ(ResultReader(file("r")).status(), "finished");
+}
+
+// The place that was written last does not count unless it is whole.
+TEST_F(Resume, ADamagedCheckpointFallsBackToTheOneBefore) {
+  const Overrides be = coarse({"integrator.name=backward-euler", "integrator.step=5"});
+  run_scene(pin, be, file("whole"));
+  run_scene(pin, be, file("r"), 30);
+  const auto both = ResultReader(file("r")).checkpoints();
+  ASSERT_EQ(both.size(), 2u);
+  const auto spoil = [&](const Checkpoint& checkpoint) {
+    const hid_t id = H5Fopen(file("r").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    const hid_t dataset = H5Dopen2(id, "gnomon/checkpoints", H5P_DEFAULT);
+    const hid_t space = H5Dget_space(dataset);
+    const hsize_t place[] = {static_cast<hsize_t>(checkpoint.number % 2), 40};
+    H5Sselect_elements(space, H5S_SELECT_SET, 1, place);
+    const hsize_t one = 1;
+    const hid_t memory = H5Screate_simple(1, &one, nullptr);
+    const double value = 1e-300;
+    EXPECT_GE(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, &value), 0);
+    H5Sclose(memory);
+    H5Sclose(space);
+    H5Dclose(dataset);
+    H5Fclose(id);
+  };
+  spoil(both[1]);
+  ASSERT_EQ(ResultReader(file("r")).checkpoints().size(), 1u);
+  ASSERT_EQ(resume(file("r")), 0);
+  EXPECT_EQ(ResultReader(file("r")).history().back().scalars[3].value,
+            ResultReader(file("whole")).history().back().scalars[3].value);
+}
+
+}  // namespace
+}  // namespace gnomon

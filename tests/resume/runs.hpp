@@ -1,0 +1,106 @@
+// Runs of shipped scenes into result files, some cut short, and what makes two results the same.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <gnomon/run.hpp>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/setup.hpp"
+
+namespace gnomon::test {
+
+/// Before HDF5 is first used, as gnomon itself does (hdf5_handles.cpp).
+inline const herr_t no_clean_up_at_exit = H5dont_atexit();
+
+using Overrides = std::vector<std::string>;
+
+/// An empty folder for this test; inside it another for each name.
+class FolderTest : public testing::Test {
+protected:
+  FolderTest() { std::filesystem::create_directories(root_); }
+  ~FolderTest() override { std::filesystem::remove_all(root_); }
+
+  /// The file r.h5 in a folder of this name: the sidecar names the file, so equal results must.
+  std::filesystem::path file(const std::string& name) const {
+    std::filesystem::create_directories(root_ / name);
+    return root_ / name / "r.h5";
+  }
+
+private:
+  std::filesystem::path root_ =
+      std::filesystem::temp_directory_path() /
+      ("gnomon-resume-" +
+       std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "-" +
+       std::to_string(getpid()));
+};
+
+/// Runs a scene below problems/, at most so many steps: then it ends as by Ctrl-C.
+inline RunOutcome run_scene(const std::string& scene, const Overrides& overrides,
+                            const std::filesystem::path& file,
+                            long most_steps = std::numeric_limits<long>::max()) {
+  const app::Setup setup = app::set_up(GNOMON_SOURCE_DIR "/problems/" + scene, overrides);
+  const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
+  ResultWriter writer(file, app::run_header(setup), setup.model->grid(), Earlier::replaced);
+  long steps = 0;
+  const RunHooks hooks{.on_step = [&](const HistoryRow& row) { steps = row.counters.steps; },
+                       .interrupted = [&] { return steps >= most_steps; }};
+  return run(*setup.model, chosen_integrator(setup.scene), settings, store_policy(setup.scene),
+             &writer, hooks);
+}
+
+inline int resume(const std::filesystem::path& file, const Overrides& overrides = {},
+                  std::optional<double> end = {}) {
+  app::ResumeOptions options;
+  options.result = file;
+  options.overrides = overrides;
+  options.end = end;
+  options.quiet = true;
+  return app::resume_command(options);
+}
+
+inline std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Changes an attribute of a result behind gnomon's back.
+inline void write_attribute(const std::filesystem::path& file, const char* name, hid_t type,
+                            const void* value) {
+  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t group = H5Gopen2(id, "gnomon", H5P_DEFAULT);
+  const hid_t attribute = H5Aopen(group, name, H5P_DEFAULT);
+  EXPECT_GE(H5Awrite(attribute, type, value), 0) << file;
+  H5Aclose(attribute);
+  H5Gclose(group);
+  H5Fclose(id);
+}
+
+/// The bytes of a result without its only time stamp.
+inline std::string timeless_bytes(const std::filesystem::path& file) {
+  const std::filesystem::path copy = file.parent_path() / "timeless.h5";
+  std::filesystem::copy_file(file, copy, std::filesystem::copy_options::overwrite_existing);
+  const double zero = 0;
+  write_attribute(copy, "wall_seconds", H5T_NATIVE_DOUBLE, &zero);
+  const std::string bytes = bytes_of(copy);
+  std::filesystem::remove(copy);
+  return bytes;
+}
+
+/// Result and sidecar are the same, byte by byte.
+inline void expect_same(const std::filesystem::path& a, const std::filesystem::path& b) {
+  const std::string one = timeless_bytes(a), other = timeless_bytes(b);
+  EXPECT_EQ(one.size(), other.size());
+  EXPECT_TRUE(one == other) << a << " and " << b << " differ";
+  EXPECT_EQ(bytes_of(sidecar_of(a)), bytes_of(sidecar_of(b)));
+}
+
+}  // namespace gnomon::test
