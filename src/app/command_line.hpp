@@ -26,6 +26,7 @@ private:
   void add_run();
   void add_check();
   void add_study();
+  void add_extremes();
   void add_inspection();
   void add_compare();
   void add_stability();
@@ -40,6 +41,7 @@ private:
   // Where the options are bound to; each command uses its own part.
   RunOptions run_;
   StudyCommandOptions study_;
+  ExtremesOptions extremes_;
   StabilityOptions stability_;
   std::optional<std::string> integrator_;
   std::string subject_;

@@ -46,6 +46,10 @@ void warn_of_flicker(const RunOutcome& outcome, const Integrator& integrator) {
              outcome.flickering_nodes, integrator.name);
 }
 
+void warn_of_mesh(const RunOutcome& outcome) {
+  if (!outcome.warning.empty()) fmt::print(stderr, "gnomon: warning: {}\n", outcome.warning);
+}
+
 int exit_code(const RunOutcome& outcome) {
   switch (outcome.status) {
     case RunOutcome::Status::finished:
@@ -104,6 +108,7 @@ int run_command(const RunOptions& given) {
   if (outcome.status == RunOutcome::Status::failed)
     throw SolutionError(failure_message(outcome, options, earlier));
   if (!options.quiet && options.summary != "-") print_summary(outcome, options);
+  if (!options.quiet) warn_of_mesh(outcome);
   if (!options.quiet) warn_of_flicker(outcome, chosen_integrator(setup.scene));
   return exit_code(outcome);
 }

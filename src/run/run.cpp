@@ -3,6 +3,8 @@
 #include <gnomon/run.hpp>
 
 #include "run/flicker.hpp"
+#include "run/instability.hpp"
+#include "run/mesh_watch.hpp"
 #include "run/store_schedule.hpp"
 #include "run/wear_integral.hpp"
 
@@ -21,7 +23,9 @@ public:
         settings_(settings),
         schedule_(policy, settings.end),
         writer_(writer),
-        hooks_(hooks) {}
+        hooks_(hooks),
+        watches_stability_(settings.stop_unstable &&
+                           is_conditionally_stable(integrator, settings)) {}
 
   RunOutcome operator()() {
     try {
@@ -38,6 +42,7 @@ public:
     outcome_.wall_seconds = elapsed();
     outcome_.counters = counters_;
     outcome_.flickering_nodes = flicker_.nodes();
+    if (outcome_.last) outcome_.warning = mesh_warning(outcome_.last->scalars);
     if (writer_) writer_->close(outcome_.text(), outcome_.wall_seconds);
     return outcome_;
   }
@@ -48,13 +53,18 @@ private:
     record({});
     store();
     if (hooks_.interrupted()) return Status::interrupted;
+    if (watches_stability_) require_stable_step(model_, integrator_, settings_, state_);
     const auto stepper = integrator_.make(model_, settings_, counters_);
     while (state_.t < settings_.end) {
       if (hooks_.interrupted()) return Status::interrupted;
       const StepReport report = stepper->advance(state_, schedule_.stop());
       record(report);
+      require_sound_mesh(outcome_.last->scalars);
+      if (watches_stability_) require_no_flicker(flicker_.nodes(), integrator_);
       if (schedule_.wants(state_.t, counters_.steps)) store();
     }
+    // What touched in one node at the start had no fast mode there.
+    if (watches_stability_) require_stable_step(model_, integrator_, settings_, state_);
     return Status::finished;
   }
 
@@ -92,6 +102,7 @@ private:
   StoreSchedule schedule_;
   ResultWriter* writer_;
   const RunHooks& hooks_;
+  const bool watches_stability_;
 
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Counters counters_;

@@ -60,7 +60,15 @@ std::vector<Key> integrator_keys() {
        .presence = defaulted,
        .default_value = "ignore",
        .choices = {"ignore", "locate"},
-       .help = "locate: end steps where contact nodes switch (implicit one-step methods, forward-euler and bdf)"},
+       .help = "locate: end steps where contact nodes switch (implicit one-step methods, "
+               "forward-euler and bdf)"},
+      {.name = "integrator.unstable",
+       .kind = KeyKind::text,
+       .presence = defaulted,
+       .default_value = "stop",
+       .choices = {"stop", "accept"},
+       .help = "fixed steps beyond the critical one of an explicit method: stop the run, or accept "
+               "numbers that are worthless"},
   };
 }
 
