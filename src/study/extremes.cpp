@@ -97,11 +97,16 @@ private:
   Judgement finished(std::size_t index) const {
     const StudyRow& row = table_.rows[index];
     const StudyReference& reference = table_.references[row.point.sweep];
-    if (!row.shape_error || reference.wear <= 0)
+    if (!row.shape_error)
       return {Verdict::wrong,
               "nothing confirms it: " + (row.reason.empty() ? reference.text : row.reason)};
     const bool fixed = row.point.setting.kind == Kind::step;
     return fixed ? with_fixed_steps(index, reference) : with_error_control(row, reference);
+  }
+
+  /// Where nothing wears, nothing must differ.
+  static double relative(double error, const StudyReference& reference) {
+    return error == 0 ? 0 : error / reference.wear;
   }
 
   /// A reference is confirmed by the other one.
@@ -109,7 +114,7 @@ private:
     const auto& runs = extreme_.study.sweep[row.point.sweep].references;
     const bool is_reference = std::find(runs.begin(), runs.end(), row.point.run) != runs.end();
     if (is_reference && !reference.error) return std::nullopt;
-    return (is_reference ? *reference.error : *row.shape_error) / reference.wear;
+    return relative(is_reference ? *reference.error : *row.shape_error, reference);
   }
 
   Judgement with_error_control(const StudyRow& row, const StudyReference& reference) const {
@@ -117,7 +122,7 @@ private:
     result.bound = std::clamp(extremes::tolerances * row.point.setting.value, extremes::finest,
                               extremes::coarsest);
     result.difference = difference(row, reference);
-    const double own = reference.error.value_or(0) / reference.wear;
+    const double own = relative(reference.error.value_or(0), reference);
     if (!result.difference)
       result.reason = "nothing confirms it: " + reference.text;
     else if (!(own <= *result.bound))
@@ -136,7 +141,7 @@ private:
     const StudyRow& half = table_.rows[*extreme_.halved[index]];
     Judgement result;
     result.bound = extremes::coarsest;
-    result.difference = *row.shape_error / reference.wear;
+    result.difference = relative(*row.shape_error, reference);
     const double own = reference.error.value_or(0);
     if (!(*result.difference <= extremes::coarsest))
       result.reason = "is nowhere near the solution";
@@ -146,7 +151,7 @@ private:
                std::max(extremes::shrinks * *row.shape_error,
                         std::max(10 * own, extremes::finest * reference.wear))))
       result.reason = fmt::format("half the step leaves {:.1e} of {:.1e}",
-                                  *half.shape_error / reference.wear, *result.difference);
+                                  relative(*half.shape_error, reference), *result.difference);
     else
       result.verdict = Verdict::agrees;
     return result;
