@@ -54,7 +54,8 @@ namespace extremes {
 constexpr double tolerances = 100;  ///< of integrator.rtol, which bounds the error of one step
 constexpr double finest = 1e-6;     ///< what is confirmed of smaller tolerances
 constexpr double coarsest = 0.5;    ///< beyond, a shape is no answer
-constexpr double shrinks = 0.8;     ///< by which half the step has to reduce the difference
+constexpr double shrinks = 0.8;     ///< by which half a fixed step has to reduce the difference,
+constexpr double near = 1e-3;       ///< or leave no more than this
 }  // namespace extremes
 
 /// Judges the runs of a study in its folder.

@@ -126,7 +126,7 @@ void CommandLine::add_extremes() {
       ->check(CLI::Range(1, 1024));
   command
       ->add_option("--limit", extremes_.limit,
-                   "Wall time after which a run counts as hung; default: 120")
+                   "Wall time after which a run counts as hung; default: 300")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.01, 1e6));
   command->add_flag("--resume", extremes_.resume,

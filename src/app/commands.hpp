@@ -31,7 +31,7 @@ struct ExtremesOptions {
   std::vector<std::filesystem::path> studies;  ///< files, folders; empty: all that come with gnomon
   std::filesystem::path folder = "extremes";
   int jobs = 0;        ///< 0: one a core
-  double limit = 120;  ///< of the wall time of a run [s]
+  double limit = 300;  ///< of the wall time of a run [s]
   bool resume = false;
   bool quiet = false;
 };

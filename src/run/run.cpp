@@ -24,8 +24,7 @@ public:
         schedule_(policy, settings.end),
         writer_(writer),
         hooks_(hooks),
-        watches_stability_(settings.stop_unstable &&
-                           is_conditionally_stable(integrator, settings)) {}
+        watches_damping_(settings.stop_unstable && may_fail_to_damp(integrator, settings)) {}
 
   RunOutcome operator()() {
     try {
@@ -53,18 +52,18 @@ private:
     record({});
     store();
     if (hooks_.interrupted()) return Status::interrupted;
-    if (watches_stability_) require_stable_step(model_, integrator_, settings_, state_);
+    if (watches_damping_) require_damping(model_, integrator_, settings_, state_);
     const auto stepper = integrator_.make(model_, settings_, counters_);
     while (state_.t < settings_.end) {
       if (hooks_.interrupted()) return Status::interrupted;
       const StepReport report = stepper->advance(state_, schedule_.stop());
       record(report);
       require_sound_mesh(outcome_.last->scalars);
-      if (watches_stability_) require_no_flicker(flicker_.nodes(), integrator_);
+      if (watches_damping_) require_no_flicker(flicker_.nodes(), integrator_);
       if (schedule_.wants(state_.t, counters_.steps)) store();
     }
     // What touched in one node at the start had no fast mode there.
-    if (watches_stability_) require_stable_step(model_, integrator_, settings_, state_);
+    if (watches_damping_) require_damping(model_, integrator_, settings_, state_);
     return Status::finished;
   }
 
@@ -102,7 +101,7 @@ private:
   StoreSchedule schedule_;
   ResultWriter* writer_;
   const RunHooks& hooks_;
-  const bool watches_stability_;
+  const bool watches_damping_;
 
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Counters counters_;

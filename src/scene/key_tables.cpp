@@ -67,8 +67,9 @@ std::vector<Key> integrator_keys() {
        .presence = defaulted,
        .default_value = "stop",
        .choices = {"stop", "accept"},
-       .help = "fixed steps beyond the critical one of an explicit method: stop the run, or accept "
-               "numbers that are worthless"},
+       .help =
+           "fixed steps that amplify the fastest mode, or hardly damp it: stop the run, or accept "
+           "numbers that are worthless"},
   };
 }
 

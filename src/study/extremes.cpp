@@ -134,26 +134,26 @@ private:
     return result;
   }
 
-  /// No accuracy was asked for: the step has to be on the way to the solution. Where the difference
-  /// is that of the references, nothing more can be seen.
+  /// No accuracy was asked for: the step has to be on the way to the solution, or so near that the
+  /// kinks of the solution hide the way.
   Judgement with_fixed_steps(std::size_t index, const StudyReference& reference) const {
     const StudyRow& row = table_.rows[index];
     const StudyRow& half = table_.rows[*extreme_.halved[index]];
     Judgement result;
     result.bound = extremes::coarsest;
     result.difference = relative(*row.shape_error, reference);
-    const double own = reference.error.value_or(0);
-    if (!(*result.difference <= extremes::coarsest))
+    if (!(*result.difference <= extremes::coarsest)) {
       result.reason = "is nowhere near the solution";
-    else if (!half.shape_error)
+    } else if (!half.shape_error) {
       result.reason = "half the step does not confirm it: " + half.reason;
-    else if (!(*half.shape_error <=
-               std::max(extremes::shrinks * *row.shape_error,
-                        std::max(10 * own, extremes::finest * reference.wear))))
-      result.reason = fmt::format("half the step leaves {:.1e} of {:.1e}",
-                                  relative(*half.shape_error, reference), *result.difference);
-    else
-      result.verdict = Verdict::agrees;
+    } else {
+      const double left = relative(*half.shape_error, reference);
+      if (left <= std::max(extremes::shrinks * *result.difference, extremes::near))
+        result.verdict = Verdict::agrees;
+      else
+        result.reason =
+            fmt::format("half the step leaves {:.1e} of {:.1e}", left, *result.difference);
+    }
     return result;
   }
 
