@@ -115,7 +115,7 @@ private:
     const double end = guarded("", [&] { return base_scene().real("time.end"); });
     auto& times = study_.sweep.back().times;
     times = declaration_.times;
-    if (times.empty())
+    if (times.empty() && !kept_)  // verdicts look at the end, and want no step cut short before
       for (int i = 1; i < 5; ++i) times.push_back(end * i / 5);
     for (const double time : times)
       if (time > end)
