@@ -8,8 +8,9 @@ namespace gnomon {
 
 double estimated_memory(const Scene& scene) {
   const Problem& problem = Problems::find(scene.text("problem"), "problem");
-  return problem.mesh_size ? estimated_memory(problem.mesh_size(scene), linear_solver_of(scene))
-                           : 0;
+  if (!problem.mesh_size) return 0;
+  const MeshSize mesh = problem.mesh_size(scene);
+  return estimated_memory(mesh, linear_solver_of(scene, mesh));
 }
 
 std::unique_ptr<Model> make_model(const Scene& scene) {

@@ -23,6 +23,7 @@ struct IntegratorSettings {
   double scale = 0;     ///< Model::differential_scale() [unit of the differential components]
   double alpha = 0.5;   ///< of the theta method, eq. (21)
   bool locate_events = false;  ///< end steps on changes of the active set
+  bool stop_unstable = false;  ///< end runs whose fixed steps do not damp
   int max_order = 5;           ///< upper bound on the order of a variable-order method
   double end = 0;              ///< time at which the run ends [time]
 };

@@ -43,6 +43,8 @@ struct RunOutcome {
   double wall_seconds = 0;
   long flickering_nodes = 0;  ///< contact nodes that left contact twice or more: an oscillation
 
+  std::string warning;  ///< of what may end a longer run; empty: none
+
   /// "finished", "interrupted", "failed: DIAGNOSIS"; what the result file and the summary say.
   std::string text() const;
 };

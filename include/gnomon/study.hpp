@@ -25,6 +25,8 @@ struct StudyRun {
   std::string name;   ///< stem of its files in runs/
   std::string title;  ///< "bdf rtol 1e-09"
   Scene scene;
+  /// "key=value", given to the program beside the scene: what no scene can hold (Impossible::kept).
+  std::vector<std::string> overrides{};
 };
 
 /// One combination of the swept values.
@@ -58,9 +60,14 @@ struct Study {
   std::vector<StudyRun> runs;  ///< of points and references; equal scenes are one run
 };
 
+/// What becomes of runs whose scene cannot be: the study is refused, or they stay, for the program
+/// to refuse them one by one.
+enum class Impossible { refused, kept };
+
 /// Reads a study and checks all of it: every scene resolves and has a model. Throws InputError with
-/// one line naming file, line, key and what was expected.
-Study load_study(const std::filesystem::path& file);
+/// one line naming file, line, key and what was expected; where impossible scenes are kept, only
+/// for what is wrong with the file itself, names of keys included.
+Study load_study(const std::filesystem::path& file, Impossible impossible = Impossible::refused);
 
 /// The help text of a study file's keys.
 std::string describe_study_keys();
@@ -70,6 +77,16 @@ struct StudyOptions {
   std::filesystem::path program;  ///< gnomon itself
   int jobs = 1;                   ///< processes at a time
   bool resume = false;            ///< keep what is done in an existing folder
+  double limit = 0;               ///< of the wall time of a run [s], which is killed then; 0: none
+};
+
+/// How a process ended.
+struct ProcessEnd {
+  int exit_code = 0;       ///< meaningful when signal is 0
+  int signal = 0;          ///< that ended the process
+  bool timed_out = false;  ///< killed at StudyOptions::limit
+  double cpu_seconds = 0;
+  double peak_memory_mb = 0;  ///< [10^6 bytes]
 };
 
 struct StudyProgress {
@@ -109,6 +126,8 @@ struct StudyRow {
   std::optional<double> wall_seconds;    ///< of the run itself
   std::optional<double> cpu_seconds;     ///< of its process, user and system
   std::optional<double> peak_memory_mb;  ///< of its process [10^6 bytes]
+  std::optional<double> reached;         ///< time of the last good state, finished or not
+  std::optional<ProcessEnd> end;         ///< none when it was not run
 };
 
 /// What the errors of one sweep point refer to, and how far that can be trusted.
@@ -118,6 +137,7 @@ struct StudyReference {
   std::optional<double> error;      ///< difference of the two runs at the end [length]
   std::optional<double> error_max;  ///< largest at the measured times [length]
   std::optional<double> pressure_error;
+  double wear = 0;  ///< Euclidean norm of the wear of all contact nodes at the end [length]
 };
 
 struct StudyTable {

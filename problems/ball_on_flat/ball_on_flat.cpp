@@ -101,7 +101,8 @@ Scales make_scales(const Scene& scene, double facet) {
   scales.force = force;
   scales.displacement = hertz.approach;
   scales.stress = force / (M_PI * hertz.radius * hertz.radius + worn_area);
-  scales.wear_depth = worn / worn_area;
+  // Without friction nothing wears, by eq. (13).
+  scales.wear_depth = worn > 0 ? worn / worn_area : hertz.approach;
   scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth * facet;
   return scales;
 }

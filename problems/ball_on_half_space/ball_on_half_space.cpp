@@ -145,7 +145,7 @@ void hold_boundary(bool sides_held, WornBody<3>& body) {
     for (int node : body.mesh.boundary_nodes(part)) body.displacement_fixed.row(node).setOnes();
 }
 
-Scales make_scales(const Scene& scene, double facet) {
+Scales make_scales(const Scene& scene) {
   const double R = scene.real("ball.radius"), force = scene.real("load.force");
   const HertzPoint hertz(force, R, scene.real("body.young_modulus"),
                          scene.real("body.poisson_ratio"));
@@ -158,7 +158,9 @@ Scales make_scales(const Scene& scene, double facet) {
   scales.force = force;
   scales.displacement = hertz.approach;
   scales.stress = force / (M_PI * hertz.radius * (hertz.radius + half_width));
-  scales.wear_depth = groove / (2 * std::max(half_width, hertz.radius));
+  // Without friction nothing wears, by eq. (13).
+  scales.wear_depth =
+      groove > 0 ? groove / (2 * std::max(half_width, hertz.radius)) : hertz.approach;
   scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
   return scales;
 }
@@ -180,7 +182,7 @@ std::unique_ptr<Model> make(const Scene& scene) {
   make_section(block, along, scene.real("path.length"), *body);
   hold_boundary(scene.text("block.sides") == "held", *body);
   body->load = NodalField<3>::Zero(body->displacement_fixed.rows(), 3);
-  body->scales = make_scales(scene, facet);
+  body->scales = make_scales(scene);
   read_worn_body(scene, facet, *body);
   CounterBody<3>& ball = body->contact.counter_body;
   ball.radius = scene.real("ball.radius");

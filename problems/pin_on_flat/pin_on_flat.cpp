@@ -94,7 +94,8 @@ Scales make_scales(const Scene& scene) {
   scales.displacement = force / reduced_modulus;
   scales.stress = force / width;
   scales.duration = scene.real("time.end");
-  scales.wear_depth = k_v * force * scales.duration / width;
+  // Of a run that would wear more than there is, no tolerance follows.
+  scales.wear_depth = std::min(k_v * force * scales.duration / width, scene.real("pin.height"));
   scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
   return scales;
 }

@@ -53,6 +53,7 @@ CommandLine::CommandLine() : app_("gnomon integrates the shape of worn bodies in
   add_run();
   add_resume();
   add_study();
+  add_extremes();
   add_check();
   add_inspection();
   add_compare();
@@ -124,6 +125,31 @@ void CommandLine::add_study() {
                     "Goes on in an existing folder, keeping what is done");
   command->add_flag("--quiet", study_.quiet, "Prints nothing but errors");
   command->callback([this] { command_ = [this] { return study_command(study_); }; });
+}
+
+void CommandLine::add_extremes() {
+  CLI::App* command = app_.add_subcommand(
+      "extremes", "Runs studies at the extremes of their parameters, and judges every run");
+  command
+      ->add_option("STUDIES", extremes_.studies,
+                   "Study files (TOML) and folders of them; default: problems/*/extremes")
+      ->type_name("");
+  command
+      ->add_option("-o,--output", extremes_.folder,
+                   "Folder of the results; default: extremes, in the current folder")
+      ->type_name("DIR");
+  command->add_option("--jobs", extremes_.jobs, "Runs at a time; default: the number of cores")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command
+      ->add_option("--limit", extremes_.limit,
+                   "Wall time after which a run counts as hung; default: 300")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.01, 1e6));
+  command->add_flag("--resume", extremes_.resume,
+                    "Goes on in an existing folder, keeping what is done");
+  command->add_flag("--quiet", extremes_.quiet, "Prints nothing but errors");
+  command->callback([this] { command_ = [this] { return extremes_command(extremes_); }; });
 }
 
 void CommandLine::add_inspection() {

@@ -27,6 +27,7 @@ private:
   void add_resume();
   void add_check();
   void add_study();
+  void add_extremes();
   void add_inspection();
   void add_compare();
   void add_stability();
@@ -42,6 +43,7 @@ private:
   RunOptions run_;
   ResumeOptions resume_;
   StudyCommandOptions study_;
+  ExtremesOptions extremes_;
   StabilityOptions stability_;
   std::optional<std::string> integrator_;
   std::string subject_;

@@ -40,9 +40,10 @@ std::string first_comment(const fs::path& file) {
   return line.starts_with("#") && text != std::string::npos ? line.substr(text) : "";
 }
 
-/// Studies lie in folders of that name; every other TOML file is a scene.
+/// Studies lie in folders of these names; every other TOML file is a scene.
 bool is_study(const fs::path& file) {
-  return file.parent_path().filename() == "studies";
+  const fs::path folder = file.parent_path().filename();
+  return folder == "studies" || folder == "extremes";
 }
 
 std::string list_files(bool studies) {

@@ -35,6 +35,15 @@ struct StudyCommandOptions {
   bool quiet = false;
 };
 
+struct ExtremesOptions {
+  std::vector<std::filesystem::path> studies;  ///< files, folders; empty: all that come with gnomon
+  std::filesystem::path folder = "extremes";
+  int jobs = 0;        ///< 0: one a core
+  double limit = 300;  ///< of the wall time of a run [s]
+  bool resume = false;
+  bool quiet = false;
+};
+
 struct StabilityOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;
@@ -46,6 +55,8 @@ struct StabilityOptions {
 int run_command(const RunOptions& options);
 int resume_command(const ResumeOptions& options);
 int study_command(const StudyCommandOptions& options);
+/// Throws Error when a case is wrong, hung or crashed.
+int extremes_command(const ExtremesOptions& options);
 int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 int list_command(const std::string& what);
 int info_command(const std::filesystem::path& result);

@@ -45,6 +45,10 @@ void warn_of_flicker(const RunOutcome& outcome, const Integrator& integrator) {
              outcome.flickering_nodes, integrator.name);
 }
 
+void warn_of_mesh(const RunOutcome& outcome) {
+  if (!outcome.warning.empty()) fmt::print(stderr, "gnomon: warning: {}\n", outcome.warning);
+}
+
 int exit_code(const RunOutcome& outcome) {
   switch (outcome.status) {
     case RunOutcome::Status::finished:
@@ -96,6 +100,7 @@ int report_end(const RunOutcome& outcome, const Integrator& integrator, const En
   if (outcome.status == RunOutcome::Status::failed)
     throw SolutionError(failure_message(outcome, report));
   if (!report.quiet && report.table) print_summary(outcome, report);
+  if (!report.quiet) warn_of_mesh(outcome);
   if (!report.quiet) warn_of_flicker(outcome, integrator);
   return exit_code(outcome);
 }

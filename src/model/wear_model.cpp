@@ -40,14 +40,16 @@ std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
     pressure = std::max(pressure, -node.traction);
     active += node.active;
   }
-  double worn = 0, quality = 1;
+  double worn = 0, quality = 1, least = 1;
   CellNodal<dim> initial, X;
   for (const auto& cell : body.mesh.cells) {
     for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) {
       initial.row(a) = body.mesh.nodes[cell[a]].transpose();
       X.row(a) = initial.row(a) + nodal.d.row(cell[a]);
     }
-    worn += cell_volume<dim>(initial) - cell_volume<dim>(X);
+    const double before = cell_volume<dim>(initial), after = cell_volume<dim>(X);
+    worn += before - after;
+    least = std::min(least, after / before);
     quality = std::min(quality, scaled_jacobian<dim>(X));
   }
   worn *= body.copies;
@@ -61,7 +63,8 @@ std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
       {"worn_volume", volume_unit,
        body.section ? worn * body.section->path / body.section->length : worn},
       {"wear_flux", volume_unit + "/s", flux},
-      {"element_quality", "", quality}};
+      {"element_quality", "", quality},
+      {"element_volume", "", least}};
   if (body.section) scalars.push_back({"groove_section", "mm^2", worn / body.section->length});
   if (body.counter_force) scalars.push_back({"approach", "mm", nodal.w});
   if constexpr (dim == 2)

@@ -3,6 +3,8 @@
 #include <gnomon/run.hpp>
 
 #include "run/checkpoint_numbers.hpp"
+#include "run/instability.hpp"
+#include "run/mesh_watch.hpp"
 #include "run/store_schedule.hpp"
 #include "run/wear_integral.hpp"
 
@@ -22,7 +24,8 @@ public:
         checkpoint_work_(policy.checkpoint_work),
         schedule_(policy, settings.end),
         writer_(writer),
-        hooks_(hooks) {}
+        hooks_(hooks),
+        watches_damping_(settings.stop_unstable && may_fail_to_damp(integrator, settings)) {}
 
   RunOutcome operator()(const Resumption* from) {
     try {
@@ -40,6 +43,7 @@ public:
     outcome_.wall_seconds = elapsed();
     outcome_.counters = counters_;
     outcome_.flickering_nodes = memory_.flicker.nodes();
+    if (outcome_.last) outcome_.warning = mesh_warning(outcome_.last->scalars);
     if (writer_) writer_->close(outcome_.text(), outcome_.wall_seconds);
     return outcome_;
   }
@@ -67,14 +71,19 @@ private:
   }
 
   Status integrate() {
+    if (watches_damping_) require_damping(model_, integrator_, settings_, state());
     while (state().t < settings_.end) {
       if (hooks_.interrupted()) return Status::interrupted;
       if (!stepper_) make_stepper();
       const StepReport report = stepper_->advance(state(), schedule_.stop());
       record(report);
+      require_sound_mesh(outcome_.last->scalars);
+      if (watches_damping_) require_no_flicker(memory_.flicker.nodes(), integrator_);
       if (schedule_.wants(state().t, counters_.steps)) store();
       if (work() >= next_checkpoint_ || state().t >= settings_.end) checkpoint();
     }
+    // What touched in one node at the start had no fast mode there.
+    if (watches_damping_) require_damping(model_, integrator_, settings_, state());
     return Status::finished;
   }
 
@@ -134,6 +143,7 @@ private:
   StoreSchedule schedule_;
   ResultWriter* writer_;
   const RunHooks& hooks_;
+  const bool watches_damping_;
 
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   double earlier_seconds_ = 0;

@@ -50,6 +50,7 @@ IntegratorSettings integrator_settings(const Scene& scene, const Model& model) {
   settings.scale = model.differential_scale();
   settings.alpha = scene.real("integrator.alpha");
   settings.locate_events = scene.text("integrator.events") == "locate";
+  settings.stop_unstable = scene.text("integrator.unstable") == "stop";
   settings.max_order = static_cast<int>(scene.integer("integrator.max_order"));
   return settings;
 }

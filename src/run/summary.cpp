@@ -35,8 +35,9 @@ void add_counters(Json& json, const Counters& counters) {
 
 void add_scalars(Json& json, const RunOutcome& outcome) {
   // Named even when there are none, so that scripts find the keys in every summary.
-  for (const char* name : {"contact_nodes", "contact_force", "max_pressure", "worn_volume",
-                           "wear_flux", "wear_integral", "element_quality", "contact_half_width"})
+  for (const char* name :
+       {"contact_nodes", "contact_force", "max_pressure", "worn_volume", "wear_flux",
+        "wear_integral", "element_quality", "element_volume", "contact_half_width"})
     json[name] = nullptr;
   if (!outcome.last) return;
   for (const Scalar& scalar : outcome.last->scalars) json[scalar.name] = scalar.value;

@@ -62,6 +62,14 @@ std::vector<Key> integrator_keys() {
        .choices = {"ignore", "locate"},
        .help = "locate: end steps where contact nodes switch (implicit one-step methods, "
                "forward-euler and bdf)"},
+      {.name = "integrator.unstable",
+       .kind = KeyKind::text,
+       .presence = defaulted,
+       .default_value = "stop",
+       .choices = {"stop", "accept"},
+       .help =
+           "fixed steps that amplify the fastest mode, or hardly damp it: stop the run, or accept "
+           "numbers that are worthless"},
   };
 }
 

@@ -59,8 +59,10 @@ std::string label_text(const RawValue& value) {
 
 class Reader {
 public:
-  Reader(const fs::path& file, std::string text)
-      : text_(std::move(text)), document_(read_toml_document(text_, file.string())) {
+  Reader(const fs::path& file, std::string text, Impossible impossible)
+      : text_(std::move(text)),
+        document_(read_toml_document(text_, file.string())),
+        impossible_(impossible) {
     declaration_.file = file.string();
     declaration_.title = first_comment(text_);
   }
@@ -68,8 +70,9 @@ public:
   Declaration read() {
     check_brackets();
     read_scene();
-    const KeyedTable top(declaration_.file, 0, document_.entries,
-                         {.prefix = "", .keys = top_keys(), .scene_keys = &scene_keys_});
+    const KeyedTable top(
+        declaration_.file, 0, document_.entries,
+        {.prefix = "", .keys = top_keys(), .scene_keys = &scene_keys_, .impossible = impossible_});
     declaration_.common = top.settings();
     declaration_.times_origin = top.where("times");
     if (top.has("times")) declaration_.times = top.reals("times");
@@ -138,13 +141,14 @@ private:
       if (key.name == sweep.key) sweep_values(sweep, keyed);
     // Throws: the name is unknown.
     if (sweep.values.empty())
-      scene_setting(sweep.key, keyed.open_values().front(), sweep.origin, scene_keys_);
+      scene_setting(sweep.key, keyed.open_values().front(), sweep.origin, scene_keys_, impossible_);
     return sweep;
   }
 
   void sweep_values(Sweep& sweep, const KeyedTable& keyed) const {
     for (const RawValue& value : keyed.open_values()) {
-      SceneSetting setting = scene_setting(sweep.key, value, keyed.where("values"), scene_keys_);
+      SceneSetting setting =
+          scene_setting(sweep.key, value, keyed.where("values"), scene_keys_, impossible_);
       for (const SceneSetting& earlier : sweep.values)
         if (earlier.value == setting.value)
           throw InputError(
@@ -173,9 +177,11 @@ private:
   }
 
   void add_method(const RawTable& table) {
-    const KeyedTable keyed(
-        declaration_.file, table.line, table.entries,
-        {.prefix = "method.", .keys = method_keys(), .scene_keys = &scene_keys_});
+    const KeyedTable keyed(declaration_.file, table.line, table.entries,
+                           {.prefix = "method.",
+                            .keys = method_keys(),
+                            .scene_keys = &scene_keys_,
+                            .impossible = impossible_});
     Method method = common_of(keyed);
     add_ladder(method, keyed, "steps", Kind::step);
     add_ladder(method, keyed, "tolerances", Kind::tolerance);
@@ -206,9 +212,11 @@ private:
   }
 
   Method reference(const RawTable& table) const {
-    const KeyedTable keyed(
-        declaration_.file, table.line, table.entries,
-        {.prefix = "reference.", .keys = reference_keys(), .scene_keys = &scene_keys_});
+    const KeyedTable keyed(declaration_.file, table.line, table.entries,
+                           {.prefix = "reference.",
+                            .keys = reference_keys(),
+                            .scene_keys = &scene_keys_,
+                            .impossible = impossible_});
     Method method = common_of(keyed);
     method.ladder = {{Kind::tolerance, keyed.real("tolerance")}};
     return method;
@@ -285,6 +293,7 @@ private:
 
   std::string text_;
   RawDocument document_;
+  Impossible impossible_;
   Declaration declaration_;
   std::vector<Key> scene_keys_;
 };
@@ -300,8 +309,8 @@ std::string number_text(double value) {
   return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
 }
 
-Declaration read_declaration(const fs::path& file) {
-  return Reader(file, read_file(file)).read();
+Declaration read_declaration(const fs::path& file, Impossible impossible) {
+  return Reader(file, read_file(file), impossible).read();
 }
 
 }  // namespace gnomon::study

@@ -49,7 +49,7 @@ struct Declaration {
 };
 
 /// Reads and checks a study file. Throws InputError.
-Declaration read_declaration(const std::filesystem::path& file);
+Declaration read_declaration(const std::filesystem::path& file, Impossible impossible);
 
 /// "step", "rtol".
 std::string kind_name(StudySetting::Kind kind);

@@ -37,7 +37,8 @@ std::string last_part(const std::string& label) {
 
 class Expansion {
 public:
-  explicit Expansion(const Declaration& declaration) : declaration_(declaration) {
+  Expansion(const Declaration& declaration, Impossible impossible)
+      : declaration_(declaration), kept_(impossible == Impossible::kept) {
     study_.file = declaration.file;
     study_.name = study_.file.stem().string();
     study_.title = declaration.title;
@@ -90,9 +91,20 @@ private:
     point.label = fmt::format("{}", fmt::join(labels, "; "));
     prefix_ = fmt::format("{}", fmt::join(parts, "__"));
     study_.sweep.push_back(std::move(point));
+    add_ways_to_measure();
+    for (std::size_t i = 0; i < declaration_.methods.size(); ++i) add_points(i);
+  }
+
+  /// An impossible sweep point has nothing to measure.
+  void add_ways_to_measure() try {
     add_times();
     add_references();
-    for (std::size_t i = 0; i < declaration_.methods.size(); ++i) add_points(i);
+  } catch (const InputError&) {
+    if (!kept_) throw;
+    SweepPoint& point = study_.sweep.back();
+    point.times.clear();
+    point.exact.clear();
+    point.references.clear();
   }
 
   void override_with(const std::vector<SceneSetting>& settings) {
@@ -103,7 +115,7 @@ private:
     const double end = guarded("", [&] { return base_scene().real("time.end"); });
     auto& times = study_.sweep.back().times;
     times = declaration_.times;
-    if (times.empty())
+    if (times.empty() && !kept_)  // verdicts look at the end, and want no step cut short before
       for (int i = 1; i < 5; ++i) times.push_back(end * i / 5);
     for (const double time : times)
       if (time > end)
@@ -166,7 +178,8 @@ private:
                              method.integrator, setting});
   }
 
-  Scene scene_of(const Method& method, const StudySetting& setting) const {
+  std::map<std::string, std::string> overrides_of(const Method& method,
+                                                  const StudySetting& setting) const {
     auto overrides = overrides_;
     for (const SceneSetting& own : method.settings) overrides[own.key] = own.value;
     overrides["integrator.name"] = fmt::format("\"{}\"", method.integrator);
@@ -176,6 +189,12 @@ private:
     overrides["output.last"] = "true";
     overrides["output.checkpoints"] = std::string(1, '0');  // runs are redone, and costs compared
     overrides["output.times"] = fmt::format("[{}]", fmt::join(study_.sweep.back().times, ", "));
+    return overrides;
+  }
+
+  Scene scene_of(const Method& method, const StudySetting& setting) const {
+    const auto overrides = overrides_of(method, setting);
+    const bool fixed = setting.kind == Kind::step;
     return guarded(title(method, setting), [&] {
       Scene scene = load_scene(declaration_.scene, override_texts(overrides), key_table);
       if (!fixed) scene = scene.without("integrator.step");
@@ -185,10 +204,21 @@ private:
     });
   }
 
+  /// The scene of a run; an impossible one is the study's own scene, and what makes it impossible.
+  std::pair<Scene, std::vector<std::string>> scene_and_overrides(const Method& method,
+                                                                 const StudySetting& setting) const
+      try {
+    return {scene_of(method, setting), {}};
+  } catch (const InputError&) {
+    if (!kept_) throw;
+    return {load_scene(declaration_.scene, {}, key_table),
+            override_texts(overrides_of(method, setting))};
+  }
+
   /// The run of this scene, a new one unless there is one already.
   std::size_t run_of(const Method& method, const StudySetting& setting) {
-    Scene scene = scene_of(method, setting);
-    const std::string text = scene.resolved();
+    auto [scene, further] = scene_and_overrides(method, setting);
+    const std::string text = fmt::format("{}{}", scene.resolved(), fmt::join(further, "\n"));
     const auto [place, is_new] = runs_.try_emplace(text, study_.runs.size());
     if (is_new) {
       const std::string stem =
@@ -197,7 +227,7 @@ private:
       std::string name = stem;  // names that differ in what files cannot be called get numbers
       for (int i = 2; names_.contains(name); ++i) name = fmt::format("{}__{}", stem, i);
       names_.insert(name);
-      study_.runs.push_back({name, title(method, setting), std::move(scene)});
+      study_.runs.push_back({name, title(method, setting), std::move(scene), std::move(further)});
     }
     return place->second;
   }
@@ -208,6 +238,7 @@ private:
   }
 
   const Declaration& declaration_;
+  const bool kept_;
   Study study_;
   std::map<std::string, std::string> overrides_;  // of the sweep point: key, value in TOML
   std::string prefix_;                            // of the names of its runs
@@ -217,9 +248,9 @@ private:
 
 }  // namespace
 
-Study load_study(const std::filesystem::path& file) {
-  const Declaration declaration = read_declaration(file);
-  return Expansion(declaration)();
+Study load_study(const std::filesystem::path& file, Impossible impossible) {
+  const Declaration declaration = read_declaration(file, impossible);
+  return Expansion(declaration, impossible)();
 }
 
 }  // namespace gnomon

@@ -1,8 +1,10 @@
 #include "study/keyed_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/error.hpp>
 
 #include "scene/key_check.hpp"
@@ -40,6 +42,23 @@ SceneValue checked(const Key& key, const RawValue& raw, const std::string& origi
   return std::get<SceneValue>(result);
 }
 
+std::string text_of(const RawScalar& value) {
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* integer = std::get_if<long>(&value)) return fmt::format("{}", *integer);
+  if (const auto* real = std::get_if<double>(&value))
+    return std::isfinite(*real) ? toml_text(*real) : fmt::format("{}", *real);
+  if (const auto* text = std::get_if<std::string>(&value)) return toml_text(*text);
+  return "{}";  // a table or a date: no value of any key either
+}
+
+/// The value in TOML, whatever its key says of it.
+std::string unchecked_text(const RawValue& raw) {
+  if (const auto* scalar = std::get_if<RawScalar>(&raw.content)) return text_of(*scalar);
+  std::vector<std::string> parts;
+  for (const RawScalar& scalar : std::get<RawArray>(raw.content)) parts.push_back(text_of(scalar));
+  return fmt::format("[{}]", fmt::join(parts, ", "));
+}
+
 /// Why a study gives this key itself; empty if it does not.
 std::string owner(const std::string& key) {
   if (key == "problem") return "the scene";
@@ -65,12 +84,14 @@ std::string message_about(const std::string& file, int line, const std::string& 
 }
 
 SceneSetting scene_setting(const std::string& name, const RawValue& raw, const std::string& origin,
-                           const std::vector<Key>& scene_keys) {
+                           const std::vector<Key>& scene_keys, Impossible impossible) {
   const Key* key = find(scene_keys, name);
   if (!key) fail_unknown(origin, name, "", names_of(scene_keys), "gnomon help scene");
   if (const std::string by = owner(name); !by.empty())
     throw InputError(
         fmt::format("{}: expected another key, `{}` is given by {}", origin, name, by));
+  if (impossible == Impossible::kept && std::holds_alternative<Complaint>(check_value(*key, raw)))
+    return {name, unchecked_text(raw), origin};
   return {name, toml_text(checked(*key, raw, origin)), origin};
 }
 
@@ -94,7 +115,8 @@ void KeyedTable::read(const RawEntry& entry, const TableSpec& spec) {
   }
   if (spec.scene_keys && entry.name == "set" && is_table(entry.value)) return;  // empty
   if (spec.scene_keys && entry.name.starts_with("set.")) {
-    settings_.push_back(scene_setting(entry.name.substr(4), entry.value, origin, *spec.scene_keys));
+    settings_.push_back(scene_setting(entry.name.substr(4), entry.value, origin, *spec.scene_keys,
+                                      spec.impossible));
     return;
   }
   if (const Key* key = find(spec.keys, entry.name)) {

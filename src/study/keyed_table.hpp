@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gnomon/scene.hpp>
+#include <gnomon/study.hpp>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,9 +23,10 @@ struct SceneSetting {
 std::string message_about(const std::string& file, int line, const std::string& key);
 
 /// Checks `raw` for the scene key `name`; `origin` begins the message. Refuses keys that a study
-/// gives itself. Throws InputError.
+/// gives itself, and values that are none of the key's unless impossible ones are kept. Throws
+/// InputError.
 SceneSetting scene_setting(const std::string& name, const RawValue& raw, const std::string& origin,
-                           const std::vector<Key>& scene_keys);
+                           const std::vector<Key>& scene_keys, Impossible impossible);
 
 /// What a table may hold.
 struct TableSpec {
@@ -32,6 +34,7 @@ struct TableSpec {
   std::vector<Key> keys;
   std::string open_key{};                        ///< an array of values of any type; empty: none
   const std::vector<Key>* scene_keys = nullptr;  ///< what "set." may set; null: nothing
+  Impossible impossible = Impossible::refused;   ///< values of these
 };
 
 class KeyedTable {

@@ -34,6 +34,12 @@ Errors errors_between(const Surfaces& surfaces, const Surfaces& reference) {
   return errors;
 }
 
+double wear_of(const ContactSurface& surface) {
+  double sum = 0;
+  for (const double depth : surface.wear_depth) sum += depth * depth;
+  return std::sqrt(sum);
+}
+
 class Measurement {
 public:
   Measurement(const Study& study, const std::filesystem::path& folder)
@@ -50,7 +56,7 @@ private:
 
   /// Record and surfaces; a result that cannot be read is a failure with its reason.
   RunRecord record_of(std::size_t run, const SweepPoint& sweep, Surfaces& surfaces) const {
-    auto found = read_record(files(run), study_.runs[run].scene);
+    auto found = read_record(files(run), study_.runs[run]);
     if (!found) {
       RunRecord missing;
       missing.status = "failed";
@@ -78,7 +84,8 @@ private:
                    .usable = true,
                    .error = 0.0,
                    .error_max = 0.0,
-                   .pressure_error = std::nullopt};
+                   .pressure_error = std::nullopt,
+                   .wear = wear_of(chosen.back())};
       return;
     }
     std::vector<Surfaces> found;
@@ -97,6 +104,7 @@ private:
     describe(reference, used, failed);
     if (found.empty()) return;
     chosen = std::move(found.front());
+    reference.wear = wear_of(chosen.back());
     if (found.size() < 2) return;
     const Errors errors = errors_between(chosen, found.back());
     reference.error = errors.shape;
@@ -125,8 +133,12 @@ private:
     row.reason = record.reason;
     row.counters = record.counters;
     row.wall_seconds = record.wall_seconds;
-    row.cpu_seconds = record.cpu_seconds;
-    row.peak_memory_mb = record.peak_memory_mb;
+    row.reached = record.reached;
+    row.end = record.end;
+    if (record.end) {
+      row.cpu_seconds = record.end->cpu_seconds;
+      row.peak_memory_mb = record.end->peak_memory_mb;
+    }
     if (!surfaces.empty()) add_errors(row, surfaces);
     return row;
   }

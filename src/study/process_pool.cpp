@@ -60,7 +60,18 @@ void ProcessPool::start(std::size_t index, const Command& command) {
   const pid_t parent = getpid(), process = fork();
   if (process == 0) become(parent, log.c_str(), argv.data());
   if (process < 0) throw Error(fmt::format("cannot start a process: {}", std::strerror(errno)));
-  children_.push_back({process, index});
+  const auto limit = std::chrono::duration<double>(command.limit);
+  children_.push_back({process, index,
+                       command.limit > 0 ? Clock::now() + std::chrono::ceil<Clock::duration>(limit)
+                                         : Clock::time_point::max()});
+}
+
+void ProcessPool::kill_the_late() {
+  for (Child& child : children_) {
+    if (Clock::now() < child.deadline) continue;
+    child.timed_out = true;
+    kill(child.process, SIGKILL);
+  }
 }
 
 bool ProcessPool::reap(const Ended& ended) {
@@ -76,12 +87,16 @@ bool ProcessPool::reap(const Ended& ended) {
     const Child child = children_[i];
     children_.erase(children_.begin() + static_cast<std::ptrdiff_t>(i));
     any = true;
-    if (result > 0) ended(child.index, end_of(status, usage));
+    if (result <= 0) continue;
+    ProcessEnd end = end_of(status, usage);
+    end.timed_out = child.timed_out && end.signal == SIGKILL;
+    ended(child.index, end);
   }
   return any;
 }
 
 void ProcessPool::wait(const Ended& ended) {
+  kill_the_late();
   if (!reap(ended) && running() > 0) std::this_thread::sleep_for(pause_between_looks);
 }
 

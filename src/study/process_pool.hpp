@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <gnomon/study.hpp>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,7 @@ namespace gnomon::study {
 struct Command {
   std::vector<std::string> arguments;  ///< the program first
   std::filesystem::path log;           ///< takes standard error; standard output is dropped
-};
-
-struct ProcessEnd {
-  int exit_code = 0;  ///< meaningful when signal is 0
-  int signal = 0;     ///< that ended the process
-  double cpu_seconds = 0;
-  double peak_memory_mb = 0;  ///< [10^6 bytes]
+  double limit = 0;                    ///< of the wall time [s], killed then; 0: none
 };
 
 /// The processes of a pool end with it, and with the process that made it, however that ends.
@@ -47,8 +42,11 @@ private:
   struct Child {
     pid_t process;
     std::size_t index;
+    Clock::time_point deadline;
+    bool timed_out = false;
   };
   bool reap(const Ended& ended);
+  void kill_the_late();
 
   std::vector<Child> children_;
 };

@@ -47,6 +47,7 @@ Counters counters_of(const Json& json) {
 
 /// Why a process that left no summary has failed: its last words.
 std::string reason_of(const RunFiles& files, const Json& process) {
+  if (process.value("timed_out", false)) return "took longer than allowed";
   if (const int signal = process.value("signal", 0); signal != 0)
     return fmt::format("ended by signal {} ({})", signal, strsignal(signal));
   std::string line, last;
@@ -63,6 +64,8 @@ void read_summary(RunRecord& record, const Json& summary) {
   record.reason = summary.value("diagnosis", "");
   record.counters = counters_of(summary);
   record.wall_seconds = summary.value("wall_seconds", 0.0);
+  if (const auto t = summary.find("t"); t != summary.end() && t->is_number())
+    record.reached = t->get<double>();
 }
 
 }  // namespace
@@ -82,21 +85,24 @@ void remove_files(const RunFiles& files) {
     fs::remove(*file, ignored);
 }
 
-void write_process_end(const RunFiles& files, const Scene& scene, const ProcessEnd& end) {
+void write_process_end(const RunFiles& files, const StudyRun& run, const ProcessEnd& end) {
   nlohmann::ordered_json json;
   json["exit_code"] = end.exit_code;
   json["signal"] = end.signal;
+  json["timed_out"] = end.timed_out;
   json["cpu_seconds"] = end.cpu_seconds;
   json["peak_memory_mb"] = end.peak_memory_mb;
   json["versions"] = library_versions();
-  json["scene"] = scene.resolved();
+  json["scene"] = run.scene.resolved();
+  json["overrides"] = run.overrides;
   write_file(files.process, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n",
              Earlier::replaced);
 }
 
-std::optional<RunRecord> read_record(const RunFiles& files, const Scene& scene) try {
+std::optional<RunRecord> read_record(const RunFiles& files, const StudyRun& run) try {
   const Json process = read_json(files.process);
-  if (process.value("scene", "") != scene.resolved() ||
+  if (process.value("scene", "") != run.scene.resolved() ||
+      process.value("overrides", Json::array()) != Json(run.overrides) ||
       process.value("versions", Json()) != Json(library_versions()))
     return std::nullopt;
   RunRecord record;
@@ -106,8 +112,11 @@ std::optional<RunRecord> read_record(const RunFiles& files, const Scene& scene) 
     record.status = "failed";
     record.reason = reason_of(files, process);
   }
-  record.cpu_seconds = process.value("cpu_seconds", 0.0);
-  record.peak_memory_mb = process.value("peak_memory_mb", 0.0);
+  record.end = ProcessEnd{.exit_code = process.value("exit_code", -1),
+                          .signal = process.value("signal", 0),
+                          .timed_out = process.value("timed_out", false),
+                          .cpu_seconds = process.value("cpu_seconds", 0.0),
+                          .peak_memory_mb = process.value("peak_memory_mb", 0.0)};
   return record;
 } catch (const Json::exception&) {
   return std::nullopt;  // damaged: as good as none

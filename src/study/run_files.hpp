@@ -30,15 +30,15 @@ struct RunRecord {
   std::string reason;
   std::optional<Counters> counters;
   std::optional<double> wall_seconds;
-  std::optional<double> cpu_seconds;
-  std::optional<double> peak_memory_mb;
+  std::optional<double> reached;  ///< time of the last good state
+  std::optional<ProcessEnd> end;
 };
 
 void remove_files(const RunFiles& files);
 /// Notes how the process of a run ended.
-void write_process_end(const RunFiles& files, const Scene& scene, const ProcessEnd& end);
-/// The record of a run of this very scene by this very version of gnomon; none when there is none.
-std::optional<RunRecord> read_record(const RunFiles& files, const Scene& scene);
+void write_process_end(const RunFiles& files, const StudyRun& run, const ProcessEnd& end);
+/// The record of this very run by this very version of gnomon; none when there is none.
+std::optional<RunRecord> read_record(const RunFiles& files, const StudyRun& run);
 
 /// The contact surface of a result at these times. Throws InputError when one cannot be read.
 std::vector<ContactSurface> read_surfaces(const RunFiles& files, const std::vector<double>& times);

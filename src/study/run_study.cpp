@@ -118,7 +118,7 @@ private:
     std::set<std::size_t> seen;
     const auto look = [&](std::size_t run, const SweepPoint& sweep) {
       if (!seen.insert(run).second) return;
-      const auto record = read_record(files(run), study_.runs[run].scene);
+      const auto record = read_record(files(run), study_.runs[run]);
       if (!record || !is_done(run, *record, sweep)) {
         waiting_.push_back(run);
         return;
@@ -146,17 +146,21 @@ private:
     const RunFiles files = this->files(run);
     remove_files(files);
     write_file(files.scene, study_.runs[run].scene.resolved(), Earlier::replaced);
-    pool_.start(
-        run, {.arguments = {options_.program.string(), "run", files.scene.string(), "-o",
-                            files.result.string(), "--summary", files.summary.string(), "--quiet"},
-              .log = files.log});
+    Command command{
+        .arguments = {options_.program.string(), "run", files.scene.string(), "-o",
+                      files.result.string(), "--summary", files.summary.string(), "--quiet"},
+        .log = files.log,
+        .limit = options_.limit};
+    for (const std::string& override_text : study_.runs[run].overrides)
+      command.arguments.insert(command.arguments.end(), {"--set", override_text});
+    pool_.start(run, command);
   }
 
   void finish(std::size_t run, const ProcessEnd& end) {
     const RunFiles files = this->files(run);
     if (hooks_.interrupted()) return;  // it may have been ended by the same signal
-    write_process_end(files, study_.runs[run].scene, end);
-    const auto record = read_record(files, study_.runs[run].scene);
+    write_process_end(files, study_.runs[run], end);
+    const auto record = read_record(files, study_.runs[run]);
     std::error_code ignored;
     if (fs::is_empty(files.log, ignored)) fs::remove(files.log, ignored);
     ++progress_.done;

@@ -156,11 +156,12 @@ TEST_F(Program, InfoTellsStatusUnknownsAndScene) {
     EXPECT_THAT(outcome.out, HasSubstr(part));
 }
 
-TEST_F(Program, WarnsWhenTheContactFlickers) {
+TEST_F(Program, WarnsWhenAnAcceptedContactFlickers) {
   const auto warning = [&](const std::string& step) {
     const Outcome outcome =
         gnomon({"run", pin, "--set", coarse, "--integrator", "forward-euler", "--set",
-                "integrator.step=" + step, "--force", "-o", "a.h5", "--summary", "s.json"});
+                "integrator.step=" + step, "--set", "integrator.unstable=accept", "--force", "-o",
+                "a.h5", "--summary", "s.json"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
     const bool warned = outcome.err.find("warning") != std::string::npos;
@@ -169,6 +170,37 @@ TEST_F(Program, WarnsWhenTheContactFlickers) {
   };
   EXPECT_FALSE(warning("20"));  // the critical step is some 46 s
   EXPECT_TRUE(warning("100"));
+}
+
+// Whatever it is seen by: at the start, by flicker, or at the end of a run in one step.
+TEST_F(Program, StopsBeyondTheCriticalStep) {
+  const auto run = [&](const std::string& integrator, const std::string& step) {
+    return gnomon({"run", pin, "--set", coarse, "--integrator", integrator, "--set",
+                   "integrator.step=" + step, "--force", "-o", "a.h5"});
+  };
+  for (const char* integrator : {"forward-euler", "erk-4"}) {
+    EXPECT_EQ(run(integrator, "20").exit_code, 0) << integrator;
+    for (const char* step : {"100", "250", "1000"}) {
+      const Outcome outcome = run(integrator, step);
+      EXPECT_EQ(outcome.exit_code, 3) << integrator << " " << step;
+      EXPECT_THAT(outcome.err, HasSubstr("critical")) << integrator << " " << step;
+    }
+  }
+  EXPECT_EQ(run("backward-euler", "1000").exit_code, 0);
+}
+
+TEST_F(Program, StopsWhenThePinIsWornAway) {
+  const Outcome outcome = gnomon({"run", pin, "--set", coarse, "--integrator", "bdf", "--set",
+                                  "wear.coefficient=1e-5", "-o", "a.h5"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("worn down to"));
+}
+
+TEST_F(Program, WarnsOfElementsThatAreNearlyUsedUp) {
+  const Outcome outcome = gnomon({"run", pin, "--set", coarse, "--integrator", "bdf", "--set",
+                                  "wear.coefficient=1e-5", "--set", "time.end=430", "-o", "a.h5"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("warning: an element is worn down to"));
 }
 
 TEST_F(Program, ListsAndHelp) {

@@ -11,11 +11,16 @@ namespace {
 
 using namespace testing;
 
+bool is_study(const std::filesystem::path& file) {
+  const std::string folder = file.parent_path().filename();
+  return folder == "studies" || folder == "extremes";
+}
+
 std::vector<std::string> scenes() {
   const std::filesystem::path root = GNOMON_SOURCE_DIR "/problems";
   std::vector<std::string> result;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root))
-    if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "studies")
+    if (entry.path().extension() == ".toml" && !is_study(entry.path()))
       result.push_back(std::filesystem::relative(entry.path(), root).string());
   return result;
 }

@@ -1,0 +1,63 @@
+#include "run/instability.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/error.hpp>
+#include <gnomon/stability.hpp>
+#include <optional>
+
+namespace gnomon {
+
+namespace {
+
+/// The fastest mode, where the spectrum can be computed and it decays.
+std::optional<Mode> fastest_mode(const Model& model, const State& state) try {
+  constexpr int count = 1;
+  auto modes = leading_modes(ReducedJacobian(model.system(), state), count);
+  if (modes.empty() || modes.front().eigenvalue.real() >= 0) return std::nullopt;
+  return std::move(modes.front());
+} catch (const SolutionError&) {
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool may_fail_to_damp(const Integrator& integrator, const IntegratorSettings& settings) {
+  constexpr double stiff = -1e8, damps = 0.9;
+  if (settings.step == 0) return false;  // the error control keeps to what is damped
+  const auto table = integrator.table(settings);
+  return table && !(std::abs(stability_function(*table, stiff)) < damps);
+}
+
+void require_damping(const Model& model, const Integrator& integrator,
+                     const IntegratorSettings& settings, const State& state) {
+  constexpr double most_per_step = 2, most_left = 0.5, decayed = 0.1;
+  const auto mode = fastest_mode(model, state);
+  if (!mode || std::exp(mode->eigenvalue.real() * settings.end) > decayed) return;
+  const ButcherTable table = *integrator.table(settings);
+  const double per_step = std::abs(stability_function(table, settings.step * mode->eigenvalue));
+  const double steps = std::max(1.0, settings.end / settings.step);
+  if (per_step <= most_per_step && steps * std::log(per_step) <= std::log(most_left)) return;
+  const double critical = critical_step(table, {&*mode, 1}).step;
+  throw SolutionError(
+      std::isfinite(critical)
+          ? fmt::format("steps of {:g} s exceed the critical one of {} at t = {:g} s, {:.3g} s "
+                        "(gnomon stability)",
+                        settings.step, integrator.name, state.t, critical)
+          : fmt::format("steps of {:g} s are too long for {} at t = {:g} s: {:.2g} of the fastest "
+                        "mode, {:.2g} /s, would be left (gnomon stability)",
+                        settings.step, integrator.name, state.t, std::pow(per_step, steps),
+                        mode->eigenvalue.real()));
+}
+
+void require_no_flicker(long flickering_nodes, const Integrator& integrator) {
+  if (flickering_nodes > 0)
+    throw SolutionError(
+        fmt::format("{} contact nodes left contact twice or more: steps exceed the critical one of "
+                    "{} (gnomon stability)",
+                    flickering_nodes, integrator.name));
+}
+
+}  // namespace gnomon

@@ -1,0 +1,45 @@
+#include "run/mesh_watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <gnomon/error.hpp>
+
+namespace gnomon {
+
+namespace {
+
+/// One where the model has no such scalar.
+double value_of(const std::vector<Scalar>& scalars, const char* name) {
+  const auto found = std::find_if(scalars.begin(), scalars.end(),
+                                  [&](const Scalar& scalar) { return scalar.name == name; });
+  return found == scalars.end() ? 1 : found->value;
+}
+
+}  // namespace
+
+void require_sound_mesh(const std::vector<Scalar>& scalars) {
+  const double volume = value_of(scalars, "element_volume");
+  const double quality = value_of(scalars, "element_quality");
+  // What wear leaves of such an element takes ever shorter steps to nowhere.
+  if (volume < 0.01)
+    throw SolutionError(fmt::format(
+        "an element is worn down to {:.2g} of its volume: the body is worn away, or its mesh too "
+        "flat for that depth",
+        volume));
+  if (quality <= 0)
+    throw SolutionError(fmt::format(
+        "an element of the worn mesh is folded: its scaled Jacobian is {:.2g}", quality));
+}
+
+std::string mesh_warning(const std::vector<Scalar>& scalars) {
+  const double volume = value_of(scalars, "element_volume");
+  const double quality = value_of(scalars, "element_quality");
+  if (volume < 0.1) return fmt::format("an element is worn down to {:.2g} of its volume", volume);
+  if (quality < 0.1)
+    return fmt::format(
+        "an element of the worn mesh is nearly folded: its scaled Jacobian is {:.2g}", quality);
+  return {};
+}
+
+}  // namespace gnomon

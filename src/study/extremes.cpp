@@ -1,0 +1,224 @@
+// The cases of an extreme study, and the verdicts on them.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <gnomon/error.hpp>
+#include <gnomon/extremes.hpp>
+#include <gnomon/problem.hpp>
+#include <gnomon/results.hpp>
+
+#include "study/declaration.hpp"
+#include "study/run_files.hpp"
+
+namespace gnomon {
+
+namespace {
+
+using namespace study;
+using Kind = StudySetting::Kind;
+
+/// The same case with half its step, if the study does not have it already.
+std::size_t halved_point(Study& study, std::size_t index) {
+  StudyPoint half = study.points[index];
+  half.setting.value /= 2;
+  for (std::size_t i = 0; i < study.points.size(); ++i) {
+    const StudyPoint& other = study.points[i];
+    if (other.sweep == half.sweep && other.method == half.method &&
+        other.setting.kind == Kind::step && other.setting.value == half.setting.value)
+      return i;
+  }
+  const StudyRun& run = study.runs[half.run];
+  StudyRun finer{run.name + "__half", run.title + " halved",
+                 parse_scene(run.scene.resolved(), study.file.string(),
+                             {"integrator.step=" + number_text(half.setting.value)}, key_table)};
+  half.run = study.runs.size();
+  study.runs.push_back(std::move(finer));
+  study.points.push_back(half);
+  return study.points.size() - 1;
+}
+
+/// What a finished case is held to.
+struct Judgement {
+  Verdict verdict = Verdict::wrong;
+  std::string reason{};
+  std::optional<double> difference{}, bound{};
+};
+
+class Judge {
+public:
+  Judge(const ExtremeStudy& extreme, const std::filesystem::path& folder)
+      : extreme_(extreme), folder_(folder), table_(measure(extreme.study, folder)) {}
+
+  Judgement operator()(std::size_t index) const {
+    const StudyRow& row = table_.rows[index];
+    if (!row.end) return {Verdict::crashed, row.reason};
+    if (row.end->timed_out) return {Verdict::hung, row.reason};
+    if (row.end->signal != 0) return {Verdict::crashed, row.reason};
+    switch (row.end->exit_code) {
+      case 0:
+        return finished(index);
+      case 2:
+        return refused(row);
+      case 3:
+        return stopped(row);
+      default:
+        return {Verdict::crashed, row.reason};
+    }
+  }
+
+  const StudyRow& row(std::size_t index) const { return table_.rows[index]; }
+
+private:
+  RunFiles files(const StudyRow& row) const {
+    return {folder_, extreme_.study.runs[row.point.run].name};
+  }
+
+  Judgement refused(const StudyRow& row) const {
+    if (std::filesystem::exists(files(row).result))
+      return {Verdict::wrong, "refused, but wrote a result: " + row.reason};
+    return {Verdict::refused, row.reason};
+  }
+
+  Judgement stopped(const StudyRow& row) const {
+    if (row.reason.empty()) return {Verdict::wrong, "stopped without a diagnosis"};
+    if (row.reached && !holds_last_state(row))
+      return {Verdict::wrong, "lost the last good state: " + row.reason};
+    return {Verdict::stopped, row.reason};
+  }
+
+  bool holds_last_state(const StudyRow& row) const try {
+    const std::vector<double> stored = ResultReader(files(row).result).stored_times();
+    return !stored.empty() && stored.back() == *row.reached;
+  } catch (const Error&) {
+    return false;
+  }
+
+  Judgement finished(std::size_t index) const {
+    const StudyRow& row = table_.rows[index];
+    const StudyReference& reference = table_.references[row.point.sweep];
+    if (!row.shape_error)
+      return {Verdict::wrong,
+              "nothing confirms it: " + (row.reason.empty() ? reference.text : row.reason)};
+    const bool fixed = row.point.setting.kind == Kind::step;
+    return fixed ? with_fixed_steps(index, reference) : with_error_control(row, reference);
+  }
+
+  /// Where nothing wears, nothing must differ.
+  static double relative(double error, const StudyReference& reference) {
+    return error == 0 ? 0 : error / reference.wear;
+  }
+
+  /// A reference is confirmed by the other one.
+  std::optional<double> difference(const StudyRow& row, const StudyReference& reference) const {
+    const auto& runs = extreme_.study.sweep[row.point.sweep].references;
+    const bool is_reference = std::find(runs.begin(), runs.end(), row.point.run) != runs.end();
+    if (is_reference && !reference.error) return std::nullopt;
+    return relative(is_reference ? *reference.error : *row.shape_error, reference);
+  }
+
+  Judgement with_error_control(const StudyRow& row, const StudyReference& reference) const {
+    Judgement result;
+    result.bound = std::clamp(extremes::tolerances * row.point.setting.value, extremes::finest,
+                              extremes::coarsest);
+    result.difference = difference(row, reference);
+    const double own = relative(reference.error.value_or(0), reference);
+    if (!result.difference)
+      result.reason = "nothing confirms it: " + reference.text;
+    else if (!(own <= *result.bound))
+      result.reason = fmt::format("the references differ by {:.1e}", own);
+    else if (!(*result.difference <= *result.bound))
+      result.reason = "differs by more than the tolerance allows";
+    else
+      result.verdict = Verdict::agrees;
+    return result;
+  }
+
+  /// No accuracy was asked for: the step has to be on the way to the solution, or so near that the
+  /// kinks of the solution hide the way.
+  Judgement with_fixed_steps(std::size_t index, const StudyReference& reference) const {
+    const StudyRow& row = table_.rows[index];
+    const StudyRow& half = table_.rows[*extreme_.halved[index]];
+    Judgement result;
+    result.bound = extremes::coarsest;
+    result.difference = relative(*row.shape_error, reference);
+    if (!(*result.difference <= extremes::coarsest)) {
+      result.reason = "is nowhere near the solution";
+    } else if (!half.shape_error) {
+      result.reason = "half the step does not confirm it: " + half.reason;
+    } else {
+      const double left = relative(*half.shape_error, reference);
+      if (left <= std::max(extremes::shrinks * *result.difference, extremes::near))
+        result.verdict = Verdict::agrees;
+      else
+        result.reason =
+            fmt::format("half the step leaves {:.1e} of {:.1e}", left, *result.difference);
+    }
+    return result;
+  }
+
+  const ExtremeStudy& extreme_;
+  const std::filesystem::path folder_;
+  const StudyTable table_;
+};
+
+}  // namespace
+
+std::string verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::agrees:
+      return "agrees";
+    case Verdict::refused:
+      return "refused";
+    case Verdict::stopped:
+      return "stopped";
+    case Verdict::wrong:
+      return "wrong";
+    case Verdict::hung:
+      return "hung";
+    case Verdict::crashed:
+      return "crashed";
+  }
+  return {};
+}
+
+bool is_fault(Verdict verdict) {
+  return verdict == Verdict::wrong || verdict == Verdict::hung || verdict == Verdict::crashed;
+}
+
+ExtremeStudy load_extreme_study(const std::filesystem::path& file) {
+  ExtremeStudy extreme;
+  extreme.study = load_study(file, Impossible::kept);
+  Study& study = extreme.study;
+  extreme.cases = study.points.size();
+  extreme.halved.resize(extreme.cases);
+  for (std::size_t i = 0; i < extreme.cases; ++i)
+    if (study.points[i].setting.kind == Kind::step &&
+        study.runs[study.points[i].run].overrides.empty())
+      extreme.halved[i] = halved_point(study, i);
+  return extreme;
+}
+
+std::vector<ExtremeCase> judge(const ExtremeStudy& extreme, const std::string& name,
+                               const std::filesystem::path& folder) {
+  const Judge judge(extreme, folder);
+  std::vector<ExtremeCase> cases;
+  for (std::size_t i = 0; i < extreme.cases; ++i) {
+    const StudyRow& row = judge.row(i);
+    const StudyRun& run = extreme.study.runs[row.point.run];
+    Judgement judgement = judge(i);
+    cases.push_back({.study = name,
+                     .sweep = row.sweep,
+                     .run = run.title,
+                     .file = run.name,
+                     .verdict = judgement.verdict,
+                     .reason = std::move(judgement.reason),
+                     .difference = judgement.difference,
+                     .bound = judgement.bound,
+                     .counters = row.counters,
+                     .wall_seconds = row.wall_seconds});
+  }
+  return cases;
+}
+
+}  // namespace gnomon

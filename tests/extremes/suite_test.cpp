@@ -1,0 +1,116 @@
+// gnomon extremes: every verdict, and a coarse subset of the shipped suite.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "study/study_fixture.hpp"
+
+namespace gnomon {
+namespace {
+
+using test::Outcome;
+using testing::HasSubstr;
+
+class Extremes : public test::StudyTest {
+protected:
+  Outcome extremes(const std::vector<std::string>& further = {}) const {
+    std::vector<std::string> arguments = {"extremes", "study.toml", "-o", "out", "--jobs", "2"};
+    arguments.insert(arguments.end(), further.begin(), further.end());
+    return gnomon(arguments);
+  }
+  std::vector<test::Row> cases() const {
+    return test::parse_csv(test::read_text(folder() / "out/extremes.csv"));
+  }
+  std::string verdict(std::size_t row = 0) const { return cases().at(row).at("verdict"); }
+  /// Quick and crude.
+  static std::string references(const std::string& first, const std::string& second) {
+    return "[[reference]]\nintegrator = \"esdirk-4\"\ntolerance = " + first +
+           "\n[[reference]]\nintegrator = \"bdf\"\ntolerance = " + second + "\n";
+  }
+};
+
+TEST_F(Extremes, WhatTheReferencesConfirmAgrees) {
+  write("study.toml", head() + references("1e-7", "1e-7") + method("bdf", "tolerances = [1e-3]") +
+                          method("backward-euler", "steps = [50]"));
+  const Outcome outcome = extremes();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("2 cases: 2 agrees"));
+  for (const test::Row& row : cases()) {
+    EXPECT_EQ(row.at("verdict"), "agrees") << row.at("reason");
+    EXPECT_GT(std::stod(row.at("difference")), 0);
+    EXPECT_LE(std::stod(row.at("difference")), std::stod(row.at("bound")));
+  }
+  EXPECT_THAT(test::read_text(folder() / "out/index.html"), HasSubstr("<td>agrees</td>"));
+  EXPECT_EQ(extremes().exit_code, 2);  // the folder is taken
+  EXPECT_EQ(extremes({"--resume"}).exit_code, 0);
+}
+
+TEST_F(Extremes, WhatTheyDoNotIsWrong) {
+  write("study.toml",
+        head() + references("0.9", "0.9") + method("esdirk-5", "tolerances = [1e-7]"));
+  const Outcome outcome = extremes();
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("1 of 1 cases are wrong, hung or crashed"));
+  EXPECT_EQ(verdict(), "wrong");
+}
+
+TEST_F(Extremes, AnImpossibleRunIsRefused) {
+  write("study.toml", head() + references("1e-3", "1e-3") +
+                          method("bdf", "tolerances = [1e-3]", "set.body.poisson_ratio = 0.5") +
+                          method("theta", "steps = [50]", "set.pin.height = 2.5"));
+  const Outcome outcome = extremes();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(verdict(0), "refused");
+  EXPECT_THAT(cases()[0].at("reason"), HasSubstr("body.poisson_ratio"));
+  EXPECT_EQ(verdict(1), "refused");
+  EXPECT_THAT(cases()[1].at("reason"), HasSubstr("pin.height"));
+}
+
+TEST_F(Extremes, AMistakeInTheFileIsNotACase) {
+  write("study.toml", head() + "[[sweep]]\nkey = \"body.poisson_rato\"\nvalues = [0.5]\n" +
+                          method("bdf", "tolerances = [1e-3]"));
+  EXPECT_EQ(extremes().exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder() / "out"));
+}
+
+TEST_F(Extremes, ABodyTooSoftIsStopped) {
+  write("study.toml", head() + references("1e-3", "1e-3") +
+                          method("bdf", "tolerances = [1e-3]", "set.body.young_modulus = 0.5"));
+  EXPECT_EQ(extremes().exit_code, 0);
+  EXPECT_EQ(verdict(), "stopped");
+  EXPECT_THAT(cases()[0].at("reason"), HasSubstr("load fraction"));
+}
+
+TEST_F(Extremes, AnEndlessRunHangs) {
+  write("study.toml",
+        head() + references("1e-3", "1e-3") + method("backward-euler", "steps = [1e-5]"));
+  EXPECT_EQ(extremes({"--limit", "1"}).exit_code, 1);
+  EXPECT_EQ(verdict(), "hung");
+}
+
+TEST_F(Extremes, AFolderOfSomethingElseIsRefused) {
+  write("study.toml", head() + method("bdf", "tolerances = [1e-3]"));
+  std::filesystem::create_directory(folder() / "out");
+  write("out/precious.txt", "mine");
+  EXPECT_EQ(extremes({"--resume"}).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder() / "out/index.html"));
+}
+
+// No fault, and every verdict as often as docs/extremes.md says.
+TEST_F(Extremes, TheCoarseSubsetHasNoFaults) {
+  const Outcome outcome =
+      gnomon({"extremes", GNOMON_SOURCE_DIR "/problems/pin_on_flat/extremes/coarse.toml",
+              GNOMON_SOURCE_DIR "/problems/pin_on_flat/extremes/impossible.toml", "-o", "out",
+              "--jobs", "2"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  std::map<std::string, int> counts;
+  for (const test::Row& row : cases()) ++counts[row.at("verdict")];
+  EXPECT_EQ(counts["refused"], 15);
+  EXPECT_EQ(counts["stopped"], 10);
+  EXPECT_EQ(counts["agrees"], 14);
+}
+
+}  // namespace
+}  // namespace gnomon
