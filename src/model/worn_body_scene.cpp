@@ -10,7 +10,7 @@ using Preconditioner = LinearSolverChoice::Preconditioner;
 /// Factors of a plane body stay cheap; in space they cost more time and far more memory from some
 /// size on (docs/linear.md).
 Preconditioner preconditioner_by_size(const MeshSize& mesh) {
-  constexpr double many_displacements = 100'000;
+  constexpr double many_displacements = 300'000;
   return mesh.dim == 3 && mesh.dim * mesh.nodes >= many_displacements && has_multigrid()
              ? Preconditioner::multigrid
              : Preconditioner::factor;
