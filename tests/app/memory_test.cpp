@@ -21,8 +21,8 @@ protected:
   /// Peak memory of a step of the scene [bytes], as the system counts it.
   double peak(const std::string& scene, const std::vector<std::string>& overrides) const {
     std::vector<std::string> arguments = {
-        "run",        problems + scene, "--quiet",        "--set", "output.times=[]",  "--set",
-        "time.end=1", "--integrator",   "backward-euler", "--set", "integrator.step=1"};
+        "run",   problems + scene, "--quiet",      "--force",        "--set", "output.times=[]",
+        "--set", "time.end=1",     "--integrator", "backward-euler", "--set", "integrator.step=1"};
     for (const std::string& text : overrides) arguments.insert(arguments.end(), {"--set", text});
     const pid_t child = start(arguments);
     int status = 0;
