@@ -44,9 +44,9 @@ TEST(Solver, LargeBodiesAskForMultigridUnlessToldOtherwise) {
     return body.solver.preconditioner;
   };
   using enum LinearSolverChoice::Preconditioner;
-  EXPECT_EQ(chosen(100'000, {}), factor);
-  EXPECT_EQ(chosen(100'001, {}), has_multigrid() ? multigrid : factor);
-  EXPECT_EQ(chosen(100'001, {"solver.preconditioner=factor"}), factor);
+  EXPECT_EQ(chosen(99'999, {}), factor);
+  EXPECT_EQ(chosen(100'000, {}), has_multigrid() ? multigrid : factor);
+  EXPECT_EQ(chosen(100'000, {"solver.preconditioner=factor"}), factor);
   EXPECT_EQ(chosen(10, {"solver.preconditioner=multigrid"}), multigrid);
 }
 
