@@ -66,7 +66,8 @@ enum class Impossible { refused, kept };
 
 /// Reads a study and checks all of it: every scene resolves and has a model. Throws InputError with
 /// one line naming file, line, key and what was expected; where impossible scenes are kept, only
-/// for what is wrong with the file itself, names of keys included.
+/// for what is wrong with the file itself, names of keys included. Then errors are measured at
+/// time.end alone, unless the file names times.
 Study load_study(const std::filesystem::path& file, Impossible impossible = Impossible::refused);
 
 /// The help text of a study file's keys.
