@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <gnomon/error.hpp>
 #include <thread>
@@ -33,7 +34,7 @@ ProcessEnd end_of(int status, const rusage& usage) {
 }
 
 /// In the child, between fork and exec: only what is safe there.
-[[noreturn]] void become(pid_t parent, const char* log, char* const* argv) {
+[[noreturn]] void become(pid_t parent, const char* log, char* const* argv, char* const* envp) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);  // it died before the line above
   signal(SIGINT, SIG_DFL);
@@ -45,8 +46,19 @@ ProcessEnd end_of(int status, const rusage& usage) {
   dup2(errors >= 0 ? errors : nothing, STDERR_FILENO);
   if (nothing > STDERR_FILENO) close(nothing);
   if (errors > STDERR_FILENO) close(errors);
-  execv(argv[0], argv);
+  execve(argv[0], argv, envp);
   _exit(127);
+}
+
+/// Ours, with one thread for each process where the user has not said otherwise: side by side they
+/// would share the cores with each other's threads.
+std::vector<char*> environment() {
+  static char one_thread[] = "OMP_NUM_THREADS=1";
+  std::vector<char*> result;
+  for (char** entry = environ; *entry; ++entry) result.push_back(*entry);
+  if (!getenv("OMP_NUM_THREADS")) result.push_back(one_thread);
+  result.push_back(nullptr);
+  return result;
 }
 
 }  // namespace
@@ -56,9 +68,10 @@ void ProcessPool::start(std::size_t index, const Command& command) {
   for (const std::string& argument : command.arguments)
     argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
+  const std::vector<char*> envp = environment();
   const std::string log = command.log.string();
   const pid_t parent = getpid(), process = fork();
-  if (process == 0) become(parent, log.c_str(), argv.data());
+  if (process == 0) become(parent, log.c_str(), argv.data(), envp.data());
   if (process < 0) throw Error(fmt::format("cannot start a process: {}", std::strerror(errno)));
   const auto limit = std::chrono::duration<double>(command.limit);
   children_.push_back({process, index,
