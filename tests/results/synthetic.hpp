@@ -118,8 +118,8 @@ inline HistoryRow row(int step) {
   HistoryRow row;
   row.t = step / 4.0;
   row.step = {0.25, 1 + step % 5, 3L + step % 2, step % 7 == 3, step % 4};
-  row.counters = {step,      step / 10, step / 20, 4L * step,
-                  5L * step, 4L * step, 4L * step, 6L * step, 7L * step, 2L * step};
+  row.counters = {step,      step / 10, step / 20, 4L * step, 5L * step,
+                  4L * step, 4L * step, 6L * step, 7L * step, 2L * step};
   row.scalars = {{"worn_volume", "mm^2", 0.5 * step}, {"contact_force", "N", 10.0}};
   return row;
 }
