@@ -18,6 +18,17 @@ void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
       ->allow_extra_args(false);
 }
 
+void add_jobs(CLI::App* command, int& jobs) {
+  command->add_option("--jobs", jobs, "Runs at a time; default: the number of cores")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+}
+
+void add_flags_of_studies(CLI::App* command, bool& resume, bool& quiet) {
+  command->add_flag("--resume", resume, "Goes on in an existing folder, keeping what is done");
+  command->add_flag("--quiet", quiet, "Prints nothing but errors");
+}
+
 /// Throws InputError about the option, of which the scene knows nothing.
 const std::string& known_integrator(const std::string& name) {
   try {
@@ -118,12 +129,8 @@ void CommandLine::add_study() {
       ->add_option("-o,--output", study_.folder,
                    "Folder of the results; default: STUDY's name, in the current folder")
       ->type_name("DIR");
-  command->add_option("--jobs", study_.jobs, "Runs at a time; default: the number of cores")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-  command->add_flag("--resume", study_.resume,
-                    "Goes on in an existing folder, keeping what is done");
-  command->add_flag("--quiet", study_.quiet, "Prints nothing but errors");
+  add_jobs(command, study_.jobs);
+  add_flags_of_studies(command, study_.resume, study_.quiet);
   command->callback([this] { command_ = [this] { return study_command(study_); }; });
 }
 
@@ -138,17 +145,13 @@ void CommandLine::add_extremes() {
       ->add_option("-o,--output", extremes_.folder,
                    "Folder of the results; default: extremes, in the current folder")
       ->type_name("DIR");
-  command->add_option("--jobs", extremes_.jobs, "Runs at a time; default: the number of cores")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+  add_jobs(command, extremes_.jobs);
   command
       ->add_option("--limit", extremes_.limit,
                    "Wall time after which a run counts as hung; default: 300")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.01, 1e6));
-  command->add_flag("--resume", extremes_.resume,
-                    "Goes on in an existing folder, keeping what is done");
-  command->add_flag("--quiet", extremes_.quiet, "Prints nothing but errors");
+  add_flags_of_studies(command, extremes_.resume, extremes_.quiet);
   command->callback([this] { command_ = [this] { return extremes_command(extremes_); }; });
 }
 
