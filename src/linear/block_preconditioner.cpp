@@ -68,7 +68,8 @@ struct BlockPreconditioner::Blocks {
   std::span<const double> J;
   StiffnessBlock stiffness, mesh_motion;
   ContactElimination contact;
-  LowRankUpdate change;  // of the stiffness
+  LowRankUpdate change;            // of the stiffness
+  std::vector<RankOneTerm> terms;  // that it is to consist of
   JacobianBlock mesh_motion_row, multiplier_row, rigid_row, rigid_column;
   std::vector<int> core, multipliers;
   int rigid = -1;
@@ -101,8 +102,7 @@ struct BlockPreconditioner::Blocks {
 
   void update_change() {
     if (stiffness.solver)
-      change.set(contact.terms(stiffness.part), *stiffness.solver,
-                 static_cast<long>(stiffness.unknowns.size()));
+      change.set(terms, *stiffness.solver, static_cast<long>(stiffness.unknowns.size()));
   }
 
   /// Rows of u, lambda and c; s is changed.
@@ -144,15 +144,14 @@ BlockPreconditioner::~BlockPreconditioner() = default;
 void BlockPreconditioner::refresh(std::span<const double> J) {
   blocks_->J = J;
   blocks_->contact.update(J);
+  blocks_->terms = blocks_->contact.terms(blocks_->stiffness.part);
   blocks_->bordered = false;
 }
 
 double BlockPreconditioner::update_cost() const {
   // Columns that are solved for together share the way through the factors.
   constexpr double cost_of_a_column = 0.12;
-  const Blocks& b = *blocks_;
-  return cost_of_a_column *
-         static_cast<double>(b.change.columns_to_solve(b.contact.terms(b.stiffness.part)));
+  return cost_of_a_column * static_cast<double>(blocks_->change.columns_to_solve(blocks_->terms));
 }
 
 void BlockPreconditioner::update() {
@@ -163,6 +162,7 @@ int BlockPreconditioner::set_up(bool whole) {
   Blocks& b = *blocks_;
   b.stiffness.part.gather(b.J, b.stiffness.values);
   b.contact.add_springs(b.stiffness.part, b.stiffness.values);
+  b.terms = b.contact.terms(b.stiffness.part);  // common wear alone
   b.change.clear();
   int factorizations = b.stiffness.set_up("the stiffness of the body");
   b.update_change();

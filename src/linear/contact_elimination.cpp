@@ -93,8 +93,8 @@ void ContactElimination::update_contact(ContactNode& node) const {
       node.surface = candidate;
     }
   if (node.surface >= 0) {
-    const auto& [c, inverse, closed, gamma] = surface_[node.surface];
-    node.a = inverse.transpose() * surface_row(l, node.surface);
+    const Numbers& c = surface_[node.surface].unknowns;
+    node.a = surface_[node.surface].inverse.transpose() * surface_row(l, node.surface);
     node.e = Values::Zero();
     for (int k = 0; k < c.size; ++k) {
       node.e[k] = entry(c[k], l);
