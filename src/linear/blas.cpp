@@ -28,8 +28,8 @@ bool is_openblas(const std::filesystem::path& file) {
 
 }  // namespace
 
-void use_one_blas_thread() {
-  if (openblas_set_num_threads) openblas_set_num_threads(1);
+void use_blas_threads(int count) {
+  if (openblas_set_num_threads) openblas_set_num_threads(count);
 }
 
 std::string blas_name() {

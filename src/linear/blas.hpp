@@ -5,9 +5,10 @@
 
 namespace gnomon {
 
-/// The fronts of 2D problems are too small to share: a second thread only costs (measured: 11.7 s
-/// instead of 6.5 s for a run of 20 steps on busy cores), and OpenBLAS wakes one for each of them.
-void use_one_blas_thread();
+/// One is right except within a large factorization. The fronts of 2D problems are too small to
+/// share: a second thread only costs (measured: 11.7 s instead of 6.5 s for a run of 20 steps on
+/// busy cores), and OpenBLAS wakes one for each of them.
+void use_blas_threads(int count);
 
 /// Which BLAS this process runs, such as "OpenBLAS 0.3.21", or the name of its file.
 std::string blas_name();

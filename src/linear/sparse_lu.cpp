@@ -120,7 +120,7 @@ struct SparseLu::Factors {
 
 SparseLu::SparseLu(const SparsePattern& pattern, const std::vector<int>& group)
     : factors_(std::make_unique<Factors>(pattern, group)) {
-  use_one_blas_thread();
+  use_blas_threads(1);
   Factors& f = *factors_;
   f.order = nested_dissection(pattern, group);
   const int n = f.pattern.size();
