@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "groove.hpp"
+#include "balls.hpp"
 #include "memory.hpp"
 
 namespace gnomon::bench {
@@ -28,23 +28,24 @@ void report(::benchmark::State& loop, const NewtonIteration& newton) {
 
 /// Times of the counters are in seconds of all processors; `first_set_up` chooses aggregates.
 void block_newton(::benchmark::State& loop, bool multigrid) {
-  const auto body = groove(refinement(loop), multigrid);
-  NewtonIteration newton(body, {});
+  const Example example = groove(refinement(loop), multigrid);
+  NewtonIteration newton(example, {});
   newton.run();
   loop.counters["first_set_up"] = newton.set_up();
   newton.forget();
   while (loop.KeepRunning()) newton.run();
   report(loop, newton);
-  loop.counters["elements"] = static_cast<double>(body->mesh.cells.size());
+  loop.counters["elements"] = static_cast<double>(example.body->mesh.cells.size());
   loop.counters["peak_MB"] = peak_memory();
 }
 
 /// The two take turns. `coupled/contact` is what wear and shape cost; the others are the same ratio
 /// of the parts.
-void coupled_against_contact(::benchmark::State& loop, bool multigrid) {
-  const auto body = groove(refinement(loop), multigrid);
-  NewtonIteration coupled(body, {});
-  NewtonIteration contact(body,
+void coupled_against_contact(::benchmark::State& loop, Example (*make)(double, bool),
+                             bool multigrid) {
+  const Example example = make(refinement(loop), multigrid);
+  NewtonIteration coupled(example, {});
+  NewtonIteration contact(example,
                           {.deformation = true, .interior_shape = false, .contact_shape = false});
   for (NewtonIteration* newton : {&coupled, &contact}) {
     newton->run();
@@ -85,8 +86,12 @@ void middle(::benchmark::internal::Benchmark* benchmark) {
 
 BENCHMARK_CAPTURE(block_newton, factor, false)->Apply(factor_sizes);
 BENCHMARK_CAPTURE(block_newton, multigrid, true)->Apply(multigrid_sizes);
-BENCHMARK_CAPTURE(coupled_against_contact, factor, false)->Apply(middle)->Iterations(3);
-BENCHMARK_CAPTURE(coupled_against_contact, multigrid, true)->Apply(middle)->Iterations(3);
+#define COUPLED_AGAINST_CONTACT(name, make, multigrid) \
+  BENCHMARK_CAPTURE(coupled_against_contact, name, make, multigrid)->Apply(middle)->Iterations(3)
+COUPLED_AGAINST_CONTACT(groove_factor, groove, false);
+COUPLED_AGAINST_CONTACT(groove_multigrid, groove, true);
+COUPLED_AGAINST_CONTACT(ball_factor, worn_ball, false);
+COUPLED_AGAINST_CONTACT(ball_multigrid, worn_ball, true);
 
 }  // namespace
 

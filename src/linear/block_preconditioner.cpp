@@ -98,6 +98,14 @@ struct BlockPreconditioner::Blocks {
     if (!scalars.empty()) rigid = scalars.front();
   }
 
+  /// Follows springs that moved by changes of low rank where columns are cheap: together they share
+  /// the way through the factors. A cycle of multigrid costs as much for each, and the common wear
+  /// of a groove alone has dozens.
+  void collect_terms() {
+    if (structure.solver.preconditioner == LinearSolverChoice::Preconditioner::factor)
+      terms = contact.terms(stiffness.part);
+  }
+
   double diagonal(int i) const { return J[structure.pattern.find(i, i)]; }
 
   void update_change() {
@@ -144,12 +152,11 @@ BlockPreconditioner::~BlockPreconditioner() = default;
 void BlockPreconditioner::refresh(std::span<const double> J) {
   blocks_->J = J;
   blocks_->contact.update(J);
-  blocks_->terms = blocks_->contact.terms(blocks_->stiffness.part);
+  blocks_->collect_terms();
   blocks_->bordered = false;
 }
 
 double BlockPreconditioner::update_cost() const {
-  // Columns that are solved for together share the way through the factors.
   constexpr double cost_of_a_column = 0.25;
   return cost_of_a_column * static_cast<double>(blocks_->change.columns_to_solve(blocks_->terms));
 }
@@ -162,7 +169,7 @@ int BlockPreconditioner::set_up(bool whole) {
   Blocks& b = *blocks_;
   b.stiffness.part.gather(b.J, b.stiffness.values);
   b.contact.add_springs(b.stiffness.part, b.stiffness.values);
-  b.terms = b.contact.terms(b.stiffness.part);  // common wear alone
+  b.collect_terms();  // common wear alone
   b.change.clear();
   int factorizations = b.stiffness.set_up("the stiffness of the body");
   b.update_change();

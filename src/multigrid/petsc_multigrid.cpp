@@ -72,7 +72,9 @@ private:
   void make_preconditioner();
   void know_rigid_modes(const StiffnessLayout& layout);
   void choose_cycle();
+  void apply_to_one(std::span<const double> b, std::span<double> x);
 
+  const StiffnessLayout& layout_;
   Nodes nodes_;
   std::vector<PetscInt> start_, column_;
   std::vector<PetscInt> source_;  // in the values on `lower`; -1: held
@@ -83,7 +85,7 @@ private:
 };
 
 PetscMultigrid::PetscMultigrid(const StiffnessLayout& layout)
-    : nodes_((initialize_petsc(), layout)) {
+    : layout_(layout), nodes_((initialize_petsc(), layout)) {
   build_pattern(layout);
   const PetscInt n = nodes_.size();
   check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, start_.data(), column_.data(),
@@ -206,6 +208,12 @@ void PetscMultigrid::choose_cycle() {
 }
 
 void PetscMultigrid::apply(std::span<const double> b, std::span<double> x) {
+  const std::size_t size = layout_.group.size();
+  for (std::size_t start = 0; start < b.size(); start += size)
+    apply_to_one(b.subspan(start, size), x.subspan(start, size));
+}
+
+void PetscMultigrid::apply_to_one(std::span<const double> b, std::span<double> x) {
   PetscScalar* right = nullptr;
   check(VecGetArrayWrite(right_, &right));
   std::fill_n(right, nodes_.held.size(), 0.0);

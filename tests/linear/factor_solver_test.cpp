@@ -29,7 +29,12 @@ struct Chain {
     for (int j = 0; j < size; ++j)
       for (int i = j; i < std::min(size, 3 * (j / 3) + 6); ++i) builder.add({i}, {j});
     layout.lower = builder.build();
-    for (int i = 0; i < size; ++i) layout.group.push_back(i / 3);
+    for (int i = 0; i < size; ++i) {
+      layout.group.push_back(i / 3);
+      layout.component.push_back(static_cast<char>(i % 3));
+    }
+    for (int node = 0; node < nodes; ++node)
+      layout.position.push_back({1.0 * node, std::cos(node), 0});
     gather();
   }
   void gather() {
@@ -50,6 +55,23 @@ TEST(FactorSolver, SolvesManyColumnsAtOnce) {
   solver->apply({B.data(), static_cast<std::size_t>(B.size())},
                 {X.data(), static_cast<std::size_t>(X.size())});
   EXPECT_LT((chain.K * X - B).norm(), 1e-10 * B.norm());
+}
+
+TEST(Multigrid, TakesManyColumnsAsOneAfterTheOther) {
+  if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
+  const Chain chain;
+  const auto solver = make_multigrid_solver(chain.layout);
+  ASSERT_TRUE(solver->set_up(chain.values));
+  const Eigen::MatrixXd B = Eigen::MatrixXd::Random(Chain::size, 5);
+  Eigen::MatrixXd together(B.rows(), B.cols());
+  solver->apply({B.data(), static_cast<std::size_t>(B.size())},
+                {together.data(), static_cast<std::size_t>(together.size())});
+  for (long j = 0; j < B.cols(); ++j) {
+    Eigen::VectorXd alone(B.rows());
+    solver->apply({B.col(j).data(), Chain::size}, {alone.data(), Chain::size});
+    EXPECT_GT(alone.norm(), 0);
+    EXPECT_EQ(together.col(j), alone) << j;
+  }
 }
 
 TEST(FactorSolver, RaisesTheDiagonalOfAnIndefiniteMatrix) {

@@ -1,5 +1,5 @@
-// The ball that wears a groove into a half-space, on meshes of the paper's proportions: the first
-// Newton iteration of a step by the block solver.
+// The paper's two balls on meshes of its proportions: the first Newton iteration of a step by the
+// block solver.
 #pragma once
 
 #include <gnomon/wear_model.hpp>
@@ -11,15 +11,25 @@
 
 namespace gnomon::bench {
 
-/// `refinement` 1 is the paper's mesh of 40 x 82 x 20 elements (65,600); lengths of elements scale
-/// with its inverse. In every other key as the scene of small deformations says.
-std::shared_ptr<const WornBody<3>> groove(double refinement, bool multigrid);
+struct Example {
+  std::shared_ptr<const WornBody<3>> body;
+  double radius;  // of the ball [mm]
+};
+
+/// The ball that wears a groove into a half-space. `refinement` 1 is the paper's mesh of 40 x 82 x
+/// 20 elements (65,600); lengths of elements scale with its inverse. In every other key as the
+/// scene of small deformations says.
+Example groove(double refinement, bool multigrid);
+
+/// The ball that wears on a flat, likewise; 1 is 16,320 elements. Its shape is an unknown in a
+/// volume.
+Example worn_ball(double refinement, bool multigrid);
 
 /// A Newton iteration on the whole system of the body or on a part of it, at the Hertzian guess of
 /// the pressure, undeformed. alpha = 1/50 s.
 class NewtonIteration {
 public:
-  NewtonIteration(const std::shared_ptr<const WornBody<3>>& body, const Selection& selection);
+  NewtonIteration(const Example& example, const Selection& selection);
 
   /// Residual, Jacobian, a set-up of the preconditioner, and a solve down to 1e-4.
   void run();
@@ -36,7 +46,7 @@ public:
   double krylov() const;
 
 private:
-  static NodalState<3> guess(const WornBody<3>& body);
+  static NodalState<3> guess(const Example& example);
 
   WearSystem<3> system_;
   std::vector<double> y_, rest_, F_, J_;

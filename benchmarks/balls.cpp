@@ -1,4 +1,4 @@
-#include "groove.hpp"
+#include "balls.hpp"
 
 #include <fmt/format.h>
 
@@ -8,25 +8,43 @@
 
 namespace gnomon::bench {
 
-std::shared_ptr<const WornBody<3>> groove(double refinement, bool multigrid) {
-  const auto elements = [&](double paper) { return std::lround(paper * refinement); };
-  const double size = 0.015 / refinement;
+namespace {
+
+Example example(const std::string& problem, std::vector<std::string> overrides, bool multigrid) {
+  overrides.push_back(fmt::format("solver.preconditioner={}", multigrid ? "multigrid" : "factor"));
   const Scene scene = load_scene(
-      GNOMON_SOURCE_DIR "/problems/ball_on_half_space/small_deformation.toml",
-      {fmt::format("mesh.elements=[{}, {}, {}]", 2 * elements(20), elements(82), elements(20)),
-       fmt::format("mesh.size=[{0}, {0}, {0}]", size), "mesh.fine=[0.15, 0.3, 0.03]",
-       fmt::format("solver.preconditioner={}", multigrid ? "multigrid" : "factor")},
-      key_table);
+      GNOMON_SOURCE_DIR "/problems/" + problem + "/small_deformation.toml", overrides, key_table);
   const auto model = Problems::find(scene.text("problem"), "problem").make(scene);
-  return dynamic_cast<const WearModel<3>&>(*model).wear_system().shared_body();
+  return {dynamic_cast<const WearModel<3>&>(*model).wear_system().shared_body(),
+          scene.real("ball.radius")};
 }
 
-NodalState<3> NewtonIteration::guess(const WornBody<3>& body) {
+}  // namespace
+
+Example groove(double refinement, bool multigrid) {
+  const auto elements = [&](double paper) { return std::lround(paper * refinement); };
+  const double size = 0.015 / refinement;
+  return example(
+      "ball_on_half_space",
+      {fmt::format("mesh.elements=[{}, {}, {}]", 2 * elements(20), elements(82), elements(20)),
+       fmt::format("mesh.size=[{0}, {0}, {0}]", size), "mesh.fine=[0.15, 0.3, 0.03]"},
+      multigrid);
+}
+
+Example worn_ball(double refinement, bool multigrid) {
+  const auto elements = [&](double paper) { return std::lround(paper * refinement); };
+  return example(
+      "ball_on_flat",
+      {fmt::format("mesh.elements=[{}, {}, {}]", elements(20), elements(6), elements(9))},
+      multigrid);
+}
+
+NodalState<3> NewtonIteration::guess(const Example& example) {
+  const WornBody<3>& body = *example.body;
   NodalState<3> state = NodalState<3>::zero(body);
   const NeoHookean& law = body.material;
   const double nu = law.lambda / (2 * (law.lambda + law.mu)), young = 2 * law.mu * (1 + nu);
-  const HertzPoint hertz(body.copies * body.counter_force.value(), body.contact.counter_body.radius,
-                         young, nu);
+  const HertzPoint hertz(body.copies * body.counter_force.value(), example.radius, young, nu);
   for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {
     const Vector<3>& X = body.mesh.nodes[body.contact_nodes[c].node];
     const double inside = 1 - (X[0] * X[0] + X[1] * X[1]) / (hertz.radius * hertz.radius);
@@ -36,9 +54,8 @@ NodalState<3> NewtonIteration::guess(const WornBody<3>& body) {
   return state;
 }
 
-NewtonIteration::NewtonIteration(const std::shared_ptr<const WornBody<3>>& body,
-                                 const Selection& selection)
-    : system_(body, selection),
+NewtonIteration::NewtonIteration(const Example& example, const Selection& selection)
+    : system_(example.body, selection),
       y_(structure().size),
       rest_(structure().size),
       F_(structure().size),
@@ -46,7 +63,7 @@ NewtonIteration::NewtonIteration(const std::shared_ptr<const WornBody<3>>& body,
       right_(sundials::make_vector(structure().size, context_)),
       solution_(sundials::make_vector(structure().size, context_)),
       solver_(structure(), counters_, context_) {
-  const NodalState<3> state = guess(*body);
+  const NodalState<3> state = guess(example);
   for (double lambda : state.lambda) piece_.push_back(lambda < 0);
   system_.freeze(state);
   system_.unknowns().gather(state, y_);
