@@ -82,7 +82,7 @@ struct BlockPreconditioner::Blocks {
       : structure(s),
         stiffness(s, UnknownKind::displacement),
         mesh_motion(s, UnknownKind::shape),
-        contact(s),
+        contact(s, s.solver.preconditioner == LinearSolverChoice::Preconditioner::factor),
         mesh_motion_row(s, {UnknownKind::shape}, {UnknownKind::worn_surface}),
         multiplier_row(s, {UnknownKind::shape_multiplier},
                        {UnknownKind::displacement, UnknownKind::contact_multiplier,
@@ -96,14 +96,6 @@ struct BlockPreconditioner::Blocks {
     const std::vector<int> scalars = unknowns_of(s, {UnknownKind::rigid_motion});
     if (scalars.size() > 1) throw Error("the block solver knows one scalar rigid motion only");
     if (!scalars.empty()) rigid = scalars.front();
-  }
-
-  /// Follows springs that moved by changes of low rank where columns are cheap: together they share
-  /// the way through the factors. A cycle of multigrid costs as much for each, and the common wear
-  /// of a groove alone has dozens.
-  void collect_terms() {
-    if (structure.solver.preconditioner == LinearSolverChoice::Preconditioner::factor)
-      terms = contact.terms(stiffness.part);
   }
 
   double diagonal(int i) const { return J[structure.pattern.find(i, i)]; }
@@ -152,7 +144,7 @@ BlockPreconditioner::~BlockPreconditioner() = default;
 void BlockPreconditioner::refresh(std::span<const double> J) {
   blocks_->J = J;
   blocks_->contact.update(J);
-  blocks_->collect_terms();
+  blocks_->terms = blocks_->contact.terms(blocks_->stiffness.part);
   blocks_->bordered = false;
 }
 
@@ -169,7 +161,7 @@ int BlockPreconditioner::set_up(bool whole) {
   Blocks& b = *blocks_;
   b.stiffness.part.gather(b.J, b.stiffness.values);
   b.contact.add_springs(b.stiffness.part, b.stiffness.values);
-  b.collect_terms();  // common wear alone
+  b.terms = b.contact.terms(b.stiffness.part);  // common wear alone
   b.change.clear();
   int factorizations = b.stiffness.set_up("the stiffness of the body");
   b.update_change();

@@ -12,8 +12,9 @@ void ContactElimination::Numbers::add(int number) {
   data[size++] = number;
 }
 
-ContactElimination::ContactElimination(const Structure& structure)
+ContactElimination::ContactElimination(const Structure& structure, bool has_terms)
     : structure_(structure),
+      has_terms_(has_terms),
       wear_row_(structure, {UnknownKind::worn_surface},
                 {UnknownKind::displacement, UnknownKind::contact_multiplier}),
       wear_block_(structure, {UnknownKind::worn_surface}) {
@@ -117,7 +118,7 @@ void ContactElimination::share_surfaces() {
     const Values direction = sum.stableNormalized();
     for (int c : surface.closed) {
       ContactNode& node = contact_[c];
-      if (surface.closed.size() == 1) {
+      if (!has_terms_ || surface.closed.size() == 1) {
         node.D += node.a.dot(node.e);
       } else {
         node.alpha = node.a.dot(direction);
@@ -176,6 +177,7 @@ void ContactElimination::follow_moved_springs() {
 }
 
 std::vector<RankOneTerm> ContactElimination::terms(const SymmetricPart& part) const {
+  if (!has_terms_) return {};
   std::vector<RankOneTerm> result;
   const auto append = [&part](SparseVector& vector, const ContactNode& node, const Values& value) {
     for (int k = 0; k < node.u.size; ++k) {

@@ -26,8 +26,10 @@ namespace gnomon {
 /// of rank one, and so is the change that it brings to K_uu with the springs of the diagonal.
 class ContactElimination {
 public:
-  /// `structure` must outlive the object.
-  explicit ContactElimination(const Structure& structure);
+  /// `structure` must outlive the object. `has_terms`: whether the solver of K_uu takes changes of
+  /// low rank. Factors do, for many columns share the way through them; a cycle of multigrid costs
+  /// as much for each, and there nodes count as if each wore alone, at springs of the last set-up.
+  ContactElimination(const Structure& structure, bool has_terms);
 
   /// Takes the values of J; the span must outlive their use.
   void update(std::span<const double> J);
@@ -35,7 +37,7 @@ public:
   /// Adds the springs to K_uu, as (C.B / D) along C, and remembers them.
   void add_springs(const SymmetricPart& part, std::vector<double>& values);
   /// What K_uu with the springs of add_springs() lacks: those that have moved since by more than
-  /// preconditioning bears, and common wear.
+  /// preconditioning bears, and common wear. None without `has_terms`.
   std::vector<RankOneTerm> terms(const SymmetricPart& part) const;
 
   /// Turns the right side into that of K_uu with springs; s_l and s_c are kept for recover().
@@ -87,6 +89,7 @@ private:
   void divide_by_D(std::vector<double>& r) const;
 
   const Structure& structure_;
+  const bool has_terms_;
   std::span<const double> J_;
   std::vector<SurfaceNode> surface_;
   std::vector<ContactNode> contact_;
