@@ -69,6 +69,8 @@ def main(build, *folders):
     print(f"\n{'folder':32}{'lines':>8}{'ran':>8}{'':>9}")
     for name in sorted(totals, key=lambda name: (name == "in all", name)):
         ran, of = totals[name]
+        if of == 0:
+            continue  # declarations only
         print(f"{name:32}{of:8}{ran:8}{100 * ran / of:8.1f} %")
 
 
