@@ -26,7 +26,7 @@ std::vector<double> chosen_times(const StabilityOptions& options, double end) {
   std::vector<double> times = options.times;
   for (double time : times)
     if (!std::isfinite(time) || time < 0 || time > end)
-      throw InputError(fmt::format("--time: expected 0 to time.end = {:g} s, got {:g}", end, time));
+      throw InputError(fmt::format("--time: expected 0 to time.end = {:g} s, got {}", end, time));
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
