@@ -1,27 +1,20 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <metis.h>
-#include <sundials/sundials_version.h>
 #include <toml++/impl/version.h>
 #include <umfpack.h>
 
 #include <CLI/Version.hpp>
 #include <Eigen/Core>
-#include <array>
 #include <gnomon/versions.hpp>
 #include <nlohmann/json.hpp>
 
 #include "linear/blas.hpp"
+#include "sundials/version.hpp"
 
 namespace gnomon {
 
 namespace {
-
-std::string sundials() {
-  std::array<char, 64> text{};
-  SUNDIALSGetVersion(text.data(), static_cast<int>(text.size()));
-  return text.data();
-}
 
 std::string hdf5() {
   unsigned major = 0, minor = 0, release = 0;
@@ -56,7 +49,7 @@ std::map<std::string, std::string> library_versions() {
       {"METIS", dotted(METIS_VER_MAJOR, METIS_VER_MINOR, METIS_VER_SUBMINOR)},
       {"nlohmann/json", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                                NLOHMANN_JSON_VERSION_PATCH)},
-      {"SUNDIALS", sundials()},
+      {"SUNDIALS", sundials::version()},
       {"toml++", dotted(TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH)},
       {"UMFPACK", dotted(UMFPACK_MAIN_VERSION, UMFPACK_SUB_VERSION, UMFPACK_SUBSUB_VERSION)},
       {"compiler", compiler()},

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/result_files.hpp>
 #include <gnomon/stability.hpp>
@@ -24,8 +25,8 @@ std::vector<double> chosen_times(const StabilityOptions& options, double end) {
   if (options.times.empty()) return {0, end / 5, end};
   std::vector<double> times = options.times;
   for (double time : times)
-    if (!(time >= 0 && time <= end))
-      throw InputError(fmt::format("--time: expected 0 to time.end = {:g} s, got {:g}", end, time));
+    if (!std::isfinite(time) || time < 0 || time > end)
+      throw InputError(fmt::format("--time: expected 0 to time.end = {:g} s, got {}", end, time));
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;

@@ -113,17 +113,18 @@ void ContactElimination::share_surfaces() {
     if (contact_[c].surface >= 0 && contact_[c].CB != 0)
       surface_[contact_[c].surface].closed.push_back(static_cast<int>(c));
   for (SurfaceNode& surface : surface_) {
+    if (!has_terms_ || surface.closed.size() < 2) {
+      for (int c : surface.closed) contact_[c].D += contact_[c].a.dot(contact_[c].e);
+      continue;
+    }
     Values sum = Values::Zero();
     for (int c : surface.closed) sum += contact_[c].e;
+    if (sum == Values::Zero()) continue;  // nothing wears
     const Values direction = sum.stableNormalized();
     for (int c : surface.closed) {
       ContactNode& node = contact_[c];
-      if (!has_terms_ || surface.closed.size() == 1) {
-        node.D += node.a.dot(node.e);
-      } else {
-        node.alpha = node.a.dot(direction);
-        node.epsilon = node.e.dot(direction);
-      }
+      node.alpha = node.a.dot(direction);
+      node.epsilon = node.e.dot(direction);
     }
   }
 }

@@ -131,6 +131,7 @@ std::optional<Grid> read_grid(hid_t file) {
 std::size_t find_step(const std::vector<double>& times, std::optional<double> t) {
   if (times.empty()) throw Failure("it has no stored step");
   if (!t) return times.size() - 1;
+  if (!std::isfinite(*t)) throw Failure(fmt::format("it has no stored step at t = {}", *t));
   const auto distance = [&](double time) { return std::abs(time - *t); };
   const auto nearest = std::min_element(
       times.begin(), times.end(), [&](double a, double b) { return distance(a) < distance(b); });

@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <gnomon/error.hpp>
 
 #include "scene/nesting.hpp"
@@ -59,7 +60,21 @@ void sort_by_line(std::vector<Item>& items) {
                    [](const Item& a, const Item& b) { return a.line < b.line; });
 }
 
+/// Floating-point exceptions do not trap meanwhile (GNOMON_TRAP): 1e999 overflows in strtod, by
+/// which toml++ knows that it is too large.
+class Untrapped {
+public:
+  Untrapped() { std::feholdexcept(&before_); }
+  ~Untrapped() { std::fesetenv(&before_); }
+  Untrapped(const Untrapped&) = delete;
+  Untrapped& operator=(const Untrapped&) = delete;
+
+private:
+  std::fenv_t before_;
+};
+
 toml::table parse(const std::string& text, const std::string& name) {
+  const Untrapped untrapped;
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {

@@ -1,4 +1,3 @@
-#include <arkode/arkode_erkstep.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,16 +17,17 @@ using namespace sundials;
 
 namespace {
 void destroy_erk(void* memory) {
-  ERKStepFree(&memory);
+  ARKodeFree(&memory);
 }
 void destroy_table(ARKodeButcherTableMem* table) {
   ARKodeButcherTable_Free(table);
 }
 using TableOwner = Owner<ARKodeButcherTableMem, destroy_table>;
 
-/// ERKStep (6.4) takes the rate of a last stage at c = 1 for the rate at the end of the step, which
-/// holds only where that stage is the new value; Heun's is not, and would lose half its stability.
-/// Where needed, the new value is appended as a stage of no weight, whose rate the next step uses.
+/// ERKStep takes (until 6.7) the rate of a last stage at c = 1 for the rate at the end of the step,
+/// which holds only where that stage is the new value; Heun's is not, and would lose half its
+/// stability. Where needed, the new value is appended as a stage of no weight, whose rate the next
+/// step uses.
 TableOwner table_with_end(const ButcherTable& table) {
   const bool ends_on_value = table.stiffly_accurate() || table.c[table.stages() - 1] != 1;
   const int s = table.stages(), n = ends_on_value ? s : s + 1;
@@ -77,6 +77,7 @@ private:
   Guard guard_;
   // Destroyed in reverse: ERKStep before what it refers to, the context last.
   Context context_;
+  StepControl step_control_;
   VectorOwner d_;
   Owner<void, destroy_erk> erk_;
 };
@@ -90,6 +91,7 @@ ErkSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
       norm_(system.structure(), settings),
       stages_(system, counters),
       proposal_(settings.step),
+      step_control_(context_),
       d_(make_vector(static_cast<long>(norm_.components().size()), context_)) {}
 
 void ErkSolver::Memory::gather(const std::vector<double>& y, std::span<double> d) const {
@@ -128,23 +130,20 @@ void ErkSolver::Memory::begin(const State& state) {
   void* erk = erk_.get();
   check(erk, "ERKStepCreate");
   GNOMON_SILENCE(ERKStepSetErrHandlerFn, erk);
-  check(ERKStepSetUserData(erk, this), "ERKStepSetUserData");
+  check(ARKodeSetUserData(erk, this), "ARKodeSetUserData");
   check(ERKStepSetTable(erk, table_with_end(table_).get()), "ERKStepSetTable");
-  check(ERKStepWFtolerances(erk, &Memory::weights), "ERKStepWFtolerances");
-  constexpr int pi_controller = 1;
-  check(ERKStepSetAdaptivityMethod(erk, pi_controller, SUNTRUE, SUNTRUE, nullptr),
-        "ERKStepSetAdaptivityMethod");
-  check(ERKStepSetMaxGrowth(erk, 5.0), "ERKStepSetMaxGrowth");
-  check(ERKStepSetMaxErrTestFails(erk, 30), "ERKStepSetMaxErrTestFails");
-  check(ERKStepSetMaxNumSteps(erk, -1), "ERKStepSetMaxNumSteps");
-  if (settings_.max_step > 0)
-    check(ERKStepSetMaxStep(erk, settings_.max_step), "ERKStepSetMaxStep");
+  check(ARKodeWFtolerances(erk, &Memory::weights), "ARKodeWFtolerances");
+  check(step_control_.give_to(erk), "StepControl");
+  check(ARKodeSetMaxGrowth(erk, 5.0), "ARKodeSetMaxGrowth");
+  check(ARKodeSetMaxErrTestFails(erk, 30), "ARKodeSetMaxErrTestFails");
+  check(ARKodeSetMaxNumSteps(erk, -1), "ARKodeSetMaxNumSteps");
+  if (settings_.max_step > 0) check(ARKodeSetMaxStep(erk, settings_.max_step), "ARKodeSetMaxStep");
   if (settings_.step > 0) return;
   if (proposal_ > 0)  // not the first step, which may be far too small
-    check(ERKStepSetMaxFirstGrowth(erk, 5.0), "ERKStepSetMaxFirstGrowth");
+    check(ARKodeSetMaxFirstGrowth(erk, 5.0), "ARKodeSetMaxFirstGrowth");
   else
     proposal_ = first_step(state, system_.structure(), settings_, table_.embedded_order);
-  check(ERKStepSetInitStep(erk, proposal_), "ERKStepSetInitStep");
+  check(ARKodeSetInitStep(erk, proposal_), "ARKodeSetInitStep");
 }
 
 void ErkSolver::Memory::restore(double proposal) {
@@ -155,19 +154,19 @@ void ErkSolver::Memory::restore(double proposal) {
 void ErkSolver::Memory::restart(const State& state, double h) {
   whole_ = state;
   gather(state.y, view(d_.get()));
-  check(ERKStepReset(erk_.get(), state.t, d_.get()), "ERKStepReset");
+  check(ARKodeReset(erk_.get(), state.t, d_.get()), "ARKodeReset");
   if (settings_.step > 0)
     proposal_ = h;
   else
-    check(ERKStepSetInitStep(erk_.get(), h), "ERKStepSetInitStep");
+    check(ARKodeSetInitStep(erk_.get(), h), "ARKodeSetInitStep");
 }
 
 void ErkSolver::Memory::set_step(const State& state, double t_stop) {
-  check(ERKStepSetStopTime(erk_.get(), t_stop), "ERKStepSetStopTime");
+  check(ARKodeSetStopTime(erk_.get(), t_stop), "ARKodeSetStopTime");
   if (settings_.step == 0) return;
   const double grid = next_on_grid(state.t, settings_.step);
   const double h = std::min(proposal_, std::min(grid, t_stop) - state.t);
-  check(ERKStepSetFixedStep(erk_.get(), h), "ERKStepSetFixedStep");
+  check(ARKodeSetFixedStep(erk_.get(), h), "ARKodeSetFixedStep");
 }
 
 StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
@@ -180,10 +179,10 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
     set_step(state, t_stop);
     guard_.clear();
     sunrealtype t = state.t, tried = 0;
-    const int flag = ERKStepEvolve(erk, t_stop, d_.get(), &t, ARK_ONE_STEP);
+    const int flag = ARKodeEvolve(erk, t_stop, d_.get(), &t, ARK_ONE_STEP);
     guard_.rethrow();
     long error_fails = 0;
-    check(ERKStepGetNumErrTestFails(erk, &error_fails), "ERKStepGetNumErrTestFails");
+    check(ARKodeGetNumErrTestFails(erk, &error_fails), "ARKodeGetNumErrTestFails");
     counters_.rejected_steps += error_fails - rejected_;
     report.restarted |= error_fails > rejected_;
     rejected_ = error_fails;
@@ -196,7 +195,7 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
       throw SolutionError(
           fmt::format("{} cannot go on from t = {:.6g}: code {}{}{}", table_.name, state.t, flag,
                       guard_.recoverable().empty() ? "" : "; last: ", guard_.recoverable()));
-    check(ERKStepGetCurrentStep(erk, &tried), "ERKStepGetCurrentStep");
+    check(ARKodeGetCurrentStep(erk, &tried), "ARKodeGetCurrentStep");
     ++counters_.rejected_steps;
     report.restarted = true;
     restart(state, std::min(tried, t_stop - state.t) / 2);
@@ -204,7 +203,7 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
   if (settings_.step > 0)
     proposal_ = std::min(settings_.step, 2 * proposal_);
   else
-    check(ERKStepGetCurrentStep(erk, &proposal_), "ERKStepGetCurrentStep");
+    check(ARKodeGetCurrentStep(erk, &proposal_), "ARKodeGetCurrentStep");
   state = whole_;
   ++counters_.steps;
   report.order = table_.order;

@@ -1,12 +1,22 @@
 #include "room.hpp"
 
 #include <nvector/nvector_serial.h>
+#include <sundials/sundials_version.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
+#include "version.hpp"
+
 namespace gnomon::sundials {
+
+std::string version() {
+  std::array<char, 64> text{};
+  SUNDIALSGetVersion(text.data(), static_cast<int>(text.size()));
+  return text.data();
+}
 
 void check(int flag, const char* what) {
   if (flag < 0) throw Error(std::string(what) + " failed with code " + std::to_string(flag));

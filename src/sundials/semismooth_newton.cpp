@@ -43,10 +43,10 @@ int Content::iterate(N_Vector ycor, bool call_setup, void* ida) {
   for (;;) {
     if (const int flag = residual(ycor, delta.get(), ida)) return flag;
     const double current = norm();
-    if (current <= settings.newton.tolerance) return SUN_NLS_SUCCESS;
+    if (current <= settings.newton.tolerance) return 0;
     const bool stalled = previous > 0 && current > settings.slow * previous;
     if (stalled && iterations > 2 && !call_setup && current <= settings.newton.acceptable)
-      return SUN_NLS_SUCCESS;  // rounding
+      return 0;  // rounding
     if (iterations == settings.newton.max_iterations) return SUN_NLS_CONV_RECVR;
     settings.active_set(ycor, current_set);
     const bool fresh = call_setup || stalled || current_set != factored_set;
@@ -75,7 +75,7 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
                                 settings,  request,  make_vector(structure.size, context)};
   auto* ops = solver->ops;
   ops->gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
-  ops->initialize = [](SUNNonlinearSolver) { return SUN_NLS_SUCCESS; };
+  ops->initialize = [](SUNNonlinearSolver) { return 0; };
   ops->solve = [](SUNNonlinearSolver s, N_Vector, N_Vector ycor, N_Vector, sunrealtype,
                   sunbooleantype call_setup, void* ida) {
     Content& c = content(s);
@@ -87,29 +87,29 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
   };
   ops->setsysfn = [](SUNNonlinearSolver s, SUNNonlinSolSysFn f) {
     content(s).residual = f;
-    return SUN_NLS_SUCCESS;
+    return 0;
   };
   ops->setlsetupfn = [](SUNNonlinearSolver s, SUNNonlinSolLSetupFn f) {
     content(s).setup = f;
-    return SUN_NLS_SUCCESS;
+    return 0;
   };
   ops->setlsolvefn = [](SUNNonlinearSolver s, SUNNonlinSolLSolveFn f) {
     content(s).solve = f;
-    return SUN_NLS_SUCCESS;
+    return 0;
   };
   ops->getnumiters = [](SUNNonlinearSolver s, long* n) {
     *n = content(s).iterations;
-    return SUN_NLS_SUCCESS;
+    return 0;
   };
   ops->getnumconvfails = [](SUNNonlinearSolver s, long* n) {
     *n = content(s).failures;
-    return SUN_NLS_SUCCESS;
+    return 0;
   };
   ops->free = [](SUNNonlinearSolver s) {
     delete static_cast<Content*>(s->content);
     s->content = nullptr;
     SUNNonlinSolFreeEmpty(s);
-    return SUN_NLS_SUCCESS;
+    return 0;
   };
   return owner;
 }

@@ -184,6 +184,9 @@ TEST_F(BadInput, CommandLine) {
   expect_refused({"run"}, {"SCENE is required"});
   expect_refused({"run", pin, "second.toml"}, {"unexpected argument `second.toml`"});
   expect_refused({"list", "integrator"}, {"did you mean `integrators`?"});
+  expect_refused({"list", "zzzz"},
+                 {"cannot list `zzzz`, expected integrators, problems, scenes or"});
+  expect_refused({"help", "zzzzzzzz"}, {"unknown topic `zzzzzzzz`, see `gnomon help`"});
   expect_refused({"help", "exit-code"}, {"unknown topic `exit-code`, did you mean `exit-codes`?"});
   expect_refused({"help", "scene", "pin"}, {"unknown problem \"pin\""});
   expect_refused({"help", "integrators", "x"}, {"argument `x`, see `gnomon help integrators`"});

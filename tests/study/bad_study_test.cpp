@@ -58,6 +58,13 @@ const Case cases[] = {
     {"UnknownTable",
      "[[methods]]\nintegrator = \"bdf\"\n",
      {"study.toml:5: key `methods`: unknown table, did you mean [[method]]?"}},
+    {"TableUnlikeAny",
+     "[[zzzzzzzz]]\nx = 1\n",
+     {"study.toml:5: key `zzzzzzzz`: unknown table, expected [[sweep]], [[method]] or"}},
+    {"TwoMethodsOfOneName",
+     "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
+     "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-4]\n",
+     {"study.toml:9: key `method.integrator`: two methods are called \"bdf\", expected different"}},
     {"NoMethod", "", {"study.toml: expected one [[method]] or more, got none"}},
     {"NothingToRun", "[[method]]\nintegrator = \"bdf\"\n", {"study.toml:6", "nothing to run"}},
     {"MissingIntegrator",
@@ -88,6 +95,13 @@ const Case cases[] = {
     {"SweptKey",
      "[[sweep]]\nkey = \"mesh.elemnts\"\nvalues = [8]\n",
      {"study.toml:6: key `sweep.key`: unknown key, did you mean `mesh.elements`?"}},
+    {"KeySweptTwice",
+     "[[sweep]]\nkey = \"load.force\"\nvalues = [10]\n"
+     "[[sweep]]\nkey = \"load.force\"\nvalues = [20]\n",
+     {"study.toml:9: key `sweep.key`: `load.force` is swept twice, expected once"}},
+    {"NothingSwept",
+     "[[sweep]]\nkey = \"load.force\"\nvalues = []\n",
+     {"study.toml:7: key `sweep.values`: expected an array of one or more values"}},
     {"SetAndSwept",
      "[[sweep]]\nkey = \"time.end\"\nvalues = [8]\n[[method]]\nintegrator = \"bdf\"\n"
      "tolerances = [1e-3]\n",
@@ -98,6 +112,11 @@ const Case cases[] = {
     {"EndOfOneReference",
      "[[reference]]\nintegrator = \"bdf\"\ntolerance = 1e-6\nset.time.end = 50.0\n",
      {"study.toml:8: key `reference.set.time.end`: cannot differ between methods"}},
+    {"OneReference",
+     "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
+     "[[reference]]\nintegrator = \"bdf\"\ntolerance = 1e-6\n",
+     {"study.toml:9: key `reference.integrator`: expected two [[reference]] tables or none, got "
+      "1"}},
     {"OneFamily",
      "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
      "[[reference]]\nintegrator = \"bdf\"\ntolerance = 1e-6\n"
@@ -107,6 +126,18 @@ const Case cases[] = {
      "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
      "[self_reference]\nmethod = \"bdff\"\ntolerance = 1e-6\n",
      {"study.toml:9: key `self_reference.method`", "did you mean \"bdf\"?"}},
+    {"SelfReferenceWithoutMethod",
+     "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
+     "[self_reference]\ntolerance = 1e-6\n",
+     {"study.toml:9: key `self_reference.tolerance`: expected self_reference.method beside it"}},
+    {"SelfReferenceWithoutSetting",
+     "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
+     "[self_reference]\nmethod = \"bdf\"\n",
+     {"study.toml:9: key `self_reference.method`: expected one of self_reference.step and "}},
+    {"SelfReferenceByStepsOfBdf",
+     "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
+     "[self_reference]\nmethod = \"bdf\"\nstep = 1.0\n",
+     {"study.toml:10: key `self_reference.step`: expected a tolerance, bdf chooses its own"}},
     {"Contradiction",
      "pin.height = 1.0\n[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n",
      {"study.toml", "pin.height", "expected more than"}},

@@ -10,14 +10,18 @@
 namespace gnomon {
 
 /// Weighted root mean square over the differential components (the positions of the contact
-/// surface): weights rtol |y_i| + atol. 1 is as large as the tolerance.
+/// surface): weights rtol |y_i| + atol. 1 is as large as the tolerance. Fixed steps may go without
+/// tolerances; errors are then not scaled.
 class ErrorNorm {
 public:
   ErrorNorm(const Structure& structure, const IntegratorSettings& settings);
 
   /// Positions of the differential components in y.
   const std::vector<int>& components() const { return components_; }
-  double weight(double y) const { return 1 / (rtol_ * std::abs(y) + atol_); }
+  double weight(double y) const {
+    const double tolerance = rtol_ * std::abs(y) + atol_;
+    return tolerance > 0 ? 1 / tolerance : 1;
+  }
   /// Of an error with one entry a component, at y (whole).
   double operator()(std::span<const double> error, std::span<const double> y) const;
 
