@@ -60,6 +60,8 @@ void sort_by_line(std::vector<Item>& items) {
 }
 
 toml::table parse(const std::string& text, const std::string& name) {
+  if (const auto deep = find_deep_nesting(text))
+    throw InputError(fmt::format("{}:{}: {}", name, deep->line, deep->message));
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
@@ -87,8 +89,6 @@ void take_tables(toml::table& table, std::vector<RawTable>& tables) {
 }  // namespace
 
 std::vector<RawEntry> read_toml(const std::string& text, const std::string& name) {
-  if (const auto deep = find_deep_nesting(text))
-    throw InputError(fmt::format("{}:{}: {}", name, deep->line, deep->message));
   std::vector<RawEntry> entries;
   flatten(parse(text, name), "", entries);
   sort_by_line(entries);
