@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <gnomon/error.hpp>
+#include <string_view>
 
 #include "scene/nesting.hpp"
 #include "scene/toml_text.hpp"
@@ -59,6 +60,14 @@ void sort_by_line(std::vector<Item>& items) {
                    [](const Item& a, const Item& b) { return a.line < b.line; });
 }
 
+/// The parser quotes what it met, line breaks included.
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c >= 0 && c < 0x20; }, ' ');
+  return line;
+}
+
 toml::table parse(const std::string& text, const std::string& name) {
   if (const auto deep = find_deep_nesting(text))
     throw InputError(fmt::format("{}:{}: {}", name, deep->line, deep->message));
@@ -66,7 +75,7 @@ toml::table parse(const std::string& text, const std::string& name) {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: not valid TOML: {}", name, error.source().begin.line,
-                                 error.description()));
+                                 one_line(error.description())));
   }
 }
 

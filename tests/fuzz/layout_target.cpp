@@ -110,6 +110,12 @@ hid_t space_of(Choices& choices) {
   return rank == 0 ? H5Screate(H5S_SCALAR) : H5Screate_simple(rank, extents, nullptr);
 }
 
+/// An attribute lies in the file whether it is written or not.
+bool is_storable(hid_t type, hid_t space) {
+  constexpr double most = 1 << 18;  // bytes
+  return double(H5Tget_size(type)) * double(H5Sget_simple_extent_npoints(space)) <= most;
+}
+
 /// Bytes for all of a small value; nothing, and so an unwritten one, for a large one.
 std::vector<unsigned char> values_of(hid_t type, hid_t space, Choices& choices) {
   const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
@@ -141,10 +147,12 @@ void put_dataset(hid_t file, const char* name, Choices& choices) {
 
 void put_attribute(hid_t object, const char* name, Choices& choices) {
   const hid_t type = type_of(choices), space = space_of(choices);
-  const hid_t attribute = H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
-  const auto values = values_of(type, space, choices);
-  if (!values.empty()) H5Awrite(attribute, type, values.data());
-  H5Aclose(attribute);
+  if (is_storable(type, space)) {
+    const hid_t attribute = H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    const auto values = values_of(type, space, choices);
+    if (!values.empty()) H5Awrite(attribute, type, values.data());
+    H5Aclose(attribute);
+  }
   H5Sclose(space);
   H5Tclose(type);
 }
