@@ -147,8 +147,8 @@ TEST_P(Fuzz, MutationsAreTakenOrRefused) {
 INSTANTIATE_TEST_SUITE_P(All, Fuzz,
                          testing::Values(Target{"scene", fuzz::scene, 1000},
                                          Target{"study", fuzz::study, 300},
-                                         Target{"result", fuzz::result, 300, true},
-                                         Target{"layout", fuzz::layout, 300, true}),
+                                         Target{"result", fuzz::result, 200, true},
+                                         Target{"layout", fuzz::layout, 100, true}),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
