@@ -53,8 +53,7 @@ void LowRankUpdate::solve(const std::vector<RankOneTerm>& terms, InnerSolver& st
     if (serves(term)) continue;
     for (std::size_t k = 0; k < term.u.index.size(); ++k)
       U(term.u.index[k], static_cast<long>(number.size())) = term.u.value[k];
-    Column& column =
-        columns_.try_emplace(term.id, long(columns_.size()), SparseVector{}).first->second;
+    Column& column = columns_.try_emplace(term.id, Column{long(columns_.size()), {}}).first->second;
     column.u = term.u;
     number.push_back(column.number);
   }

@@ -8,6 +8,8 @@ namespace gnomon {
 
 namespace {
 
+constexpr int most_elements = 100'000;
+
 /// q + q^2 + ... + q^elements.
 double geometric_sum(double q, int elements) {
   double sum = 0;
@@ -35,6 +37,9 @@ FineZone fine_zone(double size, double fine, double end) {
   if (!(size > 0 && fine >= 0 && end > 0 && fine <= end))
     throw InputError(fmt::format(
         "graded mesh: element size {}, fine length {} and length {} do not fit", size, fine, end));
+  if (!(fine / size < most_elements && std::isfinite(end / size)))
+    throw InputError(fmt::format("graded mesh: elements of {} are too small for a length of {}",
+                                 size, fine > 0 ? fine : end));
   const int elements = static_cast<int>(std::lround(fine / size));
   if (fine > 0 && elements == 0) return {1, fine};
   return {elements, elements > 0 ? fine / elements : size};
@@ -55,7 +60,11 @@ std::vector<double> graded_stations(double size, double fine, double end, int el
   stations.push_back(fine);
   if (growing == 0) return stations;
   const double q = ratio((end - fine) / zone.size, growing);
-  for (int k = 1; k < growing; ++k) stations.push_back(fine + zone.size * geometric_sum(q, k));
+  double sum = 0;  // geometric_sum(q, k)
+  for (int k = 1; k < growing; ++k) {
+    sum = (sum + 1) * q;
+    stations.push_back(fine + zone.size * sum);
+  }
   stations.push_back(end);
   return stations;
 }
@@ -63,8 +72,14 @@ std::vector<double> graded_stations(double size, double fine, double end, int el
 std::vector<double> graded_stations_by_growth(double size, double fine, double end, double growth) {
   if (!(growth > 1)) throw InputError(fmt::format("graded mesh: growth {} is not above 1", growth));
   const FineZone zone = fine_zone(size, fine, end);
+  const double needed = (1 - 1e-12) * (end - fine) / zone.size;
   int growing = 0;
-  while (geometric_sum(growth, growing) < (1 - 1e-12) * (end - fine) / zone.size) ++growing;
+  for (double sum = 0; sum < needed; sum = (sum + 1) * growth)
+    if (++growing > most_elements)
+      throw InputError(
+          fmt::format("graded mesh: growth {} from elements of {} to a length of {} takes more "
+                      "than {} elements",
+                      growth, zone.size, end, most_elements));
   return graded_stations(size, fine, end, zone.elements + growing);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 #include "results/hdf5_values.hpp"
@@ -27,6 +28,10 @@ double checksum(const std::vector<double>& row) {
     for (int byte = 0; byte < 8; ++byte) hash = (hash ^ (bits >> 8 * byte & 0xff)) * 0x100000001b3;
   }
   return static_cast<double>(hash >> 11);
+}
+
+bool is_count(double value) {
+  return value >= 0 && value < 9e15 && value == std::floor(value);
 }
 
 }  // namespace
@@ -65,7 +70,9 @@ std::vector<Checkpoint> read_checkpoints(hid_t gnomon) {
   for (std::size_t place = 0; place < kPlaces; ++place) {
     const auto begin = values.begin() + static_cast<std::ptrdiff_t>(place * extents[1]);
     const std::vector<double> row(begin, begin + static_cast<std::ptrdiff_t>(extents[1]));
-    if (row[2] < 1 || row[0] != checksum(row)) continue;  // not written yet, or not whole
+    if (row[0] != checksum(row) || row[2] == 0) continue;  // not whole, or not written yet
+    if (!(is_count(row[1]) && is_count(row[2]) && is_count(row[3])))
+      throw Failure("cannot read the checkpoints: their places in the result are no numbers");
     checkpoints.push_back(
         {long(row[1]), long(row[2]), long(row[3]), {row.begin() + kHead, row.end()}});
   }

@@ -139,7 +139,10 @@ std::vector<std::string> read_texts_attribute(hid_t object, const char* name) {
   const Handle stored = own(H5Aget_type(attribute.id()), H5Tclose, "read an attribute");
   const Handle shape = own(H5Aget_space(attribute.id()), H5Sclose, "read an attribute");
   const hssize_t count = check(H5Sget_simple_extent_npoints(shape.id()), "read an attribute");
-  if (count > 65536) throw Failure("cannot read an attribute: it is too large");
+  constexpr std::size_t most = 65536;  // bytes, and so texts
+  if (static_cast<std::size_t>(count) > most ||
+      static_cast<std::size_t>(count) * H5Tget_size(stored.id()) > most)
+    throw Failure("cannot read an attribute: it is too large");
   return take_texts(stored.id(), static_cast<std::size_t>(count), [&](hid_t type, void* memory) {
     check(H5Aread(attribute.id(), type, memory), "read an attribute");
   });

@@ -77,7 +77,10 @@ ContactSurface read_contact(hid_t file, const std::string& path) {
   const auto rows =
       read_rows<layout::ContactRow>(dataset, layout::contact_type(), "read the contact surface");
   ContactSurface contact;
-  contact.dim = static_cast<int>(hdf5::read_number_attribute(dataset.id(), "dim"));
+  const double dim = hdf5::read_number_attribute(dataset.id(), "dim");
+  if (dim != 2 && dim != 3)
+    throw Failure(fmt::format("cannot read the contact surface: it has {} dimensions", dim));
+  contact.dim = static_cast<int>(dim);
   for (const layout::ContactRow& row : rows) {
     contact.node.push_back(static_cast<int>(row.node));
     contact.initial.push_back(row.initial);
@@ -186,8 +189,7 @@ public:
       file_ = open_file(path);
       if (!hdf5::exists(file_.id(), "gnomon")) throw Failure("it is not a gnomon result");
       gnomon_ = own(H5Gopen2(file_.id(), "gnomon", H5P_DEFAULT), H5Gclose, "open its results");
-      const int version =
-          static_cast<int>(hdf5::read_number_attribute(gnomon_.id(), "format_version"));
+      const double version = hdf5::read_number_attribute(gnomon_.id(), "format_version");
       if (version != layout::kVersion) {
         throw Failure(
             fmt::format("its format is {}, this program reads {}", version, layout::kVersion));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cfenv>
 #include <gnomon/error.hpp>
+#include <string_view>
 
 #include "scene/nesting.hpp"
 #include "scene/toml_text.hpp"
@@ -73,13 +74,23 @@ private:
   std::fenv_t before_;
 };
 
+/// The parser quotes what it met, line breaks included.
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c >= 0 && c < 0x20; }, ' ');
+  return line;
+}
+
 toml::table parse(const std::string& text, const std::string& name) {
+  if (const auto deep = find_deep_nesting(text))
+    throw InputError(fmt::format("{}:{}: {}", name, deep->line, deep->message));
   const Untrapped untrapped;
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: not valid TOML: {}", name, error.source().begin.line,
-                                 error.description()));
+                                 one_line(error.description())));
   }
 }
 
@@ -102,8 +113,6 @@ void take_tables(toml::table& table, std::vector<RawTable>& tables) {
 }  // namespace
 
 std::vector<RawEntry> read_toml(const std::string& text, const std::string& name) {
-  if (const auto deep = find_deep_nesting(text))
-    throw InputError(fmt::format("{}:{}: {}", name, deep->line, deep->message));
   std::vector<RawEntry> entries;
   flatten(parse(text, name), "", entries);
   sort_by_line(entries);

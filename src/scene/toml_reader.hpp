@@ -13,7 +13,7 @@ namespace gnomon {
 /// Throws InputError "NAME:LINE: ..." for text that is not TOML or nests absurdly (nesting.hpp).
 std::vector<RawEntry> read_toml(const std::string& text, const std::string& name);
 
-/// The same with the tables of arrays of tables apart, in the order of their lines.
+/// The same with the tables of arrays of tables apart, in the order of their lines. Throws as well.
 RawDocument read_toml_document(const std::string& text, const std::string& name);
 
 /// A value in TOML syntax; nothing when `text` is not exactly one value, or nests absurdly.

@@ -105,7 +105,7 @@ private:
       if (!entry.name.starts_with("set.") && entry.name != "set") entries.push_back(entry);
     const KeyedTable top(declaration_.file, 0, entries, {.prefix = "", .keys = keys});
     declaration_.scene = fs::path(declaration_.file).parent_path() / top.text("scene");
-    if (!fs::is_regular_file(declaration_.scene))
+    if (std::error_code ignored; !fs::is_regular_file(declaration_.scene, ignored))
       throw InputError(fmt::format("{}: expected a scene file, there is no {}", top.where("scene"),
                                    declaration_.scene.string()));
     scene_keys_ = key_table(load_scene(declaration_.scene, {}, key_table).text("problem"));

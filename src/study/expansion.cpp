@@ -49,6 +49,7 @@ public:
   }
 
   Study operator()() {
+    check_count();
     std::vector<std::size_t> choice(declaration_.sweeps.size(), 0);
     do add_sweep_point(choice);
     while (advance(choice));
@@ -56,6 +57,17 @@ public:
   }
 
 private:
+  /// Some values each of a few keys are more runs than anyone can wait for, or hold in memory.
+  void check_count() const {
+    constexpr double most = 10'000;
+    double points = 0;
+    for (const Method& method : declaration_.methods) points += double(method.ladder.size());
+    for (const Sweep& sweep : declaration_.sweeps) points *= double(sweep.values.size());
+    if (points > most)
+      throw InputError(fmt::format("{}: expected at most {} runs, sweeps and methods make {}",
+                                   declaration_.file, most, points));
+  }
+
   /// Errors that only the whole scene shows are said to be of this study, sweep point and run.
   template <class Function>
   auto guarded(const std::string& what, const Function& function) const {

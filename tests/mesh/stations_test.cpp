@@ -61,6 +61,15 @@ TEST(GradedStations, RefuseWhatCannotBe) {
   EXPECT_THROW(graded_stations_by_growth(0.1, 0.5, 1, 1), InputError);
 }
 
+// Without a bound, the first two would be counted in an int that is too small, and the third for
+// days.
+TEST(GradedStations, RefuseWhatNoMeshCanHold) {
+  EXPECT_THROW(graded_stations(1e-9, 4.294967297, 5, 10), InputError);  // 2^32 + 1 elements
+  EXPECT_THROW(graded_stations_by_growth(1e-300, 0.5, 1, 2), InputError);
+  EXPECT_THROW(graded_stations_by_growth(1e-9, 0, 1, 1 + 1e-12), InputError);
+  EXPECT_THROW(graded_stations(1e-320, 0, 1, 5), InputError);
+}
+
 TEST(TwoSidedStations, ShareTheOrigin) {
   EXPECT_EQ(two_sided_stations({0, 1, 3}, {0, 2}), (std::vector<double>{-3, -1, 0, 2}));
 }

@@ -119,6 +119,42 @@ TEST(Reading, SurvivesDamagedFiles) {
   EXPECT_GT(refused, 100);
 }
 
+/// Gives an attribute of an object another value behind gnomon's back.
+void put_attribute(const std::filesystem::path& file, const char* object, const char* name,
+                   hid_t type, const void* value) {
+  const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);  // which lets attributes be large
+  const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDWR, access);
+  const hid_t owner = H5Oopen(opened, object, H5P_DEFAULT), space = H5Screate(H5S_SCALAR);
+  H5Adelete(owner, name);
+  const hid_t attribute = H5Acreate2(owner, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+  EXPECT_GE(H5Awrite(attribute, type, value), 0);
+  H5Aclose(attribute);
+  H5Sclose(space);
+  H5Oclose(owner);
+  H5Fclose(opened);
+  H5Pclose(access);
+}
+
+TEST(Reading, RefusesAContactSurfaceOfOtherDimensions) {
+  const auto file = write(synthetic::folder("dimensions") / "r.h5");
+  const double dim = 7;
+  put_attribute(file, "gnomon/contact/0000/000000", "dim", H5T_NATIVE_DOUBLE, &dim);
+  EXPECT_THAT([&] { ResultReader(file).contact({}); },
+              ThrowsMessage<InputError>(one_line(file, "it has 7 dimensions")));
+}
+
+TEST(Reading, RefusesAnAttributeOfUnreasonableSize) {
+  const auto file = write(synthetic::folder("attribute") / "r.h5");
+  const hid_t type = H5Tcopy(H5T_C_S1);
+  const std::string text(100'000, 'x');
+  H5Tset_size(type, text.size());
+  put_attribute(file, "gnomon", "status", type, text.c_str());
+  H5Tclose(type);
+  EXPECT_THAT([&] { ResultReader(file).status(); },
+              ThrowsMessage<InputError>(one_line(file, "it is too large")));
+}
+
 TEST(Writing, RefusesATargetThatCannotBe) {
   const auto folder = synthetic::folder("target");
   const auto create = [](const std::filesystem::path& file) {

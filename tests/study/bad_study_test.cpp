@@ -14,7 +14,7 @@ using testing::IsEmpty;
 
 struct Case {
   const char* name;
-  const char* text;  // behind the head, whose last line is the fourth
+  std::string text;  // behind the head, whose last line is the fourth
   std::vector<std::string> parts;
 };
 
@@ -33,6 +33,19 @@ TEST_P(BadStudy, IsRefused) {
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   for (const std::string& part : GetParam().parts) EXPECT_THAT(outcome.err, HasSubstr(part));
   EXPECT_EQ(files(), before);
+}
+
+std::string repeated(const std::string& text, int times) {
+  std::string result;
+  for (int i = 0; i < times; ++i) result += text;
+  return result;
+}
+
+/// "1, 2, ..., count".
+std::string numbers(int count) {
+  std::string result = "1";
+  for (int i = 2; i <= count; ++i) result += ", " + std::to_string(i);
+  return result;
 }
 
 const Case cases[] = {
@@ -141,6 +154,14 @@ const Case cases[] = {
     {"Contradiction",
      "pin.height = 1.0\n[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n",
      {"study.toml", "pin.height", "expected more than"}},
+    {"TooManyRuns",
+     "[[sweep]]\nkey = \"body.young_modulus\"\nvalues = [" + numbers(200) + "]\n" +
+         "[[sweep]]\nkey = \"load.force\"\nvalues = [" + numbers(60) + "]\n" +
+         "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n",
+     {"study.toml: expected at most 10000 runs, sweeps and methods make 12000"}},
+    {"DeepNesting",
+     "[[method]]\nset." + repeated("a.", 100000) + "a = 1\n",
+     {"study.toml:6: a key of more than 32 parts, expected at most 32"}},
     {"Syntax", "[[method]\n", {"study.toml:5: not valid TOML"}},
 };
 
@@ -165,6 +186,13 @@ TEST_F(BadStudyFiles, Missing) {
 TEST_F(BadStudyFiles, MissingScene) {
   write("study.toml", "scene = \"no.toml\"\n");
   expect_refused("study.toml:1: key `scene`: expected a scene file, there is no no.toml");
+}
+
+TEST_F(BadStudyFiles, SceneWhoseNameNoFileCanHave) {
+  write("study.toml", "scene = \"" + std::string(5000, 'n') + "\"\n");
+  const Outcome outcome = study();
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("study.toml:1: key `scene`: expected a scene file"));
 }
 
 TEST_F(BadStudyFiles, FolderOfSomethingElse) {
