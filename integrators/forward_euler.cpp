@@ -20,7 +20,7 @@ public:
     to = from;
     to.t = from.t + h;
     for (int i : norm_.components()) to.y[i] += h * from.ydot[i];
-    std::string reason = stages_.solve(to.y, options.piece);
+    std::string reason = stages_.solve(to.t, to.y, options.piece);
     if (!reason.empty()) return {.reason = std::move(reason)};
     set_rates(system_, options.piece, to);
     // The difference to Heun's method.

@@ -39,12 +39,15 @@ ExtremeStudy load_extreme_study(const std::filesystem::path& file);
 struct ExtremeCase {
   std::string study;  ///< "pin_on_flat-stiffness"
   std::string sweep;
-  std::string run;   ///< "bdf rtol 1e-09"
-  std::string file;  ///< stem of its files in STUDY/runs
+  std::string run;  ///< "bdf rtol 1e-09"
+  std::string method, integrator;
+  std::optional<double> rtol;  ///< of a run with error control
+  std::string file;            ///< stem of its files in STUDY/runs
   Verdict verdict = Verdict::crashed;
   std::string reason;                ///< of all that do not agree
   std::optional<double> difference;  ///< shape error by the Euclidean norm of the wear
   std::optional<double> bound;       ///< up to which that agrees
+  bool marked = false;               ///< less than ten times the reference's own error
   std::optional<Counters> counters;
   std::optional<double> wall_seconds;
 };
@@ -64,7 +67,9 @@ std::vector<ExtremeCase> judge(const ExtremeStudy& study, const std::string& nam
 
 /// The table as CSV; a header alone for no cases.
 std::string extremes_csv(const std::vector<ExtremeCase>& cases);
-/// The table as a self-contained page; the runs are in folders beside it.
-std::string extremes_page(const std::vector<ExtremeCase>& cases);
+/// The table as a self-contained page; the runs are in folders beside it. `figures`: texts of SVG
+/// files; `note` stands in for them when there are none.
+std::string extremes_page(const std::vector<ExtremeCase>& cases,
+                          const std::vector<std::string>& figures, const std::string& note);
 
 }  // namespace gnomon

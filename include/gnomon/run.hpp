@@ -41,7 +41,8 @@ struct RunOutcome {
   std::optional<HistoryRow> last;  ///< of the last good state; none when the start itself failed
   Counters counters;               ///< work of the whole run, failed attempts included
   double wall_seconds = 0;
-  long flickering_nodes = 0;  ///< contact nodes that left contact twice or more: an oscillation
+  /// Contact nodes that left contact twice or more between two corners of the load: an oscillation.
+  long flickering_nodes = 0;
 
   std::string warning;  ///< of what may end a longer run; empty: none
 

@@ -35,6 +35,7 @@ struct Structure {
   std::vector<double> row_scale;      ///< size entries: |F_i| that matters, in the unit of the row
   std::vector<double> unknown_scale;  ///< size entries: typical |y_i|
   std::vector<int> switch_node;       ///< one a switching function: the mesh node it belongs to
+  std::vector<double> corners;        ///< ascending times at which F may have a kink in t
   LinearSolverChoice solver;
   // For solvers by blocks; empty where a system has no such blocks.
   std::vector<UnknownKind> kind;                ///< size entries
@@ -79,11 +80,13 @@ public:
   virtual std::vector<Stage> make_stages() const = 0;
 };
 
-/// An algebraic stage: some unknowns of a parent system, solved for with the others frozen.
+/// An algebraic stage: some unknowns of a parent system, solved for with the others and the time
+/// frozen.
 struct Stage {
   std::vector<int> unknowns;       ///< position in the parent's y of each unknown of `system`
   std::unique_ptr<System> system;  ///< purely algebraic; t and ydot do not enter
-  std::function<void(std::span<const double> y)> freeze;  ///< fixes the others at the parent's y
+  /// Fixes time and the others at the parent's t and y.
+  std::function<void(double t, std::span<const double> y)> freeze;
 };
 
 /// The piece that y lies in.

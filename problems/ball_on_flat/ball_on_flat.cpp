@@ -94,8 +94,8 @@ Scales make_scales(const Scene& scene, double facet) {
                          scene.real("body.poisson_ratio"));
   Scales scales;
   scales.duration = scene.real("time.end");
-  const double worn = scene.real("wear.coefficient") * scene.real("friction.coefficient") * force *
-                      scene.real("wear.velocity") * scales.duration;
+  const double worn = scene.real("wear.coefficient") * scene.real("friction.coefficient") *
+                      scene.real("wear.velocity") * load_impulse(scene);
   const double worn_area =
       std::sqrt(4 * R * worn * M_PI);  // pi a^2 of a rigid ball: pi a^4 = 4 R V
   scales.force = force;
@@ -123,8 +123,8 @@ std::unique_ptr<Model> make(const Scene& scene) {
   hold_boundary(scene.real("shape.reach"), *body);
   body->load = NodalField<3>::Zero(body->displacement_fixed.rows(), 3);
   body->scales = make_scales(scene, facet);
-  read_worn_body(scene, facet, *body);
   body->contact.counter_body.velocity = Vector<3>(scene.real("wear.velocity"), 0, 0);
+  read_worn_body(scene, facet, *body);
   body->copies = 2;
   body->counter_force = scene.real("load.force") / body->copies;
   return std::make_unique<WearModel<3>>(std::move(body));

@@ -152,7 +152,7 @@ Scales make_scales(const Scene& scene) {
   Scales scales;
   scales.duration = scene.real("time.end");
   const double groove = scene.real("wear.coefficient") * scene.real("friction.coefficient") *
-                        force * scene.real("wear.velocity") * scales.duration /
+                        scene.real("wear.velocity") * load_impulse(scene) /
                         scene.real("path.length");
   const double half_width = std::cbrt(1.5 * R * groove);  // of a rigid ball: 2 a^3/(3 R) = groove
   scales.force = force;
@@ -183,11 +183,11 @@ std::unique_ptr<Model> make(const Scene& scene) {
   hold_boundary(scene.text("block.sides") == "held", *body);
   body->load = NodalField<3>::Zero(body->displacement_fixed.rows(), 3);
   body->scales = make_scales(scene);
-  read_worn_body(scene, facet, *body);
   CounterBody<3>& ball = body->contact.counter_body;
   ball.radius = scene.real("ball.radius");
   ball.point = Vector<3>(0, 0, ball.radius);
   ball.approach = Vector<3>(0, 0, -1);
+  read_worn_body(scene, facet, *body);
   body->contact.streaming = Vector<3>(scene.real("wear.velocity"), 0, 0);
   body->copies = 2;
   body->counter_force = scene.real("load.force") / body->copies;

@@ -115,7 +115,7 @@ public:
     auto algebraic = std::make_unique<DahlquistSystem>(equation_, false);
     Stage stage;
     stage.unknowns = {2, 3};
-    stage.freeze = [system = algebraic.get()](std::span<const double> y) {
+    stage.freeze = [system = algebraic.get()](double, std::span<const double> y) {
       system->frozen_y_ = Pair(y[0], y[1]);
     };
     stage.system = std::move(algebraic);

@@ -118,7 +118,7 @@ Scales make_scales(const Scene& scene) {
   scales.displacement = force * (1 - nu * nu) / scene.real("body.young_modulus");
   scales.stress = force / (2 * scene.real("punch.half_width"));
   scales.duration = scene.real("time.end");
-  scales.wear_depth = k_v * scales.stress * scales.duration;
+  scales.wear_depth = k_v * load_impulse(scene) / (2 * scene.real("punch.half_width"));
   scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
   return scales;
 }
@@ -131,8 +131,8 @@ std::unique_ptr<Model> make(const Scene& scene) {
   hold_boundary(*body);
   body->load = uniform_load(body->mesh, "top", Vector<2>(0, -scene.real("load.force")));
   body->scales = make_scales(scene);
-  read_worn_body(scene, 2 * a / double(scene.integer("mesh.punch_elements")), *body);
   body->contact.counter_body.velocity = Vector<2>(scene.real("wear.velocity"), 0);
+  read_worn_body(scene, 2 * a / double(scene.integer("mesh.punch_elements")), *body);
   return std::make_unique<WearModel<2>>(std::move(body));
 }
 

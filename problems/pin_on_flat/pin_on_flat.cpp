@@ -95,7 +95,7 @@ Scales make_scales(const Scene& scene) {
   scales.stress = force / width;
   scales.duration = scene.real("time.end");
   // Of a run that would wear more than there is, no tolerance follows.
-  scales.wear_depth = std::min(k_v * force * scales.duration / width, scene.real("pin.height"));
+  scales.wear_depth = std::min(k_v * load_impulse(scene) / width, scene.real("pin.height"));
   scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
   return scales;
 }
@@ -108,8 +108,8 @@ std::unique_ptr<Model> make(const Scene& scene) {
   hold_boundary(scene.text("pin.sides") == "sliding", *body);
   body->load = uniform_load(body->mesh, "top", Vector<2>(0, -scene.real("load.force")));
   body->scales = make_scales(scene);
-  read_worn_body(scene, scene.real("pin.width") / static_cast<double>(surface.size()), *body);
   body->contact.counter_body.velocity = Vector<2>(scene.real("wear.velocity"), 0);
+  read_worn_body(scene, scene.real("pin.width") / static_cast<double>(surface.size()), *body);
   return std::make_unique<WearModel<2>>(std::move(body));
 }
 

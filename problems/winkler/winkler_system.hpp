@@ -98,7 +98,7 @@ public:
     Stage stage;
     for (int i = 0; i < points(); ++i) stage.unknowns.push_back(p(i));
     stage.unknowns.push_back(delta());
-    stage.freeze = [this, system = algebraic.get()](std::span<const double> y) {
+    stage.freeze = [this, system = algebraic.get()](double, std::span<const double> y) {
       for (int i = 0; i < points(); ++i) system->frozen_[i] = y[d(i)];
     };
     stage.system = std::move(algebraic);

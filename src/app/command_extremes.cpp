@@ -12,6 +12,7 @@
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/program.hpp"
+#include "app/study_figures.hpp"
 #include "app/study_progress.hpp"
 #include "app/text_table.hpp"
 
@@ -176,11 +177,14 @@ int extremes_command(const ExtremesOptions& given) {
     cases.insert(cases.end(), judged.begin(), judged.end());
   }
   write_file(given.folder / table_file, extremes_csv(cases), Earlier::replaced);
-  write_file(given.folder / "index.html", extremes_page(cases), Earlier::replaced);
+  const StudyFigures figures = study_figures(given.folder, "extremes");
+  write_file(given.folder / "index.html", extremes_page(cases, figures.svgs, figures.note),
+             Earlier::replaced);
   if (!given.quiet) {
     print_cases(cases);
-    fmt::print("{}\nresults: {} (index.html, {}, a folder a study)\n", counts_text(cases),
-               given.folder.string(), table_file);
+    fmt::print("{}{}{}\nresults: {} (index.html, {}, a folder a study)\n", figures.note,
+               figures.note.empty() ? "" : "\n", counts_text(cases), given.folder.string(),
+               table_file);
   }
   const auto faults = std::count_if(cases.begin(), cases.end(),
                                     [](const ExtremeCase& c) { return is_fault(c.verdict); });

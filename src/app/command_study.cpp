@@ -95,7 +95,7 @@ int study_command(const StudyCommandOptions& given) {
   const StudyTable table = measure(study, options.folder);
   write_file(options.folder / "study.csv", study_csv(study, table), Earlier::replaced);
   write_study_hdf5(options.folder / "study.h5", study, table);
-  const StudyFigures figures = study_figures(options.folder);
+  const StudyFigures figures = study_figures(options.folder, "study");
   write_file(options.folder / "index.html", study_page(study, table, figures.svgs, figures.note),
              Earlier::replaced);
   if (!given.quiet) {

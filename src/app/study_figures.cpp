@@ -61,14 +61,14 @@ std::vector<fs::path> svg_files(const fs::path& folder) {
 
 }  // namespace
 
-StudyFigures study_figures(const fs::path& folder) {
+StudyFigures study_figures(const fs::path& folder, const std::string& kind) {
   const fs::path script = GNOMON_PLOT_SCRIPT, figures = folder / "figures";
   std::error_code error;
   if (!fs::exists(script, error))
     return {{}, "No figures: this build has no plotting script (tools/plot/gnomon_plot.py)."};
   fs::remove_all(figures, error);  // an earlier page's
   const fs::path log = folder / "figures.log";
-  if (python({script.string(), "study", folder.string(), "--svg-out", figures.string()},
+  if (python({script.string(), kind, folder.string(), "--svg-out", figures.string()},
              log.string()) != 0)
     return {{},
             fmt::format("No figures: {} (then give the command again with --resume).",

@@ -1,4 +1,4 @@
-// Figures of a study, made by the plotting script if this machine can run it.
+// Figures for a page, made by the plotting script if this machine can run it.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,8 @@ struct StudyFigures {
   std::string note;               ///< why there are none; what to do about it
 };
 
-/// Has them made of FOLDER/study.csv. Never throws for want of figures.
-StudyFigures study_figures(const std::filesystem::path& folder);
+/// Has them made of a folder with the table KIND.csv: "study", "extremes". Never throws for want of
+/// figures.
+StudyFigures study_figures(const std::filesystem::path& folder, const std::string& kind);
 
 }  // namespace gnomon::app

@@ -79,7 +79,7 @@ NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base,
 }
 
 /// The same by continuation from step zero, where the solution is the state that the step starts
-/// from: `base` moves from there with the step.
+/// from: `base` and the time move from there with the step.
 std::string DiagonallyImplicit::continue_in_step(double t, double step, const Rates& base,
                                                  const State& from, const AttemptOptions& options,
                                                  State& to) {
@@ -94,7 +94,8 @@ std::string DiagonallyImplicit::continue_in_step(double t, double step, const Ra
       partial[k] = start + part * (base[k] - start);
     }
     to.y = good;
-    const NewtonReport report = solve(t, part * step, partial, options, to);
+    const double at = from.t + part * (t - from.t);
+    const NewtonReport report = solve(at, part * step, partial, options, to);
     if (report.converged) {
       good = to.y;
       reached = part;
@@ -151,7 +152,7 @@ Attempt DiagonallyImplicit::attempt(const State& from, double h, const AttemptOp
 
 /// Makes a state consistent with its differential components.
 Attempt DiagonallyImplicit::project(State& state, const ActiveSet* piece) {
-  std::string reason = stages().solve(state.y, piece);
+  std::string reason = stages().solve(state.t, state.y, piece);
   if (!reason.empty()) return {.reason = std::move(reason)};
   set_rates(system_, piece, state);
   return {.success = true};

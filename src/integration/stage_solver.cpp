@@ -25,11 +25,11 @@ StageSolver::StageSolver(const System& system, Counters& counters) : stages_(sys
   }
 }
 
-std::string StageSolver::solve(std::span<double> y, const ActiveSet* piece) {
+std::string StageSolver::solve(double t, std::span<double> y, const ActiveSet* piece) {
   for (std::size_t s = 0; s < stages_.size(); ++s) {
     const Stage& stage = stages_[s];
     std::vector<double>& part = unknowns_[s];
-    stage.freeze(y);
+    stage.freeze(t, y);
     for (std::size_t k = 0; k < part.size(); ++k) part[k] = y[stage.unknowns[k]];
     const NewtonReport report = newton_[s]->solve(algebraic_function(*stage.system, piece), part);
     if (!report.converged) return report.reason;

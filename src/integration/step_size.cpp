@@ -34,6 +34,16 @@ double next_on_grid(double t, double step) {
   return step * (std::floor(t / step * (1 + 1e-12) + 1e-9) + 1);
 }
 
+double end_of_smooth_part(const Structure& structure, double t, double t_stop) {
+  const std::vector<double>& corners = structure.corners;
+  const auto next = std::upper_bound(corners.begin(), corners.end(), t);
+  return next == corners.end() ? t_stop : std::min(*next, t_stop);
+}
+
+bool is_corner(const Structure& structure, double t) {
+  return std::binary_search(structure.corners.begin(), structure.corners.end(), t);
+}
+
 double first_step(const State& start, const Structure& structure,
                   const IntegratorSettings& settings, int order) {
   double largest = 0;

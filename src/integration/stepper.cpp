@@ -50,9 +50,9 @@ void OneStepStepper::restore(const State& state, std::span<const double> memory)
 
 /// A step of about h that does not pass the next point to land on.
 OneStepStepper::Plan OneStepStepper::plan(const State& state, double t_stop, double h) const {
-  double target = t_stop;
+  double target = end_of_smooth_part(system_.structure(), state.t, t_stop);
   if (fixed())
-    target = std::min(t_stop, next_on_grid(state.t, settings_.step));
+    target = std::min(target, next_on_grid(state.t, settings_.step));
   else if (settings_.max_step > 0)
     h = std::min(h, settings_.max_step);
   const double left = target - state.t;
@@ -117,7 +117,8 @@ StepReport OneStepStepper::advance(State& state, double t_stop) {
       proposal_ = after_success(plan, landing);
       std::swap(state, next_);
       if (landing.h == plan.h && plan.lands) state.t = plan.target;
-      method_->accept(state, landing.switched > 0 || landing.grazing);
+      method_->accept(state, landing.switched > 0 || landing.grazing ||
+                                 is_corner(system_.structure(), state.t));
       ++counters_.steps;
       counters_.events += landing.switched > 0;
       report.step = landing.h;

@@ -22,24 +22,21 @@ constexpr int max_iterations = 15;
 /// Of equilibria on the way to the whole load.
 constexpr double rough_tolerance = 1e-3;
 
-/// Brings body and counter-body together until the nearest point touches, so that the first matrix
-/// is not singular: the counter-body if it is free to move, else the body.
+/// Brings body and counter-body together, or apart, until they touch in a point, so that the first
+/// matrix is not singular: moves the counter-body if it is free to, else the body.
 template <int dim>
 void close_initial_gap(const WornBody<dim>& body, NodalState<dim>& state) {
   const CounterBody<dim>& other = body.contact.counter_body;
   double least = std::numeric_limits<double>::infinity();
-  Vector<dim> normal = other.normal;
-  for (const auto& patch : body.contact_nodes) {
-    const auto seen = other.template project<double>(body.mesh.nodes[patch.node]);
-    if (seen.gap < least) least = seen.gap, normal = seen.normal;
-  }
+  for (const auto& patch : body.contact_nodes)
+    least = std::min(least, other.travel_to(body.mesh.nodes[patch.node]));
   if (body.counter_force) {
-    state.w = least / normal.dot(other.approach);
+    state.w = least;
     return;
   }
   for (Eigen::Index node = 0; node < state.u.rows(); ++node)
     for (int i = 0; i < dim; ++i)
-      if (!body.displacement_fixed(node, i)) state.u(node, i) = -least * normal[i];
+      if (!body.displacement_fixed(node, i)) state.u(node, i) = -least * other.approach[i];
 }
 
 /// How far a counter-body under part of its force comes near a body at rest, about: as a ball does,
@@ -83,7 +80,7 @@ RampReport find_equilibrium(WearSystem<dim>& contact, const RampOptions& options
   const double touching = state.w;
   bool loaded = false;
   const LoadSolve solve = [&](double fraction, std::span<double> y) {
-    contact.set_load_factor(fraction);
+    contact.set_load_factor(fraction * contact.body().load_history.factor(0));
     if (!loaded && contact.body().counter_force)
       y[contact.unknowns().w()] = touching + indentation(contact.body(), fraction);
     if (fraction < 1 && !rough)

@@ -16,8 +16,8 @@ template <int dim>
 RampOptions ramp_options(const WornBody<dim>& body);
 
 /// Brings `state` (zero displacement, shape as frozen in `contact`) into equilibrium with the whole
-/// load by a ramp. Increments below the whole load are solved only roughly, for they are mere
-/// guesses. `contact` solves for the deformation alone; its load factor is left where the ramp
+/// load at t = 0 by a ramp. Increments below the whole load are solved only roughly, for they are
+/// mere guesses. `contact` solves for the deformation alone; its load factor is left where the ramp
 /// ended.
 template <int dim>
 RampReport find_equilibrium(WearSystem<dim>& contact, const RampOptions& options,

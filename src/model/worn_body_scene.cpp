@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <gnomon/error.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/worn_body_scene.hpp>
 
@@ -15,6 +18,11 @@ Preconditioner preconditioner_by_size(const MeshSize& mesh) {
              ? Preconditioner::multigrid
              : Preconditioner::factor;
 }
+
+/// Equations are solved to 1e-11 of load.force.
+constexpr double least_load_factor = 1e-6;
+/// In the time of the run: what a step changes of the shape has to stand out from rounding.
+constexpr double shortest_ramp = 1e-4;
 
 }  // namespace
 
@@ -42,7 +50,37 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
       scene.text("wear.normal") == "averaged" ? NormalRule::averaged : NormalRule::normalised;
   body.constraint = scene.text("shape.constraint") == "eliminated" ? ConstraintForm::eliminated
                                                                    : ConstraintForm::multiplier;
+  CounterBody<dim>& counter_body = body.contact.counter_body;
+  counter_body.point -= scene.real("contact.initial_gap") * counter_body.approach;
+  body.load_history = read_load_history(scene);
   body.augmentation = scene.real("shape.augmentation") * shape_young / facet * body.scales.duration;
+}
+
+LoadHistory read_load_history(const Scene& scene) {
+  const double shortest = shortest_ramp * scene.real("time.end");
+  const std::vector<double>& times = scene.reals("load.times");
+  const std::vector<double>& factors = scene.reals("load.factors");
+  if (times.size() != factors.size())
+    throw InputError(fmt::format("{}: expected as many as load.times, {}, got {}",
+                                 scene.where("load.factors"), times.size(), factors.size()));
+  if (times.empty()) return {};
+  for (std::size_t k = 1; k < times.size(); ++k)
+    if (!(times[k] - times[k - 1] >= 0.999 * shortest))
+      throw InputError(
+          fmt::format("{}: expected ascending times, {:g} of time.end = {:g} s apart or more, got "
+                      "{:g} after {:g}",
+                      scene.where("load.times"), shortest_ramp, shortest, times[k], times[k - 1]));
+  for (const double factor : factors)
+    if (!(factor >= least_load_factor))
+      throw InputError(fmt::format(
+          "{}: expected {:g} or more, got {:g}: only a force keeps the bodies together, and "
+          "without it their distance is not determined",
+          scene.where("load.factors"), least_load_factor, factor));
+  return {times, factors};
+}
+
+double load_impulse(const Scene& scene) {
+  return scene.real("load.force") * read_load_history(scene).integral(scene.real("time.end"));
 }
 
 LinearSolverChoice linear_solver_of(const Scene& scene, const MeshSize& mesh) {

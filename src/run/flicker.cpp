@@ -4,6 +4,10 @@
 
 namespace gnomon {
 
+namespace {
+constexpr int too_many = 2;  // losses of contact
+}
+
 void Flicker::add(const std::optional<ContactSurface>& surface) {
   if (!surface) return;
   losses_.resize(surface->active.size());
@@ -11,8 +15,14 @@ void Flicker::add(const std::optional<ContactSurface>& surface) {
   active_.assign(surface->active.begin(), surface->active.end());
 }
 
+void Flicker::begin_anew() {
+  for (int& losses : losses_)
+    if (losses < too_many) losses = 0;
+}
+
 long Flicker::nodes() const {
-  return std::count_if(losses_.begin(), losses_.end(), [](int losses) { return losses >= 2; });
+  return std::count_if(losses_.begin(), losses_.end(),
+                       [](int losses) { return losses >= too_many; });
 }
 
 void Flicker::pack_into(std::vector<double>& numbers) const {

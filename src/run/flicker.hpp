@@ -12,7 +12,9 @@ class Flicker {
 public:
   /// The contact surface after a step; a model without one never flickers.
   void add(const std::optional<ContactSurface>& surface);
-  /// Nodes that have left contact twice or more.
+  /// The load turns: a node may leave contact once more.
+  void begin_anew();
+  /// Nodes that have left contact twice or more, between two turns of the load.
   long nodes() const;
 
   void pack_into(std::vector<double>& numbers) const;

@@ -1,5 +1,6 @@
 #include <chrono>
 #include <gnomon/error.hpp>
+#include <gnomon/integration/step_size.hpp>
 #include <gnomon/run.hpp>
 
 #include "run/checkpoint_numbers.hpp"
@@ -91,6 +92,7 @@ private:
     HistoryRow row{state().t, report, counters_, model_.observe(state())};
     wear_integral_.append_to(row.scalars, state().t);
     memory_.flicker.add(model_.contact(state()));
+    if (is_corner(model_.system().structure(), state().t)) memory_.flicker.begin_anew();
     if (writer_) writer_->append(row);
     ++last_checkpoint_.rows;
     outcome_.last = std::move(row);

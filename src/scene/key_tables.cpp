@@ -134,6 +134,19 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .range = positive,
        .help =
            dim == 2 ? "normal force F, a unit of thickness" : "normal force F, on the whole body"},
+      {.name = "load.times",
+       .kind = KeyKind::reals,
+       .unit = "s",
+       .presence = defaulted,
+       .default_value = std::vector<double>{},
+       .range = non_negative,
+       .help = "ascending times of load.factors; steps end on them exactly"},
+      {.name = "load.factors",
+       .kind = KeyKind::reals,
+       .presence = defaulted,
+       .default_value = std::vector<double>{},
+       .help = "what F is multiplied by at load.times: linear between them, constant before the "
+               "first and after the last"},
       {.name = "wear.coefficient",
        .unit = "1/MPa",
        .presence = required,
@@ -231,6 +244,12 @@ std::vector<Key> make_worn_body_keys(int dim) {
   for (const auto& part : {body_keys(), load_and_wear_keys(dim), shape_keys(), solver_keys(dim)})
     keys.insert(keys.end(), part.begin(), part.end());
   if (dim == 3) keys.push_back(friction_key());
+  keys.push_back({.name = "contact.initial_gap",
+                  .unit = "mm",
+                  .presence = defaulted,
+                  .default_value = 0.0,
+                  .help = "distance of the bodies before they are loaded, negative: they overlap; "
+                          "under a force only the approach depends on it"});
   keys.push_back(
       {.name = "contact.regularization",
        .presence = defaulted,

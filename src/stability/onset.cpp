@@ -16,7 +16,7 @@ namespace {
 State consistent(const System& system, State state) {
   Counters counters;
   StageSolver stages(system, counters);
-  if (const std::string reason = stages.solve(state.y); !reason.empty())
+  if (const std::string reason = stages.solve(state.t, state.y); !reason.empty())
     throw SolutionError("a perturbed state cannot be made consistent: " + reason);
   set_rates(system, nullptr, state);
   return state;

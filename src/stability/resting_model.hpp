@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gnomon/model.hpp>
+#include <utility>
 
 namespace gnomon {
 
@@ -10,9 +11,12 @@ namespace gnomon {
 class RestingSystem : public System {
 public:
   /// `state`: with its rates. Both must outlive the object.
-  RestingSystem(const System& system, const State& state) : system_(system), state_(state) {}
+  RestingSystem(const System& system, const State& state)
+      : system_(system), state_(state), structure_(system.structure()) {
+    structure_.corners.clear();
+  }
 
-  const Structure& structure() const override { return system_.structure(); }
+  const Structure& structure() const override { return structure_; }
   void residual(const Point& at, std::span<double> F) const override {
     system_.residual({state_.t, at.y, at.ydot, at.piece}, F);
     for (std::size_t i = 0; i < F.size(); ++i)
@@ -24,11 +28,18 @@ public:
   void switching(std::span<const double> y, std::span<double> values) const override {
     system_.switching(y, values);
   }
-  std::vector<Stage> make_stages() const override { return system_.make_stages(); }
+  std::vector<Stage> make_stages() const override {
+    std::vector<Stage> stages = system_.make_stages();
+    for (Stage& stage : stages)
+      stage.freeze = [freeze = std::move(stage.freeze), t = state_.t](
+                         double, std::span<const double> y) { freeze(t, y); };
+    return stages;
+  }
 
 private:
   const System& system_;
   const State& state_;
+  Structure structure_;
 };
 
 /// What integrators see of such a system.

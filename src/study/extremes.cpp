@@ -38,6 +38,11 @@ std::size_t halved_point(Study& study, std::size_t index) {
   return study.points.size() - 1;
 }
 
+std::optional<double> error_control(const StudyPoint& point) {
+  if (point.setting.kind == Kind::step) return std::nullopt;
+  return point.setting.value;
+}
+
 /// What a finished case is held to.
 struct Judgement {
   Verdict verdict = Verdict::wrong;
@@ -210,11 +215,15 @@ std::vector<ExtremeCase> judge(const ExtremeStudy& extreme, const std::string& n
     cases.push_back({.study = name,
                      .sweep = row.sweep,
                      .run = run.title,
+                     .method = row.point.method,
+                     .integrator = row.point.integrator,
+                     .rtol = error_control(row.point),
                      .file = run.name,
                      .verdict = judgement.verdict,
                      .reason = std::move(judgement.reason),
                      .difference = judgement.difference,
                      .bound = judgement.bound,
+                     .marked = row.marked_shape,
                      .counters = row.counters,
                      .wall_seconds = row.wall_seconds});
   }

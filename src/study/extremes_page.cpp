@@ -85,17 +85,22 @@ std::string case_tables(const std::vector<ExtremeCase>& cases) {
 }  // namespace
 
 std::string extremes_csv(const std::vector<ExtremeCase>& cases) {
-  std::string text = "study,sweep,run,file,verdict,difference,bound,steps,wall_seconds,reason\n";
+  std::string text =
+      "study,sweep,run,method,integrator,rtol,file,verdict,difference,bound,marked,steps,"
+      "wall_seconds,reason\n";
   for (const ExtremeCase& c : cases)
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_text(c.study), csv_text(c.sweep),
-                        csv_text(c.run), csv_text(c.file), verdict_name(c.verdict),
-                        maybe(c.difference, "{:.6g}"), maybe(c.bound, "{:.6g}"),
-                        c.counters ? fmt::format("{}", c.counters->steps) : "",
-                        maybe(c.wall_seconds, "{:.6g}"), csv_text(c.reason));
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_text(c.study),
+                    csv_text(c.sweep), csv_text(c.run), csv_text(c.method), csv_text(c.integrator),
+                    maybe(c.rtol, "{:g}"), csv_text(c.file), verdict_name(c.verdict),
+                    maybe(c.difference, "{:.6g}"), maybe(c.bound, "{:.6g}"), int(c.marked),
+                    c.counters ? fmt::format("{}", c.counters->steps) : "",
+                    maybe(c.wall_seconds, "{:.6g}"), csv_text(c.reason));
   return text;
 }
 
-std::string extremes_page(const std::vector<ExtremeCase>& cases) {
+std::string extremes_page(const std::vector<ExtremeCase>& cases,
+                          const std::vector<std::string>& figures, const std::string& note) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -105,9 +110,9 @@ std::string extremes_page(const std::vector<ExtremeCase>& cases) {
       "<b>refused</b> before it starts, or is <b>stopped</b> with a diagnosis and its last good "
       "state saved. <b>wrong</b>, <b>hung</b> and <b>crashed</b> are faults of gnomon. The "
       "difference is relative to the norm of the wear. The same table is in "
-      "<code>extremes.csv</code>.</p>\n{}{}</body>\n</html>\n",
+      "<code>extremes.csv</code>.</p>\n{}{}{}</body>\n</html>\n",
       page_style, cases.size(), escaped(library_versions().at("gnomon")), counts_table(cases),
-      case_tables(cases));
+      figure_part(figures, note), case_tables(cases));
 }
 
 }  // namespace gnomon

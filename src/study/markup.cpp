@@ -1,5 +1,7 @@
 #include "study/markup.hpp"
 
+#include <fmt/format.h>
+
 namespace gnomon::study {
 
 namespace {
@@ -52,6 +54,16 @@ std::string inline_svg(const std::string& document, const std::string& prefix) {
   replace_all(svg, "href=\"#", "href=\"#" + prefix);
   replace_all(svg, "url(#", "url(#" + prefix);
   return svg;
+}
+
+std::string figure_part(const std::vector<std::string>& figures, const std::string& note) {
+  std::string text;
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    if (const std::string svg = inline_svg(figures[i], fmt::format("f{}-", i + 1)); !svg.empty())
+      text += fmt::format("<figure>\n{}\n</figure>\n", svg);
+  if (text.empty() && !note.empty())
+    text = fmt::format("<p class=\"note\">{}</p>\n", escaped(note));
+  return text.empty() ? "" : "<h2>Figures</h2>\n" + text;
 }
 
 }  // namespace gnomon::study

@@ -85,16 +85,6 @@ private:
         escaped(library_versions().at("gnomon")));
   }
 
-  static std::string figure_part(const std::vector<std::string>& figures, const std::string& note) {
-    std::string text;
-    for (std::size_t i = 0; i < figures.size(); ++i)
-      if (const std::string svg = inline_svg(figures[i], fmt::format("f{}-", i + 1)); !svg.empty())
-        text += fmt::format("<figure>\n{}\n</figure>\n", svg);
-    if (text.empty() && !note.empty())
-      text = fmt::format("<p class=\"note\">{}</p>\n", escaped(note));
-    return text.empty() ? "" : "<h2>Figures</h2>\n" + text;
-  }
-
   std::string reference_introduction() const {
     const auto closed = std::count_if(study_.sweep.begin(), study_.sweep.end(),
                                       [](const SweepPoint& s) { return s.has_closed_form(); });

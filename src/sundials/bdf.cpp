@@ -5,6 +5,7 @@
 #include <cmath>
 #include <gnomon/integration/error_norm.hpp>
 #include <gnomon/integration/stage_solver.hpp>
+#include <gnomon/integration/step_size.hpp>
 #include <gnomon/integration/stepper.hpp>
 #include <gnomon/sundials/bdf.hpp>
 #include <optional>
@@ -34,7 +35,8 @@ private:
   static int switching(sunrealtype t, N_Vector y, N_Vector ydot, sunrealtype* values, void* self);
   void begin(const State& state);
   int switch_nodes(const State& state, bool at_root);
-  void cross_event(State& state, bool at_root, StepReport& report);
+  bool cross_event(State& state, bool at_root, StepReport& report);
+  void restart(const State& state);
   const ActiveSet* piece() const { return settings_.locate_events ? &piece_ : nullptr; }
   [[noreturn]] void fail(int flag, double t) const;
 
@@ -178,16 +180,21 @@ int BdfSolver::Memory::switch_nodes(const State& state, bool at_root) {
   return switched;
 }
 
-/// At an event the state is made consistent on the piece behind it, and IDA starts anew there, at
-/// order one.
-void BdfSolver::Memory::cross_event(State& state, bool at_root, StepReport& report) {
+/// At an event the state is made consistent on the piece behind it. False where there is none.
+bool BdfSolver::Memory::cross_event(State& state, bool at_root, StepReport& report) {
   report.switched = switch_nodes(state, at_root);
-  if (report.switched == 0) return;
+  if (report.switched == 0) return false;
   ++counters_.events;
   if (!stages_) stages_.emplace(system_, counters_);
-  const std::string reason = stages_->solve(state.y, &piece_);
+  const std::string reason = stages_->solve(state.t, state.y, &piece_);
   if (!reason.empty()) throw SolutionError("bdf, after an event: " + reason);
   set_rates(system_, &piece_, state);
+  return true;
+}
+
+/// Behind an event or a corner, where a polynomial through earlier states says nothing of the rates
+/// to come: at order one.
+void BdfSolver::Memory::restart(const State& state) {
   std::copy(state.y.begin(), state.y.end(), view(y_.get()).begin());
   std::copy(state.ydot.begin(), state.ydot.end(), view(ydot_.get()).begin());
   check(IDAReInit(ida_.get(), state.t, y_.get(), ydot_.get()), "IDAReInit");
@@ -199,6 +206,7 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   void* ida = ida_.get();
   guard_.clear();
   const long newton_before = counters_.newton_iterations;
+  t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
   check(IDASetStopTime(ida, t_stop), "IDASetStopTime");
   sunrealtype t = state.t;
   const int flag = IDASolve(ida, t_stop, &t, y_.get(), ydot_.get(), IDA_ONE_STEP);
@@ -220,7 +228,8 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   state.t = t;
   std::copy(view(y_.get()).begin(), view(y_.get()).end(), state.y.begin());
   set_rates(system_, piece(), state);
-  if (piece()) cross_event(state, flag == IDA_ROOT_RETURN, report);
+  const bool event = piece() && cross_event(state, flag == IDA_ROOT_RETURN, report);
+  if (event || is_corner(system_.structure(), t)) restart(state);
   if (piece()) state.piece = piece_;
   return report;
 }

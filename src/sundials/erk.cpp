@@ -103,7 +103,7 @@ void ErkSolver::Memory::evaluate(double t, std::span<const double> d) {
   State next = whole_;
   next.t = t;
   for (std::size_t k = 0; k < d.size(); ++k) next.y[norm_.components()[k]] = d[k];
-  const std::string reason = stages_.solve(next.y);
+  const std::string reason = stages_.solve(t, next.y);
   if (!reason.empty()) throw RecoverableError(reason);
   set_rates(system_, nullptr, next);
   whole_ = std::move(next);
@@ -173,6 +173,7 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
   constexpr int most_failures = 30;
   if (!erk_) begin(state);
   void* erk = erk_.get();
+  t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
   const long newton_before = counters_.newton_iterations;
   StepReport report;
   for (int failures = 0;; ++failures) {

@@ -50,6 +50,7 @@ void WearSystem<dim>::build_structure() {
   contact_.map_to(structure_.pattern);
   structure_.group = unknowns_.node();
   structure_.solver = body_->solver;
+  structure_.corners = body_->load_history.times();
   for (const auto& patch : body_->contact_nodes) structure_.switch_node.push_back(patch.node);
 
   const Scales s = above_rounding(*body_);
@@ -114,11 +115,12 @@ void WearSystem<dim>::residual(const Point& at, std::span<double> F) const {
   const NodalState<dim>& state = nodal(at.y);
   std::fill(F.begin(), F.end(), 0.0);
   if (selection_.deformation) {
+    const double factor = load_factor_.value_or(body_->load_history.factor(at.t));
     solid_.add_residual(&state.d, state.u, F);
     for (Eigen::Index k = 0; k < unknowns_.u().size(); ++k)
       if (const int row = unknowns_.u().data()[k]; row >= 0)
-        F[row] -= load_factor_ * body_->load.data()[k];
-    if (const int row = unknowns_.w(); row >= 0) F[row] -= load_factor_ * *body_->counter_force;
+        F[row] -= factor * body_->load.data()[k];
+    if (const int row = unknowns_.w(); row >= 0) F[row] -= factor * *body_->counter_force;
   }
   if (selection_.interior_shape) mesh_motion_.add_residual(state.d, F);
   contact_.add_residual(state, at.ydot, at.piece, F);
@@ -162,7 +164,10 @@ std::vector<Stage> WearSystem<dim>::make_stages() const {
     match(part->unknowns_.lambda(), unknowns_.lambda());
     match(part->unknowns_.mu(), unknowns_.mu());
     if (part->unknowns_.w() >= 0) stage.unknowns[part->unknowns_.w()] = unknowns_.w();
-    stage.freeze = [this, part = part.get()](std::span<const double> y) { part->freeze(nodal(y)); };
+    stage.freeze = [this, part = part.get()](double t, std::span<const double> y) {
+      part->freeze(nodal(y));
+      part->set_load_factor(body_->load_history.factor(t));
+    };
     stage.system = std::move(part);
     return stage;
   };

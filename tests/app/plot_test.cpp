@@ -105,7 +105,7 @@ TEST_F(Plot, GeometryInSpace) {
   EXPECT_EQ(std::system(("/usr/bin/python3 '" + tests + "' '" + tools + "'").c_str()), 0);
 }
 
-TEST_F(Plot, DrawsAStudyAndASpectrum) {
+TEST_F(Plot, DrawsAStudyASpectrumAndExtremes) {
   std::string rows = study_header;
   for (const double step : {50.0, 100.0, 200.0}) {
     rows +=
@@ -118,11 +118,16 @@ TEST_F(Plot, DrawsAStudyAndASpectrum) {
   write("spectrum.csv", "time,real,imag\n0,-0.5,0\n0,-0.1,0.02\n0,0,0\n10,-0.4,0\n");
   write("critical_steps.csv",
         "time,method,critical_step,empirical\n0,rk4,5.6,5.5\n0,forward-euler,4,\n");
+  std::string cases = "study,sweep,method,integrator,rtol,difference,marked\n";
+  for (const char* method : {"bdf,bdf", "bdf located,bdf", "esdirk-3,esdirk-3"})
+    for (const char* tolerance : {"1e-2", "1e-4", "1e-6"})
+      cases += std::string("a,,") + method + "," + tolerance + "," + tolerance + ",0\n";
+  write("extremes.csv", cases + "b,,bdf,bdf,1e-3,2e-3,1\nb,,bdf,bdf,,,0\n");
   const Outcome outcome = gnomon({"plot", "."});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   std::set<std::string> ids;
-  for (const char* stem :
-       {"mesh-error-step", "mesh-error-tolerance", "mesh-work", "spectrum", "critical-steps"}) {
+  for (const char* stem : {"mesh-error-step", "mesh-error-tolerance", "mesh-work", "spectrum",
+                           "critical-steps", "accuracy"}) {
     expect_figure(std::string("figures/") + stem);
     for (const std::string& id : ids_of(folder() / "figures" / (std::string(stem) + ".svg")))
       EXPECT_TRUE(ids.insert(id).second) << id;

@@ -37,7 +37,7 @@ void check(const std::string& scene, const Overrides& overrides, double size) {
   // Rows of the stiff body lose digits to its size.
   check_jacobian(system, 0, y, 0.2, nullptr, 1e-4);
   for (const Stage& stage : system.make_stages()) {
-    stage.freeze(y);
+    stage.freeze(0, y);
     std::vector<double> part;
     for (int unknown : stage.unknowns) part.push_back(y[unknown]);
     check_jacobian(*stage.system, 0, part, 0, nullptr, 1e-4);

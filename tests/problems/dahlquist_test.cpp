@@ -19,7 +19,7 @@ TEST(Dahlquist, JacobiansEqualCentralDifferences) {
     const std::vector<double> y = {0.3, -0.8, 0.6, 0.4};
     check_jacobian(model->system(), 0.3, y, 2.0);
     for (const Stage& stage : model->system().make_stages()) {
-      stage.freeze(y);
+      stage.freeze(0, y);
       check_jacobian(*stage.system, 0, {0.6, 0.4}, 0);
     }
   }
@@ -34,7 +34,7 @@ TEST(Dahlquist, TheExactSolutionSatisfiesTheEquations) {
     StageSolver stages(model->system(), counters);
     for (double t : {0.0, 0.4, 1.3}) {
       State exact = model->exact(t).value();
-      ASSERT_EQ(stages.solve(exact.y), "");
+      ASSERT_EQ(stages.solve(t, exact.y), "");
       std::vector<double> F(4);
       model->system().residual({t, exact.y, exact.ydot}, F);
       for (int i = 0; i < 4; ++i)

@@ -158,15 +158,13 @@ TEST(FlatPunch, ARunDecaysAtTheRateOfTheReducedJacobian) {
   EXPECT_NEAR(std::log(from / to) / 4, rate, 0.01 * rate);
 }
 
-// Without events every method shows its order. (Of esdirk-3 the terms of third and fourth order
-// cancel between these steps; its order is tested on dahlquist.)
-TEST(FlatPunch, FixedStepsShowTheOrder) {
-  const auto model = model_of("flat_punch/small_block.toml");
+/// The order of methods with fixed steps of 0.5 and 0.25 s to 4 s.
+void expect_orders(const Model& model) {
   const double end = 4;
-  const State exact = run_model(*model, "esdirk-5", 0.0625, 0, end).last();
-  const auto& differential = model->system().structure().differential;
+  const State exact = run_model(model, "esdirk-5", 0.0625, 0, end).last();
+  const auto& differential = model.system().structure().differential;
   const auto error = [&](const char* integrator, double step) {
-    const State state = run_model(*model, integrator, step, 0, end).last();
+    const State state = run_model(model, integrator, step, 0, end).last();
     double sum = 0;
     for (std::size_t i = 0; i < state.y.size(); ++i)
       if (differential[i]) sum += std::pow(state.y[i] - exact.y[i], 2);
@@ -179,6 +177,31 @@ TEST(FlatPunch, FixedStepsShowTheOrder) {
     std::printf("%s: %.2e %.2e, order %.2f\n", name, coarse, fine, std::log2(coarse / fine));
     EXPECT_NEAR(std::log2(coarse / fine), order, 0.3) << name;
   }
+}
+
+// Without events every method shows its order. (Of esdirk-3 the terms of third and fourth order
+// cancel between these steps; its order is tested on dahlquist.)
+TEST(FlatPunch, FixedStepsShowTheOrder) {
+  expect_orders(*model_of("flat_punch/small_block.toml"));
+}
+
+// The load enters at the times of the stages, and no step goes over its corners, which are not on
+// the grid of the steps.
+TEST(FlatPunch, FixedStepsShowTheOrderUnderALoadThatRisesAndFalls) {
+  expect_orders(*model_of("flat_punch/small_block.toml",
+                          {"load.times=[0.6, 1.9, 2.8]", "load.factors=[1, 0.2, 1.5]"}));
+}
+
+TEST(FlatPunch, BdfAgreesUnderALoadThatRisesAndFalls) {
+  const auto model = model_of("flat_punch/small_block.toml",
+                              {"load.times=[0.6, 1.9, 2.8]", "load.factors=[1, 0.2, 1.5]"});
+  const auto depth = [&](const char* integrator) {
+    const auto depths =
+        model->contact(run_model(*model, integrator, 0, 1e-8, 4).last())->wear_depth;
+    return Eigen::Map<const Eigen::VectorXd>(depths.data(), long(depths.size())).eval();
+  };
+  const Eigen::VectorXd esdirk = depth("esdirk-5");
+  EXPECT_LT((depth("bdf") - esdirk).norm(), 1e-6 * esdirk.norm());
 }
 
 TEST(FlatPunch, JacobianEqualsCentralDifferences) {

@@ -50,7 +50,7 @@ TEST(Winkler, JacobiansEqualCentralDifferences) {
   std::vector<double> part;
   const auto stages = system.make_stages();
   for (int unknown : stages[0].unknowns) part.push_back(state.y[unknown]);
-  stages[0].freeze(state.y);
+  stages[0].freeze(0, state.y);
   check_jacobian(*stages[0].system, 0, part, 0);
   // And on the smooth extension of another piece.
   for (char& point : active) point = !point;

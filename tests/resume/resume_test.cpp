@@ -70,6 +70,10 @@ INSTANTIATE_TEST_SUITE_P(
         Method{"forward_euler_with_events", pin,
                coarse({"integrator.name=forward-euler", "integrator.rtol=1e-2",
                        "integrator.events=locate"})},
+        Method{
+            "esdirk_4_with_events_under_a_breathing_load", pin,
+            coarse({"integrator.name=esdirk-4", "integrator.rtol=1e-3", "integrator.events=locate",
+                    "load.times=[0, 50, 100, 150]", "load.factors=[1, 0.01, 1, 0.01]"})},
         Method{"erk_3", pin, coarse({"integrator.name=erk-3", "integrator.rtol=1e-3"})},
         Method{"fixed_erk_2", pin, coarse({"integrator.name=erk-2", "integrator.step=5"})},
         Method{

@@ -30,7 +30,7 @@ public:
   Eigen::VectorXd operator()(int i, double change, const std::vector<int>& components) {
     State state = at_;
     state.y[i] += change;
-    const std::string reason = stages_.solve(state.y, &piece_);
+    const std::string reason = stages_.solve(state.t, state.y, &piece_);
     EXPECT_EQ(reason, "");
     set_rates(system_, &piece_, state);
     Eigen::VectorXd rate(components.size());

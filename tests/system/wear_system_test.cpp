@@ -67,7 +67,7 @@ TEST(WearSystem, StageJacobiansEqualCentralDifferences) {
     const auto stages = model->system().make_stages();
     ASSERT_EQ(stages.size(), 2u);
     for (const Stage& stage : stages) {
-      stage.freeze(y);
+      stage.freeze(0, y);
       std::vector<double> part;
       for (int unknown : stage.unknowns) part.push_back(y[unknown]);
       check_jacobian(*stage.system, 0, part, 0);
@@ -85,7 +85,7 @@ TEST(WearSystem, StagesAreItsAlgebraicRows) {
   long rows =
       std::count(system.structure().differential.begin(), system.structure().differential.end(), 1);
   for (const Stage& stage : system.make_stages()) {
-    stage.freeze(y);
+    stage.freeze(0, y);
     std::vector<double> part, G(stage.unknowns.size());
     for (int unknown : stage.unknowns) part.push_back(y[unknown]);
     stage.system->residual({.y = part}, G);

@@ -268,5 +268,23 @@ TEST(NodalSurface, WeighsNormalsWithInitialAndSumsCurrentAreas) {
   EXPECT_DOUBLE_EQ(normalised.area, 3);
 }
 
+// Moved by that far, the counter-body touches the point, coming from outside; a ball may pass by.
+TEST(CounterBody, TravelsUntilItTouches) {
+  CounterBody<3> plane, ball;
+  plane.point = Vector<3>(0.3, 0.1, -0.7);
+  plane.normal = Vector<3>(0.6, 0, 0.8);
+  ball.radius = 2;
+  ball.point = Vector<3>(0.1, 0.2, 5);
+  ball.approach = Vector<3>(0, 0.6, -0.8);
+  for (const Vector<3>& x : {Vector<3>(0, 0, 0), Vector<3>(0.5, 0.4, 4.9), Vector<3>(0, 4, 1)})
+    for (const CounterBody<3>* body : {&plane, &ball}) {
+      const double w = body->travel_to(x);
+      const auto seen = body->project<double>(x - w * body->approach);
+      EXPECT_NEAR(seen.gap, 0, 1e-14);
+      EXPECT_GT(seen.normal.dot(body->approach), 0);
+    }
+  EXPECT_TRUE(std::isinf(ball.travel_to(Vector<3>(2.2, 0.2, 0))));
+}
+
 }  // namespace
 }  // namespace gnomon

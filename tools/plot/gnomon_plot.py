@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Draws gnomon's figures: of results, of study directories, of spectra (docs/figures.md).
+"""Draws gnomon's figures: of results, of study directories, of spectra, of extremes
+(docs/figures.md).
 
     gnomon_plot.py result RESULT.h5... [-o DIR]
     gnomon_plot.py study DIR [-o DIR] [--svg-out DIR]
     gnomon_plot.py spectrum DIR [-o DIR] [--svg-out DIR]
+    gnomon_plot.py extremes DIR [-o DIR] [--svg-out DIR]
     gnomon_plot.py any RESULT.h5|DIR...      finds out which; what `gnomon plot` calls
 
 Exit codes: 0 done, 1 a package is missing or a file cannot be written, 2 bad input.
@@ -40,7 +42,7 @@ def complain(message, code):
 def options():
     parser = argparse.ArgumentParser(prog="gnomon_plot.py", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("kind", choices=["any", "result", "study", "spectrum"])
+    parser.add_argument("kind", choices=["any", "result", "study", "spectrum", "extremes"])
     parser.add_argument("targets", nargs="+", type=Path, metavar="RESULT.h5|DIR")
     parser.add_argument("-o", "--output", type=Path, metavar="DIR",
                         help="folder of the figures; default: figures, beside or in the target")

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <gnomon/blocks/load_history.hpp>
 #include <gnomon/linear_solver_choice.hpp>
 #include <gnomon/mesh.hpp>
 #include <gnomon/terms/contact_node.hpp>
@@ -58,14 +59,15 @@ struct WornBody {
   std::vector<ContactPatch<dim>> contact_nodes;  ///< the potential contact surface
   NodalFlags<dim> displacement_fixed;            ///< 1 where u is held at zero
   NodalFlags<dim> shape_fixed;                   ///< 1 where d is held at zero
-  NodalField<dim> load;                          ///< nodal dead loads at full load
+  NodalField<dim> load;                          ///< nodal dead loads at factor one
   NeoHookean material;
   ElementKind element = ElementKind::f_bar;
   NeoHookean auxiliary_material;  ///< eq. (20), always plain cells
   ContactParameters<dim> contact;
-  /// The force that presses the counter-body along its `approach`; without it the counter-body
-  /// stays.
+  /// The force that presses the counter-body along its `approach`, at factor one; without it the
+  /// counter-body stays.
   std::optional<double> counter_force;
+  LoadHistory load_history;             ///< factor of `load` and of `counter_force`
   std::optional<CrossSection> section;  ///< 3D only: uniform along x
   /// One a contact node: its part in the wear rate of its shape unknowns, by default 1; with a
   /// section, the length that it stands for by that of the path.

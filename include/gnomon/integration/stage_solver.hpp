@@ -13,9 +13,9 @@ namespace gnomon {
 class StageSolver {
 public:
   StageSolver(const System& system, Counters& counters);
-  /// Makes y consistent with its differential components, which stay, on a piece (Point). On
+  /// Makes y consistent at t with its differential components, which stay, on a piece (Point). On
   /// failure returns the reason (empty on success) and leaves y unspecified.
-  std::string solve(std::span<double> y, const ActiveSet* piece = nullptr);
+  std::string solve(double t, std::span<double> y, const ActiveSet* piece = nullptr);
 
 private:
   std::vector<Stage> stages_;

@@ -36,6 +36,12 @@ private:
 /// not drift.
 double next_on_grid(double t, double step);
 
+/// Where a step from t has to end at the latest: on the next corner (Structure) before t_stop, else
+/// on t_stop.
+double end_of_smooth_part(const Structure& structure, double t, double t_stop);
+/// Whether F may have a kink in time at t, on which a step has ended.
+bool is_corner(const Structure& structure, double t);
+
 /// First step: the one in which the surface would move, at its present rate, by as much of its
 /// final wear depth as a step of this order can at the tolerance. Rejections correct what this
 /// misses.

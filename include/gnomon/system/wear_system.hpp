@@ -8,6 +8,7 @@
 #include <gnomon/system/contact_assembly.hpp>
 #include <gnomon/system/mesh_motion.hpp>
 #include <memory>
+#include <optional>
 
 namespace gnomon {
 
@@ -43,7 +44,7 @@ public:
   const NodalState<dim>& nodal(std::span<const double> y) const;
   /// Gives the blocks that this system does not solve for.
   void freeze(const NodalState<dim>& state) { state_ = state; }
-  /// Fraction of the load that acts; 1 unless a load ramp is under way.
+  /// Factor of the load in place of that of the history: in a load ramp, and where time is frozen.
   void set_load_factor(double factor) { load_factor_ = factor; }
 
 private:
@@ -57,7 +58,7 @@ private:
   MeshMotion<dim> mesh_motion_;
   ContactAssembly<dim> contact_;
   Structure structure_;
-  double load_factor_ = 1;
+  std::optional<double> load_factor_;
   mutable NodalState<dim> state_;
 };
 

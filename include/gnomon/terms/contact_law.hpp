@@ -1,7 +1,9 @@
 // Pointwise laws of contact and wear: pure functions of one contact node.
 #pragma once
 
+#include <cmath>
 #include <gnomon/tensor.hpp>
+#include <limits>
 
 namespace gnomon {
 
@@ -69,6 +71,15 @@ struct CounterBody {
       return {Scalar(normal.template cast<Scalar>().dot(from)), normal.template cast<Scalar>()};
     const Scalar distance = from.norm();
     return {Scalar(distance - radius), from / distance};
+  }
+  /// The w at which it touches x when it comes from afar [length]; infinite where it passes by.
+  double travel_to(const Vector<dim>& x) const {
+    const Vector<dim> from = x - point;
+    if (radius == 0) return normal.dot(from) / normal.dot(approach);
+    const double along = approach.dot(from);
+    const double across = from.squaredNorm() - along * along;
+    return across < radius * radius ? along - std::sqrt(radius * radius - across)
+                                    : std::numeric_limits<double>::infinity();
   }
   /// dn/dx [1 / length].
   Tensor<dim> normal_by_x(const Vector<dim>& x) const {

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from . import critical, errors, history, mesh, output, pressure, shape, spectrum, study, style
+from . import critical, errors, extremes, history, mesh, output, pressure, shape, spectrum, study, style
 from . import shapes, surface, wear, work
 from .complaints import BadInput, Unsuitable
 from .result import Result
@@ -51,7 +51,8 @@ def jobs_of(kind, target):
         return [(draw_result, target)]
     if not target.is_dir():
         raise BadInput(f"{target} is not a folder")
-    known = {"study": ("study.csv", draw_study), "spectrum": ("spectrum.csv", draw_spectrum)}
+    known = {"study": ("study.csv", draw_study), "spectrum": ("spectrum.csv", draw_spectrum),
+             "extremes": ("extremes.csv", draw_extremes)}
     wanted = known if kind == "any" else {kind: known[kind]}
     jobs = [(drawer, target) for file, drawer in wanted.values() if (target / file).is_file()]
     if kind == "any":
@@ -102,6 +103,10 @@ def draw_spectrum(folder, sink):
     sink.draw("spectrum", spectrum.draw, spectra)
     if (folder / "critical_steps.csv").is_file():
         sink.draw("critical-steps", critical.draw, critical.read(folder))
+
+
+def draw_extremes(folder, sink):
+    sink.draw("accuracy", extremes.draw, extremes.read(folder))
 
 
 def file_name(text):

@@ -1,0 +1,116 @@
+// The worn pin under a load that changes: what it wears, where steps end, contact lost and
+// regained.
+
+#include <cmath>
+#include <gnomon/run.hpp>
+
+#include "support/pin.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+constexpr double F = 20, k_v = 1e-4;
+
+/// Down to a thousandth and up again, three times in 120 s.
+const Overrides breathing = {elements(10), "load.times=[0, 20, 40, 60, 80, 100, 120]",
+                             "load.factors=[1, 1e-3, 1, 1e-3, 1, 1e-3, 1]"};
+double breath(double t) {
+  const double phase = std::fmod(t, 40) / 20;
+  return phase < 1 ? 1 - 0.999 * phase : 0.001 + 0.999 * (phase - 1);
+}
+
+// Wear is k v F at every instant, and so its integral k v times that of F, without an error: the
+// trapezoidal rule is exact, because steps end on the corners.
+TEST(LoadHistoryOfThePin, WearFollowsTheForceByEveryMethod) {
+  for (const Integrator& integrator : Integrators::all())
+    for (const bool locate : {false, true}) {
+      if (locate && !integrator.locates_events) continue;
+      SCOPED_TRACE(integrator.name + (locate ? ", events located" : ""));
+      const PinRun run = run_pin(integrator.name, 0, 1e-2, 60, breathing, locate);
+      double integral = 0, flux = 0, t = 0;
+      std::vector<double> times;
+      for (const State& state : run.states) {
+        const double now = observed(*run.model, state, "wear_flux");
+        EXPECT_NEAR(now, k_v * F * breath(state.t), 1e-9 * k_v * F) << state.t;
+        integral += (state.t - t) * (flux + now) / 2;
+        flux = now, t = state.t;
+        times.push_back(t);
+      }
+      for (const double corner : {20.0, 40.0, 60.0}) EXPECT_THAT(times, Contains(corner));
+      EXPECT_NEAR(integral, k_v * F * 60 * 1.001 / 2, 1e-9);
+    }
+}
+
+TEST(LoadHistoryOfThePin, FixedStepsReturnToTheirGrid) {
+  for (const char* integrator : {"backward-euler", "forward-euler", "erk-2", "esdirk-3"}) {
+    const PinRun run = run_pin(integrator, 15, 0, 60, breathing);
+    std::vector<double> times;
+    for (const State& state : run.states) times.push_back(state.t);
+    EXPECT_EQ(times, (std::vector<double>{0, 15, 20, 30, 40, 45, 60})) << integrator;
+  }
+}
+
+// Most of the contact strip opens and closes in every cycle. Two families of methods agree on what
+// that leaves.
+TEST(LoadHistoryOfThePin, ContactIsLostAndRegained) {
+  const PinRun esdirk = run_pin("esdirk-4", 0, 1e-6, 120, breathing, true);
+  const PinRun bdf = run_pin("bdf", 0, 1e-6, 120, breathing);
+  const PinRun located = run_pin("bdf", 0, 1e-6, 120, breathing, true);
+  std::vector<int> least(3, 99), most(3, 0);
+  for (const State& state : esdirk.states) {
+    const int cycle = std::min(2, int(state.t / 40));
+    const int nodes = int(observed(*esdirk.model, state, "contact_nodes"));
+    least[cycle] = std::min(least[cycle], nodes);
+    most[cycle] = std::max(most[cycle], nodes);
+  }
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    EXPECT_LE(least[cycle], 3) << cycle;
+    EXPECT_GE(most[cycle], least[cycle] + 2) << cycle;
+  }
+  const Eigen::VectorXd X = esdirk.worn_surface();
+  const double depth = esdirk.model->differential_scale();
+  EXPECT_LT((bdf.worn_surface() - X).norm(), 1e-4 * depth);
+  EXPECT_LT((located.worn_surface() - X).norm(), 1e-4 * depth);
+  EXPECT_GE(esdirk.counters.events, 3);
+}
+
+// A run of an explicit method with fixed steps does not take the breathing for an instability.
+TEST(LoadHistoryOfThePin, LosingContactAtEveryTurnIsNoFlicker) {
+  const auto model = pin_model(breathing);
+  IntegratorSettings settings;
+  settings.step = 1;
+  settings.scale = model->differential_scale();
+  settings.stop_unstable = true;
+  settings.end = 120;
+  const RunOutcome outcome =
+      run(*model, Integrators::find("forward-euler", "integrator"), settings, {}, nullptr, {});
+  EXPECT_EQ(outcome.text(), "finished");
+  EXPECT_EQ(outcome.flickering_nodes, 0);
+}
+
+std::string refusal(const Overrides& overrides) {
+  try {
+    pin_model(overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(LoadHistoryOfThePin, RefusesWhatIsNoHistory) {
+  EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1]"}),
+              HasSubstr("expected as many as load.times, 2, got 1"));
+  EXPECT_THAT(refusal({"load.times=[0, 1, 1]", "load.factors=[1, 2, 3]"}),
+              HasSubstr("got 1 after 1"));
+  EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1, 0]"}),
+              HasSubstr("expected 1e-06 or more, got 0: only a force keeps the bodies together"));
+  EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1, -1]"}), HasSubstr("got -1"));
+  EXPECT_THAT(refusal({"load.times=[-1, 1]", "load.factors=[1, 1]"}), HasSubstr("load.times"));
+}
+
+}  // namespace
+}  // namespace gnomon
