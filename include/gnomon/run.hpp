@@ -43,8 +43,6 @@ struct RunOutcome {
   double wall_seconds = 0;
   long flickering_nodes = 0;  ///< contact nodes that left contact twice or more: an oscillation
 
-  std::string warning;  ///< of what may end a longer run; empty: none
-
   /// "finished", "interrupted", "failed: DIAGNOSIS"; what the result file and the summary say.
   std::string text() const;
 };
@@ -52,6 +50,8 @@ struct RunOutcome {
 struct RunHooks {
   /// Called after the start and after every step.
   std::function<void(const HistoryRow&)> on_step = [](const HistoryRow&) {};
+  /// Called once at most, when the worn mesh nears what will end the run.
+  std::function<void(const std::string&)> on_warning = [](const std::string&) {};
   /// Asked after the start and after every step; true ends the run there.
   std::function<bool()> interrupted = [] { return false; };
 };
