@@ -44,10 +44,12 @@ NodalField<dim> stretched(const Mesh<dim>& mesh, const std::function<double(doub
   NodalField<dim> d = NodalField<dim>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), dim);
   for (std::size_t c = mesh.cells.size(); c-- > 0;) {  // from the top down
     const auto& cell = mesh.cells[c];
-    const int upper = cell[dim == 2 ? 3 : 4];
-    const double height = mesh.nodes[upper][dim - 1] - mesh.nodes[cell[0]][dim - 1];
-    const double lower_d = d(upper, dim - 1) + height * (1 - stretch(height));
-    for (int a = 0; a < (dim == 2 ? 2 : 4); ++a) d(cell[a], dim - 1) = lower_d;
+    const int lower = cell[0], upper = cell[3];
+    const double bottom = mesh.nodes[lower][dim - 1];
+    const double height = mesh.nodes[upper][dim - 1] - bottom;
+    for (int node : cell)
+      if (mesh.nodes[node][dim - 1] == bottom)
+        d(node, dim - 1) = d(upper, dim - 1) + height * (1 - stretch(height));
   }
   return d;
 }

@@ -28,7 +28,7 @@ template <int dim>
 double patch_error(ElementKind kind) {
   const Mesh<dim> mesh = distorted_mesh<dim>();
   const auto nodes = static_cast<Eigen::Index>(mesh.nodes.size());
-  const Tensor<dim> H = noise<Tensor<dim>>(0.1, 3);
+  const Tensor<dim> H = noise<Tensor<dim>>(0.03, 3);
   NodalField<dim> linear(nodes, dim);
   for (Eigen::Index node = 0; node < nodes; ++node)
     linear.row(node) = (H * mesh.nodes[node]).transpose();
