@@ -44,8 +44,6 @@ struct RunOutcome {
   /// Contact nodes that left contact twice or more between two corners of the load: an oscillation.
   long flickering_nodes = 0;
 
-  std::string warning;  ///< of what may end a longer run; empty: none
-
   /// "finished", "interrupted", "failed: DIAGNOSIS"; what the result file and the summary say.
   std::string text() const;
 };
@@ -53,6 +51,8 @@ struct RunOutcome {
 struct RunHooks {
   /// Called after the start and after every step.
   std::function<void(const HistoryRow&)> on_step = [](const HistoryRow&) {};
+  /// Called once at most, when the worn mesh nears what will end the run.
+  std::function<void(const std::string&)> on_warning = [](const std::string&) {};
   /// Asked after the start and after every step; true ends the run there.
   std::function<bool()> interrupted = [] { return false; };
 };

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/error.hpp>
+#include <gnomon/mesh/distortion.hpp>
 #include <gnomon/problem.hpp>
 #include <gnomon/wear_model.hpp>
 #include <gnomon/worn_body_scene.hpp>
@@ -28,6 +29,11 @@ std::vector<Key> keys() {
        .range = {.min = 2, .max = 4000},
        .length = 2,
        .help = "elements across and along the height of the pin"},
+      {.name = "mesh.distortion",
+       .presence = Key::Presence::defaulted,
+       .default_value = 0.0,
+       .range = {.min = 0, .max = 1},
+       .help = "by how much of the shortest edge there the nodes inside are displaced, up to"},
       {.name = "pin.radius",
        .unit = "mm",
        .range = {.min = 0, .min_open = true},
@@ -51,6 +57,18 @@ std::vector<Key> keys() {
   return result;
 }
 
+void require_convex_elements(const Scene& scene, const Mesh<2>& mesh) {
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    CellNodal<2> X;
+    for (int a = 0; a < Mesh<2>::cell_nodes; ++a)
+      X.row(a) = mesh.nodes[mesh.cells[cell][a]].transpose();
+    if (scaled_jacobian<2>(X) <= 0)
+      throw InputError(
+          fmt::format("{}: expected less (below 0.25 is safe), {:g} inverts element {}",
+                      scene.where("mesh.distortion"), scene.real("mesh.distortion"), cell));
+  }
+}
+
 Mesh<2> make_mesh(const Scene& scene) {
   const double R = scene.real("pin.radius"), L = scene.real("pin.width");
   const double H = scene.real("pin.height");
@@ -59,11 +77,14 @@ Mesh<2> make_mesh(const Scene& scene) {
         "{}: expected more than L^2/(8R) = {:g} mm, so that the pin has sides, got {:g}",
         scene.where("pin.height"), side, H));
   const auto& elements = scene.integers("mesh.elements");
-  return structured_quadrilaterals(static_cast<int>(elements[0]), static_cast<int>(elements[1]),
-                                   [=](double s, double t) {
-                                     const double x = (s - 0.5) * L, bottom = x * x / (2 * R);
-                                     return Vector<2>(x, bottom + t * (H - bottom));
-                                   });
+  Mesh<2> mesh = structured_quadrilaterals(
+      static_cast<int>(elements[0]), static_cast<int>(elements[1]), [=](double s, double t) {
+        const double x = (s - 0.5) * L, bottom = x * x / (2 * R);
+        return Vector<2>(x, bottom + t * (H - bottom));
+      });
+  distort(mesh, scene.real("mesh.distortion"));
+  require_convex_elements(scene, mesh);
+  return mesh;
 }
 
 MeshSize mesh_size(const Scene& scene) {

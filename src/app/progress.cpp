@@ -78,6 +78,12 @@ void Progress::show(const HistoryRow& row) {
   shown_t_ = row.t;
 }
 
+void Progress::warn(const std::string& text) {
+  if (mode_ == Mode::none) return;
+  finish();
+  put("gnomon: warning: " + text + "\n");
+}
+
 void Progress::finish() {
   if (mode_ == Mode::live) put("\r\x1b[K");
 }

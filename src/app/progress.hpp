@@ -25,6 +25,8 @@ public:
   static Mode mode_for_stderr(bool quiet);
 
   void show(const HistoryRow& row);
+  /// A line that stays.
+  void warn(const std::string& text);
   /// Leaves the terminal clean for what comes next.
   void finish();
 

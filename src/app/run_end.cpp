@@ -45,10 +45,6 @@ void warn_of_flicker(const RunOutcome& outcome, const Integrator& integrator) {
              outcome.flickering_nodes, integrator.name);
 }
 
-void warn_of_mesh(const RunOutcome& outcome) {
-  if (!outcome.warning.empty()) fmt::print(stderr, "gnomon: warning: {}\n", outcome.warning);
-}
-
 int exit_code(const RunOutcome& outcome) {
   switch (outcome.status) {
     case RunOutcome::Status::finished:
@@ -84,6 +80,7 @@ RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, Res
                      bool quiet, const Resumption* from) {
   Progress progress(Progress::mode_for_stderr(quiet), settings.end);
   const RunHooks hooks{.on_step = [&](const HistoryRow& row) { progress.show(row); },
+                       .on_warning = [&](const std::string& text) { progress.warn(text); },
                        .interrupted = InterruptGuard::interrupted};
   try {
     RunOutcome outcome = run(*setup.model, chosen_integrator(setup.scene), settings,
@@ -100,7 +97,6 @@ int report_end(const RunOutcome& outcome, const Integrator& integrator, const En
   if (outcome.status == RunOutcome::Status::failed)
     throw SolutionError(failure_message(outcome, report));
   if (!report.quiet && report.table) print_summary(outcome, report);
-  if (!report.quiet) warn_of_mesh(outcome);
   if (!report.quiet) warn_of_flicker(outcome, integrator);
   return exit_code(outcome);
 }

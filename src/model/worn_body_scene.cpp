@@ -33,6 +33,13 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   body.material = NeoHookean::from_young_poisson(young, scene.real("body.poisson_ratio"));
   body.auxiliary_material =
       NeoHookean::from_young_poisson(shape_young, scene.real("shape.poisson_ratio"));
+  if (scene.text("shape.energy") == "blatz-ko") {
+    body.auxiliary_element = ElementKind::plain_blatz_ko;
+    // Its forces grow without bound where the body is nearly worn away, and their rounding with
+    // them.
+    body.scales.auxiliary_force *= 1e3;
+  }
+  body.auxiliary_stiffening = scene.real("shape.stiffening");
   const std::string& element = scene.text("body.element");
   body.element = element == "plain"   ? ElementKind::plain
                  : element == "f-bar" ? ElementKind::f_bar

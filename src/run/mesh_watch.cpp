@@ -35,7 +35,9 @@ void require_sound_mesh(const std::vector<Scalar>& scalars) {
 std::string mesh_warning(const std::vector<Scalar>& scalars) {
   const double volume = value_of(scalars, "element_volume");
   const double quality = value_of(scalars, "element_quality");
-  if (volume < 0.1) return fmt::format("an element is worn down to {:.2g} of its volume", volume);
+  if (volume < 0.1)
+    return fmt::format("an element is worn down to {:.2g} of its volume; at 0.01 the run ends",
+                       volume);
   if (quality < 0.1)
     return fmt::format(
         "an element of the worn mesh is nearly folded: its scaled Jacobian is {:.2g}", quality);

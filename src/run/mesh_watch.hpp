@@ -11,7 +11,8 @@ namespace gnomon {
 /// ("element_quality" not positive) or has less than a hundredth of its volume ("element_volume").
 void require_sound_mesh(const std::vector<Scalar>& scalars);
 
-/// A warning when that is near (a tenth); empty when it is not.
+/// What is said when that is near (a tenth of the volume, a scaled Jacobian of 0.1); empty when it
+/// is not.
 std::string mesh_warning(const std::vector<Scalar>& scalars);
 
 }  // namespace gnomon

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <chrono>
 #include <gnomon/error.hpp>
 #include <gnomon/integration/step_size.hpp>
@@ -44,7 +46,6 @@ public:
     outcome_.wall_seconds = elapsed();
     outcome_.counters = counters_;
     outcome_.flickering_nodes = memory_.flicker.nodes();
-    if (outcome_.last) outcome_.warning = mesh_warning(outcome_.last->scalars);
     if (writer_) writer_->close(outcome_.text(), outcome_.wall_seconds);
     return outcome_;
   }
@@ -78,7 +79,7 @@ private:
       if (!stepper_) make_stepper();
       const StepReport report = stepper_->advance(state(), schedule_.stop());
       record(report);
-      require_sound_mesh(outcome_.last->scalars);
+      watch_mesh();
       if (watches_damping_) require_no_flicker(memory_.flicker.nodes(), integrator_);
       if (schedule_.wants(state().t, counters_.steps)) store();
       if (work() >= next_checkpoint_ || state().t >= settings_.end) checkpoint();
@@ -97,6 +98,15 @@ private:
     ++last_checkpoint_.rows;
     outcome_.last = std::move(row);
     hooks_.on_step(*outcome_.last);
+  }
+
+  void watch_mesh() {
+    require_sound_mesh(outcome_.last->scalars);
+    if (warned_of_mesh_) return;
+    const std::string warning = mesh_warning(outcome_.last->scalars);
+    if (warning.empty()) return;
+    warned_of_mesh_ = true;
+    hooks_.on_warning(fmt::format("at t = {:g} s {}", state().t, warning));
   }
 
   void store() {
@@ -154,6 +164,7 @@ private:
   std::unique_ptr<Stepper> stepper_;
   WearIntegral wear_integral_;
   RunOutcome outcome_;
+  bool warned_of_mesh_ = false;
   std::optional<double> stored_at_;
   Checkpoint last_checkpoint_{-1, 0, 0, {}};  // with the rows and stored steps of now
   long next_checkpoint_ = 0;                  // when work() comes to this

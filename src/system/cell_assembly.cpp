@@ -10,9 +10,10 @@ namespace gnomon {
 template <int dim>
 CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const NeoHookean& law, ElementKind kind,
                                 const Numbers& rows, const Numbers& columns,
-                                const Numbers* shape_columns)
+                                const Numbers* shape_columns, std::vector<double> stiffness)
     : mesh_(mesh),
       law_(law),
+      stiffness_(std::move(stiffness)),
       kernel_(SolidKernel<dim>::of(kind)),
       rows_(rows),
       columns_(columns),
@@ -26,6 +27,12 @@ CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const NeoHookean& law, El
   // A frozen shape has no columns at all: then its derivative is not computed either.
   if (shape_columns_ && (shape_columns_->size() == 0 || shape_columns_->maxCoeff() < 0))
     shape_columns_ = nullptr;
+}
+
+template <int dim>
+NeoHookean CellAssembly<dim>::law_of(int cell) const {
+  const double factor = stiffness_.empty() ? 1 : stiffness_[cell];
+  return {factor * law_.lambda, factor * law_.mu};
 }
 
 template <int dim>
@@ -162,7 +169,7 @@ void CellAssembly<dim>::add_residual(const NodalField<dim>* shape,
     if (!meets(cell, rows_, own)) return true;
     CellNodal<dim> X, u, R;
     gather(cells_[c], shape, displacement, X, u);
-    if (!kernel_.residual(law_, X, u, R)) return false;
+    if (!kernel_.residual(law_of(cells_[c]), X, u, R)) return false;
     for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
       for (int i = 0; i < dim; ++i)
         if (const int row = rows_(cell[a], i); own.holds(row)) F[row] += R(a, i);
@@ -184,7 +191,7 @@ void CellAssembly<dim>::add_jacobian(const NodalField<dim>* shape,
     CellNodal<dim> X, u, R;
     CellMatrix<dim> K_u, K_d;
     gather(cells_[c], shape, displacement, X, u);
-    if (!tangent(law_, X, u, R, K_u, K_d)) return false;
+    if (!tangent(law_of(cells_[c]), X, u, R, K_u, K_d)) return false;
     const std::size_t first = std::size_t(c) * local * local;
     add_columns<dim>(cell, columns_, own, map_.data() + first, K_u, values);
     if (shape_columns_)

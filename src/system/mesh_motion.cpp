@@ -1,6 +1,41 @@
+#include <cmath>
 #include <gnomon/system/mesh_motion.hpp>
 
 namespace gnomon {
+
+namespace {
+
+/// Factors of the law that let small cells move as if rigid, one a cell; 1 on the mean volume.
+template <int dim>
+std::vector<double> stiffness_by_volume(const Mesh<dim>& mesh, double exponent) {
+  if (exponent == 0) return {};
+  std::vector<double> factors;
+  double total = 0;
+  for (const auto& cell : mesh.cells) {
+    CellNodal<dim> X;
+    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) X.row(a) = mesh.nodes[cell[a]].transpose();
+    factors.push_back(cell_volume<dim>(X));
+    total += factors.back();
+  }
+  const double mean = total / static_cast<double>(factors.size());
+  for (double& factor : factors) factor = std::pow(mean / factor, exponent);
+  return factors;
+}
+
+/// What does not depend on the dimension of the body.
+template <int dim, class Body, class Numbers>
+CellAssembly<dim> auxiliary_cells(const Mesh<dim>& mesh, const Body& body, const Numbers& rows,
+                                  const Numbers& columns) {
+  return {mesh,
+          body.auxiliary_material,
+          body.auxiliary_element,
+          rows,
+          columns,
+          nullptr,
+          stiffness_by_volume(mesh, body.auxiliary_stiffening)};
+}
+
+}  // namespace
 
 /// The cross-section with its unknowns, those of the carrying nodes of the body: components (y, z).
 template <int dim>
@@ -16,7 +51,7 @@ struct MeshMotion<dim>::Section {
       : section(*body.section),
         rows(taken(unknowns.auxiliary_row())),
         columns(taken(unknowns.d())),
-        cells(section.mesh, body.auxiliary_material, ElementKind::plain, rows, columns, nullptr) {}
+        cells(auxiliary_cells(section.mesh, body, rows, columns)) {}
 
   template <class Nodal>
   auto taken(const Nodal& nodal) const {
@@ -34,9 +69,8 @@ MeshMotion<dim>::MeshMotion(const WornBody<dim>& body, const Unknowns<dim>& unkn
   if (body.section)
     section_ = std::make_unique<Section>(body, unknowns);
   else
-    cells_ =
-        std::make_unique<CellAssembly<dim>>(body.mesh, body.auxiliary_material, ElementKind::plain,
-                                            unknowns.auxiliary_row(), unknowns.d(), nullptr);
+    cells_ = std::make_unique<CellAssembly<dim>>(
+        auxiliary_cells(body.mesh, body, unknowns.auxiliary_row(), unknowns.d()));
 }
 
 template <int dim>

@@ -15,6 +15,8 @@ SolidKernel<dim> SolidKernel<dim>::of(ElementKind kind) {
       return make.template operator()<ElementKind::f_bar>();
     case ElementKind::f_bar_variational:
       return make.template operator()<ElementKind::f_bar_variational>();
+    case ElementKind::plain_blatz_ko:
+      return make.template operator()<ElementKind::plain_blatz_ko>();
     case ElementKind::small_plain:
       return make.template operator()<ElementKind::small_plain>();
     case ElementKind::small_f_bar:

@@ -121,6 +121,7 @@ bool solid_tangent(const NeoHookean& law, const CellNodal<dim>& X, const CellNod
 GNOMON_INSTANTIATE_BOTH(ElementKind::plain)
 GNOMON_INSTANTIATE_BOTH(ElementKind::f_bar)
 GNOMON_INSTANTIATE_BOTH(ElementKind::f_bar_variational)
+GNOMON_INSTANTIATE_BOTH(ElementKind::plain_blatz_ko)
 GNOMON_INSTANTIATE_BOTH(ElementKind::small_plain)
 GNOMON_INSTANTIATE_BOTH(ElementKind::small_f_bar)
 GNOMON_INSTANTIATE_BOTH(ElementKind::small_f_bar_variational)

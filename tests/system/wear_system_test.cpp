@@ -45,6 +45,15 @@ TEST(WearSystem, JacobianEqualsCentralDifferences) {
       }
 }
 
+TEST(WearSystem, JacobianEqualsCentralDifferencesWithEveryAuxiliaryEnergy) {
+  for (const char* form : {"eliminated", "multiplier"})
+    for (const char* setting : {"shape.energy=blatz-ko", "shape.stiffening=1.5"}) {
+      SCOPED_TRACE(std::string(form) + " " + setting);
+      const auto model = pin_model({elements(4), std::string("shape.constraint=") + form, setting});
+      check_jacobian(model->system(), 0, rough_state(*model), 0.2);
+    }
+}
+
 // A piece that is given agrees with the one chosen by sign where the two are the same.
 TEST(WearSystem, TheGivenPieceOfAStateIsItsResidual) {
   const auto model = pin_model({elements(4)});

@@ -38,7 +38,8 @@ using Cases =
                      Case<2, ElementKind::small_f_bar_variational>, Case<3, ElementKind::plain>,
                      Case<3, ElementKind::f_bar>, Case<3, ElementKind::f_bar_variational>,
                      Case<3, ElementKind::small_plain>, Case<3, ElementKind::small_f_bar>,
-                     Case<3, ElementKind::small_f_bar_variational>>;
+                     Case<3, ElementKind::small_f_bar_variational>,
+                     Case<2, ElementKind::plain_blatz_ko>, Case<3, ElementKind::plain_blatz_ko>>;
 TYPED_TEST_SUITE(SolidTangent, Cases);
 
 TYPED_TEST(SolidTangent, EqualsAutomaticDifferentiation) {
@@ -108,8 +109,9 @@ TYPED_TEST(SolidTangent, ARotationCausesNoForce) {
 // there (and in any quadrilateral) is the gradient at the centroid the mean gradient.
 TYPED_TEST(SolidTangent, HomogeneousDeformationIsThatOfThePlainCell) {
   constexpr int dim = TypeParam::dim;
-  constexpr ElementKind plain_kind =
-      small_strain(TypeParam::kind) ? ElementKind::small_plain : ElementKind::plain;
+  constexpr ElementKind plain_kind = small_strain(TypeParam::kind) ? ElementKind::small_plain
+                                     : averaged(TypeParam::kind)   ? ElementKind::plain
+                                                                   : TypeParam::kind;
   if (dim == 3 && variational(TypeParam::kind))
     this->X = reference_cell<dim>() * (Tensor<dim>::Identity() + noise<Tensor<dim>>(0.2, 6));
   const Tensor<dim> H = noise<Tensor<dim>>(0.2, 5);
@@ -173,6 +175,7 @@ double asymmetry() {
 TEST(Solid, OnlyEnergiesGiveSymmetricTangents) {
   EXPECT_LT((asymmetry<3, ElementKind::plain>()), 1e-14);
   EXPECT_LT((asymmetry<3, ElementKind::f_bar_variational>()), 1e-14);
+  EXPECT_LT((asymmetry<3, ElementKind::plain_blatz_ko>()), 1e-14);
   EXPECT_GT((asymmetry<3, ElementKind::f_bar>()), 1e-3);
   EXPECT_LT((asymmetry<2, ElementKind::f_bar>()), 1e-14);
   EXPECT_LT((asymmetry<3, ElementKind::small_plain>()), 1e-14);
@@ -192,19 +195,33 @@ TEST(Solid, RefusesInvertedCells) {
   EXPECT_FALSE((solid_residual<ElementKind::small_plain, 2>(material, X, u, R)));
 }
 
-TEST(NeoHookean, StressIsTheDerivativeOfTheEnergy) {
+/// A finite-strain law at a point.
+template <class Law>
+class FiniteLaw : public ::testing::Test {};
+template <template <int, class> class Point_>
+struct Law {
+  template <int dim, class Scalar = double>
+  using Point = Point_<dim, Scalar>;
+};
+using FiniteLaws = ::testing::Types<Law<NeoHookeanPoint>, Law<BlatzKoPoint>>;
+TYPED_TEST_SUITE(FiniteLaw, FiniteLaws);
+
+TYPED_TEST(FiniteLaw, StressIsTheDerivativeOfTheEnergy) {
   const Tensor<3> F = Tensor<3>::Identity() + noise<Tensor<3>>(0.3, 3);
-  const auto energy = NeoHookeanPoint<3, Dual>(material, independent(F, 0, 9)).energy();
-  const Tensor<3> P = NeoHookeanPoint<3>(material, F).stress();
-  expect_same_matrix(P.transpose().reshaped(), energy.derivatives(), 1e-13);
+  using Point = TypeParam::template Point<3>;
+  using DualPoint = TypeParam::template Point<3, Dual>;
+  const auto energy = DualPoint(material, independent(F, 0, 9)).energy();
+  expect_same_matrix(Point(material, F).stress().transpose().reshaped(), energy.derivatives(),
+                     1e-13);
 }
 
 // Small uniaxial strain in plane strain: sigma = E (1 - nu) / ((1 + nu)(1 - 2 nu)) eps.
-TEST(NeoHookean, LinearisesToHooke) {
+TYPED_TEST(FiniteLaw, LinearisesToHooke) {
   const double E = 7, nu = 0.4, strain = 1e-7;
   Tensor<2> F = Tensor<2>::Identity();
   F(0, 0) += strain;
-  const Tensor<2> P = NeoHookeanPoint<2>(material, F).stress();
+  using Point = TypeParam::template Point<2>;
+  const Tensor<2> P = Point(material, F).stress();
   EXPECT_NEAR(P(0, 0) / strain, E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)), 1e-5);
   EXPECT_NEAR(P(1, 1) / strain, E * nu / ((1 + nu) * (1 - 2 * nu)), 1e-5);
 }

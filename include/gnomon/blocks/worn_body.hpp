@@ -62,7 +62,9 @@ struct WornBody {
   NodalField<dim> load;                          ///< nodal dead loads at factor one
   NeoHookean material;
   ElementKind element = ElementKind::f_bar;
-  NeoHookean auxiliary_material;  ///< eq. (20), always plain cells
+  NeoHookean auxiliary_material;                       ///< eq. (20)
+  ElementKind auxiliary_element = ElementKind::plain;  ///< or plain_blatz_ko
+  double auxiliary_stiffening = 0;  ///< chi: a cell is (mean volume / its volume)^chi as stiff
   ContactParameters<dim> contact;
   /// The force that presses the counter-body along its `approach`, at factor one; without it the
   /// counter-body stays.

@@ -17,10 +17,11 @@ public:
 
   /// `rows`, `columns`: numbers of the residual rows and of the unknown that plays the
   /// displacement. `shape_columns`: numbers of the shape unknowns that move the reference
-  /// configuration, or null when it does not move. Cells without a row are left out. References
-  /// must outlive the object.
+  /// configuration, or null when it does not move. `stiffness`: factors of the law, one a cell;
+  /// none: 1. Cells without a row are left out. References must outlive the object.
   CellAssembly(const Mesh<dim>& mesh, const NeoHookean& law, ElementKind kind, const Numbers& rows,
-               const Numbers& columns, const Numbers* shape_columns);
+               const Numbers& columns, const Numbers* shape_columns,
+               std::vector<double> stiffness = {});
 
   void add_to_pattern(PatternBuilder& builder) const;
   /// Computes the scatter map; call once, after the pattern is built.
@@ -36,6 +37,7 @@ public:
 private:
   static constexpr int local = dim * (1 << dim);  // values a cell
 
+  NeoHookean law_of(int cell) const;
   void cell_numbers(int cell, const Numbers& numbers, std::vector<int>& result) const;
   void gather(int cell, const NodalField<dim>* shape, const NodalField<dim>& displacement,
               CellNodal<dim>& X, CellNodal<dim>& u) const;
@@ -44,6 +46,7 @@ private:
 
   const Mesh<dim>& mesh_;
   NeoHookean law_;
+  std::vector<double> stiffness_;
   SolidKernel<dim> kernel_;
   const Numbers& rows_;
   const Numbers& columns_;

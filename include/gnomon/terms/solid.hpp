@@ -12,6 +12,7 @@
 //                      in-plane form)
 //   f_bar_variational  R_a = sum_g det(dX/dxi) d phi(Fbar)/du_a, the literal reading of eq. (32):
 //                      r^(1/dim) [P(Fbar) n_a + q (g0_a - g_a)],  q = P(Fbar) : F / dim
+//   plain_blatz_ko     as plain, by the law of Blatz and Ko: for the mesh motion
 //
 // The small-strain kinds are these linearised in u at u = 0, over the same X: with
 //   Hbar = H + (tr H_0 - tr H)/dim I,   sigma linear elastic, g_a = n_a,
@@ -26,6 +27,7 @@
 #pragma once
 
 #include <cmath>
+#include <gnomon/terms/blatz_ko.hpp>
 #include <gnomon/terms/cell_basis.hpp>
 #include <gnomon/terms/linear_elastic.hpp>
 #include <type_traits>
@@ -36,6 +38,7 @@ enum class ElementKind {
   plain,
   f_bar,
   f_bar_variational,
+  plain_blatz_ko,
   small_plain,
   small_f_bar,
   small_f_bar_variational
@@ -46,12 +49,14 @@ constexpr bool small_strain(ElementKind kind) {
 }
 /// Whether the change of volume is that of the centroid.
 constexpr bool averaged(ElementKind kind) {
-  return kind != ElementKind::plain && kind != ElementKind::small_plain;
+  return kind != ElementKind::plain && kind != ElementKind::plain_blatz_ko &&
+         kind != ElementKind::small_plain;
 }
 constexpr bool variational(ElementKind kind) {
   return kind == ElementKind::f_bar_variational || kind == ElementKind::small_f_bar_variational;
 }
-/// The small-strain kind that a finite-strain one becomes in the limit of small displacements.
+/// The small-strain kind that a finite-strain one of the body becomes in the limit of small
+/// displacements.
 constexpr ElementKind small_strain_limit(ElementKind kind) {
   return kind == ElementKind::plain   ? ElementKind::small_plain
          : kind == ElementKind::f_bar ? ElementKind::small_f_bar
@@ -92,8 +97,9 @@ template <ElementKind kind, int dim, class Scalar = double>
 struct MaterialPoint {
   using T = Tensor<dim, Scalar>;
   using Cell = CellPoint<dim, Scalar>;
-  using Law = std::conditional_t<small_strain(kind), LinearElasticPoint<dim, Scalar>,
-                                 NeoHookeanPoint<dim, Scalar>>;
+  using FiniteLaw = std::conditional_t<kind == ElementKind::plain_blatz_ko,
+                                       BlatzKoPoint<dim, Scalar>, NeoHookeanPoint<dim, Scalar>>;
+  using Law = std::conditional_t<small_strain(kind), LinearElasticPoint<dim, Scalar>, FiniteLaw>;
 
   Scalar c;  ///< r^(1/dim), 1 with small strains
   T strain;  ///< what the law is evaluated at: F, Fbar, H or Hbar

@@ -1,0 +1,100 @@
+// The auxiliary problem by itself, on columns whose solution is known.
+
+#include <gnomon/mesh/stations.hpp>
+#include <gnomon/system/mesh_motion.hpp>
+
+#include "support/derivatives.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+
+/// A column of n cells that grow with the height t.
+template <int dim>
+Mesh<dim> column_mesh(int n) {
+  const std::vector<double> heights = graded_stations(0.05, 0, 1, n);
+  const auto height = [&](double t) { return heights[std::lround(t * n)]; };
+  if constexpr (dim == 2)
+    return structured_quadrilaterals(1, n,
+                                     [&](double s, double t) { return Vector<2>(s, height(t)); });
+  else
+    return structured_hexahedra(
+        1, 1, n, [&](double r, double s, double t) { return Vector<3>(r, s, height(t)); });
+}
+
+/// Its shape is held laterally and at the top; it wears at the bottom.
+template <int dim>
+WornBody<dim> column(int n) {
+  WornBody<dim> body;
+  body.mesh = column_mesh<dim>(n);
+  body.contact_nodes = contact_patches<dim>(body.mesh, body.mesh.boundary.at("bottom"));
+  const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
+  body.displacement_fixed = NodalFlags<dim>::Ones(nodes, dim);
+  body.shape_fixed = NodalFlags<dim>::Ones(nodes, dim);
+  body.shape_fixed.col(dim - 1).setZero();
+  for (int node : body.mesh.boundary_nodes("top")) body.shape_fixed.row(node).setOnes();
+  body.auxiliary_material = NeoHookean::from_young_poisson(2, 0.3);
+  return body;
+}
+
+/// The shape with which the height of each cell becomes `stretch(its height)` times its own.
+template <int dim>
+NodalField<dim> stretched(const Mesh<dim>& mesh, const std::function<double(double)>& stretch) {
+  NodalField<dim> d = NodalField<dim>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), dim);
+  for (std::size_t c = mesh.cells.size(); c-- > 0;) {  // from the top down
+    const auto& cell = mesh.cells[c];
+    const int lower = cell[0], upper = cell[3];
+    const double bottom = mesh.nodes[lower][dim - 1];
+    const double height = mesh.nodes[upper][dim - 1] - bottom;
+    for (int node : cell)
+      if (mesh.nodes[node][dim - 1] == bottom)
+        d(node, dim - 1) = d(upper, dim - 1) + height * (1 - stretch(height));
+  }
+  return d;
+}
+
+template <int dim>
+Eigen::VectorXd residual(const WornBody<dim>& body, const NodalField<dim>& d) {
+  const Unknowns<dim> unknowns(
+      body, {.deformation = false, .interior_shape = true, .contact_shape = false});
+  std::vector<double> F(unknowns.size(), 0.0);
+  MeshMotion<dim>(body, unknowns).add_residual(d, F);
+  return Eigen::Map<const Eigen::VectorXd>(F.data(), unknowns.size());
+}
+
+template <class Dimension>
+class MeshMotionOf : public ::testing::Test {};
+using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(MeshMotionOf, Dimensions);
+
+// The stress is that of every cell, whatever the energy.
+TYPED_TEST(MeshMotionOf, AColumnShrinksUniformly) {
+  constexpr int dim = TypeParam::value;
+  WornBody<dim> body = column<dim>(5);
+  for (const ElementKind energy : {ElementKind::plain, ElementKind::plain_blatz_ko}) {
+    body.auxiliary_element = energy;
+    const auto uniform = stretched<dim>(body.mesh, [](double) { return 0.2; });
+    EXPECT_LT(residual<dim>(body, uniform).norm(), 1e-12);
+    const auto other = stretched<dim>(body.mesh, [](double h) { return 0.2 + 0.1 * h; });
+    EXPECT_GT(residual<dim>(body, other).norm(), 1e-3);
+  }
+}
+
+// With the modulus proportional to V^-c strains are proportional to V^c, as long as they are small.
+TYPED_TEST(MeshMotionOf, StiffenedCellsShrinkByThePowerOfTheirVolume) {
+  constexpr int dim = TypeParam::value;
+  WornBody<dim> body = column<dim>(5);
+  for (const double exponent : {0.5, 1.0}) {
+    body.auxiliary_stiffening = exponent;
+    const auto shape = [&](double power) {
+      return stretched<dim>(body.mesh, [=](double h) { return 1 - 1e-6 * std::pow(h, power); });
+    };
+    const double scale = residual<dim>(body, shape(0)).norm();
+    EXPECT_GT(scale, 1e-8);
+    EXPECT_LT(residual<dim>(body, shape(exponent)).norm(), 1e-5 * scale);
+  }
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,88 @@
+// The patch test: on a distorted mesh whose boundary is displaced linearly, the nodes inside
+// follow.
+
+#include <gnomon/mesh/distortion.hpp>
+#include <gnomon/system/cell_assembly.hpp>
+
+#include "support/derivatives.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+
+template <int dim>
+Mesh<dim> distorted_mesh() {
+  Mesh<dim> mesh;
+  if constexpr (dim == 2)
+    mesh = structured_quadrilaterals(5, 4, [](double s, double t) { return Vector<2>(s, t); });
+  else
+    mesh = structured_hexahedra(4, 3, 3,
+                                [](double r, double s, double t) { return Vector<3>(r, s, t); });
+  distort(mesh, 0.2);
+  return mesh;
+}
+
+/// Largest distance of the nodes inside, in equilibrium, from the linear field of the boundary.
+template <int dim>
+double patch_error(ElementKind kind) {
+  const Mesh<dim> mesh = distorted_mesh<dim>();
+  const auto nodes = static_cast<Eigen::Index>(mesh.nodes.size());
+  const Tensor<dim> H = noise<Tensor<dim>>(0.03, 3);
+  NodalField<dim> linear(nodes, dim);
+  for (Eigen::Index node = 0; node < nodes; ++node)
+    linear.row(node) = (H * mesh.nodes[node]).transpose();
+  NodalField<dim> u = linear;
+  typename Unknowns<dim>::Numbers numbers = Unknowns<dim>::Numbers::Zero(nodes, dim);
+  for (const auto& [name, part] : mesh.boundary)
+    for (int node : mesh.boundary_nodes(name)) numbers.row(node).setConstant(-1);
+  int size = 0;
+  for (Eigen::Index k = 0; k < u.size(); ++k) {
+    if (numbers.data()[k] < 0) continue;
+    numbers.data()[k] = size++;
+    u.data()[k] = 0;  // to be found
+  }
+
+  const NeoHookean law = NeoHookean::from_young_poisson(7, 0.3);
+  CellAssembly<dim> cells(mesh, law, kind, numbers, numbers, nullptr);
+  PatternBuilder builder(size);
+  cells.add_to_pattern(builder);
+  const SparsePattern pattern = builder.build();
+  cells.map_to(pattern);
+  for (int iteration = 0; iteration < 8; ++iteration) {
+    std::vector<double> F(size), values(pattern.nonzeros());
+    cells.add_residual(nullptr, u, F);
+    cells.add_jacobian(nullptr, u, values);
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(size, size);
+    for (int j = 0; j < size; ++j)
+      for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+        J(pattern.row_index[k], j) = values[k];
+    const Eigen::VectorXd step =
+        J.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(F.data(), size));
+    for (Eigen::Index k = 0; k < u.size(); ++k)
+      if (numbers.data()[k] >= 0) u.data()[k] -= step[numbers.data()[k]];
+  }
+  return (u - linear).cwiseAbs().maxCoeff();
+}
+
+TEST(Patch, ALinearFieldIsReproducedOnDistortedMeshes) {
+  for (const ElementKind kind :
+       {ElementKind::plain, ElementKind::f_bar, ElementKind::plain_blatz_ko,
+        ElementKind::small_plain, ElementKind::small_f_bar}) {
+    EXPECT_LT(patch_error<2>(kind), 1e-13);
+    EXPECT_LT(patch_error<3>(kind), 1e-13);
+  }
+  for (const ElementKind kind :
+       {ElementKind::f_bar_variational, ElementKind::small_f_bar_variational})
+    EXPECT_LT(patch_error<2>(kind), 1e-13);
+}
+
+// The gradient at the centroid of a distorted hexahedron is not the mean gradient.
+TEST(Patch, VariationalFBarHexahedraFail) {
+  for (const ElementKind kind :
+       {ElementKind::f_bar_variational, ElementKind::small_f_bar_variational})
+    EXPECT_GT(patch_error<3>(kind), 1e-5);
+}
+
+}  // namespace
+}  // namespace gnomon
