@@ -103,6 +103,8 @@ void BdfSolver::Memory::begin(const State& state) {
   check(IDASetId(ida, id_.get()), "IDASetId");
   check(IDASetSuppressAlg(ida, SUNTRUE), "IDASetSuppressAlg");
   check(IDASetMaxOrd(ida, settings_.max_order), "IDASetMaxOrd");
+  // IDA would creep up to where the solution ends by ever smaller steps, without an end.
+  check(IDASetMinStep(ida, 1e-14 * settings_.end), "IDASetMinStep");
   if (settings_.max_step > 0) check(IDASetMaxStep(ida, settings_.max_step), "IDASetMaxStep");
   check(IDASetMaxErrTestFails(ida, 30), "IDASetMaxErrTestFails");
   check(IDASetMaxConvFails(ida, 30), "IDASetMaxConvFails");

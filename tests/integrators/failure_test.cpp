@@ -1,0 +1,82 @@
+// A solution that ends: every driver approaches its end, then says where it is and why.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <gnomon/error.hpp>
+
+#include "support/problem_run.hpp"
+
+namespace gnomon {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// The equations of a model up to t = 1; later they have no residual.
+class Ending : public System {
+public:
+  explicit Ending(const System& system) : system_(system) {}
+  const Structure& structure() const override { return system_.structure(); }
+  void residual(const Point& at, std::span<double> F) const override {
+    if (at.t > 1) throw RecoverableError("nothing is left");
+    system_.residual(at, F);
+  }
+  void jacobian(const Point& at, double alpha, std::span<double> values) const override {
+    system_.jacobian(at, alpha, values);
+  }
+  void switching(std::span<const double> y, std::span<double> values) const override {
+    system_.switching(y, values);
+  }
+  std::vector<Stage> make_stages() const override { return system_.make_stages(); }
+
+private:
+  const System& system_;
+};
+
+class EndingModel : public Model {
+public:
+  explicit EndingModel(std::unique_ptr<Model> model)
+      : model_(std::move(model)), system_(model_->system()) {}
+  const System& system() const override { return system_; }
+  std::vector<BlockSize> blocks() const override { return model_->blocks(); }
+  State start(Counters& counters) const override { return model_->start(counters); }
+  std::vector<Scalar> observe(const State& state) const override { return model_->observe(state); }
+  double differential_scale() const override { return model_->differential_scale(); }
+  std::optional<Grid> grid() const override { return std::nullopt; }
+  std::vector<Field> fields(const State&) const override { return {}; }
+  std::optional<ContactSurface> contact(const State&) const override { return std::nullopt; }
+  std::optional<State> exact(double) const override { return std::nullopt; }
+
+private:
+  std::unique_ptr<Model> model_;
+  Ending system_;
+};
+
+class Failure : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Failure, ComesWhereTheSolutionEndsAndNamesTheReason) {
+  const EndingModel model(testing::model_of("dahlquist/decay.toml"));
+  Counters counters;
+  State state = model.start(counters);
+  IntegratorSettings settings;
+  settings.rtol = settings.atol = 1e-4;
+  settings.scale = model.differential_scale();
+  settings.end = 2;
+  const auto stepper = Integrators::find(GetParam(), "integrator").make(model, settings, counters);
+  const auto run = [&] {
+    while (state.t < settings.end) stepper->advance(state, settings.end);
+  };
+  EXPECT_THAT(run, ::testing::ThrowsMessage<SolutionError>(HasSubstr("nothing is left")));
+  EXPECT_LE(state.t, 1);
+  EXPECT_GT(state.t, 0.99);
+  EXPECT_GT(counters.rejected_steps, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Drivers, Failure, ::testing::Values("bdf", "esdirk-3"),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace gnomon
