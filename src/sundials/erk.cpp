@@ -192,11 +192,13 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
       evaluate(t, view(d_.get()));
       break;
     }
-    if (guard_.recoverable().empty() || failures == most_failures)
+    check(ARKodeGetCurrentStep(erk, &tried), "ARKodeGetCurrentStep");
+    // Ever smaller steps would creep up to where the solution ends.
+    const bool shortest = tried <= 1e-14 * settings_.end;
+    if (guard_.recoverable().empty() || shortest || failures == most_failures)
       throw SolutionError(
           fmt::format("{} cannot go on from t = {:.6g}: code {}{}{}", table_.name, state.t, flag,
                       guard_.recoverable().empty() ? "" : "; last: ", guard_.recoverable()));
-    check(ARKodeGetCurrentStep(erk, &tried), "ARKodeGetCurrentStep");
     ++counters_.rejected_steps;
     report.restarted = true;
     restart(state, std::min(tried, t_stop - state.t) / 2);
