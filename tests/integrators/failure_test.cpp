@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <gnomon/error.hpp>
 
 #include "support/problem_run.hpp"
