@@ -1,9 +1,10 @@
-// The auxiliary problem by itself, on columns whose solution is known.
+// The auxiliary problem by itself, on columns whose solution is known; and behind a deep step.
 
 #include <gnomon/mesh/stations.hpp>
 #include <gnomon/system/mesh_motion.hpp>
 
 #include "support/derivatives.hpp"
+#include "support/problem_run.hpp"
 
 namespace gnomon {
 namespace {
@@ -94,6 +95,25 @@ TYPED_TEST(MeshMotionOf, StiffenedCellsShrinkByThePowerOfTheirVolume) {
     EXPECT_GT(scale, 1e-8);
     EXPECT_LT(residual<dim>(body, shape(exponent)).norm(), 1e-5 * scale);
   }
+}
+
+// Beside a punch that has worn three rows of elements away, which the energy does not change.
+TEST(MeshMotion, BlatzKoKeepsElementsAtAStepFromFolding) {
+  struct End {
+    double quality, volume;
+  };
+  const auto end = [](const std::string& energy) {
+    const auto model =
+        model_of("flat_punch/small_block.toml",
+                 {"mesh.punch_elements=10", "mesh.grading=1.2", "wear.coefficient=5e-5",
+                  "shape.poisson_ratio=0.4", "shape.energy=" + energy});
+    const ModelRun run = run_model(*model, "bdf", 0, 1e-4, 12);
+    return End{observed(*model, run.last(), "element_quality"),
+               observed(*model, run.last(), "worn_volume")};
+  };
+  const End by_paper = end("neo-hookean"), blatz_ko = end("blatz-ko");
+  EXPECT_GT(blatz_ko.quality, 1.3 * by_paper.quality);
+  EXPECT_NEAR(blatz_ko.volume, by_paper.volume, 1e-6);
 }
 
 }  // namespace
