@@ -56,7 +56,8 @@ struct ExtremeCase {
 namespace extremes {
 constexpr double tolerances = 100;  ///< of integrator.rtol, which bounds the error of one step
 constexpr double finest = 1e-6;     ///< what is confirmed of smaller tolerances
-constexpr double coarsest = 0.5;    ///< beyond, a shape is no answer
+constexpr double coarsest = 0.05;   ///< what is asked of the loosest tolerances
+constexpr double no_answer = 0.5;   ///< with fixed steps, which promise nothing: beyond it is none
 constexpr double shrinks = 0.8;     ///< by which half a fixed step has to reduce the difference,
 constexpr double near = 1e-3;       ///< or leave no more than this
 }  // namespace extremes

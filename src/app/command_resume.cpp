@@ -54,9 +54,14 @@ Resumption last_checkpoint(const ResultReader& earlier, const std::string& name)
         name));
   Resumption from;
   from.checkpoint = checkpoints.back();
-  from.row = earlier.history()[static_cast<std::size_t>(from.checkpoint.rows - 1)];
-  if (from.checkpoint.stored > 0)
-    from.stored = earlier.stored_times()[static_cast<std::size_t>(from.checkpoint.stored - 1)];
+  const auto rows = static_cast<std::size_t>(from.checkpoint.rows);
+  const auto stored = static_cast<std::size_t>(from.checkpoint.stored);
+  const std::vector<HistoryRow> history = earlier.history();
+  const std::vector<double> times = earlier.stored_times();
+  if (rows > history.size() || stored > times.size())
+    throw InputError(fmt::format("{}: its checkpoint is of a longer history than it holds", name));
+  from.row = history[rows - 1];
+  if (stored > 0) from.stored = times[stored - 1];
   from.wall_seconds = earlier.wall_seconds();
   return from;
 }

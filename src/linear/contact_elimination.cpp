@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/error.hpp>
+#include <numeric>
 
 namespace gnomon {
 
@@ -202,6 +203,12 @@ std::vector<RankOneTerm> ContactElimination::terms(const SymmetricPart& part) co
       append(term.u, node, node.C * (symmetric * node.alpha / node.D));
       append(term.v, node, node.C * (node.epsilon / node.D));
     }
+    // Its size belongs to k, so that a column serves as long as u points its way: alpha changes
+    // with every step.
+    const double size = std::sqrt(
+        std::inner_product(term.u.value.begin(), term.u.value.end(), term.u.value.begin(), 0.0));
+    for (double& value : term.u.value) value /= size;
+    term.k *= size;
   }
   return result;
 }

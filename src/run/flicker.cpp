@@ -1,6 +1,7 @@
 #include "run/flicker.hpp"
 
 #include <algorithm>
+#include <gnomon/error.hpp>
 
 namespace gnomon {
 
@@ -10,6 +11,8 @@ constexpr int too_many = 2;  // losses of contact
 
 void Flicker::add(const std::optional<ContactSurface>& surface) {
   if (!surface) return;
+  if (!active_.empty() && active_.size() != surface->active.size())
+    throw InputError("the checkpoint does not belong to this scene");
   losses_.resize(surface->active.size());
   for (std::size_t c = 0; c < active_.size(); ++c) losses_[c] += active_[c] && !surface->active[c];
   active_.assign(surface->active.begin(), surface->active.end());
@@ -32,7 +35,10 @@ void Flicker::pack_into(std::vector<double>& numbers) const {
 }
 
 void Flicker::unpack_from(Unpacker& numbers) {
-  const auto nodes = static_cast<std::size_t>(numbers.one());
+  const double count = numbers.one();
+  if (!(count >= 0 && count <= static_cast<double>(numbers.rest().size())))
+    throw InputError("the checkpoint does not belong to this scene");
+  const auto nodes = static_cast<std::size_t>(count);
   active_ = numbers.many<char>(nodes);
   losses_ = numbers.many<int>(nodes);
 }

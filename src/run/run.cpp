@@ -62,6 +62,8 @@ private:
 
   void resume(const Resumption& from) {
     memory_ = unpacked(from.checkpoint.numbers, model_.system().structure());
+    if (state().t != from.row.t)
+      throw InputError("the checkpoint is not of the time of its row in the history");
     counters_ = from.row.counters;
     wear_integral_.resume(from.row.scalars, from.row.t);
     outcome_.last = from.row;

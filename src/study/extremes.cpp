@@ -145,9 +145,11 @@ private:
     const StudyRow& row = table_.rows[index];
     const StudyRow& half = table_.rows[*extreme_.halved[index]];
     Judgement result;
-    result.bound = extremes::coarsest;
+    result.bound = extremes::no_answer;
     result.difference = relative(*row.shape_error, reference);
-    if (!(*result.difference <= extremes::coarsest)) {
+    if (!(relative(reference.error.value_or(0), reference) <= extremes::coarsest)) {
+      result.reason = "the references differ";
+    } else if (!(*result.difference <= extremes::no_answer)) {
       result.reason = "is nowhere near the solution";
     } else if (!half.shape_error) {
       result.reason = "half the step does not confirm it: " + half.reason;

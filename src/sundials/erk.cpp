@@ -224,6 +224,7 @@ std::vector<double> ErkSolver::memory() const {
 }
 
 void ErkSolver::restore(const State&, std::span<const double> memory) {
+  if (memory.empty()) throw InputError("the checkpoint does not belong to this integrator");
   memory_->restore(memory.front());
 }
 
