@@ -261,6 +261,7 @@ std::vector<Key> make_worn_body_keys(int dim) {
                   .unit = "mm",
                   .presence = defaulted,
                   .default_value = 0.0,
+                  .range = {.min = -1e5, .max = 1e5},  // beyond, rounding spoils the equilibrium
                   .help = "distance of the bodies before they are loaded, negative: they overlap; "
                           "under a force only the approach depends on it"});
   keys.push_back(

@@ -187,8 +187,8 @@ TEST(FlatPunch, FixedStepsShowTheOrder) {
 }
 
 // The load enters at the times of the stages, and no step goes over its corners, which are not on
-// the grid of the steps: over a corner they would show two. The corners wake modes that long steps
-// hardly resolve, so that the error of high orders falls even faster. (Under a falling load the
+// the grid of the steps: over a corner they would show two. Between these
+// steps the error of high orders falls even faster. (Under a falling load the
 // edges, worn the most, would lose contact.)
 TEST(FlatPunch, FixedStepsShowTheOrderUnderARisingLoad) {
   expect_orders(*model_of("flat_punch/small_block.toml",
