@@ -53,7 +53,7 @@ RampReport ramp_load(const LoadSolve& solve, const RampOptions& options, std::ve
   RampReport report;
   LoadPath path(y);
   double increment = options.first;
-  while (path.reached() < 1) {
+  while (path.reached() < 1 && report.increments + report.failures < options.most) {
     const double target = target_of(path.reached(), std::min(increment, options.largest));
     const double size = target - path.reached();
     path.predict(target, y);
@@ -70,7 +70,10 @@ RampReport ramp_load(const LoadSolve& solve, const RampOptions& options, std::ve
     if (increment < options.smallest) break;
   }
   report.reached = path.reached();
-  if (report.reached == 1) report.reason.clear();
+  if (report.reached == 1)
+    report.reason.clear();
+  else if (report.reason.empty())
+    report.reason = "increments became ever smaller";
   y = path.last();
   return report;
 }

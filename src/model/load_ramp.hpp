@@ -13,6 +13,7 @@ struct RampOptions {
   double first = 1;         ///< tried at first, in (0, 1]
   double largest = 1;       ///< none is larger
   double smallest = 1e-4;   ///< none is smaller but the last; the ramp ends when this one fails
+  int most = 1000;          ///< solves, after which the ramp ends: towards absurd loads it creeps
   int good_iterations = 3;  ///< of Newton in an increment: fewer make the next larger, more smaller
 };
 

@@ -106,6 +106,18 @@ private:
   }
 };
 
+TEST(LoadRamp, EndsWhereItCreeps) {
+  Scripted script{.iterations = 100};  // every increment is half the one before
+  std::vector<double> y = {0};
+  const RampReport report =
+      ramp_load(script.solve(), {.first = 1e-3, .smallest = 1e-9, .most = 40}, y);
+  EXPECT_EQ(report.increments, 40);
+  EXPECT_GT(report.reached, 0);
+  EXPECT_LT(report.reached, 1);
+  EXPECT_EQ(y[0], report.reached);
+  EXPECT_THAT(report.reason, HasSubstr("smaller"));
+}
+
 TEST(LoadRampOfThePin, DoesNotDependOnTheIncrements) {
   const Overrides soft = {elements(16), "body.young_modulus=20", "body.poisson_ratio=0.499"};
   ContactProblem usual(soft), tiny(soft);
