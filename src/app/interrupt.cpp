@@ -13,6 +13,8 @@ volatile std::sig_atomic_t announced = 0;
 
 extern "C" void on_signal(int) {
   signalled = 1;
+  std::signal(SIGINT, SIG_DFL);  // the second one kills, whichever it is
+  std::signal(SIGTERM, SIG_DFL);
   if (!announced) return;
   static const char text[] = "\ngnomon: ending after this step (or the start); once more kills\n";
   // Nothing can be done about a failure, and nothing else is safe here.
@@ -26,7 +28,7 @@ InterruptGuard::InterruptGuard(bool announce) {
   announced = announce;
   struct sigaction action {};
   action.sa_handler = on_signal;
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;  // the second one kills
+  action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);

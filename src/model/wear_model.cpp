@@ -1,12 +1,35 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <gnomon/error.hpp>
 #include <gnomon/integration/stepper.hpp>
 #include <gnomon/wear_model.hpp>
 
 namespace gnomon {
 
+namespace {
+
+/// Residuals are relative to the load, displacements to the body: where the one hardly strains the
+/// other, no load at all would pass for equilibrium.
+template <int dim>
+void require_strain(const WornBody<dim>& body) {
+  constexpr double least = 1e-14;
+  const auto& [lambda, mu] = body.material;
+  const double strain = body.scales.stress * (lambda + mu) / (mu * (3 * lambda + 2 * mu));
+  if (!(strain >= least))
+    throw InputError(
+        fmt::format("load.force, body.young_modulus: expected a load that strains the body by {:g} "
+                    "or more, got about {:.2g}, which drowns in rounding",
+                    least, strain));
+}
+
+}  // namespace
+
 template <int dim>
 WearModel<dim>::WearModel(std::shared_ptr<const WornBody<dim>> body)
-    : system_(std::move(body), Selection{}) {}
+    : system_(std::move(body), Selection{}) {
+  require_strain(system_.body());
+}
 
 template <int dim>
 std::vector<BlockSize> WearModel<dim>::blocks() const {

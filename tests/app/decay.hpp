@@ -11,9 +11,23 @@
 
 namespace gnomon::test {
 
+/// Has a structure, for the run loop asks for it, and no equations, for the stepper is exact.
+class NoSystem : public System {
+public:
+  const Structure& structure() const override { return structure_; }
+  void residual(const Point&, std::span<double>) const override { refuse(); }
+  void jacobian(const Point&, double, std::span<double>) const override { refuse(); }
+  void switching(std::span<const double>, std::span<double>) const override { refuse(); }
+  std::vector<Stage> make_stages() const override { refuse(); }
+
+private:
+  [[noreturn]] static void refuse() { throw std::logic_error("not needed here"); }
+  Structure structure_;
+};
+
 class Decay : public Model {
 public:
-  const System& system() const override { throw std::logic_error("not needed here"); }
+  const System& system() const override { return system_; }
   std::vector<BlockSize> blocks() const override { return {{"amount", "y", 1, "everywhere"}}; }
   State start(Counters& counters) const override {
     counters.newton_iterations += 3;
@@ -42,6 +56,9 @@ public:
   }
 
   bool starts = true;
+
+private:
+  NoSystem system_;
 };
 
 /// Exact steps of the size it is told; fails at `fail_at`.
