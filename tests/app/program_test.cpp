@@ -88,11 +88,13 @@ TEST_F(Program, CheckPrintsASceneAndWritesNothing) {
 TEST_F(Program, CheckSaysWhatTheSizeDecides) {
   const std::string groove =
       GNOMON_SOURCE_DIR "/problems/ball_on_half_space/small_deformation.toml";
-  const std::string mesh = "mesh.elements=[10, 20, 6]";  // whose memory there is everywhere
-  EXPECT_THAT(gnomon({"check", groove, "--set", mesh}).out,
-              HasSubstr("\npreconditioner = \"factor\""));
-  EXPECT_THAT(gnomon({"check", groove, "--set", mesh, "--set", "solver.method=direct"}).out,
-              HasSubstr("\n# preconditioner = ..."));
+  const auto check = [&](const std::string& solver) {  // of a mesh whose memory there is everywhere
+    return gnomon({"check", groove, "--set", "mesh.elements=[10, 20, 6]", "--set",
+                   "mesh.size=[0.06, 0.06, 0.06]", "--set", "mesh.fine=[0, 0, 0]", "--set", solver})
+        .out;
+  };
+  EXPECT_THAT(check("solver.method=block"), HasSubstr("\npreconditioner = \"factor\""));
+  EXPECT_THAT(check("solver.method=direct"), HasSubstr("\n# preconditioner = ..."));
 }
 
 TEST_F(Program, ContactPrintsCsvInFullPrecision) {
