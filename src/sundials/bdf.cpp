@@ -46,6 +46,7 @@ private:
   ErrorNorm norm_;
   bool begun_ = false;
   long rejected_ = 0;
+  int vanishing_ = 0;                // steps, one after the other
   ActiveSet piece_;                  // the smooth piece that steps stay on while events are located
   std::vector<double> switched_at_;  // time of each node's last event
   std::optional<StageSolver> stages_;  // made at the first event
@@ -220,6 +221,10 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   rejected_ += rejected;
   counters_.rejected_steps += rejected;
   if (flag < 0) fail(flag, state.t);
+  // Where the solution ends, steps that succeed become ever smaller.
+  const bool vanishes = t - state.t < 1e-12 * settings_.end && !guard_.recoverable().empty();
+  vanishing_ = vanishes ? vanishing_ + 1 : 0;
+  if (vanishing_ == 20) fail(flag, state.t);
 
   StepReport report;
   report.step = t - state.t;
@@ -240,7 +245,8 @@ void BdfSolver::Memory::fail(int flag, double t) const {
   const char* what = flag == IDA_ERR_FAIL       ? "the error test failed at the smallest step"
                      : flag == IDA_CONV_FAIL    ? "Newton failed at the smallest step"
                      : flag == IDA_TOO_MUCH_ACC ? "the tolerance is below rounding"
-                                                : "IDA stopped";
+                     : flag < 0                 ? "IDA stopped"
+                                                : "steps vanish";
   throw SolutionError(
       fmt::format("bdf cannot go on from t = {:.6g}: {} (code {}){}{}", t, what, flag,
                   guard_.recoverable().empty() ? "" : "; last: ", guard_.recoverable()));
