@@ -139,7 +139,7 @@ void ContactElimination::update_spring(ContactNode& node) const {
     if (node.D == 0) node.D = 1;
     return;
   }
-  const double least = std::abs(node.CB) / (stiff * node.stiffness);
+  const double least = std::abs(node.CB) / (stiff * std::abs(node.stiffness));
   node.D = std::copysign(std::max(std::copysign(1.0, node.CB) * node.D, least), node.CB);
   node.spring = node.CB / node.D;
 }
@@ -207,6 +207,10 @@ std::vector<RankOneTerm> ContactElimination::terms(const SymmetricPart& part) co
     // with every step.
     const double size = std::sqrt(
         std::inner_product(term.u.value.begin(), term.u.value.end(), term.u.value.begin(), 0.0));
+    if (size == 0) {  // nothing wears
+      result.pop_back();
+      continue;
+    }
     for (double& value : term.u.value) value /= size;
     term.k *= size;
   }

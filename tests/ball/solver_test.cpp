@@ -39,6 +39,11 @@ TEST(Groove, BlockAndDirectSolversAgree) {
   check(groove_finite, block_mesh(6, 8, 4, 0.8), 200);
 }
 
+// Nodes that share a surface have a rank-one term for their common wear: here there is none.
+TEST(Groove, BlockSolverBearsThatNothingWears) {
+  check(groove_small, block_mesh(6, 10, 4, 0.08) + Overrides{"friction.coefficient=0"}, 100);
+}
+
 TEST(Solver, LargeBodiesAskForMultigridUnlessToldOtherwise) {
   const auto chosen = [](std::size_t nodes, const Overrides& overrides) {
     const Scene scene = load_scene(std::string(GNOMON_SOURCE_DIR "/problems/") + groove_small,
