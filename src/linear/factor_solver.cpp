@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <gnomon/error.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/linear/sparse_lu.hpp>
@@ -31,6 +32,20 @@ struct Common {
   Common& operator=(const Common&) = delete;
 };
 
+/// What solves need beside the factor, kept from one to the next; a thread has its own.
+struct Workspace {
+  Common common;
+  cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;
+  Workspace() = default;
+  ~Workspace() {
+    cholmod_l_free_dense(&x, &common.data);
+    cholmod_l_free_dense(&y, &common.data);
+    cholmod_l_free_dense(&e, &common.data);
+  }
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+};
+
 class FactorSolver : public InnerSolver {
 public:
   explicit FactorSolver(const StiffnessLayout& layout);
@@ -45,14 +60,15 @@ private:
   cholmod_sparse view() const;
   bool factorize();
   cholmod_dense columns(std::span<const double> values) const;
+  bool solve(Workspace& workspace, std::span<const double> b, std::span<double> x) const;
 
   const StiffnessLayout& layout_;
   Common common_;
   std::vector<SuiteSparse_long> start_, row_;
   std::vector<double> values_;
   cholmod_factor* factor_ = nullptr;
-  cholmod_dense *x_ = nullptr, *y_ = nullptr, *e_ = nullptr;  // kept between solves
-  std::vector<SuiteSparse_long> diagonal_;                    // positions in values_
+  std::deque<Workspace> workspaces_;        // one a thread
+  std::vector<SuiteSparse_long> diagonal_;  // positions in values_
   int factorizations_ = 0;
 };
 
@@ -73,9 +89,6 @@ FactorSolver::FactorSolver(const StiffnessLayout& layout)
 }
 
 FactorSolver::~FactorSolver() {
-  cholmod_l_free_dense(&x_, &common_.data);
-  cholmod_l_free_dense(&y_, &common_.data);
-  cholmod_l_free_dense(&e_, &common_.data);
   cholmod_l_free_factor(&factor_, &common_.data);
 }
 
@@ -105,11 +118,12 @@ cholmod_dense FactorSolver::columns(std::span<const double> values) const {
   return dense;
 }
 
+constexpr double worth_threads = 1e10;  // operations; below, waking them costs more
+
 /// Returns false where the matrix is not positive definite.
 bool FactorSolver::factorize() {
   cholmod_sparse matrix = view();
   ++factorizations_;
-  constexpr double worth_threads = 1e10;  // operations; below, waking them costs more
   if (common_.data.fl > worth_threads) use_blas_threads(omp_get_max_threads());
   cholmod_l_factorize(&matrix, factor_, &common_.data);
   use_blas_threads(1);
@@ -129,16 +143,34 @@ bool FactorSolver::set_up(std::span<const double> values) {
   return false;
 }
 
+bool FactorSolver::solve(Workspace& workspace, std::span<const double> b,
+                         std::span<double> x) const {
+  auto& [common, result, y, e] = workspace;
+  cholmod_dense right = columns(b);
+  cholmod_l_solve2(CHOLMOD_A, factor_, &right, nullptr, &result, nullptr, &y, &e, &common.data);
+  if (common.data.status != CHOLMOD_OK) return false;
+  std::copy_n(static_cast<const double*>(result->x), x.size(), x.begin());
+  return true;
+}
+
 void FactorSolver::apply(std::span<const double> b, std::span<double> x) {
   // CHOLMOD copies the columns; a few at a time use its dense kernels as well as all.
-  const std::size_t part = 32 * static_cast<std::size_t>(layout_.lower.size());
-  for (std::size_t start = 0; start < b.size(); start += part) {
-    const std::size_t size = std::min(part, b.size() - start);
-    cholmod_dense right = columns(b.subspan(start, size));
-    cholmod_l_solve2(CHOLMOD_A, factor_, &right, nullptr, &x_, nullptr, &y_, &e_, &common_.data);
-    if (common_.data.status != CHOLMOD_OK) throw Error("CHOLMOD could not solve");
-    std::copy_n(static_cast<const double*>(x_->x), size, x.begin() + start);
+  constexpr long most = 32;
+  const long size = layout_.lower.size(), count = static_cast<long>(b.size()) / size;
+  const double operations = 4 * common_.data.lnz * static_cast<double>(count);
+  const long threads =
+      operations > worth_threads ? std::min<long>(count, omp_get_max_threads()) : 1;
+  while (static_cast<long>(workspaces_.size()) < threads) workspaces_.emplace_back();
+  const long part = std::min(most, (count + threads - 1) / threads);
+  bool solved = true;
+#pragma omp parallel for num_threads(static_cast <int>(threads)) reduction(&& : solved)
+  for (long start = 0; start < count; start += part) {
+    const long entries = std::min(part, count - start) * size;
+    solved = solve(workspaces_[omp_get_thread_num()], b.subspan(start * size, entries),
+                   x.subspan(start * size, entries)) &&
+             solved;
   }
+  if (!solved) throw Error("CHOLMOD could not solve");
 }
 
 double FactorSolver::set_up_cost() const {

@@ -46,22 +46,32 @@ long LowRankUpdate::columns_to_solve(const std::vector<RankOneTerm>& terms) cons
 
 void LowRankUpdate::solve(const std::vector<RankOneTerm>& terms, InnerSolver& stiffness,
                           long size) {
-  std::vector<long> number;
-  Eigen::MatrixXd U = Eigen::MatrixXd::Zero(size, columns_to_solve(terms));
-  if (U.cols() == 0) return;
-  for (const RankOneTerm& term : terms) {
-    if (serves(term)) continue;
-    for (std::size_t k = 0; k < term.u.index.size(); ++k)
-      U(term.u.index[k], static_cast<long>(number.size())) = term.u.value[k];
-    Column& column = columns_.try_emplace(term.id, Column{long(columns_.size()), {}}).first->second;
-    column.u = term.u;
-    number.push_back(column.number);
+  constexpr long most = 64;  // columns at once
+  std::vector<const RankOneTerm*> fresh;
+  for (const RankOneTerm& term : terms)
+    if (!serves(term)) fresh.push_back(&term);
+  if (fresh.empty()) return;
+  if (U_.rows() != size) {
+    U_ = Eigen::MatrixXd::Zero(size, most);
+    solved_.resize(size, most);
   }
-  Eigen::MatrixXd solved(U.rows(), U.cols());
-  const auto entries = static_cast<std::size_t>(U.size());
-  stiffness.apply({U.data(), entries}, {solved.data(), entries});
+  for (const RankOneTerm* term : fresh)
+    columns_.try_emplace(term->id, Column{long(columns_.size()), {}}).first->second.u = term->u;
   Y_.conservativeResize(size, static_cast<long>(columns_.size()));
-  for (std::size_t j = 0; j < number.size(); ++j) Y_.col(number[j]) = solved.col(long(j));
+  for (std::size_t start = 0; start < fresh.size(); start += most) {
+    const long count = std::min(most, static_cast<long>(fresh.size() - start));
+    const auto write = [&](long j, bool value) {
+      const SparseVector& u = fresh[start + j]->u;
+      for (std::size_t k = 0; k < u.index.size(); ++k) U_(u.index[k], j) = value ? u.value[k] : 0;
+    };
+    for (long j = 0; j < count; ++j) write(j, true);
+    const auto entries = static_cast<std::size_t>(size * count);
+    stiffness.apply({U_.data(), entries}, {solved_.data(), entries});
+    for (long j = 0; j < count; ++j) {
+      write(j, false);
+      Y_.col(columns_.at(fresh[start + j]->id).number) = solved_.col(j);
+    }
+  }
 }
 
 void LowRankUpdate::set(const std::vector<RankOneTerm>& terms, InnerSolver& stiffness, long size) {
