@@ -43,7 +43,7 @@ NodalState<3> NewtonIteration::guess(const Example& example) {
   const WornBody<3>& body = *example.body;
   NodalState<3> state = NodalState<3>::zero(body);
   const NeoHookean& law = body.material;
-  const double nu = law.lambda / (2 * (law.lambda + law.mu)), young = 2 * law.mu * (1 + nu);
+  const double nu = law.lambda / (2 * (law.lambda + law.mu)), young = law.young_modulus();
   const HertzPoint hertz(body.copies * body.counter_force.value(), example.radius, young, nu);
   for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {
     const Vector<3>& X = body.mesh.nodes[body.contact_nodes[c].node];

@@ -23,6 +23,13 @@ struct Mesh {
   std::vector<Cell> cells;
   std::map<std::string, std::vector<Facet>> boundary;  ///< facets of each named boundary part
 
+  /// Initial positions of the nodes of a cell, a row each [length].
+  CellNodal<dim> positions(const Cell& cell) const {
+    CellNodal<dim> X;
+    for (int a = 0; a < cell_nodes; ++a) X.row(a) = nodes[cell[a]].transpose();
+    return X;
+  }
+
   /// Nodes of a named boundary part, ascending, each once.
   std::vector<int> boundary_nodes(const std::string& name) const;
 };

@@ -58,15 +58,11 @@ std::vector<Key> keys() {
 }
 
 void require_convex_elements(const Scene& scene, const Mesh<2>& mesh) {
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-    CellNodal<2> X;
-    for (int a = 0; a < Mesh<2>::cell_nodes; ++a)
-      X.row(a) = mesh.nodes[mesh.cells[cell][a]].transpose();
-    if (scaled_jacobian<2>(X) <= 0)
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+    if (scaled_jacobian<2>(mesh.positions(mesh.cells[cell])) <= 0)
       throw InputError(
           fmt::format("{}: expected less (below 0.25 is safe), {:g} inverts element {}",
                       scene.where("mesh.distortion"), scene.real("mesh.distortion"), cell));
-  }
 }
 
 Mesh<2> make_mesh(const Scene& scene) {

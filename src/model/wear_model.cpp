@@ -14,8 +14,7 @@ namespace {
 template <int dim>
 void require_strain(const WornBody<dim>& body) {
   constexpr double least = 1e-14;
-  const auto& [lambda, mu] = body.material;
-  const double strain = body.scales.stress * (lambda + mu) / (mu * (3 * lambda + 2 * mu));
+  const double strain = body.scales.stress / body.material.young_modulus();
   if (!(strain >= least))
     throw InputError(
         fmt::format("load.force, body.young_modulus: expected a load that strains the body by {:g} "
@@ -64,12 +63,10 @@ std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
     active += node.active;
   }
   double worn = 0, quality = 1, least = 1;
-  CellNodal<dim> initial, X;
   for (const auto& cell : body.mesh.cells) {
-    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) {
-      initial.row(a) = body.mesh.nodes[cell[a]].transpose();
-      X.row(a) = initial.row(a) + nodal.d.row(cell[a]);
-    }
+    const CellNodal<dim> initial = body.mesh.positions(cell);
+    CellNodal<dim> X = initial;
+    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) X.row(a) += nodal.d.row(cell[a]);
     const double before = cell_volume<dim>(initial), after = cell_volume<dim>(X);
     worn += before - after;
     least = std::min(least, after / before);
@@ -133,10 +130,11 @@ std::vector<Field> WearModel<dim>::fields(const State& state) const {
         std::max(0.0, -system_.contact().node(nodal, c, state.own_piece()).traction);
   Field stress{"equivalent_stress", "MPa", Field::On::cells, 1, {}};
   Field quality{"element_quality", "", Field::On::cells, 1, {}};
-  CellNodal<dim> X, u;
+  CellNodal<dim> u;
   for (const auto& cell : body.mesh.cells) {
+    CellNodal<dim> X = body.mesh.positions(cell);
     for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) {
-      X.row(a) = body.mesh.nodes[cell[a]].transpose() + nodal.d.row(cell[a]);
+      X.row(a) += nodal.d.row(cell[a]);
       u.row(a) = nodal.u.row(cell[a]);
     }
     stress.values.push_back(equivalent_stress<dim>(body.element, body.material, X, u));

@@ -53,16 +53,12 @@ const char* element_name(ElementKind kind) {
   return variational(kind) ? "f-bar-variational" : averaged(kind) ? "f-bar" : "plain";
 }
 
-double young_modulus(const NeoHookean& law) {
-  return law.mu * (3 * law.lambda + 2 * law.mu) / (law.lambda + law.mu);
-}
-
 }  // namespace
 
 template <int dim>
 RampOptions ramp_options(const WornBody<dim>& body) {
   const NeoHookean& law = body.material;
-  const double whole_strain = body.scales.stress / young_modulus(law);
+  const double whole_strain = body.scales.stress / law.young_modulus();
   const double strain = 3 * law.mu / (law.lambda + law.mu);
   RampOptions options;
   options.first = strain < whole_strain ? strain / whole_strain : 1;

@@ -74,7 +74,6 @@ private:
   void choose_cycle();
   void apply_to_one(std::span<const double> b, std::span<double> x);
 
-  const StiffnessLayout& layout_;
   Nodes nodes_;
   std::vector<PetscInt> start_, column_;
   std::vector<PetscInt> source_;  // in the values on `lower`; -1: held
@@ -85,7 +84,7 @@ private:
 };
 
 PetscMultigrid::PetscMultigrid(const StiffnessLayout& layout)
-    : layout_(layout), nodes_((initialize_petsc(), layout)) {
+    : nodes_((initialize_petsc(), layout)) {
   build_pattern(layout);
   const PetscInt n = nodes_.size();
   check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, start_.data(), column_.data(),
@@ -208,7 +207,7 @@ void PetscMultigrid::choose_cycle() {
 }
 
 void PetscMultigrid::apply(std::span<const double> b, std::span<double> x) {
-  const std::size_t size = layout_.group.size();
+  const std::size_t size = nodes_.number.size();
   for (std::size_t start = 0; start < b.size(); start += size)
     apply_to_one(b.subspan(start, size), x.subspan(start, size));
 }

@@ -81,9 +81,9 @@ template <int dim>
 void CellAssembly<dim>::gather(int cell, const NodalField<dim>* shape,
                                const NodalField<dim>& displacement, CellNodal<dim>& X,
                                CellNodal<dim>& u) const {
+  X = mesh_.positions(mesh_.cells[cell]);
   for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) {
     const int node = mesh_.cells[cell][a];
-    X.row(a) = mesh_.nodes[node].transpose();
     if (shape) X.row(a) += shape->row(node);
     u.row(a) = displacement.row(node);
   }

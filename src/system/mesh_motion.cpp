@@ -12,9 +12,7 @@ std::vector<double> stiffness_by_volume(const Mesh<dim>& mesh, double exponent) 
   std::vector<double> factors;
   double total = 0;
   for (const auto& cell : mesh.cells) {
-    CellNodal<dim> X;
-    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) X.row(a) = mesh.nodes[cell[a]].transpose();
-    factors.push_back(cell_volume<dim>(X));
+    factors.push_back(cell_volume<dim>(mesh.positions(cell)));
     total += factors.back();
   }
   const double mean = total / static_cast<double>(factors.size());

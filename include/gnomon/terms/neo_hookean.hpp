@@ -16,6 +16,7 @@ struct NeoHookean {
     const double mu = young / (2 * (1 + poisson));
     return {2 * mu * poisson / (1 - 2 * poisson), mu};
   }
+  double young_modulus() const { return mu * (3 * lambda + 2 * mu) / (lambda + mu); }
 };
 
 /// The law evaluated at one F with det F > 0.
