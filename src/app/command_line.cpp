@@ -194,6 +194,11 @@ void CommandLine::add_stability() {
                    "time.end")
       ->type_name("T")
       ->allow_extra_args(false);
+  command
+      ->add_option("--integrator", stability_.methods,
+                   "An explicit method to show; repeatable; default: all of them")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   add_overrides(command, stability_.overrides);
   command->add_flag("--all", stability_.all,
                     "The whole spectrum instead of the largest eigenvalues");

@@ -8,6 +8,8 @@
 #include <gnomon/error.hpp>
 #include <gnomon/result_files.hpp>
 #include <gnomon/stability.hpp>
+#include <iterator>
+#include <utility>
 
 #include "app/commands.hpp"
 #include "app/program.hpp"
@@ -32,6 +34,22 @@ std::vector<double> chosen_times(const StabilityOptions& options, double end) {
   return times;
 }
 
+/// Explicit methods: these, or all when none is named.
+std::vector<Integrator> chosen_methods(const std::vector<std::string>& names) {
+  const auto bounded = [](const Integrator& integrator) {
+    const auto table = integrator.table({});
+    return table && is_explicit(*table);
+  };
+  std::vector<Integrator> methods;
+  for (const std::string& name : names) {
+    methods.push_back(Integrators::find(name, "--integrator"));
+    if (!bounded(methods.back()))
+      throw InputError(fmt::format("--integrator: expected an explicit method, got {}", name));
+  }
+  if (names.empty()) std::ranges::copy_if(Integrators::all(), std::back_inserter(methods), bounded);
+  return methods;
+}
+
 /// Of the folder that is written to, before anything is computed.
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
@@ -49,7 +67,8 @@ std::string eigenvalue_text(std::complex<double> value) {
 /// What is printed and written, a state at a time.
 class Report {
 public:
-  Report(const Model& model, bool all) : model_(model), all_(all) {}
+  Report(const Model& model, std::vector<Integrator> methods, bool all)
+      : model_(model), methods_(std::move(methods)), all_(all) {}
 
   void add(const State& state) {
     const ReducedJacobian G(model_.system(), state);
@@ -57,10 +76,7 @@ public:
     for (const Mode& mode : modes)
       spectrum_ += fmt::format("{:.10g},{:.10g},{:.10g}\n", state.t, mode.eigenvalue.real(),
                                mode.eigenvalue.imag());
-    for (const Integrator& integrator : Integrators::all()) {
-      const auto table = integrator.table({});
-      if (table && is_explicit(*table)) add(state, modes, integrator, *table);
-    }
+    for (const Integrator& integrator : methods_) add(state, modes, integrator);
   }
 
   std::string text() const { return table_.text(); }
@@ -70,9 +86,8 @@ public:
   }
 
 private:
-  void add(const State& state, const std::vector<Mode>& modes, const Integrator& integrator,
-           const ButcherTable& coefficients) {
-    const CriticalStep critical = critical_step(coefficients, modes);
+  void add(const State& state, const std::vector<Mode>& modes, const Integrator& integrator) {
+    const CriticalStep critical = critical_step(*integrator.table({}), modes);
     const std::optional<double> onset = observed_onset(state, modes, integrator, critical);
     const ActiveSet piece = active_set(model_.system(), state.y);
     table_.add({fmt::format("{:g}", state.t),
@@ -97,6 +112,7 @@ private:
   }
 
   const Model& model_;
+  std::vector<Integrator> methods_;
   bool all_;
   TextTable table_{{{"time [s]", Align::right},
                     {"contact nodes", Align::right},
@@ -113,9 +129,10 @@ private:
 int stability_command(const StabilityOptions& options) {
   const Setup setup = set_up(options.scene, options.overrides);
   const std::vector<double> times = chosen_times(options, setup.scene.real("time.end"));
+  std::vector<Integrator> methods = chosen_methods(options.methods);
   make_folder(options.folder);
   Counters counters;
-  Report report(*setup.model, options.all);
+  Report report(*setup.model, std::move(methods), options.all);
   for (const State& state : accurate_states(*setup.model, times, counters)) report.add(state);
   if (!options.folder.empty()) report.write(options.folder);
   fmt::print(

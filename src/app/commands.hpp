@@ -47,9 +47,10 @@ struct ExtremesOptions {
 struct StabilityOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;
-  std::vector<double> times;     ///< empty: start, a fifth of time.end, time.end
-  bool all = false;              ///< the whole spectrum
-  std::filesystem::path folder;  ///< for the tables as CSV; empty: none
+  std::vector<double> times;         ///< empty: start, a fifth of time.end, time.end
+  std::vector<std::string> methods;  ///< explicit ones; empty: all of them
+  bool all = false;                  ///< the whole spectrum
+  std::filesystem::path folder;      ///< for the tables as CSV; empty: none
 };
 
 int run_command(const RunOptions& options);

@@ -68,7 +68,19 @@ TEST_F(StabilityCommand, WritesTheLargestEigenvaluesUnlessAskedForAll) {
     EXPECT_NEAR(std::stod(few[k][1]) / largest, std::stod(all[k][1]) / largest, 1e-7);
 }
 
+TEST_F(StabilityCommand, ShowsTheMethodsThatAreNamed) {
+  const Outcome outcome = gnomon({"stability", test::pin, "--set", twelve, "--time", "0",
+                                  "--integrator", "erk-3", "-o", "one"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto steps = rows(test::read_text(folder() / "one/critical_steps.csv"));
+  ASSERT_EQ(steps.size(), 2u);
+  EXPECT_EQ(steps[1][1], "erk-3");
+}
+
 TEST_F(StabilityCommand, RefusesWhatItCannotDo) {
+  for (const char* method : {"bdf", "esdirk-3"})
+    EXPECT_THAT(gnomon({"stability", test::pin, "--integrator", method}).err,
+                StartsWith("gnomon: --integrator: expected an explicit method"));
   for (const char* time : {"-1", "1001", "nan"}) {
     const Outcome outcome = gnomon({"stability", test::pin, "--time", time});
     EXPECT_EQ(outcome.exit_code, 2);
