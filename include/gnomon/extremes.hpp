@@ -44,7 +44,7 @@ struct ExtremeCase {
   std::optional<double> rtol;  ///< of a run with error control
   std::string file;            ///< stem of its files in STUDY/runs
   Verdict verdict = Verdict::crashed;
-  std::string reason;                ///< of all that do not agree
+  std::string reason;                ///< of all that do not agree, or by one reference only
   std::optional<double> difference;  ///< shape error by the Euclidean norm of the wear
   std::optional<double> bound;       ///< up to which that agrees
   bool marked = false;               ///< less than ten times the reference's own error

@@ -76,7 +76,18 @@ std::vector<Suite> load_suites(const std::vector<fs::path>& files) {
   return suites;
 }
 
-void prepare_folder(const fs::path& folder, bool resume) {
+/// The table is written anew: it must not lose the cases of studies that it held.
+void check_holds_only(const fs::path& folder, const std::vector<Suite>& suites) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!fs::exists(entry.path() / "study.toml")) continue;
+    if (std::ranges::find(suites, name, &Suite::name) == suites.end())
+      throw InputError(fmt::format("{}: holds study \"{}\", expected it among those to resume",
+                                   folder.string(), name));
+  }
+}
+
+void prepare_folder(const fs::path& folder, bool resume, const std::vector<Suite>& suites) {
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_empty(folder, error)) {
     if (!fs::exists(folder / table_file, error))
@@ -87,6 +98,7 @@ void prepare_folder(const fs::path& folder, bool resume) {
     if (!resume)
       throw InputError(fmt::format("{}: exists already, expected a new name, or --resume to go on",
                                    folder.string()));
+    check_holds_only(folder, suites);
   }
   fs::create_directories(folder, error);
   if (error) throw InputError(fmt::format("cannot make {}: {}", folder.string(), error.message()));
@@ -161,7 +173,7 @@ std::string counts_text(const std::vector<ExtremeCase>& cases) {
 
 int extremes_command(const ExtremesOptions& given) {
   const std::vector<Suite> suites = load_suites(study_files(given.studies));
-  prepare_folder(given.folder, given.resume);
+  prepare_folder(given.folder, given.resume, suites);
   StudyOptions options;
   options.program = fs::read_symlink("/proc/self/exe");
   options.jobs = given.jobs > 0

@@ -107,12 +107,23 @@ private:
     for (std::size_t i = 0; i < declaration_.methods.size(); ++i) add_points(i);
   }
 
-  /// An impossible sweep point has nothing to measure.
-  void add_ways_to_measure() try {
-    add_times();
-    add_references();
+  /// False where a scene cannot be, if such scenes are kept.
+  template <class Function>
+  bool possible(const Function& function) const try {
+    function();
+    return true;
   } catch (const InputError&) {
     if (!kept_) throw;
+    return false;
+  }
+
+  /// An impossible sweep point has nothing to measure.
+  void add_ways_to_measure() {
+    double end = 0;
+    if (!possible([&] { end = guarded("", [&] { return base_scene().real("time.end"); }); }))
+      return;
+    add_times(end);
+    if (possible([&] { add_references(); })) return;
     SweepPoint& point = study_.sweep.back();
     point.times.clear();
     point.exact.clear();
@@ -123,8 +134,7 @@ private:
     for (const SceneSetting& setting : settings) overrides_[setting.key] = setting.value;
   }
 
-  void add_times() {
-    const double end = guarded("", [&] { return base_scene().real("time.end"); });
+  void add_times(double end) {
     auto& times = study_.sweep.back().times;
     times = declaration_.times;
     if (times.empty() && !kept_)  // verdicts look at the end, and want no step cut short before

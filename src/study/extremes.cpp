@@ -135,7 +135,8 @@ private:
     else if (!(*result.difference <= *result.bound))
       result.reason = "differs by more than the tolerance allows";
     else
-      result.verdict = Verdict::agrees;
+      result = {Verdict::agrees, reference.error ? "" : "by one reference: " + reference.text,
+                result.difference, result.bound};
     return result;
   }
 

@@ -78,6 +78,32 @@ TEST_F(Extremes, AMistakeInTheFileIsNotACase) {
   EXPECT_FALSE(std::filesystem::exists(folder() / "out"));
 }
 
+TEST_F(Extremes, TimesBeyondTheEndAreAMistakeInTheFile) {
+  write("study.toml", "times = [50, 200]\n" + head() + method("bdf", "tolerances = [1e-3]"));
+  const Outcome outcome = extremes();
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("key `times`: expected times up to time.end = 100 s, got 200"));
+}
+
+TEST_F(Extremes, OneReferenceConfirmsAloneAndIsNamed) {
+  write("study.toml", head() + references("1e-5", "1e-5") + "set.load.force = 1e9\n" +
+                          method("bdf", "tolerances = [1e-3]"));
+  EXPECT_EQ(extremes().exit_code, 0);
+  EXPECT_EQ(verdict(), "agrees");
+  EXPECT_THAT(cases()[0].at("reason"), HasSubstr("by one reference: esdirk-4 rtol 1e-5"));
+}
+
+TEST_F(Extremes, ResumingDoesNotDropTheCasesOfOtherStudies) {
+  write("study.toml", head() + references("1e-3", "1e-3") + method("bdf", "tolerances = [1e-3]"));
+  ASSERT_EQ(extremes().exit_code, 0);
+  std::filesystem::rename(folder() / "study.toml", folder() / "other.toml");
+  const std::string before = test::read_text(folder() / "out/extremes.csv");
+  const Outcome outcome = gnomon({"extremes", "other.toml", "-o", "out", "--resume"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("holds study \"study\""));
+  EXPECT_EQ(test::read_text(folder() / "out/extremes.csv"), before);
+}
+
 TEST_F(Extremes, ABodyTooSoftIsStopped) {
   write("study.toml", head() + references("1e-3", "1e-3") +
                           method("bdf", "tolerances = [1e-3]", "set.body.young_modulus = 0.5"));
