@@ -73,6 +73,16 @@ void check_end(const Scene& scene, double reached, const std::string& name) {
                                  scene.where("time.end"), reached, name, end));
 }
 
+/// A time to store that has gone by would silently be missing.
+void check_times(const Scene& scene, const ResultReader& earlier, double reached) {
+  const std::vector<double> stored = earlier.stored_times();
+  for (const double t : store_policy(scene).times)
+    if (t <= reached && std::ranges::find(stored, t) == stored.end())
+      throw InputError(
+          fmt::format("{}: expected times after {:g} s, where the run goes on, got {:g}",
+                      scene.where("output.times"), reached, t));
+}
+
 void check_same(const Model& model, const ResultReader& earlier, const std::string& name) {
   const auto same_block = [](const BlockSize& a, const BlockSize& b) {
     return a.name == b.name && a.size == b.size;
@@ -107,9 +117,14 @@ int resume_command(const ResumeOptions& options) {
   Scene scene = changed_scene(earlier, options);
   check_end(scene, reached, name);
   if (earlier.status() == "finished" && scene.real("time.end") == reached) {
+    if (!options.summary.empty())
+      throw InputError(fmt::format(
+          "--summary: expected a run to go on, {} is finished (--end goes on to a later time)",
+          name));
     if (!options.quiet) fmt::print("{} is finished; --end goes on to a later time\n", name);
     return success;
   }
+  check_times(scene, earlier, from.row.t);
   check_outputs(files);
 
   if (!options.quiet) warn_of_slow_blas();

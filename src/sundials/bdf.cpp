@@ -104,7 +104,8 @@ void BdfSolver::Memory::begin(const State& state) {
   check(IDASetId(ida, id_.get()), "IDASetId");
   check(IDASetSuppressAlg(ida, SUNTRUE), "IDASetSuppressAlg");
   check(IDASetMaxOrd(ida, settings_.max_order), "IDASetMaxOrd");
-  // IDA would creep up to where the solution ends by ever smaller steps, without an end.
+  // IDA would creep up to where the solution ends by ever smaller steps, without an end, and where
+  // this ends them, by steps that succeed (advance).
   check(IDASetMinStep(ida, 1e-14 * settings_.end), "IDASetMinStep");
   if (settings_.max_step > 0) check(IDASetMaxStep(ida, settings_.max_step), "IDASetMaxStep");
   check(IDASetMaxErrTestFails(ida, 30), "IDASetMaxErrTestFails");

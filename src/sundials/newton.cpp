@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <kinsol/kinsol.h>
 
 #include <algorithm>
@@ -141,9 +142,12 @@ bool NewtonSolver::Memory::at_rounding() const {
 std::string NewtonSolver::Memory::reason(int flag) const {
   if (!guard_.recoverable().empty()) return guard_.recoverable();
   if (flag == KIN_MAXITER_REACHED)
-    return "Newton did not converge in " + std::to_string(options_.max_iterations) + " iterations" +
-           cycling();
-  return "KINSOL stopped with code " + std::to_string(flag);
+    return fmt::format("Newton did not converge in {} iterations{}", options_.max_iterations,
+                       cycling());
+  if (flag == KIN_STEP_LT_STPTOL)
+    return fmt::format("Newton's steps vanish at {:.2g} times the scale of the residual",
+                       norms_.back());
+  return fmt::format("KINSOL stopped with code {}", flag);
 }
 
 /// Which nodes went on switching in the last iterations.

@@ -183,6 +183,11 @@ TEST_F(Resume, FinishedRunIsLeftAlone) {
   const std::string before = bytes_of(file("r"));
   EXPECT_EQ(resume(file("r")), 0);
   EXPECT_TRUE(bytes_of(file("r")) == before);
+  app::ResumeOptions summed_up;
+  summed_up.result = file("r");
+  summed_up.summary = file("r").parent_path() / "r.json";
+  EXPECT_THROW(app::resume_command(summed_up), InputError);
+  EXPECT_FALSE(std::filesystem::exists(summed_up.summary));
 }
 
 TEST_F(Resume, RefusesInOneLine) {
@@ -202,6 +207,7 @@ TEST_F(Resume, RefusesInOneLine) {
   refused("r", {"integrator.name=theta"}, {}, "resuming can change only");
   refused("r", {"mesh.elements=[9,9]"}, {}, "resuming can change only");
   refused("r", {"mesh.element=[9,9]"}, {}, "did you mean");
+  refused("r", {"output.times=[55.5, 56.5, 150]"}, {}, "got 56.5");
   Overrides none = coarse(be);
   none[2] = "output.checkpoints=0";
   run_scene(pin, none, file("without"), 6);
