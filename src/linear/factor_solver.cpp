@@ -9,6 +9,7 @@
 #include <gnomon/linear/sparse_lu.hpp>
 
 #include "linear/blas.hpp"
+#include "linear/rounded_factor.hpp"
 
 namespace gnomon {
 
@@ -48,7 +49,7 @@ struct Workspace {
 
 class FactorSolver : public InnerSolver {
 public:
-  explicit FactorSolver(const StiffnessLayout& layout);
+  FactorSolver(const StiffnessLayout& layout, double rounded_from);
   ~FactorSolver() override;
 
   bool set_up(std::span<const double> values) override;
@@ -63,17 +64,20 @@ private:
   bool solve(Workspace& workspace, std::span<const double> b, std::span<double> x) const;
 
   const StiffnessLayout& layout_;
+  const double rounded_from_;
   Common common_;
   std::vector<SuiteSparse_long> start_, row_;
   std::vector<double> values_;
   cholmod_factor* factor_ = nullptr;
+  RoundedFactor rounded_;                   // empty where the factors are small
   std::deque<Workspace> workspaces_;        // one a thread
   std::vector<SuiteSparse_long> diagonal_;  // positions in values_
   int factorizations_ = 0;
 };
 
-FactorSolver::FactorSolver(const StiffnessLayout& layout)
+FactorSolver::FactorSolver(const StiffnessLayout& layout, double rounded_from)
     : layout_(layout),
+      rounded_from_(rounded_from),
       start_(layout.lower.column_start.begin(), layout.lower.column_start.end()),
       row_(layout.lower.row_index.begin(), layout.lower.row_index.end()),
       values_(row_.size(), 1.0) {
@@ -125,7 +129,12 @@ bool FactorSolver::factorize() {
   cholmod_sparse matrix = view();
   ++factorizations_;
   if (common_.data.fl > worth_threads) use_blas_threads(omp_get_max_threads());
+  // CHOLMOD has four threads for its small loops, on however many cores; on two they take as long
+  // to wait for each other as all the rest.
+  const int levels = omp_get_max_active_levels();
+  omp_set_max_active_levels(0);
   cholmod_l_factorize(&matrix, factor_, &common_.data);
+  omp_set_max_active_levels(levels);
   use_blas_threads(1);
   if (common_.data.status == CHOLMOD_OUT_OF_MEMORY || common_.data.status == CHOLMOD_TOO_LARGE)
     throw Error("out of memory while factorizing a matrix of " +
@@ -138,7 +147,9 @@ bool FactorSolver::set_up(std::span<const double> values) {
   for (const double stiffer : {0.0, 0.01, 0.1, 1.0}) {
     std::copy(values.begin(), values.end(), values_.begin());
     for (SuiteSparse_long k : diagonal_) values_[k] += stiffer * std::abs(values_[k]);
-    if (factorize()) return true;
+    if (!factorize()) continue;
+    if (common_.data.lnz >= rounded_from_) rounded_.copy(*factor_);
+    return true;
   }
   return false;
 }
@@ -157,6 +168,7 @@ void FactorSolver::apply(std::span<const double> b, std::span<double> x) {
   // CHOLMOD copies the columns; a few at a time use its dense kernels as well as all.
   constexpr long most = 32;
   const long size = layout_.lower.size(), count = static_cast<long>(b.size()) / size;
+  if (count == 1 && !rounded_.empty()) return rounded_.solve(b, x);
   const double operations = 4 * common_.data.lnz * static_cast<double>(count);
   const long threads =
       operations > worth_threads ? std::min<long>(count, omp_get_max_threads()) : 1;
@@ -183,8 +195,9 @@ double FactorSolver::set_up_cost() const {
 
 }  // namespace
 
-std::unique_ptr<InnerSolver> make_factor_solver(const StiffnessLayout& layout) {
-  return std::make_unique<FactorSolver>(layout);
+std::unique_ptr<InnerSolver> make_factor_solver(const StiffnessLayout& layout,
+                                                double rounded_from) {
+  return std::make_unique<FactorSolver>(layout, rounded_from);
 }
 
 }  // namespace gnomon

@@ -57,6 +57,27 @@ TEST(FactorSolver, SolvesManyColumnsAtOnce) {
   EXPECT_LT((chain.K * X - B).norm(), 1e-10 * B.norm());
 }
 
+// By factors in single precision, of any size and for any load.
+TEST(FactorSolver, SolvesForOneColumnByRoundedFactors) {
+  const Chain chain;
+  const auto whole = make_factor_solver(chain.layout),
+             rounded = make_factor_solver(chain.layout, 0);
+  for (const auto* solver : {&whole, &rounded}) ASSERT_TRUE((*solver)->set_up(chain.values));
+  const auto solve = [](InnerSolver& solver, const Eigen::VectorXd& b) {
+    Eigen::VectorXd x(b.size());
+    solver.apply({b.data(), Chain::size}, {x.data(), Chain::size});
+    return x;
+  };
+  for (const double size : {1e-60, 1.0, 1e60}) {
+    const Eigen::VectorXd b = size * Eigen::VectorXd::Random(Chain::size);
+    const Eigen::VectorXd x = solve(*whole, b);
+    const double error = (solve(*rounded, b) - x).norm() / x.norm();
+    EXPECT_LT(error, 1e-4);
+    EXPECT_GT(error, 1e-12);  // they are rounded
+  }
+  EXPECT_EQ(solve(*rounded, Eigen::VectorXd::Zero(Chain::size)).norm(), 0);
+}
+
 TEST(Multigrid, TakesManyColumnsAsOneAfterTheOther) {
   if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
   const Chain chain;

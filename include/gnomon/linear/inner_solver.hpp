@@ -35,8 +35,11 @@ public:
 
 /// Supernodal Cholesky factors (CHOLMOD) ordered by nested dissection. Of a matrix that is not
 /// positive definite, as between two equilibria far apart, with the diagonal raised by 1, 10 or 100
-/// %: what the outer iteration makes up for. `layout` must outlive the solver.
-std::unique_ptr<InnerSolver> make_factor_solver(const StiffnessLayout& layout);
+/// %: what the outer iteration makes up for. From `rounded_from` entries on, which no cache holds,
+/// single columns are solved for by factors rounded to single precision. `layout` must outlive the
+/// solver.
+std::unique_ptr<InnerSolver> make_factor_solver(const StiffnessLayout& layout,
+                                                double rounded_from = 5e6);
 
 /// Whether gnomon was built with PETSc.
 bool has_multigrid();
