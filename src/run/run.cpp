@@ -6,6 +6,7 @@
 #include <gnomon/run.hpp>
 
 #include "run/checkpoint_numbers.hpp"
+#include "run/headway.hpp"
 #include "run/instability.hpp"
 #include "run/mesh_watch.hpp"
 #include "run/store_schedule.hpp"
@@ -76,12 +77,14 @@ private:
 
   Status integrate() {
     if (watches_damping_) require_damping(model_, integrator_, settings_, state());
+    Headway headway(state().t, counters_, settings_.end);
     while (state().t < settings_.end) {
       if (hooks_.interrupted()) return Status::interrupted;
       if (!stepper_) make_stepper();
       const StepReport report = stepper_->advance(state(), schedule_.stop());
       record(report);
       watch_mesh();
+      headway.require(state().t, counters_);
       if (watches_damping_) require_no_flicker(memory_.flicker.nodes(), integrator_);
       if (schedule_.wants(state().t, counters_.steps)) store();
       if (work() >= next_checkpoint_ || state().t >= settings_.end) checkpoint();

@@ -134,6 +134,32 @@ TEST_F(RunTest, FailureStoresTheLastGoodState) {
   EXPECT_THAT(result.stored_times(), ElementsAre(0, 1));
 }
 
+// Steps that succeed, each a tenth of what is left to t = 1, for a hundred Newton iterations.
+TEST_F(RunTest, ARunThatNoLongerGetsAnywhereEnds) {
+  struct Vanishing : Stepper {
+    Counters& counters;
+    explicit Vanishing(Counters& c) : counters(c) {}
+    StepReport advance(State& state, double) override {
+      const double step = (1 - state.t) / 10;
+      state.t += step;
+      ++counters.steps;
+      counters.newton_iterations += 100;
+      return {.step = step, .order = 1, .newton_iterations = 100};
+    }
+    std::vector<double> memory() const override { return {}; }
+    void restore(const State&, std::span<const double>) override {}
+  };
+  Integrator vanishing = exact_decay();
+  vanishing.make = [](const Model&, const IntegratorSettings&, Counters& counters) {
+    return std::make_unique<Vanishing>(counters);
+  };
+  const RunOutcome outcome = run_decay({.every = 0, .times = {}, .last = false}, vanishing);
+  EXPECT_EQ(outcome.status, Status::failed);
+  EXPECT_THAT(outcome.diagnosis, testing::HasSubstr("steps vanish: the last 5000 Newton"));
+  EXPECT_THAT(ResultReader(file()).stored_times(),
+              ElementsAre(0, testing::AllOf(testing::Gt(0.999), testing::Lt(1))));
+}
+
 TEST_F(RunTest, FailureOfTheStartLeavesAReadableResult) {
   model_.starts = false;
   const RunOutcome outcome = run_decay({});

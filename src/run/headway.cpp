@@ -1,0 +1,23 @@
+#include "run/headway.hpp"
+
+#include <fmt/format.h>
+
+#include <gnomon/error.hpp>
+
+namespace gnomon {
+
+Headway::Headway(double t, const Counters& counters, double end)
+    : t_(t), newton_iterations_(counters.newton_iterations), end_(end) {}
+
+void Headway::require(double t, const Counters& counters) {
+  constexpr long most = 5000;
+  constexpr double least = 1e-5;
+  if (counters.newton_iterations - newton_iterations_ < most) return;
+  if (t - t_ < least * end_)
+    throw SolutionError(fmt::format(
+        "steps vanish: the last {} Newton iterations went from t = {:.9g} s to {:.9g} s",
+        counters.newton_iterations - newton_iterations_, t_, t));
+  *this = Headway(t, counters, end_);
+}
+
+}  // namespace gnomon
