@@ -23,7 +23,7 @@ double kilobytes_a_node(const MeshSize& mesh, const LinearSolverChoice& solver) 
   const double growth = std::cbrt(mesh.nodes);
   if (direct) return 30 + 5.7 * growth;
   const bool multigrid = solver.preconditioner == LinearSolverChoice::Preconditioner::multigrid;
-  return multigrid ? 35 : 27 + growth;
+  return multigrid ? 35 : 27 + 1.5 * growth;
 }
 
 /// The number at the beginning of a file; unlimited when there is none ("max").

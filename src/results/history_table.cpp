@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "results/hdf5_values.hpp"
+#include "results/layout.hpp"
 
 namespace gnomon::layout {
 
@@ -69,7 +70,7 @@ HistoryRow row_of(const Cell* cell, const std::vector<Column>& columns) {
   for (long* counter : {&c.steps, &c.rejected_steps, &c.events, &c.newton_iterations,
                         &c.residual_evaluations, &c.jacobian_evaluations, &c.factorizations,
                         &c.linear_solves, &c.krylov_iterations, &c.preconditioner_setups}) {
-    *counter = (cell++)->integer;
+    *counter = count_of((cell++)->integer, "read the history");
   }
   for (std::size_t i = fixed_columns().size(); i < columns.size(); ++i) {
     row.scalars.push_back({columns[i].name, columns[i].unit, (cell++)->real});

@@ -26,6 +26,13 @@ std::string group_path(std::size_t step) {
   return fmt::format("{:04}", step / kStepsPerGroup);
 }
 
+long count_of(std::int64_t value, const char* what) {
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  if (value < 0 || value > most)
+    throw hdf5::Failure(fmt::format("cannot {}: {} is not a count", what, value));
+  return value;
+}
+
 std::string step_path(std::size_t step) {
   return fmt::format("{}/{:06}", group_path(step), step);
 }

@@ -34,6 +34,9 @@ std::string text_of(const std::array<char, size>& field) {
   return {field.begin(), std::find(field.begin(), field.end(), '\0')};
 }
 
+/// A count in a table, small enough to be added to others. Throws Failure for what is none.
+long count_of(std::int64_t value, const char* what);
+
 /// "0001/000123" for the stored step 123, below "steps" and "gnomon/contact".
 std::string step_path(std::size_t step);
 std::string group_path(std::size_t step);

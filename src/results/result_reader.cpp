@@ -51,8 +51,8 @@ std::vector<BlockSize> read_blocks(hid_t gnomon) {
   std::vector<BlockSize> blocks;
   for (const auto& row :
        read_rows<layout::BlockRow>(dataset, layout::block_type(), "read the blocks")) {
-    blocks.push_back({layout::text_of(row.name), layout::text_of(row.symbol), row.size,
-                      layout::text_of(row.where)});
+    blocks.push_back({layout::text_of(row.name), layout::text_of(row.symbol),
+                      layout::count_of(row.size, "read the blocks"), layout::text_of(row.where)});
   }
   return blocks;
 }
