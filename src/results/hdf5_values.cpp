@@ -183,6 +183,8 @@ std::string read_text(hid_t parent, const char* name) {
   const Handle dataset = own(H5Dopen2(parent, name, H5P_DEFAULT), H5Dclose, "read text");
   const Handle stored = own(H5Dget_type(dataset.id()), H5Tclose, "read text");
   if (count_of(extents_of(dataset.id())) != 1) throw Failure("cannot read text: it is a list");
+  constexpr std::size_t most = std::size_t{1} << 26;  // bytes; its type may claim any size
+  if (H5Tget_size(stored.id()) > most) throw Failure("cannot read text: it is too large");
   return take_texts(stored.id(), 1,
                     [&](hid_t type, void* memory) {
                       check(H5Dread(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, memory),
