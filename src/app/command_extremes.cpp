@@ -26,10 +26,14 @@ constexpr const char* table_file = "extremes.csv";  // what makes a folder a sui
 
 std::vector<fs::path> toml_files_below(const fs::path& folder, const std::string& in = "") {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
+  for (auto place = fs::recursive_directory_iterator(folder); place != fs::end(place); ++place) {
+    const fs::directory_entry& entry = *place;
+    if (fs::exists(entry.path() / table_file))
+      place.disable_recursion_pending();  // earlier results
     if (entry.path().extension() == ".toml" &&
         (in.empty() || entry.path().parent_path().filename() == in))
       files.push_back(entry.path());
+  }
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -106,6 +106,7 @@ void CommandLine::add_resume() {
   command->add_option("--end", resume_.end, "A later end; the same as --set time.end=T")
       ->type_name("T");
   add_overrides(command, resume_.overrides);
+  command->add_flag("--force", resume_.force, "Replaces an earlier summary");
   add_run_options(command, resume_.summary, resume_.quiet);
   command->callback([this] { command_ = [this] { return resume_command(resume_); }; });
 }
@@ -150,7 +151,10 @@ void CommandLine::add_extremes() {
       ->add_option("--limit", extremes_.limit,
                    "Wall time after which a run counts as hung; default: 300")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.01, 1e6));
+      ->check(CLI::Range(0.01, 1e6))
+      ->check([](const std::string& text) {  // no comparison with it is false
+        return CLI::detail::to_lower(text) == "nan" ? "expected a number, got nan" : "";
+      });
   add_flags_of_studies(command, extremes_.resume, extremes_.quiet);
   command->callback([this] { command_ = [this] { return extremes_command(extremes_); }; });
 }

@@ -117,14 +117,19 @@ int resume_command(const ResumeOptions& options) {
   Scene scene = changed_scene(earlier, options);
   check_end(scene, reached, name);
   if (earlier.status() == "finished" && scene.real("time.end") == reached) {
-    if (!options.summary.empty())
-      throw InputError(fmt::format(
-          "--summary: expected a run to go on, {} is finished (--end goes on to a later time)",
-          name));
+    if (!options.summary.empty() || !options.overrides.empty())
+      throw InputError(
+          fmt::format("--set, --summary: expected a run to go on, {} is finished (--end goes on to "
+                      "a later time)",
+                      name));
     if (!options.quiet) fmt::print("{} is finished; --end goes on to a later time\n", name);
     return success;
   }
   check_times(scene, earlier, from.row.t);
+  if (!options.force && options.summary != "-" && std::filesystem::is_regular_file(options.summary))
+    throw InputError(
+        fmt::format("{} exists; give another name with --summary, or --force to replace it",
+                    options.summary.string()));
   check_outputs(files);
 
   if (!options.quiet) warn_of_slow_blas();

@@ -9,6 +9,7 @@
 #include <gnomon/result_files.hpp>
 #include <gnomon/stability.hpp>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "app/commands.hpp"
@@ -41,8 +42,8 @@ std::vector<Integrator> chosen_methods(const std::vector<std::string>& names) {
     return table && is_explicit(*table);
   };
   std::vector<Integrator> methods;
-  for (const std::string& name : names) {
-    methods.push_back(Integrators::find(name, "--integrator"));
+  for (const std::string& name : std::set<std::string>(names.begin(), names.end())) {
+    methods.push_back(Integrators::find(name, "integrator"));
     if (!bounded(methods.back()))
       throw InputError(fmt::format("--integrator: expected an explicit method, got {}", name));
   }
@@ -71,6 +72,8 @@ public:
       : model_(model), methods_(std::move(methods)), all_(all) {}
 
   void add(const State& state) {
+    if (std::ranges::all_of(state.ydot, [](double rate) { return rate == 0; }))
+      throw InputError(fmt::format("nothing wears at t = {:g} s: there is no spectrum", state.t));
     const ReducedJacobian G(model_.system(), state);
     const std::vector<Mode> modes = all_ ? all_modes(G.dense()) : leading_modes(G, modes_shown);
     for (const Mode& mode : modes)
@@ -134,11 +137,11 @@ int stability_command(const StabilityOptions& options) {
   Counters counters;
   Report report(*setup.model, std::move(methods), options.all);
   for (const State& state : accurate_states(*setup.model, times, counters)) report.add(state);
-  if (!options.folder.empty()) report.write(options.folder);
   fmt::print(
       "{}\ncritical step: of the linearised equations, by the method's stability region\n"
       "onset: the step above which a small perturbation grows over {} real steps, to 1 %\n",
       report.text(), OnsetOptions{}.steps);
+  if (!options.folder.empty()) report.write(options.folder);
   return success;
 }
 

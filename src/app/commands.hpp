@@ -24,6 +24,7 @@ struct ResumeOptions {
   std::vector<std::string> overrides;  ///< "key=value"
   std::optional<double> end;           ///< instead of the scene's
   std::filesystem::path summary;       ///< as in RunOptions
+  bool force = false;                  ///< replaces an earlier summary
   bool quiet = false;
 };
 

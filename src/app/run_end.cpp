@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/result_files.hpp>
 #include <gnomon/stability.hpp>
@@ -43,6 +45,22 @@ void warn_of_flicker(const RunOutcome& outcome, const Integrator& integrator) {
              "gnomon: warning: {} contact nodes left contact twice or more: steps seem to exceed "
              "the critical one of {} (gnomon stability)\n",
              outcome.flickering_nodes, integrator.name);
+}
+
+/// What wears by the rate must be missing from the shape, but for what the mesh cannot show.
+void warn_of_lost_wear(const RunOutcome& outcome) {
+  constexpr double most = 0.1;  // of the integral; the coarsest meshes lose some hundredths
+  const auto value = [&](const char* name) {
+    const auto found = std::ranges::find(outcome.last->scalars, name, &Scalar::name);
+    return found == outcome.last->scalars.end() ? 0 : found->value;
+  };
+  const double worn = value("worn_volume"), integral = value("wear_integral");
+  if (!(std::abs(worn - integral) > most * std::abs(integral))) return;
+  fmt::print(stderr,
+             "gnomon: warning: the shape has lost {:.3g}, the wear rate integrates to {:.3g}: "
+             "contact may have reached where the surface cannot wear, the end of the contact zone "
+             "or a held side; then pressures and shape are worthless\n",
+             worn, integral);
 }
 
 int exit_code(const RunOutcome& outcome) {
@@ -97,7 +115,10 @@ int report_end(const RunOutcome& outcome, const Integrator& integrator, const En
   if (outcome.status == RunOutcome::Status::failed)
     throw SolutionError(failure_message(outcome, report));
   if (!report.quiet && report.table) print_summary(outcome, report);
-  if (!report.quiet) warn_of_flicker(outcome, integrator);
+  if (!report.quiet) {
+    warn_of_flicker(outcome, integrator);
+    warn_of_lost_wear(outcome);
+  }
   return exit_code(outcome);
 }
 

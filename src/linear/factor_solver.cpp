@@ -49,7 +49,7 @@ struct Workspace {
 
 class FactorSolver : public InnerSolver {
 public:
-  FactorSolver(const StiffnessLayout& layout, double rounded_from);
+  FactorSolver(const StiffnessLayout& layout, const FactorSizes& sizes);
   ~FactorSolver() override;
 
   bool set_up(std::span<const double> values) override;
@@ -64,7 +64,7 @@ private:
   bool solve(Workspace& workspace, std::span<const double> b, std::span<double> x) const;
 
   const StiffnessLayout& layout_;
-  const double rounded_from_;
+  const FactorSizes sizes_;
   Common common_;
   std::vector<SuiteSparse_long> start_, row_;
   std::vector<double> values_;
@@ -75,9 +75,9 @@ private:
   int factorizations_ = 0;
 };
 
-FactorSolver::FactorSolver(const StiffnessLayout& layout, double rounded_from)
+FactorSolver::FactorSolver(const StiffnessLayout& layout, const FactorSizes& sizes)
     : layout_(layout),
-      rounded_from_(rounded_from),
+      sizes_(sizes),
       start_(layout.lower.column_start.begin(), layout.lower.column_start.end()),
       row_(layout.lower.row_index.begin(), layout.lower.row_index.end()),
       values_(row_.size(), 1.0) {
@@ -148,7 +148,7 @@ bool FactorSolver::set_up(std::span<const double> values) {
     std::copy(values.begin(), values.end(), values_.begin());
     for (SuiteSparse_long k : diagonal_) values_[k] += stiffer * std::abs(values_[k]);
     if (!factorize()) continue;
-    if (common_.data.lnz >= rounded_from_) rounded_.copy(*factor_);
+    if (common_.data.lnz >= sizes_.rounded) rounded_.copy(*factor_);
     return true;
   }
   return false;
@@ -171,7 +171,7 @@ void FactorSolver::apply(std::span<const double> b, std::span<double> x) {
   if (count == 1 && !rounded_.empty()) return rounded_.solve(b, x);
   const double operations = 4 * common_.data.lnz * static_cast<double>(count);
   const long threads =
-      operations > worth_threads ? std::min<long>(count, omp_get_max_threads()) : 1;
+      operations > sizes_.threads ? std::min<long>(count, omp_get_max_threads()) : 1;
   while (static_cast<long>(workspaces_.size()) < threads) workspaces_.emplace_back();
   const long part = std::min(most, (count + threads - 1) / threads);
   bool solved = true;
@@ -196,8 +196,8 @@ double FactorSolver::set_up_cost() const {
 }  // namespace
 
 std::unique_ptr<InnerSolver> make_factor_solver(const StiffnessLayout& layout,
-                                                double rounded_from) {
-  return std::make_unique<FactorSolver>(layout, rounded_from);
+                                                const FactorSizes& sizes) {
+  return std::make_unique<FactorSolver>(layout, sizes);
 }
 
 }  // namespace gnomon

@@ -18,7 +18,8 @@ double turned(const SparseVector& a, const SparseVector& b) {
   if (a.index != b.index) return 1;
   double difference = 0, size = 0;
   for (std::size_t k = 0; k < a.value.size(); ++k) {
-    difference = std::max(difference, std::abs(a.value[k] - b.value[k]));
+    const double here = std::abs(a.value[k] - b.value[k]);
+    if (!(here <= difference)) difference = here;  // what is no number serves nothing
     size = std::max(size, std::abs(b.value[k]));
   }
   return difference / size;
@@ -51,25 +52,24 @@ void LowRankUpdate::solve(const std::vector<RankOneTerm>& terms, InnerSolver& st
   for (const RankOneTerm& term : terms)
     if (!serves(term)) fresh.push_back(&term);
   if (fresh.empty()) return;
-  if (U_.rows() != size) {
-    U_ = Eigen::MatrixXd::Zero(size, most);
-    solved_.resize(size, most);
-  }
+  U_.resize(size, most);
+  solved_.resize(size, most);
   for (const RankOneTerm* term : fresh)
-    columns_.try_emplace(term->id, Column{long(columns_.size()), {}}).first->second.u = term->u;
+    columns_.try_emplace(term->id, Column{long(columns_.size()), {}});
   Y_.conservativeResize(size, static_cast<long>(columns_.size()));
   for (std::size_t start = 0; start < fresh.size(); start += most) {
     const long count = std::min(most, static_cast<long>(fresh.size() - start));
-    const auto write = [&](long j, bool value) {
+    U_.leftCols(count).setZero();
+    for (long j = 0; j < count; ++j) {
       const SparseVector& u = fresh[start + j]->u;
-      for (std::size_t k = 0; k < u.index.size(); ++k) U_(u.index[k], j) = value ? u.value[k] : 0;
-    };
-    for (long j = 0; j < count; ++j) write(j, true);
+      for (std::size_t k = 0; k < u.index.size(); ++k) U_(u.index[k], j) = u.value[k];
+    }
     const auto entries = static_cast<std::size_t>(size * count);
     stiffness.apply({U_.data(), entries}, {solved_.data(), entries});
     for (long j = 0; j < count; ++j) {
-      write(j, false);
-      Y_.col(columns_.at(fresh[start + j]->id).number) = solved_.col(j);
+      Column& column = columns_.at(fresh[start + j]->id);
+      column.u = fresh[start + j]->u;
+      Y_.col(column.number) = solved_.col(j);
     }
   }
 }

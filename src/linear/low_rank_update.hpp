@@ -53,7 +53,7 @@ private:
   std::vector<RankOneTerm> terms_;
   std::vector<long> column_of_;  // of terms_
   Eigen::MatrixXd Y_;
-  Eigen::MatrixXd U_, solved_;  // some columns of U and of Y; U_ is zero between uses
+  Eigen::MatrixXd U_, solved_;  // some columns of U and of Y
   Eigen::PartialPivLU<Eigen::MatrixXd> inverse_;
 };
 

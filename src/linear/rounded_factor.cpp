@@ -40,8 +40,17 @@ struct Supernode {
 
 void RoundedFactor::copy(const cholmod_factor& factor) {
   factor_ = &factor;
-  const auto* values = static_cast<const double*>(factor.x);
-  values_.assign(values, values + factor.xsize);
+  const std::span<const double> values(static_cast<const double*>(factor.x), factor.xsize);
+  double largest = 0;  // of the diagonal
+  for (int s = 0; s < static_cast<int>(factor.nsuper); ++s) {
+    const Supernode supernode(factor, s);
+    for (int j = 0; j < supernode.columns; ++j)
+      largest = std::max(largest, values[supernode.start + j * (supernode.rows + 1L)]);
+  }
+  unit_ = 1 / largest;
+  values_.resize(values.size());
+  std::transform(values.begin(), values.end(), values_.begin(),
+                 [this](double value) { return static_cast<float>(unit_ * value); });
   x_.resize(factor.n);
   below_.resize(factor.maxesize);
 }
@@ -71,14 +80,15 @@ void RoundedFactor::backward(int supernode) {
 
 void RoundedFactor::solve(std::span<const double> b, std::span<double> x) {
   const auto* permutation = static_cast<const SuiteSparse_long*>(factor_->Perm);
-  double largest = 0;  // leaves the range of single precision to the factors
+  double largest = 0;
   for (double value : b) largest = std::max(largest, std::abs(value));
   const double scale = largest > 0 ? largest : 1;
   for (std::size_t k = 0; k < x_.size(); ++k) x_[k] = static_cast<float>(b[permutation[k]] / scale);
   const int supernodes = static_cast<int>(factor_->nsuper);
   for (int s = 0; s < supernodes; ++s) forward(s);
   for (int s = supernodes; s-- > 0;) backward(s);
-  for (std::size_t k = 0; k < x_.size(); ++k) x[permutation[k]] = scale * double(x_[k]);
+  for (std::size_t k = 0; k < x_.size(); ++k)
+    x[permutation[k]] = scale * unit_ * unit_ * double(x_[k]);
 }
 
 }  // namespace gnomon

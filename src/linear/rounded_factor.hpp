@@ -9,7 +9,8 @@
 namespace gnomon {
 
 /// A solve reads the factors twice and waits for nothing else, so half the bytes are half the time.
-/// Rounding them changes the matrix by some 1e-7 of it, of which a preconditioner takes no notice.
+/// Rounding them changes the matrix by some 1e-7 of its largest entries, which an outer iteration
+/// makes up for. Factors and right sides are scaled into the range of single precision.
 class RoundedFactor {
 public:
   /// Of a numeric supernodal factor L L^T, P K P^T. Its pattern and permutation must outlive this.
@@ -23,6 +24,7 @@ private:
   void backward(int supernode);
 
   const cholmod_factor* factor_ = nullptr;
+  double unit_ = 1;  // values_ are so many times those of the factor
   std::vector<float> values_;
   std::vector<float> x_, below_;  // permuted; of the rows below a supernode's own
 };

@@ -1,14 +1,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <gnomon/results.hpp>
+#include <thread>
 
 #include "results/checkpoint_table.hpp"
 #include "results/hdf5_values.hpp"
 #include "results/history_table.hpp"
 #include "results/layout.hpp"
+#include "results/write_claim.hpp"
 
 namespace gnomon {
 
@@ -174,28 +177,39 @@ class ResultReader::File {
 public:
   // Runs an action at the border of the room, where every failure is the file's. Whatever a damaged
   // file provokes, a failed allocation included, comes out as one line.
+  // A run that goes on may change the file between two looks that HDF5 takes at it: then once more.
   template <class Action>
-  auto guarded(Action action) const {
+  auto guarded(Action action) {
+    constexpr int most = 20;
     const hdf5::QuietErrors quiet;
-    try {
-      return action();
-    } catch (const std::exception& error) {
-      throw InputError(fmt::format("cannot read {}: {}", path_.string(), error.what()));
+    for (int attempt = 0;; ++attempt) {
+      try {
+        if (attempt > 0) open();
+        return action();
+      } catch (const std::exception& error) {
+        if (attempt == most || !is_claimed(path_))
+          throw InputError(fmt::format("cannot read {}: {}", path_.string(), error.what()));
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
   }
 
   explicit File(const std::filesystem::path& path) : path_(path) {
-    guarded([&] {
-      file_ = open_file(path);
-      if (!hdf5::exists(file_.id(), "gnomon")) throw Failure("it is not a gnomon result");
-      gnomon_ = own(H5Gopen2(file_.id(), "gnomon", H5P_DEFAULT), H5Gclose, "open its results");
-      const double version = hdf5::read_number_attribute(gnomon_.id(), "format_version");
-      if (version != layout::kVersion) {
-        throw Failure(
-            fmt::format("its format is {}, this program reads {}", version, layout::kVersion));
-      }
-      header_ = read_header(gnomon_.id());
-    });
+    guarded([&] { open(); });
+  }
+
+  void open() {
+    gnomon_ = {};
+    file_ = {};
+    file_ = open_file(path_);
+    if (!hdf5::exists(file_.id(), "gnomon")) throw Failure("it is not a gnomon result");
+    gnomon_ = own(H5Gopen2(file_.id(), "gnomon", H5P_DEFAULT), H5Gclose, "open its results");
+    const double version = hdf5::read_number_attribute(gnomon_.id(), "format_version");
+    if (version != layout::kVersion) {
+      throw Failure(
+          fmt::format("its format is {}, this program reads {}", version, layout::kVersion));
+    }
+    header_ = read_header(gnomon_.id());
   }
 
   std::vector<layout::StoredRow> stored() const {

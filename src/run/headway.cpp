@@ -15,7 +15,7 @@ void Headway::require(double t, const Counters& counters) {
   if (counters.newton_iterations - newton_iterations_ < most) return;
   if (t - t_ < least * end_)
     throw SolutionError(fmt::format(
-        "steps vanish: the last {} Newton iterations went from t = {:.9g} s to {:.9g} s",
+        "no headway: the last {} Newton iterations went from t = {:.9g} s to {:.9g} s",
         counters.newton_iterations - newton_iterations_, t_, t));
   *this = Headway(t, counters, end_);
 }

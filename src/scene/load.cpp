@@ -6,7 +6,6 @@
 #include <fstream>
 #include <gnomon/error.hpp>
 #include <gnomon/scene.hpp>
-#include <sstream>
 #include <system_error>
 
 #include "scene/key_check.hpp"
@@ -195,12 +194,15 @@ Scene load_scene(const std::filesystem::path& file, const std::vector<std::strin
   if (std::filesystem::is_directory(status))
     throw InputError(fmt::format("{}: is a folder, expected a scene file", file.string()));
   std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  // An empty file sets the failbit of `text` only; it is then reported as a scene without problem.
+  constexpr std::size_t most = 1 << 24;  // bytes; a device may go on without an end
+  std::string text(most + 1, '\0');
+  if (stream.is_open()) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
   if (!stream.is_open() || stream.bad())
     throw InputError(fmt::format("{}: cannot be read", file.string()));
-  return parse_scene(text.str(), file.string(), overrides, table_of);
+  if (text.size() > most)
+    throw InputError(fmt::format("{}: expected a scene of at most {} bytes", file.string(), most));
+  return parse_scene(text, file.string(), overrides, table_of);
 }
 
 }  // namespace gnomon

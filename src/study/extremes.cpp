@@ -114,6 +114,10 @@ private:
     return error == 0 ? 0 : error / reference.wear;
   }
 
+  static std::string lone(const StudyReference& reference) {
+    return reference.error ? "" : "by one reference: " + reference.text;
+  }
+
   /// A reference is confirmed by the other one.
   std::optional<double> difference(const StudyRow& row, const StudyReference& reference) const {
     const auto& runs = extreme_.study.sweep[row.point.sweep].references;
@@ -135,8 +139,7 @@ private:
     else if (!(*result.difference <= *result.bound))
       result.reason = "differs by more than the tolerance allows";
     else
-      result = {Verdict::agrees, reference.error ? "" : "by one reference: " + reference.text,
-                result.difference, result.bound};
+      result = {Verdict::agrees, lone(reference), result.difference, result.bound};
     return result;
   }
 
@@ -157,7 +160,7 @@ private:
     } else {
       const double left = relative(*half.shape_error, reference);
       if (left <= std::max(extremes::shrinks * *result.difference, extremes::near))
-        result.verdict = Verdict::agrees;
+        result = {Verdict::agrees, lone(reference), result.difference, result.bound};
       else
         result.reason =
             fmt::format("half the step leaves {:.1e} of {:.1e}", left, *result.difference);

@@ -82,7 +82,8 @@ TEST_F(Extremes, TimesBeyondTheEndAreAMistakeInTheFile) {
   write("study.toml", "times = [50, 200]\n" + head() + method("bdf", "tolerances = [1e-3]"));
   const Outcome outcome = extremes();
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("key `times`: expected times up to time.end = 100 s, got 200"));
+  EXPECT_THAT(outcome.err,
+              HasSubstr("key `times`: expected times up to time.end = 100 s, got 200"));
 }
 
 TEST_F(Extremes, OneReferenceConfirmsAloneAndIsNamed) {
@@ -102,6 +103,19 @@ TEST_F(Extremes, ResumingDoesNotDropTheCasesOfOtherStudies) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("holds study \"study\""));
   EXPECT_EQ(test::read_text(folder() / "out/extremes.csv"), before);
+}
+
+TEST_F(Extremes, EarlierResultsAreNoStudies) {
+  write("study.toml", head() + references("1e-3", "1e-3") + method("bdf", "tolerances = [1e-3]"));
+  ASSERT_EQ(extremes().exit_code, 0);
+  std::filesystem::create_directory(folder() / "studies");
+  write("studies/study.toml", "scene = \"../scene.toml\"\n" + head().substr(head().find('\n') + 1) +
+                                  references("1e-3", "1e-3") +
+                                  method("bdf", "tolerances = [1e-3]"));
+  std::filesystem::rename(folder() / "out", folder() / "studies/out");
+  const Outcome outcome = gnomon({"extremes", "studies", "-o", "again"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("1 cases: 1 agrees"));
 }
 
 TEST_F(Extremes, ABodyTooSoftIsStopped) {

@@ -1,6 +1,7 @@
 // The solvers of K_uu against dense ones.
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <Eigen/Dense>
 #include <gnomon/linear/inner_solver.hpp>
@@ -57,25 +58,47 @@ TEST(FactorSolver, SolvesManyColumnsAtOnce) {
   EXPECT_LT((chain.K * X - B).norm(), 1e-10 * B.norm());
 }
 
-// By factors in single precision, of any size and for any load.
-TEST(FactorSolver, SolvesForOneColumnByRoundedFactors) {
+using Columns = Eigen::MatrixXd;
+
+Columns solved(InnerSolver& solver, const Columns& B) {
+  Columns X(B.rows(), B.cols());
+  const auto entries = static_cast<std::size_t>(B.size());
+  solver.apply({B.data(), entries}, {X.data(), entries});
+  return X;
+}
+
+TEST(FactorSolver, DividesColumnsAmongThreads) {
   const Chain chain;
-  const auto whole = make_factor_solver(chain.layout),
-             rounded = make_factor_solver(chain.layout, 0);
-  for (const auto* solver : {&whole, &rounded}) ASSERT_TRUE((*solver)->set_up(chain.values));
-  const auto solve = [](InnerSolver& solver, const Eigen::VectorXd& b) {
-    Eigen::VectorXd x(b.size());
-    solver.apply({b.data(), Chain::size}, {x.data(), Chain::size});
-    return x;
-  };
-  for (const double size : {1e-60, 1.0, 1e60}) {
-    const Eigen::VectorXd b = size * Eigen::VectorXd::Random(Chain::size);
-    const Eigen::VectorXd x = solve(*whole, b);
-    const double error = (solve(*rounded, b) - x).norm() / x.norm();
-    EXPECT_LT(error, 1e-4);
-    EXPECT_GT(error, 1e-12);  // they are rounded
+  const int threads = omp_get_max_threads(), levels = omp_get_max_active_levels();
+  const auto alone = make_factor_solver(chain.layout);
+  const auto together = make_factor_solver(chain.layout, {.threads = 0});
+  for (const auto* solver : {&alone, &together}) ASSERT_TRUE((*solver)->set_up(chain.values));
+  EXPECT_EQ(omp_get_max_active_levels(), levels);
+  const Columns B = Columns::Random(Chain::size, 71);
+  const Columns expected = solved(*alone, B);
+  omp_set_num_threads(3);
+  const Columns X = solved(*together, B), again = solved(*together, B);
+  omp_set_num_threads(threads);
+  EXPECT_LT((X - expected).norm(), 1e-12 * expected.norm());
+  EXPECT_EQ((X - again).norm(), 0);
+}
+
+// By factors in single precision, whatever the units of stiffness and load.
+TEST(FactorSolver, SolvesForOneColumnByRoundedFactors) {
+  for (const double unit : {1e-45, 1.0, 1e45}) {
+    Chain chain;
+    for (double& value : chain.values) value *= unit;
+    const auto whole = make_factor_solver(chain.layout);
+    const auto rounded = make_factor_solver(chain.layout, {.rounded = 0});
+    for (const auto* solver : {&whole, &rounded}) ASSERT_TRUE((*solver)->set_up(chain.values));
+    for (const double size : {1e-60, 1.0, 1e60}) {
+      const Columns b = size * Columns::Random(Chain::size, 1), x = solved(*whole, b);
+      const double error = (solved(*rounded, b) - x).norm() / x.norm();
+      EXPECT_LT(error, 1e-4);
+      EXPECT_GT(error, 1e-12);  // they are rounded
+    }
+    EXPECT_EQ(solved(*rounded, Columns::Zero(Chain::size, 1)).norm(), 0);
   }
-  EXPECT_EQ(solve(*rounded, Eigen::VectorXd::Zero(Chain::size)).norm(), 0);
 }
 
 TEST(Multigrid, TakesManyColumnsAsOneAfterTheOther) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <gnomon/error.hpp>
+#include <gnomon/summary.hpp>
 
 #include "resume/runs.hpp"
 
@@ -188,6 +189,22 @@ TEST_F(Resume, FinishedRunIsLeftAlone) {
   summed_up.summary = file("r").parent_path() / "r.json";
   EXPECT_THROW(app::resume_command(summed_up), InputError);
   EXPECT_FALSE(std::filesystem::exists(summed_up.summary));
+}
+
+TEST_F(Resume, DoesNotReplaceAnEarlierSummary) {
+  run_scene(pin, coarse({"integrator.name=backward-euler", "integrator.step=20"}), file("r"), 6);
+  app::ResumeOptions options;
+  options.result = file("r");
+  options.summary = file("r").parent_path() / "r.json";
+  options.quiet = true;
+  std::ofstream(options.summary) << "mine";
+  EXPECT_THROW(app::resume_command(options), InputError);
+  options.force = true;  // does not help with what is no summary
+  EXPECT_THROW(app::resume_command(options), InputError);
+  EXPECT_EQ(bytes_of(options.summary), "mine");
+  std::filesystem::remove(options.summary);
+  ASSERT_EQ(app::resume_command(options), 0);
+  EXPECT_TRUE(is_summary(options.summary));
 }
 
 TEST_F(Resume, RefusesInOneLine) {

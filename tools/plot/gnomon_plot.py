@@ -63,7 +63,7 @@ def main():
     except BadInput as error:
         return complain(error, 2)
     except OSError as error:
-        return complain(f"cannot write {error.filename}: {error.strerror}", 1)
+        return complain(f"cannot write {error.filename or 'the figures or what is printed'}: {error.strerror}", 1)
     return 0
 
 

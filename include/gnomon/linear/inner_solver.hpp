@@ -25,7 +25,7 @@ public:
   /// Takes the values on `lower`. Returns false when the matrix is singular or not finite.
   virtual bool set_up(std::span<const double> values) = 0;
   /// x = approximately K^-1 b, of one or more columns one behind the other. The same linear map
-  /// until the next set-up.
+  /// until the next set-up, up to rounding.
   virtual void apply(std::span<const double> b, std::span<double> x) = 0;
   /// Numeric factorizations that the last set-up made.
   virtual int factorizations() const = 0;
@@ -33,13 +33,17 @@ public:
   virtual double set_up_cost() const = 0;
 };
 
+/// From when on large factors are treated as such.
+struct FactorSizes {
+  double rounded = 5e6;  ///< entries, which no cache holds: single columns by single precision
+  double threads = 1e9;  ///< operations on columns: divided among threads
+};
+
 /// Supernodal Cholesky factors (CHOLMOD) ordered by nested dissection. Of a matrix that is not
 /// positive definite, as between two equilibria far apart, with the diagonal raised by 1, 10 or 100
-/// %: what the outer iteration makes up for. From `rounded_from` entries on, which no cache holds,
-/// single columns are solved for by factors rounded to single precision. `layout` must outlive the
-/// solver.
+/// %: what the outer iteration makes up for. `layout` must outlive the solver.
 std::unique_ptr<InnerSolver> make_factor_solver(const StiffnessLayout& layout,
-                                                double rounded_from = 5e6);
+                                                const FactorSizes& sizes = {});
 
 /// Whether gnomon was built with PETSc.
 bool has_multigrid();
