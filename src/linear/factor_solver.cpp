@@ -187,8 +187,8 @@ void FactorSolver::apply(std::span<const double> b, std::span<double> x) {
 
 double FactorSolver::set_up_cost() const {
   // Dense kernels of a factorization do some 5 operations in the time of one of a solve, which
-  // waits for memory (191,100 unknowns, 4.5e11 operations, 1.9e8 entries: 18.4 s by one thread, 12
-  // s by two, against 0.155 s).
+  // waits for memory (191,100 unknowns, 4.5e11 operations, 1.9e8 entries: 12 s by two threads
+  // against 0.155 s, in double precision and with CHOLMOD's own threads on).
   constexpr double faster = 5;
   return common_.data.fl / (4 * common_.data.lnz * faster);
 }
