@@ -28,6 +28,10 @@ struct Range {
   bool max_open = false;
 };
 
+/// Of physical quantities, in whatever units: wide enough for all of them, and products of several
+/// stay far from the ends of double.
+inline constexpr Range positive_quantity{.min = 1e-30, .max = 1e30};
+
 /// Specification of one scene key.
 struct Key {
   enum class Presence { required, defaulted, optional };

@@ -24,9 +24,11 @@ namespace gnomon {
 namespace {
 
 std::vector<Key> keys() {
-  constexpr Range positive{.min = 0, .min_open = true};
   std::vector<Key> result = {
-      {.name = "ball.radius", .unit = "mm", .range = positive, .help = "radius R of the ball"},
+      {.name = "ball.radius",
+       .unit = "mm",
+       .range = positive_quantity,
+       .help = "radius R of the ball"},
       {.name = "mesh.elements",
        .kind = KeyKind::integers,
        .presence = Key::Presence::defaulted,
@@ -39,19 +41,19 @@ std::vector<Key> keys() {
        .unit = "mm",
        .presence = Key::Presence::defaulted,
        .default_value = 2.5,
-       .range = positive,
+       .range = positive_quantity,
        .help = "arc from the pole to the edge of the bottom patch of equal elements"},
       {.name = "contact.radius",
        .unit = "mm",
        .presence = Key::Presence::defaulted,
        .default_value = 3.0,
-       .range = positive,
+       .range = positive_quantity,
        .help = "distance from the axis up to which the ball may touch the flat"},
       {.name = "shape.reach",
        .unit = "mm",
        .presence = Key::Presence::defaulted,
        .default_value = 4.0,
-       .range = positive,
+       .range = positive_quantity,
        .help = "distance from the pole up to which the shape is an unknown (Remark 2)"}};
   result.insert(result.end(), worn_body_keys(3).begin(), worn_body_keys(3).end());
   return result;

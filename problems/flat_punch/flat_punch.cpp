@@ -35,11 +35,19 @@ namespace gnomon {
 namespace {
 
 std::vector<Key> keys() {
-  constexpr Range positive{.min = 0, .min_open = true};
   std::vector<Key> result = {
-      {.name = "punch.half_width", .unit = "mm", .range = positive, .help = "half width a"},
-      {.name = "block.width", .unit = "mm", .range = positive, .help = "width W of the block"},
-      {.name = "block.depth", .unit = "mm", .range = positive, .help = "depth H of the block"},
+      {.name = "punch.half_width",
+       .unit = "mm",
+       .range = positive_quantity,
+       .help = "half width a"},
+      {.name = "block.width",
+       .unit = "mm",
+       .range = positive_quantity,
+       .help = "width W of the block"},
+      {.name = "block.depth",
+       .unit = "mm",
+       .range = positive_quantity,
+       .help = "depth H of the block"},
       {.name = "mesh.punch_elements",
        .kind = KeyKind::integer,
        .presence = Key::Presence::defaulted,

@@ -170,16 +170,15 @@ private:
 };
 
 std::vector<Key> keys() {
-  constexpr Range positive{.min = 0, .min_open = true};
   std::vector<Key> result = {
       {.name = "pin.radius",
        .unit = "mm",
-       .range = positive,
+       .range = positive_quantity,
        .help = "radius of curvature R of the pin's surface y = x^2/(2R)"},
-      {.name = "pin.width", .unit = "mm", .range = positive, .help = "width L of the pin"},
+      {.name = "pin.width", .unit = "mm", .range = positive_quantity, .help = "width L of the pin"},
       {.name = "foundation.modulus",
        .unit = "MPa/mm",
-       .range = positive,
+       .range = positive_quantity,
        .help = "modulus K_w of the springs: pressure a unit of compression"},
       {.name = "foundation.points",
        .kind = KeyKind::integer,

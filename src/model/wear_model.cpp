@@ -22,12 +22,29 @@ void require_strain(const WornBody<dim>& body) {
                     least, strain));
 }
 
+/// Stiffness along and across an element differ by the square of its lengths' ratio: rounding of
+/// the one must not drown the other.
+template <int dim>
+void require_stout_elements(const Mesh<dim>& mesh) {
+  constexpr double most = 1e4;
+  for (std::size_t e = 0; e < mesh.cells.size(); ++e) {
+    const auto x = mesh.positions(mesh.cells[e]);
+    const auto size = (x.colwise().maxCoeff() - x.colwise().minCoeff()).eval();
+    if (!(size.maxCoeff() <= most * size.minCoeff()))
+      throw InputError(fmt::format(
+          "the mesh: expected elements at most {:g} times as long as wide, got {:.2g} in element "
+          "{}",
+          most, size.maxCoeff() / size.minCoeff(), e));
+  }
+}
+
 }  // namespace
 
 template <int dim>
 WearModel<dim>::WearModel(std::shared_ptr<const WornBody<dim>> body)
     : system_(std::move(body), Selection{}) {
   require_strain(system_.body());
+  require_stout_elements(system_.body().mesh);
 }
 
 template <int dim>

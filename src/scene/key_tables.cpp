@@ -10,7 +10,6 @@ constexpr auto required = Key::Presence::required;
 constexpr auto defaulted = Key::Presence::defaulted;
 constexpr auto optional = Key::Presence::optional;
 
-constexpr Range positive{.min = 0, .min_open = true};
 constexpr Range non_negative{.min = 0};
 // Wide enough for every set of units, and far from where differences drown in rounding.
 constexpr Range duration{.min = 1e-6, .max = 1e12};
@@ -122,7 +121,7 @@ std::vector<Key> make_run_keys() {
 Key friction_key() {
   return {.name = "friction.coefficient",
           .presence = required,
-          .range = non_negative,
+          .range = {.min = 0, .max = positive_quantity.max},
           .help = "Coulomb's coefficient of friction, eq. (10)"};
 }
 
@@ -131,7 +130,7 @@ std::vector<Key> load_and_wear_keys(int dim) {
       {.name = "load.force",
        .unit = dim == 2 ? "N/mm" : "N",
        .presence = required,
-       .range = positive,
+       .range = positive_quantity,
        .help =
            dim == 2 ? "normal force F, a unit of thickness" : "normal force F, on the whole body"},
       {.name = "load.times",
@@ -145,18 +144,19 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .kind = KeyKind::reals,
        .presence = defaulted,
        .default_value = std::vector<double>{},
+       .range = {.max = positive_quantity.max},
        .help = "what F is multiplied by at load.times: linear between them, constant before the "
                "first and after the last"},
       {.name = "wear.coefficient",
        .unit = "1/MPa",
        .presence = required,
-       .range = positive,
+       .range = positive_quantity,
        .help = dim == 2 ? "wear coefficient k of the rate k v |T_N|, sec. 4.1"
                         : "wear coefficient K by the frictional dissipation, eq. (13)"},
       {.name = "wear.velocity",
        .unit = "mm/s",
        .presence = required,
-       .range = positive,
+       .range = positive_quantity,
        .help = "sliding velocity v"},
       {.name = "wear.normal",
        .kind = KeyKind::text,
@@ -172,7 +172,7 @@ std::vector<Key> body_keys() {
       {.name = "body.young_modulus",
        .unit = "MPa",
        .presence = required,
-       .range = positive,
+       .range = positive_quantity,
        .help = "Young's modulus E of the worn body, neo-Hookean, eq. (38)"},
       {.name = "body.poisson_ratio",
        .presence = required,
@@ -205,7 +205,7 @@ std::vector<Key> shape_keys() {
        .unit = "MPa",
        .presence = defaulted,
        .default_value = 1.0,
-       .range = positive,
+       .range = positive_quantity,
        .help = "Young's modulus of the auxiliary elasticity, eq. (20)"},
       {.name = "shape.poisson_ratio",
        .presence = defaulted,
@@ -228,7 +228,7 @@ std::vector<Key> shape_keys() {
       {.name = "shape.augmentation",
        .presence = defaulted,
        .default_value = 1.0,
-       .range = non_negative,
+       .range = {.min = 0, .max = positive_quantity.max},
        .help = "augmentation of the multiplier form, eq. (29), in its natural unit"},
   };
 }
@@ -268,7 +268,7 @@ std::vector<Key> make_worn_body_keys(int dim) {
       {.name = "contact.regularization",
        .presence = defaulted,
        .default_value = 0.01,
-       .range = positive,
+       .range = positive_quantity,
        .help = "rho of eq. (26) in units of E / facet length (of less under a light load); only "
                "Newton's path depends on it"});
   return keys;

@@ -94,7 +94,7 @@ const Case cases[] = {
      {"study.toml:5: key `set.body.young_modlus`", "did you mean `body.young_modulus`?"}},
     {"SceneValue",
      "body.young_modulus = \"soft\"\n",
-     {"study.toml:5: key `set.body.young_modulus`: expected a number in (0, inf) [MPa]"}},
+     {"study.toml:5: key `set.body.young_modulus`: expected a number in [1e-30, 1e+30] [MPa]"}},
     {"OwnedKey", "integrator.step = 5.0\n", {"study.toml:5", "given by `method.steps`"}},
     {"SweptValue",
      "[[sweep]]\nkey = \"mesh.elements\"\nvalues = [[8, 8], 8]\n",
