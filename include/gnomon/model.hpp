@@ -2,11 +2,13 @@
 // and what can be observed of a state. Integrators, results and the run loop see only this.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <gnomon/counters.hpp>
 #include <gnomon/system.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gnomon {
@@ -31,6 +33,12 @@ struct Scalar {
   std::string unit;
   double value = 0;
 };
+
+/// The one of this name; null where there is none.
+inline const Scalar* find_scalar(const std::vector<Scalar>& scalars, std::string_view name) {
+  const auto found = std::ranges::find(scalars, name, &Scalar::name);
+  return found == scalars.end() ? nullptr : &*found;
+}
 
 /// The mesh in its initial configuration, as files need it. In 2D, z is zero.
 struct Grid {

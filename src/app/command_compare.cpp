@@ -66,9 +66,8 @@ private:
 };
 
 std::string worn_volume(const HistoryRow& row) {
-  for (const Scalar& scalar : row.scalars)
-    if (scalar.name == "worn_volume") return fmt::format("{:.6g} {}", scalar.value, scalar.unit);
-  return "-";
+  const Scalar* worn = find_scalar(row.scalars, "worn_volume");
+  return worn ? fmt::format("{:.6g} {}", worn->value, worn->unit) : "-";
 }
 
 /// The file, and how its run ended if not well.

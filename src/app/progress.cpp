@@ -40,11 +40,10 @@ std::string progress_text(const HistoryRow& row, double end, double elapsed) {
   if (row.counters.steps > 0)
     text += fmt::format("  step {:.3g} s  order {}  Newton {}", row.step.step, row.step.order,
                         row.step.newton_iterations);
-  for (const Scalar& scalar : row.scalars) {
-    if (scalar.name == "contact_nodes") text += fmt::format("  contact {:g}", scalar.value);
-    if (scalar.name == "worn_volume")
-      text += fmt::format("  worn {:.3g} {}", scalar.value, scalar.unit);
-  }
+  if (const Scalar* contact = find_scalar(row.scalars, "contact_nodes"))
+    text += fmt::format("  contact {:g}", contact->value);
+  if (const Scalar* worn = find_scalar(row.scalars, "worn_volume"))
+    text += fmt::format("  worn {:.3g} {}", worn->value, worn->unit);
   return text;
 }
 

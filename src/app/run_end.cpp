@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/result_files.hpp>
@@ -51,10 +50,11 @@ void warn_of_flicker(const RunOutcome& outcome, const Integrator& integrator) {
 void warn_of_lost_wear(const RunOutcome& outcome) {
   constexpr double most = 0.1;  // of the integral; the coarsest meshes lose some hundredths
   const auto value = [&](const char* name) {
-    const auto found = std::ranges::find(outcome.last->scalars, name, &Scalar::name);
-    return found == outcome.last->scalars.end() ? 0 : found->value;
+    const Scalar* scalar = find_scalar(outcome.last->scalars, name);
+    return scalar ? scalar->value : 0;
   };
   const double worn = value("worn_volume"), integral = value("wear_integral");
+  if (worn == 0) return;  // too little to be seen in the shape, or nothing
   if (!(std::abs(worn - integral) > most * std::abs(integral))) return;
   fmt::print(stderr,
              "gnomon: warning: the shape has lost {:.3g}, the wear rate integrates to {:.3g}: "

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <gnomon/error.hpp>
 
 namespace gnomon {
@@ -11,9 +10,8 @@ namespace {
 
 /// One where the model has no such scalar.
 double value_of(const std::vector<Scalar>& scalars, const char* name) {
-  const auto found = std::find_if(scalars.begin(), scalars.end(),
-                                  [&](const Scalar& scalar) { return scalar.name == name; });
-  return found == scalars.end() ? 1 : found->value;
+  const Scalar* scalar = find_scalar(scalars, name);
+  return scalar ? scalar->value : 1;
 }
 
 }  // namespace

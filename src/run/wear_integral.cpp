@@ -1,7 +1,5 @@
 #include "run/wear_integral.hpp"
 
-#include <algorithm>
-
 namespace gnomon {
 
 namespace {
@@ -15,9 +13,8 @@ std::string integrated_unit(const std::string& unit) {
 }  // namespace
 
 void WearIntegral::append_to(std::vector<Scalar>& scalars, double t) {
-  const auto flux = std::find_if(scalars.begin(), scalars.end(),
-                                 [](const Scalar& scalar) { return scalar.name == "wear_flux"; });
-  if (flux == scalars.end()) return;
+  const Scalar* flux = find_scalar(scalars, "wear_flux");
+  if (!flux) return;
   if (started_) value_ += (t - t_) * (flux_ + flux->value) / 2;
   started_ = true;
   t_ = t;
@@ -28,12 +25,11 @@ void WearIntegral::append_to(std::vector<Scalar>& scalars, double t) {
 
 void WearIntegral::resume(const std::vector<Scalar>& scalars, double t) {
   t_ = t;
-  for (const Scalar& scalar : scalars) {
-    if (scalar.name == "wear_flux") flux_ = scalar.value;
-    if (scalar.name != "wear_integral") continue;
-    value_ = scalar.value;
-    started_ = true;
-  }
+  if (const Scalar* flux = find_scalar(scalars, "wear_flux")) flux_ = flux->value;
+  const Scalar* integral = find_scalar(scalars, "wear_integral");
+  if (!integral) return;
+  value_ = integral->value;
+  started_ = true;
 }
 
 }  // namespace gnomon
