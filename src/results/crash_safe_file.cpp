@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "results/replaced_file.hpp"
 #include "results/write_claim.hpp"
 
 namespace gnomon::hdf5 {
@@ -58,8 +59,7 @@ int write_all(int descriptor, haddr_t address, const unsigned char* bytes, size_
 // Emptied only once it is claimed, and only if it still has its name: another writer may have
 // published it (and be done) since it was opened.
 CrashSafeFile::CrashSafeFile(const std::filesystem::path& path)
-    : descriptor_(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-  if (descriptor_ < 0) throw Failure(std::strerror(errno));
+    : descriptor_(open_part(path, "\x89HDF\r\n\x1a\n")) {
   std::string trouble;
   if (!claim_alone(descriptor_) || !has_name(descriptor_, path)) {
     trouble = "another run is writing it";

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -30,7 +31,29 @@ int rename_part(const std::filesystem::path& part, const std::filesystem::path& 
   return std::rename(part.c_str(), target.c_str()) == 0 ? 0 : errno;
 }
 
+bool is_left_over(int descriptor, std::string_view begins) {
+  struct stat status = {};
+  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode) || status.st_nlink != 1)
+    return false;
+  std::string start(begins.size(), '\0');
+  const ssize_t got = pread(descriptor, start.data(), start.size(), 0);
+  if (got < 0) return false;
+  start.resize(static_cast<std::size_t>(got));
+  return begins.starts_with(start) || start.find_first_not_of('\0') == std::string::npos;
+}
+
 }  // namespace
+
+int open_part(const std::filesystem::path& part, std::string_view begins) {
+  const int descriptor =
+      open(part.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+  if (descriptor >= 0 && is_left_over(descriptor, begins)) return descriptor;
+  const int error = errno;
+  if (descriptor < 0 && error != ELOOP) refuse(part, error);
+  if (descriptor >= 0) close(descriptor);
+  throw Error(
+      fmt::format("{} is in the way, expected none or what a killed run left", part.string()));
+}
 
 std::filesystem::path part_of(const std::filesystem::path& target) {
   std::filesystem::path part = target;
@@ -66,9 +89,8 @@ void publish_part(const std::filesystem::path& target, Earlier earlier) {
 
 void write_file(const std::filesystem::path& target, const std::string& text, Earlier earlier) {
   const auto part = part_of(target);
-  const int descriptor = open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) refuse(target, errno);
-  int error = 0;
+  const int descriptor = open_part(part, std::string_view(text).substr(0, 16));
+  int error = ftruncate(descriptor, 0) == 0 ? 0 : errno;
   for (std::size_t done = 0; done < text.size() && error == 0;) {
     const ssize_t written = write(descriptor, text.data() + done, text.size() - done);
     if (written > 0) done += static_cast<std::size_t>(written);

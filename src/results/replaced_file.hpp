@@ -3,11 +3,18 @@
 
 #include <filesystem>
 #include <gnomon/result_files.hpp>
+#include <string_view>
 
 namespace gnomon {
 
 /// Where a file is made before it is renamed to `target`: "<target>.part" in the same folder.
 std::filesystem::path part_of(const std::filesystem::path& target);
+
+/// Opens the part to write and read: a new one, or what a killed run left, known by `begins`, with
+/// which it begins as what is to be written does, or by having no bytes yet but zeros. Returns the
+/// descriptor; the file is as it was. Throws Error, also for anything else of that name: it is
+/// somebody's.
+int open_part(const std::filesystem::path& part, std::string_view begins);
 
 /// Follows a symbolic link, so that replacing the file keeps the link. Throws InputError when the
 /// target exists and is not a regular file that may be written.

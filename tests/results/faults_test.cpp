@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -29,6 +30,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
+using testing::Throws;
 using testing::ThrowsMessage;
 
 auto one_line(const std::filesystem::path& file, const std::string& reason) {
@@ -257,11 +259,49 @@ TEST(Writing, LeavesToAnotherWriterWhatItWrites) {
 }
 
 TEST(Writing, TakesOverWhatADeadWriterLeft) {
-  const auto folder = synthetic::folder("dead");
-  put(folder / "r.h5.part", std::string(100000, 'x'));
-  write(folder / "r.h5");
-  EXPECT_EQ(ResultReader(folder / "r.h5").status(), "finished");
-  EXPECT_FALSE(std::filesystem::exists(folder / "r.h5.part"));
+  const std::string signature = "\x89HDF\r\n\x1a\n";
+  for (const std::string& left :
+       {std::string(), signature.substr(0, 3), signature + std::string(100000, 'x'),
+        std::string(100000, '\0')}) {
+    const auto folder = synthetic::folder("dead");
+    put(folder / "r.h5.part", left);
+    put(folder / "r.xdmf.part", "<?xml");
+    write(folder / "r.h5");
+    EXPECT_EQ(ResultReader(folder / "r.h5").status(), "finished");
+    EXPECT_FALSE(std::filesystem::exists(folder / "r.h5.part"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "r.xdmf.part"));
+  }
+}
+
+// What no run can have left is somebody's: a download, another name of a file, the target of a
+// link.
+TEST(Writing, LeavesForeignPartsAlone) {
+  for (const char* name : {"r.h5.part", "r.xdmf.part"}) {
+    const auto folder = synthetic::folder("foreign");
+    const auto refused = [&] {
+      EXPECT_THAT([&] { write(folder / "r.h5"); }, Throws<Error>());
+      EXPECT_EQ(bytes_of(folder / "precious"), "precious");
+    };
+    put(folder / "precious", "precious");
+    std::filesystem::copy_file(folder / "precious", folder / name);
+    refused();
+    EXPECT_EQ(bytes_of(folder / name), "precious");
+    std::filesystem::remove(folder / name);
+    std::filesystem::create_symlink("precious", folder / name);
+    refused();
+    std::filesystem::remove(folder / name);
+    put(folder / "empty", "");
+    std::filesystem::create_hard_link(folder / "empty", folder / name);
+    refused();
+    EXPECT_EQ(bytes_of(folder / "empty"), "");
+  }
+}
+
+TEST(Reading, DoesNotWaitForAPipe) {
+  const auto file = synthetic::folder("pipe") / "r.h5";
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+  EXPECT_THAT([&] { ResultReader reader(file); },
+              ThrowsMessage<InputError>(one_line(file, "it is a pipe")));
 }
 
 TEST(Writing, KnowsItsFiles) {
