@@ -54,7 +54,7 @@ public:
 private:
   void start() {
     state() = model_.start(counters_);
-    record({});
+    record({}, model_.observe(state()));
     store();
     if (hooks_.interrupted()) return;
     make_stepper();
@@ -81,9 +81,11 @@ private:
     while (state().t < settings_.end) {
       if (hooks_.interrupted()) return Status::interrupted;
       if (!stepper_) make_stepper();
+      const State before = state();
       const StepReport report = stepper_->advance(state(), schedule_.stop());
-      record(report);
-      watch_mesh();
+      std::vector<Scalar> scalars = model_.observe(state());
+      require_mesh(scalars, before);
+      record(report, std::move(scalars));
       headway.require(state().t, counters_);
       if (watches_damping_) require_no_flicker(memory_.flicker.nodes(), integrator_);
       if (schedule_.wants(state().t, counters_.steps)) store();
@@ -94,8 +96,8 @@ private:
     return Status::finished;
   }
 
-  void record(const StepReport& report) {
-    HistoryRow row{state().t, report, counters_, model_.observe(state())};
+  void record(const StepReport& report, std::vector<Scalar> scalars) {
+    HistoryRow row{state().t, report, counters_, std::move(scalars)};
     wear_integral_.append_to(row.scalars, state().t);
     memory_.flicker.add(model_.contact(state()));
     if (is_corner(model_.system().structure(), state().t)) memory_.flicker.begin_anew();
@@ -105,10 +107,16 @@ private:
     hooks_.on_step(*outcome_.last);
   }
 
-  void watch_mesh() {
-    require_sound_mesh(outcome_.last->scalars);
+  /// A state whose mesh is not sound is not one to keep: the run ends in the one before.
+  void require_mesh(const std::vector<Scalar>& scalars, const State& before) {
+    try {
+      require_sound_mesh(scalars);
+    } catch (const SolutionError&) {
+      state() = before;
+      throw;
+    }
     if (warned_of_mesh_) return;
-    const std::string warning = mesh_warning(outcome_.last->scalars);
+    const std::string warning = mesh_warning(scalars);
     if (warning.empty()) return;
     warned_of_mesh_ = true;
     hooks_.on_warning(fmt::format("at t = {:g} s {}", state().t, warning));
