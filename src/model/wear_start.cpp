@@ -19,7 +19,7 @@ namespace {
 
 /// An attempt that will succeed needs 3 to 9 iterations.
 constexpr int max_iterations = 15;
-/// Of equilibria on the way to the whole load.
+/// Of equilibria on the way to the whole load, in the first load that is tried.
 constexpr double rough_tolerance = 1e-3;
 
 /// Brings body and counter-body together, or apart, until they touch in a point, so that the first
@@ -69,8 +69,9 @@ RampOptions ramp_options(const WornBody<dim>& body) {
 template <int dim>
 RampReport find_equilibrium(WearSystem<dim>& contact, const RampOptions& options,
                             NodalState<dim>& state, Counters& counters) {
-  NewtonSolver exact(contact.structure(), counters, {.max_iterations = max_iterations});
-  std::optional<NewtonSolver> rough;  // most loads go on at once; its analysis costs
+  // One at a time, for each holds factors. Most loads go on at once, and need the exact one alone.
+  std::optional<NewtonSolver> solver;
+  bool exact = false;
   const NonlinearFunction function = algebraic_function(contact);
   close_initial_gap(contact.body(), state);
   const double touching = state.w;
@@ -79,10 +80,14 @@ RampReport find_equilibrium(WearSystem<dim>& contact, const RampOptions& options
     contact.set_load_factor(fraction * contact.body().load_history.factor(0));
     if (!loaded && contact.body().counter_force)
       y[contact.unknowns().w()] = touching + indentation(contact.body(), fraction);
-    if (fraction < 1 && !rough)
-      rough.emplace(contact.structure(), counters,
-                    NewtonOptions{.tolerance = rough_tolerance, .max_iterations = max_iterations});
-    const NewtonReport report = (fraction < 1 ? *rough : exact).solve(function, y);
+    if (!solver || exact != (fraction == 1)) {
+      exact = fraction == 1;
+      NewtonOptions newton{.max_iterations = max_iterations};
+      if (!exact) newton.tolerance = rough_tolerance * options.first;
+      solver.reset();
+      solver.emplace(contact.structure(), counters, newton);
+    }
+    const NewtonReport report = solver->solve(function, y);
     loaded = loaded || report.converged;
     return report;
   };

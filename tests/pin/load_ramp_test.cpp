@@ -170,6 +170,17 @@ TEST(LoadRampOfThePin, RefusalNamesTheElementTheFractionAndTheInvertedCell) {
   }
 }
 
+// The load that a body carries is proportional to its modulus: forces scale with it.
+TEST(LoadRampOfThePin, AHundredthOfTheModulusCarriesAHundredthOfTheLoad) {
+  const auto reached = [](const char* young) {
+    ContactProblem pin({elements(4), std::string("body.young_modulus=") + young});
+    return pin.ramp(ramp_options(pin.body)).reached;
+  };
+  const double soft = reached("0.1");
+  EXPECT_NEAR(reached("1e-3") / soft, 0.01, 1e-3);
+  EXPECT_NEAR(reached("1e-6") / soft, 1e-5, 1e-6);
+}
+
 // A mean pressure of 2 MPa on E = 2 MPa. That the ramp ends does not mean that there is no
 // equilibrium.
 TEST(LoadRampOfThePin, FBarRefusesALoadThatOtherElementsCarry) {
