@@ -110,6 +110,9 @@ struct StudyHooks {
 /// use. What of it was done when it returned; less than all after an interruption.
 StudyProgress run_study(const Study& study, const StudyOptions& options, const StudyHooks& hooks);
 
+/// Whether a study has its results there.
+bool holds_study(const std::filesystem::path& folder);
+
 /// One row of the results. Errors are absent when a run or its reference has failed.
 struct StudyRow {
   StudyPoint point;

@@ -12,6 +12,7 @@
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/program.hpp"
+#include "app/run_end.hpp"
 #include "app/study_figures.hpp"
 #include "app/study_progress.hpp"
 #include "app/text_table.hpp"
@@ -84,7 +85,7 @@ std::vector<Suite> load_suites(const std::vector<fs::path>& files) {
 void check_holds_only(const fs::path& folder, const std::vector<Suite>& suites) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (!fs::exists(entry.path() / "study.toml")) continue;
+    if (!holds_study(entry.path())) continue;
     if (std::ranges::find(suites, name, &Suite::name) == suites.end())
       throw InputError(fmt::format("{}: holds study \"{}\", expected it among those to resume",
                                    folder.string(), name));
@@ -185,6 +186,7 @@ int extremes_command(const ExtremesOptions& given) {
                      : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   options.resume = given.resume;
   options.limit = given.limit;
+  if (!given.quiet) warn_of_slow_blas();
   run_all(suites, given, options);
 
   std::vector<ExtremeCase> cases;

@@ -14,6 +14,7 @@
 
 #include "app/commands.hpp"
 #include "app/program.hpp"
+#include "app/run_end.hpp"
 #include "app/setup.hpp"
 #include "app/text_table.hpp"
 
@@ -134,6 +135,7 @@ int stability_command(const StabilityOptions& options) {
   const std::vector<double> times = chosen_times(options, setup.scene.real("time.end"));
   std::vector<Integrator> methods = chosen_methods(options.methods);
   make_folder(options.folder);
+  warn_of_slow_blas();
   Counters counters;
   Report report(*setup.model, std::move(methods), options.all);
   for (const State& state : accurate_states(*setup.model, times, counters)) report.add(state);

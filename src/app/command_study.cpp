@@ -11,6 +11,7 @@
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/program.hpp"
+#include "app/run_end.hpp"
 #include "app/study_figures.hpp"
 #include "app/study_progress.hpp"
 #include "app/text_table.hpp"
@@ -88,6 +89,7 @@ void print_table(const Study& study, const StudyTable& table) {
 int study_command(const StudyCommandOptions& given) {
   const Study study = load_study(given.study);
   const StudyOptions options = study_options(study, given);
+  if (!given.quiet) warn_of_slow_blas();
   const StudyProgress progress = run_all(study, options, given.quiet);
   if (progress.done < progress.total)
     throw Error(fmt::format("interrupted with {} of {} runs done; --resume goes on from there",

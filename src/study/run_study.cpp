@@ -63,7 +63,7 @@ void check_folder(const StudyOptions& options) {
     throw InputError(fmt::format("{}: is a file, expected a folder for the study's results",
                                  options.folder.string()));
   if (fs::is_empty(options.folder, error)) return;
-  if (!fs::exists(options.folder / marker, error))
+  if (!holds_study(options.folder))
     throw InputError(fmt::format("{}: is no study's folder, expected one or a new name",
                                  options.folder.string()));
   if (!options.resume)
@@ -78,7 +78,7 @@ void prepare_folder(const StudyOptions& options, const Study& study) {
     throw InputError(
         fmt::format("cannot make {}: {}", (options.folder / "runs").string(), error.message()));
   // Not replaced by renaming: the lock is on this very file.
-  if (!fs::exists(options.folder / marker)) write_in_place(options.folder / marker, study.text);
+  if (!holds_study(options.folder)) write_in_place(options.folder / marker, study.text);
 }
 
 /// Keeps the tables of one study from those of another. A folder without a name was left before it
@@ -179,6 +179,11 @@ private:
 };
 
 }  // namespace
+
+bool holds_study(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::exists(folder / marker, ignored);
+}
 
 StudyProgress run_study(const Study& study, const StudyOptions& options, const StudyHooks& hooks) {
   check_folder(options);
