@@ -31,13 +31,16 @@ class Result:
 
     def _check(self):
         group = self.file.get("gnomon")
-        if group is None or "format_version" not in group.attrs or "stored" not in group:
+        complaint = None
+        if group is None or "format_version" not in group.attrs:
+            complaint = "is not a result of gnomon"
+        elif int(group.attrs["format_version"]) != 1:
+            complaint = f"has format {group.attrs['format_version']}; these figures read format 1"
+        elif "stored" not in group:
+            complaint = "has nothing to draw: its run did not get past the start, or did not yet"
+        if complaint:
             self.file.close()
-            raise BadInput(f"{self.path} is not a result of gnomon")
-        version = int(group.attrs["format_version"])
-        if version != 1:
-            self.file.close()
-            raise BadInput(f"{self.path} has format {version}; these figures read format 1")
+            raise BadInput(f"{self.path} {complaint}")
 
     def attribute(self, name):
         return _text(self.file["gnomon"].attrs.get(name, ""))
