@@ -79,5 +79,9 @@ TEST(ExtrudedPin, WithOneShapeForItsSectionIsThePlanePin) {
   check(true, 1e-9);
 }
 
+TEST(ExtrudedPin, WithAShapeOfItsOwnAtEveryNodeIsThePlanePin) {
+  check(false, 1e-9);
+}
+
 }  // namespace
 }  // namespace gnomon
