@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/result_files.hpp>
 #include <gnomon/stability.hpp>
@@ -12,6 +11,7 @@
 #include "app/progress.hpp"
 #include "app/text_table.hpp"
 #include "linear/blas.hpp"
+#include "run/wear_integral.hpp"
 
 namespace gnomon::app {
 
@@ -46,21 +46,14 @@ void warn_of_flicker(const RunOutcome& outcome, const Integrator& integrator) {
              outcome.flickering_nodes, integrator.name);
 }
 
-/// What wears by the rate must be missing from the shape, but for what the mesh cannot show.
 void warn_of_lost_wear(const RunOutcome& outcome) {
-  constexpr double most = 0.1;  // of the integral; the coarsest meshes lose some hundredths
-  const auto value = [&](const char* name) {
-    const Scalar* scalar = find_scalar(outcome.last->scalars, name);
-    return scalar ? scalar->value : 0;
-  };
-  const double worn = value("worn_volume"), integral = value("wear_integral");
-  if (worn == 0) return;  // too little to be seen in the shape, or nothing
-  if (!(std::abs(worn - integral) > most * std::abs(integral))) return;
+  if (!has_lost_wear(outcome.last->scalars)) return;
   fmt::print(stderr,
              "gnomon: warning: the shape has lost {:.3g}, the wear rate integrates to {:.3g}: "
              "contact may have reached where the surface cannot wear, the end of the contact zone "
              "or a held side; then pressures and shape are worthless\n",
-             worn, integral);
+             find_scalar(outcome.last->scalars, "worn_volume")->value,
+             find_scalar(outcome.last->scalars, "wear_integral")->value);
 }
 
 int exit_code(const RunOutcome& outcome) {

@@ -1,5 +1,7 @@
 #include "run/wear_integral.hpp"
 
+#include <cmath>
+
 namespace gnomon {
 
 namespace {
@@ -30,6 +32,14 @@ void WearIntegral::resume(const std::vector<Scalar>& scalars, double t) {
   if (!integral) return;
   value_ = integral->value;
   started_ = true;
+}
+
+bool has_lost_wear(const std::vector<Scalar>& scalars) {
+  constexpr double most = 0.1;  // of the integral; the coarsest meshes lose some hundredths
+  const Scalar* worn = find_scalar(scalars, "worn_volume");
+  const Scalar* integral = find_scalar(scalars, "wear_integral");
+  if (!worn || !integral || worn->value == 0) return false;
+  return !(std::abs(worn->value - integral->value) <= most * std::abs(integral->value));
 }
 
 }  // namespace gnomon

@@ -21,4 +21,8 @@ private:
   bool started_ = false;
 };
 
+/// What wears by the rate must be missing from the shape, but for what the mesh cannot show:
+/// whether a tenth of it is not. False where nothing wears, or too little to be seen in the volume.
+bool has_lost_wear(const std::vector<Scalar>& scalars);
+
 }  // namespace gnomon

@@ -8,6 +8,7 @@
 #include <gnomon/problem.hpp>
 #include <gnomon/results.hpp>
 
+#include "run/wear_integral.hpp"
 #include "study/declaration.hpp"
 #include "study/run_files.hpp"
 
@@ -99,7 +100,22 @@ private:
     return false;
   }
 
+  /// The references share it, so that it does not keep them from agreeing.
+  bool lost_wear(const StudyRow& row) const try {
+    return has_lost_wear(ResultReader(files(row).result).history().back().scalars);
+  } catch (const Error&) {
+    return false;
+  }
+
   Judgement finished(std::size_t index) const {
+    Judgement judgement = confirmed(index);
+    if (judgement.verdict == Verdict::agrees && lost_wear(row(index)))
+      judgement.reason +=
+          judgement.reason.empty() ? "warned of lost wear" : "; warned of lost wear";
+    return judgement;
+  }
+
+  Judgement confirmed(std::size_t index) const {
     const StudyRow& row = table_.rows[index];
     const StudyReference& reference = table_.references[row.point.sweep];
     if (!row.shape_error)
