@@ -27,13 +27,7 @@ public:
   static const T& find(const std::string& name, const std::string& what) {
     for (const T& entry : entries())
       if (entry.name == name) return entry;
-    std::string message = "unknown " + what + " \"" + name + "\"";
-    const std::string near = nearest_name(name, names());
-    if (!near.empty())
-      message += ", did you mean \"" + near + "\"?";
-    else
-      message += ", expected one of `gnomon list " + what + "s`";
-    throw InputError(message);
+    throw InputError(unknown_name(name, what, names()));
   }
 
   static void add(T entry) {

@@ -123,4 +123,9 @@ std::string describe_keys(const std::vector<Key>& table);
 /// The candidate closest to `word` by edit distance, or empty when none is near.
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);
 
+/// What to say, in one line whatever the name, of one that is none of the candidates. `what` is the
+/// noun for them ("integrator").
+std::string unknown_name(const std::string& name, const std::string& what,
+                         const std::vector<std::string>& candidates);
+
 }  // namespace gnomon

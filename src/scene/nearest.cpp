@@ -1,8 +1,12 @@
 // The known name that a mistyped one most likely meant.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <gnomon/scene.hpp>
 #include <numeric>
+
+#include "scene/toml_text.hpp"
 
 namespace gnomon {
 
@@ -59,6 +63,14 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
       nearest = candidate;
     }
   return nearest;
+}
+
+std::string unknown_name(const std::string& name, const std::string& what,
+                         const std::vector<std::string>& candidates) {
+  const std::string near = nearest_name(name, candidates);
+  return fmt::format("unknown {} {}, {}", what, toml_text(name),
+                     near.empty() ? "expected one of `gnomon list " + what + "s`"
+                                  : "did you mean \"" + near + "\"?");
 }
 
 }  // namespace gnomon
