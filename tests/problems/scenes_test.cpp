@@ -95,7 +95,9 @@ TEST_P(EveryScene, RunsToItsEndWithEveryErrorControl) {
         run(*model, chosen_integrator(scene), integrator_settings(scene, *model), {}, nullptr, {});
     EXPECT_EQ(outcome.text(), "finished");
     EXPECT_EQ(outcome.last->t, scene.real("time.end"));
-    if (integrator.family.starts_with("explicit")) EXPECT_EQ(outcome.flickering_nodes, 0);
+    if (integrator.family.starts_with("explicit")) {
+      EXPECT_EQ(outcome.flickering_nodes, 0);
+    }
   }
 }
 
