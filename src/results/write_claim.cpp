@@ -31,6 +31,7 @@ void share_claim(int descriptor) {
 }
 
 bool is_claimed(const std::filesystem::path& file) {
+  // Not to be kept waiting by a pipe.
   const int descriptor = open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return false;
   struct flock lock = whole_file(F_WRLCK);

@@ -301,7 +301,7 @@ TEST(Reading, DoesNotWaitForAPipe) {
   const auto file = synthetic::folder("pipe") / "r.h5";
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
   EXPECT_THAT([&] { ResultReader reader(file); },
-              ThrowsMessage<InputError>(one_line(file, "it is a pipe")));
+              ThrowsMessage<InputError>(one_line(file, "it is not a file")));
 }
 
 TEST(Writing, KnowsItsFiles) {
