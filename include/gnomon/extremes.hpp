@@ -47,7 +47,9 @@ struct ExtremeCase {
   std::string reason;                ///< of all that do not agree, or by one reference only
   std::optional<double> difference;  ///< shape error by the Euclidean norm of the wear
   std::optional<double> bound;       ///< up to which that agrees
-  bool marked = false;               ///< less than ten times the reference's own error
+  std::optional<double>
+      pressure_difference;  ///< largest of a node, by the largest pressure; not judged
+  bool marked = false;      ///< less than ten times the reference's own error
   std::optional<Counters> counters;
   std::optional<double> wall_seconds;
 };

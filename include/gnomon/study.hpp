@@ -141,7 +141,8 @@ struct StudyReference {
   std::optional<double> error;      ///< difference of the two runs at the end [length]
   std::optional<double> error_max;  ///< largest at the measured times [length]
   std::optional<double> pressure_error;
-  double wear = 0;  ///< Euclidean norm of the wear of all contact nodes at the end [length]
+  double wear = 0;      ///< Euclidean norm of the wear of all contact nodes at the end [length]
+  double pressure = 0;  ///< largest nodal contact pressure at the end [stress]
 };
 
 struct StudyTable {

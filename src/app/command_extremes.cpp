@@ -149,6 +149,7 @@ void print_cases(const std::vector<ExtremeCase>& cases) {
                   {"run"},
                   {"difference", right},
                   {"bound", right},
+                  {"pressure", right},
                   {"steps", right},
                   {"wall [s]", right},
                   {}});
@@ -156,7 +157,7 @@ void print_cases(const std::vector<ExtremeCase>& cases) {
     for (const ExtremeCase& c : cases)
       if (is_fault(c.verdict) == faults)
         text.add({verdict_name(c.verdict), c.study, c.sweep, c.run, number(c.difference, "{:.1e}"),
-                  number(c.bound, "{:.1e}"),
+                  number(c.bound, "{:.1e}"), number(c.pressure_difference, "{:.1e}"),
                   c.counters ? fmt::format("{}", c.counters->steps) : "-",
                   number(c.wall_seconds, "{:.2f}"), c.reason});
   fmt::print("{}", text.text());

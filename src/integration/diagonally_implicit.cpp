@@ -79,15 +79,17 @@ NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base,
 }
 
 /// The same by continuation from step zero, where the solution is the state that the step starts
-/// from: `base` and the time move from there with the step.
+/// from: `base` and the time move from there with the step. A way that is longer than `most` solves
+/// is given up, for it may creep without an end.
 std::string DiagonallyImplicit::continue_in_step(double t, double step, const Rates& base,
                                                  const State& from, const AttemptOptions& options,
                                                  State& to) {
   constexpr double least = 1e-4;
+  constexpr int most = 50;
   std::vector<double> good = from.y;
   Rates partial(base.size());
   double reached = 0, increment = 0.25;
-  while (reached < 1) {
+  for (int solves = 1; reached < 1; ++solves) {
     const double part = std::min(1.0, reached + increment);
     for (std::size_t k = 0; k < base.size(); ++k) {
       const double start = from.y[norm_.components()[k]];
@@ -100,10 +102,12 @@ std::string DiagonallyImplicit::continue_in_step(double t, double step, const Ra
       good = to.y;
       reached = part;
       increment *= 1.5;
-    } else if ((increment /= 2) < least) {
+    } else {
+      increment /= 2;
+    }
+    if (reached < 1 && (solves == most || increment < least))
       return fmt::format("{} (continuation in the step reached {:.3g} of it)", report.reason,
                          reached);
-    }
   }
   return {};
 }

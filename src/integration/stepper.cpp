@@ -104,13 +104,16 @@ double OneStepStepper::after_success(const Plan& plan, const Landing& landing) {
 
 StepReport OneStepStepper::advance(State& state, double t_stop) {
   constexpr int plain_attempts = 8, most_failures = 16;
+  constexpr long most_iterations = 5000;  // that run/headway gives a step which succeeds
   if (!begun_) begin(state);
   const long newton_before = counters_.newton_iterations;
   const double shortest = 1e-14 * settings_.end;
   const double wanted = proposal_;
   StepReport report;
   std::string reason = "the error test fails";
-  for (int failures = 0; failures < most_failures && proposal_ > shortest;) {
+  const auto newton_iterations = [&] { return counters_.newton_iterations - newton_before; };
+  for (int failures = 0;
+       failures < most_failures && proposal_ > shortest && newton_iterations() < most_iterations;) {
     const Plan plan = this->plan(state, t_stop, proposal_);
     const Landing landing = take(state, plan, failures >= plain_attempts);
     if (landing.attempt.success && (fixed() || landing.attempt.error <= 1)) {
@@ -124,7 +127,7 @@ StepReport OneStepStepper::advance(State& state, double t_stop) {
       report.step = landing.h;
       report.order = order_;
       report.switched = landing.switched;
-      report.newton_iterations = counters_.newton_iterations - newton_before;
+      report.newton_iterations = newton_iterations();
       return report;
     }
     report.restarted = true;

@@ -75,6 +75,14 @@ public:
 
   const StudyRow& row(std::size_t index) const { return table_.rows[index]; }
 
+  /// None where nothing presses.
+  std::optional<double> pressure_difference(std::size_t index) const {
+    const StudyRow& row = table_.rows[index];
+    const double pressure = table_.references[row.point.sweep].pressure;
+    if (!row.pressure_error || !(pressure > 0)) return std::nullopt;
+    return *row.pressure_error / pressure;
+  }
+
 private:
   RunFiles files(const StudyRow& row) const {
     return {folder_, extreme_.study.runs[row.point.run].name};
@@ -109,9 +117,13 @@ private:
 
   Judgement finished(std::size_t index) const {
     Judgement judgement = confirmed(index);
-    if (judgement.verdict == Verdict::agrees && lost_wear(row(index)))
-      judgement.reason +=
-          judgement.reason.empty() ? "warned of lost wear" : "; warned of lost wear";
+    if (judgement.verdict != Verdict::agrees) return judgement;
+    const auto mark = [&judgement](const std::string& text) {
+      judgement.reason += (judgement.reason.empty() ? "" : "; ") + text;
+    };
+    if (const auto pressure = pressure_difference(index); pressure > judgement.bound)
+      mark(fmt::format("a nodal pressure differs by {:.0f} % of the largest", 100 * *pressure));
+    if (lost_wear(row(index))) mark("warned of lost wear");
     return judgement;
   }
 
@@ -245,6 +257,7 @@ std::vector<ExtremeCase> judge(const ExtremeStudy& extreme, const std::string& n
                      .reason = std::move(judgement.reason),
                      .difference = judgement.difference,
                      .bound = judgement.bound,
+                     .pressure_difference = judge.pressure_difference(i),
                      .marked = row.marked_shape,
                      .counters = row.counters,
                      .wall_seconds = row.wall_seconds});

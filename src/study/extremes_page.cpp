@@ -37,10 +37,10 @@ std::string numeric(const std::string& text) {
 
 std::string row_of(const ExtremeCase& c) {
   return fmt::format(
-      "<tr{}><td>{}</td><td>{}</td><td>{}</td>{}{}{}{}<td class=\"wrap\">{}</td></tr>\n",
+      "<tr{}><td>{}</td><td>{}</td><td>{}</td>{}{}{}{}{}<td class=\"wrap\">{}</td></tr>\n",
       is_fault(c.verdict) ? " class=\"failed\"" : "", escaped(c.sweep), escaped(c.run),
       verdict_name(c.verdict), numeric(maybe(c.difference, "{:.1e}")),
-      numeric(maybe(c.bound, "{:.1e}")),
+      numeric(maybe(c.bound, "{:.1e}")), numeric(maybe(c.pressure_difference, "{:.1e}")),
       numeric(c.counters ? fmt::format("{}", c.counters->steps) : ""),
       numeric(maybe(c.wall_seconds, "{:.2f}")), escaped(c.reason));
 }
@@ -73,7 +73,8 @@ std::string case_tables(const std::vector<ExtremeCase>& cases) {
       text += fmt::format(
           "<h2 id=\"{0}\">{0}</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">"
           "sweep</th><th scope=\"col\">run</th><th scope=\"col\">verdict</th><th class=\"n\">"
-          "difference</th><th class=\"n\">bound</th><th class=\"n\">steps</th><th class=\"n\">"
+          "difference</th><th class=\"n\">bound</th><th class=\"n\">pressure</th><th "
+          "class=\"n\">steps</th><th class=\"n\">"
           "wall [s]</th><th scope=\"col\">why</th></tr></thead>\n<tbody>\n",
           escaped(c.study));
     }
@@ -86,16 +87,16 @@ std::string case_tables(const std::vector<ExtremeCase>& cases) {
 
 std::string extremes_csv(const std::vector<ExtremeCase>& cases) {
   std::string text =
-      "study,sweep,run,method,integrator,rtol,file,verdict,difference,bound,marked,steps,"
-      "wall_seconds,reason\n";
+      "study,sweep,run,method,integrator,rtol,file,verdict,difference,bound,marked,"
+      "pressure_difference,steps,wall_seconds,reason\n";
   for (const ExtremeCase& c : cases)
-    text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_text(c.study),
-                    csv_text(c.sweep), csv_text(c.run), csv_text(c.method), csv_text(c.integrator),
-                    maybe(c.rtol, "{:g}"), csv_text(c.file), verdict_name(c.verdict),
-                    maybe(c.difference, "{:.6g}"), maybe(c.bound, "{:.6g}"), int(c.marked),
-                    c.counters ? fmt::format("{}", c.counters->steps) : "",
-                    maybe(c.wall_seconds, "{:.6g}"), csv_text(c.reason));
+    text += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_text(c.study), csv_text(c.sweep),
+        csv_text(c.run), csv_text(c.method), csv_text(c.integrator), maybe(c.rtol, "{:g}"),
+        csv_text(c.file), verdict_name(c.verdict), maybe(c.difference, "{:.6g}"),
+        maybe(c.bound, "{:.6g}"), int(c.marked), maybe(c.pressure_difference, "{:.6g}"),
+        c.counters ? fmt::format("{}", c.counters->steps) : "", maybe(c.wall_seconds, "{:.6g}"),
+        csv_text(c.reason));
   return text;
 }
 
@@ -109,7 +110,8 @@ std::string extremes_page(const std::vector<ExtremeCase>& cases,
       "by another method confirms its worn surface to the accuracy that was asked for, is "
       "<b>refused</b> before it starts, or is <b>stopped</b> with a diagnosis and its last good "
       "state saved. <b>wrong</b>, <b>hung</b> and <b>crashed</b> are faults of gnomon. The "
-      "difference is relative to the norm of the wear. The same table is in "
+      "difference is relative to the norm of the wear; that of the pressure, of the largest at any "
+      "node at the end, to the largest pressure, and is not judged. The same table is in "
       "<code>extremes.csv</code>.</p>\n{}{}{}</body>\n</html>\n",
       page_style, cases.size(), escaped(library_versions().at("gnomon")), counts_table(cases),
       figure_part(figures, note), case_tables(cases));

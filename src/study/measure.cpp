@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/study.hpp>
@@ -38,6 +39,10 @@ double wear_of(const ContactSurface& surface) {
   double sum = 0;
   for (const double depth : surface.wear_depth) sum += depth * depth;
   return std::sqrt(sum);
+}
+
+double largest_pressure(const ContactSurface& surface) {
+  return *std::ranges::max_element(surface.pressure);
 }
 
 class Measurement {
@@ -105,6 +110,7 @@ private:
     if (found.empty()) return;
     chosen = std::move(found.front());
     reference.wear = wear_of(chosen.back());
+    reference.pressure = largest_pressure(chosen.back());
     if (found.size() < 2) return;
     const Errors errors = errors_between(chosen, found.back());
     reference.error = errors.shape;

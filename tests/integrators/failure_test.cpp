@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <gnomon/error.hpp>
+#include <gnomon/integration/stepper.hpp>
 
 #include "support/problem_run.hpp"
 
@@ -70,6 +71,42 @@ TEST_P(Failure, ComesWhereTheSolutionEndsAndNamesTheReason) {
   EXPECT_LE(state.t, 1);
   EXPECT_GT(state.t, 0.99);
   EXPECT_GT(counters.rejected_steps, 0);
+}
+
+/// Fails after a thousand Newton iterations, whatever the step.
+class Laborious : public OneStepMethod {
+public:
+  Laborious(Counters& counters, int& attempts) : counters_(counters), attempts_(attempts) {}
+  Attempt attempt(const State&, double, const AttemptOptions&, State&) override {
+    ++attempts_;
+    counters_.newton_iterations += 1000;
+    return {.reason = "nothing comes of it"};
+  }
+  void accept(const State&, bool) override {}
+  const Trace& trace() const override { return trace_; }
+
+private:
+  Counters& counters_;
+  int& attempts_;
+  Trace trace_;
+};
+
+// Sixteen attempts are made where they cost little.
+TEST(OneStep, IsGivenUpAfterFiveThousandNewtonIterations) {
+  const auto model = testing::model_of("dahlquist/decay.toml");
+  Counters counters;
+  State state = model->start(counters);
+  IntegratorSettings settings;
+  settings.rtol = settings.atol = 1e-4;
+  settings.scale = 1;
+  settings.end = 1;
+  int attempts = 0;
+  OneStepStepper stepper(model->system(), settings, counters,
+                         std::make_unique<Laborious>(counters, attempts), 1, 1);
+  EXPECT_THAT([&] { stepper.advance(state, settings.end); },
+              ::testing::ThrowsMessage<SolutionError>(HasSubstr("nothing comes of it")));
+  EXPECT_EQ(attempts, 5);
+  EXPECT_EQ(state.t, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Drivers, Failure, ::testing::Values("bdf", "erk-3"), [](const auto& info) {
