@@ -62,6 +62,7 @@ constexpr double coarsest = 0.05;   ///< what is asked of the loosest tolerances
 constexpr double no_answer = 0.5;   ///< with fixed steps, which promise nothing: beyond it is none
 constexpr double shrinks = 0.8;     ///< by which half a fixed step has to reduce the difference,
 constexpr double near = 1e-3;       ///< or leave no more than this
+constexpr double pressure = 0.05;   ///< not judged; a larger difference is told
 }  // namespace extremes
 
 /// Judges the runs of a study in its folder.

@@ -112,7 +112,6 @@ void prepare_folder(const fs::path& folder, bool resume, const std::vector<Suite
 
 /// All studies, one after the other; the runs of each side by side.
 void run_all(const std::vector<Suite>& suites, const ExtremesOptions& given, StudyOptions options) {
-  const InterruptGuard guard(false);
   StudyProgressBar bar(Progress::mode_for_stderr(given.quiet));
   StudyProgress before;
   for (const Suite& suite : suites) before.total += suite.extreme.study.runs.size();
@@ -188,6 +187,7 @@ int extremes_command(const ExtremesOptions& given) {
   options.resume = given.resume;
   options.limit = given.limit;
   if (!given.quiet) warn_of_slow_blas();
+  const InterruptGuard guard(false);  // to the end, as for a study
   run_all(suites, given, options);
 
   std::vector<ExtremeCase> cases;

@@ -34,7 +34,6 @@ StudyOptions study_options(const Study& study, const StudyCommandOptions& given)
 }
 
 StudyProgress run_all(const Study& study, const StudyOptions& options, bool quiet) {
-  const InterruptGuard guard(false);
   StudyProgressBar bar(Progress::mode_for_stderr(quiet));
   const StudyHooks hooks{.on_progress = [&](const StudyProgress& p) { bar.show(p); },
                          .interrupted = InterruptGuard::interrupted};
@@ -90,6 +89,7 @@ int study_command(const StudyCommandOptions& given) {
   const Study study = load_study(given.study);
   const StudyOptions options = study_options(study, given);
   if (!given.quiet) warn_of_slow_blas();
+  const InterruptGuard guard(false);  // to the end: a page half written would be lost work
   const StudyProgress progress = run_all(study, options, given.quiet);
   if (progress.done < progress.total)
     throw Error(fmt::format("interrupted with {} of {} runs done; --resume goes on from there",
@@ -105,9 +105,10 @@ int study_command(const StudyCommandOptions& given) {
     fmt::print("{}{}results: {} (index.html, study.csv, study.h5, runs)\n", figures.note,
                figures.note.empty() ? "" : "\n", options.folder.string());
   }
-  if (progress.failed == progress.total)
-    throw SolutionError(fmt::format("all {} runs failed (reasons in {})", progress.total,
-                                    (options.folder / "study.csv").string()));
+  if (std::ranges::none_of(table.rows,
+                           [](const StudyRow& row) { return row.status == "finished"; }))
+    throw SolutionError(fmt::format("all {} runs of the table failed (reasons in {})",
+                                    table.rows.size(), (options.folder / "study.csv").string()));
   return success;
 }
 

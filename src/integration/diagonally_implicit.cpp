@@ -79,8 +79,8 @@ NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base,
 }
 
 /// The same by continuation from step zero, where the solution is the state that the step starts
-/// from: `base` and the time move from there with the step. A way that is longer than `most` solves
-/// is given up, for it may creep without an end.
+/// from: `base` and the time move from there with the step. A way of more than `most` solves is
+/// given up, for it may creep without an end.
 std::string DiagonallyImplicit::continue_in_step(double t, double step, const Rates& base,
                                                  const State& from, const AttemptOptions& options,
                                                  State& to) {
@@ -89,6 +89,7 @@ std::string DiagonallyImplicit::continue_in_step(double t, double step, const Ra
   std::vector<double> good = from.y;
   Rates partial(base.size());
   double reached = 0, increment = 0.25;
+  std::string reason;
   for (int solves = 1; reached < 1; ++solves) {
     const double part = std::min(1.0, reached + increment);
     for (std::size_t k = 0; k < base.size(); ++k) {
@@ -103,11 +104,11 @@ std::string DiagonallyImplicit::continue_in_step(double t, double step, const Ra
       reached = part;
       increment *= 1.5;
     } else {
+      reason = report.reason;
       increment /= 2;
     }
     if (reached < 1 && (solves == most || increment < least))
-      return fmt::format("{} (continuation in the step reached {:.3g} of it)", report.reason,
-                         reached);
+      return fmt::format("{} (continuation in the step reached {:.3g} of it)", reason, reached);
   }
   return {};
 }

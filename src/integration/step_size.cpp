@@ -31,7 +31,12 @@ double StepSizeControl::after_failure(double h) {
 }
 
 double next_on_grid(double t, double step) {
-  return step * (std::floor(t / step * (1 + 1e-12) + 1e-9) + 1);
+  return step * (std::floor(t / step + sliver) + 1);
+}
+
+double end_of_fixed_step(double t, double step, double t_stop) {
+  const double grid = next_on_grid(t, step);
+  return grid < t_stop - sliver * step ? grid : t_stop;
 }
 
 double end_of_smooth_part(const Structure& structure, double t, double t_stop) {

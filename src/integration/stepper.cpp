@@ -52,11 +52,11 @@ void OneStepStepper::restore(const State& state, std::span<const double> memory)
 OneStepStepper::Plan OneStepStepper::plan(const State& state, double t_stop, double h) const {
   double target = end_of_smooth_part(system_.structure(), state.t, t_stop);
   if (fixed())
-    target = std::min(target, next_on_grid(state.t, settings_.step));
+    target = end_of_fixed_step(state.t, settings_.step, target);
   else if (settings_.max_step > 0)
     h = std::min(h, settings_.max_step);
   const double left = target - state.t;
-  if (h >= left * (1 - 1e-9)) return {left, target, true};
+  if (h >= left * (1 - (fixed() ? sliver : 1e-9))) return {left, target, true};
   // Two equal steps rather than a long one and a sliver.
   if (!fixed() && h > left / 2) h = left / 2;
   return {h, target, false};
@@ -109,12 +109,14 @@ StepReport OneStepStepper::advance(State& state, double t_stop) {
   const long newton_before = counters_.newton_iterations;
   const double shortest = 1e-14 * settings_.end;
   const double wanted = proposal_;
+  double tried = proposal_;
   StepReport report;
   std::string reason = "the error test fails";
   const auto newton_iterations = [&] { return counters_.newton_iterations - newton_before; };
   for (int failures = 0;
        failures < most_failures && proposal_ > shortest && newton_iterations() < most_iterations;) {
     const Plan plan = this->plan(state, t_stop, proposal_);
+    tried = std::min(tried, plan.h);
     const Landing landing = take(state, plan, failures >= plain_attempts);
     if (landing.attempt.success && (fixed() || landing.attempt.error <= 1)) {
       proposal_ = after_success(plan, landing);
@@ -140,8 +142,9 @@ StepReport OneStepStepper::advance(State& state, double t_stop) {
     proposal_ = control_.after_failure(plan.h);
     if (++failures == plain_attempts) proposal_ = wanted;
   }
-  throw SolutionError(fmt::format("no step from t = {:.6g} succeeds, down to {:.3g}: {}", state.t,
-                                  proposal_, reason));
+  throw SolutionError(fmt::format(
+      "no step from t = {:.6g} s succeeds, down to {:.3g} s and after {} Newton iterations: {}",
+      state.t, tried, newton_iterations(), reason));
 }
 
 void set_rates(const System& system, const ActiveSet* piece, State& state) {

@@ -38,6 +38,21 @@ void require_stout_elements(const Mesh<dim>& mesh) {
   }
 }
 
+/// The largest norm of the displacement gradient at the centre of a cell.
+template <int dim>
+double displacement_gradient(const WornBody<dim>& body, const NodalState<dim>& nodal) {
+  double largest = 0;
+  for (const auto& cell : body.mesh.cells) {
+    CellNodal<dim> X = body.mesh.positions(cell), u;
+    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) {
+      X.row(a) += nodal.d.row(cell[a]);
+      u.row(a) = nodal.u.row(cell[a]);
+    }
+    largest = std::max(largest, CellPoint<dim>(CellBasis<dim>::instance().centroid, X, u).H.norm());
+  }
+  return largest;
+}
+
 }  // namespace
 
 template <int dim>
@@ -104,6 +119,8 @@ std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
       {"element_volume", "", least}};
   if (body.section) scalars.push_back({"groove_section", "mm^2", worn / body.section->length});
   if (body.counter_force) scalars.push_back({"approach", "mm", nodal.w});
+  if (small_strain(body.element))
+    scalars.push_back({"displacement_gradient", "", displacement_gradient(body, nodal)});
   if constexpr (dim == 2)
     scalars.push_back({"contact_half_width", "mm", contact_half_width(system_, nodal)});
   return scalars;

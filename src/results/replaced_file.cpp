@@ -87,9 +87,20 @@ void publish_part(const std::filesystem::path& target, Earlier earlier) {
   }
 }
 
+namespace {
+int open_text_part(const std::filesystem::path& part, std::string_view text) {
+  return open_part(part, text.substr(0, 16));
+}
+}  // namespace
+
+void require_own_part(const std::filesystem::path& target, std::string_view begins) {
+  const auto part = part_of(target);
+  if (is_taken(part)) close(open_text_part(part, begins));
+}
+
 void write_file(const std::filesystem::path& target, const std::string& text, Earlier earlier) {
   const auto part = part_of(target);
-  const int descriptor = open_part(part, std::string_view(text).substr(0, 16));
+  const int descriptor = open_text_part(part, text);
   int error = ftruncate(descriptor, 0) == 0 ? 0 : errno;
   for (std::size_t done = 0; done < text.size() && error == 0;) {
     const ssize_t written = write(descriptor, text.data() + done, text.size() - done);

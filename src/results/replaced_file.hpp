@@ -16,6 +16,10 @@ std::filesystem::path part_of(const std::filesystem::path& target);
 /// somebody's.
 int open_part(const std::filesystem::path& part, std::string_view begins);
 
+/// Throws Error where write_file() of a text that begins with `begins` would for what has the name
+/// of its part.
+void require_own_part(const std::filesystem::path& target, std::string_view begins);
+
 /// Follows a symbolic link, so that replacing the file keeps the link. Throws InputError when the
 /// target exists and is not a regular file that may be written.
 std::filesystem::path replaceable(const std::filesystem::path& target);

@@ -32,7 +32,10 @@ void copy_to_last_checkpoint(const ResultReader& from, const std::vector<std::st
     if (row == 0)
       for (const Checkpoint& checkpoint : checkpoints) to.checkpoint(checkpoint);
   }
-  if (step != steps) throw InputError("its stored steps are not at the times of its history");
+  if (step != steps)
+    throw InputError(
+        "the result to go on from is damaged: its stored steps are not at the times of its "
+        "history");
 }
 
 }  // namespace gnomon

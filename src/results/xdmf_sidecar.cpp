@@ -59,6 +59,7 @@ bool is_sidecar(const std::filesystem::path& file) {
 
 XdmfSidecar::XdmfSidecar(const std::filesystem::path& result, const Grid& grid)
     : path_(sidecar_of(result)), result_name_(escaped(result.filename().string())) {
+  require_own_part(path_, head);
   const bool flat = grid.cell == Grid::Cell::quadrilateral;
   const std::size_t corners = flat ? 4 : 8;
   points_ = grid.points.size();

@@ -11,7 +11,8 @@ namespace gnomon {
 
 class XdmfSidecar {
 public:
-  /// A sidecar of the result with no steps yet. Nothing is written.
+  /// A sidecar of the result with no steps yet. Nothing is written. Throws Error when something
+  /// foreign stands where it is to be made.
   XdmfSidecar(const std::filesystem::path& result, const Grid& grid);
 
   /// Gives the file its name. Throws Error.

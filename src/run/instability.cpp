@@ -31,24 +31,38 @@ bool may_fail_to_damp(const Integrator& integrator, const IntegratorSettings& se
   return table && !(std::abs(stability_function(*table, stiff)) < damps);
 }
 
-void require_damping(const Model& model, const Integrator& integrator,
-                     const IntegratorSettings& settings, const State& state) {
+DampingWatch::DampingWatch(const Model& model, const Integrator& integrator,
+                           const IntegratorSettings& settings)
+    : model_(model), integrator_(integrator), settings_(settings) {}
+
+void DampingWatch::require_damping_in_wider_contact(const State& state,
+                                                    const std::vector<Scalar>& scalars) {
+  constexpr double wider = 1.2;
+  const Scalar* nodes = find_scalar(scalars, "contact_nodes");
+  const double width = nodes ? nodes->value : 0;
+  if (width <= wider * widest_) return;
+  widest_ = width;
+  require_damping(state);
+}
+
+void DampingWatch::require_damping(const State& state) {
   constexpr double most_per_step = 2, most_left = 0.5, decayed = 0.1;
-  const auto mode = fastest_mode(model, state);
-  if (!mode || std::exp(mode->eigenvalue.real() * settings.end) > decayed) return;
-  const ButcherTable table = *integrator.table(settings);
-  const double per_step = std::abs(stability_function(table, settings.step * mode->eigenvalue));
-  const double steps = std::max(1.0, settings.end / settings.step);
+  const auto mode = fastest_mode(model_, state);
+  seen_ |= mode.has_value();
+  if (!mode || std::exp(mode->eigenvalue.real() * settings_.end) > decayed) return;
+  const ButcherTable table = *integrator_.table(settings_);
+  const double per_step = std::abs(stability_function(table, settings_.step * mode->eigenvalue));
+  const double steps = std::max(1.0, settings_.end / settings_.step);
   if (per_step <= most_per_step && steps * std::log(per_step) <= std::log(most_left)) return;
   const double critical = critical_step(table, {&*mode, 1}).step;
   throw SolutionError(
       std::isfinite(critical)
           ? fmt::format("steps of {:g} s exceed the critical one of {} at t = {:g} s, {:.3g} s "
                         "(gnomon stability)",
-                        settings.step, integrator.name, state.t, critical)
+                        settings_.step, integrator_.name, state.t, critical)
           : fmt::format("steps of {:g} s are too long for {} at t = {:g} s: {:.2g} of the fastest "
                         "mode, {:.2g} /s, would be left (gnomon stability)",
-                        settings.step, integrator.name, state.t, std::pow(per_step, steps),
+                        settings_.step, integrator_.name, state.t, std::pow(per_step, steps),
                         mode->eigenvalue.real()));
 }
 

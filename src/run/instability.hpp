@@ -11,11 +11,29 @@ namespace gnomon {
 /// with |R| near one or above at infinity.
 bool may_fail_to_damp(const Integrator& integrator, const IntegratorSettings& settings);
 
-/// Throws SolutionError when a step doubles the fastest mode at this state, or when more than half
-/// of it is left at the end of the run though it should have decayed. Says nothing where the
-/// spectrum cannot be computed. Needs may_fail_to_damp().
-void require_damping(const Model& model, const Integrator& integrator,
-                     const IntegratorSettings& settings, const State& state);
+class DampingWatch {
+public:
+  /// Needs may_fail_to_damp(). Keeps references.
+  DampingWatch(const Model& model, const Integrator& integrator,
+               const IntegratorSettings& settings);
+  /// Throws SolutionError when a step doubles the fastest mode at this state, or when more than
+  /// half of it is left at the end of the run though it should have decayed. Says nothing where the
+  /// spectrum cannot be computed.
+  void require_damping(const State& state);
+  /// The same where contact is wider than where it was last looked at: a node that touches alone
+  /// has no fast mode, a wide contact does.
+  void require_damping_in_wider_contact(const State& state, const std::vector<Scalar>& scalars);
+  /// Whether any of these states had a mode that decays. Where contact is at one node whenever it
+  /// is looked at, steps may be far too long all the same.
+  bool has_seen_a_mode() const { return seen_; }
+
+private:
+  const Model& model_;
+  const Integrator& integrator_;
+  const IntegratorSettings& settings_;
+  double widest_ = -1;  // contact nodes
+  bool seen_ = false;
+};
 
 /// Throws SolutionError when nodes flicker (run/flicker.hpp).
 void require_no_flicker(long flickering_nodes, const Integrator& integrator);

@@ -1,4 +1,4 @@
-// Watches the worn mesh: elements that wear has nearly used up, or folded, end a run.
+// Watches the mesh: elements that wear has nearly used up, or folded, end a run.
 #pragma once
 
 #include <gnomon/model.hpp>
@@ -11,8 +11,13 @@ namespace gnomon {
 /// ("element_quality" not positive) or has less than a hundredth of its volume ("element_volume").
 void require_sound_mesh(const std::vector<Scalar>& scalars);
 
-/// What is said when that is near (a tenth of the volume, a scaled Jacobian of 0.1); empty when it
-/// is not.
-std::string mesh_warning(const std::vector<Scalar>& scalars);
+struct MeshWarning {
+  std::string about;  ///< the same for all that need be said once only
+  std::string text;
+};
+
+/// What is said when that is near (a tenth of the volume, a scaled Jacobian of 0.1), or when small
+/// strains are not ("displacement_gradient" above one half).
+std::vector<MeshWarning> mesh_warnings(const std::vector<Scalar>& scalars);
 
 }  // namespace gnomon

@@ -4,6 +4,7 @@
 #include <gnomon/error.hpp>
 #include <gnomon/integration/step_size.hpp>
 #include <gnomon/run.hpp>
+#include <set>
 
 #include "run/checkpoint_numbers.hpp"
 #include "run/headway.hpp"
@@ -28,8 +29,10 @@ public:
         checkpoint_work_(policy.checkpoint_work),
         schedule_(policy, settings.end),
         writer_(writer),
-        hooks_(hooks),
-        watches_damping_(settings.stop_unstable && may_fail_to_damp(integrator, settings)) {}
+        hooks_(hooks) {
+    if (settings.stop_unstable && may_fail_to_damp(integrator, settings))
+      damping_.emplace(model, integrator, settings);
+  }
 
   RunOutcome operator()(const Resumption* from) {
     try {
@@ -76,7 +79,7 @@ private:
   }
 
   Status integrate() {
-    if (watches_damping_) require_damping(model_, integrator_, settings_, state());
+    if (damping_) damping_->require_damping_in_wider_contact(state(), model_.observe(state()));
     Headway headway(state().t, counters_, settings_.end);
     while (state().t < settings_.end) {
       if (hooks_.interrupted()) return Status::interrupted;
@@ -87,13 +90,27 @@ private:
       require_mesh(scalars, before);
       record(report, std::move(scalars));
       headway.require(state().t, counters_);
-      if (watches_damping_) require_no_flicker(memory_.flicker.nodes(), integrator_);
+      if (damping_) require_damping();
       if (schedule_.wants(state().t, counters_.steps)) store();
       if (work() >= next_checkpoint_ || state().t >= settings_.end) checkpoint();
     }
-    // What touched in one node at the start had no fast mode there.
-    if (watches_damping_) require_damping(model_, integrator_, settings_, state());
+    if (damping_) judge_damping();
     return Status::finished;
+  }
+
+  void judge_damping() {
+    damping_->require_damping(state());
+    if (!damping_->has_seen_a_mode() && model_.contact(state()))
+      hooks_.on_warning(
+          fmt::format("contact was at a single node after every step: nothing tells whether steps "
+                      "of {:g} s are "
+                      "short enough for {}",
+                      settings_.step, integrator_.name));
+  }
+
+  void require_damping() {
+    damping_->require_damping_in_wider_contact(state(), outcome_.last->scalars);
+    require_no_flicker(memory_.flicker.nodes(), integrator_);
   }
 
   void record(const StepReport& report, std::vector<Scalar> scalars) {
@@ -115,11 +132,9 @@ private:
       state() = before;
       throw;
     }
-    if (warned_of_mesh_) return;
-    const std::string warning = mesh_warning(scalars);
-    if (warning.empty()) return;
-    warned_of_mesh_ = true;
-    hooks_.on_warning(fmt::format("at t = {:g} s {}", state().t, warning));
+    for (const MeshWarning& warning : mesh_warnings(scalars))
+      if (warned_of_.insert(warning.about).second)
+        hooks_.on_warning(fmt::format("at t = {:g} s {}", state().t, warning.text));
   }
 
   void store() {
@@ -168,16 +183,16 @@ private:
   StoreSchedule schedule_;
   ResultWriter* writer_;
   const RunHooks& hooks_;
-  const bool watches_damping_;
 
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   double earlier_seconds_ = 0;
   Counters counters_;
   RunMemory memory_;
+  std::optional<DampingWatch> damping_;
   std::unique_ptr<Stepper> stepper_;
   WearIntegral wear_integral_;
   RunOutcome outcome_;
-  bool warned_of_mesh_ = false;
+  std::set<std::string> warned_of_;
   std::optional<double> stored_at_;
   Checkpoint last_checkpoint_{-1, 0, 0, {}};  // with the rows and stored steps of now
   long next_checkpoint_ = 0;                  // when work() comes to this

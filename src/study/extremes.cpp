@@ -78,9 +78,10 @@ public:
   /// None where nothing presses.
   std::optional<double> pressure_difference(std::size_t index) const {
     const StudyRow& row = table_.rows[index];
-    const double pressure = table_.references[row.point.sweep].pressure;
-    if (!row.pressure_error || !(pressure > 0)) return std::nullopt;
-    return *row.pressure_error / pressure;
+    const StudyReference& reference = table_.references[row.point.sweep];
+    const auto error = is_reference(row) ? reference.pressure_error : row.pressure_error;
+    if (!error || !(reference.pressure > 0)) return std::nullopt;
+    return *error / reference.pressure;
   }
 
 private:
@@ -96,13 +97,14 @@ private:
 
   Judgement stopped(const StudyRow& row) const {
     if (row.reason.empty()) return {Verdict::wrong, "stopped without a diagnosis"};
-    if (row.reached && !holds_last_state(row))
-      return {Verdict::wrong, "lost the last good state: " + row.reason};
+    if (!holds_last_state(row)) return {Verdict::wrong, "lost the last good state: " + row.reason};
     return {Verdict::stopped, row.reason};
   }
 
   bool holds_last_state(const StudyRow& row) const try {
-    const std::vector<double> stored = ResultReader(files(row).result).stored_times();
+    const ResultReader result(files(row).result);
+    if (!row.reached) return result.history().empty();  // stopped at the start
+    const std::vector<double> stored = result.stored_times();
     return !stored.empty() && stored.back() == *row.reached;
   } catch (const Error&) {
     return false;
@@ -121,7 +123,7 @@ private:
     const auto mark = [&judgement](const std::string& text) {
       judgement.reason += (judgement.reason.empty() ? "" : "; ") + text;
     };
-    if (const auto pressure = pressure_difference(index); pressure > judgement.bound)
+    if (const auto pressure = pressure_difference(index); !(pressure <= extremes::pressure))
       mark(fmt::format("a nodal pressure differs by {:.0f} % of the largest", 100 * *pressure));
     if (lost_wear(row(index))) mark("warned of lost wear");
     return judgement;
@@ -146,12 +148,16 @@ private:
     return reference.error ? "" : "by one reference: " + reference.text;
   }
 
+  bool is_reference(const StudyRow& row) const {
+    const auto& runs = extreme_.study.sweep[row.point.sweep].references;
+    return std::ranges::find(runs, row.point.run) != runs.end();
+  }
+
   /// A reference is confirmed by the other one.
   std::optional<double> difference(const StudyRow& row, const StudyReference& reference) const {
-    const auto& runs = extreme_.study.sweep[row.point.sweep].references;
-    const bool is_reference = std::find(runs.begin(), runs.end(), row.point.run) != runs.end();
-    if (is_reference && !reference.error) return std::nullopt;
-    return relative(is_reference ? *reference.error : *row.shape_error, reference);
+    const bool confirms = is_reference(row);
+    if (confirms && !reference.error) return std::nullopt;
+    return relative(confirms ? *reference.error : *row.shape_error, reference);
   }
 
   Judgement with_error_control(const StudyRow& row, const StudyReference& reference) const {

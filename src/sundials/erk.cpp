@@ -164,9 +164,9 @@ void ErkSolver::Memory::restart(const State& state, double h) {
 void ErkSolver::Memory::set_step(const State& state, double t_stop) {
   check(ARKodeSetStopTime(erk_.get(), t_stop), "ARKodeSetStopTime");
   if (settings_.step == 0) return;
-  const double grid = next_on_grid(state.t, settings_.step);
-  const double h = std::min(proposal_, std::min(grid, t_stop) - state.t);
-  check(ARKodeSetFixedStep(erk_.get(), h), "ARKodeSetFixedStep");
+  const double left = end_of_fixed_step(state.t, settings_.step, t_stop) - state.t;
+  check(ARKodeSetFixedStep(erk_.get(), proposal_ < left * (1 - sliver) ? proposal_ : left),
+        "ARKodeSetFixedStep");
 }
 
 StepReport ErkSolver::Memory::advance(State& state, double t_stop) {

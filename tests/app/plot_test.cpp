@@ -163,6 +163,15 @@ TEST_F(Plot, BadInputIsOneLineAndExitCode2) {
   EXPECT_FALSE(fs::exists(folder() / "figures"));
 }
 
+TEST_F(Plot, DamageIsRefusedBeforeTheFirstFigure) {
+  make_result("whole.h5");
+  const std::string tests = GNOMON_SOURCE_DIR "/tests/app/check_damage.py";
+  const std::string tools = GNOMON_SOURCE_DIR "/tools/plot";
+  const std::string whole = (folder() / "whole.h5").string();
+  const std::string command = "'" + tests + "' '" + tools + "' '" + whole + "'";
+  EXPECT_EQ(std::system(("/usr/bin/python3 " + command).c_str()), 0);
+}
+
 TEST_F(Plot, WithoutPythonItNamesThePackages) {
   write("a.h5", "");
   setenv("PATH", "/nonexistent", 1);

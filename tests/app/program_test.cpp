@@ -193,6 +193,48 @@ TEST_F(Program, StopsBeyondTheCriticalStep) {
   EXPECT_EQ(run("backward-euler", "1000").exit_code, 0);
 }
 
+// Contact at one node, where there is no fast mode, at the start and at the end.
+TEST_F(Program, StopsWhereWiderContactInBetweenIsUnstable) {
+  const Outcome outcome =
+      gnomon({"run", pin, "--set", "mesh.elements=[8,8]", "--set", "body.young_modulus=1e4",
+              "--integrator", "forward-euler", "--set", "integrator.step=334", "-o", "a.h5"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("exceed the critical one of forward-euler at t = 334 s"));
+}
+
+TEST_F(Program, WarnsWhenNoStateTellsOfStability) {
+  const Outcome outcome = gnomon({"run", pin, "--set", "mesh.elements=[4,4]", "--integrator",
+                                  "erk-2", "--set", "integrator.step=1000", "-o", "a.h5"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("contact was at a single node after every step"));
+}
+
+TEST_F(Program, WarnsOfLargeStrainsOfSmallKinematics) {
+  const auto warned = [&](const std::string& young) {
+    const Outcome outcome =
+        gnomon({"run", pin, "--set", coarse, "--set", "body.kinematics=small", "--set",
+                "body.young_modulus=" + young, "--force", "-o", "a.h5"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.err.find("displacements have gradients up to") != std::string::npos;
+  };
+  EXPECT_FALSE(warned("640"));
+  EXPECT_TRUE(warned("0.5"));
+}
+
+// A step of 1e-10 s, in which the change of the shape drowns in rounding, is not made.
+TEST_F(Program, TimesBesideTheGridOfStepsMoveIt) {
+  for (const char* integrator : {"backward-euler", "erk-3"})
+    for (const char* time : {"20.0000000001", "19.9999999999"}) {
+      const Outcome outcome =
+          gnomon({"run", pin, "--set", coarse, "--integrator", integrator, "--set",
+                  "integrator.step=20", "--set", std::string("output.times=[") + time + "]",
+                  "--set", "time.end=60", "--force", "-o", "a.h5", "--summary", "s.json"});
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+      const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
+      EXPECT_EQ(json["steps"], 3) << integrator << " " << time;
+    }
+}
+
 TEST_F(Program, StopsWhenThePinIsWornAway) {
   const Outcome outcome = gnomon({"run", pin, "--set", coarse, "--integrator", "bdf", "--set",
                                   "wear.coefficient=1e-5", "-o", "a.h5"});

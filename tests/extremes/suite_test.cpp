@@ -53,14 +53,14 @@ TEST_F(Extremes, WhatTheReferencesConfirmAgrees) {
 // One step for all the wear of a stiff pin: the shape is nearly right.
 TEST_F(Extremes, APressureThatDiffersIsSaid) {
   write("study.toml", head() + references("1e-5", "1e-5") +
-                          "[[sweep]]\nkey = \"wear.coefficient\"\nvalues = [1e-7, 1e-6]\n" +
+                          "[[sweep]]\nkey = \"wear.coefficient\"\nvalues = [1e-8, 1e-6]\n" +
                           method("esdirk-4", "steps = [100]"));
   EXPECT_EQ(extremes().exit_code, 0);
   const auto pressure = [&](std::size_t row) {
     return std::stod(cases().at(row).at("pressure_difference"));
   };
-  EXPECT_GT(pressure(0), 0.001);
-  EXPECT_LT(pressure(0), 0.5);
+  EXPECT_GT(pressure(0), 0);
+  EXPECT_LT(pressure(0), 0.05);
   EXPECT_EQ(cases().at(0).at("reason"), "");
   EXPECT_GT(pressure(1), 0.5);
   EXPECT_THAT(cases().at(1).at("reason"), HasSubstr("a nodal pressure differs by"));

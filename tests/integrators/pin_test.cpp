@@ -185,7 +185,7 @@ TEST(Continuation, ARunThatWearsItsBodyThroughEndsWithTheReason) {
     FAIL() << "no exception";
   } catch (const SolutionError& error) {
     EXPECT_THAT(error.what(),
-                ::testing::MatchesRegex("no step from t = [0-9.]+ succeeds, down to .*: "
+                ::testing::MatchesRegex("no step from t = [0-9.]+ s succeeds, down to .*: "
                                         "(inverted element|Newton did not converge|.*cycles).*"));
   }
 }

@@ -162,6 +162,15 @@ TEST_F(StudyRuns, AllFailedIsAFailure) {
   EXPECT_THAT(rows(), SizeIs(1));
 }
 
+TEST_F(StudyRuns, ReferencesDoNotSaveATableOfFailures) {
+  write("study.toml",
+        head() + method("backward-euler", "steps = [50]", "set.body.young_modulus = 0.1") + loose);
+  const Outcome outcome = study();
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("all 1 runs of the table failed"));
+  EXPECT_THAT(rows().at(0).at("reference_error"), testing::Not(""));
+}
+
 TEST_F(StudyRuns, AnExistingFolderIsRefusedOrResumed) {
   write("study.toml", head() + method("backward-euler", "steps = [50]") + loose);
   ASSERT_EQ(study().exit_code, 0);

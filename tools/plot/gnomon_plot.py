@@ -63,7 +63,8 @@ def main():
     except BadInput as error:
         return complain(error, 2)
     except OSError as error:
-        return complain(f"cannot write {error.filename or 'the figures or what is printed'}: {error.strerror}", 1)
+        target = error.filename or "the figures or what is printed"
+        return complain(f"cannot write {target}: {error.strerror}", 1)
     return 0
 
 

@@ -7,3 +7,9 @@ class BadInput(Exception):
 
 class Unsuitable(Exception):
     """A figure that makes no sense for these data; the others are drawn all the same."""
+
+
+def reason_of(error):
+    """Never empty, and without the quotes that a KeyError puts around its text."""
+    text = error.args[0] if isinstance(error, KeyError) and error.args else error
+    return str(text) or type(error).__name__

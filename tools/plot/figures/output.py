@@ -12,19 +12,25 @@ DECIMALS = re.compile(r"-?\d+\.\d{3,}")
 REFERENCE = re.compile(r'((?:xlink:)?href="#|url\(#)([^")]+)')
 
 
-def save(figure, folder, name, kinds=("png", "svg")):
-    """Writes NAME.png, NAME.svg; returns the paths."""
-    folder = Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    paths = []
-    for kind in kinds:
-        path = folder / f"{name}.{kind}"
-        if kind == "svg":
-            path.write_text(svg_text(figure, name), encoding="utf-8")
-        else:
-            figure.savefig(path, format=kind, dpi=300)
-        paths.append(path)
+def render(figure, name, kinds=("png", "svg")):
+    """The contents of NAME.png, NAME.svg by these names."""
+    return {f"{name}.{kind}": svg_text(figure, name).encode() if kind == "svg" else bitmap(figure)
+            for kind in kinds}
+
+
+def save(pictures, folder):
+    """Writes what render returned; returns the paths."""
+    paths = [Path(folder) / name for name in pictures]
+    for path, content in zip(paths, pictures.values()):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
     return paths
+
+
+def bitmap(figure):
+    stream = io.BytesIO()
+    figure.savefig(stream, format="png", dpi=300)
+    return stream.getvalue()
 
 
 def svg_text(figure, name):

@@ -1,11 +1,21 @@
 """Reads a result file of gnomon: the layout is that of docs/results.md."""
 
+from contextlib import contextmanager
+from functools import cached_property
 from pathlib import Path
+from typing import NamedTuple
 
 import h5py
 import numpy
 
-from .complaints import BadInput, Unsuitable
+from .complaints import BadInput, Unsuitable, reason_of
+
+
+class Item(NamedTuple):
+    """What stands at a path of the file; a group has no data."""
+
+    data: object
+    attributes: dict
 
 
 class Result:
@@ -14,82 +24,126 @@ class Result:
     def __init__(self, path):
         self.path = Path(path)
         self.name = self.path.stem
-        try:
-            self.file = h5py.File(self.path, "r")
-        except OSError as error:
-            raise BadInput(f"{self.path} is not an HDF5 file, or is damaged") from error
+        with self._reading("the file"):
+            self._file = h5py.File(self.path, "r")
         self._check()
-        stored = self.file["gnomon/stored"][:]
+        stored = self._table("gnomon/stored", "nothing is stored")
         self.times = stored["t"]
-        self._groups = [_text(path).removeprefix("steps/") for path in stored["path"]]
+        if not (numpy.isfinite(self.times).all() and (numpy.diff(self.times) >= 0).all()):
+            raise self._bad("gnomon/stored", "its times do not ascend")
+        self._groups = [self._group(_text(path)) for path in stored["path"]]
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
-        self.file.close()
+        self._file.close()
+
+    @contextmanager
+    def _reading(self, where):
+        """Which exception h5py raises depends on which bytes are damaged: all are bad input."""
+        try:
+            yield
+        except Exception as error:
+            raise self._bad(where, reason_of(error)) from error
+
+    def _bad(self, where, what):
+        return BadInput(f"cannot read {self.path}: {where}: {what}; expected an undamaged result "
+                        "of gnomon")
+
+    def _read(self, where):
+        """None where there is nothing. The only way into the file: h5py's own get() takes what
+        is damaged for absent."""
+        with self._reading(where):
+            if where not in self._file:
+                return None
+            item = self._file[where]
+            data = item[()] if isinstance(item, h5py.Dataset) else None
+            return Item(data, dict(item.attrs))
 
     def _check(self):
-        group = self.file.get("gnomon")
+        group = self._read("gnomon")
+        version = _text(group.attributes.get("format_version", "")) if group else ""
         complaint = None
-        if group is None or "format_version" not in group.attrs:
+        if not version:
             complaint = "is not a result of gnomon"
-        elif int(group.attrs["format_version"]) != 1:
-            complaint = f"has format {group.attrs['format_version']}; these figures read format 1"
-        elif "stored" not in group:
+        elif version != "1":
+            complaint = f"has format {version}; these figures read format 1"
+        elif self._read("gnomon/stored") is None:
             complaint = "has nothing to draw: its run did not get past the start, or did not yet"
+        elif self._read("gnomon/history") is None:
+            complaint = "has no history"
         if complaint:
-            self.file.close()
+            self._file.close()
             raise BadInput(f"{self.path} {complaint}")
 
+    def _group(self, path):
+        """Of a stored step, below steps and gnomon/contact."""
+        if self._read(path) is None:
+            raise self._bad("gnomon/stored", f"it names {path!r}, which is not there")
+        return path.removeprefix("steps/")
+
+    def _array(self, where, absent):
+        """What may be absent makes a figure unsuitable, no more."""
+        item = self._read(where)
+        if item is None:
+            raise Unsuitable(absent)
+        if not isinstance(item.data, numpy.ndarray):
+            raise self._bad(where, "it is not an array")
+        return item.data
+
+    def _table(self, where, absent):
+        data = self._array(where, absent)
+        if data.dtype.names is None:
+            raise self._bad(where, "it is not a table")
+        return data
+
     def attribute(self, name):
-        return _text(self.file["gnomon"].attrs.get(name, ""))
+        return _text(self._read("gnomon").attributes.get(name, ""))
 
     @property
     def history(self):
         """Columns by name, the row of the start included."""
-        return self.file["gnomon/history"][:]
+        return self._table("gnomon/history", "no history is stored")
 
     @property
     def history_units(self):
-        table = self.file["gnomon/history"]
-        units = table.attrs.get("units", [])
-        return dict(zip(table.dtype.names, (_text(unit) for unit in units)))
+        units = self._read("gnomon/history").attributes.get("units", [])
+        return dict(zip(self.history.dtype.names, (_text(unit) for unit in units)))
 
     @property
     def dim(self):
         if not self._groups:
             raise Unsuitable("nothing is stored")
-        return int(self._contact(0).attrs.get("dim", 2))
-
-    def _contact(self, step):
-        table = self.file.get(f"gnomon/contact/{self._groups[step]}")
-        if table is None:
-            raise Unsuitable("no contact surface is stored")
-        return table
+        self.contact(0)  # says why there is none
+        return int(self._read(f"gnomon/contact/{self._groups[0]}").attributes.get("dim", 2))
 
     def contact(self, step):
         """The contact surface at a stored step, one row a node."""
-        return self._contact(step)[:]
+        where = f"gnomon/contact/{self._groups[step]}"
+        table = self._table(where, "no contact surface is stored")
+        self._check_nodes(where, table["node"])
+        return table
 
     def field(self, step, name):
-        dataset = self.file.get(f"steps/{self._groups[step]}/{name}")
-        if dataset is None:
-            raise Unsuitable(f"{name} is not stored")
-        return dataset[:]
+        return self._array(f"steps/{self._groups[step]}/{name}", f"{name} is not stored")
 
-    @property
+    @cached_property
     def points(self):
-        return self._mesh("points")
+        return self._array("mesh/points", "no mesh is stored")
 
-    @property
+    @cached_property
     def cells(self):
-        return self._mesh("cells")
+        cells = self._array("mesh/cells", "no mesh is stored")
+        self._check_nodes("mesh/cells", cells)
+        return cells
 
-    def _mesh(self, name):
-        if f"mesh/{name}" not in self.file:
-            raise Unsuitable("no mesh is stored")
-        return self.file[f"mesh/{name}"][:]
+    def _check_nodes(self, where, nodes):
+        """Negative numbers, too: Python would count them from the end."""
+        count = len(self.points)
+        wrong = nodes[(nodes < 0) | (nodes >= count)]
+        if len(wrong):
+            raise self._bad(where, f"it names node {wrong[0]}, and there are {count}")
 
     def some_steps(self, most):
         """Stored steps after the start: at most `most`, spread evenly in time, with the last."""
@@ -101,4 +155,4 @@ class Result:
 
 
 def _text(value):
-    return value.decode() if isinstance(value, bytes) else str(value)
+    return value.decode(errors="replace") if isinstance(value, bytes) else str(value)

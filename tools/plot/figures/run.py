@@ -1,11 +1,14 @@
 """Finds out what a target is and draws its figures."""
 
 import re
+import warnings
 from pathlib import Path
 
-from . import critical, errors, extremes, history, mesh, output, pressure, shape, spectrum, study, style
-from . import shapes, surface, wear, work
-from .complaints import BadInput, Unsuitable
+import numpy
+
+from . import critical, errors, extremes, history, mesh, output, pressure, shape, shapes
+from . import spectrum, study, style, surface, wear, work
+from .complaints import BadInput, Unsuitable, reason_of
 from .result import Result
 
 RESULT_FIGURES = {
@@ -18,13 +21,33 @@ RESULT_FIGURES = {
 }
 
 
+# What comes of drawing numbers that are damaged, or not those of the format.
+NONSENSE = (ArithmeticError, LookupError, MemoryError, OSError, RuntimeError, TypeError, ValueError,
+            numpy.linalg.LinAlgError)
+
+
 def draw(kind, targets, folder, svg_folder):
     style.apply()
     jobs = [job for target in targets for job in jobs_of(kind, target)]
     for drawer, target in jobs:
-        drawer(target, Sink(target, folder, svg_folder))
+        perform(drawer, [target], Sink(target, folder, svg_folder))
     if [drawer for drawer, _ in jobs] == [draw_result] * 2:
-        draw_two_results(*(path for _, path in jobs), Sink(targets[0], folder, svg_folder))
+        both = [path for _, path in jobs]
+        perform(draw_two_results, both, Sink(targets[0], folder, svg_folder))
+
+
+def perform(drawer, targets, sink):
+    """Writes the figures when all are made: of a target that is refused there are none."""
+    try:
+        with warnings.catch_warnings(), numpy.errstate(all="ignore"):
+            warnings.simplefilter("ignore")  # of damaged numbers; one line is said about them
+            drawer(*targets, sink)
+            reports = sink.render()
+    except NONSENSE as error:
+        names = " or ".join(str(target) for target in targets)
+        raise BadInput(f"cannot draw {names}: {reason_of(error)}; its numbers are "
+                       "damaged, or not what docs/figures.md and docs/results.md expect") from error
+    sink.write(reports)
 
 
 class Sink:
@@ -34,16 +57,27 @@ class Sink:
         self.kinds = ("svg",) if svg_folder else ("png", "svg")
         beside = target if target.is_dir() else target.parent
         self.folder = Path(svg_folder or folder or beside / "figures")
+        self.figures = {}
 
     def draw(self, name, drawer, *arguments):
-        """Draws and writes a figure, or says why not."""
+        """Keeps a figure, or why there is none."""
         try:
-            made = drawer(*arguments)
+            self.figures[name] = drawer(*arguments)
         except Unsuitable as reason:
-            print(f"{name}: skipped, {reason}")
-            return
-        for path in output.save(made, self.folder, name, self.kinds):
-            print(path)
+            self.figures[name] = reason
+
+    def render(self):
+        """By name the contents of a figure's files, or why there are none."""
+        return {name: made if isinstance(made, Unsuitable)
+                else output.render(made, name, self.kinds) for name, made in self.figures.items()}
+
+    def write(self, reports):
+        for name, report in reports.items():
+            if isinstance(report, Unsuitable):
+                print(f"{name}: skipped, {report}")
+                continue
+            for path in output.save(report, self.folder):
+                print(path)
 
 
 def jobs_of(kind, target):
@@ -66,21 +100,12 @@ def jobs_of(kind, target):
 def draw_result(path, sink):
     with Result(path) as result:
         for name, drawer in RESULT_FIGURES.items():
-            sink.draw(f"{result.name}-{name}", checked, drawer, result)
+            sink.draw(f"{result.name}-{name}", drawer, result)
 
 
 def draw_two_results(first, second, sink):
     with Result(first) as one, Result(second) as two:
-        sink.draw(f"{one.name}-{two.name}-pressure", checked, pressure.draw_two, one, two)
-
-
-def checked(drawer, *results):
-    """A file whose tables are not those of the format is bad input, not our failure."""
-    try:
-        return drawer(*results)
-    except (OSError, KeyError, ValueError, IndexError) as error:
-        names = " or ".join(str(result.path) for result in results)
-        raise BadInput(f"{names} cannot be read as a result of gnomon: {error}") from error
+        sink.draw(f"{one.name}-{two.name}-pressure", pressure.draw_two, one, two)
 
 
 def draw_study(folder, sink):
