@@ -26,6 +26,11 @@ struct StorePolicy {
 /// The `output.*` keys. Throws InputError for a time beyond time.end.
 StorePolicy store_policy(const Scene& scene);
 
+/// Throws InputError when two of the ascending times, on which a run is to land, are nearer than
+/// 1e-5 of themselves: in a step that short the change of the shape drowns in rounding. `where`
+/// they were given.
+void require_apart(const std::vector<double>& times, const std::string& where);
+
 /// The integrator that the scene names. Throws InputError for an unknown one, and for keys that it
 /// does not take.
 const Integrator& chosen_integrator(const Scene& scene);

@@ -8,21 +8,14 @@
 
 namespace gnomon {
 
-namespace {
-
-/// A run lands on these times, and in a step that is too short the change of the shape drowns in
-/// rounding.
-void check_apart(const Scene& scene, std::vector<double> times) {
+void require_apart(const std::vector<double>& times, const std::string& where) {
   constexpr double least = 1e-5;
-  times.push_back(scene.real("time.end"));
   for (std::size_t k = 1; k < times.size(); ++k)
-    if (times[k] > times[k - 1] && times[k] - times[k - 1] < least * times[k])
+    if (times[k] - times[k - 1] < least * times[k])
       throw InputError(fmt::format(
           "{}: expected times that are {:g} of them apart or more (time.end, too), got {} and {}",
-          scene.where("output.times"), least, times[k - 1], times[k]));
+          where, least, times[k - 1], times[k]));
 }
-
-}  // namespace
 
 StorePolicy store_policy(const Scene& scene) {
   const double end = scene.real("time.end");
@@ -36,7 +29,9 @@ StorePolicy store_policy(const Scene& scene) {
   if (!policy.times.empty() && policy.times.back() > end)
     throw InputError(fmt::format("{}: expected times up to time.end = {:g} s, got {:g}",
                                  scene.where("output.times"), end, policy.times.back()));
-  check_apart(scene, policy.times);
+  std::vector<double> landings = policy.times;
+  if (landings.empty() || landings.back() != end) landings.push_back(end);
+  require_apart(landings, scene.where("output.times"));
   // The start is stored anyway.
   if (!policy.times.empty() && policy.times.front() == 0) policy.times.erase(policy.times.begin());
   return policy;

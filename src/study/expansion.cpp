@@ -146,6 +146,7 @@ private:
     std::sort(times.begin(), times.end());
     times.push_back(end);
     times.erase(std::unique(times.begin(), times.end()), times.end());
+    require_apart(times, declaration_.times_origin);
   }
 
   Scene base_scene() const {

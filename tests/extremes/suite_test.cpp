@@ -94,12 +94,15 @@ TEST_F(Extremes, AMistakeInTheFileIsNotACase) {
   EXPECT_FALSE(std::filesystem::exists(folder() / "out"));
 }
 
-TEST_F(Extremes, TimesBeyondTheEndAreAMistakeInTheFile) {
+TEST_F(Extremes, TimesBeyondTheEndOrTooNearAreAMistakeInTheFile) {
   write("study.toml", "times = [50, 200]\n" + head() + method("bdf", "tolerances = [1e-3]"));
   const Outcome outcome = extremes();
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err,
               HasSubstr("key `times`: expected times up to time.end = 100 s, got 200"));
+  write("study.toml", "times = [50, 50.0000001]\n" + head() + method("bdf", "tolerances = [1e-3]"));
+  EXPECT_THAT(extremes().err,
+              HasSubstr("key `times`: expected times that are 1e-05 of them apart"));
 }
 
 TEST_F(Extremes, OneReferenceConfirmsAloneAndIsNamed) {
