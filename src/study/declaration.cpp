@@ -107,7 +107,7 @@ private:
     declaration_.scene = fs::path(declaration_.file).parent_path() / top.text("scene");
     if (std::error_code ignored; !fs::is_regular_file(declaration_.scene, ignored))
       throw InputError(fmt::format("{}: expected a scene file, there is no {}", top.where("scene"),
-                                   declaration_.scene.string()));
+                                   toml_text(declaration_.scene.string())));
     scene_keys_ = key_table(load_scene(declaration_.scene, {}, key_table).text("problem"));
   }
 

@@ -185,7 +185,7 @@ TEST_F(BadStudyFiles, Missing) {
 
 TEST_F(BadStudyFiles, MissingScene) {
   write("study.toml", "scene = \"no.toml\"\n");
-  expect_refused("study.toml:1: key `scene`: expected a scene file, there is no no.toml");
+  expect_refused("study.toml:1: key `scene`: expected a scene file, there is no \"no.toml\"");
 }
 
 TEST_F(BadStudyFiles, SceneWhoseNameNoFileCanHave) {
