@@ -116,8 +116,8 @@ TEST_F(Resume, GoesOnToALaterEnd) {
   EXPECT_EQ(extended.history().size(), whole.history().size());
   EXPECT_THAT(extended.stored_times(), testing::IsSupersetOf({0.0, 120.0, 200.0}));
   EXPECT_THAT(extended.header().scene, HasSubstr("end = 200"));
-  const auto& row = extended.history().back();
-  const auto& expected = whole.history().back();
+  const HistoryRow row = extended.history().back();
+  const HistoryRow expected = whole.history().back();
   for (std::size_t i = 0; i < row.scalars.size(); ++i)
     EXPECT_NEAR(row.scalars[i].value, expected.scalars[i].value,
                 1e-8 * std::abs(expected.scalars[i].value))
