@@ -101,11 +101,10 @@ private:
   void judge_damping() {
     damping_->require_damping(state());
     if (!damping_->has_seen_a_mode() && model_.contact(state()))
-      hooks_.on_warning(
-          fmt::format("contact was at a single node after every step: nothing tells whether steps "
-                      "of {:g} s are "
-                      "short enough for {}",
-                      settings_.step, integrator_.name));
+      hooks_.on_warning(fmt::format(
+          "after no step was there a decaying mode (contact at a single node has none) to tell "
+          "whether steps of {:g} s are short enough for {}",
+          settings_.step, integrator_.name));
   }
 
   void require_damping() {
