@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/mesh/stations.hpp>
+#include <limits>
 
 namespace gnomon {
 
@@ -37,7 +38,8 @@ FineZone fine_zone(double size, double fine, double end) {
   if (!(size > 0 && fine >= 0 && end > 0 && fine <= end))
     throw InputError(fmt::format(
         "graded mesh: element size {}, fine length {} and length {} do not fit", size, fine, end));
-  if (!(fine / size < most_elements && std::isfinite(end / size)))
+  constexpr double least = std::numeric_limits<double>::min();  // no quotient below overflows
+  if (!(size >= least * end && fine / size < most_elements))
     throw InputError(fmt::format("graded mesh: elements of {} are too small for a length of {}",
                                  size, fine > 0 ? fine : end));
   const int elements = static_cast<int>(std::lround(fine / size));
