@@ -42,6 +42,10 @@ bool is_left_over(int descriptor, std::string_view begins) {
   return begins.starts_with(start) || start.find_first_not_of('\0') == std::string::npos;
 }
 
+int open_text_part(const std::filesystem::path& part, std::string_view text) {
+  return open_part(part, text.substr(0, 16));
+}
+
 }  // namespace
 
 int open_part(const std::filesystem::path& part, std::string_view begins) {
@@ -86,12 +90,6 @@ void publish_part(const std::filesystem::path& target, Earlier earlier) {
     refuse(target, error);
   }
 }
-
-namespace {
-int open_text_part(const std::filesystem::path& part, std::string_view text) {
-  return open_part(part, text.substr(0, 16));
-}
-}  // namespace
 
 void require_own_part(const std::filesystem::path& target, std::string_view begins) {
   const auto part = part_of(target);

@@ -79,7 +79,7 @@ private:
   }
 
   Status integrate() {
-    if (damping_) damping_->require_damping_in_wider_contact(state(), model_.observe(state()));
+    if (damping_) damping_->require_damping_in_wider_contact(state(), outcome_.last->scalars);
     Headway headway(state().t, counters_, settings_.end);
     while (state().t < settings_.end) {
       if (hooks_.interrupted()) return Status::interrupted;

@@ -42,7 +42,9 @@ double wear_of(const ContactSurface& surface) {
 }
 
 double largest_pressure(const ContactSurface& surface) {
-  return *std::ranges::max_element(surface.pressure);
+  double largest = 0;
+  for (const double pressure : surface.pressure) largest = std::max(largest, pressure);
+  return largest;
 }
 
 class Measurement {
