@@ -11,6 +11,7 @@
 #include <gnomon/linear_solver_choice.hpp>
 #include <gnomon/sparse.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -54,6 +55,9 @@ struct Point {
   /// The smooth piece to evaluate, continued beyond its border (gaps of open nodes may be negative,
   /// multipliers of closed ones positive). Null: the piece that y lies in.
   const ActiveSet* piece = nullptr;
+  /// A time whose smooth part, up to the next corner, F is continued from to t: the start of a step
+  /// with a stage past its end. Absent: t itself.
+  std::optional<double> within = {};
 };
 
 struct Stage;

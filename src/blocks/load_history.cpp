@@ -7,8 +7,8 @@ namespace gnomon {
 LoadHistory::LoadHistory(std::vector<double> times, std::vector<double> factors)
     : times_(std::move(times)), factors_(std::move(factors)) {}
 
-double LoadHistory::factor(double t) const {
-  const auto behind = std::upper_bound(times_.begin(), times_.end(), t);
+double LoadHistory::factor(double t, double within) const {
+  const auto behind = std::upper_bound(times_.begin(), times_.end(), within);
   if (behind == times_.begin()) return factors_.front();
   if (behind == times_.end()) return factors_.back();
   const auto k = behind - times_.begin();

@@ -56,17 +56,18 @@ void DiagonallyImplicit::set_rates_of(double step, const Rates& base, std::span<
     ydot[components[k]] = (y[components[k]] - base[k]) / step;
 }
 
-/// One solve of F(t, y, (d - base) / step) = 0 from the guess to.y.
-NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base,
+/// One solve of F(t, y, (d - base) / step) = 0 from the guess to.y, F as it is in the step that
+/// starts at `from`: some tables have a stage past its end, where the load may have a corner.
+NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base, const State& from,
                                        const AttemptOptions& options, State& to) {
   NonlinearFunction function;
   function.residual = [&](std::span<const double> y, std::span<double> G) {
     set_rates_of(step, base, y, to.ydot);
-    system_.residual({t, y, to.ydot, options.piece}, G);
+    system_.residual({t, y, to.ydot, options.piece, from.t}, G);
   };
   function.jacobian = [&](std::span<const double> y, std::span<double> values) {
     set_rates_of(step, base, y, to.ydot);
-    system_.jacobian({t, y, to.ydot, options.piece}, 1 / step, values);
+    system_.jacobian({t, y, to.ydot, options.piece, from.t}, 1 / step, values);
   };
   function.piece = [&](std::span<const double> y) {
     return options.piece ? *options.piece : active_set(system_, y);
@@ -98,7 +99,7 @@ std::string DiagonallyImplicit::continue_in_step(double t, double step, const Ra
     }
     to.y = good;
     const double at = from.t + part * (t - from.t);
-    const NewtonReport report = solve(at, part * step, partial, options, to);
+    const NewtonReport report = solve(at, part * step, partial, from, options, to);
     if (report.converged) {
       good = to.y;
       reached = part;
@@ -121,7 +122,7 @@ std::string DiagonallyImplicit::solve_stage(int i, const State& from, double h,
     for (int j = 0; j < i; ++j) base_[k] += h * table_.A(i, j) * k_[j][k];
   }
   trace_.evaluate(t, to.y);
-  const NewtonReport report = solve(t, step, base_, options, to);
+  const NewtonReport report = solve(t, step, base_, from, options, to);
   if (report.converged) return {};
   if (!options.continuation) return report.reason;
   return continue_in_step(t, step, base_, from, options, to);

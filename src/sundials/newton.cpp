@@ -2,7 +2,9 @@
 #include <kinsol/kinsol.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/sundials/newton.hpp>
+#include <limits>
 #include <tuple>
 
 #include "forcing.hpp"
@@ -29,7 +31,7 @@ private:
   int solve_once();
   bool factors_serve(const ActiveSet& piece) const;
   bool at_rounding() const;
-  void note(const ActiveSet& piece);
+  void scale_rates(double alpha, std::span<const double> y);
   bool accepted(int flag) const;
   std::string reason(int flag) const;
   std::string cycling() const;
@@ -38,6 +40,7 @@ private:
   Counters& counters_;
   NewtonOptions options_;
   const NonlinearFunction* function_ = nullptr;
+  std::vector<double> scale_;  // of the rows
   std::vector<double> norms_;
   std::vector<ActiveSet> pieces_;  // of the iterates
   // What the factors (the Jacobian, for iterative solvers) were made for.
@@ -59,6 +62,7 @@ NewtonSolver::Memory::Memory(const Structure& structure, Counters& counters,
     : structure_(structure),
       counters_(counters),
       options_(options),
+      scale_(structure.row_scale),
       y_(make_vector(structure.size, context_)),
       unknown_scale_(make_vector(structure.size, context_)),
       row_scale_(make_vector(structure.size, context_)),
@@ -90,7 +94,7 @@ int NewtonSolver::Memory::residual(N_Vector y, N_Vector G, void* data) {
     ++self.counters_.residual_evaluations;
     self.function_->residual(view(y), view(G));
     require_finite(view(G), "the residual");
-    self.norms_.push_back(scaled_norm(view(G), self.structure_.row_scale));
+    self.norms_.push_back(scaled_norm(view(G), self.scale_));
   });
 }
 
@@ -130,6 +134,18 @@ bool NewtonSolver::Memory::factors_serve(const ActiveSet& piece) const {
   if (alpha > alpha_range * factored_alpha_ || factored_alpha_ > alpha_range * alpha) return false;
   const std::size_t n = norms_.size();
   return n < 2 || norms_[n - 1] <= options_.slow * norms_[n - 2];
+}
+
+/// Where rates are alpha (y - base), as in short steps, rounding of y leaves more of them than
+/// `acceptable` of their scale: what can be asked of those rows is less.
+void NewtonSolver::Memory::scale_rates(double alpha, std::span<const double> y) {
+  constexpr double roundings = 10 * std::numeric_limits<double>::epsilon();
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    if (!structure_.differential[i]) continue;
+    const double rounding = roundings * alpha * std::abs(y[i]);
+    scale_[i] = std::max(structure_.row_scale[i], rounding / options_.acceptable);
+    view(row_scale_.get())[i] = 1 / scale_[i];
+  }
 }
 
 /// A fresh Newton step from a small residual did not reduce it: rounding stands in the way.
@@ -187,6 +203,7 @@ int NewtonSolver::Memory::solve_once() {
 
 NewtonReport NewtonSolver::Memory::solve(const NonlinearFunction& function, std::span<double> y) {
   function_ = &function;
+  scale_rates(function.alpha, y);
   const auto from_guess = [&] {
     std::copy(y.begin(), y.end(), view(y_.get()).begin());
     const int flag = solve_once();

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <gnomon/error.hpp>
 #include <gnomon/system/wear_system.hpp>
 
 namespace gnomon {
@@ -110,12 +111,21 @@ const NodalState<dim>& WearSystem<dim>::nodal(std::span<const double> y) const {
   return state_;
 }
 
+/// Throws where the load is continued past its corner to where it would pull.
+template <int dim>
+double WearSystem<dim>::load_factor(const Point& at) const {
+  if (load_factor_) return *load_factor_;
+  const double factor = body_->load_history.factor(at.t, at.within.value_or(at.t));
+  if (factor <= 0) throw RecoverableError("no load is left at a stage past the end of the step");
+  return factor;
+}
+
 template <int dim>
 void WearSystem<dim>::residual(const Point& at, std::span<double> F) const {
   const NodalState<dim>& state = nodal(at.y);
   std::fill(F.begin(), F.end(), 0.0);
   if (selection_.deformation) {
-    const double factor = load_factor_.value_or(body_->load_history.factor(at.t));
+    const double factor = load_factor(at);
     solid_.add_residual(&state.d, state.u, F);
     for (Eigen::Index k = 0; k < unknowns_.u().size(); ++k)
       if (const int row = unknowns_.u().data()[k]; row >= 0)

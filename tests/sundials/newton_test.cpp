@@ -119,5 +119,40 @@ TEST(NewtonSolver, LetsForeignExceptionsThrough) {
   EXPECT_TRUE(newton.solve(problem.function(), y).converged);  // and the solver is still usable
 }
 
+/// alpha (y - 2) + e^y = 0, as a step of 1 / alpha from 2 leaves it, beside x y = 1.
+struct ShortStep {
+  CircleAndHyperbola structure;
+  double alpha;
+  explicit ShortStep(double alpha) : alpha(alpha) { structure.structure.differential[0] = 1; }
+  NonlinearFunction function() const {
+    NonlinearFunction function{[alpha = alpha](std::span<const double> y, std::span<double> G) {
+                                 G[0] = alpha * (y[0] - 2) + std::exp(y[0]);
+                                 G[1] = y[0] * y[1] - 1;
+                               },
+                               [alpha = alpha](std::span<const double> y, std::span<double> J) {
+                                 J[0] = alpha + std::exp(y[0]), J[1] = 0, J[2] = y[1], J[3] = y[0];
+                               }};
+    function.alpha = alpha;
+    return function;
+  }
+};
+
+// The residual cannot fall below the rounding of alpha y, however short the step. The other rows
+// are held to what they were.
+TEST(NewtonSolver, AsksOfRatesNoMoreThanRoundingLeaves) {
+  for (const double alpha : {1e2, 1e6, 1e10, 1e13}) {
+    SCOPED_TRACE(alpha);
+    const ShortStep problem(alpha);
+    Counters counters;
+    NewtonSolver newton(problem.structure.structure, counters, modified_newton);
+    std::vector<double> y = {2.1, 0.7};
+    const NewtonReport report = newton.solve(problem.function(), y);
+    ASSERT_TRUE(report.converged) << report.reason;
+    EXPECT_LT(report.iterations, 12);
+    EXPECT_NEAR(alpha * (y[0] - 2) + std::exp(y[0]), 0, std::max(1e-11, 1e-14 * alpha));
+    EXPECT_NEAR(y[0] * y[1], 1, 1e-11);
+  }
+}
+
 }  // namespace
 }  // namespace gnomon

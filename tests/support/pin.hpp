@@ -1,6 +1,7 @@
 // The worn pin for tests: built from its own scene file, as a user would.
 #pragma once
 
+#include <algorithm>
 #include <gnomon/wear_model.hpp>
 #include <memory>
 #include <string>
@@ -28,6 +29,8 @@ struct PinRun : ModelRun {
   std::unique_ptr<Model> model;
 
   double observed(const std::string& name) const { return testing::observed(*model, last(), name); }
+  /// Largest worn depth at the end [mm].
+  double worn_depth() const { return std::ranges::max(model->contact(last()).value().wear_depth); }
   /// Worn positions of the contact surface at the end, one after the other.
   Eigen::VectorXd worn_surface() const {
     const ContactSurface surface = model->contact(last()).value();

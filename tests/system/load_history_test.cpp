@@ -24,6 +24,16 @@ TEST(LoadHistory, IsLinearBetweenItsPointsAndConstantBeyond) {
   EXPECT_EQ(LoadHistory().integral(17), 17);
 }
 
+TEST(LoadHistory, ContinuesAStraightLinePastItsEnd) {
+  const LoadHistory history({10, 20, 40}, {1, 3, 0.5});
+  EXPECT_DOUBLE_EQ(history.factor(21, 10), 3.2);
+  EXPECT_DOUBLE_EQ(history.factor(21, 19.9), 3.2);
+  EXPECT_DOUBLE_EQ(history.factor(21, 20), 3 - 0.125);
+  EXPECT_DOUBLE_EQ(history.factor(12, 5), 1);
+  EXPECT_DOUBLE_EQ(history.factor(48, 20), -0.5);
+  EXPECT_DOUBLE_EQ(history.factor(48, 40), 0.5);
+}
+
 TEST(LoadHistory, StepsEndOnItsPoints) {
   const auto model = pin_model({elements(2), "load.times=[10, 20]", "load.factors=[1, 2]"});
   const Structure& structure = model->system().structure();

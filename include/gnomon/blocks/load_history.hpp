@@ -14,7 +14,9 @@ public:
   /// Equally many, one or more; `times` ascending, without equal ones.
   LoadHistory(std::vector<double> times, std::vector<double> factors);
 
-  double factor(double t) const;
+  double factor(double t) const { return factor(t, t); }
+  /// At t on the straight line that holds at the time `within`, and a moment later.
+  double factor(double t, double within) const;
   /// Of the factor, from t = 0 to `end` [time].
   double integral(double end) const;
   /// Where the factor may have a kink.

@@ -39,8 +39,8 @@ private:
   using Rates = std::vector<double>;  // one entry a differential component
   std::string solve_stage(int i, const State& from, double h, const AttemptOptions& options,
                           State& to);
-  NewtonReport solve(double t, double step, const Rates& base, const AttemptOptions& options,
-                     State& to);
+  NewtonReport solve(double t, double step, const Rates& base, const State& from,
+                     const AttemptOptions& options, State& to);
   std::string continue_in_step(double t, double step, const Rates& base, const State& from,
                                const AttemptOptions& options, State& to);
   void set_rates_of(double step, const Rates& base, std::span<const double> y,

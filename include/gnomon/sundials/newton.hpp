@@ -14,7 +14,9 @@ namespace gnomon {
 /// When a nonlinear solve is done. Every integrator solves its equations to this tolerance, so that
 /// conserved quantities hold whatever the error tolerance of the time integration.
 struct NewtonOptions {
-  double tolerance = 1e-11;  ///< of the largest residual, each row by its row_scale
+  /// Of the largest residual, each row by its row_scale; rows with rates by what ten roundings of
+  /// y leave of alpha y, over `acceptable`, where that is more.
+  double tolerance = 1e-11;
   double acceptable = 1e-9;  ///< accepted when rounding stops the iteration above `tolerance`
   int max_iterations = 30;
   bool keep_factors = false;  ///< modified Newton: factorize only when the last factors serve badly

@@ -49,6 +49,7 @@ public:
 
 private:
   void build_structure();
+  double load_factor(const Point& at) const;
   void label_blocks();
 
   std::shared_ptr<const WornBody<dim>> body_;
