@@ -48,6 +48,8 @@ struct RunOutcome {
   double wall_seconds = 0;
   /// Contact nodes that left contact twice or more between two corners of the load: an oscillation.
   long flickering_nodes = 0;
+  /// Why numbers of a run that has not failed may be worthless, a line each.
+  std::vector<std::string> warnings;
 
   /// "finished", "interrupted", "failed: DIAGNOSIS"; what the result file and the summary say.
   std::string text() const;
@@ -56,7 +58,7 @@ struct RunOutcome {
 struct RunHooks {
   /// Called after the start and after every step.
   std::function<void(const HistoryRow&)> on_step = [](const HistoryRow&) {};
-  /// Called once at most, when the worn mesh nears what will end the run.
+  /// Called with every one of RunOutcome::warnings, when there is a reason for it.
   std::function<void(const std::string&)> on_warning = [](const std::string&) {};
   /// Asked after the start and after every step; true ends the run there.
   std::function<bool()> interrupted = [] { return false; };

@@ -145,11 +145,10 @@ int resume_command(const ResumeOptions& options) {
   }();
   const bool replaced = outcome.last->t >= reached;
   write_summary(files, summary_json(setup.scene, header, settings, outcome), replaced);
-  return report_end(outcome, chosen_integrator(setup.scene),
-                    {.result = options.result,
-                     .kept = !replaced,
-                     .quiet = options.quiet,
-                     .table = options.summary != "-"});
+  return report_end(outcome, {.result = options.result,
+                              .kept = !replaced,
+                              .quiet = options.quiet,
+                              .table = options.summary != "-"});
 }
 
 }  // namespace gnomon::app

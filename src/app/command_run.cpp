@@ -34,11 +34,10 @@ int run_command(const RunOptions& given) {
   }();
   write_summary(options, summary_json(setup.scene, header, settings, outcome),
                 outcome.last.has_value());
-  return report_end(outcome, chosen_integrator(setup.scene),
-                    {.result = options.result,
-                     .kept = earlier && !outcome.last,
-                     .quiet = options.quiet,
-                     .table = options.summary != "-"});
+  return report_end(outcome, {.result = options.result,
+                              .kept = earlier && !outcome.last,
+                              .quiet = options.quiet,
+                              .table = options.summary != "-"});
 }
 
 }  // namespace gnomon::app

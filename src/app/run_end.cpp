@@ -4,14 +4,12 @@
 
 #include <gnomon/error.hpp>
 #include <gnomon/result_files.hpp>
-#include <gnomon/stability.hpp>
 
 #include "app/interrupt.hpp"
 #include "app/program.hpp"
 #include "app/progress.hpp"
 #include "app/text_table.hpp"
 #include "linear/blas.hpp"
-#include "run/wear_integral.hpp"
 
 namespace gnomon::app {
 
@@ -34,26 +32,6 @@ void print_summary(const RunOutcome& outcome, const EndReport& report) {
   else
     fmt::print("result: {} (for ParaView: {})\n", report.result.string(),
                sidecar_of(report.result).string());
-}
-
-/// An explicit method above its critical step finishes like any other; its numbers are worthless.
-void warn_of_flicker(const RunOutcome& outcome, const Integrator& integrator) {
-  const auto table = integrator.table({});
-  if (outcome.flickering_nodes == 0 || !table || !is_explicit(*table)) return;
-  fmt::print(stderr,
-             "gnomon: warning: {} contact nodes left contact twice or more: steps seem to exceed "
-             "the critical one of {} (gnomon stability)\n",
-             outcome.flickering_nodes, integrator.name);
-}
-
-void warn_of_lost_wear(const RunOutcome& outcome) {
-  if (!has_lost_wear(outcome.last->scalars)) return;
-  fmt::print(stderr,
-             "gnomon: warning: the shape has lost {:.3g}, the wear rate integrates to {:.3g}: "
-             "contact may have reached where the surface cannot wear, the end of the contact zone "
-             "or a held side; then pressures and shape are worthless\n",
-             find_scalar(outcome.last->scalars, "worn_volume")->value,
-             find_scalar(outcome.last->scalars, "wear_integral")->value);
 }
 
 int exit_code(const RunOutcome& outcome) {
@@ -104,14 +82,10 @@ RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, Res
   }
 }
 
-int report_end(const RunOutcome& outcome, const Integrator& integrator, const EndReport& report) {
+int report_end(const RunOutcome& outcome, const EndReport& report) {
   if (outcome.status == RunOutcome::Status::failed)
     throw SolutionError(failure_message(outcome, report));
   if (!report.quiet && report.table) print_summary(outcome, report);
-  if (!report.quiet) {
-    warn_of_flicker(outcome, integrator);
-    warn_of_lost_wear(outcome);
-  }
   return exit_code(outcome);
 }
 

@@ -20,11 +20,11 @@ RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, Res
 struct EndReport {
   std::filesystem::path result;
   bool kept = false;   ///< an earlier result is still there under this name
-  bool quiet = false;  ///< nothing but warnings and errors
+  bool quiet = false;  ///< nothing but errors
   bool table = true;   ///< the scalars at the end, unless quiet
 };
 
 /// Prints it and returns the exit code. Throws SolutionError when the run failed.
-int report_end(const RunOutcome& outcome, const Integrator& integrator, const EndReport& report);
+int report_end(const RunOutcome& outcome, const EndReport& report);
 
 }  // namespace gnomon::app

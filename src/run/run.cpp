@@ -7,6 +7,7 @@
 #include <set>
 
 #include "run/checkpoint_numbers.hpp"
+#include "run/end_warnings.hpp"
 #include "run/headway.hpp"
 #include "run/instability.hpp"
 #include "run/mesh_watch.hpp"
@@ -45,6 +46,10 @@ public:
       close_quietly(error.what());
       throw;
     }
+    if (outcome_.status != Status::failed)
+      for (const std::string& text :
+           end_warnings(outcome_.last->scalars, memory_.flicker.nodes(), integrator_))
+        warn(text);
     // The last good state is worth keeping whatever the scene asked to store of a regular run.
     if (outcome_.status != Status::finished && outcome_.last) store();
     outcome_.wall_seconds = elapsed();
@@ -98,10 +103,15 @@ private:
     return Status::finished;
   }
 
+  void warn(const std::string& text) {
+    outcome_.warnings.push_back(text);
+    hooks_.on_warning(text);
+  }
+
   void judge_damping() {
     damping_->require_damping(state());
     if (!damping_->has_seen_a_mode() && model_.contact(state()))
-      hooks_.on_warning(fmt::format(
+      warn(fmt::format(
           "after no step was there a decaying mode (contact at a single node has none) to tell "
           "whether steps of {:g} s are short enough for {}",
           settings_.step, integrator_.name));
@@ -133,7 +143,7 @@ private:
     }
     for (const MeshWarning& warning : mesh_warnings(scalars))
       if (warned_of_.insert(warning.about).second)
-        hooks_.on_warning(fmt::format("at t = {:g} s {}", state().t, warning.text));
+        warn(fmt::format("at t = {:g} s {}", state().t, warning.text));
   }
 
   void store() {

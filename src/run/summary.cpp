@@ -68,6 +68,7 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
   json["t"] = outcome.last ? Json(outcome.last->t) : Json(nullptr);
   json["t_end"] = settings.end;
   add_counters(json, outcome.counters);
+  json["warnings"] = outcome.warnings;
   json["flickering_nodes"] = outcome.flickering_nodes;
   json["wall_seconds"] = outcome.wall_seconds;
   add_scalars(json, outcome);

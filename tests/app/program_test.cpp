@@ -170,6 +170,8 @@ TEST_F(Program, WarnsWhenAnAcceptedContactFlickers) {
     const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
     const bool warned = outcome.err.find("warning") != std::string::npos;
     EXPECT_EQ(warned, json["flickering_nodes"] > 0);
+    EXPECT_EQ(json["warnings"].size(), warned ? 1 : 0);
+    for (const std::string text : json["warnings"]) EXPECT_THAT(outcome.err, HasSubstr(text));
     return warned;
   };
   EXPECT_FALSE(warning("20"));  // the critical step is some 46 s
