@@ -30,12 +30,8 @@ double StepSizeControl::after_failure(double h) {
   return h / 2;
 }
 
-double next_on_grid(double t, double step) {
-  return step * (std::floor(t / step + sliver) + 1);
-}
-
 double end_of_fixed_step(double t, double step, double t_stop) {
-  const double grid = next_on_grid(t, step);
+  const double grid = step * (std::floor(t / step + sliver) + 1);
   return grid < t_stop - sliver * step ? grid : t_stop;
 }
 

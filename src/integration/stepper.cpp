@@ -104,7 +104,6 @@ double OneStepStepper::after_success(const Plan& plan, const Landing& landing) {
 
 StepReport OneStepStepper::advance(State& state, double t_stop) {
   constexpr int plain_attempts = 8, most_failures = 16;
-  constexpr long most_iterations = 5000;  // that run/headway gives a step which succeeds
   if (!begun_) begin(state);
   const long newton_before = counters_.newton_iterations;
   const double shortest = 1e-14 * settings_.end;
@@ -113,8 +112,8 @@ StepReport OneStepStepper::advance(State& state, double t_stop) {
   StepReport report;
   std::string reason = "the error test fails";
   const auto newton_iterations = [&] { return counters_.newton_iterations - newton_before; };
-  for (int failures = 0;
-       failures < most_failures && proposal_ > shortest && newton_iterations() < most_iterations;) {
+  for (int failures = 0; failures < most_failures && proposal_ > shortest &&
+                         newton_iterations() < most_newton_iterations;) {
     const Plan plan = this->plan(state, t_stop, proposal_);
     tried = std::min(tried, plan.h);
     const Landing landing = take(state, plan, failures >= plain_attempts);

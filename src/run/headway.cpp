@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <gnomon/error.hpp>
+#include <gnomon/integration/step_size.hpp>
 
 namespace gnomon {
 
@@ -10,9 +11,8 @@ Headway::Headway(double t, const Counters& counters, double end)
     : t_(t), newton_iterations_(counters.newton_iterations), end_(end) {}
 
 void Headway::require(double t, const Counters& counters) {
-  constexpr long most = 5000;
   constexpr double least = 1e-5;
-  if (counters.newton_iterations - newton_iterations_ < most) return;
+  if (counters.newton_iterations - newton_iterations_ < most_newton_iterations) return;
   if (t - t_ < least * end_)
     throw SolutionError(fmt::format(
         "no headway: the last {} Newton iterations went from t = {:.9g} s to {:.9g} s",

@@ -10,7 +10,7 @@ class Headway {
 public:
   /// Of a run from now on.
   Headway(double t, const Counters& counters, double end);
-  /// Throws SolutionError when 5000 Newton iterations have not brought the run on by 1e-5 of its
+  /// Throws SolutionError when most_newton_iterations have not brought the run on by 1e-5 of its
   /// length: it would take half a milliard for the whole.
   void require(double t, const Counters& counters);
 

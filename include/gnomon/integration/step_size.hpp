@@ -35,11 +35,11 @@ private:
 /// Steps that are shorter by this factor than the others are not made: their ends merge.
 inline constexpr double sliver = 1e-3;
 
-/// The next point after t of the grid k step that is not within a sliver of t, by count rather than
-/// by adding up, so that it does not drift.
-double next_on_grid(double t, double step);
+/// Newton iterations that are spent on one step, or on 1e-5 of a run, before it is given up.
+inline constexpr long most_newton_iterations = 5000;
 
-/// The next point of the grid, or t_stop where that comes earlier or a sliver later.
+/// The next point after t of the grid k step that is not within a sliver of t (by count rather than
+/// by adding up, so that it does not drift), or t_stop where that comes earlier or a sliver later.
 double end_of_fixed_step(double t, double step, double t_stop);
 
 /// Where a step from t has to end at the latest: on the next corner (Structure) before t_stop, else
