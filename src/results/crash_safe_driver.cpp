@@ -1,5 +1,6 @@
-// The callbacks that make a CrashSafeFile a file driver of HDF5. No exception leaves them: the file
-// answers with errno values, which go to HDF5's error stack and come back through check().
+// The callbacks that make a CrashSafeFile a file driver of HDF5. No exception leaves them. What could
+// not be read goes to HDF5's error stack as an errno value and comes back through check(); what
+// could not be written the file keeps for require_written().
 #include <cstring>
 
 #include "results/crash_safe_file.hpp"
@@ -20,13 +21,6 @@ CrashSafeFile& file_of(H5FD_t* base) {
 }
 const CrashSafeFile& file_of(const H5FD_t* base) {
   return *reinterpret_cast<const DriverFile*>(base)->file;
-}
-
-herr_t report(int error, hid_t minor) {
-  if (error == 0) return 0;
-  H5Epush2(H5E_DEFAULT, __FILE__, __func__, __LINE__, H5E_ERR_CLS, H5E_IO, minor, "%s",
-           std::strerror(error));
-  return -1;
 }
 
 // The name is not used: the file is open already.
@@ -65,16 +59,22 @@ herr_t set_end(H5FD_t* base, H5FD_mem_t /*type*/, haddr_t end) {
 
 herr_t read(H5FD_t* base, H5FD_mem_t /*type*/, hid_t /*transfer*/, haddr_t address, size_t size,
             void* buffer) {
-  return report(file_of(base).read(address, size, buffer), H5E_READERROR);
+  const int error = file_of(base).read(address, size, buffer);
+  if (error == 0) return 0;
+  H5Epush2(H5E_DEFAULT, __FILE__, __func__, __LINE__, H5E_ERR_CLS, H5E_IO, H5E_READERROR, "%s",
+           std::strerror(error));
+  return -1;
 }
 
 herr_t write(H5FD_t* base, H5FD_mem_t type, hid_t /*transfer*/, haddr_t address, size_t size,
              const void* buffer) {
-  return report(file_of(base).write(type, address, size, buffer), H5E_WRITEERROR);
+  file_of(base).write(type, address, size, buffer);
+  return 0;
 }
 
 herr_t flush(H5FD_t* base, hid_t /*transfer*/, hbool_t /*closing*/) {
-  return report(file_of(base).commit(), H5E_WRITEERROR);
+  file_of(base).commit();
+  return 0;
 }
 
 H5FD_class_t driver_class() {

@@ -105,10 +105,22 @@ int CrashSafeFile::read(haddr_t address, size_t size, void* buffer) const {
   return 0;
 }
 
-int CrashSafeFile::write(H5FD_mem_t type, haddr_t address, size_t size, const void* buffer) {
-  if (abandoned_) return 0;
+void CrashSafeFile::require_written() const {
+  if (error_ != 0) throw Failure(std::string("cannot write: ") + std::strerror(error_));
+}
+
+bool CrashSafeFile::succeeds(int error) {
+  if (error == 0) return true;
+  error_ = error;
+  abandoned_ = true;
+  return false;
+}
+
+void CrashSafeFile::write(H5FD_mem_t type, haddr_t address, size_t size, const void* buffer) {
   const auto* bytes = static_cast<const unsigned char*>(buffer);
-  if (address >= committed_end_) return write_all(descriptor_, address, bytes, size);
+  if (!abandoned_ && address >= committed_end_ &&
+      succeeds(write_all(descriptor_, address, bytes, size)))
+    return;
   const auto same = std::find_if(changes_.begin(), changes_.end(), [&](const Change& change) {
     return change.address == address && change.bytes.size() == size;
   });
@@ -118,11 +130,15 @@ int CrashSafeFile::write(H5FD_mem_t type, haddr_t address, size_t size, const vo
   } else {
     changes_.push_back(std::move(change));
   }
-  return 0;
 }
 
-int CrashSafeFile::commit() {
-  if (abandoned_) return 0;
+void CrashSafeFile::commit() {
+  if (abandoned_ || !succeeds(publish_all())) return;
+  changes_.clear();
+  committed_end_ = end_;
+}
+
+int CrashSafeFile::publish_all() {
   struct stat status = {};
   if (fstat(descriptor_, &status) != 0) return errno;
   if (static_cast<haddr_t>(status.st_size) < end_ &&
@@ -134,8 +150,6 @@ int CrashSafeFile::commit() {
   for (const Change& change : changes_) {
     if (const int error = publish(change); error != 0) return error;
   }
-  changes_.clear();
-  committed_end_ = end_;
   return 0;
 }
 

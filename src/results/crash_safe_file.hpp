@@ -33,18 +33,21 @@ public:
   /// A file access list with which H5Fcreate works on this file. The file must outlive it.
   Handle access_list();
 
-  /// Drops everything uncommitted and makes later writes void: after a failed write, HDF5 can then
-  /// be closed without touching what the disk holds.
+  /// Nothing more goes to the disk, which keeps what it holds. HDF5 goes on without knowing (it
+  /// reads what it writes, from memory), and can be closed.
   void abandon() { abandoned_ = true; }
+  /// Throws Failure with the system's reason when a write has failed, which abandons the file. HDF5
+  /// is not told: told of it, it writes what refers to that place all the same, and may crash.
+  void require_written() const;
   /// From here on the file is for readers too (write_claim.hpp).
   void share();
   /// Asks the system to bring the file to the medium itself. Throws Failure.
   void sync();
 
-  // What the driver's callbacks call. The first three return 0 or an errno value.
+  // What the driver's callbacks call. read() returns 0 or an errno value.
   int read(haddr_t address, size_t size, void* buffer) const;
-  int write(H5FD_mem_t type, haddr_t address, size_t size, const void* buffer);
-  int commit();
+  void write(H5FD_mem_t type, haddr_t address, size_t size, const void* buffer);
+  void commit();
   haddr_t allocate(H5FD_mem_t type, hsize_t size);
   haddr_t end() const { return end_; }
   void set_end(haddr_t end) { end_ = end; }
@@ -57,9 +60,12 @@ private:
     std::vector<unsigned char> bytes;
   };
 
+  int publish_all();
   int publish(const Change& change) const;
+  bool succeeds(int error);
 
   int descriptor_ = -1;
+  int error_ = 0;  ///< errno of the first write that failed
   bool abandoned_ = false;
   haddr_t end_ = 0;            ///< allocated by HDF5
   haddr_t committed_end_ = 0;  ///< what the image on disk reaches to

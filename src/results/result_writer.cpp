@@ -42,7 +42,8 @@ private:
   void check_earlier() const;
   void publish();
   void discard() noexcept;
-  void flush() { check(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "flush the file"); }
+  const char* what_is_left() const;
+  void flush();
   void check_field(const Field& field) const;
   Handle open_steps(hid_t parent);
 
@@ -50,6 +51,7 @@ private:
   Earlier earlier_;
   double from_;
   bool published_ = false;
+  bool has_rows_ = false;  // on the disk
   std::optional<hdf5::CrashSafeFile> disk_;
   Handle file_, gnomon_, steps_, contacts_;  // released in reverse order, the file last
   hdf5::GrowingTable history_, stored_;
@@ -75,6 +77,11 @@ ResultWriter::File::File(const std::filesystem::path& path, const RunHeader& hea
     discard();
     throw InputError(fmt::format("cannot create {}: {}", path.string(), error.what()));
   }
+}
+
+void ResultWriter::File::flush() {
+  check(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "flush the file");
+  disk_->require_written();
 }
 
 void ResultWriter::File::check_earlier() const {
@@ -143,9 +150,14 @@ void ResultWriter::File::guarded(const std::function<void()>& action) {
   } catch (const std::exception& error) {
     failed_ = true;
     disk_->abandon();
-    throw Error(fmt::format("{}: {} (the result holds everything up to the step before)",
-                            path_.string(), error.what()));
+    throw Error(fmt::format("{}: {} ({})", path_.string(), error.what(), what_is_left()));
   }
+}
+
+const char* ResultWriter::File::what_is_left() const {
+  if (!published_) return "nothing of this run is left; what was there is kept";
+  if (!has_rows_) return "the result holds no step";
+  return "the result holds everything up to the step before";
 }
 
 void ResultWriter::File::append(const HistoryRow& row) {
@@ -165,6 +177,7 @@ void ResultWriter::File::append(const HistoryRow& row) {
   }
   history_.append(layout::cells_of(row).data());
   flush();
+  has_rows_ = true;
   if (!published_ && row.t >= from_) publish();
 }
 

@@ -238,7 +238,9 @@ TEST(Crash, KilledAtRandomInstantsLosesNothing) {
   }
 }
 
-TEST(Crash, FullDiskIsAnErrorThatLosesNothing) {
+/// Refuses the writes of a run from every one on: all later ones, or that one alone, as where pages
+/// that the file has already can still be written.
+void expect_refused_writes_to_lose_nothing(bool alone) {
   const Grid grid = synthetic::grid(4, 3);
   int refused = 0;
   for (bool ended = false; !ended; ++refused) {
@@ -246,13 +248,15 @@ TEST(Crash, FullDiskIsAnErrorThatLosesNothing) {
     ResultWriter writer(file, synthetic::header(), grid);
     Progress progress;
     int writes = 0;
-    on_write = [&] { return writes++ < refused; };
+    on_write = [&] { return alone ? writes++ != refused : writes++ < refused; };
     try {
       for (int step = 0; step < 4; ++step) write_step(writer, grid, step, progress);
       ended = true;
     } catch (const Error& error) {
       EXPECT_THAT(error.what(), HasSubstr("No space left on device"));
       EXPECT_THAT(error.what(), HasSubstr(file.string()));
+      EXPECT_THAT(error.what(), HasSubstr(progress.appended > 0 ? "up to the step before"
+                                                                : "the result holds no step"));
       EXPECT_THAT([&] { writer.close("failed", 1); },
                   ThrowsMessage<Error>(HasSubstr("an earlier write failed")));
     }
@@ -261,6 +265,14 @@ TEST(Crash, FullDiskIsAnErrorThatLosesNothing) {
     ASSERT_NO_FATAL_FAILURE(expect_holds(file, progress, grid));
   }
   EXPECT_GT(refused, 20);
+}
+
+TEST(Crash, FullDiskIsAnErrorThatLosesNothing) {
+  expect_refused_writes_to_lose_nothing(false);
+}
+
+TEST(Crash, OneWriteThatFailsIsAnErrorThatLosesNothing) {
+  expect_refused_writes_to_lose_nothing(true);
 }
 
 }  // namespace
