@@ -48,10 +48,10 @@ struct Checkpoint {
 class ResultWriter {
 public:
   /// Creates the file and its sidecar (same name, .xdmf). Earlier ones are refused, or replaced by
-  /// the first append() of a row at `from` [time] or later: until then the new file is FILE.part,
-  /// which goes if none comes.
-  /// Throws InputError when the file cannot be created there, when an earlier one is refused, and
-  /// while another run is writing it; an earlier file is then untouched.
+  /// the first append() of a row later than `from` [time], or by close() when one at `from` has
+  /// been the last: until then the new file is FILE.part, which goes if that does not come. Throws
+  /// InputError when the file cannot be created there, when an earlier one is refused, and while
+  /// another run is writing it; an earlier file is then untouched.
   ResultWriter(const std::filesystem::path& file, const RunHeader& header,
                const std::optional<Grid>& grid, Earlier earlier = Earlier::refused,
                double from = -std::numeric_limits<double>::infinity());

@@ -90,9 +90,9 @@ void check_outputs(const RunOptions& options) {
   check_earlier(sidecar, {"-o", "a sidecar", is_sidecar}, options.force);
   check_writable(options.result);
   if (printed) return;
+  check_writable(summary);
   if (!is_stream(summary))
     check_earlier(summary, {"--summary", "a summary", is_summary}, options.force);
-  check_writable(summary);
 }
 
 void write_summary(const RunOptions& options, const std::string& text, bool started) {

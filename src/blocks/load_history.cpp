@@ -16,6 +16,10 @@ double LoadHistory::factor(double t, double within) const {
   return (1 - part) * factors_[k - 1] + part * factors_[k];
 }
 
+double LoadHistory::least() const {
+  return *std::min_element(factors_.begin(), factors_.end());
+}
+
 double LoadHistory::integral(double end) const {
   double sum = 0, from = 0;
   const auto add_up_to = [&](double to) {

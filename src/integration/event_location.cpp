@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/integration/event_location.hpp>
+#include <utility>
 
 namespace gnomon {
 
@@ -27,6 +28,12 @@ double polynomial_root(const std::vector<double>& h, std::vector<double> f, doub
     (active(value(middle)) == at_low ? low : high) = middle;
   }
   return (low + high) / 2;
+}
+
+/// For a zero that may be at any scale.
+double middle(double low, double high) {
+  if (low == 0) return high / 16;
+  return high > 4 * low ? std::sqrt(low * high) : (low + high) / 2;
 }
 
 }  // namespace
@@ -110,26 +117,33 @@ double EventLocator::first_guess(const State& from, double h) const {
   return h / 2;
 }
 
-/// First zero of a switching function between two samples next to each other, the first on the
-/// piece.
-double EventLocator::earliest_root(double low, double high) const {
-  // Both ends and the two nearest samples beside them.
+/// Both ends and the two samples nearest to one of them.
+std::vector<const EventLocator::Sample*> EventLocator::samples_near(double end, double low,
+                                                                    double high) const {
   std::vector<const Sample*> nodes;
   for (const Sample& s : samples_) nodes.push_back(&s);
-  const double middle = (low + high) / 2;
   std::sort(nodes.begin(), nodes.end(), [&](const Sample* a, const Sample* b) {
-    return std::abs(a->h - middle) < std::abs(b->h - middle);
+    return std::abs(a->h - end) < std::abs(b->h - end);
   });
   const auto is_end = [&](const Sample* s) { return s->h == low || s->h == high; };
   std::stable_partition(nodes.begin(), nodes.end(), is_end);
   if (nodes.size() > 4) nodes.resize(4);
+  return nodes;
+}
+
+/// First zero of a switching function between two samples next to each other, the first on the
+/// piece.
+double EventLocator::earliest_root(double low, double high) const {
+  const std::vector<const Sample*> near[] = {samples_near(low, low, high),
+                                             samples_near(high, low, high)};
+  const std::size_t count = near[0].size();
   double earliest = high;
-  std::vector<double> h(nodes.size()), f(nodes.size());
+  std::vector<double> h(count), f(count);
   for (std::size_t j = 0; j < piece_.size(); ++j) {
-    if (active(at(high).values[j]) == bool(piece_[j]) ||
-        active(at(low).values[j]) != bool(piece_[j]))
-      continue;
-    for (std::size_t k = 0; k < nodes.size(); ++k) h[k] = nodes[k]->h, f[k] = nodes[k]->values[j];
+    const double first = at(low).values[j], last = at(high).values[j];
+    if (active(last) == bool(piece_[j]) || active(first) != bool(piece_[j])) continue;
+    const auto& nodes = near[std::abs(last) < std::abs(first)];  // where the zero is to be expected
+    for (std::size_t k = 0; k < count; ++k) h[k] = nodes[k]->h, f[k] = nodes[k]->values[j];
     earliest = std::min(earliest, polynomial_root(h, f, low, high));
   }
   return earliest;
@@ -156,24 +170,27 @@ int EventLocator::switch_at(double h, double width) {
 }
 
 Landing EventLocator::land(const State& from, double h, State& to) {
-  constexpr int most_attempts = 12;
+  constexpr int most_attempts = 16;
   constexpr double grazing = 1e-3;  // of the step: an event so near its start is its start
   const double width = tolerance * h;
   samples_.clear();
   sample(0, from.y);
   sample(h, to.y);
   if (starts_off_piece(from)) return switch_at_start(from, at(0));
-  double low = 0, high = h, guess = first_guess(from, h);
+  double low = 0, high = h, guess = first_guess(from, h), bracket = h;
   Landing landing;
-  for (int k = 0; k < most_attempts; ++k) {
+  for (int k = 0;; ++k) {
     if (high <= grazing * h) return switch_at_start(from, at(high));
     landing.h = std::clamp(guess, low + width / 2, high - width / 2);
-    landing.attempt = method_.attempt(from, landing.h, {.piece = &piece_}, to);
+    landing.attempt = k < most_attempts ? method_.attempt(from, landing.h, {.piece = &piece_}, to)
+                                        : Attempt{.reason = "an event was not found in the step"};
     if (!landing.attempt.success) return landing;
     sample(landing.h, to.y);
     (off_piece(at(landing.h)) ? high : low) = landing.h;
     guess = earliest_root(low, high);
     if (std::abs(guess - landing.h) <= width) break;
+    const double before = std::exchange(bracket, high - low);
+    if (bracket > before / 2 && k % 2 == 1) guess = middle(low, high);
   }
   landing.switched = switch_at(landing.h, 3 * width);
   crossed_at_ = to.t;

@@ -81,7 +81,8 @@ std::vector<int> nested_dissection(const SparsePattern& pattern, const std::vect
     options[METIS_OPTION_SEED] = 1;  // the same order in every run
     if (METIS_NodeND(&groups, graph.start.data(), graph.neighbour.data(), nullptr, options,
                      order.data(), position.data()) != METIS_OK)
-      throw Error("METIS could not order the unknowns");
+      // It takes SIGTERM for an error of its own.
+      throw Error("METIS was ended by a signal, or could not order the unknowns");
   }
   std::vector<int> result(compact.size());
   std::iota(result.begin(), result.end(), 0);

@@ -10,16 +10,17 @@ namespace gnomon {
 namespace {
 
 /// Residuals are relative to the load, displacements to the body: where the one hardly strains the
-/// other, no load at all would pass for equilibrium.
+/// other, at the least of its history, no load at all would pass for equilibrium.
 template <int dim>
 void require_strain(const WornBody<dim>& body) {
   constexpr double least = 1e-14;
-  const double strain = body.scales.stress / body.material.young_modulus();
+  const double strain =
+      body.load_history.least() * body.scales.stress / body.material.young_modulus();
   if (!(strain >= least))
-    throw InputError(
-        fmt::format("load.force, body.young_modulus: expected a load that strains the body by {:g} "
-                    "or more, got about {:.2g}, which drowns in rounding",
-                    least, strain));
+    throw InputError(fmt::format(
+        "load.force, load.factors, body.young_modulus: expected a load that strains the "
+        "body by {:g} or more, got about {:.2g}, which drowns in rounding",
+        least, strain));
 }
 
 /// Stiffness along and across an element differ by the square of its lengths' ratio: rounding of

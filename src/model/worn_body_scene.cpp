@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/worn_body_scene.hpp>
@@ -23,6 +24,18 @@ Preconditioner preconditioner_by_size(const MeshSize& mesh) {
 constexpr double least_load_factor = 1e-6;
 /// In the time of the run: what a step changes of the shape has to stand out from rounding.
 constexpr double shortest_ramp = 1e-4;
+
+/// Times of the load that differ from one to store at, or from the end, by rounding are that one:
+/// there would be a step of this length between them.
+std::vector<double> on_landings(std::vector<double> times, const Scene& scene) {
+  constexpr double rounding = 1e-9;
+  std::vector<double> landings = scene.reals("output.times");
+  landings.push_back(scene.real("time.end"));
+  for (double& time : times)
+    for (const double landing : landings)
+      if (std::abs(landing - time) <= rounding * landing) time = landing;
+  return times;
+}
 
 }  // namespace
 
@@ -83,7 +96,7 @@ LoadHistory read_load_history(const Scene& scene) {
           "{}: expected {:g} or more, got {:g}: only a force keeps the bodies together, and "
           "without it their distance is not determined",
           scene.where("load.factors"), least_load_factor, factor));
-  return {times, factors};
+  return {on_landings(times, scene), factors};
 }
 
 double load_impulse(const Scene& scene) {

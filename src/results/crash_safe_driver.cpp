@@ -1,6 +1,6 @@
-// The callbacks that make a CrashSafeFile a file driver of HDF5. No exception leaves them. What could
-// not be read goes to HDF5's error stack as an errno value and comes back through check(); what
-// could not be written the file keeps for require_written().
+// The callbacks that make a CrashSafeFile a file driver of HDF5. No exception leaves them. What
+// could not be read goes to HDF5's error stack as an errno value and comes back through check();
+// what could not be written the file keeps for require_written().
 #include <cstring>
 
 #include "results/crash_safe_file.hpp"

@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <gnomon/error.hpp>
 #include <gnomon/results.hpp>
+#include <span>
 
 namespace gnomon {
 
@@ -12,6 +15,20 @@ void copy_step(const ResultReader& from, std::size_t step, double t,
   to.store(t, values, from.has_contact() ? std::optional(from.contact(t)) : std::nullopt);
 }
 
+/// Before anything is written: a time far ahead would let the copy replace the result.
+void require_together(std::span<const HistoryRow> history, std::span<const double> stored) {
+  const auto damaged = [](const char* how) {
+    throw InputError(fmt::format("the result to go on from is damaged: {}", how));
+  };
+  std::size_t step = 0;
+  for (std::size_t row = 0; row < history.size(); ++row) {
+    if (row > 0 && !(history[row].t > history[row - 1].t))
+      damaged("its history does not go on in time");
+    step += step < stored.size() && stored[step] == history[row].t;
+  }
+  if (step != stored.size()) damaged("its stored steps are not at the times of its history");
+}
+
 }  // namespace
 
 void copy_to_last_checkpoint(const ResultReader& from, const std::vector<std::string>& fields,
@@ -21,6 +38,7 @@ void copy_to_last_checkpoint(const ResultReader& from, const std::vector<std::st
   const auto steps = static_cast<std::size_t>(checkpoints.back().stored);
   const std::vector<HistoryRow> history = from.history();
   const std::vector<double> times = from.stored_times();
+  require_together(std::span(history).first(rows), std::span(times).first(steps));
   std::size_t step = 0;
   for (std::size_t row = 0; row < rows; ++row) {
     to.append(history[row]);
@@ -32,10 +50,6 @@ void copy_to_last_checkpoint(const ResultReader& from, const std::vector<std::st
     if (row == 0)
       for (const Checkpoint& checkpoint : checkpoints) to.checkpoint(checkpoint);
   }
-  if (step != steps)
-    throw InputError(
-        "the result to go on from is damaged: its stored steps are not at the times of its "
-        "history");
 }
 
 }  // namespace gnomon

@@ -52,6 +52,7 @@ private:
   double from_;
   bool published_ = false;
   bool has_rows_ = false;  // on the disk
+  double reached_ = 0;
   std::optional<hdf5::CrashSafeFile> disk_;
   Handle file_, gnomon_, steps_, contacts_;  // released in reverse order, the file last
   hdf5::GrowingTable history_, stored_;
@@ -178,7 +179,8 @@ void ResultWriter::File::append(const HistoryRow& row) {
   history_.append(layout::cells_of(row).data());
   flush();
   has_rows_ = true;
-  if (!published_ && row.t >= from_) publish();
+  reached_ = row.t;
+  if (!published_ && reached_ > from_) publish();
 }
 
 void ResultWriter::File::check_field(const Field& field) const {
@@ -236,6 +238,7 @@ void ResultWriter::File::close(const std::string& status, double wall_seconds) {
   hdf5::write_attribute(gnomon_.id(), "wall_seconds", wall_seconds);
   hdf5::rewrite_attribute(gnomon_.id(), "status", status);
   flush();
+  if (!published_ && has_rows_ && reached_ >= from_) publish();
   disk_->sync();
 }
 

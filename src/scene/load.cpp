@@ -43,6 +43,12 @@ void refuse_deep_nesting(const std::string& text) {
   throw InputError(fmt::format("--set {}: {}", key, deep->message));
 }
 
+bool is_table(const RawValue& value) {
+  const auto* scalar = std::get_if<RawScalar>(&value.content);
+  const auto* foreign = scalar ? std::get_if<ForeignValue>(scalar) : nullptr;
+  return foreign && foreign->is_table;
+}
+
 /// "key=value" of the command line.
 Given parse_override(const std::string& text) {
   refuse_deep_nesting(text);
@@ -53,7 +59,12 @@ Given parse_override(const std::string& text) {
   const std::string origin = "--set " + key;
   const std::string value = trimmed(text.substr(equals + 1));
   if (value.empty()) throw InputError(origin + ": expected a value behind \"=\"");
-  if (auto raw = read_toml_value(value)) return {key, origin, *raw};
+  if (auto raw = read_toml_value(value)) {
+    if (is_table(*raw))
+      throw InputError(fmt::format("{}: expected one value, as in --set {}.KEY=VALUE, got a table",
+                                   origin, key));
+    return {key, origin, *raw};
+  }
   if (value.find_first_of("\"'[]{}#=,\r\n") != std::string::npos)
     throw InputError(fmt::format("{}: not a TOML value: {}", origin, value));
   return {key, origin, RawValue{RawScalar(value)}};  // a bare word is a text
@@ -105,9 +116,7 @@ bool names_table(const std::string& name, const std::vector<Key>& table) {
 
 /// A known table that gives no keys, which is not a mistake.
 bool is_empty_table(const Given& given, const std::vector<Key>& table) {
-  const auto* scalar = std::get_if<RawScalar>(&given.value.content);
-  const auto* foreign = scalar ? std::get_if<ForeignValue>(scalar) : nullptr;
-  return foreign && foreign->is_table && names_table(given.name, table);
+  return is_table(given.value) && names_table(given.name, table);
 }
 
 }  // namespace

@@ -181,18 +181,22 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
     guard_.clear();
     sunrealtype t = state.t, tried = 0;
     const int flag = ARKodeEvolve(erk, t_stop, d_.get(), &t, ARK_ONE_STEP);
+    const bool done =
+        flag >= 0 && guard_.run([&] { evaluate(t, view(d_.get())); }) == 0;  // where it has come to
     guard_.rethrow();
     long error_fails = 0;
     check(ARKodeGetNumErrTestFails(erk, &error_fails), "ARKodeGetNumErrTestFails");
     counters_.rejected_steps += error_fails - rejected_;
     report.restarted |= error_fails > rejected_;
     rejected_ = error_fails;
-    if (flag >= 0) {
+    if (done) {
       report.step = t - state.t;
-      evaluate(t, view(d_.get()));
       break;
     }
-    check(ARKodeGetCurrentStep(erk, &tried), "ARKodeGetCurrentStep");
+    if (flag >= 0)
+      tried = t - state.t;
+    else
+      check(ARKodeGetCurrentStep(erk, &tried), "ARKodeGetCurrentStep");
     // Ever smaller steps would creep up to where the solution ends.
     const bool shortest = tried <= 1e-14 * settings_.end;
     if (guard_.recoverable().empty() || shortest || failures == most_failures)

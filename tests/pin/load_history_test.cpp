@@ -66,6 +66,40 @@ TEST(LoadHistoryOfThePin, WornDepthFollowsALoadThatTurnsAndFalls) {
   }
 }
 
+// A difference of two shapes over so short a step is rounding: the rates that the next step starts
+// with are those of the pressures.
+TEST(LoadHistoryOfThePin, AStepOfRoundingBehindACornerCostsNoAccuracy) {
+  const Overrides turning = {elements(8), "wear.coefficient=2e-5", "load.times=[0, 0.3, 0.6]",
+                             "load.factors=[1, 0.5, 1]", "time.end=1"};
+  const auto model = pin_model(turning);
+  const auto worn = [&](const Integrator& integrator, double between) {
+    IntegratorSettings settings;
+    settings.step = 0.1;
+    settings.scale = model->differential_scale();
+    settings.end = 1;
+    Counters counters;
+    State state = model->start(counters);
+    const auto stepper = integrator.make(*model, settings, counters);
+    for (const double stop : {0.3, between, 1.0})
+      while (state.t < stop) stepper->advance(state, stop);
+    return observed(*model, state, "max_pressure");
+  };
+  for (const Integrator& integrator : Integrators::all()) {
+    if (!integrator.fixed_steps) continue;
+    const double expected = worn(integrator, 0.3);
+    for (const double beside : {0.30000000000000004, 0.3 + 1e-12, 0.3 + 1e-9})
+      EXPECT_NEAR(worn(integrator, beside), expected, 1e-6 * expected)
+          << integrator.name << " " << beside - 0.3;
+  }
+}
+
+TEST(LoadHistoryOfThePin, ItsTimesAreThoseToLandOnButForRounding) {
+  const auto model = pin_model({"time.end=0.6000000000000001", "load.times=[0, 0.3, 0.6]",
+                                "load.factors=[1, 2, 1]", "output.times=[0.30000000000000004]"});
+  EXPECT_EQ(model->system().structure().corners,
+            (std::vector<double>{0, 0.30000000000000004, 0.6000000000000001}));
+}
+
 TEST(LoadHistoryOfThePin, FixedStepsReturnToTheirGrid) {
   for (const char* integrator : {"backward-euler", "forward-euler", "erk-2", "esdirk-3"}) {
     const PinRun run = run_pin(integrator, 15, 0, 60, breathing);
@@ -130,6 +164,8 @@ TEST(LoadHistoryOfThePin, RefusesWhatIsNoHistory) {
   EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1, 0]"}),
               HasSubstr("expected 1e-06 or more, got 0: only a force keeps the bodies together"));
   EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1, -1]"}), HasSubstr("got -1"));
+  EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1, 1e-6]", "load.force=1e-8"}),
+              HasSubstr("strains the body by 1e-14 or more"));
   EXPECT_THAT(refusal({"load.times=[-1, 1]", "load.factors=[1, 1]"}), HasSubstr("load.times"));
 }
 

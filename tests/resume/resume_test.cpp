@@ -1,5 +1,6 @@
 // A run that goes on from a checkpoint is the run that was never interrupted.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -281,6 +282,21 @@ TEST_F(Resume, ADamagedCheckpointFallsBackToTheOneBefore) {
   ASSERT_EQ(resume(file("r")), 0);
   EXPECT_EQ(ResultReader(file("r")).history().back().scalars[3].value,
             ResultReader(file("whole")).history().back().scalars[3].value);
+}
+
+// What the continuation copies is read before the earlier file goes: the last stored step here, of
+// which the history tells nothing.
+TEST_F(Resume, ADamagedResultIsRefusedAndStays) {
+  run_scene(pin, coarse({"integrator.name=backward-euler", "integrator.step=20"}), file("r"));
+  const std::size_t last = ResultReader(file("r")).stored_times().size() - 1;
+  const hid_t id = H5Fopen(file("r").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const std::string field = "steps/0000/" + fmt::format("{:06}", last) + "/shape";
+  ASSERT_GE(H5Ldelete(id, field.c_str(), H5P_DEFAULT), 0);
+  H5Fclose(id);
+  const std::string before = bytes_of(file("r"));
+  EXPECT_THROW(resume(file("r"), {}, 300.0), InputError);
+  EXPECT_TRUE(bytes_of(file("r")) == before);
+  EXPECT_EQ(ResultReader(file("r")).status(), "finished");
 }
 
 }  // namespace

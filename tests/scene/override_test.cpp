@@ -52,6 +52,9 @@ TEST(BadOverride, IsRefused) {
             "--set body.young_modulus: expected a number in (0, inf) [MPa], got -3");
   EXPECT_EQ(complaint(text, {"body.young_modulus=stiff"}),
             "--set body.young_modulus: expected a number in (0, inf) [MPa], got \"stiff\"");
+  for (const std::string table : {"{}", "{level=3}", "{levl=3}"})
+    EXPECT_EQ(complaint(text, {"mesh=" + table}),
+              "--set mesh: expected one value, as in --set mesh.KEY=VALUE, got a table");
   EXPECT_EQ(complaint(text, {"problem=exmple"}), "--set problem: unknown problem \"exmple\"");
 }
 

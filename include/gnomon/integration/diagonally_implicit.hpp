@@ -53,6 +53,7 @@ private:
   Counters& counters_;
   ButcherTable table_;
   ErrorNorm norm_;
+  double short_step_;
   NewtonSolver newton_;
   std::optional<StageSolver> stages_;  // made when first needed
   Trace trace_;

@@ -10,7 +10,7 @@ namespace gnomon {
 
 /// How a search for an event ended.
 struct Landing {
-  Attempt attempt{};     ///< the step that ends on the event; its failure if Newton failed
+  Attempt attempt{};     ///< the step that ends on the event; failed if Newton or the search did
   bool grazing = false;  ///< the event is at the very start: there is nothing to end there
   double h = 0;          ///< size of the step [time]
   int switched = 0;      ///< contact nodes that change there, or at the start when grazing
@@ -50,6 +50,7 @@ private:
   };
   void sample(double h, std::span<const double> y);
   double first_guess(const State& from, double h) const;
+  std::vector<const Sample*> samples_near(double end, double low, double high) const;
   double earliest_root(double low, double high) const;
   int switch_at(double h, double width);
   Landing switch_at_start(const State& from, const Sample& behind);

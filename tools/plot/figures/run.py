@@ -29,11 +29,23 @@ NONSENSE = (ArithmeticError, LookupError, MemoryError, OSError, RuntimeError, Ty
 def draw(kind, targets, folder, svg_folder):
     style.apply()
     jobs = [job for target in targets for job in jobs_of(kind, target)]
+    require_own_names(jobs, folder, svg_folder)
     for drawer, target in jobs:
         perform(drawer, [target], Sink(target, folder, svg_folder))
     if [drawer for drawer, _ in jobs] == [draw_result] * 2:
         both = [path for _, path in jobs]
         perform(draw_two_results, both, Sink(targets[0], folder, svg_folder))
+
+
+def require_own_names(jobs, folder, svg_folder):
+    """Two results of one name would leave the figures of the second alone."""
+    earlier = {}
+    for drawer, target in jobs:
+        place = (Sink(target, folder, svg_folder).folder.resolve(), target.stem)
+        other = earlier.setdefault(place, target)
+        if drawer is draw_result and not other.samefile(target):
+            raise BadInput(f"{other} and {target} have one name: their figures would have, too, "
+                           f"in {place[0]}")
 
 
 def perform(drawer, targets, sink):
