@@ -40,7 +40,7 @@ const std::string& known_integrator(const std::string& name) {
 }
 
 std::string check_file_name(const std::string& name) {
-  return name.empty() ? "expected a file name, got an empty text" : "";
+  return name.empty() ? "expected a name, got an empty text" : "";
 }
 
 void add_run_options(CLI::App* command, std::filesystem::path& summary, bool& quiet) {
@@ -129,7 +129,8 @@ void CommandLine::add_study() {
   command
       ->add_option("-o,--output", study_.folder,
                    "Folder of the results; default: STUDY's name, in the current folder")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(check_file_name);
   add_jobs(command, study_.jobs);
   add_flags_of_studies(command, study_.resume, study_.quiet);
   command->callback([this] { command_ = [this] { return study_command(study_); }; });
@@ -145,7 +146,8 @@ void CommandLine::add_extremes() {
   command
       ->add_option("-o,--output", extremes_.folder,
                    "Folder of the results; default: extremes, in the current folder")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(check_file_name);
   add_jobs(command, extremes_.jobs);
   command
       ->add_option("--limit", extremes_.limit,
@@ -209,7 +211,8 @@ void CommandLine::add_stability() {
   command
       ->add_option("-o,--output", stability_.folder,
                    "Folder for spectrum.csv and critical_steps.csv; made when there is none")
-      ->type_name("FOLDER");
+      ->type_name("DIR")
+      ->check(check_file_name);
   command->callback([this] { command_ = [this] { return stability_command(stability_); }; });
 }
 
@@ -222,7 +225,8 @@ void CommandLine::add_plot() {
       ->type_name("");
   command
       ->add_option("-o,--output", figures_, "Folder of the figures; default: figures, beside each")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(check_file_name);
   command->callback([this] { command_ = [this] { return plot_command(results_, figures_); }; });
 }
 

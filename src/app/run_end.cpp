@@ -49,7 +49,7 @@ int exit_code(const RunOutcome& outcome) {
 std::string failure_message(const RunOutcome& outcome, const EndReport& report) {
   const std::string file = report.result.string();
   if (report.kept) return fmt::format("{} (the earlier {} is kept)", outcome.diagnosis, file);
-  if (!outcome.last) return outcome.diagnosis;
+  if (!outcome.last) return fmt::format("{} ({} holds the scene alone)", outcome.diagnosis, file);
   return fmt::format("{} (everything up to t = {:g} s is in {})", outcome.diagnosis,
                      outcome.last->t, file);
 }

@@ -88,7 +88,7 @@ LoadHistory read_load_history(const Scene& scene) {
     if (!(times[k] - times[k - 1] >= 0.999 * shortest))
       throw InputError(
           fmt::format("{}: expected ascending times, {:g} of time.end = {:g} s apart or more, got "
-                      "{:g} after {:g}",
+                      "{} after {}",
                       scene.where("load.times"), shortest_ramp, shortest, times[k], times[k - 1]));
   for (const double factor : factors)
     if (!(factor >= least_load_factor))

@@ -155,8 +155,10 @@ TEST_F(BadInput, ResultsAreNamedH5) {
   write_scene("[load]", "[load]");
   expect_refused({"run", "scene.toml", "-o", "./scene.toml"}, {"ends in .h5"});
   expect_refused({"run", "scene.toml", "-o", "q.hdf5"}, {"q.hdf5: expected a name", "in .h5"});
-  expect_refused({"run", "scene.toml", "-o", ""}, {"expected a file name"});
-  expect_refused({"run", "scene.toml", "--summary", ""}, {"expected a file name"});
+  expect_refused({"run", "scene.toml", "-o", ""}, {"expected a name"});
+  expect_refused({"run", "scene.toml", "--summary", ""}, {"expected a name"});
+  for (const char* command : {"study", "extremes", "stability", "plot"})
+    expect_refused({command, "scene.toml", "-o", ""}, {"expected a name"});
 }
 
 TEST_F(BadInput, NothingIsOverwritten) {
