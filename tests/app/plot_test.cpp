@@ -163,6 +163,14 @@ TEST_F(Plot, BadInputIsOneLineAndExitCode2) {
   EXPECT_FALSE(fs::exists(folder() / "figures"));
 }
 
+TEST_F(Plot, ResultsOfOneNameDoNotReplaceEachOthersFigures) {
+  fs::create_directory(folder() / "other");
+  for (const char* result : {"a.h5", "other/a.h5"}) write(result, "");
+  const Outcome outcome = gnomon({"plot", "a.h5", "other/a.h5", "-o", "all"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, testing::HasSubstr("a.h5 and other/a.h5 have one name"));
+}
+
 TEST_F(Plot, DamageIsRefusedBeforeTheFirstFigure) {
   make_result("whole.h5");
   const std::string tests = GNOMON_SOURCE_DIR "/tests/app/check_damage.py";
