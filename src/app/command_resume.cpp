@@ -1,5 +1,5 @@
 // gnomon resume: goes on from the last checkpoint of a result, into a new file that takes the place
-// of the old one as soon as it has come as far.
+// of the old one as soon as it goes further, or ends where that did.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
