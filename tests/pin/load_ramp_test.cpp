@@ -152,11 +152,12 @@ TEST(LoadRampOfThePin, SoftAndNearlyIncompressibleStaysCheap) {
 }
 
 TEST(LoadRampOfThePin, RefusalNamesTheElementTheFractionAndTheInvertedCell) {
-  const Overrides too_soft = {elements(10), "body.young_modulus=0.5"};
+  // On finer meshes rounding decides what ends the ramp, and so the kernels of the BLAS.
+  const Overrides too_soft = {elements(6), "body.young_modulus=0.5"};
   ContactProblem pin(too_soft);
   const RampReport report = pin.ramp(ramp_options(pin.body));
-  EXPECT_GT(report.reached, 0.05);
-  EXPECT_LT(report.reached, 0.3);
+  EXPECT_GT(report.reached, 0.5);
+  EXPECT_LT(report.reached, 0.65);
   EXPECT_THAT(report.reason, HasSubstr("inverted element"));
   Counters counters;
   try {
