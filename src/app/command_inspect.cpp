@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/results.hpp>
 
@@ -85,21 +84,24 @@ int info_command(const std::filesystem::path& file) {
     table.add({"mesh", fmt::format("{} points, {} cells", grid->points.size(),
                                    grid->cells.size() /
                                        (grid->cell == Grid::Cell::quadrilateral ? 4 : 8))});
-  table.add({"fields", fmt::format("{}", fmt::join(result.field_names(), ", "))});
+  const std::vector<std::string> fields = result.field_names();
+  table.add({"fields", fields.empty() ? "none" : fmt::format("{}", fmt::join(fields, ", "))});
   table.add({"stored at t", times_text(result.stored_times())});
   std::vector<std::string> versions;
   for (const auto& [name, version] : header.versions)
     versions.push_back(fmt::format("{} {}", name, version));
   table.add({"versions", fmt::format("{}", fmt::join(versions, ", "))});
   fmt::print("{}", table.text());
-  if (const auto history = result.history(); !history.empty()) print_history(history.back());
+  const auto history = result.history();
+  if (history.empty())
+    fmt::print("\nno state: the start was not solved\n");
+  else
+    print_history(history.back());
   fmt::print("\nscene:\n{}", header.scene);
   return success;
 }
 
 int contact_command(const std::filesystem::path& file, std::optional<double> time) {
-  if (time && !std::isfinite(*time))
-    throw InputError(fmt::format("--time: expected a finite number, got {}", *time));
   const ContactSurface surface = ResultReader(file).contact(time);
   const bool flat = surface.dim == 2;
   fmt::print("node,{},pressure,wear_depth,active\n",

@@ -7,6 +7,8 @@
 #include <gnomon/integrator.hpp>
 #include <gnomon/scene.hpp>
 
+#include "app/option_checks.hpp"
+
 namespace gnomon::app {
 
 namespace {
@@ -39,10 +41,6 @@ const std::string& known_integrator(const std::string& name) {
   return name;
 }
 
-std::string check_file_name(const std::string& name) {
-  return name.empty() ? "expected a name, got an empty text" : "";
-}
-
 void add_run_options(CLI::App* command, std::filesystem::path& summary, bool& quiet) {
   command->add_option("--summary", summary, "Also writes a summary as JSON; - prints it instead")
       ->type_name("FILE.json")
@@ -71,6 +69,8 @@ CommandLine::CommandLine() : app_("gnomon integrates the shape of worn bodies in
   add_stability();
   add_plot();
   add_help();
+  for (CLI::App* command : app_.get_subcommands([](CLI::App*) { return true; }))
+    refuse_values_of_flags(command);
 }
 
 void CommandLine::add_run() {
@@ -104,7 +104,8 @@ void CommandLine::add_resume() {
       ->required()
       ->type_name("");
   command->add_option("--end", resume_.end, "A later end; the same as --set time.end=T")
-      ->type_name("T");
+      ->type_name("T")
+      ->check(check_number);
   add_overrides(command, resume_.overrides);
   command->add_flag("--force", resume_.force, "Replaces an earlier summary");
   add_run_options(command, resume_.summary, resume_.quiet);
@@ -153,10 +154,8 @@ void CommandLine::add_extremes() {
       ->add_option("--limit", extremes_.limit,
                    "Wall time after which a run counts as hung; default: 300")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.01, 1e6))
-      ->check([](const std::string& text) {  // no comparison with it is false
-        return CLI::detail::to_lower(text) == "nan" ? "expected a number, got nan" : "";
-      });
+      ->check(check_number)
+      ->check(CLI::Range(0.01, 1e6));
   add_flags_of_studies(command, extremes_.resume, extremes_.quiet);
   command->callback([this] { command_ = [this] { return extremes_command(extremes_); }; });
 }
@@ -174,7 +173,9 @@ void CommandLine::add_inspection() {
 
   CLI::App* contact = app_.add_subcommand("contact", "Prints the contact surface as CSV");
   contact->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
-  contact->add_option("--time", time_, "A stored time; default: the last one")->type_name("T");
+  contact->add_option("--time", time_, "A stored time; default: the last one")
+      ->type_name("T")
+      ->check(check_number);
   contact->callback([this] { command_ = [this] { return contact_command(result_, time_); }; });
 }
 
@@ -199,6 +200,7 @@ void CommandLine::add_stability() {
                    "Where the spectrum is taken; repeatable; default: the start, time.end / 5 and "
                    "time.end")
       ->type_name("T")
+      ->check(check_number)
       ->allow_extra_args(false);
   command
       ->add_option("--integrator", stability_.methods,

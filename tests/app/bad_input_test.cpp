@@ -198,9 +198,14 @@ TEST_F(BadInput, CommandLine) {
   expect_refused({"help", "scene", "pin"}, {"unknown problem \"pin\""});
   expect_refused({"help", "integrators", "x"}, {"argument `x`, see `gnomon help integrators`"});
   expect_refused({"help", "scene", "pin_on_flat", "x"}, {"argument `x`, see `gnomon help`"});
-  expect_refused({"contact", "a.h5", "--time", "soon"}, {"--time"});
-  expect_refused({"contact", "a.h5", "--time", "nan"},
-                 {"--time: expected a finite number, got nan"});
+  for (const char* number : {"soon", "nan", "1e400"}) {
+    const std::string refusal = std::string(": expected a finite number, got `") + number + "`";
+    expect_refused({"contact", "a.h5", "--time", number}, {"--time" + refusal});
+    expect_refused({"stability", pin, "--time", number}, {"--time" + refusal});
+    expect_refused({"resume", "a.h5", "--end", number}, {"--end" + refusal});
+    expect_refused({"extremes", "--limit", number}, {"--limit" + refusal});
+  }
+  expect_refused({"run", pin, "--quiet=3"}, {"quiet", "see `gnomon help run`"});
 }
 
 TEST_F(BadInput, ResultFiles) {

@@ -153,8 +153,9 @@ TEST_F(Plot, LaysTheShapesOfAStudyOverEachOther) {
 TEST_F(Plot, BadInputIsOneLineAndExitCode2) {
   write("text.h5", "not HDF5");
   write("study.csv", "study,sweep\na,b\n");
-  fs::create_directory(folder() / "empty");
-  for (const char* target : {"absent.h5", "text.h5", ".", "empty"}) {
+  for (const char* name : {"empty", "short"}) fs::create_directory(folder() / name);
+  write("short/study.csv", std::string(study_header) + "mesh,640\n");
+  for (const char* target : {"absent.h5", "text.h5", ".", "empty", "short"}) {
     const Outcome outcome = gnomon({"plot", target});
     EXPECT_EQ(outcome.exit_code, 2) << target;
     EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;

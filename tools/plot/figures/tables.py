@@ -19,6 +19,9 @@ def read(path, needed):
         raise BadInput(f"{path} is not a table: {error}") from error
     if not rows:
         raise BadInput(f"{path} holds no rows")
+    for line, row in enumerate(rows, start=2):
+        if None in row or None in row.values():
+            raise BadInput(f"{path}: row {line} has not as many cells as the first has names")
     return rows
 
 
