@@ -29,7 +29,7 @@ std::vector<double> chosen_times(const StabilityOptions& options, double end) {
   if (options.times.empty()) return {0, end / 5, end};
   std::vector<double> times = options.times;
   for (double time : times)
-    if (!std::isfinite(time) || time < 0 || time > end)
+    if (time < 0 || time > end)
       throw InputError(fmt::format("--time: expected 0 to time.end = {:g} s, got {}", end, time));
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
