@@ -70,6 +70,8 @@ public:
   /// Records how the run ended: "finished", "interrupted", "failed: ..." (the first 1024 bytes),
   /// with wall seconds, and brings the file to the medium (fsync).
   void close(const std::string& status, double wall_seconds);
+  /// The same on the way out with an exception: never in place of an earlier result.
+  void abandon(const std::string& status, double wall_seconds);
 
 private:
   class File;

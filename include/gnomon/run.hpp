@@ -48,7 +48,7 @@ struct RunOutcome {
   double wall_seconds = 0;
   /// Contact nodes that left contact twice or more between two corners of the load: an oscillation.
   long flickering_nodes = 0;
-  /// Why numbers of a run that has not failed may be worthless, a line each.
+  /// What the run has warned of, a line each: why its numbers may be worthless.
   std::vector<std::string> warnings;
 
   /// "finished", "interrupted", "failed: DIAGNOSIS"; what the result file and the summary say.

@@ -31,6 +31,8 @@ struct Range {
 /// Of physical quantities, in whatever units: wide enough for all of them, and products of several
 /// stay far from the ends of double.
 inline constexpr Range positive_quantity{.min = 1e-30, .max = 1e30};
+/// Of relative tolerances: below it stands rounding, above it steps are not controlled.
+inline constexpr Range relative_tolerance{.min = 1e-13, .max = 0.1};
 
 /// Specification of one scene key.
 struct Key {

@@ -94,7 +94,7 @@ int info_command(const std::filesystem::path& file) {
   fmt::print("{}", table.text());
   const auto history = result.history();
   if (history.empty())
-    fmt::print("\nno state: the start was not solved\n");
+    fmt::print("\nno state is recorded, not even the start\n");
   else
     print_history(history.back());
   fmt::print("\nscene:\n{}", header.scene);

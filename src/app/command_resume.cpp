@@ -69,7 +69,7 @@ Resumption last_checkpoint(const ResultReader& earlier, const std::string& name)
 void check_end(const Scene& scene, double reached, const std::string& name) {
   const double end = scene.real("time.end");
   if (end < reached)
-    throw InputError(fmt::format("{}: expected at least {:g} s, which {} has reached, got {:g}",
+    throw InputError(fmt::format("{}: expected at least {} s, which {} has reached, got {}",
                                  scene.where("time.end"), reached, name, end));
 }
 
@@ -79,7 +79,7 @@ void check_times(const Scene& scene, const ResultReader& earlier, double reached
   for (const double t : store_policy(scene).times)
     if (t <= reached && std::ranges::find(stored, t) == stored.end())
       throw InputError(
-          fmt::format("{}: expected times after {:g} s, where the run goes on, got {:g}",
+          fmt::format("{}: expected times after {} s, where the run goes on, got {}",
                       scene.where("output.times"), reached, t));
 }
 

@@ -16,8 +16,11 @@ double LoadHistory::factor(double t, double within) const {
   return (1 - part) * factors_[k - 1] + part * factors_[k];
 }
 
-double LoadHistory::least() const {
-  return *std::min_element(factors_.begin(), factors_.end());
+double LoadHistory::least(double end) const {
+  double least = std::min(factor(0), factor(end));
+  for (std::size_t k = 0; k < times_.size(); ++k)
+    if (times_[k] < end) least = std::min(least, factors_[k]);
+  return least;
 }
 
 double LoadHistory::integral(double end) const {

@@ -14,8 +14,8 @@ namespace {
 template <int dim>
 void require_strain(const WornBody<dim>& body) {
   constexpr double least = 1e-14;
-  const double strain =
-      body.load_history.least() * body.scales.stress / body.material.young_modulus();
+  const double strain = body.load_history.least(body.scales.duration) * body.scales.stress /
+                        body.material.young_modulus();
   if (!(strain >= least))
     throw InputError(fmt::format(
         "load.force, load.factors, body.young_modulus: expected a load that strains the "

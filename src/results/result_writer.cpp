@@ -32,7 +32,7 @@ public:
   void store(double t, const std::vector<Field>& fields,
              const std::optional<ContactSurface>& contact);
   void checkpoint(const Checkpoint& checkpoint);
-  void close(const std::string& status, double wall_seconds);
+  void end(const std::string& status, double wall_seconds, bool whole);
   // Runs an action at the border of the room: HDF5 stays silent, and after a failure nothing more
   // reaches the disk, which keeps the last committed state.
   void guarded(const std::function<void()>& action);
@@ -234,11 +234,11 @@ void ResultWriter::File::checkpoint(const Checkpoint& checkpoint) {
   flush();
 }
 
-void ResultWriter::File::close(const std::string& status, double wall_seconds) {
+void ResultWriter::File::end(const std::string& status, double wall_seconds, bool whole) {
   hdf5::write_attribute(gnomon_.id(), "wall_seconds", wall_seconds);
   hdf5::rewrite_attribute(gnomon_.id(), "status", status);
   flush();
-  if (!published_ && has_rows_ && reached_ >= from_) publish();
+  if (!published_ && whole && has_rows_ && reached_ >= from_) publish();
   disk_->sync();
 }
 
@@ -262,7 +262,11 @@ void ResultWriter::checkpoint(const Checkpoint& checkpoint) {
 }
 
 void ResultWriter::close(const std::string& status, double wall_seconds) {
-  file_->guarded([&] { file_->close(status, wall_seconds); });
+  file_->guarded([&] { file_->end(status, wall_seconds, true); });
+}
+
+void ResultWriter::abandon(const std::string& status, double wall_seconds) {
+  file_->guarded([&] { file_->end(status, wall_seconds, false); });
 }
 
 }  // namespace gnomon

@@ -173,7 +173,7 @@ private:
   /// On the way out with an exception, which matters more than one from here.
   void close_quietly(const std::string& reason) noexcept {
     try {
-      if (writer_) writer_->close("failed: " + reason, elapsed());
+      if (writer_) writer_->abandon("failed: " + reason, elapsed());
     } catch (const std::exception&) {
     }
   }

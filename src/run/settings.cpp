@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/run.hpp>
 
@@ -18,16 +19,19 @@ void require_apart(const std::vector<double>& times, const std::string& where) {
 }
 
 StorePolicy store_policy(const Scene& scene) {
+  constexpr double rounding = 1e-9;  // as where times of the load are those to store
   const double end = scene.real("time.end");
   StorePolicy policy;
   policy.every = scene.integer("output.every");
   policy.times = scene.reals("output.times");
+  for (double& time : policy.times)
+    if (std::abs(time - end) <= rounding * end) time = end;
   policy.last = scene.flag("output.last");
   policy.checkpoint_work = scene.integer("output.checkpoints");
   std::sort(policy.times.begin(), policy.times.end());
   policy.times.erase(std::unique(policy.times.begin(), policy.times.end()), policy.times.end());
   if (!policy.times.empty() && policy.times.back() > end)
-    throw InputError(fmt::format("{}: expected times up to time.end = {:g} s, got {:g}",
+    throw InputError(fmt::format("{}: expected times up to time.end = {} s, got {}",
                                  scene.where("output.times"), end, policy.times.back()));
   std::vector<double> landings = policy.times;
   if (landings.empty() || landings.back() != end) landings.push_back(end);

@@ -29,7 +29,7 @@ std::vector<Key> integrator_keys() {
       {.name = "integrator.rtol",
        .presence = defaulted,
        .default_value = 1e-4,
-       .range = {.min = 1e-13, .max = 0.1},
+       .range = relative_tolerance,
        .help = "relative tolerance of the worn surface a step, when steps follow the error"},
       {.name = "integrator.atol",
        .unit = "mm",

@@ -59,12 +59,7 @@ Given parse_override(const std::string& text) {
   const std::string origin = "--set " + key;
   const std::string value = trimmed(text.substr(equals + 1));
   if (value.empty()) throw InputError(origin + ": expected a value behind \"=\"");
-  if (auto raw = read_toml_value(value)) {
-    if (is_table(*raw))
-      throw InputError(fmt::format("{}: expected one value, as in --set {}.KEY=VALUE, got a table",
-                                   origin, key));
-    return {key, origin, *raw};
-  }
+  if (auto raw = read_toml_value(value)) return {key, origin, *raw};
   if (value.find_first_of("\"'[]{}#=,\r\n") != std::string::npos)
     throw InputError(fmt::format("{}: not a TOML value: {}", origin, value));
   return {key, origin, RawValue{RawScalar(value)}};  // a bare word is a text
@@ -114,8 +109,8 @@ bool names_table(const std::string& name, const std::vector<Key>& table) {
                                             : "did you mean `" + near + "`?"));
 }
 
-/// A known table that gives no keys, which is not a mistake.
-bool is_empty_table(const Given& given, const std::vector<Key>& table) {
+/// Whether a whole known table is given; in a file an empty one, of others there are the keys.
+bool gives_table(const Given& given, const std::vector<Key>& table) {
   return is_table(given.value) && names_table(given.name, table);
 }
 
@@ -140,8 +135,15 @@ public:
       throw InputError(given.origin + ": " + error.what());
     }
     // In the order of the file, so that its first mistake is the one that is reported.
-    for (const auto* values : {&in_file_, &overrides_})
-      for (const Given& value : *values) check_known(value, table, problem);
+    for (const Given& value : in_file_)
+      if (!gives_table(value, table)) check_known(value, table, problem);
+    for (const Given& value : overrides_) {
+      if (gives_table(value, table))
+        throw InputError(
+            fmt::format("{}: expected one value, as in --set {}.KEY=VALUE, got a table",
+                        value.origin, value.name));
+      check_known(value, table, problem);
+    }
 
     Scene scene;
     scene.path_ = name_;
@@ -170,7 +172,7 @@ private:
         checked(key, given);
         return;
       }
-    if (!is_empty_table(given, table)) fail_unknown(given, table, problem);
+    fail_unknown(given, table, problem);
   }
 
   Scene::Entry resolve(const Key& key) const {

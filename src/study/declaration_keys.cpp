@@ -11,7 +11,6 @@ namespace {
 constexpr auto required = Key::Presence::required;
 constexpr auto optional = Key::Presence::optional;
 constexpr Range positive{.min = 0, .min_open = true};
-constexpr Range tolerance{.min = 0, .max = 1, .min_open = true, .max_open = true};
 
 Key integrator_key() {
   return {.name = "integrator",
@@ -57,7 +56,7 @@ std::vector<Key> top_keys() {
       {.name = "self_reference.tolerance",
        .presence = optional,
        .absent_meaning = "self_reference.step is given",
-       .range = tolerance,
+       .range = relative_tolerance,
        .help = "its tolerance"},
   };
 }
@@ -83,7 +82,7 @@ std::vector<Key> method_keys() {
            .kind = KeyKind::reals,
            .presence = optional,
            .absent_meaning = "`steps` are given",
-           .range = tolerance,
+           .range = relative_tolerance,
            .help = "relative tolerances (integrator.rtol), one run each"}};
 }
 
@@ -92,7 +91,7 @@ std::vector<Key> reference_keys() {
           integrator_key(),
           {.name = "tolerance",
            .presence = required,
-           .range = tolerance,
+           .range = relative_tolerance,
            .help = "relative tolerance (integrator.rtol)"}};
 }
 

@@ -37,6 +37,7 @@ private:
   int switch_nodes(const State& state, bool at_root);
   bool cross_event(State& state, bool at_root, StepReport& report);
   void restart(const State& state);
+  StepReport skip_to(State& state, double t);
   const ActiveSet* piece() const { return settings_.locate_events ? &piece_ : nullptr; }
   [[noreturn]] void fail(int flag, double t) const;
 
@@ -205,12 +206,25 @@ void BdfSolver::Memory::restart(const State& state) {
   rejected_ = 0;  // IDA's counts start anew
 }
 
+/// Over a moment of rounding, as to a time to store that comes on resuming. IDA refuses such steps.
+StepReport BdfSolver::Memory::skip_to(State& state, double t) {
+  StepReport report;
+  report.step = t - state.t;
+  report.order = 1;
+  state.t = t;
+  restart(state);
+  if (piece()) state.piece = piece_;
+  ++counters_.steps;
+  return report;
+}
+
 StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   if (!begun_) begin(state);
   void* ida = ida_.get();
   guard_.clear();
   const long newton_before = counters_.newton_iterations;
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
+  if (t_stop - state.t <= 1e-12 * t_stop) return skip_to(state, t_stop);
   check(IDASetStopTime(ida, t_stop), "IDASetStopTime");
   sunrealtype t = state.t;
   const int flag = IDASolve(ida, t_stop, &t, y_.get(), ydot_.get(), IDA_ONE_STEP);

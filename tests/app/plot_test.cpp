@@ -164,12 +164,21 @@ TEST_F(Plot, BadInputIsOneLineAndExitCode2) {
   EXPECT_FALSE(fs::exists(folder() / "figures"));
 }
 
-TEST_F(Plot, ResultsOfOneNameDoNotReplaceEachOthersFigures) {
-  fs::create_directory(folder() / "other");
-  for (const char* result : {"a.h5", "other/a.h5"}) write(result, "");
-  const Outcome outcome = gnomon({"plot", "a.h5", "other/a.h5", "-o", "all"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, testing::HasSubstr("a.h5 and other/a.h5 have one name"));
+TEST_F(Plot, FiguresOfOneNameDoNotReplaceEachOther) {
+  for (const char* folder_of_two : {"one", "other"}) {
+    const fs::path parent = folder_of_two;
+    fs::create_directories(folder() / parent / "modes");
+    make_result((parent / "a.h5").string());
+    write(parent / "modes/spectrum.csv", "time,real,imag\n0,-0.5,0\n0,-0.1,0.02\n");
+  }
+  for (const std::string name : {"a.h5", "modes"}) {
+    const Outcome outcome = gnomon({"plot", "one/" + name, "other/" + name, "-o", "all"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("other/" + name + " has figures of the names that those"));
+  }
+  // A folder and a result of its name have figures of other names.
+  const Outcome outcome = gnomon({"plot", "one/modes", "one/a.h5", "-o", "both"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
 TEST_F(Plot, DamageIsRefusedBeforeTheFirstFigure) {

@@ -285,7 +285,7 @@ TEST_F(Program, FailedSolutionExitsWith3AndSavesTheLastGoodState) {
   const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
   EXPECT_EQ(json["status"], "failed");
   EXPECT_FALSE(json["diagnosis"].get<std::string>().empty());
-  EXPECT_THAT(gnomon({"info", "a.h5"}).out, HasSubstr("no state: the start was not solved"));
+  EXPECT_THAT(gnomon({"info", "a.h5"}).out, HasSubstr("no state is recorded, not even the start"));
 }
 
 TEST_F(Program, ForceReplacesTheFilesOfAnEarlierRunOnceTheStartIsSolved) {

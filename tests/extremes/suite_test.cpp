@@ -68,11 +68,12 @@ TEST_F(Extremes, APressureThatDiffersIsSaid) {
 
 TEST_F(Extremes, WhatTheyDoNotIsWrong) {
   write("study.toml",
-        head() + references("0.9", "0.9") + method("esdirk-5", "tolerances = [1e-7]"));
+        head() + references("0.1", "0.1") + method("esdirk-5", "tolerances = [1e-7]"));
   const Outcome outcome = extremes();
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.err, HasSubstr("1 of 1 cases are wrong, hung or crashed"));
   EXPECT_EQ(verdict(), "wrong");
+  EXPECT_THAT(cases()[0].at("reason"), HasSubstr("the references differ"));
 }
 
 TEST_F(Extremes, AnImpossibleRunIsRefused) {

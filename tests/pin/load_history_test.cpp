@@ -166,6 +166,9 @@ TEST(LoadHistoryOfThePin, RefusesWhatIsNoHistory) {
   EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1, -1]"}), HasSubstr("got -1"));
   EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1, 1e-6]", "load.force=1e-8"}),
               HasSubstr("strains the body by 1e-14 or more"));
+  // What is beyond the end of the run (1000 s) is never carried.
+  EXPECT_EQ(refusal({"load.times=[0, 2000]", "load.factors=[1, 1e-6]", "load.force=2e-8"}),
+            "accepted");
   EXPECT_THAT(refusal({"load.times=[-1, 1]", "load.factors=[1, 1]"}), HasSubstr("load.times"));
 }
 

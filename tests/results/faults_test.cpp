@@ -240,6 +240,24 @@ TEST(Writing, KeepsAnEarlierFileWhenNothingIsAppended) {
   EXPECT_FALSE(std::filesystem::exists(folder / "r.h5.part"));
 }
 
+// As when memory runs out before a finished result, resumed, has got beyond its end.
+TEST(Writing, ReplacesAnEarlierFileByOneThatEndsThereUnlessAbandoned) {
+  const auto folder = synthetic::folder("as-far");
+  const std::string earlier = bytes_of(write(folder / "r.h5"));
+  const auto write_as_far = [&](bool abandoned) {
+    ResultWriter writer(folder / "r.h5", synthetic::header(), synthetic::grid(2, 2),
+                        Earlier::replaced, synthetic::row(1).t);
+    writer.append(synthetic::row(0));
+    writer.append(synthetic::row(1));
+    abandoned ? writer.abandon("failed: out of memory", 1) : writer.close("interrupted", 1);
+  };
+  write_as_far(true);
+  EXPECT_TRUE(bytes_of(folder / "r.h5") == earlier);
+  EXPECT_FALSE(std::filesystem::exists(folder / "r.h5.part"));
+  write_as_far(false);
+  EXPECT_EQ(ResultReader(folder / "r.h5").status(), "interrupted");
+}
+
 TEST(Writing, LeavesToAnotherWriterWhatItWrites) {
   const auto folder = synthetic::folder("two");
   const auto refused =

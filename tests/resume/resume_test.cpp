@@ -125,6 +125,22 @@ TEST_F(Resume, GoesOnToALaterEnd) {
         << row.scalars[i].name;
 }
 
+// Times of the load and to store are taken for the end that they lie beside, which may change.
+TEST_F(Resume, GoesOnToAMomentBehindWhatWasReached) {
+  const Overrides bdf = {"mesh.elements=[6,6]", "integrator.name=bdf", "time.end=0.3"};
+  Overrides corner = bdf;
+  corner.insert(corner.end(), {"load.times=[0,0.1,0.30000000000000004]", "load.factors=[1,2,0.5]"});
+  run_scene(pin, corner, file("corner"));
+  EXPECT_EQ(resume(file("corner"), {}, 1.0), 0);
+  EXPECT_EQ(ResultReader(file("corner")).status(), "finished");
+  for (const char* time : {"0.30000000000000004", "0.3000000000003", "0.300000000001"}) {
+    SCOPED_TRACE(time);
+    run_scene(pin, bdf, file(time));
+    EXPECT_EQ(resume(file(time), {std::string("output.times=[") + time + "]"}, 1.0), 0);
+    EXPECT_THAT(ResultReader(file(time)).stored_times(), testing::Contains(std::stod(time)));
+  }
+}
+
 // A method that gives up at a step is a run that ends with exit code 3.
 TEST_F(Resume, GoesOnFromBeforeAFailureWithAnotherTolerance) {
   const Overrides overrides = coarse({"integrator.name=esdirk-3", "integrator.rtol=1e-3"});

@@ -1,5 +1,6 @@
 // KEY=VALUE overrides: TOML syntax, bare words as texts, and the mistakes they can hold.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "scene/example_table.hpp"
@@ -55,6 +56,10 @@ TEST(BadOverride, IsRefused) {
   for (const std::string table : {"{}", "{level=3}", "{levl=3}"})
     EXPECT_EQ(complaint(text, {"mesh=" + table}),
               "--set mesh: expected one value, as in --set mesh.KEY=VALUE, got a table");
+  EXPECT_THAT(complaint(text, {"mesh.level={}"}), testing::EndsWith("got a table"));
+  EXPECT_THAT(complaint(text, {"mesh.level={}"}), testing::Not(testing::HasSubstr("KEY=VALUE")));
+  EXPECT_EQ(complaint(text, {"mesh.levl={}"}),
+            "--set mesh.levl: unknown key, did you mean `mesh.level`?");
   EXPECT_EQ(complaint(text, {"problem=exmple"}), "--set problem: unknown problem \"exmple\"");
 }
 

@@ -64,7 +64,7 @@ const Case cases[] = {
     {"OneBracketSweep", "[sweep]\n", {"key `sweep`: there may be several, write [[sweep]]"}},
     {"WrongType",
      "[[method]]\nintegrator = \"bdf\"\ntolerances = 1e-3\n",
-     {"study.toml:7: key `method.tolerances`: expected an array of numbers in (0, 1)"}},
+     {"study.toml:7: key `method.tolerances`: expected an array of numbers in [1e-13, 0.1]"}},
     {"OutOfRange",
      "[[method]]\nintegrator = \"sdirk-2\"\nsteps = [-1]\n",
      {"study.toml:7: key `method.steps`: expected", "got -1 at place 1"}},

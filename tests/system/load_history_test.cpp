@@ -20,6 +20,11 @@ TEST(LoadHistory, IsLinearBetweenItsPointsAndConstantBeyond) {
   EXPECT_DOUBLE_EQ(history.integral(15), 10 + 7.5);
   EXPECT_DOUBLE_EQ(history.integral(40), 10 + 20 + 35);
   EXPECT_DOUBLE_EQ(history.integral(100), 65 + 30);
+  EXPECT_DOUBLE_EQ(history.least(5), 1);
+  EXPECT_DOUBLE_EQ(history.least(30), 1);
+  EXPECT_DOUBLE_EQ(history.least(36), 1);
+  EXPECT_DOUBLE_EQ(history.least(38), 0.75);
+  EXPECT_DOUBLE_EQ(history.least(100), 0.5);
   EXPECT_EQ(LoadHistory().factor(17), 1);
   EXPECT_EQ(LoadHistory().integral(17), 17);
 }

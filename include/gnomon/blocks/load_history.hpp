@@ -17,8 +17,8 @@ public:
   double factor(double t) const { return factor(t, t); }
   /// At t on the straight line that holds at the time `within`, and a moment later.
   double factor(double t, double within) const;
-  /// The least factor at any time.
-  double least() const;
+  /// The least factor from t = 0 to `end` [time].
+  double least(double end) const;
   /// Of the factor, from t = 0 to `end` [time].
   double integral(double end) const;
   /// Where the factor may have a kink.

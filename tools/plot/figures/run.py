@@ -29,23 +29,12 @@ NONSENSE = (ArithmeticError, LookupError, MemoryError, OSError, RuntimeError, Ty
 def draw(kind, targets, folder, svg_folder):
     style.apply()
     jobs = [job for target in targets for job in jobs_of(kind, target)]
-    require_own_names(jobs, folder, svg_folder)
+    owners = {}
     for drawer, target in jobs:
-        perform(drawer, [target], Sink(target, folder, svg_folder))
+        perform(drawer, [target], Sink(target, folder, svg_folder, owners))
     if [drawer for drawer, _ in jobs] == [draw_result] * 2:
         both = [path for _, path in jobs]
-        perform(draw_two_results, both, Sink(targets[0], folder, svg_folder))
-
-
-def require_own_names(jobs, folder, svg_folder):
-    """Two results of one name would leave the figures of the second alone."""
-    earlier = {}
-    for drawer, target in jobs:
-        place = (Sink(target, folder, svg_folder).folder.resolve(), target.stem)
-        other = earlier.setdefault(place, target)
-        if drawer is draw_result and not other.samefile(target):
-            raise BadInput(f"{other} and {target} have one name: their figures would have, too, "
-                           f"in {place[0]}")
+        perform(draw_two_results, both, Sink(targets[0], folder, svg_folder, owners))
 
 
 def perform(drawer, targets, sink):
@@ -63,9 +52,10 @@ def perform(drawer, targets, sink):
 
 
 class Sink:
-    """Where the figures of a target go."""
+    """Where the figures of a target go. `owners` tells which target has drawn what so far."""
 
-    def __init__(self, target, folder, svg_folder):
+    def __init__(self, target, folder, svg_folder, owners):
+        self.target, self.owners = target, owners
         self.kinds = ("svg",) if svg_folder else ("png", "svg")
         beside = target if target.is_dir() else target.parent
         self.folder = Path(svg_folder or folder or beside / "figures")
@@ -83,7 +73,17 @@ class Sink:
         return {name: made if isinstance(made, Unsuitable)
                 else output.render(made, name, self.kinds) for name, made in self.figures.items()}
 
+    def require_own_names(self, reports):
+        for name, report in reports.items():
+            if isinstance(report, Unsuitable):
+                continue
+            owner = self.owners.setdefault(self.folder.resolve() / name, self.target)
+            if not owner.samefile(self.target):
+                raise BadInput(f"{self.target} has figures of the names that those of {owner} "
+                               f"have in {self.folder}")
+
     def write(self, reports):
+        self.require_own_names(reports)
         for name, report in reports.items():
             if isinstance(report, Unsuitable):
                 print(f"{name}: skipped, {report}")
