@@ -144,7 +144,8 @@ void CommandLine::add_extremes() {
   command
       ->add_option("STUDIES", extremes_.studies,
                    "Study files (TOML) and folders of them; default: problems/*/extremes")
-      ->type_name("");
+      ->type_name("")
+      ->check(check_file_name);
   command
       ->add_option("-o,--output", extremes_.folder,
                    "Folder of the results; default: extremes, in the current folder")
@@ -186,7 +187,8 @@ void CommandLine::add_compare() {
   command
       ->add_option("--reference", reference_,
                    "What shape errors refer to; default: the last result")
-      ->type_name("RESULT.h5");
+      ->type_name("RESULT.h5")
+      ->check(check_file_name);
   command->callback(
       [this] { command_ = [this] { return compare_command(results_, reference_); }; });
 }
@@ -225,7 +227,8 @@ void CommandLine::add_plot() {
       ->add_option("RESULT|DIR", results_,
                    "Result files (HDF5), and folders of studies, spectra or results")
       ->required()
-      ->type_name("");
+      ->type_name("")
+      ->check(check_file_name);
   command
       ->add_option("-o,--output", figures_, "Folder of the figures; default: figures, beside each")
       ->type_name("DIR")

@@ -50,7 +50,8 @@ Resumption last_checkpoint(const ResultReader& earlier, const std::string& name)
   const std::vector<Checkpoint> checkpoints = earlier.checkpoints();
   if (checkpoints.empty())
     throw InputError(fmt::format(
-        "{} holds no checkpoint to resume from (output.checkpoints = 0, or it ended at its start)",
+        "{} holds no checkpoint to resume from (output.checkpoints = 0, it ended at its "
+        "start, or they are damaged)",
         name));
   Resumption from;
   from.checkpoint = checkpoints.back();
@@ -78,9 +79,8 @@ void check_times(const Scene& scene, const ResultReader& earlier, double reached
   const std::vector<double> stored = earlier.stored_times();
   for (const double t : store_policy(scene).times)
     if (t <= reached && std::ranges::find(stored, t) == stored.end())
-      throw InputError(
-          fmt::format("{}: expected times after {} s, where the run goes on, got {}",
-                      scene.where("output.times"), reached, t));
+      throw InputError(fmt::format("{}: expected times after {} s, where the run goes on, got {}",
+                                   scene.where("output.times"), reached, t));
 }
 
 void check_same(const Model& model, const ResultReader& earlier, const std::string& name) {

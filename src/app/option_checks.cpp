@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cmath>
 
 namespace gnomon::app {
@@ -13,7 +14,9 @@ std::string check_file_name(const std::string& name) {
 
 std::string check_number(const std::string& text) {
   double number = 0;
-  const bool valid = CLI::detail::lexical_cast(text, number) && std::isfinite(number);
+  const char* const end = text.data() + text.size();
+  const auto [parsed, error] = std::from_chars(text.data(), end, number);
+  const bool valid = parsed == end && error == std::errc() && std::isfinite(number);
   return valid ? "" : fmt::format("expected a finite number, got `{}`", text);
 }
 

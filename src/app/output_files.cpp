@@ -40,6 +40,9 @@ void check_writable(const fs::path& file) {
   if (!fs::is_directory(folder, error)) fail("there is no folder " + folder.string());
   const fs::path target = fs::exists(file, error) ? file : folder;
   if (access(target.c_str(), W_OK) != 0) fail(std::strerror(errno));
+  const long longest = pathconf(folder.c_str(), _PC_NAME_MAX);
+  const std::size_t needed = file.filename().string().size() + std::strlen(".part");
+  if (longest > 0 && needed > static_cast<std::size_t>(longest)) fail("the name is too long");
 }
 
 /// A terminal, a pipe, /dev/null: holds nothing that could be lost.

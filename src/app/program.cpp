@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <gnomon/error.hpp>
 #include <new>
 
@@ -41,6 +42,9 @@ int guarded(CommandLine& command_line, int argc, char** argv) {
   } catch (const SolutionError& error) {
     complain(error.what());
     return solution_failed;
+  } catch (const std::filesystem::filesystem_error& error) {  // a name too long, links in a circle
+    complain(fmt::format("{}: {}", error.path1().string(), error.code().message()));
+    return bad_input;
   } catch (const std::bad_alloc&) {
     complain("out of memory");
     return other_failure;

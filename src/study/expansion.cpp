@@ -249,6 +249,11 @@ private:
                                 kind_name(setting.kind), number_text(setting.value)));
       std::string name = stem;  // names that differ in what files cannot be called get numbers
       for (int i = 2; names_.contains(name); ++i) name = fmt::format("{}__{}", stem, i);
+      constexpr std::size_t longest = 200;  // bytes; file systems take 255, with suffixes
+      if (name.size() > longest)
+        throw InputError(
+            fmt::format("{}: expected names that make files of {} bytes or less, got {}",
+                        method.origin, longest, name.size()));
       names_.insert(name);
       study_.runs.push_back({name, title(method, setting), std::move(scene), std::move(further)});
     }

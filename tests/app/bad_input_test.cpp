@@ -116,6 +116,14 @@ TEST_F(BadInput, LineBreakInAFileName) {
   expect_refused({"run", "no\nsuch.toml"}, {"no such.toml: no such file"});
 }
 
+TEST_F(BadInput, NamesThatAreTooLong) {
+  const std::string name(300, 'x');
+  expect_refused({"run", pin, "-o", "a.h5", "--summary", name}, {name + ": the name is too long"});
+  expect_refused({"extremes", name}, {name + ": File name too long"});
+  for (const char* command : {"run", "study", "info", "resume", "plot"})
+    expect_refused({command, name}, {name});
+}
+
 TEST_F(BadInput, KeysThatContradictEachOther) {
   write_scene("height = 10.0", "height = 2.0");
   expect_refused({"run", "scene.toml"}, {"scene.toml:10: key `pin.height`"});
@@ -207,6 +215,10 @@ TEST_F(BadInput, CommandLine) {
     expect_refused({"extremes", "--limit", number}, {"--limit" + refusal});
   }
   expect_refused({"run", pin, "--quiet=3"}, {"quiet", "see `gnomon help run`"});
+  const std::string nameless = ": expected a name, got an empty text";
+  expect_refused({"plot", ""}, {nameless});
+  expect_refused({"extremes", ""}, {nameless});
+  expect_refused({"compare", "a.h5", "--reference", ""}, {"--reference" + nameless});
   expect_refused({"--version=3"}, {"version", "see `gnomon help`"});
 }
 

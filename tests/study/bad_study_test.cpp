@@ -65,6 +65,10 @@ const Case cases[] = {
     {"WrongType",
      "[[method]]\nintegrator = \"bdf\"\ntolerances = 1e-3\n",
      {"study.toml:7: key `method.tolerances`: expected an array of numbers in [1e-13, 0.1]"}},
+    {"LongName",
+     "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\nname = \"" + std::string(300, 'x') +
+         "\"\n",
+     {"method", "expected names that make files of 200 bytes or less"}},
     {"OutOfRange",
      "[[method]]\nintegrator = \"sdirk-2\"\nsteps = [-1]\n",
      {"study.toml:7: key `method.steps`: expected", "got -1 at place 1"}},

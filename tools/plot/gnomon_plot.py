@@ -52,9 +52,9 @@ def options():
 
 def main():
     chosen = options()
-    missing = [target for target in chosen.targets if not target.exists()]
-    if missing:
-        return complain(f"there is no file or folder {missing[0]}", 2)
+    for target in chosen.targets:
+        if not os.path.exists(target):  # false for what cannot be a name, too
+            return complain(f"there is no file or folder {target}", 2)
     find_packages()
     from figures import run
     from figures.complaints import BadInput
@@ -64,7 +64,9 @@ def main():
         return complain(error, 2)
     except OSError as error:
         target = error.filename or "the figures or what is printed"
-        return complain(f"cannot write {target}: {error.strerror}", 1)
+        return complain(f"cannot read or write {target}: {error.strerror}", 1)
+    except RuntimeError as error:  # links in a circle
+        return complain(error, 2)
     return 0
 
 

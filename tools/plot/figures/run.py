@@ -102,7 +102,8 @@ def jobs_of(kind, target):
     wanted = known if kind == "any" else {kind: known[kind]}
     jobs = [(drawer, target) for file, drawer in wanted.values() if (target / file).is_file()]
     if kind == "any":
-        jobs += [(draw_result, path) for path in sorted(target.glob("*.h5")) if not jobs]
+        jobs += [(draw_result, path) for path in sorted(target.glob("*.h5"))
+                 if path.is_file() and not jobs]
     if not jobs:
         files = " or ".join(file for file, _ in wanted.values())
         raise BadInput(f"{target} holds no {files}" + (" or result" if kind == "any" else ""))
