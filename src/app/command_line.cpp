@@ -70,8 +70,6 @@ CommandLine::CommandLine() : app_("gnomon integrates the shape of worn bodies in
   add_plot();
   add_help();
   refuse_values_of_flags(&app_);
-  for (CLI::App* command : app_.get_subcommands([](CLI::App*) { return true; }))
-    refuse_values_of_flags(command);
 }
 
 void CommandLine::add_run() {

@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "app/commands.hpp"
-#include "app/program.hpp"
 
 namespace gnomon::app {
 

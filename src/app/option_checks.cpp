@@ -23,6 +23,8 @@ std::string check_number(const std::string& text) {
 void refuse_values_of_flags(CLI::App* command) {
   for (CLI::Option* option : command->get_options())
     if (option->get_items_expected_max() == 0) option->disable_flag_override();
+  for (CLI::App* below : command->get_subcommands([](CLI::App*) { return true; }))
+    refuse_values_of_flags(below);
 }
 
 }  // namespace gnomon::app

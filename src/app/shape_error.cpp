@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <gnomon/same_time.hpp>
 #include <gnomon/surface_error.hpp>
 
 namespace gnomon::app {
@@ -19,7 +19,7 @@ std::string ShapeErrors::against(const std::filesystem::path& file,
   if (result.stored_times().empty()) return "nothing stored";
   const ContactSurface surface = result.contact(std::nullopt);
   if (surface.initial != reference_.initial) return "other mesh";
-  if (std::abs(result.stored_times().back() - time_) > 1e-9 * std::abs(time_)) return "other time";
+  if (!same_time(result.stored_times().back(), time_)) return "other time";
   return fmt::format("{:.3e}", shape_error(surface, reference_));
 }
 

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/linear/inner_solver.hpp>
+#include <gnomon/same_time.hpp>
 #include <gnomon/worn_body_scene.hpp>
 
 namespace gnomon {
@@ -25,15 +25,13 @@ constexpr double least_load_factor = 1e-6;
 /// In the time of the run: what a step changes of the shape has to stand out from rounding.
 constexpr double shortest_ramp = 1e-4;
 
-/// Times of the load that differ from one to store at, or from the end, by rounding are that one:
-/// there would be a step of this length between them.
+/// A time of the load that is one to store at, or the end, but for rounding is taken for that.
 std::vector<double> on_landings(std::vector<double> times, const Scene& scene) {
-  constexpr double rounding = 1e-9;
   std::vector<double> landings = scene.reals("output.times");
   landings.push_back(scene.real("time.end"));
   for (double& time : times)
     for (const double landing : landings)
-      if (std::abs(landing - time) <= rounding * landing) time = landing;
+      if (same_time(time, landing)) time = landing;
   return times;
 }
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <gnomon/error.hpp>
 #include <gnomon/run.hpp>
+#include <gnomon/same_time.hpp>
 
 namespace gnomon {
 
@@ -19,13 +19,12 @@ void require_apart(const std::vector<double>& times, const std::string& where) {
 }
 
 StorePolicy store_policy(const Scene& scene) {
-  constexpr double rounding = 1e-9;  // as where times of the load are those to store
   const double end = scene.real("time.end");
   StorePolicy policy;
   policy.every = scene.integer("output.every");
   policy.times = scene.reals("output.times");
   for (double& time : policy.times)
-    if (std::abs(time - end) <= rounding * end) time = end;
+    if (same_time(time, end)) time = end;
   policy.last = scene.flag("output.last");
   policy.checkpoint_work = scene.integer("output.checkpoints");
   std::sort(policy.times.begin(), policy.times.end());

@@ -146,8 +146,7 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .default_value = std::vector<double>{},
        .range = {.max = positive_quantity.max},
        .help = "what F is multiplied by at load.times, 1e-6 or more: linear between, constant "
-               "before the "
-               "first and after the last"},
+               "before the first and after the last"},
       {.name = "wear.coefficient",
        .unit = "1/MPa",
        .presence = required,
