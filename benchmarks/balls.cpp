@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <gnomon/hertz.hpp>
-#include <gnomon/problem.hpp>
+#include <gnomon/laws/hertz.hpp>
+#include <gnomon/model/problem.hpp>
 
 namespace gnomon::bench {
 

@@ -2,12 +2,12 @@
 // block solver.
 #pragma once
 
-#include <gnomon/wear_model.hpp>
+#include <gnomon/model/wear_model.hpp>
 #include <memory>
 #include <vector>
 
+#include "newton/krylov.hpp"
 #include "stopwatch.hpp"
-#include "sundials/krylov.hpp"
 
 namespace gnomon::bench {
 

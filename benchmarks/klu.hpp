@@ -3,7 +3,7 @@
 
 #include <klu.h>
 
-#include <gnomon/sparse.hpp>
+#include <gnomon/fields/sparse_pattern.hpp>
 #include <span>
 #include <vector>
 

@@ -1,8 +1,8 @@
 #include "pin.hpp"
 
-#include <gnomon/error.hpp>
-#include <gnomon/integrator.hpp>
-#include <gnomon/problem.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/model/problem.hpp>
 #include <map>
 
 namespace gnomon::bench {
@@ -19,7 +19,7 @@ State wear(const Model& model, double step, double end, Counters& counters) {
   settings.step = step;
   settings.end = end;
   const auto stepper =
-      Integrators::find("backward-euler", "integrator").make(model, settings, counters);
+      Integrators::find("backward-euler", "integrator").make(model.system(), settings, counters);
   State state = model.start(counters);
   while (state.t < end) stepper->advance(state, end);
   return state;

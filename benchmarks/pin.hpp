@@ -3,7 +3,7 @@
 #pragma once
 
 #include <gnomon/linear/sparse_lu.hpp>
-#include <gnomon/model.hpp>
+#include <gnomon/model/model.hpp>
 #include <memory>
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include <gnomon/system/cell_assembly.hpp>
+#include <gnomon/terms/cell_assembly.hpp>
 #include <memory>
 #include <string>
 

@@ -5,9 +5,9 @@
 //                       every rate is a solve of mesh motion and contact for the given surface
 //                       (Remark 1)
 
-#include <gnomon/integration/diagonally_implicit.hpp>
-#include <gnomon/sundials/arkode_table.hpp>
-#include <gnomon/sundials/erk.hpp>
+#include <gnomon/integrators/arkode_table.hpp>
+#include <gnomon/integrators/diagonally_implicit.hpp>
+#include <gnomon/integrators/erk.hpp>
 
 namespace gnomon {
 
@@ -68,9 +68,9 @@ Integrator implicit(const Entry& entry) {
   integrator.table = [name = entry.table](const IntegratorSettings&) {
     return arkode_dirk_table(name);
   };
-  integrator.make = [name = entry.table](const Model& model, const IntegratorSettings& settings,
+  integrator.make = [name = entry.table](const System& system, const IntegratorSettings& settings,
                                          Counters& counters) {
-    return make_diagonally_implicit(model, settings, counters, arkode_dirk_table(name));
+    return make_diagonally_implicit(system, settings, counters, arkode_dirk_table(name));
   };
   return integrator;
 }
@@ -83,9 +83,9 @@ Integrator explicit_on_reduced(const Entry& entry) {
   integrator.table = [name = entry.table](const IntegratorSettings&) {
     return arkode_erk_table(name);
   };
-  integrator.make = [name = entry.table](const Model& model, const IntegratorSettings& settings,
+  integrator.make = [name = entry.table](const System& system, const IntegratorSettings& settings,
                                          Counters& counters) -> std::unique_ptr<Stepper> {
-    return std::make_unique<ErkSolver>(model.system(), settings, counters, name);
+    return std::make_unique<ErkSolver>(system, settings, counters, name);
   };
   return integrator;
 }

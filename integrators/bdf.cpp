@@ -1,7 +1,7 @@
 // bdf: variable-step, variable-order backward differentiation by IDA.
 
-#include <gnomon/integrator.hpp>
-#include <gnomon/sundials/bdf.hpp>
+#include <gnomon/integrators/bdf.hpp>
+#include <gnomon/integrators/integrator.hpp>
 
 namespace gnomon {
 
@@ -18,9 +18,9 @@ const Registration<Integrator> registration({
     .fixed_steps = false,
     .one_step = false,
     .table = [](const IntegratorSettings&) { return std::nullopt; },
-    .make = [](const Model& model, const IntegratorSettings& settings,
+    .make = [](const System& system, const IntegratorSettings& settings,
                Counters& counters) -> std::unique_ptr<Stepper> {
-      return std::make_unique<BdfSolver>(model.system(), settings, counters);
+      return std::make_unique<BdfSolver>(system, settings, counters);
     },
 });
 

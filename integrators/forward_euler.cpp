@@ -3,9 +3,9 @@
 //
 //   d_{n+1} = d_n + h ddot_n,   ddot_n = -Wdot_n N_n   on the contact surface
 
-#include <gnomon/integration/error_norm.hpp>
-#include <gnomon/integration/stage_solver.hpp>
-#include <gnomon/integration/stepper.hpp>
+#include <gnomon/integrators/error_norm.hpp>
+#include <gnomon/integrators/stepper.hpp>
+#include <gnomon/newton/stage_solver.hpp>
 
 namespace gnomon {
 
@@ -60,11 +60,11 @@ const Registration<Integrator> registration({
                              {}};
           return table;
         },
-    .make = [](const Model& model, const IntegratorSettings& settings,
+    .make = [](const System& system, const IntegratorSettings& settings,
                Counters& counters) -> std::unique_ptr<Stepper> {
       return std::make_unique<OneStepStepper>(
-          model.system(), settings, counters,
-          std::make_unique<ForwardEuler>(model.system(), settings, counters), 1, 1);
+          system, settings, counters, std::make_unique<ForwardEuler>(system, settings, counters), 1,
+          1);
     },
 });
 

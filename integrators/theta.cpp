@@ -2,7 +2,7 @@
 //
 //   d_{n+1} = d_n + h ((1 - alpha) ddot_n + alpha ddot_{n+1})   on the contact surface
 
-#include <gnomon/integration/diagonally_implicit.hpp>
+#include <gnomon/integrators/diagonally_implicit.hpp>
 
 namespace gnomon {
 
@@ -33,9 +33,9 @@ ButcherTable theta(const IntegratorSettings& settings) {
 }
 
 template <auto table>
-std::unique_ptr<Stepper> make(const Model& model, const IntegratorSettings& settings,
+std::unique_ptr<Stepper> make(const System& system, const IntegratorSettings& settings,
                               Counters& counters) {
-  return make_diagonally_implicit(model, settings, counters, table(settings));
+  return make_diagonally_implicit(system, settings, counters, table(settings));
 }
 
 const Registration<Integrator> backward_euler_registration({

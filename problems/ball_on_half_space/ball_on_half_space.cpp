@@ -13,13 +13,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <gnomon/error.hpp>
-#include <gnomon/hertz.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/laws/hertz.hpp>
 #include <gnomon/mesh/extrusion.hpp>
 #include <gnomon/mesh/stations.hpp>
-#include <gnomon/problem.hpp>
-#include <gnomon/wear_model.hpp>
-#include <gnomon/worn_body_scene.hpp>
+#include <gnomon/model/problem.hpp>
+#include <gnomon/model/wear_model.hpp>
+#include <gnomon/model/worn_body_scene.hpp>
 
 namespace gnomon {
 

@@ -18,10 +18,10 @@
 
 #include <cmath>
 #include <complex>
-#include <gnomon/error.hpp>
-#include <gnomon/integration/stepper.hpp>
-#include <gnomon/problem.hpp>
-#include <gnomon/tensor.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/base/tensor.hpp>
+#include <gnomon/integrators/stepper.hpp>
+#include <gnomon/model/problem.hpp>
 
 namespace gnomon {
 

@@ -10,11 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <gnomon/mesh/distortion.hpp>
-#include <gnomon/problem.hpp>
-#include <gnomon/wear_model.hpp>
-#include <gnomon/worn_body_scene.hpp>
+#include <gnomon/model/problem.hpp>
+#include <gnomon/model/wear_model.hpp>
+#include <gnomon/model/worn_body_scene.hpp>
 
 namespace gnomon {
 

@@ -29,10 +29,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <gnomon/error.hpp>
-#include <gnomon/integration/stage_solver.hpp>
-#include <gnomon/integration/stepper.hpp>
-#include <gnomon/problem.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/integrators/stepper.hpp>
+#include <gnomon/model/problem.hpp>
+#include <gnomon/newton/stage_solver.hpp>
 
 #include "winkler_system.hpp"
 

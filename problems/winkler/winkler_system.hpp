@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <gnomon/system.hpp>
+#include <gnomon/system/system.hpp>
 #include <memory>
 #include <utility>
 #include <vector>

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <gnomon/error.hpp>
-#include <gnomon/problem.hpp>
-#include <gnomon/results.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/model/problem.hpp>
+#include <gnomon/results/results.hpp>
 #include <optional>
 #include <set>
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <gnomon/error.hpp>
-#include <gnomon/extremes.hpp>
-#include <gnomon/result_files.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/results/result_files.hpp>
+#include <gnomon/study/extremes.hpp>
 #include <map>
 #include <thread>
 

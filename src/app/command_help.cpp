@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <gnomon/error.hpp>
-#include <gnomon/integrator.hpp>
-#include <gnomon/problem.hpp>
-#include <gnomon/study.hpp>
-#include <gnomon/versions.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/model/problem.hpp>
+#include <gnomon/study/study.hpp>
+#include <gnomon/study/versions.hpp>
 
 #include "app/commands.hpp"
 #include "app/help_texts.hpp"

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <gnomon/error.hpp>
-#include <gnomon/results.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/results/results.hpp>
 
 #include "app/commands.hpp"
 #include "app/program.hpp"

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <gnomon/error.hpp>
-#include <gnomon/integrator.hpp>
-#include <gnomon/scene.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/scene/scene.hpp>
 
 #include "app/option_checks.hpp"
 

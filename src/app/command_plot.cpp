@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <stdexcept>
 
 #include "app/commands.hpp"

@@ -5,10 +5,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <gnomon/error.hpp>
-#include <gnomon/result_files.hpp>
-#include <gnomon/run.hpp>
-#include <gnomon/summary.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/results/result_files.hpp>
+#include <gnomon/run/run.hpp>
+#include <gnomon/run/summary.hpp>
 #include <utility>
 
 #include "app/commands.hpp"

@@ -1,9 +1,9 @@
 // gnomon run: integrates a scene, writes its result and summary, and tells how it went.
 
-#include <gnomon/error.hpp>
-#include <gnomon/result_files.hpp>
-#include <gnomon/run.hpp>
-#include <gnomon/summary.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/results/result_files.hpp>
+#include <gnomon/run/run.hpp>
+#include <gnomon/run/summary.hpp>
 #include <utility>
 
 #include "app/commands.hpp"

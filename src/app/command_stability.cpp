@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <gnomon/error.hpp>
-#include <gnomon/result_files.hpp>
-#include <gnomon/stability.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/results/result_files.hpp>
+#include <gnomon/stability/stability.hpp>
 #include <iterator>
 #include <set>
 #include <utility>

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <gnomon/error.hpp>
-#include <gnomon/result_files.hpp>
-#include <gnomon/study.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/results/result_files.hpp>
+#include <gnomon/study/study.hpp>
 #include <thread>
 
 #include "app/commands.hpp"

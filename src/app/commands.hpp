@@ -3,7 +3,7 @@
 #pragma once
 
 #include <filesystem>
-#include <gnomon/scene.hpp>
+#include <gnomon/scene/scene.hpp>
 #include <optional>
 #include <string>
 #include <vector>

@@ -6,7 +6,7 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <new>
 
 #include "app/command_line.hpp"

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <gnomon/error.hpp>
-#include <gnomon/result_files.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/results/result_files.hpp>
 
 #include "app/interrupt.hpp"
 #include "app/program.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <gnomon/run.hpp>
+#include <gnomon/run/run.hpp>
 #include <string>
 
 #include "app/setup.hpp"

@@ -1,7 +1,7 @@
 #include "app/setup.hpp"
 
-#include <gnomon/run.hpp>
-#include <gnomon/versions.hpp>
+#include <gnomon/run/run.hpp>
+#include <gnomon/study/versions.hpp>
 #include <utility>
 
 namespace gnomon::app {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <filesystem>
-#include <gnomon/problem.hpp>
-#include <gnomon/results.hpp>
+#include <gnomon/model/problem.hpp>
+#include <gnomon/results/results.hpp>
 #include <memory>
 #include <string>
 #include <vector>

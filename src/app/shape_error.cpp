@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <gnomon/same_time.hpp>
-#include <gnomon/surface_error.hpp>
+#include <gnomon/base/same_time.hpp>
+#include <gnomon/results/surface_error.hpp>
 
 namespace gnomon::app {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <gnomon/results.hpp>
+#include <gnomon/results/results.hpp>
 #include <string>
 
 namespace gnomon::app {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <chrono>
-#include <gnomon/study.hpp>
+#include <gnomon/study/study.hpp>
 #include <string>
 
 #include "app/progress.hpp"

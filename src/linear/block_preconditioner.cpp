@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <gnomon/linear/block_preconditioner.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/linear/jacobian_block.hpp>

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <numeric>
 
 namespace gnomon {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <gnomon/linear/jacobian_block.hpp>
-#include <gnomon/system.hpp>
+#include <gnomon/system/system.hpp>
 #include <span>
 #include <vector>
 

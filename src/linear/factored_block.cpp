@@ -1,6 +1,6 @@
 #include "linear/factored_block.hpp"
 
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 
 namespace gnomon {
 

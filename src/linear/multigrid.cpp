@@ -1,6 +1,6 @@
 #include <dlfcn.h>
 
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 
 namespace gnomon {

@@ -2,7 +2,7 @@
 #include <umfpack.h>
 
 #include <algorithm>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <gnomon/linear/sparse_lu.hpp>
 #include <numeric>
 #include <string>

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <gnomon/mesh/extrusion.hpp>
 
 namespace gnomon {

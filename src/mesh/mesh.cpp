@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <gnomon/mesh.hpp>
+#include <gnomon/mesh/mesh.hpp>
 
 namespace gnomon {
 

@@ -1,5 +1,5 @@
 #include <cmath>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <gnomon/mesh/quarter_ball.hpp>
 #include <gnomon/mesh/stations.hpp>
 #include <numbers>

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <array>
-#include <gnomon/wear_model.hpp>
+#include <gnomon/model/wear_model.hpp>
 
 namespace gnomon {
 

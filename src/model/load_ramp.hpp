@@ -2,7 +2,7 @@
 #pragma once
 
 #include <functional>
-#include <gnomon/sundials/newton.hpp>
+#include <gnomon/newton/newton.hpp>
 #include <string>
 #include <vector>
 

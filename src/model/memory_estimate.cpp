@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <gnomon/memory_estimate.hpp>
+#include <gnomon/model/memory_estimate.hpp>
 #include <limits>
 
 namespace gnomon {

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <gnomon/error.hpp>
-#include <gnomon/integration/stepper.hpp>
-#include <gnomon/wear_model.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/integrators/stepper.hpp>
+#include <gnomon/model/wear_model.hpp>
 
 namespace gnomon {
 

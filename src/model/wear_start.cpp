@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <gnomon/error.hpp>
-#include <gnomon/integration/stage_solver.hpp>
-#include <gnomon/integration/stepper.hpp>
-#include <gnomon/wear_model.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/integrators/stepper.hpp>
+#include <gnomon/model/wear_model.hpp>
+#include <gnomon/newton/stage_solver.hpp>
 #include <limits>
 #include <optional>
 

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/base/same_time.hpp>
 #include <gnomon/linear/inner_solver.hpp>
-#include <gnomon/same_time.hpp>
-#include <gnomon/worn_body_scene.hpp>
+#include <gnomon/model/worn_body_scene.hpp>
 
 namespace gnomon {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <string>
 

@@ -4,7 +4,7 @@
 
 #include <hdf5.h>
 
-#include <gnomon/results.hpp>
+#include <gnomon/results/results.hpp>
 #include <vector>
 
 #include "results/hdf5_handles.hpp"

@@ -3,7 +3,7 @@
 
 #include <hdf5.h>
 
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <string>
 #include <utility>
 

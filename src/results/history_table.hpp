@@ -4,7 +4,7 @@
 #include <hdf5.h>
 
 #include <cstdint>
-#include <gnomon/results.hpp>
+#include <gnomon/results/results.hpp>
 #include <string>
 #include <vector>
 

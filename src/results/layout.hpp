@@ -8,7 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <gnomon/model.hpp>
+#include <gnomon/model/model.hpp>
 #include <string>
 #include <vector>
 

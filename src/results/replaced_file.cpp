@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <system_error>
 
 namespace gnomon {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <gnomon/result_files.hpp>
+#include <gnomon/results/result_files.hpp>
 #include <string_view>
 
 namespace gnomon {

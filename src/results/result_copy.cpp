@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include <gnomon/error.hpp>
-#include <gnomon/results.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/results/results.hpp>
 #include <span>
 
 namespace gnomon {

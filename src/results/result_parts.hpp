@@ -4,7 +4,7 @@
 #include <hdf5.h>
 
 #include <filesystem>
-#include <gnomon/results.hpp>
+#include <gnomon/results/results.hpp>
 #include <string>
 
 #include "results/crash_safe_file.hpp"

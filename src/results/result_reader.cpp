@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
-#include <gnomon/results.hpp>
+#include <gnomon/results/results.hpp>
 #include <thread>
 
 #include "results/checkpoint_table.hpp"

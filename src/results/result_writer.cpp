@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <functional>
-#include <gnomon/results.hpp>
+#include <gnomon/results/results.hpp>
 
 #include "results/checkpoint_table.hpp"
 #include "results/crash_safe_file.hpp"

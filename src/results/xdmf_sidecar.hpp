@@ -2,8 +2,8 @@
 #pragma once
 
 #include <filesystem>
-#include <gnomon/model.hpp>
-#include <gnomon/result_files.hpp>
+#include <gnomon/model/model.hpp>
+#include <gnomon/results/result_files.hpp>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "run/checkpoint_numbers.hpp"
 
-#include <gnomon/packed_numbers.hpp>
+#include <gnomon/base/packed_numbers.hpp>
 
 namespace gnomon {
 

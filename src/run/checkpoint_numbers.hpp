@@ -2,7 +2,7 @@
 // exact.
 #pragma once
 
-#include <gnomon/model.hpp>
+#include <gnomon/model/model.hpp>
 #include <vector>
 
 #include "run/flicker.hpp"

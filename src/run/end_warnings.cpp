@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <gnomon/stability.hpp>
+#include <gnomon/stability/stability.hpp>
 
 #include "run/wear_integral.hpp"
 

@@ -1,7 +1,7 @@
 // What the end of a run tells of its numbers: it finishes like any other, and they are worthless.
 #pragma once
 
-#include <gnomon/run.hpp>
+#include <gnomon/run/run.hpp>
 #include <string>
 #include <vector>
 

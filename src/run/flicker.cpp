@@ -1,7 +1,7 @@
 #include "run/flicker.hpp"
 
 #include <algorithm>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 
 namespace gnomon {
 

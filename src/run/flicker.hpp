@@ -1,8 +1,8 @@
 // Contact nodes that open and close again and again: the sign of steps above the critical one.
 #pragma once
 
-#include <gnomon/model.hpp>
-#include <gnomon/packed_numbers.hpp>
+#include <gnomon/base/packed_numbers.hpp>
+#include <gnomon/model/model.hpp>
 #include <optional>
 #include <vector>
 

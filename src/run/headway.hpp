@@ -2,7 +2,7 @@
 // less time.
 #pragma once
 
-#include <gnomon/counters.hpp>
+#include <gnomon/base/counters.hpp>
 
 namespace gnomon {
 

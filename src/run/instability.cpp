@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <gnomon/error.hpp>
-#include <gnomon/stability.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/stability/stability.hpp>
 #include <optional>
 
 namespace gnomon {

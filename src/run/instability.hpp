@@ -2,8 +2,8 @@
 // any other, with numbers that are worthless.
 #pragma once
 
-#include <gnomon/integrator.hpp>
-#include <gnomon/model.hpp>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/model/model.hpp>
 
 namespace gnomon {
 

@@ -1,7 +1,7 @@
 // Watches the mesh: elements that wear has nearly used up, or folded, end a run.
 #pragma once
 
-#include <gnomon/model.hpp>
+#include <gnomon/model/model.hpp>
 #include <string>
 #include <vector>
 

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <gnomon/error.hpp>
-#include <gnomon/integration/step_size.hpp>
-#include <gnomon/run.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/integrators/step_size.hpp>
+#include <gnomon/run/run.hpp>
 #include <set>
 
 #include "run/checkpoint_numbers.hpp"
@@ -154,7 +154,7 @@ private:
   }
 
   void make_stepper() {
-    stepper_ = integrator_.make(model_, settings_, counters_);
+    stepper_ = integrator_.make(model_.system(), settings_, counters_);
     if (counters_.steps > 0) stepper_->restore(state(), memory_.stepper);
   }
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <gnomon/error.hpp>
-#include <gnomon/run.hpp>
-#include <gnomon/same_time.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/base/same_time.hpp>
+#include <gnomon/run/run.hpp>
 
 namespace gnomon {
 

@@ -1,7 +1,7 @@
 // Decides during a run which states are stored, and where steps have to end.
 #pragma once
 
-#include <gnomon/run.hpp>
+#include <gnomon/run/run.hpp>
 
 namespace gnomon {
 

@@ -1,5 +1,5 @@
 #include <fstream>
-#include <gnomon/summary.hpp>
+#include <gnomon/run/summary.hpp>
 #include <nlohmann/json.hpp>
 
 namespace gnomon {

@@ -1,7 +1,7 @@
 // The integral of the scalar "wear_flux" over the accepted steps, by the trapezoidal rule.
 #pragma once
 
-#include <gnomon/model.hpp>
+#include <gnomon/model/model.hpp>
 #include <vector>
 
 namespace gnomon {

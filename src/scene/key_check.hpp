@@ -1,7 +1,7 @@
 // Checks a value against the specification of its key.
 #pragma once
 
-#include <gnomon/scene.hpp>
+#include <gnomon/scene/scene.hpp>
 #include <string>
 #include <variant>
 

@@ -1,6 +1,6 @@
 // The keys that scenes share. Each is specified here and nowhere else.
 
-#include <gnomon/scene.hpp>
+#include <gnomon/scene/scene.hpp>
 
 namespace gnomon {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <fstream>
-#include <gnomon/error.hpp>
-#include <gnomon/scene.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/scene/scene.hpp>
 #include <system_error>
 
 #include "scene/key_check.hpp"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <gnomon/scene.hpp>
+#include <gnomon/scene/scene.hpp>
 #include <stdexcept>
 
 #include "scene/table_layout.hpp"

@@ -1,7 +1,7 @@
 // How a table of keys is laid out for people: grouped by TOML table, one comment a key.
 #pragma once
 
-#include <gnomon/scene.hpp>
+#include <gnomon/scene/scene.hpp>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // Values as TOML text, the inverse of reading them.
 #pragma once
 
-#include <gnomon/scene.hpp>
+#include <gnomon/scene/scene.hpp>
 #include <string>
 
 namespace gnomon {

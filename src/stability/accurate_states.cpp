@@ -1,4 +1,4 @@
-#include <gnomon/stability.hpp>
+#include <gnomon/stability/stability.hpp>
 
 namespace gnomon {
 
@@ -24,7 +24,7 @@ std::vector<State> accurate_states(const Model& model, std::span<const double> t
   if (times.empty()) return states;
   State state = model.start(counters);
   const auto stepper = Integrators::find(method, "integrator")
-                           .make(model, accurate_settings(model, times.back()), counters);
+                           .make(model.system(), accurate_settings(model, times.back()), counters);
   for (double time : times) {
     while (state.t < time) stepper->advance(state, time);
     states.push_back(state);

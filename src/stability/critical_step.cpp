@@ -1,6 +1,6 @@
 #include <Eigen/LU>
 #include <cmath>
-#include <gnomon/stability.hpp>
+#include <gnomon/stability/stability.hpp>
 #include <limits>
 
 namespace gnomon {

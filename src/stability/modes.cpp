@@ -6,8 +6,8 @@
 #endif
 #include <Spectra/GenEigsSolver.h>
 
-#include <gnomon/error.hpp>
-#include <gnomon/stability.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/stability/stability.hpp>
 
 namespace gnomon {
 

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <gnomon/error.hpp>
-#include <gnomon/integration/stage_solver.hpp>
-#include <gnomon/integration/stepper.hpp>
-#include <gnomon/stability.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/integrators/stepper.hpp>
+#include <gnomon/newton/stage_solver.hpp>
+#include <gnomon/stability/stability.hpp>
 
 #include "stability/resting_model.hpp"
 
@@ -79,7 +79,7 @@ bool OnsetSearch::take(State& state, double step) const {
   settings.scale = settings.atol = model_.differential_scale();
   settings.end = (first + options_.steps) * step;
   Counters counters;
-  const auto stepper = integrator_.make(model_, settings, counters);
+  const auto stepper = integrator_.make(model_.system(), settings, counters);
   state.t = first * step;
   for (int k = 1; k <= options_.steps; ++k)
     if (stepper->advance(state, (first + k) * step).restarted) return false;

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <gnomon/error.hpp>
-#include <gnomon/stability.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/stability/stability.hpp>
 
 namespace gnomon {
 

@@ -2,7 +2,7 @@
 // still.
 #pragma once
 
-#include <gnomon/model.hpp>
+#include <gnomon/model/model.hpp>
 #include <utility>
 
 namespace gnomon {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <functional>
-#include <gnomon/study.hpp>
+#include <gnomon/study/study.hpp>
 #include <string>
 #include <variant>
 #include <vector>

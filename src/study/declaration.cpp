@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <fstream>
-#include <gnomon/error.hpp>
-#include <gnomon/integrator.hpp>
-#include <gnomon/problem.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/model/problem.hpp>
 #include <sstream>
 
 #include "scene/raw_value.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <gnomon/study.hpp>
+#include <gnomon/study/study.hpp>
 #include <optional>
 #include <string>
 #include <vector>

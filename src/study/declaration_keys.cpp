@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <gnomon/study.hpp>
+#include <gnomon/study/study.hpp>
 
 namespace gnomon::study {
 

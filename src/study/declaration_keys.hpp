@@ -1,7 +1,7 @@
 // The keys of a study file, each specified once.
 #pragma once
 
-#include <gnomon/scene.hpp>
+#include <gnomon/scene/scene.hpp>
 #include <vector>
 
 namespace gnomon::study {

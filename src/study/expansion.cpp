@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <gnomon/error.hpp>
-#include <gnomon/problem.hpp>
-#include <gnomon/run.hpp>
-#include <gnomon/study.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/model/problem.hpp>
+#include <gnomon/run/run.hpp>
+#include <gnomon/study/study.hpp>
 #include <map>
 #include <set>
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <gnomon/error.hpp>
-#include <gnomon/extremes.hpp>
-#include <gnomon/problem.hpp>
-#include <gnomon/results.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/model/problem.hpp>
+#include <gnomon/results/results.hpp>
+#include <gnomon/study/extremes.hpp>
 
 #include "run/wear_integral.hpp"
 #include "study/declaration.hpp"

@@ -1,8 +1,8 @@
 // One table of a study file, checked against its keys as scenes are against theirs.
 #pragma once
 
-#include <gnomon/scene.hpp>
-#include <gnomon/study.hpp>
+#include <gnomon/scene/scene.hpp>
+#include <gnomon/study/study.hpp>
 #include <map>
 #include <optional>
 #include <string>

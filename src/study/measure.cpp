@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <gnomon/error.hpp>
-#include <gnomon/study.hpp>
-#include <gnomon/surface_error.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/results/surface_error.hpp>
+#include <gnomon/study/study.hpp>
 
 #include "study/run_files.hpp"
 

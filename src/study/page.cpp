@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <gnomon/study.hpp>
-#include <gnomon/versions.hpp>
+#include <gnomon/study/study.hpp>
+#include <gnomon/study/versions.hpp>
 
 #include "study/declaration.hpp"
 #include "study/markup.hpp"

@@ -11,7 +11,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <thread>
 
 namespace gnomon::study {

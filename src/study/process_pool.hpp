@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <gnomon/study.hpp>
+#include <gnomon/study/study.hpp>
 #include <string>
 #include <vector>
 

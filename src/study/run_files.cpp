@@ -4,10 +4,10 @@
 #include <string.h>
 
 #include <fstream>
-#include <gnomon/error.hpp>
-#include <gnomon/result_files.hpp>
-#include <gnomon/results.hpp>
-#include <gnomon/versions.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/results/result_files.hpp>
+#include <gnomon/results/results.hpp>
+#include <gnomon/study/versions.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 

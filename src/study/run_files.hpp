@@ -2,8 +2,8 @@
 #pragma once
 
 #include <filesystem>
-#include <gnomon/counters.hpp>
-#include <gnomon/study.hpp>
+#include <gnomon/base/counters.hpp>
+#include <gnomon/study/study.hpp>
 #include <optional>
 #include <string>
 #include <vector>

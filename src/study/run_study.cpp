@@ -8,9 +8,9 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <gnomon/error.hpp>
-#include <gnomon/result_files.hpp>
-#include <gnomon/study.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/results/result_files.hpp>
+#include <gnomon/study/study.hpp>
 #include <set>
 
 #include "study/process_pool.hpp"

@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <gnomon/error.hpp>
-#include <gnomon/study.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/study/study.hpp>
 #include <limits>
 
 #include "results/hdf5_handles.hpp"

@@ -1,4 +1,4 @@
-#include "room.hpp"
+#include "sundials/room.hpp"
 
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_version.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include "version.hpp"
+#include "sundials/version.hpp"
 
 namespace gnomon::sundials {
 

@@ -8,13 +8,13 @@
 #include <sundials/sundials_nvector.h>
 
 #include <exception>
-#include <gnomon/error.hpp>
-#include <gnomon/system.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/system/system.hpp>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "compat.hpp"
+#include "sundials/compat.hpp"
 
 namespace gnomon::sundials {
 

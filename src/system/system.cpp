@@ -1,4 +1,4 @@
-#include <gnomon/system.hpp>
+#include <gnomon/system/system.hpp>
 
 namespace gnomon {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <gnomon/system/wear_system.hpp>
 
 namespace gnomon {

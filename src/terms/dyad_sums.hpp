@@ -3,7 +3,7 @@
 #pragma once
 
 #include <array>
-#include <gnomon/tensor.hpp>
+#include <gnomon/base/tensor.hpp>
 
 namespace gnomon {
 

@@ -1,6 +1,6 @@
 #include <gnomon/terms/solid.hpp>
 
-#include "dyad_sums.hpp"
+#include "terms/dyad_sums.hpp"
 
 namespace gnomon {
 

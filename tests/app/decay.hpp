@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <gnomon/error.hpp>
-#include <gnomon/integrator.hpp>
-#include <gnomon/model.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/model/model.hpp>
 #include <stdexcept>
 
 namespace gnomon::test {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include <gnomon/problem.hpp>
+#include <gnomon/model/problem.hpp>
 
 #include "app/child.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <chrono>
 #include <cmath>
-#include <gnomon/problem.hpp>
-#include <gnomon/results.hpp>
+#include <gnomon/model/problem.hpp>
+#include <gnomon/results/results.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>

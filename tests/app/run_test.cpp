@@ -5,9 +5,9 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <gnomon/problem.hpp>
-#include <gnomon/run.hpp>
-#include <gnomon/summary.hpp>
+#include <gnomon/model/problem.hpp>
+#include <gnomon/run/run.hpp>
+#include <gnomon/run/summary.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/decay.hpp"

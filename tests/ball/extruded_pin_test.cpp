@@ -3,7 +3,7 @@
 // for its cross-section.
 
 #include <gnomon/mesh/extrusion.hpp>
-#include <gnomon/wear_model.hpp>
+#include <gnomon/model/wear_model.hpp>
 
 #include "support/pin.hpp"
 

@@ -1,7 +1,7 @@
 // The coupled Jacobian in three dimensions: friction, streaming, the rigid motion, the shape of a
 // cross-section.
 
-#include <gnomon/wear_model.hpp>
+#include <gnomon/model/wear_model.hpp>
 #include <random>
 
 #include "ball/coarse.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <gnomon/hertz.hpp>
+#include <gnomon/laws/hertz.hpp>
 
 #include "ball/coarse.hpp"
 

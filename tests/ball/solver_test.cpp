@@ -1,7 +1,7 @@
 // Both linear solvers on the balls: friction, the rigid motion, the shape of a cross-section.
 
 #include <gnomon/linear/inner_solver.hpp>
-#include <gnomon/worn_body_scene.hpp>
+#include <gnomon/model/worn_body_scene.hpp>
 
 #include "ball/coarse.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cfenv>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <optional>
 #include <random>
 #include <vector>

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 
 #include "fuzz/targets.hpp"
 

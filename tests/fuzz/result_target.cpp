@@ -1,8 +1,8 @@
 #include <functional>
-#include <gnomon/error.hpp>
-#include <gnomon/problem.hpp>
-#include <gnomon/result_files.hpp>
-#include <gnomon/run.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/model/problem.hpp>
+#include <gnomon/results/result_files.hpp>
+#include <gnomon/run/run.hpp>
 #include <optional>
 
 #include "app/commands.hpp"

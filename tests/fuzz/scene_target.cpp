@@ -1,4 +1,4 @@
-#include <gnomon/problem.hpp>
+#include <gnomon/model/problem.hpp>
 #include <sstream>
 
 #include "app/setup.hpp"

@@ -1,7 +1,7 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <gnomon/problem.hpp>
+#include <gnomon/model/problem.hpp>
 #include <iterator>
 #include <stdexcept>
 

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <gnomon/extremes.hpp>
+#include <gnomon/study/extremes.hpp>
 #include <set>
 
 #include "fuzz/targets.hpp"

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <filesystem>
-#include <gnomon/scene.hpp>
+#include <gnomon/scene/scene.hpp>
 #include <string>
 #include <string_view>
 

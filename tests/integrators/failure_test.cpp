@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <gnomon/error.hpp>
-#include <gnomon/integration/stepper.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/integrators/stepper.hpp>
 
 #include "support/problem_run.hpp"
 
@@ -63,7 +63,8 @@ TEST_P(Failure, ComesWhereTheSolutionEndsAndNamesTheReason) {
   settings.rtol = settings.atol = 1e-4;
   settings.scale = model.differential_scale();
   settings.end = 2;
-  const auto stepper = Integrators::find(GetParam(), "integrator").make(model, settings, counters);
+  const auto stepper =
+      Integrators::find(GetParam(), "integrator").make(model.system(), settings, counters);
   const auto run = [&] {
     while (state.t < settings.end) stepper->advance(state, settings.end);
   };

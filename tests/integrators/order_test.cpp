@@ -1,7 +1,7 @@
 // Orders, agreement and stability of the integrators on the worn pin.
 
 #include <cmath>
-#include <gnomon/sundials/newton.hpp>
+#include <gnomon/newton/newton.hpp>
 
 #include "support/pin.hpp"
 

@@ -3,9 +3,9 @@
 #include "support/pin.hpp"
 
 #include <cmath>
-#include <gnomon/error.hpp>
-#include <gnomon/integration/diagonally_implicit.hpp>
-#include <gnomon/integration/stepper.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/integrators/diagonally_implicit.hpp>
+#include <gnomon/integrators/stepper.hpp>
 
 namespace gnomon {
 namespace {

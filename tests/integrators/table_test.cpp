@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <gnomon/integrator.hpp>
-#include <gnomon/stability.hpp>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/stability/stability.hpp>
 #include <string>
 
 namespace gnomon {

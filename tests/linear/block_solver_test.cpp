@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <gnomon/linear/block_preconditioner.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/linear/jacobian_block.hpp>
 #include <numbers>
 
-#include "sundials/krylov.hpp"
+#include "newton/krylov.hpp"
 #include "support/pin.hpp"
 #include "support/pressed_block.hpp"
 

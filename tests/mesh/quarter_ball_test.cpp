@@ -1,4 +1,4 @@
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <gnomon/mesh/quarter_ball.hpp>
 #include <numbers>
 

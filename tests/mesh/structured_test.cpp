@@ -1,4 +1,4 @@
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <gnomon/mesh/extrusion.hpp>
 
 #include "support/hexahedra.hpp"

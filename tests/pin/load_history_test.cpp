@@ -2,7 +2,7 @@
 // regained.
 
 #include <cmath>
-#include <gnomon/run.hpp>
+#include <gnomon/run/run.hpp>
 
 #include "support/pin.hpp"
 
@@ -79,7 +79,7 @@ TEST(LoadHistoryOfThePin, AStepOfRoundingBehindACornerCostsNoAccuracy) {
     settings.end = 1;
     Counters counters;
     State state = model->start(counters);
-    const auto stepper = integrator.make(*model, settings, counters);
+    const auto stepper = integrator.make(model->system(), settings, counters);
     for (const double stop : {0.3, between, 1.0})
       while (state.t < stop) stepper->advance(state, stop);
     return observed(*model, state, "max_pressure");

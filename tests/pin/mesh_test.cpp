@@ -1,7 +1,7 @@
 // What the worn pin owes to its mesh, and to how the mesh moves: nothing but what the size of the
 // elements explains.
 
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 
 #include "support/pin.hpp"
 

@@ -1,6 +1,6 @@
 #include <cmath>
 #include <complex>
-#include <gnomon/integration/stage_solver.hpp>
+#include <gnomon/newton/stage_solver.hpp>
 
 #include "support/problem_run.hpp"
 

@@ -1,9 +1,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <gnomon/linear/sparse_lu.hpp>
-#include <gnomon/wear_model.hpp>
+#include <gnomon/model/wear_model.hpp>
 
 #include "support/problem_run.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <gnomon/run.hpp>
+#include <gnomon/run/run.hpp>
 
 #include "support/problem_run.hpp"
 

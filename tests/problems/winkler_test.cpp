@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <gnomon/linear/sparse_lu.hpp>
 
 #include "support/problem_run.hpp"

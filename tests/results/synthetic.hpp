@@ -6,7 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
-#include <gnomon/results.hpp>
+#include <gnomon/results/results.hpp>
 #include <string>
 #include <vector>
 

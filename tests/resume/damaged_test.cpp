@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <random>
 
 #include "app/child.hpp"

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <gnomon/error.hpp>
-#include <gnomon/summary.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/run/summary.hpp>
 
 #include "resume/runs.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <filesystem>
 #include <fstream>
-#include <gnomon/run.hpp>
+#include <gnomon/run/run.hpp>
 #include <iterator>
 #include <limits>
 #include <string>

@@ -1,8 +1,8 @@
 // A table with one key of every kind, for tests of scenes.
 #pragma once
 
-#include <gnomon/error.hpp>
-#include <gnomon/scene.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/scene/scene.hpp>
 #include <string>
 #include <vector>
 

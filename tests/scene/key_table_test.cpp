@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <gnomon/integrator.hpp>
-#include <gnomon/problem.hpp>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/model/problem.hpp>
 #include <set>
 #include <stdexcept>
 

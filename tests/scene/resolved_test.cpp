@@ -5,7 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
-#include <gnomon/problem.hpp>
+#include <gnomon/model/problem.hpp>
 #include <random>
 
 #include "scene/example_table.hpp"

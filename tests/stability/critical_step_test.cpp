@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <gnomon/integrator.hpp>
-#include <gnomon/stability.hpp>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/stability/stability.hpp>
 
 namespace gnomon {
 namespace {

@@ -2,7 +2,7 @@
 // predicts.
 
 #include <cmath>
-#include <gnomon/stability.hpp>
+#include <gnomon/stability/stability.hpp>
 
 #include "support/pin.hpp"
 

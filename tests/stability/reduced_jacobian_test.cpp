@@ -2,9 +2,9 @@
 // the mesh motion really solved, and its largest eigenvalues against all of them.
 
 #include <Eigen/Eigenvalues>
-#include <gnomon/integration/stage_solver.hpp>
-#include <gnomon/integration/stepper.hpp>
-#include <gnomon/stability.hpp>
+#include <gnomon/integrators/stepper.hpp>
+#include <gnomon/newton/stage_solver.hpp>
+#include <gnomon/stability/stability.hpp>
 
 #include "support/derivatives.hpp"
 #include "support/pin.hpp"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <gnomon/stability.hpp>
+#include <gnomon/stability/stability.hpp>
 
 #include "support/pin.hpp"
 

@@ -1,7 +1,7 @@
 // A folder with a scene that runs in no time and studies of it.
 #pragma once
 
-#include <gnomon/results.hpp>
+#include <gnomon/results/results.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>

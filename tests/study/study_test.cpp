@@ -5,8 +5,8 @@
 
 #include <chrono>
 #include <cmath>
-#include <gnomon/study.hpp>
-#include <gnomon/surface_error.hpp>
+#include <gnomon/results/surface_error.hpp>
+#include <gnomon/study/study.hpp>
 #include <thread>
 
 #include "results/hdf5_values.hpp"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <gnomon/mesh.hpp>
+#include <gnomon/mesh/mesh.hpp>
 #include <gnomon/terms/solid.hpp>
 #include <map>
 #include <set>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <gnomon/wear_model.hpp>
+#include <gnomon/model/wear_model.hpp>
 #include <memory>
 #include <string>
 

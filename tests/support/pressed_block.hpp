@@ -2,7 +2,7 @@
 // slides past, frictionless. Quarter symmetry, load on the top.
 #pragma once
 
-#include <gnomon/wear_model.hpp>
+#include <gnomon/model/wear_model.hpp>
 #include <memory>
 
 namespace gnomon::testing {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <gnomon/integrator.hpp>
-#include <gnomon/problem.hpp>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/model/problem.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,7 +49,7 @@ inline ModelRun run_model(const Model& model, const std::string& integrator, dou
   settings.end = end;
   settings.locate_events = locate_events;
   const auto stepper =
-      Integrators::find(integrator, "integrator").make(model, settings, run.counters);
+      Integrators::find(integrator, "integrator").make(model.system(), settings, run.counters);
   while (run.last().t < end) {
     State state = run.last();
     run.reports.push_back(stepper->advance(state, end));

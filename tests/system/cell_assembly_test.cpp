@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <omp.h>
 
-#include <gnomon/error.hpp>
-#include <gnomon/system/cell_assembly.hpp>
+#include <gnomon/base/error.hpp>
+#include <gnomon/terms/cell_assembly.hpp>
 
 #include "support/derivatives.hpp"
 

@@ -1,8 +1,8 @@
 // The load over time: its values, and where they enter the equations.
 
-#include <gnomon/blocks/load_history.hpp>
-#include <gnomon/integration/stage_solver.hpp>
-#include <gnomon/integration/step_size.hpp>
+#include <gnomon/integrators/step_size.hpp>
+#include <gnomon/laws/load_history.hpp>
+#include <gnomon/newton/stage_solver.hpp>
 
 #include "support/pin.hpp"
 

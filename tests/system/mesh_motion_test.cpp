@@ -1,7 +1,7 @@
 // The auxiliary problem by itself, on columns whose solution is known; and behind a deep step.
 
 #include <gnomon/mesh/stations.hpp>
-#include <gnomon/system/mesh_motion.hpp>
+#include <gnomon/terms/mesh_motion.hpp>
 
 #include "support/derivatives.hpp"
 #include "support/problem_run.hpp"

@@ -2,7 +2,7 @@
 // follow.
 
 #include <gnomon/mesh/distortion.hpp>
-#include <gnomon/system/cell_assembly.hpp>
+#include <gnomon/terms/cell_assembly.hpp>
 
 #include "support/derivatives.hpp"
 

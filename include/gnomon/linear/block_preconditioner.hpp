@@ -1,7 +1,7 @@
 // Preconditioner of the coupled Jacobian by its blocks (docs/linear.md).
 #pragma once
 
-#include <gnomon/system.hpp>
+#include <gnomon/system/system.hpp>
 #include <memory>
 #include <span>
 

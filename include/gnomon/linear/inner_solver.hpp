@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <gnomon/sparse.hpp>
+#include <gnomon/fields/sparse_pattern.hpp>
 #include <memory>
 #include <span>
 #include <vector>

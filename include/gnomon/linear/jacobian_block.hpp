@@ -1,7 +1,7 @@
 // Parts of a Jacobian, chosen by the kinds of its rows and columns.
 #pragma once
 
-#include <gnomon/system.hpp>
+#include <gnomon/system/system.hpp>
 #include <initializer_list>
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
 // Sparse LU by UMFPACK, ordered by nested dissection (METIS) of the graph of groups.
 #pragma once
 
-#include <gnomon/sparse.hpp>
+#include <gnomon/fields/sparse_pattern.hpp>
 #include <memory>
 #include <span>
 #include <vector>

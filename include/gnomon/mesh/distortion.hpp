@@ -1,7 +1,7 @@
 // Meshes that are distorted on purpose, to see what a result owes to the shape of its elements.
 #pragma once
 
-#include <gnomon/mesh.hpp>
+#include <gnomon/mesh/mesh.hpp>
 
 namespace gnomon {
 

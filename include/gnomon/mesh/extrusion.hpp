@@ -2,7 +2,7 @@
 // cross-section (sec. 4.3, a groove that is uniform along the sliding direction).
 #pragma once
 
-#include <gnomon/mesh.hpp>
+#include <gnomon/mesh/mesh.hpp>
 #include <vector>
 
 namespace gnomon {

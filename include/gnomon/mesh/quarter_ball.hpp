@@ -1,7 +1,7 @@
 // The lower half of a ball cut by a plane of symmetry: body of the ball-on-flat problem, sec. 4.2.
 #pragma once
 
-#include <gnomon/mesh.hpp>
+#include <gnomon/mesh/mesh.hpp>
 
 namespace gnomon {
 

@@ -2,11 +2,11 @@
 // other blocks frozen.
 #pragma once
 
-#include <gnomon/blocks/unknowns.hpp>
-#include <gnomon/system.hpp>
-#include <gnomon/system/cell_assembly.hpp>
-#include <gnomon/system/contact_assembly.hpp>
-#include <gnomon/system/mesh_motion.hpp>
+#include <gnomon/fields/unknowns.hpp>
+#include <gnomon/system/system.hpp>
+#include <gnomon/terms/cell_assembly.hpp>
+#include <gnomon/terms/contact_assembly.hpp>
+#include <gnomon/terms/mesh_motion.hpp>
 #include <memory>
 #include <optional>
 

@@ -12,8 +12,8 @@
 #pragma once
 
 #include <array>
-#include <gnomon/terms/contact_law.hpp>
-#include <gnomon/terms/contact_patch.hpp>
+#include <gnomon/laws/contact_law.hpp>
+#include <gnomon/mesh/contact_patch.hpp>
 #include <gnomon/terms/sliding.hpp>
 
 namespace gnomon {

@@ -12,7 +12,7 @@
 #pragma once
 
 #include <cmath>
-#include <gnomon/terms/contact_patch.hpp>
+#include <gnomon/mesh/contact_patch.hpp>
 
 namespace gnomon {
 

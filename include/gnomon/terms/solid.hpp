@@ -27,9 +27,9 @@
 #pragma once
 
 #include <cmath>
-#include <gnomon/terms/blatz_ko.hpp>
-#include <gnomon/terms/cell_basis.hpp>
-#include <gnomon/terms/linear_elastic.hpp>
+#include <gnomon/laws/blatz_ko.hpp>
+#include <gnomon/laws/linear_elastic.hpp>
+#include <gnomon/mesh/cell_basis.hpp>
 #include <type_traits>
 
 namespace gnomon {

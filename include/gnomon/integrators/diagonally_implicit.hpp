@@ -1,0 +1,72 @@
+// Diagonally implicit Runge-Kutta methods on the DAE, the implicit Euler and theta methods
+// included.
+#pragma once
+
+#include <gnomon/integrators/butcher_table.hpp>
+#include <gnomon/integrators/error_norm.hpp>
+#include <gnomon/integrators/one_step.hpp>
+#include <gnomon/newton/newton.hpp>
+#include <gnomon/newton/stage_solver.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace gnomon {
+
+/// Stage i solves, by one KINSOL solve of the coupled system,
+///
+///   F(t_n + c_i h, y_i, ydot_i) = 0,   ydot_i = (d_i - d_n - h sum_{j<i} A_ij k_j) / (h A_ii),
+///
+/// on the differential components d; k_i = ydot_i. An explicit first stage is the state itself. The
+/// step ends on the last stage of a stiffly accurate method; otherwise d_{n+1} = d_n + h sum b_i
+/// k_i, and the algebraic components are solved for.
+///
+/// Error: h sum (b_i - b^_i) k_i of the embedded method; for the theta family, which has none, the
+/// difference to the quadrature of the rates by the parabola through the last three of them:
+/// (1/2 - alpha) h (k_{n+1} - k_n) - h^3/6 k[t_{n-1}, t_n, t_{n+1}].
+class DiagonallyImplicit : public OneStepMethod {
+public:
+  DiagonallyImplicit(const System& system, const IntegratorSettings& settings, Counters& counters,
+                     ButcherTable table);
+
+  Attempt attempt(const State& from, double h, const AttemptOptions& options, State& to) override;
+  void accept(const State& state, bool kink) override;
+  const Trace& trace() const override { return trace_; }
+  std::vector<double> memory() const override;
+  void restore(std::span<const double> memory) override;
+
+private:
+  using Rates = std::vector<double>;  // one entry a differential component
+  std::string solve_stage(int i, const State& from, double h, const AttemptOptions& options,
+                          State& to);
+  NewtonReport solve(double t, double step, const Rates& base, const State& from,
+                     const AttemptOptions& options, State& to);
+  std::string continue_in_step(double t, double step, const Rates& base, const State& from,
+                               const AttemptOptions& options, State& to);
+  void set_rates_of(double step, const Rates& base, std::span<const double> y,
+                    std::span<double> ydot) const;
+  Attempt project(State& state, const ActiveSet* piece);
+  double estimate(const State& from, double h, const State& to);
+  StageSolver& stages();
+
+  const System& system_;
+  Counters& counters_;
+  ButcherTable table_;
+  ErrorNorm norm_;
+  double short_step_;
+  NewtonSolver newton_;
+  std::optional<StageSolver> stages_;  // made when first needed
+  Trace trace_;
+  std::vector<Rates> k_;
+  Rates base_, error_;
+  // Rates at the last accepted point and the one before, for methods without an embedded one.
+  double t_new_ = 0, t_old_ = 0;
+  Rates rate_new_, rate_old_;
+};
+
+/// The registry entry's `make` for such a method.
+std::unique_ptr<Stepper> make_diagonally_implicit(const System& system,
+                                                  const IntegratorSettings& settings,
+                                                  Counters& counters, const ButcherTable& table);
+
+}  // namespace gnomon

@@ -1,0 +1,28 @@
+// Explicit Runge-Kutta methods on the reduced ODE, by ARKODE's ERKStep.
+#pragma once
+
+#include <gnomon/integrators/integrator.hpp>
+#include <memory>
+#include <string>
+
+namespace gnomon {
+
+/// ERKStep on the differential components: y' = rate(t, y), where the rate follows from a solve of
+/// the algebraic stages (StageSolver). Error control by ARKODE's PI controller in the norm of
+/// ErrorNorm; or fixed steps, halved when a solve fails.
+class ErkSolver : public Stepper {
+public:
+  /// `table`: name of one of ARKODE's explicit tables.
+  ErkSolver(const System& system, const IntegratorSettings& settings, Counters& counters,
+            const std::string& table);
+  ~ErkSolver() override;
+  StepReport advance(State& state, double t_stop) override;
+  std::vector<double> memory() const override;
+  void restore(const State& state, std::span<const double> memory) override;
+
+private:
+  class Memory;
+  std::unique_ptr<Memory> memory_;
+};
+
+}  // namespace gnomon

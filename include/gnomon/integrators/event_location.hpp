@@ -1,0 +1,72 @@
+// Ends a step where the active set changes, so that the order of a one-step method survives.
+#pragma once
+
+#include <gnomon/base/counters.hpp>
+#include <gnomon/base/packed_numbers.hpp>
+#include <gnomon/integrators/one_step.hpp>
+#include <vector>
+
+namespace gnomon {
+
+/// How a search for an event ended.
+struct Landing {
+  Attempt attempt{};     ///< the step that ends on the event; failed if Newton or the search did
+  bool grazing = false;  ///< the event is at the very start: there is nothing to end there
+  double h = 0;          ///< size of the step [time]
+  int switched = 0;      ///< contact nodes that change there, or at the start when grazing
+};
+
+/// Steps are taken on the smooth extension of one piece (Point::piece). When a switching function
+/// has changed sign at the end of a step, the first of these events is found by interpolation and
+/// by repeating the step, shorter, until its end is within `tolerance` of the event.
+///
+/// The tolerance is tight because the state found is not projected on the new piece: its rates,
+/// which the next step may use, are off by their slope there times the error in time.
+class EventLocator {
+public:
+  static constexpr double tolerance = 1e-7;  ///< of the time of an event, in units of the step
+
+  EventLocator(const System& system, OneStepMethod& method);
+
+  /// Takes the piece from the signs at y.
+  void begin(std::span<const double> y) { piece_ = active_set(system_, y); }
+  const ActiveSet& piece() const { return piece_; }
+  /// Has y left the piece?
+  bool left(std::span<const double> y) const { return active_set(system_, y) != piece_; }
+
+  std::vector<double> memory() const;
+  void restore(Unpacker& memory);
+
+  /// For a step of size h from `from` that ended off the piece in `to`: the shorter step that ends
+  /// on the first event. piece() is then the one behind it. Where the event is at the start itself,
+  /// piece() is that behind it, too, and the step is to be taken again; if nothing switches there
+  /// (nodes that did so before are off again), it can only be stepped over.
+  Landing land(const State& from, double h, State& to);
+
+private:
+  struct Sample {
+    double h;
+    std::vector<double> values;  // of the switching functions
+  };
+  void sample(double h, std::span<const double> y);
+  double first_guess(const State& from, double h) const;
+  std::vector<const Sample*> samples_near(double end, double low, double high) const;
+  double earliest_root(double low, double high) const;
+  int switch_at(double h, double width);
+  Landing switch_at_start(const State& from, const Sample& behind);
+  bool crossed(const State& from, std::size_t j) const;
+  const Sample& at(double h) const;
+  bool off_piece(const Sample& sample) const;
+  bool starts_off_piece(const State& from) const;
+
+  const System& system_;
+  OneStepMethod& method_;
+  ActiveSet piece_;
+  std::vector<Sample> samples_;  // ascending in h
+  // Nodes that switched at the event on which the last step ended, or behind it: there their
+  // functions vanish, with a sign that is rounding's.
+  std::vector<char> crossed_;
+  double crossed_at_ = -1;
+};
+
+}  // namespace gnomon

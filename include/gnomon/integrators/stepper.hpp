@@ -1,0 +1,56 @@
+// Drives a one-step method: fixed steps or steps that follow the error, halving, located events.
+#pragma once
+
+#include <gnomon/integrators/event_location.hpp>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/integrators/one_step.hpp>
+#include <gnomon/integrators/step_size.hpp>
+#include <memory>
+#include <optional>
+
+namespace gnomon {
+
+/// With a fixed step: the grid t = k step, an attempt that fails being counted as rejected and
+/// repeated with half the step, as the paper's substepping. Otherwise the error estimate of the
+/// method sets the step. When ever shorter steps fail, the first one is tried again by continuation
+/// (AttemptOptions), and shorter ones after it.
+class OneStepStepper : public Stepper {
+public:
+  /// `error_order`: the estimated error of a step of size h is of order h^(error_order + 1).
+  OneStepStepper(const System& system, const IntegratorSettings& settings, Counters& counters,
+                 std::unique_ptr<OneStepMethod> method, int order, int error_order);
+  StepReport advance(State& state, double t_stop) override;
+  std::vector<double> memory() const override;
+  void restore(const State& state, std::span<const double> memory) override;
+
+private:
+  struct Plan {
+    double h;
+    double target;
+    bool lands;  // the step ends on the target
+  };
+  void begin(const State& state);
+  Plan plan(const State& state, double t_stop, double h) const;
+  Landing take(const State& state, const Plan& plan, bool continuation);
+  Landing step_over(const State& state, const Plan& plan, AttemptOptions options);
+  double after_success(const Plan& plan, const Landing& landing);
+  bool fixed() const { return settings_.step > 0; }
+
+  const System& system_;
+  IntegratorSettings settings_;
+  Counters& counters_;
+  std::unique_ptr<OneStepMethod> method_;
+  int order_;
+  StepSizeControl control_;
+  int error_order_;
+  std::optional<EventLocator> locator_;
+  bool begun_ = false;
+  double proposal_ = 0;  // size of the next step
+  State next_;
+};
+
+/// Rates of the differential components on a piece (Point): every differential row is
+/// ydot + f(t, y) = 0, so they are minus the row at ydot = 0. Fills ydot, zero elsewhere.
+void set_rates(const System& system, const ActiveSet* piece, State& state);
+
+}  // namespace gnomon

@@ -1,0 +1,57 @@
+// Meshes of 4-node quadrilaterals (2D) and 8-node hexahedra (3D) in the initial configuration.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <gnomon/base/tensor.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+template <int dim>
+struct Mesh {
+  static constexpr int cell_nodes = 1 << dim;
+  static constexpr int facet_nodes = 1 << (dim - 1);
+  using Cell = std::array<int, cell_nodes>;    ///< VTK order
+  using Facet = std::array<int, facet_nodes>;  ///< boundary facet, outer normal by the order: in 2D
+                                               ///< the body lies to the left of 0 -> 1, in 3D the
+                                               ///< corners run counter-clockwise seen from outside
+
+  std::vector<Vector<dim>> nodes;  ///< X^, initial positions [length]
+  std::vector<Cell> cells;
+  std::map<std::string, std::vector<Facet>> boundary;  ///< facets of each named boundary part
+
+  /// Initial positions of the nodes of a cell, a row each [length].
+  CellNodal<dim> positions(const Cell& cell) const {
+    CellNodal<dim> X;
+    for (int a = 0; a < cell_nodes; ++a) X.row(a) = nodes[cell[a]].transpose();
+    return X;
+  }
+
+  /// Nodes of a named boundary part, ascending, each once.
+  std::vector<int> boundary_nodes(const std::string& name) const;
+};
+
+/// nx by ny quadrilaterals on the image of the unit square under `place(s, t)`; boundary parts
+/// "bottom" (t = 0), "top" (t = 1), "left" (s = 0), "right" (s = 1). The map must keep orientation.
+Mesh<2> structured_quadrilaterals(int nx, int ny,
+                                  const std::function<Vector<2>(double s, double t)>& place);
+
+/// nx by ny by nz hexahedra on the image of the unit cube under `place(r, s, t)`, nodes numbered
+/// along r, then s, then t; boundary parts "left" (r = 0), "right" (r = 1), "front" (s = 0), "back"
+/// (s = 1), "bottom" (t = 0), "top" (t = 1). The map must keep orientation.
+Mesh<3> structured_hexahedra(int nx, int ny, int nz,
+                             const std::function<Vector<3>(double r, double s, double t)>& place);
+
+/// All facets that belong to one cell only, with outer normal, in the order of the cells.
+std::vector<Mesh<3>::Facet> exterior_facets(const Mesh<3>& mesh);
+
+/// Nodes whose initial position fulfils the condition, ascending: say, those near the contact,
+/// which alone need shape unknowns (Remark 2).
+template <int dim>
+std::vector<int> nodes_where(const Mesh<dim>& mesh,
+                             const std::function<bool(const Vector<dim>&)>& condition);
+
+}  // namespace gnomon

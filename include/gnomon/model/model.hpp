@@ -1,0 +1,94 @@
+// What a problem makes of a scene: the differential-algebraic system to integrate, how to start it,
+// and what can be observed of a state. Integrators, results and the run loop see only this.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <gnomon/base/counters.hpp>
+#include <gnomon/system/state.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gnomon {
+
+/// A named scalar of a state, for histories and summaries.
+struct Scalar {
+  std::string name;
+  std::string unit;
+  double value = 0;
+};
+
+/// The one of this name; null where there is none.
+inline const Scalar* find_scalar(const std::vector<Scalar>& scalars, std::string_view name) {
+  const auto found = std::ranges::find(scalars, name, &Scalar::name);
+  return found == scalars.end() ? nullptr : &*found;
+}
+
+/// The mesh in its initial configuration, as files need it. In 2D, z is zero.
+struct Grid {
+  enum class Cell { quadrilateral, hexahedron };
+  Cell cell = Cell::quadrilateral;
+  std::vector<std::array<double, 3>> points;  ///< [length]
+  std::vector<int> cells;                     ///< node indices, 4 or 8 a cell, VTK order
+};
+
+/// A field over the grid. `values` is row-major, components a point (or cell).
+struct Field {
+  enum class On { nodes, cells };
+  std::string name;
+  std::string unit;
+  On on = On::nodes;
+  int components = 1;  ///< 1, or 3 for a vector (z = 0 in 2D)
+  std::vector<double> values;
+};
+
+/// The potential contact surface; all arrays have one entry a contact node, in surface order.
+struct ContactSurface {
+  int dim = 2;
+  std::vector<int> node;                       ///< index of the node in the grid
+  std::vector<std::array<double, 3>> initial;  ///< X^, initial configuration [length]
+  std::vector<std::array<double, 3>> worn;     ///< X, undeformed (worn) configuration [length]
+  std::vector<std::array<double, 3>> current;  ///< x, deformed configuration [length]
+  std::vector<double> pressure;                ///< nominal contact pressure, >= 0 [stress]
+  std::vector<double> wear_depth;              ///< |X - X^| [length]
+  std::vector<int> active;                     ///< 1 where in contact
+};
+
+/// Names and sizes of the unknown blocks, for `gnomon check` and the summary.
+struct BlockSize {
+  std::string name;    ///< "displacement", "shape", "contact_multiplier", ...
+  std::string symbol;  ///< "u", "d", "lambda", ...
+  long size = 0;       ///< number of unknowns
+  std::string where;   ///< "all nodes", "contact nodes", ...
+};
+
+class Model {
+public:
+  virtual ~Model() = default;
+
+  /// The DAE and its algebraic stages.
+  virtual const System& system() const = 0;
+  /// The unknown blocks; their sizes sum to system().structure().size.
+  virtual std::vector<BlockSize> blocks() const = 0;
+  /// Consistent state at t = 0. Throws SolutionError when there is none, with the reason.
+  virtual State start(Counters& counters) const = 0;
+  /// Scalars of a state; always the same names in the same order. A scalar called "wear_flux" is
+  /// integrated over time by the run loop and reported as "wear_integral".
+  virtual std::vector<Scalar> observe(const State& state) const = 0;
+  /// Typical size of the differential components over the run, for absolute tolerances: the mean
+  /// wear depth.
+  virtual double differential_scale() const = 0;
+  /// The mesh, if the problem has one.
+  virtual std::optional<Grid> grid() const = 0;
+  /// Fields over the grid; always the same names in the same order. Empty without a grid.
+  virtual std::vector<Field> fields(const State& state) const = 0;
+  /// The contact surface, if the problem has one.
+  virtual std::optional<ContactSurface> contact(const State& state) const = 0;
+  /// The exact solution at time t in closed form, where there is one: y of the differential
+  /// components (zero elsewhere), and the state's time.
+  virtual std::optional<State> exact(double t) const = 0;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,37 @@
+// A problem is a declaration: its name, its scene keys and how to make a model of a scene.
+#pragma once
+
+#include <functional>
+#include <gnomon/model/memory_estimate.hpp>
+#include <gnomon/model/model.hpp>
+#include <gnomon/scene/registry.hpp>
+#include <gnomon/scene/scene.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+struct Problem {
+  std::string name;       ///< "pin_on_flat"
+  std::string help;       ///< one line
+  std::vector<Key> keys;  ///< all keys but run_keys()
+  /// Throws InputError (using Scene::where) when keys contradict each other.
+  std::function<std::unique_ptr<Model>(const Scene&)> make;
+  /// For problems with a mesh: its size, told without making it.
+  std::function<MeshSize(const Scene&)> mesh_size = nullptr;
+};
+
+using Problems = Registry<Problem>;
+
+/// Memory that a run of the scene will take [bytes]; 0 for a problem without a mesh.
+double estimated_memory(const Scene& scene);
+
+/// The model of a scene. Throws InputError where make() does, and before anything is allocated when
+/// a run would need more memory than there is.
+std::unique_ptr<Model> make_model(const Scene& scene);
+
+/// Key table of a problem for load_scene: run_keys() followed by the problem's own.
+std::vector<Key> key_table(const std::string& problem);
+
+}  // namespace gnomon

@@ -1,0 +1,46 @@
+// The model of a worn body: consistent start, observations and fields.
+#pragma once
+
+#include <gnomon/model/model.hpp>
+#include <gnomon/system/wear_system.hpp>
+#include <memory>
+
+namespace gnomon {
+
+template <int dim>
+class WearModel : public Model {
+public:
+  explicit WearModel(std::shared_ptr<const WornBody<dim>> body);
+
+  const System& system() const override { return system_; }
+  std::vector<BlockSize> blocks() const override;
+  /// Equilibrium at the initial shape by a load ramp (rows 1-2 of the system, shape frozen). The
+  /// SolutionError names the fraction of the load that was in equilibrium.
+  State start(Counters& counters) const override;
+  /// contact_nodes, contact_force (the integral of the pressure), max_pressure, worn_volume,
+  /// wear_flux, element_quality, groove_section (of a groove), approach (w, where the counter-body
+  /// moves), contact_half_width (2D). Forces and volumes are those of the whole body, of which
+  /// symmetry may leave a part to be modelled.
+  std::vector<Scalar> observe(const State& state) const override;
+  double differential_scale() const override { return system_.body().scales.wear_depth; }
+  std::optional<Grid> grid() const override;
+  std::vector<Field> fields(const State& state) const override;
+  std::optional<ContactSurface> contact(const State& state) const override;
+  std::optional<State> exact(double) const override { return std::nullopt; }
+
+  const WearSystem<dim>& wear_system() const { return system_; }
+
+private:
+  WearSystem<dim> system_;
+};
+
+/// Half the distance between the edges of the contact zone [length], along the rigid plane in the
+/// current configuration; 0 without contact. 2D, contact nodes in order along the surface.
+///
+/// An edge lies between the last active node and the next open one. If the pressure falls towards
+/// it like a Hertzian edge (p^2 linear in the position), the edge is where p^2 extrapolates to
+/// zero; if it does not reach zero before the open node (a flat, worn profile), the edge is where
+/// the gap of the next two open nodes extrapolates to zero.
+double contact_half_width(const WearSystem<2>& system, const NodalState<2>& state);
+
+}  // namespace gnomon

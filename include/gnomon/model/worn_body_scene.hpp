@@ -1,0 +1,31 @@
+// What problems of a worn hyperelastic body share in making it of a scene.
+#pragma once
+
+#include <gnomon/model/memory_estimate.hpp>
+#include <gnomon/scene/scene.hpp>
+#include <gnomon/terms/worn_body.hpp>
+#include <string>
+
+namespace gnomon {
+
+/// Fills in what worn_body_keys() say: materials, element, load history, wear, contact and the form
+/// of the shape constraint; moves the counter-body away by the initial gap. `facet` is a typical
+/// length of a contact facet; body.mesh, body.scales and the counter-body, touching, must be given.
+/// Throws InputError where read_load_history() does.
+template <int dim>
+void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body);
+
+/// `load.times` and `load.factors`. Throws InputError when they are no history.
+LoadHistory read_load_history(const Scene& scene);
+
+/// The integral of the force over the run [force time]: wear is proportional to it.
+double load_impulse(const Scene& scene);
+
+/// The `solver.*` keys, and what the size of the mesh decides.
+LinearSolverChoice linear_solver_of(const Scene& scene, const MeshSize& mesh);
+
+/// Nodal dead loads of a uniform traction on a boundary part, of the given resultant.
+NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part,
+                           const Vector<2>& resultant);
+
+}  // namespace gnomon

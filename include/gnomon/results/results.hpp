@@ -1,0 +1,117 @@
+// The result file of a run: one HDF5 file that is readable at every moment, and an XDMF sidecar
+// over the same datasets. Layout: docs/results.md.
+#pragma once
+
+#include <filesystem>
+#include <gnomon/base/counters.hpp>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/model/model.hpp>
+#include <gnomon/results/result_files.hpp>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// Facts about a run that are known before its first step.
+struct RunHeader {
+  std::string problem;
+  std::string integrator;
+  std::string scene;                            ///< Scene::resolved()
+  std::map<std::string, std::string> versions;  ///< "gnomon", "SUNDIALS", "HDF5", ...
+  std::vector<BlockSize> blocks;
+};
+
+/// One line of the history: the start (step 0) or an accepted step.
+struct HistoryRow {
+  double t = 0;
+  StepReport step;
+  Counters counters;            ///< totals so far
+  std::vector<Scalar> scalars;  ///< Model::observe and wear_integral; same names in every row
+};
+
+/// What a run can go on from: where it stood in the result, and all that its next steps depend on.
+struct Checkpoint {
+  long number = 0;              ///< 0, 1, ... within the run
+  long rows = 0;                ///< of the history up to here
+  long stored = 0;              ///< steps stored up to here
+  std::vector<double> numbers;  ///< made and read by the run loop; always equally many
+};
+
+/// Writes a result step by step. When a call has returned, what it was given is in the file, which
+/// every HDF5 reader opens even if this process is killed at any later instant, a write included
+/// (docs/results.md says what that rests on). A call that cannot write throws Error; the file then
+/// keeps everything up to the call before, and later calls throw as well.
+class ResultWriter {
+public:
+  /// Creates the file and its sidecar (same name, .xdmf). Earlier ones are refused, or replaced by
+  /// the first append() of a row later than `from` [time], or by close() when one at `from` has
+  /// been the last: until then the new file is FILE.part, which goes if that does not come. Throws
+  /// InputError when the file cannot be created there, when an earlier one is refused, and while
+  /// another run is writing it; an earlier file is then untouched.
+  ResultWriter(const std::filesystem::path& file, const RunHeader& header,
+               const std::optional<Grid>& grid, Earlier earlier = Earlier::refused,
+               double from = -std::numeric_limits<double>::infinity());
+  ~ResultWriter();
+  ResultWriter(const ResultWriter&) = delete;
+  ResultWriter& operator=(const ResultWriter&) = delete;
+
+  /// Appends a history row (every step).
+  void append(const HistoryRow& row);
+  /// Stores fields (nodal or cell values of the grid, 1 or 3 components) and contact surface of a
+  /// state: the steps that the scene asks for, in order of time.
+  void store(double t, const std::vector<Field>& fields,
+             const std::optional<ContactSurface>& contact);
+  /// Keeps a checkpoint in place of the one before the last.
+  void checkpoint(const Checkpoint& checkpoint);
+  /// Records how the run ended: "finished", "interrupted", "failed: ..." (the first 1024 bytes),
+  /// with wall seconds, and brings the file to the medium (fsync).
+  void close(const std::string& status, double wall_seconds);
+  /// The same on the way out with an exception: never in place of an earlier result.
+  void abandon(const std::string& status, double wall_seconds);
+
+private:
+  class File;
+  std::unique_ptr<File> file_;
+};
+
+/// Reads a result, finished or not. Every member throws InputError for a file that is missing, not
+/// HDF5, damaged, or not a gnomon result.
+class ResultReader {
+public:
+  explicit ResultReader(const std::filesystem::path& file);
+  ~ResultReader();
+
+  const RunHeader& header() const;
+  std::string status() const;   ///< as given to close(), or "running or crashed"
+  double wall_seconds() const;  ///< 0 when not closed
+  /// The history, one row a step, the start first.
+  std::vector<HistoryRow> history() const;
+  std::vector<double> stored_times() const;
+  /// The checkpoints that are whole, the last one last: two, one or none.
+  std::vector<Checkpoint> checkpoints() const;
+  /// Contact surface of the stored step at `t`, or of the last one. Throws InputError naming the
+  /// stored times next to `t` when there is none within 1e-9 of the run's length, and not just one
+  /// within 1e-5 of itself (times are printed with six digits).
+  ContactSurface contact(std::optional<double> t) const;
+  /// A field of the stored step with index `step`.
+  Field field(std::size_t step, const std::string& name) const;
+  bool has_contact() const;                      ///< whether the problem has a contact surface
+  std::vector<std::string> field_names() const;  ///< of the first stored step, sorted
+  std::optional<Grid> grid() const;
+
+private:
+  class File;
+  std::unique_ptr<File> file_;
+};
+
+/// Gives `to` what a result held at its last checkpoint, in the order in which it was written, and
+/// its checkpoints. `fields`: their names in the order in which they are written. Errors as those
+/// of the two.
+void copy_to_last_checkpoint(const ResultReader& from, const std::vector<std::string>& fields,
+                             ResultWriter& to);
+
+}  // namespace gnomon

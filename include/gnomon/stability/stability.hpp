@@ -1,0 +1,98 @@
+// Linear stability of explicit methods on the reduced ODE: the spectrum of
+//
+//   G = d(rate)/d(differential components),
+//
+// the algebraic components following (eq. 17), and the steps that it allows. docs/stability.md.
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/linear/sparse_lu.hpp>
+#include <gnomon/system/system.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// Consistent states at ascending times in [0, ...) [time], by an accurate adaptive method whatever
+/// the scene asks for. Throws SolutionError.
+std::vector<State> accurate_states(const Model& model, std::span<const double> times,
+                                   Counters& counters);
+
+/// G at a consistent state on the smooth piece (active set) that the state lies in, as products
+/// with vectors: one factorization, then one solve a product.
+///
+/// With J = dF/dy in blocks of differential (d) and algebraic (a) rows and columns, and
+/// differential rows ydot + f = 0:   a = -J_aa^-1 J_ad v,   G v = -(J_dd v + J_da a).
+class ReducedJacobian {
+public:
+  /// Throws SolutionError when the algebraic rows are singular.
+  ReducedJacobian(const System& system, const State& state);
+
+  /// Number of differential components.
+  int size() const { return static_cast<int>(components_.size()); }
+  /// Positions of the differential components in y.
+  const std::vector<int>& components() const { return components_; }
+  /// G v [1/time times the unit of v]; both have size() entries. Not safe for concurrent calls.
+  void multiply(std::span<const double> v, std::span<double> Gv) const;
+  /// G whole, by size() products.
+  Eigen::MatrixXd dense() const;
+
+private:
+  const SparsePattern& pattern_;
+  std::vector<int> components_;
+  std::vector<double> differential_rows_;  // of J, in the order of the pattern; other rows zero
+  SparseLu lu_;
+  mutable std::vector<double> right_side_, change_;
+};
+
+/// An eigenvalue of G [1/time] and its direction (size() entries, of length one).
+struct Mode {
+  std::complex<double> eigenvalue;
+  Eigen::VectorXcd direction;
+};
+
+/// The `count` modes of largest magnitude, that first, by Arnoldi iteration with implicit restarts
+/// (all modes where G is too small for that). Throws SolutionError when it does not converge.
+std::vector<Mode> leading_modes(const ReducedJacobian& G, int count);
+/// Every mode, largest magnitude first, by the dense QR algorithm.
+std::vector<Mode> all_modes(const Eigen::MatrixXd& G);
+
+/// No stage depends on itself or on a later one.
+bool is_explicit(const ButcherTable& table);
+/// R(z) = 1 + z b^T (I - z A)^-1 1: what a step of size h makes of ydot = (z/h) y.
+std::complex<double> stability_function(const ButcherTable& table, std::complex<double> z);
+/// Largest r such that |R(x e^(i angle))| <= 1, to rounding, for all x up to r. Infinite where that
+/// holds up to 2 s^2 for s stages: no explicit method reaches further.
+double stability_boundary(const ButcherTable& table, double angle);
+
+/// The largest step that amplifies no mode, and the mode that sets it.
+struct CriticalStep {
+  double step;  ///< [time]; infinite when no mode bounds it
+  int mode;     ///< position in the modes; -1 when no mode bounds it
+};
+
+/// Nothing is asked of modes that grow by themselves (Re > 0), which a method has to follow, nor
+/// of those a hundred times slower than the fastest one, which any step near the critical one
+/// resolves.
+CriticalStep critical_step(const ButcherTable& table, std::span<const Mode> modes);
+
+/// How the empirical onset of instability is looked for.
+struct OnsetOptions {
+  int steps = 10;              ///< after which the growth is read
+  double perturbation = 1e-6;  ///< in units of Model::differential_scale()
+  double accuracy = 0.01;      ///< of the onset, relative
+};
+
+/// The step above which a small perturbation grows over some real, nonlinear steps of the method,
+/// from a consistent state: found by bisection from `guess` [time]. So that the state rests and
+/// everything else about it stays as it is, its own rate is taken off the equations and time stands
+/// still: ydot = r(t_0, y) - r(t_0, y_0). Throws SolutionError when steps of a tenth or ten times
+/// the guess say nothing.
+double empirical_onset(const Model& model, const Integrator& integrator, const State& state,
+                       const Eigen::VectorXcd& direction, double guess,
+                       const OnsetOptions& options = {});
+
+}  // namespace gnomon

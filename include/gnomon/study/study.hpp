@@ -1,0 +1,166 @@
+// A study: many runs of one scene, with errors against a reference and what they cost.
+// docs/studies.md describes the file that declares one, and what comes out.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <gnomon/base/counters.hpp>
+#include <gnomon/model/model.hpp>
+#include <gnomon/scene/scene.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// What the accuracy of a run is asked for with.
+struct StudySetting {
+  enum class Kind { step, tolerance };
+  Kind kind = Kind::step;
+  double value = 0;  ///< integrator.step [time], or integrator.rtol
+};
+
+/// One process: a resolved scene to run.
+struct StudyRun {
+  std::string name;   ///< stem of its files in runs/
+  std::string title;  ///< "bdf rtol 1e-09"
+  Scene scene;
+  /// "key=value", given to the program beside the scene: what no scene can hold (Impossible::kept).
+  std::vector<std::string> overrides{};
+};
+
+/// One combination of the swept values.
+struct SweepPoint {
+  std::string label;                    ///< "body.young_modulus=20"; empty without a sweep
+  std::vector<double> times;            ///< at which errors are measured; the last: time.end
+  std::vector<ContactSurface> exact;    ///< in closed form at these times, if there is one
+  std::vector<std::size_t> references;  ///< runs; empty with a closed form
+  bool has_closed_form() const { return !exact.empty(); }
+  std::optional<std::size_t> self_reference;
+};
+
+/// One row of the table.
+struct StudyPoint {
+  std::size_t sweep = 0;
+  std::size_t run = 0;
+  std::string method;
+  std::string integrator;
+  StudySetting setting;
+};
+
+struct Study {
+  std::string name;   ///< stem of the file
+  std::string title;  ///< its first comment
+  std::filesystem::path file;
+  std::filesystem::path scene;
+  std::string text;            ///< of the file
+  std::string self_reference;  ///< "backward-euler step 0.78125"; empty when none is asked for
+  std::vector<SweepPoint> sweep;
+  std::vector<StudyPoint> points;
+  std::vector<StudyRun> runs;  ///< of points and references; equal scenes are one run
+};
+
+/// What becomes of runs whose scene cannot be: the study is refused, or they stay, for the program
+/// to refuse them one by one.
+enum class Impossible { refused, kept };
+
+/// Reads a study and checks all of it: every scene resolves and has a model. Throws InputError with
+/// one line naming file, line, key and what was expected; where impossible scenes are kept, only
+/// for what is wrong with the file itself, names of keys included. Then errors are measured at
+/// time.end alone, unless the file names times.
+Study load_study(const std::filesystem::path& file, Impossible impossible = Impossible::refused);
+
+/// The help text of a study file's keys.
+std::string describe_study_keys();
+
+struct StudyOptions {
+  std::filesystem::path folder;   ///< of the results
+  std::filesystem::path program;  ///< gnomon itself
+  int jobs = 1;                   ///< processes at a time
+  bool resume = false;            ///< keep what is done in an existing folder
+  double limit = 0;               ///< of the wall time of a run [s], which is killed then; 0: none
+};
+
+/// How a process ended.
+struct ProcessEnd {
+  int exit_code = 0;       ///< meaningful when signal is 0
+  int signal = 0;          ///< that ended the process
+  bool timed_out = false;  ///< killed at StudyOptions::limit
+  double cpu_seconds = 0;
+  double peak_memory_mb = 0;  ///< [10^6 bytes]
+};
+
+struct StudyProgress {
+  std::size_t total = 0;   ///< runs
+  std::size_t kept = 0;    ///< done before
+  std::size_t done = 0;    ///< kept ones included
+  std::size_t failed = 0;  ///< of the done ones
+  std::string ended;       ///< name of the run that ended just now, if one did
+  std::string reason;      ///< why it failed, if it did
+};
+
+struct StudyHooks {
+  std::function<void(const StudyProgress&)> on_progress = [](const StudyProgress&) {};
+  /// Asked all the time; true stops the running processes and ends the study.
+  std::function<bool()> interrupted = [] { return false; };
+};
+
+/// Runs what is not done yet; every run leaves its files in FOLDER/runs. Throws InputError for a
+/// folder that exists (unless resuming), is not a study's, holds a study of another name, or is in
+/// use. What of it was done when it returned; less than all after an interruption.
+StudyProgress run_study(const Study& study, const StudyOptions& options, const StudyHooks& hooks);
+
+/// Whether a study has its results there.
+bool holds_study(const std::filesystem::path& folder);
+
+/// One row of the results. Errors are absent when a run or its reference has failed.
+struct StudyRow {
+  StudyPoint point;
+  std::string sweep;
+  std::string status;                      ///< "finished", "failed"
+  std::string reason;                      ///< of a failure
+  std::optional<double> shape_error;       ///< at the end [length]
+  std::optional<double> shape_error_max;   ///< largest at the measured times [length]
+  std::optional<double> shape_error_self;  ///< at the end, against the self-reference [length]
+  std::optional<double> pressure_error;    ///< at the end, largest of a node [stress]
+  bool marked_shape = false;  ///< below ten times the reference's own error, or that is unknown
+  bool marked_max = false;
+  bool marked_pressure = false;
+  std::optional<Counters> counters;
+  std::optional<double> wall_seconds;    ///< of the run itself
+  std::optional<double> cpu_seconds;     ///< of its process, user and system
+  std::optional<double> peak_memory_mb;  ///< of its process [10^6 bytes]
+  std::optional<double> reached;         ///< time of the last good state, finished or not
+  std::optional<ProcessEnd> end;         ///< none when it was not run
+};
+
+/// What the errors of one sweep point refer to, and how far that can be trusted.
+struct StudyReference {
+  std::string text;  ///< "esdirk-5 rtol 1e-09, checked by bdf rtol 1e-09"; "closed form"
+  bool usable = false;
+  std::optional<double> error;      ///< difference of the two runs at the end [length]
+  std::optional<double> error_max;  ///< largest at the measured times [length]
+  std::optional<double> pressure_error;
+  double wear = 0;      ///< Euclidean norm of the wear of all contact nodes at the end [length]
+  double pressure = 0;  ///< largest nodal contact pressure at the end [stress]
+};
+
+struct StudyTable {
+  std::vector<StudyRow> rows;
+  std::vector<StudyReference> references;  ///< one a sweep point
+};
+
+/// Measures the errors of the runs in `folder`.
+StudyTable measure(const Study& study, const std::filesystem::path& folder);
+
+/// The table as CSV: the columns of docs/studies.md.
+std::string study_csv(const Study& study, const StudyTable& table);
+/// The table and the study's text as HDF5. Throws Error.
+void write_study_hdf5(const std::filesystem::path& file, const Study& study,
+                      const StudyTable& table);
+/// A self-contained page: `figures` are SVG texts to inline; `note` stands in their place if there
+/// are none.
+std::string study_page(const Study& study, const StudyTable& table,
+                       const std::vector<std::string>& figures, const std::string& note);
+
+}  // namespace gnomon

@@ -1,0 +1,99 @@
+// The operator contract that carries every time integration method (docs/equations.md):
+//
+//   F(t, y, ydot) = 0,   J = dF/dy + alpha dF/dydot,
+//
+// whose differential rows read ydot_i + f_i(t, y) = 0 (row i belongs to unknown i) and whose other
+// rows do not contain ydot. An index-1 differential-algebraic system, semismooth in y.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <gnomon/fields/sparse_pattern.hpp>
+#include <gnomon/system/linear_solver_choice.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gnomon {
+
+/// What an unknown is, for solvers that treat the blocks of J apart (docs/equations.md).
+enum class UnknownKind : char {
+  displacement,        ///< u
+  shape,               ///< d off the contact surface
+  worn_surface,        ///< d on the contact surface: differential
+  contact_multiplier,  ///< lambda
+  shape_multiplier,    ///< mu
+  rigid_motion         ///< w
+};
+
+/// Sizes and constants of a system that do not change during a run.
+struct Structure {
+  long size = 0;
+  SparsePattern pattern;              ///< of J, the union over all states
+  std::vector<int> group;             ///< size entries: rows of one node share a number (ordering)
+  std::vector<char> differential;     ///< size entries: 1 where ydot enters F
+  std::vector<double> row_scale;      ///< size entries: |F_i| that matters, in the unit of the row
+  std::vector<double> unknown_scale;  ///< size entries: typical |y_i|
+  std::vector<int> switch_node;       ///< one a switching function: the mesh node it belongs to
+  std::vector<double> corners;        ///< ascending times at which F may have a kink in t
+  LinearSolverChoice solver;
+  // For solvers by blocks; empty where a system has no such blocks.
+  std::vector<UnknownKind> kind;                ///< size entries
+  std::vector<char> component;                  ///< size entries: 0, 1, 2 of a vector, else 0
+  std::vector<std::array<double, 3>> position;  ///< of a `group`, initial configuration [length]
+};
+
+/// One entry a complementarity condition (contact node): 1 where it is active (closed).
+using ActiveSet = std::vector<char>;
+
+/// Where a system is evaluated.
+struct Point {
+  double t = 0;
+  std::span<const double> y;
+  std::span<const double> ydot = {};  ///< not read by purely algebraic systems
+  /// The smooth piece to evaluate, continued beyond its border (gaps of open nodes may be negative,
+  /// multipliers of closed ones positive). Null: the piece that y lies in.
+  const ActiveSet* piece = nullptr;
+  /// A time whose smooth part, up to the next corner, F is continued from to t: the start of a step
+  /// with a stage past its end. Absent: t itself.
+  std::optional<double> within = {};
+};
+
+struct Stage;
+
+/// The equations that every integrator sees. Five members, no defaults.
+class System {
+public:
+  virtual ~System() = default;
+
+  virtual const Structure& structure() const = 0;
+
+  /// F [size]. Throws RecoverableError where the state has no residual (inverted element).
+  virtual void residual(const Point& at, std::span<double> F) const = 0;
+
+  /// Values of J on structure().pattern, overwritten. Same errors as residual().
+  virtual void jacobian(const Point& at, double alpha, std::span<double> values) const = 0;
+
+  /// One value a complementarity condition, smooth in y, negative or zero where it is active (the
+  /// augmented multiplier). Two states whose values have equal signs share one smooth residual.
+  virtual void switching(std::span<const double> y, std::span<double> values) const = 0;
+
+  /// The algebraic rows for given differential components, as a sequence of smaller systems to be
+  /// solved one after the other (Remark 1: mesh motion, then contact). The caller owns them.
+  virtual std::vector<Stage> make_stages() const = 0;
+};
+
+/// An algebraic stage: some unknowns of a parent system, solved for with the others and the time
+/// frozen.
+struct Stage {
+  std::vector<int> unknowns;       ///< position in the parent's y of each unknown of `system`
+  std::unique_ptr<System> system;  ///< purely algebraic; t and ydot do not enter
+  /// Fixes time and the others at the parent's t and y.
+  std::function<void(double t, std::span<const double> y)> freeze;
+};
+
+/// The piece that y lies in.
+ActiveSet active_set(const System& system, std::span<const double> y);
+
+}  // namespace gnomon

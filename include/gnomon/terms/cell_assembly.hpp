@@ -1,0 +1,59 @@
+// Gather and scatter of a solid term over the cells of a mesh, written once for the body (rows of
+// u, derivatives by u and d) and for the mesh motion (rows and derivatives of d alone). On large
+// meshes by all threads (OMP_NUM_THREADS); results do not depend on their number.
+#pragma once
+
+#include <gnomon/fields/sparse_pattern.hpp>
+#include <gnomon/fields/unknowns.hpp>
+#include <span>
+#include <vector>
+
+namespace gnomon {
+
+template <int dim>
+class CellAssembly {
+public:
+  using Numbers = typename Unknowns<dim>::Numbers;
+
+  /// `rows`, `columns`: numbers of the residual rows and of the unknown that plays the
+  /// displacement. `shape_columns`: numbers of the shape unknowns that move the reference
+  /// configuration, or null when it does not move. `stiffness`: factors of the law, one a cell;
+  /// none: 1. Cells without a row are left out. References must outlive the object.
+  CellAssembly(const Mesh<dim>& mesh, const NeoHookean& law, ElementKind kind, const Numbers& rows,
+               const Numbers& columns, const Numbers* shape_columns,
+               std::vector<double> stiffness = {});
+
+  void add_to_pattern(PatternBuilder& builder) const;
+  /// Computes the scatter map; call once, after the pattern is built.
+  void map_to(const SparsePattern& pattern);
+
+  /// F += R; `shape` may be null (reference = initial configuration).
+  /// Throws RecoverableError naming the first inverted cell.
+  void add_residual(const NodalField<dim>* shape, const NodalField<dim>& displacement,
+                    std::span<double> F) const;
+  void add_jacobian(const NodalField<dim>* shape, const NodalField<dim>& displacement,
+                    std::span<double> values) const;
+
+private:
+  static constexpr int local = dim * (1 << dim);  // values a cell
+
+  NeoHookean law_of(int cell) const;
+  void cell_numbers(int cell, const Numbers& numbers, std::vector<int>& result) const;
+  void gather(int cell, const NodalField<dim>* shape, const NodalField<dim>& displacement,
+              CellNodal<dim>& X, CellNodal<dim>& u) const;
+  [[noreturn]] void throw_inverted(int cell, const NodalField<dim>* shape) const;
+  void fill_map(const SparsePattern& pattern, const Numbers& columns, std::vector<int>& map) const;
+
+  const Mesh<dim>& mesh_;
+  NeoHookean law_;
+  std::vector<double> stiffness_;
+  SolidKernel<dim> kernel_;
+  const Numbers& rows_;
+  const Numbers& columns_;
+  const Numbers* shape_columns_;
+  std::vector<int> cells_;            // cells with at least one row
+  std::size_t size_ = 0;              // of the matrix
+  std::vector<int> map_, shape_map_;  // local*local positions a cell, column by column; -1: none
+};
+
+}  // namespace gnomon

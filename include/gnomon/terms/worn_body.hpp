@@ -1,0 +1,87 @@
+// Everything constant about one worn body in contact with a rigid counter-body: what a
+// problem declares, and what blocks, terms and system are made of.
+#pragma once
+
+#include <algorithm>
+#include <gnomon/laws/load_history.hpp>
+#include <gnomon/mesh/mesh.hpp>
+#include <gnomon/system/linear_solver_choice.hpp>
+#include <gnomon/terms/contact_node.hpp>
+#include <gnomon/terms/solid.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// Row-major nodal field; row = mesh node.
+template <int dim>
+using NodalField = Eigen::Matrix<double, Eigen::Dynamic, dim, Eigen::RowMajor>;
+template <int dim>
+using NodalFlags = Eigen::Matrix<char, Eigen::Dynamic, dim, Eigen::RowMajor>;
+
+/// How the auxiliary problem meets the worn surface: contact shape rows replace the auxiliary
+/// equilibrium there, or the paper's augmented multiplier mu carries the reaction (eq. 22, 29).
+enum class ConstraintForm { eliminated, multiplier };
+
+/// Typical magnitudes over a run; they scale residuals and unknowns, and never change a solution.
+struct Scales {
+  double force = 1;            ///< applied load, as in the rows of u
+  double displacement = 1;     ///< elastic approach of the bodies [length]
+  double stress = 1;           ///< mean contact pressure
+  double wear_depth = 1;       ///< mean wear depth over the contact surface at the end [length]
+  double duration = 1;         ///< of the run [time]
+  double auxiliary_force = 1;  ///< of the mesh-motion rows
+};
+
+/// Unit of rho [stress / length]: Young's modulus by facet length, or, under a light load, what
+/// tractions and gaps that occur suggest. A rho that is hundreds of times their ratio lets gaps
+/// alone choose the active set, and Newton cycles; a small one does no harm.
+inline double regularization_unit(double young, double facet, const Scales& scales) {
+  constexpr double far_above = 1000;  // times the default of contact.regularization: 10
+  const double occurring = scales.stress / (scales.displacement + scales.wear_depth);
+  return std::min(young / facet, far_above * occurring);
+}
+
+/// The section of a body that is uniform along x and whose shape stays so (sec. 4.3): its shape
+/// unknowns are those of one cross-section, with components (y, z).
+struct CrossSection {
+  Mesh<2> mesh;           ///< in the plane (y, z)
+  std::vector<int> node;  ///< of the body, one a section node: it carries the shape unknowns
+  std::vector<int> of;    ///< section node of every node of the body
+  double length = 0;      ///< of the body along x [length]
+  double path = 0;        ///< L, sliding length of a cycle, of which the body is a part [length]
+};
+
+template <int dim>
+struct WornBody {
+  Mesh<dim> mesh;
+  std::vector<ContactPatch<dim>> contact_nodes;  ///< the potential contact surface
+  NodalFlags<dim> displacement_fixed;            ///< 1 where u is held at zero
+  NodalFlags<dim> shape_fixed;                   ///< 1 where d is held at zero
+  NodalField<dim> load;                          ///< nodal dead loads at factor one
+  NeoHookean material;
+  ElementKind element = ElementKind::f_bar;
+  NeoHookean auxiliary_material;                       ///< eq. (20)
+  ElementKind auxiliary_element = ElementKind::plain;  ///< or plain_blatz_ko
+  double auxiliary_stiffening = 0;  ///< chi: a cell is (mean volume / its volume)^chi as stiff
+  ContactParameters<dim> contact;
+  /// The force that presses the counter-body along its `approach`, at factor one; without it the
+  /// counter-body stays.
+  std::optional<double> counter_force;
+  LoadHistory load_history;             ///< factor of `load` and of `counter_force`
+  std::optional<CrossSection> section;  ///< 3D only: uniform along x
+  /// One a contact node: its part in the wear rate of its shape unknowns, by default 1; with a
+  /// section, the length that it stands for by that of the path.
+  std::vector<double> wear_weight;
+  double copies = 1;  ///< of the modelled part that make the whole (symmetry)
+  ConstraintForm constraint = ConstraintForm::eliminated;
+  double augmentation = 0;  ///< of mu: mu^ = mu + augmentation (ddot + Wdot N) [stress time/length]
+  Scales scales;
+  LinearSolverChoice solver;
+
+  /// The node that carries the shape unknowns of `node`.
+  int shape_node(int node) const { return section ? section->node[section->of[node]] : node; }
+};
+
+}  // namespace gnomon

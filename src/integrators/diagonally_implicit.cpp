@@ -1,0 +1,206 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <gnomon/base/packed_numbers.hpp>
+#include <gnomon/integrators/diagonally_implicit.hpp>
+#include <gnomon/integrators/stepper.hpp>
+#include <utility>
+
+namespace gnomon {
+
+DiagonallyImplicit::DiagonallyImplicit(const System& system, const IntegratorSettings& settings,
+                                       Counters& counters, ButcherTable table)
+    : system_(system),
+      counters_(counters),
+      table_(std::move(table)),
+      norm_(system.structure(), settings),
+      short_step_(1e-6 * settings.end),
+      newton_(system.structure(), counters, modified_newton),
+      k_(table_.stages(), Rates(norm_.components().size())),
+      base_(norm_.components().size()),
+      error_(norm_.components().size()) {}
+
+StageSolver& DiagonallyImplicit::stages() {
+  if (!stages_) stages_.emplace(system_, counters_);
+  return *stages_;
+}
+
+void DiagonallyImplicit::accept(const State& state, bool kink) {
+  if (kink) trace_.clear();
+  trace_.add(state.t, state.y);
+  t_old_ = t_new_;
+  t_new_ = state.t;
+  std::swap(rate_old_, rate_new_);
+  rate_new_.resize(base_.size());
+  for (std::size_t k = 0; k < base_.size(); ++k) rate_new_[k] = state.ydot[norm_.components()[k]];
+}
+
+std::vector<double> DiagonallyImplicit::memory() const {
+  if (table_.embedded_order > 0) return {};
+  std::vector<double> memory = {double(!rate_old_.empty()), t_old_};
+  pack(memory, rate_old_.empty() ? Rates(base_.size()) : rate_old_);
+  return memory;
+}
+
+void DiagonallyImplicit::restore(std::span<const double> memory) {
+  if (table_.embedded_order > 0) return;
+  Unpacker numbers(memory);
+  const bool known = numbers.one() != 0;
+  t_old_ = numbers.one();
+  rate_old_ = known ? numbers.many<double>(base_.size()) : Rates();
+}
+
+void DiagonallyImplicit::set_rates_of(double step, const Rates& base, std::span<const double> y,
+                                      std::span<double> ydot) const {
+  const auto& components = norm_.components();
+  for (std::size_t k = 0; k < components.size(); ++k)
+    ydot[components[k]] = (y[components[k]] - base[k]) / step;
+}
+
+/// One solve of F(t, y, (d - base) / step) = 0 from the guess to.y, F as it is in the step that
+/// starts at `from`: some tables have a stage past its end, where the load may have a corner.
+NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base, const State& from,
+                                       const AttemptOptions& options, State& to) {
+  NonlinearFunction function;
+  function.residual = [&](std::span<const double> y, std::span<double> G) {
+    set_rates_of(step, base, y, to.ydot);
+    system_.residual({t, y, to.ydot, options.piece, from.t}, G);
+  };
+  function.jacobian = [&](std::span<const double> y, std::span<double> values) {
+    set_rates_of(step, base, y, to.ydot);
+    system_.jacobian({t, y, to.ydot, options.piece, from.t}, 1 / step, values);
+  };
+  function.piece = [&](std::span<const double> y) {
+    return options.piece ? *options.piece : active_set(system_, y);
+  };
+  function.alpha = 1 / step;
+  function.switch_node = system_.structure().switch_node;
+  const NewtonReport report = newton_.solve(function, to.y);
+  if (report.converged) set_rates_of(step, base, to.y, to.ydot);
+  return report;
+}
+
+/// The same by continuation from step zero, where the solution is the state that the step starts
+/// from: `base` and the time move from there with the step. A way of more than `most` solves is
+/// given up, for it may creep without an end.
+std::string DiagonallyImplicit::continue_in_step(double t, double step, const Rates& base,
+                                                 const State& from, const AttemptOptions& options,
+                                                 State& to) {
+  constexpr double least = 1e-4;
+  constexpr int most = 50;
+  std::vector<double> good = from.y;
+  Rates partial(base.size());
+  double reached = 0, increment = 0.25;
+  std::string reason;
+  for (int solves = 1; reached < 1; ++solves) {
+    const double part = std::min(1.0, reached + increment);
+    for (std::size_t k = 0; k < base.size(); ++k) {
+      const double start = from.y[norm_.components()[k]];
+      partial[k] = start + part * (base[k] - start);
+    }
+    to.y = good;
+    const double at = from.t + part * (t - from.t);
+    const NewtonReport report = solve(at, part * step, partial, from, options, to);
+    if (report.converged) {
+      good = to.y;
+      reached = part;
+      increment *= 1.5;
+    } else {
+      reason = report.reason;
+      increment /= 2;
+    }
+    if (reached < 1 && (solves == most || increment < least))
+      return fmt::format("{} (continuation in the step reached {:.3g} of it)", reason, reached);
+  }
+  return {};
+}
+
+std::string DiagonallyImplicit::solve_stage(int i, const State& from, double h,
+                                            const AttemptOptions& options, State& to) {
+  const double t = from.t + table_.c[i] * h, step = table_.A(i, i) * h;
+  for (std::size_t k = 0; k < base_.size(); ++k) {
+    base_[k] = from.y[norm_.components()[k]];
+    for (int j = 0; j < i; ++j) base_[k] += h * table_.A(i, j) * k_[j][k];
+  }
+  trace_.evaluate(t, to.y);
+  const NewtonReport report = solve(t, step, base_, from, options, to);
+  if (report.converged) return {};
+  if (!options.continuation) return report.reason;
+  return continue_in_step(t, step, base_, from, options, to);
+}
+
+Attempt DiagonallyImplicit::attempt(const State& from, double h, const AttemptOptions& options,
+                                    State& to) {
+  to.t = from.t + h;
+  to.y.resize(from.y.size());
+  to.ydot.assign(from.y.size(), 0.0);
+  const auto& components = norm_.components();
+  for (int i = 0; i < table_.stages(); ++i) {
+    const bool is_state = i == 0 && table_.explicit_first_stage();
+    if (!is_state) {
+      std::string reason = solve_stage(i, from, h, options, to);
+      if (!reason.empty()) return {.reason = std::move(reason)};
+      trace_.add(from.t + table_.c[i] * h, to.y);
+    }
+    const std::vector<double>& rates = is_state ? from.ydot : to.ydot;
+    for (std::size_t k = 0; k < components.size(); ++k) k_[i][k] = rates[components[k]];
+  }
+  if (!table_.stiffly_accurate()) {
+    trace_.evaluate(to.t, to.y);
+    for (std::size_t k = 0; k < components.size(); ++k) {
+      double& d = to.y[components[k]] = from.y[components[k]];
+      for (int i = 0; i < table_.stages(); ++i) d += h * table_.b[i] * k_[i][k];
+    }
+    const Attempt projected = project(to, options.piece);
+    if (!projected.success) return projected;
+  } else if (h < short_step_) {
+    set_rates(system_, options.piece, to);  // a difference over so short a step is rounding
+  }
+  return {.success = true, .error = estimate(from, h, to)};
+}
+
+/// Makes a state consistent with its differential components.
+Attempt DiagonallyImplicit::project(State& state, const ActiveSet* piece) {
+  std::string reason = stages().solve(state.t, state.y, piece);
+  if (!reason.empty()) return {.reason = std::move(reason)};
+  set_rates(system_, piece, state);
+  return {.success = true};
+}
+
+double DiagonallyImplicit::estimate(const State& from, double h, const State& to) {
+  const auto& components = norm_.components();
+  if (table_.embedded_order > 0) {
+    for (std::size_t k = 0; k < components.size(); ++k) {
+      error_[k] = 0;
+      for (int i = 0; i < table_.stages(); ++i)
+        error_[k] += h * (table_.b[i] - table_.b_embedded[i]) * k_[i][k];
+    }
+    return norm_(error_, to.y);
+  }
+  const double alpha = table_.A(table_.stages() - 1, table_.stages() - 1);
+  // Before there are three rates, the difference to the explicit Euler method stands in.
+  const bool has_history = !rate_old_.empty() && t_old_ < from.t;
+  const double first = has_history ? 0.5 - alpha : 0.5;
+  for (std::size_t k = 0; k < components.size(); ++k) {
+    const double change = to.ydot[components[k]] - from.ydot[components[k]];
+    error_[k] = first * h * change;
+    if (!has_history) continue;
+    const double before = (rate_new_[k] - rate_old_[k]) / (from.t - t_old_);
+    error_[k] -= h * h * h / 6 * (change / h - before) / (from.t + h - t_old_);
+  }
+  return norm_(error_, to.y);
+}
+
+std::unique_ptr<Stepper> make_diagonally_implicit(const System& system,
+                                                  const IntegratorSettings& settings,
+                                                  Counters& counters, const ButcherTable& table) {
+  const bool trapezoidal = table.embedded_order == 0 && table.order == 2;
+  const int error_order = table.embedded_order > 0 ? std::min(table.order, table.embedded_order)
+                                                   : (trapezoidal ? 2 : 1);
+  return std::make_unique<OneStepStepper>(
+      system, settings, counters,
+      std::make_unique<DiagonallyImplicit>(system, settings, counters, table), table.order,
+      error_order);
+}
+
+}  // namespace gnomon

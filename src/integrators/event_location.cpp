@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <cmath>
+#include <gnomon/integrators/event_location.hpp>
+#include <utility>
+
+namespace gnomon {
+
+namespace {
+
+bool active(double value) {
+  return value <= 0;
+}
+
+/// Zero in [low, high] of the polynomial through (h, f), by bisection; it changes sign there.
+double polynomial_root(const std::vector<double>& h, std::vector<double> f, double low,
+                       double high) {
+  const std::size_t n = h.size();
+  for (std::size_t k = 1; k < n; ++k)  // divided differences
+    for (std::size_t i = n - 1; i >= k; --i) f[i] = (f[i] - f[i - 1]) / (h[i] - h[i - k]);
+  const auto value = [&](double x) {
+    double sum = f[n - 1];
+    for (std::size_t i = n - 1; i-- > 0;) sum = sum * (x - h[i]) + f[i];
+    return sum;
+  };
+  const bool at_low = active(value(low));
+  for (int k = 0; k < 60; ++k) {
+    const double middle = (low + high) / 2;
+    (active(value(middle)) == at_low ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+/// For a zero that may be at any scale.
+double middle(double low, double high) {
+  if (low == 0) return high / 16;
+  return high > 4 * low ? std::sqrt(low * high) : (low + high) / 2;
+}
+
+}  // namespace
+
+EventLocator::EventLocator(const System& system, OneStepMethod& method)
+    : system_(system),
+      method_(method),
+      piece_(system.structure().switch_node.size()),
+      crossed_(piece_.size()) {}
+
+std::vector<double> EventLocator::memory() const {
+  std::vector<double> memory = {crossed_at_};
+  pack(memory, piece_);
+  pack(memory, crossed_);
+  return memory;
+}
+
+void EventLocator::restore(Unpacker& memory) {
+  const std::size_t nodes = piece_.size();
+  crossed_at_ = memory.one();
+  piece_ = memory.many<char>(nodes);
+  crossed_ = memory.many<char>(nodes);
+}
+
+void EventLocator::sample(double h, std::span<const double> y) {
+  Sample sample{h, std::vector<double>(piece_.size())};
+  system_.switching(y, sample.values);
+  const auto place = std::lower_bound(samples_.begin(), samples_.end(), h,
+                                      [](const Sample& s, double x) { return s.h < x; });
+  samples_.insert(place, std::move(sample));
+}
+
+const EventLocator::Sample& EventLocator::at(double h) const {
+  return *std::find_if(samples_.begin(), samples_.end(), [h](const Sample& s) { return s.h == h; });
+}
+
+bool EventLocator::off_piece(const Sample& sample) const {
+  for (std::size_t j = 0; j < piece_.size(); ++j)
+    if (active(sample.values[j]) != bool(piece_[j])) return true;
+  return false;
+}
+
+bool EventLocator::crossed(const State& from, std::size_t j) const {
+  return from.t == crossed_at_ && crossed_[j];
+}
+
+bool EventLocator::starts_off_piece(const State& from) const {
+  for (std::size_t j = 0; j < piece_.size(); ++j)
+    if (!crossed(from, j) && active(at(0).values[j]) != bool(piece_[j])) return true;
+  return false;
+}
+
+/// Switches the nodes that are off the piece at `behind`, a moment later or now.
+Landing EventLocator::switch_at_start(const State& from, const Sample& behind) {
+  if (from.t != crossed_at_) crossed_.assign(piece_.size(), 0);
+  crossed_at_ = from.t;
+  Landing landing{.grazing = true};
+  for (std::size_t j = 0; j < piece_.size(); ++j) {
+    if (crossed_[j] || active(behind.values[j]) == bool(piece_[j])) continue;
+    piece_[j] = !piece_[j];
+    crossed_[j] = 1;
+    ++landing.switched;
+  }
+  return landing;
+}
+
+/// From the dense output of the step that left the piece: where it first does.
+double EventLocator::first_guess(const State& from, double h) const {
+  constexpr int parts = 32;
+  std::vector<double> y(from.y.size()), before(piece_.size()), after = at(0).values;
+  for (int k = 1; k <= parts; ++k) {
+    std::swap(before, after);
+    method_.trace().evaluate(from.t + h * k / parts, y);
+    system_.switching(y, after);
+    double first = 2;
+    for (std::size_t j = 0; j < piece_.size(); ++j)
+      if (active(before[j]) == bool(piece_[j]) && active(after[j]) != bool(piece_[j]))
+        first = std::min(first, before[j] / (before[j] - after[j]));
+    if (first <= 1) return h * (k - 1 + first) / parts;
+  }
+  return h / 2;
+}
+
+/// Both ends and the two samples nearest to one of them.
+std::vector<const EventLocator::Sample*> EventLocator::samples_near(double end, double low,
+                                                                    double high) const {
+  std::vector<const Sample*> nodes;
+  for (const Sample& s : samples_) nodes.push_back(&s);
+  std::sort(nodes.begin(), nodes.end(), [&](const Sample* a, const Sample* b) {
+    return std::abs(a->h - end) < std::abs(b->h - end);
+  });
+  const auto is_end = [&](const Sample* s) { return s->h == low || s->h == high; };
+  std::stable_partition(nodes.begin(), nodes.end(), is_end);
+  if (nodes.size() > 4) nodes.resize(4);
+  return nodes;
+}
+
+/// First zero of a switching function between two samples next to each other, the first on the
+/// piece.
+double EventLocator::earliest_root(double low, double high) const {
+  const std::vector<const Sample*> near[] = {samples_near(low, low, high),
+                                             samples_near(high, low, high)};
+  const std::size_t count = near[0].size();
+  double earliest = high;
+  std::vector<double> h(count), f(count);
+  for (std::size_t j = 0; j < piece_.size(); ++j) {
+    const double first = at(low).values[j], last = at(high).values[j];
+    if (active(last) == bool(piece_[j]) || active(first) != bool(piece_[j])) continue;
+    const auto& nodes = near[std::abs(last) < std::abs(first)];  // where the zero is to be expected
+    for (std::size_t k = 0; k < count; ++k) h[k] = nodes[k]->h, f[k] = nodes[k]->values[j];
+    earliest = std::min(earliest, polynomial_root(h, f, low, high));
+  }
+  return earliest;
+}
+
+/// Switches every node whose own event is within `width` of h.
+int EventLocator::switch_at(double h, double width) {
+  const auto here =
+      std::find_if(samples_.begin(), samples_.end(), [h](const Sample& s) { return s.h == h; });
+  const auto there = here != samples_.begin() ? here - 1 : here + 1;
+  int switched = 0;
+  crossed_.assign(piece_.size(), 0);
+  for (std::size_t j = 0; j < piece_.size(); ++j) {
+    const double value = here->values[j];
+    const double slope = (value - there->values[j]) / (here->h - there->h);
+    const bool off = active(value) != bool(piece_[j]);
+    const bool leaving = piece_[j] ? slope > 0 : slope < 0;
+    if (!off && !(leaving && std::abs(value) <= std::abs(slope) * width)) continue;
+    piece_[j] = !piece_[j];
+    crossed_[j] = 1;
+    ++switched;
+  }
+  return switched;
+}
+
+Landing EventLocator::land(const State& from, double h, State& to) {
+  constexpr int most_attempts = 16;
+  constexpr double grazing = 1e-3;  // of the step: an event so near its start is its start
+  const double width = tolerance * h;
+  samples_.clear();
+  sample(0, from.y);
+  sample(h, to.y);
+  if (starts_off_piece(from)) return switch_at_start(from, at(0));
+  double low = 0, high = h, guess = first_guess(from, h), bracket = h;
+  Landing landing;
+  for (int k = 0;; ++k) {
+    if (high <= grazing * h) return switch_at_start(from, at(high));
+    landing.h = std::clamp(guess, low + width / 2, high - width / 2);
+    landing.attempt = k < most_attempts ? method_.attempt(from, landing.h, {.piece = &piece_}, to)
+                                        : Attempt{.reason = "an event was not found in the step"};
+    if (!landing.attempt.success) return landing;
+    sample(landing.h, to.y);
+    (off_piece(at(landing.h)) ? high : low) = landing.h;
+    guess = earliest_root(low, high);
+    if (std::abs(guess - landing.h) <= width) break;
+    const double before = std::exchange(bracket, high - low);
+    if (bracket > before / 2 && k % 2 == 1) guess = middle(low, high);
+  }
+  landing.switched = switch_at(landing.h, 3 * width);
+  crossed_at_ = to.t;
+  return landing;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <cmath>
+#include <gnomon/integrators/trace.hpp>
+#include <numeric>
+
+namespace gnomon {
+
+namespace {
+
+constexpr std::size_t capacity = 14;  // two steps of seven stages
+constexpr std::size_t most_points = 4;
+constexpr double largest_weights = 12;  // sum of |w|: how much an extrapolation may magnify errors
+
+/// Lagrange's weights at t of the polynomial through `nodes`.
+std::vector<double> lagrange(const std::vector<double>& nodes, double t) {
+  std::vector<double> weights(nodes.size(), 1.0);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t j = 0; j < nodes.size(); ++j)
+      if (j != i) weights[i] *= (t - nodes[j]) / (nodes[i] - nodes[j]);
+  return weights;
+}
+
+double magnification(const std::vector<double>& weights) {
+  return std::accumulate(weights.begin(), weights.end(), 0.0,
+                         [](double sum, double w) { return sum + std::abs(w); });
+}
+
+}  // namespace
+
+void Trace::add(double t, std::span<const double> y) {
+  std::erase_if(points_, [t](const Entry& point) { return point.t == t; });
+  if (points_.size() == capacity) {
+    points_.push_back(std::move(points_.front()));  // keeps the storage
+    points_.pop_front();
+    points_.back().t = t;
+    points_.back().y.assign(y.begin(), y.end());
+  } else {
+    points_.push_back({t, {y.begin(), y.end()}});
+  }
+}
+
+void Trace::evaluate(double t, std::span<double> y) const {
+  std::vector<const Entry*> nearest;
+  for (const Entry& point : points_) nearest.push_back(&point);
+  std::sort(nearest.begin(), nearest.end(), [t](const Entry* a, const Entry* b) {
+    return std::abs(a->t - t) < std::abs(b->t - t);
+  });
+  if (nearest.size() > most_points) nearest.resize(most_points);
+  std::vector<double> weights;
+  for (; !nearest.empty(); nearest.pop_back()) {
+    std::vector<double> nodes;
+    for (const Entry* point : nearest) nodes.push_back(point->t);
+    weights = lagrange(nodes, t);
+    if (magnification(weights) <= largest_weights) break;
+  }
+  std::fill(y.begin(), y.end(), 0.0);
+  for (std::size_t k = 0; k < nearest.size(); ++k)
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += weights[k] * nearest[k]->y[i];
+}
+
+}  // namespace gnomon

@@ -1,0 +1,36 @@
+#include <fmt/format.h>
+
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/model/problem.hpp>
+#include <gnomon/model/worn_body_scene.hpp>
+
+namespace gnomon {
+
+double estimated_memory(const Scene& scene) {
+  const Problem& problem = Problems::find(scene.text("problem"), "problem");
+  if (!problem.mesh_size) return 0;
+  const MeshSize mesh = problem.mesh_size(scene);
+  return estimated_memory(mesh, linear_solver_of(scene, mesh));
+}
+
+std::unique_ptr<Model> make_model(const Scene& scene) {
+  const double needed = estimated_memory(scene), available = available_memory();
+  if (needed > available)
+    throw InputError(fmt::format(
+        "{}: its mesh needs about {} of memory, {} are available; expected a coarser mesh",
+        scene.path().string(), memory_text(needed), memory_text(available)));
+  return Problems::find(scene.text("problem"), "problem").make(scene);
+}
+
+std::vector<Key> key_table(const std::string& problem) {
+  std::vector<Key> table = run_keys();
+  for (Key& key : table) {
+    if (key.name == "problem") key.choices = {problem};
+    if (key.name == "integrator.name") key.choices = Integrators::names();
+  }
+  const std::vector<Key>& own = Problems::find(problem, "problem").keys;
+  table.insert(table.end(), own.begin(), own.end());
+  return table;
+}
+
+}  // namespace gnomon

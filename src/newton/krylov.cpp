@@ -1,0 +1,94 @@
+#include "newton/krylov.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/linear/jacobian_block.hpp>
+
+namespace gnomon::sundials {
+
+namespace {
+
+constexpr int most_iterations = 80;
+/// What a solve must reach at least to be of use to Newton's method.
+constexpr double useful = 0.3;
+
+}  // namespace
+
+BlockSolver::BlockSolver(const Structure& structure, Counters& counters, SUNContext context)
+    : structure_(structure),
+      counters_(counters),
+      preconditioner_(structure),
+      solution_(make_vector(structure.size, context)),
+      row_scale_(make_vector(structure.size, context)),
+      gmres_(SUNLinSol_SPFGMR(solution_.get(), SUN_PREC_RIGHT, most_iterations, context)) {
+  check(gmres_.get(), "SUNLinSol_SPFGMR");
+  for (long i = 0; i < structure.size; ++i) view(row_scale_.get())[i] = 1 / structure.row_scale[i];
+  const auto product = [](void* self, N_Vector v, N_Vector Jv) {
+    const BlockSolver& s = *static_cast<BlockSolver*>(self);
+    multiply(s.structure_.pattern, s.J_, view(v), view(Jv));
+    return 0;
+  };
+  const auto precondition = [](void* self, N_Vector r, N_Vector z, sunrealtype, int) {
+    static_cast<BlockSolver*>(self)->preconditioner_.apply(view(r), view(z));
+    return 0;
+  };
+  check(SUNLinSolSetATimes(gmres_.get(), this, product), "SUNLinSolSetATimes");
+  check(SUNLinSolSetPreconditioner(gmres_.get(), this, nullptr, precondition),
+        "SUNLinSolSetPreconditioner");
+  // Krylov vectors live in scaled rows: what enters the preconditioner is scaled back.
+  check(SUNLinSolSetScalingVectors(gmres_.get(), row_scale_.get(), row_scale_.get()),
+        "SUNLinSolSetScalingVectors");
+  check(SUNLinSolInitialize(gmres_.get()), "SUNLinSolInitialize");
+}
+
+void BlockSolver::set_up(std::span<const double> J, bool anew) {
+  require_finite(J, "the Jacobian");
+  J_ = J;
+  preconditioner_.refresh(J);
+  policy_.spent(preconditioner_.update_cost());
+  if (anew || policy_.due())
+    set_up_preconditioner();
+  else
+    preconditioner_.update();
+}
+
+void BlockSolver::set_up_preconditioner() {
+  const bool whole = policy_.whole();
+  policy_.failed();  // until it is made
+  ++counters_.preconditioner_setups;
+  counters_.factorizations += preconditioner_.set_up(whole);
+  policy_.made(whole, preconditioner_.set_up_cost());
+}
+
+double BlockSolver::iterate(N_Vector b, double reduction) {
+  SUNLinearSolver gmres = gmres_.get();
+  const double size = N_VWL2Norm(b, row_scale_.get());
+  N_VConst(0, solution_.get());
+  if (size == 0) return 0;
+  check(SUNLinSolSetZeroGuess(gmres, SUNTRUE), "SUNLinSolSetZeroGuess");
+  check(SUNLinSolSolve(gmres, nullptr, solution_.get(), b, reduction * size), "SUNLinSolSolve");
+  const int iterations = SUNLinSolNumIters(gmres);
+  counters_.krylov_iterations += iterations;
+  const double reached = SUNLinSolResNorm(gmres) / size;
+  if (!(reached < 1)) {
+    policy_.failed();
+    return 1;
+  }
+  policy_.solved(iterations, -std::log10(std::max(reached, 1e-16)));
+  if (reached > reduction) policy_.failed();
+  return reached;
+}
+
+void BlockSolver::solve(N_Vector b, N_Vector x, double reduction) {
+  const bool fresh = policy_.fresh();
+  double reached = iterate(b, reduction);
+  if (reached > reduction && !fresh) {
+    set_up_preconditioner();
+    reached = iterate(b, reduction);
+  }
+  if (reached > std::max(reduction, useful))
+    throw RecoverableError("the block solver did not converge");
+  N_VScale(1, solution_.get(), x);
+}
+
+}  // namespace gnomon::sundials

@@ -1,0 +1,43 @@
+// Flexible GMRES (SPFGMR) on the exact Jacobian, preconditioned by its blocks.
+#pragma once
+
+#include <sunlinsol/sunlinsol_spfgmr.h>
+
+#include <gnomon/base/counters.hpp>
+#include <gnomon/linear/block_preconditioner.hpp>
+
+#include "newton/linear_solver.hpp"
+#include "newton/setup_policy.hpp"
+
+namespace gnomon::sundials {
+
+/// Solves J x = b for a sequence of Jacobians on one pattern, and keeps its preconditioner over
+/// them while it pays (SetupPolicy).
+class BlockSolver {
+public:
+  /// References must outlive the solver. Errors as BlockPreconditioner.
+  BlockSolver(const Structure& structure, Counters& counters, SUNContext context);
+
+  /// Takes a new Jacobian, which must outlive the solves with it. `anew`: with a new
+  /// preconditioner, also where the old one would serve.
+  void set_up(std::span<const double> J, bool anew = false);
+  /// Solves until the residual, rows divided by their scales, has fallen to `reduction` of the
+  /// right side's in the Euclidean norm. b may be x. Throws RecoverableError when even a fresh
+  /// preconditioner does not bring the residual down.
+  void solve(N_Vector b, N_Vector x, double reduction);
+
+private:
+  void set_up_preconditioner();
+  /// Fills solution_; returns the reduction reached.
+  double iterate(N_Vector b, double reduction);
+
+  const Structure& structure_;
+  Counters& counters_;
+  BlockPreconditioner preconditioner_;
+  SetupPolicy policy_;
+  std::span<const double> J_;
+  VectorOwner solution_, row_scale_;
+  LinearSolverOwner gmres_;
+};
+
+}  // namespace gnomon::sundials

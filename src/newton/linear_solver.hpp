@@ -1,0 +1,29 @@
+// The linear solvers of Structure::solver as SUNLinearSolvers.
+#pragma once
+
+#include <sundials/sundials_linearsolver.h>
+
+#include <gnomon/base/counters.hpp>
+#include <gnomon/system/system.hpp>
+
+#include "sundials/room.hpp"
+
+namespace gnomon::sundials {
+
+inline void destroy_linear(_generic_SUNLinearSolver* s) {
+  SUNLinSolFree(s);
+}
+using LinearSolverOwner = Owner<_generic_SUNLinearSolver, destroy_linear>;
+
+/// What a nonlinear solver asks of its linear one, renewed before every solve.
+struct LinearRequest {
+  bool keep = false;        ///< a set-up leaves the last Jacobian and factors as they are
+  double reduction = 1e-8;  ///< residual to be reached, relative to the right side; direct: ignored
+};
+
+/// The solver that `structure` chooses; counts its work. To SUNDIALS it is a direct one, so that
+/// Jacobians come as matrices and tolerances are gnomon's own. Its references must outlive it.
+LinearSolverOwner make_linear_solver(const Structure& structure, Counters& counters, Guard& guard,
+                                     SUNContext context, const LinearRequest& request);
+
+}  // namespace gnomon::sundials

@@ -1,0 +1,207 @@
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <gnomon/base/error.hpp>
+#include <gnomon/terms/cell_assembly.hpp>
+
+namespace gnomon {
+
+template <int dim>
+CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const NeoHookean& law, ElementKind kind,
+                                const Numbers& rows, const Numbers& columns,
+                                const Numbers* shape_columns, std::vector<double> stiffness)
+    : mesh_(mesh),
+      law_(law),
+      stiffness_(std::move(stiffness)),
+      kernel_(SolidKernel<dim>::of(kind)),
+      rows_(rows),
+      columns_(columns),
+      shape_columns_(shape_columns) {
+  for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell)
+    for (int node : mesh.cells[cell])
+      if (rows.row(node).maxCoeff() >= 0) {
+        cells_.push_back(cell);
+        break;
+      }
+  // A frozen shape has no columns at all: then its derivative is not computed either.
+  if (shape_columns_ && (shape_columns_->size() == 0 || shape_columns_->maxCoeff() < 0))
+    shape_columns_ = nullptr;
+}
+
+template <int dim>
+NeoHookean CellAssembly<dim>::law_of(int cell) const {
+  const double factor = stiffness_.empty() ? 1 : stiffness_[cell];
+  return {factor * law_.lambda, factor * law_.mu};
+}
+
+template <int dim>
+void CellAssembly<dim>::cell_numbers(int cell, const Numbers& numbers,
+                                     std::vector<int>& result) const {
+  result.clear();
+  for (int node : mesh_.cells[cell])
+    for (int i = 0; i < dim; ++i) result.push_back(numbers(node, i));
+}
+
+template <int dim>
+void CellAssembly<dim>::add_to_pattern(PatternBuilder& builder) const {
+  std::vector<int> rows, columns;
+  for (int cell : cells_) {
+    cell_numbers(cell, rows_, rows);
+    cell_numbers(cell, columns_, columns);
+    builder.add(rows, columns);
+    if (!shape_columns_) continue;
+    cell_numbers(cell, *shape_columns_, columns);
+    builder.add(rows, columns);
+  }
+}
+
+template <int dim>
+void CellAssembly<dim>::fill_map(const SparsePattern& pattern, const Numbers& columns,
+                                 std::vector<int>& map) const {
+  std::vector<int> rows, cols;
+  map.clear();
+  map.reserve(cells_.size() * local * local);
+  for (int cell : cells_) {
+    cell_numbers(cell, rows_, rows);
+    cell_numbers(cell, columns, cols);
+    for (int column : cols)
+      for (int row : rows) map.push_back(row >= 0 && column >= 0 ? pattern.find(row, column) : -1);
+  }
+}
+
+template <int dim>
+void CellAssembly<dim>::map_to(const SparsePattern& pattern) {
+  size_ = pattern.size();
+  fill_map(pattern, columns_, map_);
+  if (shape_columns_) fill_map(pattern, *shape_columns_, shape_map_);
+}
+
+template <int dim>
+void CellAssembly<dim>::gather(int cell, const NodalField<dim>* shape,
+                               const NodalField<dim>& displacement, CellNodal<dim>& X,
+                               CellNodal<dim>& u) const {
+  X = mesh_.positions(mesh_.cells[cell]);
+  for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) {
+    const int node = mesh_.cells[cell][a];
+    if (shape) X.row(a) += shape->row(node);
+    u.row(a) = displacement.row(node);
+  }
+}
+
+template <int dim>
+void CellAssembly<dim>::throw_inverted(int cell, const NodalField<dim>* shape) const {
+  Vector<dim> centre = Vector<dim>::Zero();
+  for (int node : mesh_.cells[cell]) {
+    centre += mesh_.nodes[node] / Mesh<dim>::cell_nodes;
+    if (shape) centre += shape->row(node).transpose() / Mesh<dim>::cell_nodes;
+  }
+  std::string place = fmt::format("({:.4g}, {:.4g}", centre[0], centre[1]);
+  if constexpr (dim == 3) place += fmt::format(", {:.4g}", centre[2]);
+  throw RecoverableError(fmt::format("inverted element {} at {})", cell, place));
+}
+
+namespace {
+
+/// Entries of tangents (or residuals) below which threads cost more than they gain.
+constexpr long worth_threads = 1'000'000;
+
+/// The rows or columns that a thread adds to.
+struct Range {
+  int begin, end;
+
+  bool holds(int number) const { return number >= begin && number < end; }
+};
+
+/// work(cell, range) for ascending cells by every thread, each with its own range of the numbers
+/// below `size`: cells between ranges are computed more than once, but nothing is waited for, and
+/// sums do not depend on the number of threads. Returns the first cell whose work() is false, else
+/// their number.
+template <class Work>
+int for_cells(int cells, int entries, std::size_t size, const Work& work) {
+  const int most = long(cells) * entries < worth_threads ? 1 : omp_get_max_threads();
+  int failed = cells;
+#pragma omp parallel num_threads(most) reduction(min : failed)
+  {
+    const std::size_t thread = omp_get_thread_num(), threads = omp_get_num_threads();
+    const Range own{static_cast<int>(thread * size / threads),
+                    static_cast<int>((thread + 1) * size / threads)};
+    bool good = true;
+    for (int c = 0; c < cells && good; ++c) {
+      good = work(c, own);
+      if (!good) failed = c;  // each thread's own here; the least remains
+    }
+  }
+  return failed;
+}
+
+/// Whether one of a cell's values has its number in the range.
+template <class Cell, class Numbers>
+bool meets(const Cell& cell, const Numbers& numbers, const Range& range) {
+  for (int node : cell)
+    for (int i = 0; i < numbers.cols(); ++i)
+      if (range.holds(numbers(node, i))) return true;
+  return false;
+}
+
+/// Adds the columns of K that lie in the range; `position` is the cell's part of the map.
+template <int dim, class Cell, class Numbers>
+void add_columns(const Cell& cell, const Numbers& columns, const Range& range, const int* position,
+                 const CellMatrix<dim>& K, std::span<double> values) {
+  const double* entry = K.data();
+  for (int node : cell)
+    for (int j = 0; j < dim; ++j, position += K.rows(), entry += K.rows()) {
+      if (!range.holds(columns(node, j))) continue;
+      for (int k = 0; k < K.rows(); ++k)
+        if (position[k] >= 0) values[position[k]] += entry[k];
+    }
+}
+
+}  // namespace
+
+template <int dim>
+void CellAssembly<dim>::add_residual(const NodalField<dim>* shape,
+                                     const NodalField<dim>& displacement,
+                                     std::span<double> F) const {
+  const int count = static_cast<int>(cells_.size());
+  const int failed = for_cells(count, local, F.size(), [&](int c, const Range& own) {
+    const auto& cell = mesh_.cells[cells_[c]];
+    if (!meets(cell, rows_, own)) return true;
+    CellNodal<dim> X, u, R;
+    gather(cells_[c], shape, displacement, X, u);
+    if (!kernel_.residual(law_of(cells_[c]), X, u, R)) return false;
+    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
+      for (int i = 0; i < dim; ++i)
+        if (const int row = rows_(cell[a], i); own.holds(row)) F[row] += R(a, i);
+    return true;
+  });
+  if (failed < count) throw_inverted(cells_[failed], shape);
+}
+
+template <int dim>
+void CellAssembly<dim>::add_jacobian(const NodalField<dim>* shape,
+                                     const NodalField<dim>& displacement,
+                                     std::span<double> values) const {
+  const int count = static_cast<int>(cells_.size());
+  const auto tangent = shape_columns_ ? kernel_.tangent_ud : kernel_.tangent_u;
+  const int failed = for_cells(count, local * local, size_, [&](int c, const Range& own) {
+    const auto& cell = mesh_.cells[cells_[c]];
+    if (!meets(cell, columns_, own) && !(shape_columns_ && meets(cell, *shape_columns_, own)))
+      return true;
+    CellNodal<dim> X, u, R;
+    CellMatrix<dim> K_u, K_d;
+    gather(cells_[c], shape, displacement, X, u);
+    if (!tangent(law_of(cells_[c]), X, u, R, K_u, K_d)) return false;
+    const std::size_t first = std::size_t(c) * local * local;
+    add_columns<dim>(cell, columns_, own, map_.data() + first, K_u, values);
+    if (shape_columns_)
+      add_columns<dim>(cell, *shape_columns_, own, shape_map_.data() + first, K_d, values);
+    return true;
+  });
+  if (failed < count) throw_inverted(cells_[failed], shape);
+}
+
+template class CellAssembly<2>;
+template class CellAssembly<3>;
+
+}  // namespace gnomon
