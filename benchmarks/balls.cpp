@@ -39,23 +39,26 @@ Example worn_ball(double refinement, bool multigrid) {
       multigrid);
 }
 
-NodalState<3> NewtonIteration::guess(const Example& example) {
+FieldValues<3> NewtonIteration::guess(const Example& example) const {
   const WornBody<3>& body = *example.body;
-  NodalState<3> state = NodalState<3>::zero(body);
+  FieldValues<3> values(*equations_.composition()->fields);
   const NeoHookean& law = body.material;
   const double nu = law.lambda / (2 * (law.lambda + law.mu)), young = law.young_modulus();
   const HertzPoint hertz(body.copies * body.counter_force.value(), example.radius, young, nu);
   for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {
     const Vector<3>& X = body.mesh.nodes[body.contact_nodes[c].node];
     const double inside = 1 - (X[0] * X[0] + X[1] * X[1]) / (hertz.radius * hertz.radius);
-    state.lambda[static_cast<Eigen::Index>(c)] =
+    values.scalar(equations_.fields().lambda)[static_cast<Eigen::Index>(c)] =
         inside > 0 ? -hertz.peak_pressure * std::sqrt(inside) : 0;
   }
-  return state;
+  return values;
 }
 
-NewtonIteration::NewtonIteration(const Example& example, const Selection& selection)
-    : system_(example.body, selection),
+NewtonIteration::NewtonIteration(const Example& example, bool coupled)
+    : equations_(example.body),
+      system_(equations_.composition(),
+              coupled ? BlockSelection(equations_.composition()->fields->blocks.size(), 1)
+                      : equations_.deformation()),
       y_(structure().size),
       rest_(structure().size),
       F_(structure().size),
@@ -63,10 +66,10 @@ NewtonIteration::NewtonIteration(const Example& example, const Selection& select
       right_(sundials::make_vector(structure().size, context_)),
       solution_(sundials::make_vector(structure().size, context_)),
       solver_(structure(), counters_, context_) {
-  const NodalState<3> state = guess(example);
-  for (double lambda : state.lambda) piece_.push_back(lambda < 0);
-  system_.freeze(state);
-  system_.unknowns().gather(state, y_);
+  const FieldValues<3> values = guess(example);
+  for (double lambda : values.scalar(equations_.fields().lambda)) piece_.push_back(lambda < 0);
+  system_.numbering().gather(values, y_);
+  if (!coupled) system_.freeze(values, 0);
 }
 
 void NewtonIteration::run() {

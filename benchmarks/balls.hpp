@@ -29,7 +29,8 @@ Example worn_ball(double refinement, bool multigrid);
 /// the pressure, undeformed. alpha = 1/50 s.
 class NewtonIteration {
 public:
-  NewtonIteration(const Example& example, const Selection& selection);
+  /// `coupled`: with the shape, or the contact problem alone.
+  NewtonIteration(const Example& example, bool coupled);
 
   /// Residual, Jacobian, a set-up of the preconditioner, and a solve down to 1e-4.
   void run();
@@ -46,9 +47,10 @@ public:
   double krylov() const;
 
 private:
-  static NodalState<3> guess(const Example& example);
+  FieldValues<3> guess(const Example& example) const;
 
-  WearSystem<3> system_;
+  WornBodyEquations<3> equations_;
+  ComposedSystem<3> system_;
   std::vector<double> y_, rest_, F_, J_;
   ActiveSet piece_;
   sundials::Context context_;

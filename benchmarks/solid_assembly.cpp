@@ -58,7 +58,7 @@ BENCHMARK_CAPTURE(tangent, hexahedron_f_bar_by_u_and_d, ElementKind::f_bar, true
 
 /// A block of 60,000 hexahedra whose nodes all carry u, and d where `shape`.
 struct Block {
-  using Numbers = Unknowns<3>::Numbers;
+  using Numbers = NodalNumbers<3>;
 
   explicit Block(bool shape)
       : mesh(structured_hexahedra(

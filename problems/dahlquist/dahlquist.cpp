@@ -109,7 +109,7 @@ public:
     J.block<2, 2>(2, 0) = -Block::Identity();
   }
 
-  void switching(std::span<const double>, std::span<double>) const override {}
+  void switching(double, std::span<const double>, std::span<double>) const override {}
 
   std::vector<Stage> make_stages() const override {
     auto algebraic = std::make_unique<DahlquistSystem>(equation_, false);
@@ -156,7 +156,7 @@ public:
   }
   double differential_scale() const override { return 1; }
   std::optional<Grid> grid() const override { return std::nullopt; }
-  std::vector<Field> fields(const State&) const override { return {}; }
+  std::vector<GridField> fields(const State&) const override { return {}; }
   /// One point of the complex plane, so that shapes can be compared.
   std::optional<ContactSurface> contact(const State& state) const override {
     const Pair from = equation_.y_of(equation_.exact(0)), y(state.y[0], state.y[1]);

@@ -107,7 +107,7 @@ public:
 
   double differential_scale() const override { return foundation_->mean_depth(); }
   std::optional<Grid> grid() const override { return std::nullopt; }
-  std::vector<Field> fields(const State&) const override { return {}; }
+  std::vector<GridField> fields(const State&) const override { return {}; }
 
   std::optional<ContactSurface> contact(const State& state) const override {
     const Foundation& f = *foundation_;

@@ -89,7 +89,7 @@ public:
     }
   }
 
-  void switching(std::span<const double> y, std::span<double> values) const override {
+  void switching(double, std::span<const double> y, std::span<double> values) const override {
     for (int i = 0; i < points(); ++i) values[i] = foundation_->modulus * gap(y, i);
   }
 

@@ -93,7 +93,7 @@ private:
   void add(const State& state, const std::vector<Mode>& modes, const Integrator& integrator) {
     const CriticalStep critical = critical_step(*integrator.table({}), modes);
     const std::optional<double> onset = observed_onset(state, modes, integrator, critical);
-    const ActiveSet piece = active_set(model_.system(), state.y);
+    const ActiveSet piece = active_set(model_.system(), state.t, state.y);
     table_.add({fmt::format("{:g}", state.t),
                 fmt::format("{}", std::count(piece.begin(), piece.end(), 1)),
                 modes.empty() ? "-" : eigenvalue_text(modes.front().eigenvalue), integrator.name,

@@ -86,7 +86,7 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
         IDAGetNonlinearSystemData(ida_.get(), &t, &predicted, &res, &yy, &yp, &res, &gamma, &user),
         "IDAGetNonlinearSystemData");
     N_VLinearSum(1.0, predicted, 1.0, ycor, probe_.get());
-    active = piece() ? piece_ : active_set(system_, view(probe_.get()));
+    active = piece() ? piece_ : active_set(system_, t, view(probe_.get()));
   };
   nonlinear_ =
       make_semismooth_newton(system.structure(), counters, guard_, newton, request_, context_);
@@ -115,7 +115,7 @@ void BdfSolver::Memory::begin(const State& state) {
   check(IDASetJacFn(ida, &Memory::jacobian), "IDASetJacFn");
   check(IDASetNonlinearSolver(ida, nonlinear_.get()), "IDASetNonlinearSolver");
   if (settings_.locate_events) {
-    piece_ = active_set(system_, state.y);
+    piece_ = active_set(system_, state.t, state.y);
     switched_at_.assign(piece_.size(), -settings_.end);
     check(IDARootInit(ida, static_cast<int>(piece_.size()), &Memory::switching), "IDARootInit");
     check(IDASetNoInactiveRootWarn(ida), "IDASetNoInactiveRootWarn");
@@ -151,11 +151,11 @@ int BdfSolver::Memory::weights(N_Vector y, N_Vector w, void* data) {
   return 0;
 }
 
-int BdfSolver::Memory::switching(sunrealtype, N_Vector y, N_Vector, sunrealtype* values,
+int BdfSolver::Memory::switching(sunrealtype t, N_Vector y, N_Vector, sunrealtype* values,
                                  void* data) {
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run(
-      [&] { self.system_.switching(view(y), std::span<double>(values, self.piece_.size())); });
+      [&] { self.system_.switching(t, view(y), std::span<double>(values, self.piece_.size())); });
 }
 
 /// Switches the nodes at a root: the one that IDA names, and those that symmetry switches with it
@@ -167,7 +167,7 @@ int BdfSolver::Memory::switch_nodes(const State& state, bool at_root) {
   std::vector<int> found(piece_.size(), 0);
   if (at_root) check(IDAGetRootInfo(ida_.get(), found.data()), "IDAGetRootInfo");
   std::vector<double> values(piece_.size());
-  system_.switching(state.y, values);
+  system_.switching(state.t, state.y, values);
   double largest = 0;
   for (double value : values) largest = std::max(largest, std::abs(value));
   int switched = 0;

@@ -71,7 +71,7 @@ NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base,
     system_.jacobian({t, y, to.ydot, options.piece, from.t}, 1 / step, values);
   };
   function.piece = [&](std::span<const double> y) {
-    return options.piece ? *options.piece : active_set(system_, y);
+    return options.piece ? *options.piece : active_set(system_, t, y);
   };
   function.alpha = 1 / step;
   function.switch_node = system_.structure().switch_node;

@@ -58,9 +58,9 @@ void EventLocator::restore(Unpacker& memory) {
   crossed_ = memory.many<char>(nodes);
 }
 
-void EventLocator::sample(double h, std::span<const double> y) {
+void EventLocator::sample(double h, const State& at) {
   Sample sample{h, std::vector<double>(piece_.size())};
-  system_.switching(y, sample.values);
+  system_.switching(at.t, at.y, sample.values);
   const auto place = std::lower_bound(samples_.begin(), samples_.end(), h,
                                       [](const Sample& s, double x) { return s.h < x; });
   samples_.insert(place, std::move(sample));
@@ -107,7 +107,7 @@ double EventLocator::first_guess(const State& from, double h) const {
   for (int k = 1; k <= parts; ++k) {
     std::swap(before, after);
     method_.trace().evaluate(from.t + h * k / parts, y);
-    system_.switching(y, after);
+    system_.switching(from.t + h * k / parts, y, after);
     double first = 2;
     for (std::size_t j = 0; j < piece_.size(); ++j)
       if (active(before[j]) == bool(piece_[j]) && active(after[j]) != bool(piece_[j]))
@@ -174,8 +174,8 @@ Landing EventLocator::land(const State& from, double h, State& to) {
   constexpr double grazing = 1e-3;  // of the step: an event so near its start is its start
   const double width = tolerance * h;
   samples_.clear();
-  sample(0, from.y);
-  sample(h, to.y);
+  sample(0, from);
+  sample(h, to);
   if (starts_off_piece(from)) return switch_at_start(from, at(0));
   double low = 0, high = h, guess = first_guess(from, h), bracket = h;
   Landing landing;
@@ -185,7 +185,7 @@ Landing EventLocator::land(const State& from, double h, State& to) {
     landing.attempt = k < most_attempts ? method_.attempt(from, landing.h, {.piece = &piece_}, to)
                                         : Attempt{.reason = "an event was not found in the step"};
     if (!landing.attempt.success) return landing;
-    sample(landing.h, to.y);
+    sample(landing.h, to);
     (off_piece(at(landing.h)) ? high : low) = landing.h;
     guess = earliest_root(low, high);
     if (std::abs(guess - landing.h) <= width) break;

@@ -27,7 +27,7 @@ void OneStepStepper::begin(const State& state) {
   proposal_ =
       fixed() ? settings_.step : first_step(state, system_.structure(), settings_, error_order_);
   method_->accept(state, true);
-  if (locator_) locator_->begin(state.y);
+  if (locator_) locator_->begin(state);
 }
 
 std::vector<double> OneStepStepper::memory() const {
@@ -73,7 +73,7 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, bool continua
     Landing whole{.attempt = method_->attempt(state, plan.h, options, next_), .h = plan.h};
     whole.switched = switched;
     const bool acceptable = whole.attempt.success && (fixed() || whole.attempt.error <= 1);
-    if (!locator_ || !acceptable || !locator_->left(next_.y)) return whole;
+    if (!locator_ || !acceptable || !locator_->left(next_)) return whole;
     Landing landing = locator_->land(state, plan.h, next_);
     if (!landing.grazing) {
       landing.attempt.error = whole.attempt.error;  // of the size that the control asked for
@@ -91,7 +91,7 @@ Landing OneStepStepper::step_over(const State& state, const Plan& plan, AttemptO
   Landing whole{
       .attempt = method_->attempt(state, plan.h, options, next_), .grazing = true, .h = plan.h};
   next_.piece.clear();
-  if (whole.attempt.success) locator_->begin(next_.y);
+  if (whole.attempt.success) locator_->begin(next_);
   return whole;
 }
 

@@ -10,8 +10,7 @@ namespace gnomon {
 
 namespace {
 
-constexpr Kinds core_kinds = {UnknownKind::displacement, UnknownKind::contact_multiplier,
-                              UnknownKind::worn_surface};
+constexpr Roles core_roles = {Role::stiffness, Role::multiplier, Role::evolution};
 
 std::unique_ptr<InnerSolver> make_inner(const StiffnessLayout& layout, const Structure& structure) {
   return structure.solver.preconditioner == LinearSolverChoice::Preconditioner::multigrid
@@ -28,8 +27,8 @@ struct StiffnessBlock {
   std::vector<double> values, b, x;
   bool is_set_up = false;
 
-  StiffnessBlock(const Structure& structure, UnknownKind kind)
-      : unknowns(unknowns_of(structure, {kind})),
+  StiffnessBlock(const Structure& structure, Role role)
+      : unknowns(unknowns_of(structure, {role})),
         part(structure.pattern, unknowns),
         b(unknowns.size()),
         x(unknowns.size()) {
@@ -80,20 +79,20 @@ struct BlockPreconditioner::Blocks {
 
   explicit Blocks(const Structure& s)
       : structure(s),
-        stiffness(s, UnknownKind::displacement),
-        mesh_motion(s, UnknownKind::shape),
+        stiffness(s, Role::stiffness),
+        mesh_motion(s, Role::extension),
         contact(s, s.solver.preconditioner == LinearSolverChoice::Preconditioner::factor),
-        mesh_motion_row(s, {UnknownKind::shape}, {UnknownKind::worn_surface}),
-        multiplier_row(s, {UnknownKind::shape_multiplier},
-                       {UnknownKind::displacement, UnknownKind::contact_multiplier,
-                        UnknownKind::rigid_motion, UnknownKind::worn_surface, UnknownKind::shape}),
-        rigid_row(s, {UnknownKind::rigid_motion}, core_kinds),
-        rigid_column(s, core_kinds, {UnknownKind::rigid_motion}),
-        core(unknowns_of(s, core_kinds)),
-        multipliers(unknowns_of(s, {UnknownKind::shape_multiplier})),
+        mesh_motion_row(s, {Role::extension}, {Role::evolution}),
+        multiplier_row(
+            s, {Role::reaction},
+            {Role::stiffness, Role::multiplier, Role::rigid, Role::evolution, Role::extension}),
+        rigid_row(s, {Role::rigid}, core_roles),
+        rigid_column(s, core_roles, {Role::rigid}),
+        core(unknowns_of(s, core_roles)),
+        multipliers(unknowns_of(s, {Role::reaction})),
         border(s.size),
         work(s.size) {
-    const std::vector<int> scalars = unknowns_of(s, {UnknownKind::rigid_motion});
+    const std::vector<int> scalars = unknowns_of(s, {Role::rigid});
     if (scalars.size() > 1) throw Error("the block solver knows one scalar rigid motion only");
     if (!scalars.empty()) rigid = scalars.front();
   }
@@ -135,7 +134,7 @@ struct BlockPreconditioner::Blocks {
 };
 
 BlockPreconditioner::BlockPreconditioner(const Structure& structure) {
-  if (structure.kind.empty() || structure.position.empty())
+  if (structure.blocks.empty() || structure.position.empty())
     throw InputError("solver.method = \"block\": the system of this problem has no blocks");
   blocks_ = std::make_unique<Blocks>(structure);
 }

@@ -16,20 +16,19 @@ void ContactElimination::Numbers::add(int number) {
 ContactElimination::ContactElimination(const Structure& structure, bool has_terms)
     : structure_(structure),
       has_terms_(has_terms),
-      wear_row_(structure, {UnknownKind::worn_surface},
-                {UnknownKind::displacement, UnknownKind::contact_multiplier}),
-      wear_block_(structure, {UnknownKind::worn_surface}) {
-  const auto& [kind, group, pattern] = std::tie(structure.kind, structure.group, structure.pattern);
+      wear_row_(structure, {Role::evolution}, {Role::stiffness, Role::multiplier}),
+      wear_block_(structure, {Role::evolution}) {
+  const auto& [group, pattern] = std::tie(structure.group, structure.pattern);
   const int groups = group.empty() ? 0 : *std::max_element(group.begin(), group.end()) + 1;
   std::vector<int> surface_of(groups, -1), contact_of(structure.size, -1);
-  for (int i : unknowns_of(structure, {UnknownKind::worn_surface})) {
+  for (int i : unknowns_of(structure, {Role::evolution})) {
     if (surface_of[group[i]] < 0) {
       surface_of[group[i]] = static_cast<int>(surface_.size());
       surface_.emplace_back();
     }
     surface_[surface_of[group[i]]].unknowns.add(i);
   }
-  for (int i : unknowns_of(structure, {UnknownKind::contact_multiplier})) {
+  for (int i : unknowns_of(structure, {Role::multiplier})) {
     contact_of[i] = static_cast<int>(contact_.size());
     contact_.emplace_back().multiplier = i;
   }
@@ -38,8 +37,8 @@ ContactElimination::ContactElimination(const Structure& structure, bool has_term
       const int row = pattern.row_index[k], c = contact_of[row];
       if (c < 0) continue;
       // The pattern may hold the displacements around; the gap contains those of the node.
-      if (kind[j] == UnknownKind::displacement && group[j] == group[row]) contact_[c].u.add(j);
-      if (kind[j] == UnknownKind::worn_surface)
+      if (structure.role(j) == Role::stiffness && group[j] == group[row]) contact_[c].u.add(j);
+      if (structure.role(j) == Role::evolution)
         contact_[c].candidates.push_back(surface_of[group[j]]);
     }
   work_.resize(contact_.size());

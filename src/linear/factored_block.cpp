@@ -4,8 +4,8 @@
 
 namespace gnomon {
 
-FactoredBlock::FactoredBlock(const Structure& structure, Kinds kinds)
-    : unknowns_(unknowns_of(structure, kinds)), b_(unknowns_.size()), x_(unknowns_.size()) {
+FactoredBlock::FactoredBlock(const Structure& structure, Roles roles)
+    : unknowns_(unknowns_of(structure, roles)), b_(unknowns_.size()), x_(unknowns_.size()) {
   if (unknowns_.empty()) return;
   std::vector<int> number(structure.size, -1), group;
   for (int i : unknowns_) {

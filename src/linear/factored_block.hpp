@@ -9,10 +9,10 @@
 
 namespace gnomon {
 
-/// Of the unknowns of some kinds; may have none. Vectors have the system's size.
+/// Of the unknowns of some roles; may have none. Vectors have the system's size.
 class FactoredBlock {
 public:
-  FactoredBlock(const Structure& structure, Kinds kinds);
+  FactoredBlock(const Structure& structure, Roles roles);
 
   /// Throws RecoverableError when the block is singular or not finite.
   void factorize(std::span<const double> J);

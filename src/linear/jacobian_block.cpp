@@ -5,24 +5,24 @@ namespace gnomon {
 
 namespace {
 
-std::vector<char> marked(const Structure& structure, Kinds kinds) {
-  std::vector<char> mark(structure.kind.size());
+std::vector<char> marked(const Structure& structure, Roles roles) {
+  std::vector<char> mark(structure.block.size());
   for (std::size_t i = 0; i < mark.size(); ++i)
-    mark[i] = std::find(kinds.begin(), kinds.end(), structure.kind[i]) != kinds.end();
+    mark[i] = std::find(roles.begin(), roles.end(), structure.role(i)) != roles.end();
   return mark;
 }
 
 }  // namespace
 
-std::vector<int> unknowns_of(const Structure& structure, Kinds kinds) {
-  const std::vector<char> mark = marked(structure, kinds);
+std::vector<int> unknowns_of(const Structure& structure, Roles roles) {
+  const std::vector<char> mark = marked(structure, roles);
   std::vector<int> result;
   for (std::size_t i = 0; i < mark.size(); ++i)
     if (mark[i]) result.push_back(static_cast<int>(i));
   return result;
 }
 
-JacobianBlock::JacobianBlock(const Structure& structure, Kinds rows, Kinds columns) {
+JacobianBlock::JacobianBlock(const Structure& structure, Roles rows, Roles columns) {
   const std::vector<char> row = marked(structure, rows), column = marked(structure, columns);
   const SparsePattern& pattern = structure.pattern;
   for (int j = 0; j < static_cast<int>(column.size()); ++j) {

@@ -34,16 +34,18 @@ double edge(const std::vector<SurfacePoint>& points, int last, int step) {
 
 }  // namespace
 
-double contact_half_width(const WearSystem<2>& system, const NodalState<2>& state) {
-  const WornBody<2>& body = system.body();
+double contact_half_width(const WornBody<2>& body, const WornBodyFields& fields,
+                          const FieldValues<2>& values, const std::vector<ContactNode<2>>& nodes) {
   const Vector<2> n = body.contact.counter_body.normal;
   const Vector<2> along(n[1], -n[0]);
   std::vector<SurfacePoint> points;
   int first = -1, last = -1;
   for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c) {
     const int node = body.contact_nodes[c].node;
-    const Vector<2> x = body.mesh.nodes[node] + (state.d.row(node) + state.u.row(node)).transpose();
-    const ContactNode<2> contact = system.contact().node(state, c);
+    const Vector<2> x =
+        body.mesh.nodes[node] +
+        (values.vector(fields.d).row(node) + values.vector(fields.u).row(node)).transpose();
+    const ContactNode<2>& contact = nodes[c];
     points.push_back(
         {along.dot(x), -contact.traction, contact.gap, contact.active && contact.traction < 0});
     if (!points.back().active) continue;

@@ -41,13 +41,14 @@ void require_stout_elements(const Mesh<dim>& mesh) {
 
 /// The largest norm of the displacement gradient at the centre of a cell.
 template <int dim>
-double displacement_gradient(const WornBody<dim>& body, const NodalState<dim>& nodal) {
+double displacement_gradient(const WornBody<dim>& body, const NodalField<dim>& nodal_u,
+                             const NodalField<dim>& nodal_d) {
   double largest = 0;
   for (const auto& cell : body.mesh.cells) {
     CellNodal<dim> X = body.mesh.positions(cell), u;
     for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) {
-      X.row(a) += nodal.d.row(cell[a]);
-      u.row(a) = nodal.u.row(cell[a]);
+      X.row(a) += nodal_d.row(cell[a]);
+      u.row(a) = nodal_u.row(cell[a]);
     }
     largest = std::max(largest, CellPoint<dim>(CellBasis<dim>::instance().centroid, X, u).H.norm());
   }
@@ -58,38 +59,31 @@ double displacement_gradient(const WornBody<dim>& body, const NodalState<dim>& n
 
 template <int dim>
 WearModel<dim>::WearModel(std::shared_ptr<const WornBody<dim>> body)
-    : system_(std::move(body), Selection{}) {
-  require_strain(system_.body());
-  require_stout_elements(system_.body().mesh);
+    : equations_(std::move(body)), system_(equations_.composition()) {
+  require_strain(this->body());
+  require_stout_elements(this->body().mesh);
 }
 
 template <int dim>
 std::vector<BlockSize> WearModel<dim>::blocks() const {
-  const auto& kinds = system_.structure().kind;
-  const auto count = [&kinds](UnknownKind kind) {
-    return static_cast<long>(std::count(kinds.begin(), kinds.end(), kind));
-  };
-  std::vector<BlockSize> blocks = {
-      {"displacement", "u", count(UnknownKind::displacement), "all nodes"},
-      {"shape", "d", count(UnknownKind::shape), "nodes off the contact surface"},
-      {"worn_surface", "d", count(UnknownKind::worn_surface), "contact nodes (differential)"},
-      {"contact_multiplier", "lambda", count(UnknownKind::contact_multiplier), "contact nodes"}};
-  if (system_.body().counter_force)
-    blocks.push_back({"rigid_motion", "w", count(UnknownKind::rigid_motion), "counter-body"});
-  if (system_.body().constraint == ConstraintForm::multiplier)
-    blocks.push_back(
-        {"shape_multiplier", "mu", count(UnknownKind::shape_multiplier), "contact nodes"});
+  const Structure& structure = system_.structure();
+  std::vector<BlockSize> blocks;
+  for (const Block& block : structure.blocks)
+    blocks.push_back({block.name, block.symbol, 0, block.where});
+  for (int block : structure.block) ++blocks[block].size;
   return blocks;
 }
 
 template <int dim>
 std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
-  const NodalState<dim>& nodal = system_.nodal(state.y);
-  const WornBody<dim>& body = system_.body();
+  const FieldValues<dim> values = system_.values(state.y);
+  const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
+        &nodal_d = values.vector(equations_.fields().d);
+  const WornBody<dim>& body = this->body();
+  const std::vector<ContactNode<dim>> nodes = equations_.contact_nodes(system_, values, state);
   double force = 0, flux = 0, pressure = 0;
   long active = 0;
-  for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c) {
-    const ContactNode<dim> node = system_.contact().node(nodal, c, state.own_piece());
+  for (const ContactNode<dim>& node : nodes) {
     force -= body.copies * node.area * node.traction;
     flux += body.copies * node.area * node.wear_rate;
     pressure = std::max(pressure, -node.traction);
@@ -99,7 +93,7 @@ std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
   for (const auto& cell : body.mesh.cells) {
     const CellNodal<dim> initial = body.mesh.positions(cell);
     CellNodal<dim> X = initial;
-    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) X.row(a) += nodal.d.row(cell[a]);
+    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) X.row(a) += nodal_d.row(cell[a]);
     const double before = cell_volume<dim>(initial), after = cell_volume<dim>(X);
     worn += before - after;
     least = std::min(least, after / before);
@@ -119,17 +113,19 @@ std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
       {"element_quality", "", quality},
       {"element_volume", "", least}};
   if (body.section) scalars.push_back({"groove_section", "mm^2", worn / body.section->length});
-  if (body.counter_force) scalars.push_back({"approach", "mm", nodal.w});
+  if (body.counter_force)
+    scalars.push_back({"approach", "mm", values.scalar(equations_.fields().w)[0]});
   if (small_strain(body.element))
-    scalars.push_back({"displacement_gradient", "", displacement_gradient(body, nodal)});
+    scalars.push_back({"displacement_gradient", "", displacement_gradient(body, nodal_u, nodal_d)});
   if constexpr (dim == 2)
-    scalars.push_back({"contact_half_width", "mm", contact_half_width(system_, nodal)});
+    scalars.push_back(
+        {"contact_half_width", "mm", contact_half_width(body, equations_.fields(), values, nodes)});
   return scalars;
 }
 
 template <int dim>
 std::optional<Grid> WearModel<dim>::grid() const {
-  const Mesh<dim>& mesh = system_.body().mesh;
+  const Mesh<dim>& mesh = body().mesh;
   Grid grid;
   grid.cell = dim == 2 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
   for (const Vector<dim>& X : mesh.nodes) {
@@ -144,8 +140,8 @@ std::optional<Grid> WearModel<dim>::grid() const {
 namespace {
 
 template <int dim>
-Field nodal_vector(const std::string& name, const NodalField<dim>& values) {
-  Field field{name, "mm", Field::On::nodes, 3, {}};
+GridField nodal_vector(const std::string& name, const NodalField<dim>& values) {
+  GridField field{name, "mm", GridField::On::nodes, 3, {}};
   field.values.assign(3 * values.rows(), 0.0);
   for (Eigen::Index node = 0; node < values.rows(); ++node)
     for (int i = 0; i < dim; ++i) field.values[3 * node + i] = values(node, i);
@@ -155,29 +151,31 @@ Field nodal_vector(const std::string& name, const NodalField<dim>& values) {
 }  // namespace
 
 template <int dim>
-std::vector<Field> WearModel<dim>::fields(const State& state) const {
-  const NodalState<dim>& nodal = system_.nodal(state.y);
-  const WornBody<dim>& body = system_.body();
-  Field pressure{"pressure", "MPa", Field::On::nodes, 1, {}};
+std::vector<GridField> WearModel<dim>::fields(const State& state) const {
+  const FieldValues<dim> values = system_.values(state.y);
+  const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
+        &nodal_d = values.vector(equations_.fields().d);
+  const WornBody<dim>& body = this->body();
+  const std::vector<ContactNode<dim>> nodes = equations_.contact_nodes(system_, values, state);
+  GridField pressure{"pressure", "MPa", GridField::On::nodes, 1, {}};
   pressure.values.assign(body.mesh.nodes.size(), 0.0);
   for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c)
-    pressure.values[body.contact_nodes[c].node] =
-        std::max(0.0, -system_.contact().node(nodal, c, state.own_piece()).traction);
-  Field stress{"equivalent_stress", "MPa", Field::On::cells, 1, {}};
-  Field quality{"element_quality", "", Field::On::cells, 1, {}};
+    pressure.values[body.contact_nodes[c].node] = std::max(0.0, -nodes[c].traction);
+  GridField stress{"equivalent_stress", "MPa", GridField::On::cells, 1, {}};
+  GridField quality{"element_quality", "", GridField::On::cells, 1, {}};
   CellNodal<dim> u;
   for (const auto& cell : body.mesh.cells) {
     CellNodal<dim> X = body.mesh.positions(cell);
     for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) {
-      X.row(a) += nodal.d.row(cell[a]);
-      u.row(a) = nodal.u.row(cell[a]);
+      X.row(a) += nodal_d.row(cell[a]);
+      u.row(a) = nodal_u.row(cell[a]);
     }
     stress.values.push_back(equivalent_stress<dim>(body.element, body.material, X, u));
     quality.values.push_back(scaled_jacobian<dim>(X));
   }
-  return {nodal_vector<dim>("displacement", nodal.u),
-          nodal_vector<dim>("shape", nodal.d),
-          nodal_vector<dim>("total_displacement", nodal.u + nodal.d),
+  return {nodal_vector<dim>("displacement", nodal_u),
+          nodal_vector<dim>("shape", nodal_d),
+          nodal_vector<dim>("total_displacement", nodal_u + nodal_d),
           pressure,
           stress,
           quality};
@@ -185,8 +183,11 @@ std::vector<Field> WearModel<dim>::fields(const State& state) const {
 
 template <int dim>
 std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const {
-  const NodalState<dim>& nodal = system_.nodal(state.y);
-  const WornBody<dim>& body = system_.body();
+  const FieldValues<dim> values = system_.values(state.y);
+  const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
+        &nodal_d = values.vector(equations_.fields().d);
+  const WornBody<dim>& body = this->body();
+  const std::vector<ContactNode<dim>> nodes = equations_.contact_nodes(system_, values, state);
   ContactSurface surface;
   surface.dim = dim;
   const auto point = [](const Vector<dim>& v) {
@@ -196,9 +197,9 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
   };
   for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c) {
     const int node = body.contact_nodes[c].node;
-    const ContactNode<dim> contact = system_.contact().node(nodal, c, state.own_piece());
-    const Vector<dim> d = nodal.d.row(node).transpose();
-    const Vector<dim> u = nodal.u.row(node).transpose();
+    const ContactNode<dim>& contact = nodes[c];
+    const Vector<dim> d = nodal_d.row(node).transpose();
+    const Vector<dim> u = nodal_u.row(node).transpose();
     surface.node.push_back(node);
     surface.initial.push_back(point(body.mesh.nodes[node]));
     surface.worn.push_back(point(body.mesh.nodes[node] + d));

@@ -25,18 +25,20 @@ constexpr double rough_tolerance = 1e-3;
 /// Brings body and counter-body together, or apart, until they touch in a point, so that the first
 /// matrix is not singular: moves the counter-body if it is free to, else the body.
 template <int dim>
-void close_initial_gap(const WornBody<dim>& body, NodalState<dim>& state) {
+void close_initial_gap(const WornBodyEquations<dim>& equations, FieldValues<dim>& values) {
+  const WornBody<dim>& body = equations.body();
   const CounterBody<dim>& other = body.contact.counter_body;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& patch : body.contact_nodes)
     least = std::min(least, other.travel_to(body.mesh.nodes[patch.node]));
   if (body.counter_force) {
-    state.w = least;
+    values.scalar(equations.fields().w)[0] = least;
     return;
   }
-  for (Eigen::Index node = 0; node < state.u.rows(); ++node)
+  NodalField<dim>& u = values.vector(equations.fields().u);
+  for (Eigen::Index node = 0; node < u.rows(); ++node)
     for (int i = 0; i < dim; ++i)
-      if (!body.displacement_fixed(node, i)) state.u(node, i) = -least * other.approach[i];
+      if (!body.displacement_fixed(node, i)) u(node, i) = -least * other.approach[i];
 }
 
 /// How far a counter-body under part of its force comes near a body at rest, about: as a ball does,
@@ -67,19 +69,20 @@ RampOptions ramp_options(const WornBody<dim>& body) {
 }
 
 template <int dim>
-RampReport find_equilibrium(WearSystem<dim>& contact, const RampOptions& options,
-                            NodalState<dim>& state, Counters& counters) {
+RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSystem<dim>& contact,
+                            const RampOptions& options, FieldValues<dim>& values,
+                            Counters& counters) {
   // One at a time, for each holds factors. Most loads go on at once, and need the exact one alone.
   std::optional<NewtonSolver> solver;
   bool exact = false;
   const NonlinearFunction function = algebraic_function(contact);
-  close_initial_gap(contact.body(), state);
-  const double touching = state.w;
+  close_initial_gap(equations, values);
+  const int w = contact.numbering().number(equations.fields().w, 0);
+  const double touching = w < 0 ? 0 : values.scalar(equations.fields().w)[0];
   bool loaded = false;
   const LoadSolve solve = [&](double fraction, std::span<double> y) {
-    contact.set_load_factor(fraction * contact.body().load_history.factor(0));
-    if (!loaded && contact.body().counter_force)
-      y[contact.unknowns().w()] = touching + indentation(contact.body(), fraction);
+    contact.set_load_fraction(fraction);
+    if (!loaded && w >= 0) y[w] = touching + indentation(equations.body(), fraction);
     if (!solver || exact != (fraction == 1)) {
       exact = fraction == 1;
       NewtonOptions newton{.max_iterations = max_iterations};
@@ -92,34 +95,35 @@ RampReport find_equilibrium(WearSystem<dim>& contact, const RampOptions& options
     return report;
   };
   std::vector<double> y(contact.structure().size);
-  contact.unknowns().gather(state, y);
+  contact.numbering().gather(values, y);
   const RampReport report = ramp_load(solve, options, y);
-  contact.unknowns().scatter(y, state);
+  contact.numbering().scatter(y, values);
   return report;
 }
 
 template <int dim>
 State WearModel<dim>::start(Counters& counters) const {
-  const WornBody<dim>& body = system_.body();
-  WearSystem<dim> contact(system_.shared_body(),
-                          {.deformation = true, .interior_shape = false, .contact_shape = false});
-  NodalState<dim> nodal = NodalState<dim>::zero(body);
-  const RampReport ramp = find_equilibrium(contact, ramp_options(body), nodal, counters);
+  ComposedSystem<dim> contact(equations_.composition(), equations_.deformation());
+  FieldValues<dim> values(*equations_.composition()->fields);
+  const RampReport ramp =
+      find_equilibrium(equations_, contact, ramp_options(body()), values, counters);
   if (ramp.reached < 1)
     throw SolutionError(fmt::format(
         "the load ramp found no equilibrium beyond load fraction {:.4g} with element {}: {}",
-        ramp.reached, element_name(body.element), ramp.reason));
+        ramp.reached, element_name(body().element), ramp.reason));
   State state;
   state.y.resize(system_.structure().size);
-  system_.unknowns().gather(nodal, state.y);
+  system_.numbering().gather(values, state.y);
   set_rates(system_, nullptr, state);
   return state;
 }
 
 template RampOptions ramp_options(const WornBody<2>&);
 template RampOptions ramp_options(const WornBody<3>&);
-template RampReport find_equilibrium(WearSystem<2>&, const RampOptions&, NodalState<2>&, Counters&);
-template RampReport find_equilibrium(WearSystem<3>&, const RampOptions&, NodalState<3>&, Counters&);
+template RampReport find_equilibrium(const WornBodyEquations<2>&, ComposedSystem<2>&,
+                                     const RampOptions&, FieldValues<2>&, Counters&);
+template RampReport find_equilibrium(const WornBodyEquations<3>&, ComposedSystem<3>&,
+                                     const RampOptions&, FieldValues<3>&, Counters&);
 template State WearModel<2>::start(Counters&) const;
 template State WearModel<3>::start(Counters&) const;
 

@@ -1,7 +1,8 @@
 // Equilibrium of a worn body at frozen shape, from rest.
 #pragma once
 
-#include <gnomon/system/wear_system.hpp>
+#include <gnomon/base/counters.hpp>
+#include <gnomon/model/worn_body_equations.hpp>
 
 #include "model/load_ramp.hpp"
 
@@ -15,12 +16,12 @@ namespace gnomon {
 template <int dim>
 RampOptions ramp_options(const WornBody<dim>& body);
 
-/// Brings `state` (zero displacement, shape as frozen in `contact`) into equilibrium with the whole
-/// load at t = 0 by a ramp. Increments below the whole load are solved only roughly, for they are
-/// mere guesses. `contact` solves for the deformation alone; its load factor is left where the ramp
-/// ended.
+/// Brings `values` (zero displacement) into equilibrium with the whole load at t = 0 by a ramp.
+/// Increments below the whole load are solved only roughly, for they are mere guesses. `contact`:
+/// the system of WornBodyEquations::deformation(); its load fraction is left where the ramp ended.
 template <int dim>
-RampReport find_equilibrium(WearSystem<dim>& contact, const RampOptions& options,
-                            NodalState<dim>& state, Counters& counters);
+RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSystem<dim>& contact,
+                            const RampOptions& options, FieldValues<dim>& values,
+                            Counters& counters);
 
 }  // namespace gnomon

@@ -42,15 +42,15 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   const double young = scene.real("body.young_modulus");
   const double shape_young = scene.real("shape.young_modulus");
   body.material = NeoHookean::from_young_poisson(young, scene.real("body.poisson_ratio"));
-  body.auxiliary_material =
+  body.mesh_motion.material =
       NeoHookean::from_young_poisson(shape_young, scene.real("shape.poisson_ratio"));
   if (scene.text("shape.energy") == "blatz-ko") {
-    body.auxiliary_element = ElementKind::plain_blatz_ko;
+    body.mesh_motion.element = ElementKind::plain_blatz_ko;
     // Its forces grow without bound where the body is nearly worn away, and their rounding with
     // them.
     body.scales.auxiliary_force *= 1e3;
   }
-  body.auxiliary_stiffening = scene.real("shape.stiffening");
+  body.mesh_motion.stiffening = scene.real("shape.stiffening");
   const std::string& element = scene.text("body.element");
   body.element = element == "plain"   ? ElementKind::plain
                  : element == "f-bar" ? ElementKind::f_bar

@@ -11,7 +11,7 @@ NonlinearFunction algebraic_function(const System& system, const ActiveSet* piec
     system.jacobian({.y = y, .piece = piece}, 0, values);
   };
   function.piece = [&system, piece](std::span<const double> y) {
-    return piece ? *piece : active_set(system, y);
+    return piece ? *piece : active_set(system, 0, y);
   };
   function.switch_node = system.structure().switch_node;
   return function;

@@ -10,7 +10,7 @@ namespace {
 
 void copy_step(const ResultReader& from, std::size_t step, double t,
                const std::vector<std::string>& fields, ResultWriter& to) {
-  std::vector<Field> values;
+  std::vector<GridField> values;
   for (const std::string& field : fields) values.push_back(from.field(step, field));
   to.store(t, values, from.has_contact() ? std::optional(from.contact(t)) : std::nullopt);
 }

@@ -65,7 +65,7 @@ void write_header(hid_t gnomon, const RunHeader& header) {
         "write the blocks");
 }
 
-void write_field(hid_t group, const Field& field) {
+void write_field(hid_t group, const GridField& field) {
   const bool vector = field.components != 1;
   const auto components = static_cast<hsize_t>(field.components);
   const hsize_t count = field.values.size() / components;
@@ -77,7 +77,7 @@ void write_field(hid_t group, const Field& field) {
       "write a field");
   hdf5::write_attribute(dataset.id(), "unit", field.unit);
   hdf5::write_attribute(dataset.id(), "on",
-                        std::string(field.on == Field::On::nodes ? "nodes" : "cells"));
+                        std::string(field.on == GridField::On::nodes ? "nodes" : "cells"));
 }
 
 void write_contact(hid_t group, const std::string& name, const ContactSurface& contact) {

@@ -20,7 +20,7 @@ hdf5::Handle create_group(hid_t parent, const std::string& name, std::size_t lin
 
 void write_header(hid_t gnomon, const RunHeader& header);
 void write_mesh(hid_t file, const Grid& grid);
-void write_field(hid_t step, const Field& field);
+void write_field(hid_t step, const GridField& field);
 void write_contact(hid_t group, const std::string& name, const ContactSurface& contact);
 
 }  // namespace gnomon::layout

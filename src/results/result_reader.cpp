@@ -96,18 +96,18 @@ ContactSurface read_contact(hid_t file, const std::string& path) {
   return contact;
 }
 
-Field read_field(hid_t file, const std::string& step, const std::string& name) {
+GridField read_field(hid_t file, const std::string& step, const std::string& name) {
   if (name.empty() || name.find('/') != std::string::npos || !hdf5::exists(file, step) ||
       !hdf5::exists(file, step + "/" + name)) {
     throw Failure(fmt::format("it has no field {}", name));
   }
   const std::string path = step + "/" + name;
   const Handle dataset = open_dataset(file, path, "read a field");
-  Field field;
+  GridField field;
   field.name = name;
   field.unit = hdf5::read_text_attribute(dataset.id(), "unit");
-  field.on = hdf5::read_text_attribute(dataset.id(), "on") == "cells" ? Field::On::cells
-                                                                      : Field::On::nodes;
+  field.on = hdf5::read_text_attribute(dataset.id(), "on") == "cells" ? GridField::On::cells
+                                                                      : GridField::On::nodes;
   auto data = hdf5::read_doubles(file, path);
   field.components = data.extents.size() == 2 ? static_cast<int>(data.extents[1]) : 1;
   field.values = std::move(data.values);
@@ -286,7 +286,7 @@ bool ResultReader::has_contact() const {
       [&] { return hdf5::exists(file_->gnomon(), "contact/" + layout::step_path(0)); });
 }
 
-Field ResultReader::field(std::size_t step, const std::string& name) const {
+GridField ResultReader::field(std::size_t step, const std::string& name) const {
   return file_->guarded([&] {
     const std::size_t count = file_->times().size();
     if (step >= count)

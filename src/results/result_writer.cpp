@@ -29,7 +29,7 @@ public:
   ~File();
 
   void append(const HistoryRow& row);
-  void store(double t, const std::vector<Field>& fields,
+  void store(double t, const std::vector<GridField>& fields,
              const std::optional<ContactSurface>& contact);
   void checkpoint(const Checkpoint& checkpoint);
   void end(const std::string& status, double wall_seconds, bool whole);
@@ -44,7 +44,7 @@ private:
   void discard() noexcept;
   const char* what_is_left() const;
   void flush();
-  void check_field(const Field& field) const;
+  void check_field(const GridField& field) const;
   Handle open_steps(hid_t parent);
 
   std::filesystem::path path_;
@@ -183,12 +183,12 @@ void ResultWriter::File::append(const HistoryRow& row) {
   if (!published_ && reached_ > from_) publish();
 }
 
-void ResultWriter::File::check_field(const Field& field) const {
+void ResultWriter::File::check_field(const GridField& field) const {
   if (field.components != 1 && field.components != 3) {
     throw Error(
         fmt::format("field {} has {} components, not 1 or 3", field.name, field.components));
   }
-  const std::size_t count = field.on == Field::On::nodes ? points_ : cells_;
+  const std::size_t count = field.on == GridField::On::nodes ? points_ : cells_;
   if (field.values.size() != count * static_cast<std::size_t>(field.components)) {
     throw Error(fmt::format("field {} has {} values for {} places of {} components", field.name,
                             field.values.size(), count, field.components));
@@ -204,16 +204,16 @@ Handle ResultWriter::File::open_steps(hid_t parent) {
   return own(H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, "open a group");
 }
 
-void ResultWriter::File::store(double t, const std::vector<Field>& fields,
+void ResultWriter::File::store(double t, const std::vector<GridField>& fields,
                                const std::optional<ContactSurface>& contact) {
-  for (const Field& field : fields) check_field(field);
+  for (const GridField& field : fields) check_field(field);
   const std::string path = layout::step_path(stored_.rows());
   const std::string name = path.substr(path.find('/') + 1);
   {
     const Handle hundred = open_steps(steps_.id());
     const Handle step = create_group(hundred.id(), name, fields.size());
     hdf5::write_attribute(step.id(), "t", t);
-    for (const Field& field : fields) layout::write_field(step.id(), field);
+    for (const GridField& field : fields) layout::write_field(step.id(), field);
     const Handle contacts = open_steps(contacts_.id());
     if (contact) layout::write_contact(contacts.id(), name, *contact);
   }
@@ -252,7 +252,7 @@ void ResultWriter::append(const HistoryRow& row) {
   file_->guarded([&] { file_->append(row); });
 }
 
-void ResultWriter::store(double t, const std::vector<Field>& fields,
+void ResultWriter::store(double t, const std::vector<GridField>& fields,
                          const std::optional<ContactSurface>& contact) {
   file_->guarded([&] { file_->store(t, fields, contact); });
 }

@@ -85,12 +85,12 @@ std::string XdmfSidecar::item(const std::string& dataset, const std::string& ext
       extents, result_name_, escaped(dataset));
 }
 
-void XdmfSidecar::add_step(double t, const std::string& group, const std::vector<Field>& fields) {
+void XdmfSidecar::add_step(double t, const std::string& group, const std::vector<GridField>& fields) {
   steps_ += fmt::format(
       "      <Grid Name=\"{}\" GridType=\"Uniform\">\n        <Time Value=\"{:.17g}\"/>\n{}", group,
       t, mesh_);
-  for (const Field& field : fields) {
-    const bool nodal = field.on == Field::On::nodes;
+  for (const GridField& field : fields) {
+    const bool nodal = field.on == GridField::On::nodes;
     const bool vector = field.components == 3;
     const std::size_t count = nodal ? points_ : cells_;
     steps_ += fmt::format(

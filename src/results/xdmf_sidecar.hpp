@@ -20,7 +20,7 @@ public:
 
   /// Adds a step whose fields are datasets below `group` ("/steps/0000/000012"). A published
   /// sidecar is replaced as a whole, so it is valid XML at every moment. Throws Error.
-  void add_step(double t, const std::string& group, const std::vector<Field>& fields);
+  void add_step(double t, const std::string& group, const std::vector<GridField>& fields);
 
 private:
   void write(Earlier earlier) const;

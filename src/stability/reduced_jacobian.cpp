@@ -13,7 +13,7 @@ ReducedJacobian::ReducedJacobian(const System& system, const State& state)
   const std::vector<char>& differential = system.structure().differential;
   for (int i = 0; i < pattern_.size(); ++i)
     if (differential[i]) components_.push_back(i);
-  const ActiveSet piece = active_set(system, state.y);
+  const ActiveSet piece = active_set(system, state.t, state.y);
   std::vector<double> values(pattern_.nonzeros());
   system.jacobian({state.t, state.y, state.ydot, &piece}, 0, values);
   // The differential rows are kept for the products and give way to those of the identity.

@@ -25,8 +25,8 @@ public:
   void jacobian(const Point& at, double alpha, std::span<double> values) const override {
     system_.jacobian({state_.t, at.y, at.ydot, at.piece}, alpha, values);
   }
-  void switching(std::span<const double> y, std::span<double> values) const override {
-    system_.switching(y, values);
+  void switching(double, std::span<const double> y, std::span<double> values) const override {
+    system_.switching(state_.t, y, values);
   }
   std::vector<Stage> make_stages() const override {
     std::vector<Stage> stages = system_.make_stages();
@@ -58,7 +58,7 @@ public:
   std::vector<Scalar> observe(const State& state) const override { return model_.observe(state); }
   double differential_scale() const override { return model_.differential_scale(); }
   std::optional<Grid> grid() const override { return model_.grid(); }
-  std::vector<Field> fields(const State& state) const override { return model_.fields(state); }
+  std::vector<GridField> fields(const State& state) const override { return model_.fields(state); }
   std::optional<ContactSurface> contact(const State& state) const override {
     return model_.contact(state);
   }

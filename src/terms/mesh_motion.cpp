@@ -5,7 +5,7 @@ namespace gnomon {
 
 namespace {
 
-/// Factors of the law that let small cells move as if rigid, one a cell; 1 on the mean volume.
+/// Factors of the law that let small cells move as if rigid, one for each; 1 on the mean volume.
 template <int dim>
 std::vector<double> stiffness_by_volume(const Mesh<dim>& mesh, double exponent) {
   if (exponent == 0) return {};
@@ -20,36 +20,62 @@ std::vector<double> stiffness_by_volume(const Mesh<dim>& mesh, double exponent) 
   return factors;
 }
 
-/// What does not depend on the dimension of the body.
-template <int dim, class Body, class Numbers>
-CellAssembly<dim> auxiliary_cells(const Mesh<dim>& mesh, const Body& body, const Numbers& rows,
-                                  const Numbers& columns) {
+/// Row of the auxiliary equilibrium of each shape value: its own number off the worn surface, that
+/// of mu on it, else -1.
+template <int dim>
+NodalNumbers<dim> auxiliary_rows(const Numbering& numbering, FieldId d, FieldId mu) {
+  NodalNumbers<dim> rows = numbering.nodal<dim>(d);
+  const FieldSet& set = numbering.set();
+  for (Eigen::Index k = 0; k < rows.size(); ++k)
+    if (const int block = set[d].block.data()[k];
+        block >= 0 && set.blocks[block].role == Role::evolution)
+      rows.data()[k] = -1;
+  if (mu == FieldId::none) return rows;
+  const std::vector<int>& node = set[mu].node;
+  for (std::size_t c = 0; c < node.size(); ++c)
+    rows.row(node[c]) = numbering.numbers(mu).row(static_cast<Eigen::Index>(c));
+  return rows;
+}
+
+template <int dim>
+CellAssembly<dim> auxiliary_cells(const Mesh<dim>& mesh, const MeshMotionLaw& law,
+                                  const NodalNumbers<dim>& rows, const NodalNumbers<dim>& columns) {
   return {mesh,
-          body.auxiliary_material,
-          body.auxiliary_element,
+          law.material,
+          law.element,
           rows,
           columns,
           nullptr,
-          stiffness_by_volume(mesh, body.auxiliary_stiffening)};
+          stiffness_by_volume(mesh, law.stiffening)};
 }
 
 }  // namespace
 
+template <int dim>
+struct MeshMotion<dim>::Whole {
+  NodalNumbers<dim> rows, columns;
+  CellAssembly<dim> cells;
+
+  Whole(const Mesh<dim>& mesh, const MeshMotionLaw& law, const Numbering& numbering, FieldId d,
+        FieldId mu)
+      : rows(auxiliary_rows<dim>(numbering, d, mu)),
+        columns(numbering.nodal<dim>(d)),
+        cells(auxiliary_cells<dim>(mesh, law, rows, columns)) {}
+};
+
 /// The cross-section with its unknowns, those of the carrying nodes of the body: components (y, z).
 template <int dim>
 struct MeshMotion<dim>::Section {
-  using Numbers = Unknowns<2>::Numbers;
-
   const CrossSection& section;
-  Numbers rows, columns;
+  NodalNumbers<2> rows, columns;
   CellAssembly<2> cells;
-  mutable NodalField<2> shape;
 
-  Section(const WornBody<dim>& body, const Unknowns<dim>& unknowns)
-      : section(*body.section),
-        rows(taken(unknowns.auxiliary_row())),
-        columns(taken(unknowns.d())),
-        cells(auxiliary_cells(section.mesh, body, rows, columns)) {}
+  Section(const CrossSection& s, const MeshMotionLaw& law, const Numbering& numbering, FieldId d,
+          FieldId mu)
+      : section(s),
+        rows(taken(auxiliary_rows<dim>(numbering, d, mu))),
+        columns(taken(numbering.nodal<dim>(d))),
+        cells(auxiliary_cells<2>(section.mesh, law, rows, columns)) {}
 
   template <class Nodal>
   auto taken(const Nodal& nodal) const {
@@ -59,41 +85,46 @@ struct MeshMotion<dim>::Section {
       result.row(s) = nodal.row(section.node[s]).template tail<2>();
     return result;
   }
-  const NodalField<2>& at(const NodalField<dim>& d) const { return shape = taken(d); }
 };
 
 template <int dim>
-MeshMotion<dim>::MeshMotion(const WornBody<dim>& body, const Unknowns<dim>& unknowns) {
-  if (body.section)
-    section_ = std::make_unique<Section>(body, unknowns);
+MeshMotion<dim>::MeshMotion(const Mesh<dim>& mesh, const CrossSection* section,
+                            const MeshMotionLaw& law, const Numbering& numbering, FieldId d,
+                            FieldId mu)
+    : d_(d) {
+  if (section)
+    section_ = std::make_unique<Section>(*section, law, numbering, d, mu);
   else
-    cells_ = std::make_unique<CellAssembly<dim>>(
-        auxiliary_cells(body.mesh, body, unknowns.auxiliary_row(), unknowns.d()));
+    whole_ = std::make_unique<Whole>(mesh, law, numbering, d, mu);
 }
 
 template <int dim>
 MeshMotion<dim>::~MeshMotion() = default;
 
 template <int dim>
-void MeshMotion<dim>::add_to_pattern(PatternBuilder& builder) const {
-  section_ ? section_->cells.add_to_pattern(builder) : cells_->add_to_pattern(builder);
+void MeshMotion<dim>::declare(TermStructure& structure) const {
+  section_ ? section_->cells.add_to_pattern(structure.pattern)
+           : whole_->cells.add_to_pattern(structure.pattern);
 }
 
 template <int dim>
 void MeshMotion<dim>::map_to(const SparsePattern& pattern) {
-  section_ ? section_->cells.map_to(pattern) : cells_->map_to(pattern);
+  section_ ? section_->cells.map_to(pattern) : whole_->cells.map_to(pattern);
 }
 
 template <int dim>
-void MeshMotion<dim>::add_residual(const NodalField<dim>& d, std::span<double> F) const {
-  section_ ? section_->cells.add_residual(nullptr, section_->at(d), F)
-           : cells_->add_residual(nullptr, d, F);
+void MeshMotion<dim>::add_residual(const Evaluation<dim>& at, std::span<double> F) const {
+  const NodalField<dim>& d = at.values.vector(d_);
+  section_ ? section_->cells.add_residual(nullptr, section_->taken(d), F)
+           : whole_->cells.add_residual(nullptr, d, F);
 }
 
 template <int dim>
-void MeshMotion<dim>::add_jacobian(const NodalField<dim>& d, std::span<double> values) const {
-  section_ ? section_->cells.add_jacobian(nullptr, section_->at(d), values)
-           : cells_->add_jacobian(nullptr, d, values);
+void MeshMotion<dim>::add_jacobian(const Evaluation<dim>& at, double,
+                                   std::span<double> values) const {
+  const NodalField<dim>& d = at.values.vector(d_);
+  section_ ? section_->cells.add_jacobian(nullptr, section_->taken(d), values)
+           : whole_->cells.add_jacobian(nullptr, d, values);
 }
 
 template class MeshMotion<2>;

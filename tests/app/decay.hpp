@@ -17,7 +17,7 @@ public:
   const Structure& structure() const override { return structure_; }
   void residual(const Point&, std::span<double>) const override { refuse(); }
   void jacobian(const Point&, double, std::span<double>) const override { refuse(); }
-  void switching(std::span<const double>, std::span<double>) const override { refuse(); }
+  void switching(double, std::span<const double>, std::span<double>) const override { refuse(); }
   std::vector<Stage> make_stages() const override { refuse(); }
 
 private:
@@ -39,7 +39,7 @@ public:
   }
   double differential_scale() const override { return 0.25; }
   std::optional<Grid> grid() const override { return std::nullopt; }
-  std::vector<Field> fields(const State&) const override { return {}; }
+  std::vector<GridField> fields(const State&) const override { return {}; }
   std::optional<ContactSurface> contact(const State& state) const override {
     ContactSurface surface;
     surface.node = {0};

@@ -15,7 +15,7 @@ TEST(Ball, EveryChangeOfTheActiveSetIsLocated) {
   const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-2, 300, true);
   ASSERT_GT(run.counters.events, 5);
   ActiveSet before = run.states.front().piece;
-  if (before.empty()) before = active_set(model->system(), run.states.front().y);
+  if (before.empty()) before = active_set(model->system(), 0, run.states.front().y);
   for (std::size_t k = 0; k < run.reports.size(); ++k) {
     const ActiveSet& piece = run.states[k + 1].piece;
     ASSERT_FALSE(piece.empty()) << "a step over a kink, to t = " << run.states[k + 1].t;

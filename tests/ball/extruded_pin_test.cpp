@@ -44,7 +44,7 @@ std::shared_ptr<WornBody<3>> extruded(const WornBody<2>& pin, bool as_section) {
   }
   body->material = pin.material;
   body->element = pin.element;
-  body->auxiliary_material = pin.auxiliary_material;
+  body->mesh_motion.material = pin.mesh_motion.material;
   body->contact.wear = pin.contact.wear;
   body->contact.rho = pin.contact.rho;
   body->contact.counter_body.velocity = Vector<3>(0, pin.contact.counter_body.velocity[0], 0);

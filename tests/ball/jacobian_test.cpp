@@ -13,15 +13,15 @@ using namespace testing;
 
 /// A rough state with closed and open contact nodes in turn; lengths of the order of `size`.
 std::vector<double> rough_state(const Model& model, double size) {
-  const WearSystem<3>& system = dynamic_cast<const WearModel<3>&>(model).wear_system();
-  const Structure& structure = system.structure();
+  const auto& wear = dynamic_cast<const WearModel<3>&>(model);
+  const Structure& structure = wear.system().structure();
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> uniform(-size, size);
   std::vector<double> y(structure.size);
   for (double& value : y) value = uniform(generator);
-  const double stress = 30 * system.body().contact.rho * size;
-  const auto& lambda = system.unknowns().lambda();
-  for (Eigen::Index c = 0; c < lambda.size(); ++c) y[lambda[c]] = c % 2 ? -4 * stress : stress;
+  const double stress = 30 * wear.body().contact.rho * size;
+  const auto& lambda = wear.system().numbering().numbers(wear.equations().fields().lambda);
+  for (Eigen::Index c = 0; c < lambda.size(); ++c) y[lambda(c)] = c % 2 ? -4 * stress : stress;
   return y;
 }
 
@@ -30,7 +30,7 @@ void check(const std::string& scene, const Overrides& overrides, double size) {
   const auto model = model_of(scene, overrides);
   const System& system = model->system();
   const std::vector<double> y = rough_state(*model, size);
-  ActiveSet active = active_set(system, y);
+  ActiveSet active = active_set(system, 0, y);
   const auto closed = std::count(active.begin(), active.end(), 1);
   ASSERT_GT(closed, 0);
   ASSERT_LT(closed, static_cast<long>(active.size()));

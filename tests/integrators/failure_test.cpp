@@ -25,8 +25,8 @@ public:
   void jacobian(const Point& at, double alpha, std::span<double> values) const override {
     system_.jacobian(at, alpha, values);
   }
-  void switching(std::span<const double> y, std::span<double> values) const override {
-    system_.switching(y, values);
+  void switching(double t, std::span<const double> y, std::span<double> values) const override {
+    system_.switching(t, y, values);
   }
   std::vector<Stage> make_stages() const override { return system_.make_stages(); }
 
@@ -44,7 +44,7 @@ public:
   std::vector<Scalar> observe(const State& state) const override { return model_->observe(state); }
   double differential_scale() const override { return model_->differential_scale(); }
   std::optional<Grid> grid() const override { return std::nullopt; }
-  std::vector<Field> fields(const State&) const override { return {}; }
+  std::vector<GridField> fields(const State&) const override { return {}; }
   std::optional<ContactSurface> contact(const State&) const override { return std::nullopt; }
   std::optional<State> exact(double) const override { return std::nullopt; }
 

@@ -74,18 +74,20 @@ Problem block_problem(int n, double step, Preconditioner preconditioner,
                       double poisson_ratio = 0.3) {
   const PressedBlock block{.across = n, .high = n, .poisson_ratio = poisson_ratio};
   const auto body = pressed_block(block);
-  const WearSystem<3> system(body, {});
-  NodalState<3> state = NodalState<3>::zero(*body);
+  const WornBodyEquations<3> equations(body);
+  const ComposedSystem<3> system(equations.composition());
+  FieldValues<3> values(*equations.composition()->fields);
+  Eigen::VectorXd& lambda = values.scalar(equations.fields().lambda);
   const double a = 0.4 * block.size, p0 = 6 * block.force / (std::numbers::pi * a * a);
   ActiveSet piece;
   for (std::size_t c = 0; c < body->contact_nodes.size(); ++c) {
     const Vector<3>& X = body->mesh.nodes[body->contact_nodes[c].node];
     const double inside = 1 - (X[0] * X[0] + X[1] * X[1]) / (a * a);
     piece.push_back(inside > 0);
-    state.lambda[static_cast<Eigen::Index>(c)] = inside > 0 ? -p0 * std::sqrt(inside) : 0;
+    lambda[static_cast<Eigen::Index>(c)] = inside > 0 ? -p0 * std::sqrt(inside) : 0;
   }
   std::vector<double> y(system.structure().size);
-  system.unknowns().gather(state, y);
+  system.numbering().gather(values, y);
   return {system, y, 1 / step, preconditioner, &piece};
 }
 
@@ -95,10 +97,10 @@ void decouple(Problem& problem) {
   for (int j = 0; j < s.pattern.size(); ++j)
     for (int k = s.pattern.column_start[j]; k < s.pattern.column_start[j + 1]; ++k) {
       const int i = s.pattern.row_index[k];
-      const bool surface = s.kind[j] == UnknownKind::worn_surface;
-      const bool shape = surface || s.kind[j] == UnknownKind::shape;
-      if (s.kind[i] == UnknownKind::displacement && shape) problem.J[k] = 0;
-      if (s.kind[i] == UnknownKind::worn_surface && surface && s.group[i] != s.group[j])
+      const bool surface = s.role(j) == Role::evolution;
+      const bool shape = surface || s.role(j) == Role::extension;
+      if (s.role(i) == Role::stiffness && shape) problem.J[k] = 0;
+      if (s.role(i) == Role::evolution && surface && s.group[i] != s.group[j])
         problem.J[k] = 0;
     }
 }

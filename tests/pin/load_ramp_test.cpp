@@ -85,24 +85,25 @@ TEST(LoadRamp, EndsAtTheLimitWithTheLastEquilibrium) {
 struct ContactProblem {
   std::unique_ptr<Model> model;
   const WornBody<2>& body;
-  WearSystem<2> system;
-  NodalState<2> state;
+  ComposedSystem<2> system;
+  FieldValues<2> values;
   Counters counters;
 
   explicit ContactProblem(const Overrides& overrides)
       : model(pin_model(overrides)),
-        body(wear().body()),
-        system(wear().shared_body(),
-               {.deformation = true, .interior_shape = false, .contact_shape = false}),
-        state(NodalState<2>::zero(body)) {}
+        body(equations().body()),
+        system(equations().composition(), equations().deformation()),
+        values(*equations().composition()->fields) {}
 
   RampReport ramp(const RampOptions& options) {
-    return find_equilibrium(system, options, state, counters);
+    return find_equilibrium(equations(), system, options, values, counters);
   }
+  const NodalField<2>& u() const { return values.vector(equations().fields().u); }
+  const Eigen::VectorXd& lambda() const { return values.scalar(equations().fields().lambda); }
 
 private:
-  const WearSystem<2>& wear() const {
-    return dynamic_cast<const WearModel<2>&>(*model).wear_system();
+  const WornBodyEquations<2>& equations() const {
+    return dynamic_cast<const WearModel<2>&>(*model).equations();
   }
 };
 
@@ -128,8 +129,8 @@ TEST(LoadRampOfThePin, DoesNotDependOnTheIncrements) {
   const RampReport slow = tiny.ramp({.first = 0.01, .largest = 0.01});
   EXPECT_EQ(slow.reached, 1);
   EXPECT_GE(slow.increments, 100);
-  EXPECT_LT((usual.state.u - tiny.state.u).norm(), 1e-9 * tiny.state.u.norm());
-  EXPECT_LT((usual.state.lambda - tiny.state.lambda).norm(), 1e-8 * tiny.state.lambda.norm());
+  EXPECT_LT((usual.u() - tiny.u()).norm(), 1e-9 * tiny.u().norm());
+  EXPECT_LT((usual.lambda() - tiny.lambda()).norm(), 1e-8 * tiny.lambda().norm());
 }
 
 TEST(LoadRampOfThePin, BeginsWithTheWholeLoadUnlessNearlyIncompressibleAndSoft) {

@@ -42,7 +42,7 @@ TEST(Winkler, JacobiansEqualCentralDifferences) {
   Counters counters;
   State state = model->start(counters);
   for (int i = 0; i < 9; ++i) state.y[2 * i] = 0.01 * i;
-  ActiveSet active = active_set(system, state.y);
+  ActiveSet active = active_set(system, state.t, state.y);
   const auto closed = std::count(active.begin(), active.end(), 1);
   ASSERT_GT(closed, 0);
   ASSERT_LT(closed, 9);

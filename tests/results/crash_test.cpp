@@ -122,7 +122,7 @@ void expect_holds(const std::filesystem::path& file, const Progress& done, const
   ASSERT_NO_FATAL_FAILURE(expect_holds_a_checkpoint(reader, done.checkpoints));
   for (int i = 0; i < stored; ++i) ASSERT_EQ(times[static_cast<std::size_t>(i)], i * kStoreEvery);
   if (stored == 0) return;
-  for (const Field& expected : synthetic::fields(grid, times.back())) {
+  for (const GridField& expected : synthetic::fields(grid, times.back())) {
     ASSERT_EQ(reader.field(times.size() - 1, expected.name).values, expected.values);
   }
   ASSERT_EQ(reader.contact({}).pressure, synthetic::contact(times.back()).pressure);

@@ -94,8 +94,8 @@ TEST(ResultFile, ReturnsMeshAndFields) {
     EXPECT_THAT(reader.stored_times(), ElementsAre(0, 0.5, 1));
     EXPECT_THAT(reader.field_names(), ElementsAre("displacement", "element_quality",
                                                   "equivalent_stress", "pressure", "shape"));
-    for (const Field& expected : synthetic::fields(grid, 0.5)) {
-      const Field field = reader.field(1, expected.name);
+    for (const GridField& expected : synthetic::fields(grid, 0.5)) {
+      const GridField field = reader.field(1, expected.name);
       EXPECT_EQ(field.unit, expected.unit);
       EXPECT_EQ(field.on, expected.on);
       EXPECT_EQ(field.components, expected.components);

@@ -80,21 +80,21 @@ inline Grid hexahedra() {
 
 /// displacement = (t, node, 0), shape = (0, t * (1 - (x/5)^2)+, 0), pressure = node + t,
 /// equivalent_stress = cell * t, element_quality = 1.
-inline std::vector<Field> fields(const Grid& grid, double t) {
+inline std::vector<GridField> fields(const Grid& grid, double t) {
   const std::size_t points = grid.points.size();
   const std::size_t cells = grid.cells.size() / (grid.cell == Grid::Cell::quadrilateral ? 4 : 8);
-  Field displacement{"displacement", "mm", Field::On::nodes, 3, {}};
-  Field shape{"shape", "mm", Field::On::nodes, 3, {}};
-  Field pressure{"pressure", "MPa", Field::On::nodes, 1, {}};
+  GridField displacement{"displacement", "mm", GridField::On::nodes, 3, {}};
+  GridField shape{"shape", "mm", GridField::On::nodes, 3, {}};
+  GridField pressure{"pressure", "MPa", GridField::On::nodes, 1, {}};
   for (std::size_t i = 0; i < points; ++i) {
     const double x = grid.points[i][0] / 5;
     displacement.values.insert(displacement.values.end(), {t, static_cast<double>(i), 0});
     shape.values.insert(shape.values.end(), {0, t * std::fmax(0, 1 - x * x), 0});
     pressure.values.push_back(static_cast<double>(i) + t);
   }
-  Field stress{"equivalent_stress", "MPa", Field::On::cells, 1, {}};
+  GridField stress{"equivalent_stress", "MPa", GridField::On::cells, 1, {}};
   for (std::size_t i = 0; i < cells; ++i) stress.values.push_back(static_cast<double>(i) * t);
-  Field quality{"element_quality", "", Field::On::cells, 1, std::vector<double>(cells, 1.0)};
+  GridField quality{"element_quality", "", GridField::On::cells, 1, std::vector<double>(cells, 1.0)};
   return {displacement, shape, pressure, stress, quality};
 }
 

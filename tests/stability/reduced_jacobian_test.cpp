@@ -24,7 +24,7 @@ PinRun worn_pin(int n, const Overrides& overrides = {}) {
 class ReducedRate {
 public:
   ReducedRate(const System& system, const State& at)
-      : system_(system), at_(at), piece_(active_set(system, at.y)), stages_(system, counters_) {}
+      : system_(system), at_(at), piece_(active_set(system, at.t, at.y)), stages_(system, counters_) {}
 
   /// With the differential component at position i of y moved by `change`.
   Eigen::VectorXd operator()(int i, double change, const std::vector<int>& components) {
@@ -84,7 +84,7 @@ TEST(ReducedJacobian, HasTheSpectrumOfTheSprings) {
   const double rate = scene.real("foundation.modulus") * scene.real("wear.coefficient") *
                       scene.real("wear.velocity");
   const ReducedJacobian G(model->system(), start);
-  const ActiveSet piece = active_set(model->system(), start.y);
+  const ActiveSet piece = active_set(model->system(), start.t, start.y);
   const auto closed = std::count(piece.begin(), piece.end(), 1);
   ASSERT_GT(closed, 10);
   ASSERT_LT(closed, G.size());

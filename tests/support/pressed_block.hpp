@@ -66,7 +66,7 @@ inline std::shared_ptr<WornBody<3>> pressed_block(const PressedBlock& block) {
   }
   const double area = block.size * block.size;
   body->material = NeoHookean::from_young_poisson(block.young_modulus, block.poisson_ratio);
-  body->auxiliary_material = NeoHookean::from_young_poisson(1, 0.3);
+  body->mesh_motion.material = NeoHookean::from_young_poisson(1, 0.3);
   body->element = block.element;
   Scales& scales = body->scales;
   scales.force = block.force / (n * n);

@@ -16,7 +16,7 @@ const NeoHookean law = NeoHookean::from_young_poisson(7, 0.3);
 /// A block of n^3 hexahedra, held at the bottom; u and, in the lower half, d at every node. The top
 /// moves rigidly along z: one number for all its nodes.
 struct Block {
-  using Numbers = Unknowns<3>::Numbers;
+  using Numbers = NodalNumbers<3>;
 
   explicit Block(int n)
       : mesh(structured_hexahedra(

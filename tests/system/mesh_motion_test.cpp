@@ -1,7 +1,7 @@
 // The auxiliary problem by itself, on columns whose solution is known; and behind a deep step.
 
 #include <gnomon/mesh/stations.hpp>
-#include <gnomon/terms/mesh_motion.hpp>
+#include <gnomon/model/worn_body_equations.hpp>
 
 #include "support/derivatives.hpp"
 #include "support/problem_run.hpp"
@@ -35,7 +35,7 @@ WornBody<dim> column(int n) {
   body.shape_fixed = NodalFlags<dim>::Ones(nodes, dim);
   body.shape_fixed.col(dim - 1).setZero();
   for (int node : body.mesh.boundary_nodes("top")) body.shape_fixed.row(node).setOnes();
-  body.auxiliary_material = NeoHookean::from_young_poisson(2, 0.3);
+  body.mesh_motion.material = NeoHookean::from_young_poisson(2, 0.3);
   return body;
 }
 
@@ -57,11 +57,16 @@ NodalField<dim> stretched(const Mesh<dim>& mesh, const std::function<double(doub
 
 template <int dim>
 Eigen::VectorXd residual(const WornBody<dim>& body, const NodalField<dim>& d) {
-  const Unknowns<dim> unknowns(
-      body, {.deformation = false, .interior_shape = true, .contact_shape = false});
-  std::vector<double> F(unknowns.size(), 0.0);
-  MeshMotion<dim>(body, unknowns).add_residual(d, F);
-  return Eigen::Map<const Eigen::VectorXd>(F.data(), unknowns.size());
+  const WornBodyEquations<dim> equations(std::make_shared<const WornBody<dim>>(body));
+  const auto& composition = *equations.composition();
+  const FieldId shape = equations.fields().d;
+  const Numbering numbering(composition.fields, composition.stages.front());
+  FieldValues<dim> values(*composition.fields);
+  values.vector(shape) = d;
+  std::vector<double> F(numbering.size(), 0.0);
+  MeshMotion<dim>(body.mesh, nullptr, body.mesh_motion, numbering, shape, FieldId::none)
+      .add_residual({.values = values, .ydot = {}}, F);
+  return Eigen::Map<const Eigen::VectorXd>(F.data(), numbering.size());
 }
 
 template <class Dimension>
@@ -74,7 +79,7 @@ TYPED_TEST(MeshMotionOf, AColumnShrinksUniformly) {
   constexpr int dim = TypeParam::value;
   WornBody<dim> body = column<dim>(5);
   for (const ElementKind energy : {ElementKind::plain, ElementKind::plain_blatz_ko}) {
-    body.auxiliary_element = energy;
+    body.mesh_motion.element = energy;
     const auto uniform = stretched<dim>(body.mesh, [](double) { return 0.2; });
     EXPECT_LT(residual<dim>(body, uniform).norm(), 1e-12);
     const auto other = stretched<dim>(body.mesh, [](double h) { return 0.2 + 0.1 * h; });
@@ -87,7 +92,7 @@ TYPED_TEST(MeshMotionOf, StiffenedCellsShrinkByThePowerOfTheirVolume) {
   constexpr int dim = TypeParam::value;
   WornBody<dim> body = column<dim>(5);
   for (const double exponent : {0.5, 1.0}) {
-    body.auxiliary_stiffening = exponent;
+    body.mesh_motion.stiffening = exponent;
     const auto shape = [&](double power) {
       return stretched<dim>(body.mesh, [=](double h) { return 1 - 1e-6 * std::pow(h, power); });
     };

@@ -33,7 +33,7 @@ double patch_error(ElementKind kind) {
   for (Eigen::Index node = 0; node < nodes; ++node)
     linear.row(node) = (H * mesh.nodes[node]).transpose();
   NodalField<dim> u = linear;
-  typename Unknowns<dim>::Numbers numbers = Unknowns<dim>::Numbers::Zero(nodes, dim);
+  NodalNumbers<dim> numbers = NodalNumbers<dim>::Zero(nodes, dim);
   for (const auto& [name, part] : mesh.boundary)
     for (int node : mesh.boundary_nodes(name)) numbers.row(node).setConstant(-1);
   int size = 0;

@@ -1,4 +1,4 @@
-#include <gnomon/system/wear_system.hpp>
+#include <gnomon/model/wear_model.hpp>
 
 #include "support/derivatives.hpp"
 #include "support/pin.hpp"
@@ -8,19 +8,21 @@ namespace {
 
 using namespace testing;
 
-const WearSystem<2>& wear_system(const Model& model) {
-  return dynamic_cast<const WearModel<2>&>(model).wear_system();
+/// Number of a value of one of the pin's fields.
+int number(const Model& model, FieldId WornBodyFields::*field, int entity, int component = 0) {
+  const auto& wear = dynamic_cast<const WearModel<2>&>(model);
+  return wear.system().numbering().number(wear.equations().fields().*field, entity, component);
 }
 
 /// A rough state with closed and open contact nodes in turn.
 std::vector<double> rough_state(const Model& model) {
-  const WearSystem<2>& system = wear_system(model);
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> uniform(-0.05, 0.05);
-  std::vector<double> y(system.structure().size);
+  const Structure& structure = model.system().structure();
+  std::vector<double> y(structure.size);
   for (double& value : y) value = uniform(generator);
-  const auto& lambda = system.unknowns().lambda();
-  for (Eigen::Index c = 0; c < lambda.size(); ++c) y[lambda[c]] = c % 2 ? -2000 : 300;
+  for (int c = 0; c < static_cast<int>(structure.switch_node.size()); ++c)
+    y[number(model, &WornBodyFields::lambda, c)] = c % 2 ? -2000 : 300;
   return y;
 }
 
@@ -34,7 +36,7 @@ TEST(WearSystem, JacobianEqualsCentralDifferences) {
                                       std::string("wear.normal=") + normal});
         const System& system = model->system();
         const std::vector<double> y = rough_state(*model);
-        ActiveSet active = active_set(system, y);
+        ActiveSet active = active_set(system, 0, y);
         const auto closed = std::count(active.begin(), active.end(), 1);
         ASSERT_GT(closed, 0);
         ASSERT_LT(closed, static_cast<long>(active.size()));
@@ -59,7 +61,7 @@ TEST(WearSystem, TheGivenPieceOfAStateIsItsResidual) {
   const auto model = pin_model({elements(4)});
   const System& system = model->system();
   const std::vector<double> y = rough_state(*model);
-  ActiveSet piece = active_set(system, y);
+  ActiveSet piece = active_set(system, 0, y);
   std::vector<double> own(y.size()), given(y.size()), other(y.size());
   system.residual({0, y, y}, own);
   system.residual({0, y, y, &piece}, given);
@@ -106,18 +108,19 @@ TEST(WearSystem, StagesAreItsAlgebraicRows) {
 
 TEST(WearSystem, PatternHoldsTheDiagonalAndNoDisplacementInTheMeshMotion) {
   const auto model = pin_model({elements(6)});
-  const WearSystem<2>& system = wear_system(*model);
-  const SparsePattern& pattern = system.structure().pattern;
+  const SparsePattern& pattern = model->system().structure().pattern;
   for (int i = 0; i < pattern.size(); ++i) EXPECT_GE(pattern.find(i, i), 0);
   const int inner = 3 * 7 + 3;  // a node off every boundary
-  EXPECT_GE(pattern.find(system.unknowns().u()(inner, 0), system.unknowns().d()(inner, 1)), 0);
-  EXPECT_EQ(pattern.find(system.unknowns().d()(inner, 0), system.unknowns().u()(inner, 1)), -1);
+  const auto u = [&](int i) { return number(*model, &WornBodyFields::u, inner, i); };
+  const auto d = [&](int i) { return number(*model, &WornBodyFields::d, inner, i); };
+  EXPECT_GE(pattern.find(u(0), d(1)), 0);
+  EXPECT_EQ(pattern.find(d(0), u(1)), -1);
 }
 
 TEST(WearSystem, InvertedElementIsRecoverableAndNamed) {
   const auto model = pin_model({elements(4)});
   std::vector<double> y(model->system().structure().size, 0.0), F(y.size());
-  y[wear_system(*model).unknowns().u()(12, 1)] = 100;
+  y[number(*model, &WornBodyFields::u, 12, 1)] = 100;
   try {
     model->system().residual({0, y, y}, F);
     FAIL() << "no exception";

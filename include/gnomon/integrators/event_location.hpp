@@ -29,10 +29,10 @@ public:
   EventLocator(const System& system, OneStepMethod& method);
 
   /// Takes the piece from the signs at y.
-  void begin(std::span<const double> y) { piece_ = active_set(system_, y); }
+  void begin(const State& at) { piece_ = active_set(system_, at.t, at.y); }
   const ActiveSet& piece() const { return piece_; }
   /// Has y left the piece?
-  bool left(std::span<const double> y) const { return active_set(system_, y) != piece_; }
+  bool left(const State& at) const { return active_set(system_, at.t, at.y) != piece_; }
 
   std::vector<double> memory() const;
   void restore(Unpacker& memory);
@@ -48,7 +48,7 @@ private:
     double h;
     std::vector<double> values;  // of the switching functions
   };
-  void sample(double h, std::span<const double> y);
+  void sample(double h, const State& at);
   double first_guess(const State& from, double h) const;
   std::vector<const Sample*> samples_near(double end, double low, double high) const;
   double earliest_root(double low, double high) const;

@@ -14,8 +14,9 @@ namespace gnomon {
 /// system lacks are skipped, so the stages of a system are solved by the same code.
 class BlockPreconditioner {
 public:
-  /// Blocks by `structure.kind`, inner solvers by `structure.solver`. Throws InputError where a
-  /// system has no blocks or multigrid is not built in. `structure` must outlive the object.
+  /// Blocks by the roles of `structure.blocks`, inner solvers by `structure.solver`. Throws
+  /// InputError where a system has no blocks or multigrid is not built in. `structure` must outlive
+  /// the object.
   explicit BlockPreconditioner(const Structure& structure);
   ~BlockPreconditioner();
 

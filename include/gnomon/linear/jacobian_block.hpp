@@ -1,4 +1,4 @@
-// Parts of a Jacobian, chosen by the kinds of its rows and columns.
+// Parts of a Jacobian, chosen by the roles of its rows and columns.
 #pragma once
 
 #include <gnomon/system/system.hpp>
@@ -8,15 +8,15 @@
 
 namespace gnomon {
 
-using Kinds = std::initializer_list<UnknownKind>;
+using Roles = std::initializer_list<Role>;
 
-/// The unknowns of some kinds, ascending.
-std::vector<int> unknowns_of(const Structure& structure, Kinds kinds);
+/// The unknowns of some roles, ascending.
+std::vector<int> unknowns_of(const Structure& structure, Roles roles);
 
-/// The entries of J in rows of some kinds and columns of others. Vectors have the system's size.
+/// The entries of J in rows of some roles and columns of others. Vectors have the system's size.
 class JacobianBlock {
 public:
-  JacobianBlock(const Structure& structure, Kinds rows, Kinds columns);
+  JacobianBlock(const Structure& structure, Roles rows, Roles columns);
 
   /// y -= J x over the block.
   void subtract(std::span<const double> J, std::span<const double> x, std::span<double> y) const;

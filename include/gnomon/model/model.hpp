@@ -35,7 +35,7 @@ struct Grid {
 };
 
 /// A field over the grid. `values` is row-major, components a point (or cell).
-struct Field {
+struct GridField {
   enum class On { nodes, cells };
   std::string name;
   std::string unit;
@@ -83,7 +83,7 @@ public:
   /// The mesh, if the problem has one.
   virtual std::optional<Grid> grid() const = 0;
   /// Fields over the grid; always the same names in the same order. Empty without a grid.
-  virtual std::vector<Field> fields(const State& state) const = 0;
+  virtual std::vector<GridField> fields(const State& state) const = 0;
   /// The contact surface, if the problem has one.
   virtual std::optional<ContactSurface> contact(const State& state) const = 0;
   /// The exact solution at time t in closed form, where there is one: y of the differential

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gnomon/model/model.hpp>
-#include <gnomon/system/wear_system.hpp>
+#include <gnomon/model/worn_body_equations.hpp>
 #include <memory>
 
 namespace gnomon {
@@ -12,7 +12,7 @@ class WearModel : public Model {
 public:
   explicit WearModel(std::shared_ptr<const WornBody<dim>> body);
 
-  const System& system() const override { return system_; }
+  const ComposedSystem<dim>& system() const override { return system_; }
   std::vector<BlockSize> blocks() const override;
   /// Equilibrium at the initial shape by a load ramp (rows 1-2 of the system, shape frozen). The
   /// SolutionError names the fraction of the load that was in equilibrium.
@@ -22,16 +22,18 @@ public:
   /// moves), contact_half_width (2D). Forces and volumes are those of the whole body, of which
   /// symmetry may leave a part to be modelled.
   std::vector<Scalar> observe(const State& state) const override;
-  double differential_scale() const override { return system_.body().scales.wear_depth; }
+  double differential_scale() const override { return body().scales.wear_depth; }
   std::optional<Grid> grid() const override;
-  std::vector<Field> fields(const State& state) const override;
+  std::vector<GridField> fields(const State& state) const override;
   std::optional<ContactSurface> contact(const State& state) const override;
   std::optional<State> exact(double) const override { return std::nullopt; }
 
-  const WearSystem<dim>& wear_system() const { return system_; }
+  const WornBody<dim>& body() const { return equations_.body(); }
+  const WornBodyEquations<dim>& equations() const { return equations_; }
 
 private:
-  WearSystem<dim> system_;
+  WornBodyEquations<dim> equations_;
+  ComposedSystem<dim> system_;
 };
 
 /// Half the distance between the edges of the contact zone [length], along the rigid plane in the
@@ -41,6 +43,7 @@ private:
 /// it like a Hertzian edge (p^2 linear in the position), the edge is where p^2 extrapolates to
 /// zero; if it does not reach zero before the open node (a flat, worn profile), the edge is where
 /// the gap of the next two open nodes extrapolates to zero.
-double contact_half_width(const WearSystem<2>& system, const NodalState<2>& state);
+double contact_half_width(const WornBody<2>& body, const WornBodyFields& fields,
+                          const FieldValues<2>& values, const std::vector<ContactNode<2>>& nodes);
 
 }  // namespace gnomon

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <gnomon/model/memory_estimate.hpp>
+#include <gnomon/model/worn_body.hpp>
 #include <gnomon/scene/scene.hpp>
-#include <gnomon/terms/worn_body.hpp>
 #include <string>
 
 namespace gnomon {

@@ -63,7 +63,7 @@ public:
   void append(const HistoryRow& row);
   /// Stores fields (nodal or cell values of the grid, 1 or 3 components) and contact surface of a
   /// state: the steps that the scene asks for, in order of time.
-  void store(double t, const std::vector<Field>& fields,
+  void store(double t, const std::vector<GridField>& fields,
              const std::optional<ContactSurface>& contact);
   /// Keeps a checkpoint in place of the one before the last.
   void checkpoint(const Checkpoint& checkpoint);
@@ -98,7 +98,7 @@ public:
   /// within 1e-5 of itself (times are printed with six digits).
   ContactSurface contact(std::optional<double> t) const;
   /// A field of the stored step with index `step`.
-  Field field(std::size_t step, const std::string& name) const;
+  GridField field(std::size_t step, const std::string& name) const;
   bool has_contact() const;                      ///< whether the problem has a contact surface
   std::vector<std::string> field_names() const;  ///< of the first stored step, sorted
   std::optional<Grid> grid() const;

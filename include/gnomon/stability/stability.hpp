@@ -8,8 +8,8 @@
 #include <Eigen/Core>
 #include <complex>
 #include <gnomon/integrators/integrator.hpp>
-#include <gnomon/model/model.hpp>
 #include <gnomon/linear/sparse_lu.hpp>
+#include <gnomon/model/model.hpp>
 #include <gnomon/system/system.hpp>
 #include <span>
 #include <string>

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <functional>
+#include <gnomon/fields/block.hpp>
 #include <gnomon/fields/sparse_pattern.hpp>
 #include <gnomon/system/linear_solver_choice.hpp>
 #include <memory>
@@ -16,16 +17,6 @@
 #include <vector>
 
 namespace gnomon {
-
-/// What an unknown is, for solvers that treat the blocks of J apart (docs/equations.md).
-enum class UnknownKind : char {
-  displacement,        ///< u
-  shape,               ///< d off the contact surface
-  worn_surface,        ///< d on the contact surface: differential
-  contact_multiplier,  ///< lambda
-  shape_multiplier,    ///< mu
-  rigid_motion         ///< w
-};
 
 /// Sizes and constants of a system that do not change during a run.
 struct Structure {
@@ -39,12 +30,16 @@ struct Structure {
   std::vector<double> corners;        ///< ascending times at which F may have a kink in t
   LinearSolverChoice solver;
   // For solvers by blocks; empty where a system has no such blocks.
-  std::vector<UnknownKind> kind;                ///< size entries
+  std::vector<Block> blocks;
+  std::vector<int> block;                       ///< size entries: in `blocks`
   std::vector<char> component;                  ///< size entries: 0, 1, 2 of a vector, else 0
   std::vector<std::array<double, 3>> position;  ///< of a `group`, initial configuration [length]
+
+  /// Of an unknown, where there are blocks.
+  Role role(std::size_t unknown) const { return blocks[block[unknown]].role; }
 };
 
-/// One entry a complementarity condition (contact node): 1 where it is active (closed).
+/// One entry for each switching function (of a contact node: 1 where it is closed).
 using ActiveSet = std::vector<char>;
 
 /// Where a system is evaluated.
@@ -75,9 +70,9 @@ public:
   /// Values of J on structure().pattern, overwritten. Same errors as residual().
   virtual void jacobian(const Point& at, double alpha, std::span<double> values) const = 0;
 
-  /// One value a complementarity condition, smooth in y, negative or zero where it is active (the
+  /// One value for each switching function, smooth in y, negative or zero where it is active (the
   /// augmented multiplier). Two states whose values have equal signs share one smooth residual.
-  virtual void switching(std::span<const double> y, std::span<double> values) const = 0;
+  virtual void switching(double t, std::span<const double> y, std::span<double> values) const = 0;
 
   /// The algebraic rows for given differential components, as a sequence of smaller systems to be
   /// solved one after the other (Remark 1: mesh motion, then contact). The caller owns them.
@@ -93,7 +88,7 @@ struct Stage {
   std::function<void(double t, std::span<const double> y)> freeze;
 };
 
-/// The piece that y lies in.
-ActiveSet active_set(const System& system, std::span<const double> y);
+/// The piece that y lies in at t.
+ActiveSet active_set(const System& system, double t, std::span<const double> y);
 
 }  // namespace gnomon

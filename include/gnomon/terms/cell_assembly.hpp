@@ -3,8 +3,10 @@
 // meshes by all threads (OMP_NUM_THREADS); results do not depend on their number.
 #pragma once
 
+#include <gnomon/fields/field.hpp>
 #include <gnomon/fields/sparse_pattern.hpp>
-#include <gnomon/fields/unknowns.hpp>
+#include <gnomon/mesh/mesh.hpp>
+#include <gnomon/terms/solid.hpp>
 #include <span>
 #include <vector>
 
@@ -13,7 +15,7 @@ namespace gnomon {
 template <int dim>
 class CellAssembly {
 public:
-  using Numbers = typename Unknowns<dim>::Numbers;
+  using Numbers = NodalNumbers<dim>;
 
   /// `rows`, `columns`: numbers of the residual rows and of the unknown that plays the
   /// displacement. `shape_columns`: numbers of the shape unknowns that move the reference

@@ -2,28 +2,43 @@
 // cells of the body, or over those of its cross-section where the shape is uniform along x.
 #pragma once
 
+#include <gnomon/mesh/cross_section.hpp>
 #include <gnomon/terms/cell_assembly.hpp>
+#include <gnomon/terms/term.hpp>
 #include <memory>
 
 namespace gnomon {
 
-template <int dim>
-class MeshMotion {
-public:
-  /// References must outlive the object.
-  MeshMotion(const WornBody<dim>& body, const Unknowns<dim>& unknowns);
-  ~MeshMotion();
+/// The elastic energy of the auxiliary problem, which is free to choose (sec. 2.5).
+struct MeshMotionLaw {
+  NeoHookean material;
+  ElementKind element = ElementKind::plain;  ///< or plain_blatz_ko
+  double stiffening = 0;  ///< chi: a cell is (mean volume / its volume)^chi as stiff
+};
 
-  void add_to_pattern(PatternBuilder& builder) const;
-  /// Computes the scatter map; call once, after the pattern is built.
-  void map_to(const SparsePattern& pattern);
-  /// F += R of eq. (28) at the shape d (nodes x dim). Throws RecoverableError on an inverted cell.
-  void add_residual(const NodalField<dim>& d, std::span<double> F) const;
-  void add_jacobian(const NodalField<dim>& d, std::span<double> values) const;
+/// Off the worn surface in the rows of d; on it in those of the shape multiplier `mu`, where the
+/// form of the constraint has one: so both rows there have a nonzero diagonal.
+template <int dim>
+class MeshMotion : public Term<dim> {
+public:
+  /// `section`: null where the shape is that of the whole mesh. Mesh and section must outlive the
+  /// term.
+  MeshMotion(const Mesh<dim>& mesh, const CrossSection* section, const MeshMotionLaw& law,
+             const Numbering& numbering, FieldId d, FieldId mu);
+  ~MeshMotion() override;
+
+  void declare(TermStructure& structure) const override;
+  void map_to(const SparsePattern& pattern) override;
+  void add_residual(const Evaluation<dim>& at, std::span<double> F) const override;
+  void add_jacobian(const Evaluation<dim>& at, double rate_weight,
+                    std::span<double> values) const override;
+  void switching(const Evaluation<dim>&, std::span<double>) const override {}
 
 private:
+  struct Whole;
   struct Section;
-  std::unique_ptr<CellAssembly<dim>> cells_;
+  FieldId d_;
+  std::unique_ptr<Whole> whole_;
   std::unique_ptr<Section> section_;  // one of the two
 };
 

@@ -1,24 +1,17 @@
-// Everything constant about one worn body in contact with a rigid counter-body: what a
-// problem declares, and what blocks, terms and system are made of.
+// Everything constant about one worn body in contact with a rigid counter-body: what a problem
+// declares, and what its fields and terms are made of.
 #pragma once
 
 #include <algorithm>
 #include <gnomon/laws/load_history.hpp>
-#include <gnomon/mesh/mesh.hpp>
 #include <gnomon/system/linear_solver_choice.hpp>
 #include <gnomon/terms/contact_node.hpp>
-#include <gnomon/terms/solid.hpp>
+#include <gnomon/terms/mesh_motion.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace gnomon {
-
-/// Row-major nodal field; row = mesh node.
-template <int dim>
-using NodalField = Eigen::Matrix<double, Eigen::Dynamic, dim, Eigen::RowMajor>;
-template <int dim>
-using NodalFlags = Eigen::Matrix<char, Eigen::Dynamic, dim, Eigen::RowMajor>;
 
 /// How the auxiliary problem meets the worn surface: contact shape rows replace the auxiliary
 /// equilibrium there, or the paper's augmented multiplier mu carries the reaction (eq. 22, 29).
@@ -43,16 +36,6 @@ inline double regularization_unit(double young, double facet, const Scales& scal
   return std::min(young / facet, far_above * occurring);
 }
 
-/// The section of a body that is uniform along x and whose shape stays so (sec. 4.3): its shape
-/// unknowns are those of one cross-section, with components (y, z).
-struct CrossSection {
-  Mesh<2> mesh;           ///< in the plane (y, z)
-  std::vector<int> node;  ///< of the body, one a section node: it carries the shape unknowns
-  std::vector<int> of;    ///< section node of every node of the body
-  double length = 0;      ///< of the body along x [length]
-  double path = 0;        ///< L, sliding length of a cycle, of which the body is a part [length]
-};
-
 template <int dim>
 struct WornBody {
   Mesh<dim> mesh;
@@ -62,9 +45,7 @@ struct WornBody {
   NodalField<dim> load;                          ///< nodal dead loads at factor one
   NeoHookean material;
   ElementKind element = ElementKind::f_bar;
-  NeoHookean auxiliary_material;                       ///< eq. (20)
-  ElementKind auxiliary_element = ElementKind::plain;  ///< or plain_blatz_ko
-  double auxiliary_stiffening = 0;  ///< chi: a cell is (mean volume / its volume)^chi as stiff
+  MeshMotionLaw mesh_motion;  ///< eq. (20)
   ContactParameters<dim> contact;
   /// The force that presses the counter-body along its `approach`, at factor one; without it the
   /// counter-body stays.

@@ -1,0 +1,102 @@
+// Fields: what is unknown, where it lives and how large it is; and values of all fields.
+#pragma once
+
+#include <Eigen/Core>
+#include <gnomon/fields/block.hpp>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// Row-major nodal field; row = entity (mesh node, contact node).
+template <int dim>
+using NodalField = Eigen::Matrix<double, Eigen::Dynamic, dim, Eigen::RowMajor>;
+template <int dim>
+using NodalFlags = Eigen::Matrix<char, Eigen::Dynamic, dim, Eigen::RowMajor>;
+/// Numbers of nodal values in y; -1 where a value is held, frozen or absent.
+template <int dim>
+using NodalNumbers = Eigen::Matrix<int, Eigen::Dynamic, dim, Eigen::RowMajor>;
+
+/// Values over entities of the mesh: a vector of the dimension, or a scalar, at each.
+struct Field {
+  using Values = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  using Indices = Eigen::Matrix<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  std::string name;
+  std::vector<int> node;  ///< mesh node of each entity; behind all nodes: it lives nowhere, once
+  Indices block;          ///< entities x components: FieldSet::blocks of each value, -1: held
+  Values row_scale;       ///< entities x components: |F_i| that matters, in the unit of its row
+  Values unknown_scale;   ///< entities x components: typical |y_i|
+  /// Entity whose unknowns each entity shares (the shape of a groove is that of one section);
+  /// empty: its own.
+  std::vector<int> carrier;
+
+  Field(std::string field_name, std::vector<int> nodes, int components)
+      : name(std::move(field_name)),
+        node(std::move(nodes)),
+        block(Indices::Constant(entities(), components, -1)),
+        row_scale(Values::Ones(entities(), components)),
+        unknown_scale(Values::Ones(entities(), components)) {}
+
+  Eigen::Index entities() const { return static_cast<Eigen::Index>(node.size()); }
+  int components() const { return static_cast<int>(block.cols()); }
+  int carrier_of(int entity) const { return carrier.empty() ? entity : carrier[entity]; }
+};
+
+/// Position of a field in a FieldSet; none: the scene does not have it.
+enum class FieldId : int { none = -1 };
+
+/// All that a problem may solve for. Unknowns are numbered node by node, the fields of a node in
+/// this order, and last what lives nowhere.
+struct FieldSet {
+  std::vector<Block> blocks;
+  std::vector<Field> fields;
+  int nodes = 0;  ///< of the mesh
+
+  int add(Block b) {
+    blocks.push_back(std::move(b));
+    return static_cast<int>(blocks.size()) - 1;
+  }
+  FieldId add(Field field) {
+    fields.push_back(std::move(field));
+    return static_cast<FieldId>(fields.size() - 1);
+  }
+  const Field& operator[](FieldId id) const { return fields[static_cast<std::size_t>(id)]; }
+  Field& operator[](FieldId id) { return fields[static_cast<std::size_t>(id)]; }
+};
+
+/// Values of all fields of a set, held and frozen ones included.
+template <int dim>
+class FieldValues {
+public:
+  FieldValues() = default;
+  /// Zero.
+  explicit FieldValues(const FieldSet& set) {
+    for (const Field& field : set.fields) {
+      const bool vector = field.components() == dim;
+      vectors_.push_back(NodalField<dim>::Zero(vector ? field.entities() : 0, dim));
+      scalars_.push_back(Eigen::VectorXd::Zero(vector ? 0 : field.entities()));
+    }
+  }
+  /// Entities x dim.
+  const NodalField<dim>& vector(FieldId id) const { return vectors_[index(id)]; }
+  NodalField<dim>& vector(FieldId id) { return vectors_[index(id)]; }
+  /// One value for each entity.
+  const Eigen::VectorXd& scalar(FieldId id) const { return scalars_[index(id)]; }
+  Eigen::VectorXd& scalar(FieldId id) { return scalars_[index(id)]; }
+
+  /// The values of one field, one after the other, entity by entity.
+  double* data(std::size_t field) {
+    return vectors_[field].size() > 0 ? vectors_[field].data() : scalars_[field].data();
+  }
+  const double* data(std::size_t field) const {
+    return vectors_[field].size() > 0 ? vectors_[field].data() : scalars_[field].data();
+  }
+
+private:
+  static std::size_t index(FieldId id) { return static_cast<std::size_t>(id); }
+  std::vector<NodalField<dim>> vectors_;  // of a scalar field: empty
+  std::vector<Eigen::VectorXd> scalars_;
+};
+
+}  // namespace gnomon

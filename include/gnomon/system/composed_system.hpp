@@ -1,0 +1,62 @@
+// A system of terms over fields, or a part of it with the other blocks frozen.
+#pragma once
+
+#include <gnomon/system/system.hpp>
+#include <gnomon/terms/term.hpp>
+#include <memory>
+#include <optional>
+
+namespace gnomon {
+
+/// What systems are composed of; shared by a system and its algebraic stages.
+template <int dim>
+struct Composition {
+  std::shared_ptr<const FieldSet> fields;
+  std::vector<TermFactory<dim>> terms;
+  /// Blocks of the algebraic stages, in the order in which they are solved.
+  std::vector<BlockSelection> stages;
+  std::vector<std::array<double, 3>> position;  ///< of the mesh nodes, initial [length]
+  LinearSolverChoice solver;
+};
+
+/// F is the sum of the terms; the rows are those of the unknowns of the selected blocks. Not safe
+/// for concurrent calls on one object (a workspace of its own).
+template <int dim>
+class ComposedSystem : public System {
+public:
+  ComposedSystem(std::shared_ptr<const Composition<dim>> composition,
+                 const BlockSelection& selected);
+  /// Of all blocks.
+  explicit ComposedSystem(std::shared_ptr<const Composition<dim>> composition);
+
+  const Structure& structure() const override { return structure_; }
+  void residual(const Point& at, std::span<double> F) const override;
+  void jacobian(const Point& at, double alpha, std::span<double> values) const override;
+  void switching(double t, std::span<const double> y, std::span<double> values) const override;
+  std::vector<Stage> make_stages() const override;
+
+  const Numbering& numbering() const { return numbering_; }
+  /// Values of all fields at y; those of frozen blocks as last given to freeze() (zero before).
+  FieldValues<dim> values(std::span<const double> y) const;
+  /// Gives the blocks that this system does not solve for, and the time that stands still.
+  void freeze(FieldValues<dim> values, double t);
+  /// The term of the k-th factory, and where it is evaluated at a point with these values.
+  const Term<dim>& term(std::size_t k) const { return *terms_[k]; }
+  Evaluation<dim> evaluation(const Point& at, const FieldValues<dim>& values, std::size_t k) const;
+  /// Fraction of every load that acts: less than one in a load ramp.
+  void set_load_fraction(double fraction) { load_fraction_ = fraction; }
+
+private:
+  void build_structure();
+
+  std::shared_ptr<const Composition<dim>> composition_;
+  Numbering numbering_;
+  std::vector<std::unique_ptr<Term<dim>>> terms_;
+  std::vector<std::size_t> first_switch_;  // of each term, and their number
+  Structure structure_;
+  std::optional<double> frozen_time_;
+  double load_fraction_ = 1;
+  mutable FieldValues<dim> values_;  // frozen ones, and those of the last evaluation
+};
+
+}  // namespace gnomon
