@@ -154,8 +154,7 @@ void WearSystem<dim>::switching(std::span<const double> y, std::span<double> val
     const Vector<dim> x =
         body_->mesh.nodes[node] + (state.d.row(node) + state.u.row(node)).transpose();
     values[c] = state.lambda[static_cast<Eigen::Index>(c)] +
-                body_->contact.rho *
-                    counter_body.template project<double>(x - state.w * counter_body.approach).gap;
+                body_->contact.rho * counter_body.shape.at(counter_body.seen(x, state.w)).gap;
   }
 }
 
