@@ -13,9 +13,9 @@ SignedDistance<dim> CounterShape<dim>::at(const Vector<dim>& x) const {
   return result;
 }
 
-/// Along the ray by which x comes near, as seen from the shape, the distance says how far one may go
-/// without touching (sphere tracing). Where little is left Newton's method ends it, without which a
-/// grazing approach would take long.
+/// Along the ray by which x comes near, as seen from the shape, the distance says how far one may
+/// go without touching (sphere tracing). Where little is left Newton's method ends it, without
+/// which a grazing approach would take long.
 template <int dim>
 double CounterShape<dim>::travel_to(const Vector<dim>& x, const Vector<dim>& approach) const {
   constexpr double never = std::numeric_limits<double>::infinity();
@@ -51,24 +51,6 @@ double CounterShape<dim>::travel_to(const Vector<dim>& x, const Vector<dim>& app
   return std::abs(there.gap) <= 1e-3 * near ? w : never;
 }
 
-template <int dim>
-Vector<dim> read_point(const Scene& scene, const std::string& key) {
-  return Eigen::Map<const Vector<dim>>(scene.reals(key).data());
-}
-
-template <int dim>
-Vector<dim> read_direction(const Scene& scene, const std::string& key) {
-  const Vector<dim> direction = read_point<dim>(scene, key);
-  if (!(direction.norm() > 0))
-    throw InputError(scene.where(key) + ": expected a direction, got a vector of length zero");
-  return direction;
-}
-
 template class CounterShape<2>;
 template class CounterShape<3>;
-template Vector<2> read_point<2>(const Scene&, const std::string&);
-template Vector<3> read_point<3>(const Scene&, const std::string&);
-template Vector<2> read_direction<2>(const Scene&, const std::string&);
-template Vector<3> read_direction<3>(const Scene&, const std::string&);
-
 }  // namespace gnomon

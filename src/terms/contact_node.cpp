@@ -68,8 +68,8 @@ struct SurfaceDerivative {
         if (!conserves) normal[corner.nodes[k]] += tangential * dS[k];
       }
     }
-    if (conserves) return conserve(patch, X, total);
-    if (rule == NormalRule::averaged) return;
+    if (conserves) conserve(patch, X, total);
+    if (rule != NormalRule::normalised) return;
     const double length = mean.norm();
     const Vector<dim> unit = mean / length;
     const Tensor<dim> project = (Tensor<dim>::Identity() - unit * unit.transpose()) / length;
@@ -82,8 +82,7 @@ private:
     const Vector<dim> a = free_volume_gradient<dim, double>(patch, X);
     const double square = a.squaredNorm();
     if (!determines_motion(square, total)) return;
-    Tensor<dim> by_a =
-        total / square * (Tensor<dim>::Identity() - 2 / square * a * a.transpose());
+    Tensor<dim> by_a = total / square * (Tensor<dim>::Identity() - 2 / square * a * a.transpose());
     for (int i = 0; i < dim; ++i)
       if (patch.shape_fixed[i]) by_a.col(i).setZero();
     for (const auto* corners : {&patch.corners, &patch.corners_beyond})
@@ -169,16 +168,15 @@ void contact_switching(const ContactParameters<dim>& parameters, const ContactPa
   const Sliding<dim> sliding(
       streaming_velocity<dim, double>(patch, at.X, x, parameters.streaming) - body.motion.at(seen),
       distance.normal);
-  const Vector<4> input = wear_variables<dim, double>(patch, at, parameters.friction,
-                                                      -contact.traction, sliding.speed);
+  const Vector<4> input =
+      wear_variables<dim, double>(patch, at, parameters.friction, -contact.traction, sliding.speed);
   parameters.wear.switching(wear_input(patch, input, at.moment), values.subspan(1), branch.wear);
 }
 
 template <int dim>
 ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parameters,
                                             const ContactPatch<dim>& patch,
-                                            const ContactInput<dim>& at,
-                                            const NodeBranch& branch) {
+                                            const ContactInput<dim>& at, const NodeBranch& branch) {
   const CounterBody<dim>& body = parameters.counter_body;
   const NodalSurface<dim> surface(patch, at.X, parameters.normal_rule);
   const SurfaceDerivative<dim> derivative(patch, at.X, parameters.normal_rule);

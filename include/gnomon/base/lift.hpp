@@ -43,8 +43,7 @@ Vector<n, Scalar> lift(const Vector<n>& value, const Tensor<n>& by_x, const Vect
     return value;
   } else {
     Vector<n, Scalar> result;
-    for (int i = 0; i < n; ++i)
-      result[i] = lift<n, Scalar>(value[i], by_x.row(i).transpose(), x);
+    for (int i = 0; i < n; ++i) result[i] = lift<n, Scalar>(value[i], by_x.row(i).transpose(), x);
     return result;
   }
 }

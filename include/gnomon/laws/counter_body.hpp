@@ -21,7 +21,7 @@ struct RigidMotion {
 template <int dim>
 struct CounterBody {
   CounterShape<dim> shape = plane<dim>(Vector<dim>::Zero(), Vector<dim>::Unit(dim - 1));
-  Vector<dim> position = Vector<dim>::Zero();  ///< of the shape's origin at w = 0 [length]
+  Vector<dim> position = Vector<dim>::Zero();         ///< of the shape's origin at w = 0 [length]
   Vector<dim> approach = Vector<dim>::Unit(dim - 1);  ///< unit
   RigidMotion<dim> motion;  ///< of its surface, v^2 of eq. (6), in the coordinates of the shape
 

@@ -1,12 +1,9 @@
-// Shapes of rigid counter-bodies as signed distances. A new shape is one file in
-// src/laws/catalogue with a Registration; nothing else has to know of it.
+// Shapes of rigid counter-bodies as signed distances. How scenes name them: catalogue.hpp.
 #pragma once
 
 #include <functional>
 #include <gnomon/base/tensor.hpp>
-#include <gnomon/scene/registry.hpp>
-#include <string>
-#include <vector>
+#include <utility>
 
 namespace gnomon {
 
@@ -27,8 +24,7 @@ public:
 
   /// `reach` [length]: further than this from the origin its surface is straight (a plane, an
   /// infinite cylinder) or not there (a ball).
-  CounterShape(Function distance, double reach)
-      : distance_(std::move(distance)), reach_(reach) {}
+  CounterShape(Function distance, double reach) : distance_(std::move(distance)), reach_(reach) {}
 
   /// Throws RecoverableError where there is no distance, or no normal: in the centre of a ball.
   SignedDistance<dim> at(const Vector<dim>& x) const;
@@ -52,20 +48,5 @@ CounterShape<dim> ball(const Vector<dim>& centre, double radius);
 
 /// An infinite circular cylinder by a point of its axis, and the axis' direction of any length.
 CounterShape<3> cylinder(const Vector<3>& point, const Vector<3>& axis, double radius);
-
-/// A shape that scenes may name, in one dimension.
-template <int dim>
-struct CounterShapeKind {
-  std::string name;
-  std::string help;       ///< one line
-  std::vector<Key> keys;  ///< counter_body.*
-  std::function<CounterShape<dim>(const Scene&)> make;
-};
-
-/// The vector that a key of `dim` reals gives. Throws InputError where it is zero.
-template <int dim>
-Vector<dim> read_direction(const Scene& scene, const std::string& key);
-template <int dim>
-Vector<dim> read_point(const Scene& scene, const std::string& key);
 
 }  // namespace gnomon

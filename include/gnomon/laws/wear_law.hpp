@@ -1,13 +1,11 @@
-// Wear laws: how fast a contact node wears, as a function of what it meets. A new law is one file
-// in src/laws/catalogue with a Registration; nothing else has to know of it.
+// Wear laws: how fast a contact node wears, as a function of what it meets. How scenes name them:
+// catalogue.hpp.
 #pragma once
 
 #include <array>
 #include <functional>
-#include <gnomon/scene/registry.hpp>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace gnomon {
@@ -41,8 +39,8 @@ struct WearRate {
 /// It is smooth but for kinks, of two sorts. Those that depend on p, v, h, q or the initial
 /// position each have a switching function, negative or zero where the kink is *active*;
 /// `branches`, one entry per kink, not 0 where it is active, choose a smooth branch, continued
-/// beyond its border. Empty branches mean the one that the input lies in. Kinks that depend on t and
-/// s alone are breakpoints in time, where steps end.
+/// beyond its border. Empty branches mean the one that the input lies in. Kinks that depend on t
+/// and s alone are breakpoints in time, where steps end.
 ///
 /// A law is asked for p >= 0 alone. Below p = 0, where a closed node is continued to when it pulls,
 /// rate and switching functions f are continued by the point reflection
@@ -79,26 +77,5 @@ private:
 WearLaw archard(double coefficient);
 /// By the frictional dissipation: K q, eq. (13). K [1 / stress]
 WearLaw dissipation_wear(double coefficient);
-
-/// A wear law that scenes may name.
-struct WearLawKind {
-  std::string name;
-  std::string help;       ///< one line
-  std::vector<Key> keys;  ///< wear.*
-  std::function<WearLaw(const Scene&)> make;
-};
-
-/// The inputs that a run may meet, largest values, for checks of a law.
-struct WearRange {
-  double pressure = 1, speed = 1, depth = 1, duration = 1;
-  double friction = 0;      ///< q = friction p v
-  double nominal_speed = 1;  ///< s = nominal_speed t
-  std::vector<std::array<double, 3>> initial = {{}};
-};
-
-/// Refuses a law that wears without pressure, lets material grow, or has no finite rate somewhere on
-/// a grid of inputs: throws InputError in one line that begins with `where`, the key that gave it,
-/// and says at which values what was expected.
-void check_wear_law(const WearLaw& law, const WearRange& range, const std::string& where);
 
 }  // namespace gnomon

@@ -21,16 +21,16 @@ struct ContactPatch {
     /// Positions in `nodes`: this node, then (2D) the other end, (3D) the next, the previous and
     /// the opposite corner.
     std::array<int, (1 << (dim - 1))> nodes;
-    double sign;                 ///< 2D: +1 when this node comes first in the facet
-    double initial_area;         ///< A^_f [length^(dim-1)]
+    double sign;          ///< 2D: +1 when this node comes first in the facet
+    double initial_area;  ///< A^_f [length^(dim-1)]
   };
   std::vector<Corner> corners;
   /// Of facets at this node that belong to the rest of the body's boundary: no contact and no wear
   /// is there, but the node moves them when it moves.
   std::vector<Corner> corners_beyond;
-  double initial_area = 0;       ///< sum of A^_f
-  Vector<dim> initial_position;  ///< X^ of the node [length]
-  Vector<dim> initial_normal;    ///< N^: unit, average of the facets' by A^_f
+  double initial_area = 0;              ///< sum of A^_f
+  Vector<dim> initial_position;         ///< X^ of the node [length]
+  Vector<dim> initial_normal;           ///< N^: unit, average of the facets' by A^_f
   std::array<char, dim> shape_fixed{};  ///< 1 where a component of the node's shape is held
 
   bool may_move() const {

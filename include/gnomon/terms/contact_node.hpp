@@ -8,8 +8,8 @@
 //   constraint = C_N                              row of lambda
 //   velocity   = -Wdot N                          row of d: ddot - velocity = 0, eq. (14)
 //
-// v_T is the tangential part of F V - v^2 (sliding.hpp), n the normal of the counter-body, Wdot that
-// of the wear law, N a normal by one of the rules below.
+// v_T is the tangential part of F V - v^2 (sliding.hpp), n the normal of the counter-body, Wdot
+// that of the wear law, N a normal by one of the rules below.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,8 @@ namespace gnomon {
 ///
 ///   averaged      sum_f A^_f S_f/|S_f| / sum_f A^_f    (A^_f: initial shares, eq. 35)
 ///   normalised    the same made unit
-///   conservative  A a/|a|^2, where a is the derivative of the body's volume by the node's position,
+///   conservative  A a/|a|^2, where a is the derivative of the body's volume by the node's
+///   position,
 ///                 without the components of the shape that are held. The body then loses volume
 ///                 at the rate sum A Wdot, whatever the mesh.
 enum class NormalRule { averaged, normalised, conservative };
@@ -122,8 +123,8 @@ struct ContactNodeTangent {
 // ---- templates on the scalar
 // ---------------------------------------------------------------------
 
-/// The derivative of the body's volume by the node's position [length^(dim-1)], zero where its shape
-/// is held.
+/// The derivative of the body's volume by the node's position [length^(dim-1)], zero where its
+/// shape is held.
 template <int dim, class Scalar>
 Vector<dim, Scalar> free_volume_gradient(const ContactPatch<dim>& patch,
                                          const PatchNodal<dim, Scalar>& X) {
@@ -136,7 +137,9 @@ Vector<dim, Scalar> free_volume_gradient(const ContactPatch<dim>& patch,
 }
 
 /// Whether the volume that a node sweeps, by |a|^2, determines how far it moves.
-inline bool determines_motion(double square, double area) { return square > 1e-8 * area * area; }
+inline bool determines_motion(double square, double area) {
+  return square > 1e-8 * area * area;
+}
 
 /// Throws RecoverableError where a node that may move has no direction to wear in.
 template <int dim>
@@ -209,13 +212,13 @@ ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,
   constraint = contact.constraint;
   wear_rate = Scalar(0);
   if (active) {  // an open node does not wear
-    const Vector<4, Scalar> input = wear_variables<dim, Scalar>(
-        patch, at, parameters.friction, Scalar(-traction), sliding.speed);
+    const Vector<4, Scalar> input = wear_variables<dim, Scalar>(patch, at, parameters.friction,
+                                                                Scalar(-traction), sliding.speed);
     const WearRate rate =
         parameters.wear.rate(wear_input(patch, plain<4, Scalar>(input), at.moment), branch.wear);
     wear_rate = lift<4, Scalar>(
-        rate.value,
-        {rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power}, input);
+        rate.value, {rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power},
+        input);
     require_direction(patch, plain<dim, Scalar>(surface.normal));
   }
   velocity = -wear_rate * surface.normal;

@@ -1,4 +1,4 @@
-#include <gnomon/laws/wear_law.hpp>
+#include <gnomon/laws/catalogue.hpp>
 
 namespace gnomon {
 

@@ -1,4 +1,4 @@
-#include <gnomon/laws/counter_shape.hpp>
+#include <gnomon/laws/catalogue.hpp>
 
 namespace gnomon {
 
