@@ -159,7 +159,8 @@ INSTANTIATE_TEST_SUITE_P(All, Fuzz,
                          testing::Values(Target{"scene", fuzz::scene, 1000},
                                          Target{"study", fuzz::study, 300},
                                          Target{"result", fuzz::result, 200, true},
-                                         Target{"layout", fuzz::layout, 100, true}),
+                                         Target{"layout", fuzz::layout, 100, true},
+                                         Target{"expression", fuzz::expression, 3000}),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace

@@ -25,6 +25,9 @@ void result(std::string_view bytes);
 /// A sound HDF5 file that is not quite a result: `bytes` say what is changed in one.
 void layout(std::string_view bytes);
 
+/// The text of an expression: parsed, and evaluated on many of its branches.
+void expression(std::string_view bytes);
+
 /// Whether the model of a scene takes next to no time and memory.
 bool is_small(const Scene& scene);
 

@@ -1,0 +1,120 @@
+// A formula that a scene gives as text, such as a wear rate "k * p * v": parsed once, then
+// evaluated with its exact gradient at every contact node in every iteration.
+//
+// Numbers (2, 0.5, 2e-9), names, + - * / ^ and parentheses, with the precedence of mathematics:
+// -x^2 is -(x^2), and x^y^z is x^(y^z). Functions: exp log sqrt abs pow(a, b), min and max of two
+// or more, if(condition, a, b); a table is called as a function of one argument. A condition
+// compares by < <= > >= and joins comparisons by `and` and `or`, of which `and` binds tighter.
+#pragma once
+
+#include <cstddef>
+#include <gnomon/error.hpp>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// An expression, or what it is built upon, is wrong. The message begins with the place in the
+/// expression, "column 7: ", or "line 2, column 7: " in a text of several lines.
+struct ExpressionError : InputError {
+  using InputError::InputError;
+};
+
+/// The polygon through given points, constant beyond its ends. Pieces are numbered from the left;
+/// there is one more of them than corners, the places where the slope changes.
+class PiecewiseLinear {
+public:
+  /// Throws ExpressionError unless there are as many x as y, at least one, all finite, with x
+  /// ascending and no slope beyond the numbers.
+  PiecewiseLinear(const std::vector<double>& x, const std::vector<double>& y);
+
+  std::span<const double> corners() const { return corners_; }  ///< ascending
+  std::size_t piece_at(double x) const;  ///< a corner belongs to the piece on its left
+  /// Of one piece, continued beyond its ends.
+  double value(std::size_t piece, double x) const {
+    return pieces_[piece].y + pieces_[piece].slope * (x - pieces_[piece].x);
+  }
+  double slope(std::size_t piece) const { return pieces_[piece].slope; }
+
+private:
+  struct Piece {
+    double x, y, slope;  // through the point (x, y)
+  };
+  std::vector<double> corners_;
+  std::vector<Piece> pieces_;
+};
+
+/// What an expression may refer to. Names are distinct, consist of letters, digits and underscores,
+/// do not begin with a digit, and are none of the language's own (exp, and, ...).
+struct ExpressionNames {
+  std::vector<std::string> variables;  ///< at most 64, in the order of the x of Expression::value
+  std::map<std::string, double> constants;  ///< finite
+  std::map<std::string, PiecewiseLinear> tables;
+};
+
+struct ExpressionProgram;
+
+/// A parsed expression. It never changes, may be used by several threads at once, and copies share
+/// what they hold.
+///
+/// It is smooth but for its kinks. Each kink has a switching function of x, and is *active* where
+/// that is <= 0:
+///
+///     max(a, b)   b - a     active: a           min(a, b)   a - b     active: a
+///     abs(a)      -a        active: a           table(a)    a - x_i   active: left of corner i
+///     a <= b      a - b     active: true        a < b       b - a     active: false
+///
+/// and >=, > likewise with a and b exchanged. max and min of n arguments have n - 1 kinks, where a
+/// stands for the result so far. Parts without variables are evaluated when the text is parsed, and
+/// have none. Kinks are numbered as the parts they belong to end in the text, the corners of a
+/// table from the left.
+///
+/// `branches` of the functions below chooses a smooth branch of the expression: one entry per kink,
+/// not 0 where it is active. That branch is evaluated wherever x lies, continued beyond its border:
+/// max(a, b) stays with a, a table on its piece. (Where entries of a table contradict each other,
+/// their number counts.) An empty span means the branch that x lies in.
+///
+/// Nothing is thrown where the expression has no finite value or derivative, log(-1) or the slope
+/// of sqrt at 0: the results are not finite then. An undefined comparison makes the value NaN.
+class Expression {
+public:
+  /// Most bytes of a text.
+  static constexpr std::size_t max_length = 1000;
+  /// Most levels of parentheses, calls, signs and exponents within each other.
+  static constexpr int max_nesting = 64;
+
+  /// Throws ExpressionError for a text that is no expression of these names, and for names that
+  /// are not as described there.
+  Expression(std::string text, const ExpressionNames& names);
+
+  const std::string& text() const { return text_; }
+  std::size_t variables() const { return variables_; }  ///< of the names that it was parsed with
+  /// Whether the variable occurs in it, be it in a condition.
+  bool depends_on(std::size_t variable) const;
+  std::size_t kinks() const;
+  /// Whether the variable occurs in the switching function of the kink.
+  bool kink_depends_on(std::size_t kink, std::size_t variable) const;
+
+  double value(std::span<const double> x, std::span<const char> branches = {}) const;
+
+  /// Also writes the derivatives by all variables, 0 by those that do not occur.
+  double value_and_gradient(std::span<const double> x, std::span<double> gradient,
+                            std::span<const char> branches = {}) const;
+
+  /// Writes the switching function of every kink, evaluated on the given branch and so smooth
+  /// across 0. A kink that the value does not see, because it stands in a part of `if`, `and` or
+  /// `or` that is not taken, may have none that is finite: then 1, or -1 where `branches` has it
+  /// active, so that it does not seem to switch.
+  void switching(std::span<const double> x, std::span<double> values,
+                 std::span<const char> branches = {}) const;
+
+private:
+  std::string text_;
+  std::size_t variables_;
+  std::shared_ptr<const ExpressionProgram> program_;
+};
+
+}  // namespace gnomon
