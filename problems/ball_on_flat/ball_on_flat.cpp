@@ -125,7 +125,7 @@ std::unique_ptr<Model> make(const Scene& scene) {
   hold_boundary(scene.real("shape.reach"), *body);
   body->load = NodalField<3>::Zero(body->displacement_fixed.rows(), 3);
   body->scales = make_scales(scene, facet);
-  body->contact.counter_body.velocity = Vector<3>(scene.real("wear.velocity"), 0, 0);
+  body->contact.counter_body.motion.velocity = Vector<3>(scene.real("wear.velocity"), 0, 0);
   read_worn_body(scene, facet, *body);
   body->copies = 2;
   body->counter_force = scene.real("load.force") / body->copies;

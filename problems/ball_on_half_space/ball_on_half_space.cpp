@@ -188,10 +188,9 @@ std::unique_ptr<Model> make(const Scene& scene) {
   hold_boundary(scene.text("block.sides") == "held", *body);
   body->load = NodalField<3>::Zero(body->displacement_fixed.rows(), 3);
   body->scales = make_scales(scene);
-  CounterBody<3>& ball = body->contact.counter_body;
-  ball.radius = scene.real("ball.radius");
-  ball.point = Vector<3>(0, 0, ball.radius);
-  ball.approach = Vector<3>(0, 0, -1);
+  const double radius = scene.real("ball.radius");
+  body->contact.counter_body.shape = ball<3>(Vector<3>(0, 0, radius), radius);
+  body->contact.counter_body.approach = Vector<3>(0, 0, -1);
   read_worn_body(scene, facet, *body);
   body->contact.streaming = Vector<3>(scene.real("wear.velocity"), 0, 0);
   body->copies = 2;

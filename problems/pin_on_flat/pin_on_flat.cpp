@@ -122,7 +122,7 @@ std::unique_ptr<Model> make(const Scene& scene) {
   hold_boundary(scene.text("pin.sides") == "sliding", *body);
   body->load = uniform_load(body->mesh, "top", Vector<2>(0, -scene.real("load.force")));
   body->scales = make_scales(scene);
-  body->contact.counter_body.velocity = Vector<2>(scene.real("wear.velocity"), 0);
+  body->contact.counter_body.motion.velocity = Vector<2>(scene.real("wear.velocity"), 0);
   read_worn_body(scene, scene.real("pin.width") / static_cast<double>(surface.size()), *body);
   return std::make_unique<WearModel<2>>(std::move(body));
 }

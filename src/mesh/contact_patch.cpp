@@ -2,6 +2,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/contact_patch.hpp>
 #include <map>
+#include <set>
 #include <string>
 
 namespace gnomon {
@@ -24,18 +25,62 @@ typename ContactPatch<dim>::Corner make_corner(ContactPatch<dim>& patch,
   const int count = static_cast<int>(facet.size());
   corner.nodes[0] = place_in_patch(patch, facet[local]);
   corner.nodes[1] = place_in_patch(patch, facet[(local + 1) % count]);
-  if constexpr (dim == 3)
+  if constexpr (dim == 3) {
     corner.nodes[2] = place_in_patch(patch, facet[(local + count - 1) % count]);
-  for (int node : facet) place_in_patch(patch, node);
+    corner.nodes[3] = place_in_patch(patch, facet[(local + 2) % count]);
+  }
   corner.sign = local == 0 ? 1 : -1;
   return corner;
+}
+
+/// The facets' nodes, to compare facets whatever corner they begin with.
+template <class Facet>
+Facet sorted(Facet facet) {
+  std::sort(facet.begin(), facet.end());
+  return facet;
+}
+
+template <int dim>
+void add_corners_beyond(const std::vector<typename Mesh<dim>::Facet>& surface,
+                        const std::vector<typename Mesh<dim>::Facet>& boundary,
+                        std::map<int, ContactPatch<dim>>& by_node) {
+  std::set<typename Mesh<dim>::Facet> contact;
+  for (const auto& facet : surface) contact.insert(sorted(facet));
+  for (const auto& facet : boundary) {
+    if (contact.contains(sorted(facet))) continue;
+    for (std::size_t local = 0; local < facet.size(); ++local)
+      if (const auto at = by_node.find(facet[local]); at != by_node.end())
+        at->second.corners_beyond.push_back(
+            make_corner<dim>(at->second, facet, static_cast<int>(local)));
+  }
+}
+
+template <int dim>
+void measure(const Mesh<dim>& mesh, ContactPatch<dim>& patch) {
+  PatchNodal<dim> X(patch.nodes.size(), dim);
+  for (std::size_t p = 0; p < patch.nodes.size(); ++p)
+    X.row(static_cast<int>(p)) = mesh.nodes[patch.nodes[p]].transpose();
+  const auto area_vector = [&X](auto& corner) {
+    const Vector<dim> S = corner_area_vector<dim, double>(corner, X);
+    corner.initial_area = S.norm();
+    return S;
+  };
+  patch.initial_position = mesh.nodes[patch.node];
+  patch.initial_normal.setZero();
+  for (auto& corner : patch.corners) {
+    patch.initial_normal += area_vector(corner);
+    patch.initial_area += corner.initial_area;
+  }
+  patch.initial_normal.normalize();
+  for (auto& corner : patch.corners_beyond) area_vector(corner);
 }
 
 }  // namespace
 
 template <int dim>
 std::vector<ContactPatch<dim>> contact_patches(
-    const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets) {
+    const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
+    const std::vector<typename Mesh<dim>::Facet>& boundary) {
   std::map<int, ContactPatch<dim>> by_node;
   for (const auto& facet : facets)
     for (std::size_t local = 0; local < facet.size(); ++local) {
@@ -43,26 +88,24 @@ std::vector<ContactPatch<dim>> contact_patches(
       patch.node = facet[local];
       patch.corners.push_back(make_corner<dim>(patch, facet, static_cast<int>(local)));
     }
+  add_corners_beyond<dim>(facets, boundary, by_node);
   std::vector<ContactPatch<dim>> patches;
   for (auto& [node, patch] : by_node) {
-    if (patch.corners.size() > max_patch_facets || patch.nodes.size() > max_patch_nodes)
+    if (patch.corners.size() + patch.corners_beyond.size() > max_patch_facets ||
+        patch.nodes.size() > max_patch_nodes)
       throw Error("contact surface: more than " + std::to_string(max_patch_facets) +
                   " facets meet at node " + std::to_string(node));
-    PatchNodal<dim> X(patch.nodes.size(), dim);
-    for (std::size_t p = 0; p < patch.nodes.size(); ++p)
-      X.row(static_cast<int>(p)) = mesh.nodes[patch.nodes[p]].transpose();
-    for (auto& corner : patch.corners) {
-      corner.initial_area = corner_area_vector<dim, double>(corner, X).norm();
-      patch.initial_area += corner.initial_area;
-    }
+    measure(mesh, patch);
     patches.push_back(std::move(patch));
   }
   return patches;
 }
 
 template std::vector<ContactPatch<2>> contact_patches<2>(const Mesh<2>&,
+                                                         const std::vector<Mesh<2>::Facet>&,
                                                          const std::vector<Mesh<2>::Facet>&);
 template std::vector<ContactPatch<3>> contact_patches<3>(const Mesh<3>&,
+                                                         const std::vector<Mesh<3>::Facet>&,
                                                          const std::vector<Mesh<3>::Facet>&);
 
 }  // namespace gnomon

@@ -36,8 +36,8 @@ double edge(const std::vector<SurfacePoint>& points, int last, int step) {
 
 double contact_half_width(const WornBody<2>& body, const WornBodyFields& fields,
                           const FieldValues<2>& values, const std::vector<ContactNode<2>>& nodes) {
-  const Vector<2> n = body.contact.counter_body.normal;
-  const Vector<2> along(n[1], -n[0]);
+  const Vector<2>& e = body.contact.counter_body.approach;
+  const Vector<2> along(e[1], -e[0]);
   std::vector<SurfacePoint> points;
   int first = -1, last = -1;
   for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c) {

@@ -56,20 +56,24 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
                  : element == "f-bar" ? ElementKind::f_bar
                                       : ElementKind::f_bar_variational;
   if (scene.text("body.kinematics") == "small") body.element = small_strain_limit(body.element);
-  body.contact.wear.coefficient = scene.real("wear.coefficient");
+  body.contact.wear = archard(scene.real("wear.coefficient"));
   if constexpr (dim == 3) {  // eq. (13): wear by the frictional dissipation
     body.contact.friction = scene.real("friction.coefficient");
-    body.contact.wear.coefficient *= body.contact.friction;
+    body.contact.wear = dissipation_wear(scene.real("wear.coefficient"));
   }
   body.solver = linear_solver_of(scene, {dim, double(body.mesh.nodes.size())});
   body.contact.rho =
       scene.real("contact.regularization") * regularization_unit(young, facet, body.scales);
-  body.contact.normal_rule =
-      scene.text("wear.normal") == "averaged" ? NormalRule::averaged : NormalRule::normalised;
+  const std::string& normal = scene.text("wear.normal");
+  body.contact.normal_rule = normal == "averaged"     ? NormalRule::averaged
+                             : normal == "normalised" ? NormalRule::normalised
+                                                      : NormalRule::conservative;
+  for (ContactPatch<dim>& patch : body.contact_nodes)
+    for (int i = 0; i < dim; ++i) patch.shape_fixed[i] = body.shape_fixed(patch.node, i);
   body.constraint = scene.text("shape.constraint") == "eliminated" ? ConstraintForm::eliminated
                                                                    : ConstraintForm::multiplier;
   CounterBody<dim>& counter_body = body.contact.counter_body;
-  counter_body.point -= scene.real("contact.initial_gap") * counter_body.approach;
+  counter_body.position -= scene.real("contact.initial_gap") * counter_body.approach;
   body.load_history = read_load_history(scene);
   body.augmentation = scene.real("shape.augmentation") * shape_young / facet * body.scales.duration;
 }

@@ -162,8 +162,9 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .kind = KeyKind::text,
        .presence = defaulted,
        .default_value = "averaged",
-       .choices = {"averaged", "normalised"},
-       .help = "direction of wear at a node: average of facet normals, eq. (35), or made unit"},
+       .choices = {"averaged", "normalised", "conservative"},
+       .help = "direction of wear at a node: average of facet normals, eq. (35), the same made unit, "
+               "or such that the volume lost is what wears"},
   };
 }
 

@@ -6,8 +6,10 @@
 #include <fstream>
 #include <gnomon/base/error.hpp>
 #include <gnomon/scene/scene.hpp>
+#include <set>
 #include <system_error>
 
+#include "scene/chosen_name.hpp"
 #include "scene/key_check.hpp"
 #include "scene/nesting.hpp"
 #include "scene/toml_reader.hpp"
@@ -90,6 +92,13 @@ SceneValue checked(const Key& key, const Given& given) {
   return std::get<SceneValue>(result);
 }
 
+/// The key of a chosen name, or the key itself.
+Key named(const Key& key, const std::string& name) {
+  Key result = key;
+  result.name = name;
+  return result;
+}
+
 /// Whether keys of the table stand below the name.
 bool names_table(const std::string& name, const std::vector<Key>& table) {
   return std::any_of(table.begin(), table.end(),
@@ -147,7 +156,12 @@ public:
 
     Scene scene;
     scene.path_ = name_;
-    for (const Key& key : table) scene.entries_.push_back(resolve(key));
+    for (const Key& key : table)
+      if (key.name.find('*') == std::string::npos)
+        scene.entries_.push_back(resolve(key));
+      else
+        for (const std::string& name : given_names_of(key))
+          scene.entries_.push_back(resolve(named(key, name)));
     return scene;
   }
 
@@ -168,11 +182,20 @@ private:
   static void check_known(const Given& given, const std::vector<Key>& table,
                           const std::string& problem) {
     for (const Key& key : table)
-      if (key.name == given.name) {
-        checked(key, given);
+      if (key.name == given.name || chosen_name(key.name, given.name)) {
+        checked(named(key, given.name), given);
         return;
       }
     fail_unknown(given, table, problem);
+  }
+
+  /// The names, ascending, that file and overrides give keys of a name with "*".
+  std::set<std::string> given_names_of(const Key& key) const {
+    std::set<std::string> names;
+    for (const auto* values : {&overrides_, &in_file_})
+      for (const Given& given : *values)
+        if (chosen_name(key.name, given.name)) names.insert(given.name);
+    return names;
   }
 
   Scene::Entry resolve(const Key& key) const {

@@ -6,6 +6,7 @@
 #include <gnomon/scene/scene.hpp>
 #include <stdexcept>
 
+#include "scene/chosen_name.hpp"
 #include "scene/table_layout.hpp"
 #include "scene/toml_text.hpp"
 
@@ -56,6 +57,13 @@ bool Scene::has(const std::string& key) const {
 
 std::optional<double> Scene::real_if(const std::string& key) const {
   return has(key) ? std::optional(real(key)) : std::nullopt;
+}
+
+std::vector<std::string> Scene::chosen_names(const std::string& key) const {
+  std::vector<std::string> names;
+  for (const Entry& entry : entries_)
+    if (const auto name = chosen_name(key, entry.key.name)) names.push_back(*name);
+  return names;
 }
 
 std::string Scene::where(const std::string& key) const {

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <gnomon/base/error.hpp>
 #include <gnomon/terms/contact_node.hpp>
 
 namespace gnomon {
@@ -25,6 +28,20 @@ std::array<Tensor<dim>, dim> area_vector_derivative(
   }
 }
 
+/// The derivative of corner_volume_gradient by the corner's nodes, in the order of corner.nodes.
+template <int dim>
+std::array<Tensor<dim>, (1 << (dim - 1))> volume_gradient_derivative(
+    const typename ContactPatch<dim>::Corner& corner, const PatchNodal<dim>& X) {
+  if constexpr (dim == 2) {
+    return area_vector_derivative<dim>(corner, X);
+  } else {
+    const auto along = corner_volume_edges<double>(corner, X);
+    const Tensor<3> by_first = -skew(along[1]) / 36, by_second = skew(along[0]) / 36;
+    return {Tensor<3>(-2 * by_first - 2 * by_second), Tensor<3>(2 * by_first - by_second),
+            Tensor<3>(2 * by_second - by_first), Tensor<3>(by_first + by_second)};
+  }
+}
+
 /// dA/dX (rows) and dN/dX of every patch node.
 template <int dim>
 struct SurfaceDerivative {
@@ -34,25 +51,47 @@ struct SurfaceDerivative {
   SurfaceDerivative(const ContactPatch<dim>& patch, const PatchNodal<dim>& X, NormalRule rule) {
     const std::size_t count = patch.nodes.size();
     for (std::size_t p = 0; p < count; ++p) area[p].setZero(), normal[p].setZero();
+    const bool conserves = rule == NormalRule::conservative;
     Vector<dim> mean = Vector<dim>::Zero();
+    double total = 0;
     for (const auto& corner : patch.corners) {
       const Vector<dim> S = corner_area_vector<dim, double>(corner, X);
       const double share = S.norm();
       const Vector<dim> N = S / share;
       const double weight = corner.initial_area / patch.initial_area;
+      total += share;
       mean += weight * N;
       const Tensor<dim> tangential = (Tensor<dim>::Identity() - N * N.transpose()) * weight / share;
       const auto dS = area_vector_derivative<dim>(corner, X);
       for (int k = 0; k < dim; ++k) {
         area[corner.nodes[k]] += dS[k].transpose() * N;
-        normal[corner.nodes[k]] += tangential * dS[k];
+        if (!conserves) normal[corner.nodes[k]] += tangential * dS[k];
       }
     }
-    if (rule == NormalRule::averaged) return;
+    if (conserves) conserve(patch, X, total);
+    if (rule != NormalRule::normalised) return;
     const double length = mean.norm();
     const Vector<dim> unit = mean / length;
     const Tensor<dim> project = (Tensor<dim>::Identity() - unit * unit.transpose()) / length;
     for (std::size_t p = 0; p < count; ++p) normal[p] = project * normal[p];
+  }
+
+private:
+  /// Of N = A a/|a|^2: dN = a/|a|^2 dA + A/|a|^2 (1 - 2 a a'/|a|^2) da.
+  void conserve(const ContactPatch<dim>& patch, const PatchNodal<dim>& X, double total) {
+    const Vector<dim> a = free_volume_gradient<dim, double>(patch, X);
+    const double square = a.squaredNorm();
+    if (!determines_motion(square, total)) return;
+    Tensor<dim> by_a = total / square * (Tensor<dim>::Identity() - 2 / square * a * a.transpose());
+    for (int i = 0; i < dim; ++i)
+      if (patch.shape_fixed[i]) by_a.col(i).setZero();
+    for (const auto* corners : {&patch.corners, &patch.corners_beyond})
+      for (const auto& corner : *corners) {
+        const auto da = volume_gradient_derivative<dim>(corner, X);
+        for (std::size_t k = 0; k < da.size(); ++k) normal[corner.nodes[k]] += by_a * da[k];
+      }
+    for (std::size_t p = 0; p < patch.nodes.size(); ++p)
+      normal[p] += a / square * area[p].transpose();
   }
 };
 
@@ -85,56 +124,107 @@ struct TractionDerivative {
   }
 };
 
+/// Wdot and its derivatives by what a contact node depends on; q = mu p v is seen through.
+struct NodalWear {
+  double rate = 0, by_traction = 0, by_speed = 0, by_depth = 0;
+};
+
+template <int dim>
+NodalWear nodal_wear(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
+                     const ContactInput<dim>& at, const UnilateralContact<double>& contact,
+                     double speed, const NodeBranch& branch) {
+  if (!contact.active) return {};
+  const double mu = parameters.friction, p = -contact.traction;
+  const Vector<4> input = wear_variables<dim, double>(patch, at, mu, p, speed);
+  const WearRate rate = parameters.wear.rate(wear_input(patch, input, at.moment), branch.wear);
+  return {.rate = rate.value,
+          .by_traction = -(rate.by_pressure + mu * speed * rate.by_friction_power),
+          .by_speed = rate.by_speed + mu * p * rate.by_friction_power,
+          .by_depth = rate.by_depth};
+}
+
 }  // namespace
+
+template <int dim>
+void require_direction(const ContactPatch<dim>& patch, const Vector<dim>& normal) {
+  if (normal.isZero(0) && patch.may_move())
+    throw RecoverableError(fmt::format(
+        "wear.normal = \"conservative\": contact node {} cannot wear, for what its supports leave "
+        "free does not change the volume of the body",
+        patch.node));
+}
+
+template <int dim>
+void contact_switching(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
+                       const ContactInput<dim>& at, const NodeBranch& branch,
+                       std::span<double> values) {
+  const CounterBody<dim>& body = parameters.counter_body;
+  const PatchNodal<dim> x = at.X + at.u;
+  const Vector<dim> seen = body.seen(Vector<dim>(x.row(0).transpose()), at.w);
+  const SignedDistance<dim> distance = body.shape.at(seen);
+  values[0] = at.lambda + parameters.rho * distance.gap;
+  if (values.size() == 1) return;
+  const UnilateralContact<double> contact(at.lambda, distance.gap, parameters.rho, branch.contact);
+  const Sliding<dim> sliding(
+      streaming_velocity<dim, double>(patch, at.X, x, parameters.streaming) - body.motion.at(seen),
+      distance.normal);
+  const Vector<4> input =
+      wear_variables<dim, double>(patch, at, parameters.friction, -contact.traction, sliding.speed);
+  parameters.wear.switching(wear_input(patch, input, at.moment), values.subspan(1), branch.wear);
+}
 
 template <int dim>
 ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parameters,
                                             const ContactPatch<dim>& patch,
-                                            const ContactInput<dim>& at, Branch branch) {
+                                            const ContactInput<dim>& at, const NodeBranch& branch) {
   const CounterBody<dim>& body = parameters.counter_body;
   const NodalSurface<dim> surface(patch, at.X, parameters.normal_rule);
   const SurfaceDerivative<dim> derivative(patch, at.X, parameters.normal_rule);
-  const Vector<dim> seen_x = (at.X.row(0) + at.u.row(0)).transpose() - at.w * body.approach;
-  const auto seen = body.project(seen_x);
-  const Vector<dim>& n = seen.normal;
-  const UnilateralContact<double> contact(at.lambda, seen.gap, parameters.rho, branch);
   const PatchNodal<dim> x = at.X + at.u;
+  const Vector<dim> seen = body.seen(Vector<dim>(x.row(0).transpose()), at.w);
+  const SignedDistance<dim> distance = body.shape.at(seen);
+  const Vector<dim>& n = distance.normal;
+  const UnilateralContact<double> contact(at.lambda, distance.gap, parameters.rho, branch.contact);
   const Vector<dim> relative =
-      relative_velocity<dim, double>(patch, at.X, x, parameters.streaming, body.velocity);
+      streaming_velocity<dim, double>(patch, at.X, x, parameters.streaming) - body.motion.at(seen);
   const Sliding<dim> sliding(relative, n);
-  const TractionDerivative<dim> traction(n, body.normal_by_x(seen_x), relative, sliding,
+  const TractionDerivative<dim> traction(n, distance.normal_by_x, relative, sliding,
                                          parameters.friction, contact.traction);
-  const double rate = parameters.wear.rate(contact.traction, sliding.speed);
-  const double rate_by_traction = parameters.wear.rate(1.0, sliding.speed);
-  const double rate_by_speed = parameters.wear.rate(contact.traction, 1.0);
+  const NodalWear wear = nodal_wear(parameters, patch, at, contact, sliding.speed, branch);
+  if (contact.active) require_direction(patch, surface.normal);
 
-  // What depends on the node's own position, as seen from the counter-body.
+  // What depends on the node's own position, as seen from the counter-body, whose surface may move
+  // differently there.
+  const Tensor<dim> force_by_v = surface.area * traction.by_velocity;
   const Tensor<dim> force_by_seen =
       surface.area *
-      (contact.traction_by_gap * traction.direction * n.transpose() + traction.by_position);
+          (contact.traction_by_gap * traction.direction * n.transpose() + traction.by_position) -
+      force_by_v * body.motion.spin;
   const Vector<dim> rate_by_seen =
-      rate_by_traction * contact.traction_by_gap * n + rate_by_speed * traction.speed_by_position;
+      wear.by_traction * contact.traction_by_gap * n +
+      wear.by_speed *
+          (traction.speed_by_position - body.motion.spin.transpose() * traction.speed_by_velocity);
   constraint_by_x = contact.constraint_by_gap * n;
   constraint_by_lambda = contact.constraint_by_lambda;
   constraint_by_w = -constraint_by_x.dot(body.approach);
   force_by_lambda = surface.area * contact.traction_by_lambda * traction.direction;
   force_by_w = -force_by_seen * body.approach;
-  velocity_by_lambda = -rate_by_traction * contact.traction_by_lambda * surface.normal;
+  velocity_by_lambda = -wear.by_traction * contact.traction_by_lambda * surface.normal;
   velocity_by_w = surface.normal * rate_by_seen.dot(body.approach);
   for (std::size_t p = 0; p < patch.nodes.size(); ++p) {
     force_by_x[p].setZero();
     velocity_by_x[p].setZero();
     force_by_X[p] = contact.traction * traction.direction * derivative.area[p].transpose();
-    velocity_by_X[p] = -rate * derivative.normal[p];
+    velocity_by_X[p] = -wear.rate * derivative.normal[p];
   }
   force_by_x[0] = force_by_seen;
   velocity_by_x[0] = -surface.normal * rate_by_seen.transpose();
+  velocity_by_X[0] += wear.by_depth * surface.normal * patch.initial_normal.transpose();
 
   if (parameters.streaming.isZero(0)) return;
-  const RelativeVelocityDerivative<dim> change(patch, at.X, x, parameters.streaming);
-  const Tensor<dim> force_by_v = surface.area * traction.by_velocity;
+  const StreamingVelocityDerivative<dim> change(patch, at.X, x, parameters.streaming);
   const Tensor<dim> velocity_by_v =
-      -rate_by_speed * surface.normal * traction.speed_by_velocity.transpose();
+      -wear.by_speed * surface.normal * traction.speed_by_velocity.transpose();
   for (std::size_t p = 0; p < patch.nodes.size(); ++p) {
     force_by_x[p] += force_by_v * change.by_x[p];
     force_by_X[p] += force_by_v * change.by_X[p];
@@ -143,6 +233,12 @@ ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parame
   }
 }
 
+template void require_direction(const ContactPatch<2>&, const Vector<2>&);
+template void require_direction(const ContactPatch<3>&, const Vector<3>&);
+template void contact_switching(const ContactParameters<2>&, const ContactPatch<2>&,
+                                const ContactInput<2>&, const NodeBranch&, std::span<double>);
+template void contact_switching(const ContactParameters<3>&, const ContactPatch<3>&,
+                                const ContactInput<3>&, const NodeBranch&, std::span<double>);
 template struct ContactNodeTangent<2>;
 template struct ContactNodeTangent<3>;
 

@@ -2,15 +2,6 @@
 
 namespace gnomon {
 
-namespace {
-
-Branch branch_of(std::span<const char> branch, int c) {
-  if (branch.empty()) return Branch::by_sign;
-  return branch[static_cast<std::size_t>(c)] ? Branch::closed : Branch::open;
-}
-
-}  // namespace
-
 template <int dim>
 ContactTerm<dim>::ContactTerm(const ContactState<dim>& state, const WornSurface<dim>& surface,
                               const Numbering& numbering)
@@ -19,7 +10,10 @@ ContactTerm<dim>::ContactTerm(const ContactState<dim>& state, const WornSurface<
       evolution_(numbering, surface),
       u_numbers_(numbering.nodal<dim>(state.u)),
       d_numbers_(numbering.nodal<dim>(surface.d)),
-      w_number_(numbering.number(state.w, 0)) {
+      w_number_(numbering.number(state.w, 0)),
+      switches_(switching_functions(state.parameters)),
+      nominal_speed_(
+          (state.parameters.streaming - state.parameters.counter_body.motion.velocity).norm()) {
   for (int c = 0; c < count(); ++c) lambda_numbers_.push_back(numbering.number(state.lambda, c));
 }
 
@@ -54,8 +48,11 @@ template <int dim>
 void ContactTerm<dim>::declare(TermStructure& structure) const {
   for (int c = 0; c < count(); ++c) {
     structure.pattern.add(row_numbers(c), column_numbers(c));
-    structure.switch_node.push_back(state_.patches[c].node);
+    structure.switch_node.insert(structure.switch_node.end(), switches_, state_.patches[c].node);
   }
+  const std::vector<double>& kinks_in_time = state_.parameters.wear.breakpoints();
+  structure.breakpoints.insert(structure.breakpoints.end(), kinks_in_time.begin(),
+                               kinks_in_time.end());
 }
 
 template <int dim>
@@ -73,9 +70,11 @@ ContactInput<dim> ContactTerm<dim>::gather(const Evaluation<dim>& at, int c) con
   const ContactPatch<dim>& patch = state_.patches[c];
   const auto size = static_cast<Eigen::Index>(patch.nodes.size());
   const NodalField<dim>&u = at.values.vector(state_.u), &d = at.values.vector(d_);
-  ContactInput<dim> input{PatchNodal<dim>(size, dim), PatchNodal<dim>(size, dim),
+  ContactInput<dim> input{PatchNodal<dim>(size, dim),
+                          PatchNodal<dim>(size, dim),
                           at.values.scalar(state_.lambda)[c],
-                          state_.w == FieldId::none ? 0 : at.values.scalar(state_.w)[0]};
+                          state_.w == FieldId::none ? 0 : at.values.scalar(state_.w)[0],
+                          {.time = at.t, .slid = nominal_speed_ * at.t, .within = at.within}};
   for (Eigen::Index p = 0; p < size; ++p) {
     const int node = patch.nodes[p];
     input.X.row(p) = state_.mesh.nodes[node].transpose() + d.row(node);
@@ -85,8 +84,15 @@ ContactInput<dim> ContactTerm<dim>::gather(const Evaluation<dim>& at, int c) con
 }
 
 template <int dim>
+NodeBranch ContactTerm<dim>::branch(const Evaluation<dim>& at, int c) const {
+  if (at.branch.empty()) return {};
+  const auto own = at.branch.subspan(static_cast<std::size_t>(c) * switches_, switches_);
+  return {own.front() ? Branch::closed : Branch::open, own.subspan(1)};
+}
+
+template <int dim>
 ContactNode<dim> ContactTerm<dim>::node(const Evaluation<dim>& at, int c) const {
-  return {state_.parameters, state_.patches[c], gather(at, c), branch_of(at.branch, c)};
+  return {state_.parameters, state_.patches[c], gather(at, c), branch(at, c)};
 }
 
 template <int dim>
@@ -112,8 +118,7 @@ void ContactTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double>
 template <int dim>
 typename ContactTerm<dim>::Local ContactTerm<dim>::tangent(const Evaluation<dim>& at, int c) const {
   const ContactPatch<dim>& patch = state_.patches[c];
-  const ContactNodeTangent<dim> node(state_.parameters, patch, gather(at, c),
-                                     branch_of(at.branch, c));
+  const ContactNodeTangent<dim> node(state_.parameters, patch, gather(at, c), branch(at, c));
   const int size = static_cast<int>(patch.nodes.size());
   Local K = Local::Zero(rows, patch_column + 2 * dim * size);
   K.template block<dim, 1>(u_0, 0) = node.force_by_lambda;
@@ -155,17 +160,9 @@ void ContactTerm<dim>::add_jacobian(const Evaluation<dim>& at, double,
 
 template <int dim>
 void ContactTerm<dim>::switching(const Evaluation<dim>& at, std::span<double> values) const {
-  const CounterBody<dim>& counter_body = state_.parameters.counter_body;
-  const NodalField<dim>&u = at.values.vector(state_.u), &d = at.values.vector(d_);
-  const double w = state_.w == FieldId::none ? 0 : at.values.scalar(state_.w)[0];
-  for (int c = 0; c < count(); ++c) {
-    const int node = state_.patches[c].node;
-    const Vector<dim> x = state_.mesh.nodes[node] + (d.row(node) + u.row(node)).transpose();
-    values[static_cast<std::size_t>(c)] =
-        at.values.scalar(state_.lambda)[c] +
-        state_.parameters.rho *
-            counter_body.template project<double>(x - w * counter_body.approach).gap;
-  }
+  for (int c = 0; c < count(); ++c)
+    contact_switching(state_.parameters, state_.patches[c], gather(at, c), branch(at, c),
+                      values.subspan(static_cast<std::size_t>(c) * switches_, switches_));
 }
 
 template class ContactTerm<2>;

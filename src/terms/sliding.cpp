@@ -3,7 +3,7 @@
 namespace gnomon {
 
 template <int dim>
-RelativeVelocityDerivative<dim>::RelativeVelocityDerivative(const ContactPatch<dim>& patch,
+StreamingVelocityDerivative<dim>::StreamingVelocityDerivative(const ContactPatch<dim>& patch,
                                                             const PatchNodal<dim>& X,
                                                             const PatchNodal<dim>& x,
                                                             const Vector<dim>& streaming) {
@@ -28,7 +28,7 @@ RelativeVelocityDerivative<dim>::RelativeVelocityDerivative(const ContactPatch<d
   }
 }
 
-template struct RelativeVelocityDerivative<2>;
-template struct RelativeVelocityDerivative<3>;
+template struct StreamingVelocityDerivative<2>;
+template struct StreamingVelocityDerivative<3>;
 
 }  // namespace gnomon

@@ -75,10 +75,8 @@ inline std::shared_ptr<WornBody<3>> pressed_block(const PressedBlock& block) {
   scales.duration = block.duration;
   scales.wear_depth = block.wear * scales.stress * scales.duration;
   scales.auxiliary_force = scales.wear_depth * block.size;
-  body->contact.counter_body.point = Vector<3>::Zero();
-  body->contact.counter_body.normal = Vector<3>(0, 0, 1);
-  body->contact.wear.coefficient = block.wear;
-  body->contact.counter_body.velocity = Vector<3>::Unit(0);
+  body->contact.wear = archard(block.wear);
+  body->contact.counter_body.motion.velocity = Vector<3>::Unit(0);
   body->contact.rho = 0.01 * regularization_unit(block.young_modulus, block.size / n, body->scales);
   return body;
 }

@@ -1,3 +1,6 @@
+#include <array>
+#include <cmath>
+#include <functional>
 #include <gnomon/terms/contact_node.hpp>
 
 #include "support/derivatives.hpp"
@@ -28,24 +31,98 @@ Mesh<dim> wavy_surface() {
 }
 
 /// What the node meets: a frictionless plane that slides past (sec. 4.1), the same with friction
-/// (4.2), a ball past which the body streams (4.3).
-enum class Meets { plane, rough_plane, rough_ball };
+/// (4.2), a ball past which the body streams (4.3), a ball that turns without friction, a cylinder
+/// that turns, with friction (2D: a disk).
+enum class Meets { plane, rough_plane, rough_ball, turning_ball, rough_turning_cylinder };
+constexpr Meets all_meets[] = {Meets::plane, Meets::rough_plane, Meets::rough_ball,
+                               Meets::turning_ball, Meets::rough_turning_cylinder};
+constexpr NormalRule all_rules[] = {NormalRule::averaged, NormalRule::normalised,
+                                    NormalRule::conservative};
+
+enum class Law { archard, dissipation, power, running_in, threshold };
+constexpr Law all_laws[] = {Law::archard, Law::dissipation, Law::power, Law::running_in,
+                            Law::threshold};
+
+/// k p^1.5 v
+WearRate power_rate(const WearInput& at, std::span<const char>) {
+  const double root = 1e-3 * std::sqrt(at.pressure);
+  return {.value = root * at.pressure * at.speed,
+          .by_pressure = 1.5 * root * at.speed,
+          .by_speed = root * at.pressure};
+}
+
+/// (k p v^1.5 + K q^1.1) exp(-h / h0)
+WearRate running_in_rate(const WearInput& at, std::span<const char>) {
+  const double fade = std::exp(-at.depth / 0.3), root = 0.02 * std::sqrt(at.speed);
+  const double by_power = 0.01 * std::pow(at.friction_power, 0.1);
+  const double value = fade * (root * at.pressure * at.speed + by_power * at.friction_power);
+  return {.value = value,
+          .by_pressure = fade * root * at.speed,
+          .by_speed = fade * 1.5 * root * at.pressure,
+          .by_depth = -value / 0.3,
+          .by_friction_power = fade * 1.1 * by_power};
+}
+
+constexpr double threshold_pressure = 7, threshold_depth = 0.01;
+
+/// k v max(p - p0, 0), and twice that from some depth on: two kinks.
+bool taken(std::span<const char> branches, std::size_t kink, double value) {
+  return branches.empty() ? value <= 0 : branches[kink] != 0;
+}
+WearRate threshold_rate(const WearInput& at, std::span<const char> branches) {
+  if (!taken(branches, 0, threshold_pressure - at.pressure)) return {};
+  const double k = taken(branches, 1, threshold_depth - at.depth) ? 0.04 : 0.02;
+  const double over = at.pressure - threshold_pressure;
+  return {.value = k * at.speed * over, .by_pressure = k * at.speed, .by_speed = k * over};
+}
+void threshold_switching(const WearInput& at, std::span<const char>, std::span<double> values) {
+  values[0] = threshold_pressure - at.pressure;
+  values[1] = threshold_depth - at.depth;
+}
+
+WearLaw law_of(Law law) {
+  switch (law) {
+    case Law::archard:
+      return archard(0.01);
+    case Law::dissipation:
+      return dissipation_wear(0.02);
+    case Law::power:
+      return WearLaw({.rate = power_rate});
+    case Law::running_in:
+      return WearLaw({.rate = running_in_rate});
+    case Law::threshold:
+      break;
+  }
+  return WearLaw({.rate = threshold_rate, .kinks = 2, .switching = threshold_switching});
+}
 
 template <int dim>
-ContactParameters<dim> parameters_of(Meets meets, NormalRule rule) {
+ContactParameters<dim> parameters_of(Meets meets, NormalRule rule, Law law) {
   ContactParameters<dim> parameters;
+  CounterBody<dim>& body = parameters.counter_body;
   parameters.rho = 3;
-  parameters.wear.coefficient = 0.01;
+  parameters.wear = law_of(law);
   parameters.normal_rule = rule;
-  parameters.counter_body.velocity = 2 * Vector<dim>::Unit(0);
+  body.motion.velocity = 2 * Vector<dim>::Unit(0);
   if (meets == Meets::plane) return parameters;
-  parameters.friction = 0.5;
-  parameters.counter_body.approach = Vector<dim>(Vector<dim>::LinSpaced(0.2, 1)).normalized();
+  parameters.friction = meets == Meets::turning_ball ? 0 : 0.5;
+  body.approach = Vector<dim>(Vector<dim>::LinSpaced(0.2, 1)).normalized();
   if (meets == Meets::rough_plane) return parameters;
-  parameters.counter_body.radius = 4;
-  parameters.counter_body.point = -4.1 * Vector<dim>::Unit(dim - 1) + 0.3 * Vector<dim>::Unit(0);
-  parameters.counter_body.velocity.setZero();
-  parameters.streaming = Vector<dim>::LinSpaced(2, 0.3);
+  const Vector<dim> centre = -4.1 * Vector<dim>::Unit(dim - 1) + 0.3 * Vector<dim>::Unit(0);
+  body.shape = ball<dim>(centre, 4);
+  body.position = 0.02 * Vector<dim>::Ones();
+  if (meets == Meets::rough_ball) {
+    body.motion.velocity.setZero();
+    parameters.streaming = Vector<dim>::LinSpaced(2, 0.3);
+    return parameters;
+  }
+  // About an axis near the centre, so that the surface moves by about 2.
+  const Tensor<dim> spin = noise<Tensor<dim>>(0.6, 5) + 0.5 * Tensor<dim>::Identity();
+  body.motion.spin = spin - spin.transpose();
+  body.motion.spin(0, dim - 1) = 0.5, body.motion.spin(dim - 1, 0) = -0.5;
+  if constexpr (dim == 3)
+    if (meets == Meets::rough_turning_cylinder)
+      body.shape = cylinder(centre, Vector<3>(0.2, 1, 0.1), 4);
   return parameters;
 }
 
@@ -54,13 +131,13 @@ struct Fixture {
   static constexpr int centre = dim == 2 ? 1 : 4;
   Mesh<dim> mesh = wavy_surface<dim>();
   std::vector<ContactPatch<dim>> patches = contact_patches<dim>(mesh, mesh.boundary.at("contact"));
-  const ContactPatch<dim>& patch = patches[centre];
+  ContactPatch<dim>& patch = patches[centre];
   int nodes = static_cast<int>(patch.nodes.size());
   ContactParameters<dim> parameters;
   ContactInput<dim> at;
 
-  Fixture(bool active, NormalRule rule, Meets meets)
-      : parameters(parameters_of<dim>(meets, rule)),
+  Fixture(bool active, NormalRule rule, Meets meets, Law law = Law::archard)
+      : parameters(parameters_of<dim>(meets, rule, law)),
         at{PatchNodal<dim>(nodes, dim), PatchNodal<dim>(nodes, dim), active ? -30.0 : 20.0, 0.07} {
     for (int p = 0; p < nodes; ++p) {
       at.X.row(p) =
@@ -73,8 +150,8 @@ struct Fixture {
   struct Matrices {
     Eigen::MatrixXd force, velocity, constraint;
   };
-  Matrices tangent() const {
-    const ContactNodeTangent<dim> t(parameters, patch, at);
+  Matrices tangent(const NodeBranch& branch = {}) const {
+    const ContactNodeTangent<dim> t(parameters, patch, at, branch);
     const int size = 2 * dim * nodes + 2;
     Matrices m{Eigen::MatrixXd::Zero(dim, size), Eigen::MatrixXd::Zero(dim, size),
                Eigen::MatrixXd::Zero(1, size)};
@@ -95,17 +172,17 @@ struct Fixture {
   }
 };
 
+/// Automatic differentiation; a node that does not wear must have no derivative of its wear.
 template <int dim>
-void check_tangent(bool active, NormalRule rule, Meets meets) {
-  SCOPED_TRACE(dim * 100 + int(meets) * 10 + int(active));
-  const Fixture<dim> f(active, rule, meets);
+void check_tangent(const Fixture<dim>& f, const NodeBranch& branch, bool active, bool wears) {
   const int total = 2 * dim * f.nodes + 2;
   const ContactNode<dim, Dual> node(
       f.parameters, f.patch,
       {independent(f.at.X, 0, total), independent(f.at.u, dim * f.nodes, total),
-       Dual(f.at.lambda, total, total - 2), Dual(f.at.w, total, total - 1)});
+       Dual(f.at.lambda, total, total - 2), Dual(f.at.w, total, total - 1)},
+      branch);
   ASSERT_EQ(node.active, active);
-  const auto m = f.tangent();
+  const auto m = f.tangent(branch);
   const auto row = [&](const Dual& value) {
     Eigen::Matrix<Dual, 1, 1> single;
     single(0, 0) = value;
@@ -114,27 +191,21 @@ void check_tangent(bool active, NormalRule rule, Meets meets) {
   expect_same_matrix(m.constraint, row(node.constraint), 1e-13);
   if (active) {
     expect_same_matrix(m.force, derivative_matrix(node.force, total), 1e-12);
-    expect_same_matrix(m.velocity, derivative_matrix(node.velocity, total), 1e-12);
-  } else {  // an open node exerts nothing and wears nothing, in every direction
+  } else {  // an open node exerts nothing, in every direction
     EXPECT_EQ(m.force.norm(), 0);
-    EXPECT_EQ(m.velocity.norm(), 0);
     EXPECT_EQ(node.force.squaredNorm(), Dual(0));  // the norm has no derivative there
+  }
+  if (wears) {
+    expect_same_matrix(m.velocity, derivative_matrix(node.velocity, total), 1e-12);
+  } else {
+    EXPECT_EQ(m.velocity.norm(), 0);
+    EXPECT_EQ(node.velocity.squaredNorm(), Dual(0));
   }
 }
 
-TEST(ContactNode, TangentEqualsAutomaticDifferentiation) {
-  for (bool active : {true, false})
-    for (NormalRule rule : {NormalRule::averaged, NormalRule::normalised})
-      for (Meets meets : {Meets::plane, Meets::rough_plane, Meets::rough_ball}) {
-        check_tangent<2>(active, rule, meets);
-        check_tangent<3>(active, rule, meets);
-      }
-}
-
 template <int dim>
-void check_central_differences(Meets meets) {
-  Fixture<dim> f(true, NormalRule::averaged, meets);
-  const auto m = f.tangent();
+void check_central_differences(Fixture<dim>& f, const NodeBranch& branch) {
+  const auto m = f.tangent(branch);
   const double h = 1e-6;
   Eigen::MatrixXd force = 0 * m.force, velocity = 0 * m.velocity;
   const auto shifted = [&](int column, double shift) {
@@ -144,7 +215,7 @@ void check_central_differences(Meets meets) {
      : column < 2 * size  ? at.u(k / dim, k % dim)
      : column == 2 * size ? at.lambda
                           : at.w) += shift;
-    return ContactNode<dim>(f.parameters, f.patch, at);
+    return ContactNode<dim>(f.parameters, f.patch, at, branch);
   };
   for (int column = 0; column < force.cols(); ++column) {
     const auto above = shifted(column, h), below = shifted(column, -h);
@@ -155,11 +226,87 @@ void check_central_differences(Meets meets) {
   expect_same_matrix(m.velocity, velocity, 1e-7);
 }
 
+/// Every rule, counter-body and law, with and without components of the shape that are held.
+template <int dim>
+void for_every_case(const std::function<void(Meets, NormalRule, Law, bool)>& check) {
+  for (NormalRule rule : all_rules)
+    for (Meets meets : all_meets)
+      for (Law law : all_laws)
+        for (bool held : {false, true}) {
+          if (held && rule != NormalRule::conservative) continue;
+          SCOPED_TRACE(::testing::Message()
+                       << dim << "D, rule " << int(rule) << ", meets " << int(meets) << ", law "
+                       << int(law) << ", held " << held);
+          check(meets, rule, law, held);
+        }
+}
+
+bool has_friction(Meets meets) {
+  return meets != Meets::plane && meets != Meets::turning_ball;
+}
+
+template <int dim>
+void check_every_tangent() {
+  for_every_case<dim>([](Meets meets, NormalRule rule, Law law, bool held) {
+    const bool rates = law != Law::dissipation || has_friction(meets);
+    Fixture<dim> closed(true, rule, meets, law), open(false, rule, meets, law);
+    closed.patch.shape_fixed[0] = open.patch.shape_fixed[0] = held;
+    check_tangent<dim>(closed, {}, true, rates);
+    check_tangent<dim>(closed, Branch::open, false, false);
+    check_tangent<dim>(open, {}, false, false);
+    check_tangent<dim>(open, Branch::closed, true, rates);  // it pulls
+    if (law != Law::threshold) return;
+    for (const std::array<char, 2> wear : {std::array<char, 2>{1, 0}, {1, 1}})
+      check_tangent<dim>(open, {Branch::closed, wear}, true, true);
+    const std::array<char, 2> below = {0, 1};
+    check_tangent<dim>(closed, {Branch::by_sign, below}, true, false);
+  });
+}
+
+TEST(ContactNode, TangentEqualsAutomaticDifferentiation) {
+  check_every_tangent<2>();
+  check_every_tangent<3>();
+}
+
+template <int dim>
+void check_every_difference() {
+  for_every_case<dim>([](Meets meets, NormalRule rule, Law law, bool held) {
+    if (law == Law::dissipation && !has_friction(meets)) return;
+    Fixture<dim> closed(true, rule, meets, law), pulling(false, rule, meets, law);
+    closed.patch.shape_fixed[0] = pulling.patch.shape_fixed[0] = held;
+    check_central_differences<dim>(closed, {});
+    const std::array<char, 2> wear = {1, 1};
+    check_central_differences<dim>(pulling, {Branch::closed, wear});
+  });
+}
+
 TEST(ContactNode, TangentEqualsCentralDifferences) {
-  for (Meets meets : {Meets::plane, Meets::rough_plane, Meets::rough_ball}) {
-    check_central_differences<2>(meets);
-    check_central_differences<3>(meets);
-  }
+  check_every_difference<2>();
+  check_every_difference<3>();
+}
+
+// A law of its own: lambda + rho g first, then the kinks of the law at p, which an open node does
+// not have.
+TEST(ContactNode, SwitchesWithContactAndWithTheWearLaw) {
+  Fixture<3> f(true, NormalRule::averaged, Meets::rough_ball, Law::threshold);
+  ASSERT_EQ(switching_functions(f.parameters), 3);
+  const ContactNode<3> node(f.parameters, f.patch, f.at);
+  const double depth =
+      (f.patch.initial_position - f.at.X.row(0).transpose()).dot(f.patch.initial_normal);
+  EXPECT_GT(std::abs(depth), 1e-3);
+  std::array<double, 3> values{};
+  contact_switching<3>(f.parameters, f.patch, f.at, {}, values);
+  EXPECT_DOUBLE_EQ(values[0], f.at.lambda + f.parameters.rho * node.gap);
+  EXPECT_DOUBLE_EQ(values[1], threshold_pressure + node.traction);
+  EXPECT_NEAR(values[2], threshold_depth - depth, 1e-15);
+  contact_switching<3>(f.parameters, f.patch, f.at, Branch::open, values);
+  EXPECT_DOUBLE_EQ(values[1], threshold_pressure);
+  f.at.lambda = 20;  // by its sign open
+  contact_switching<3>(f.parameters, f.patch, f.at, {}, values);
+  EXPECT_GT(values[0], 0);
+  EXPECT_DOUBLE_EQ(values[1], threshold_pressure);
+  contact_switching<3>(f.parameters, f.patch, f.at, Branch::closed, values);  // it pulls
+  EXPECT_NEAR(values[1], threshold_pressure + values[0], 1e-12);
 }
 
 // Sec. 3.1 by hand: under a pressure p the friction on the body opposes its sliding, so that the
@@ -167,12 +314,14 @@ TEST(ContactNode, TangentEqualsCentralDifferences) {
 // wears.
 TEST(ContactNode, FrictionOpposesSlidingAndItsDissipationWears) {
   Fixture<3> f(true, NormalRule::averaged, Meets::rough_plane);
-  f.parameters.counter_body.velocity = Vector<3>(7, 0, 0);  // the body slides backwards by 7
+  f.parameters.counter_body.motion.velocity = Vector<3>(7, 0, 0);  // the body slides backwards by 7
   const ContactNode<3> node(f.parameters, f.patch, f.at);
   const double p = -node.traction;
   ASSERT_GT(p, 0);
   EXPECT_NEAR((node.force / node.area - p * Vector<3>(-0.5, 0, -1)).norm(), 0, 1e-13 * p);
   EXPECT_NEAR(node.wear_rate, 0.01 * p * 7, 1e-14 * p);
+  f.parameters.wear = dissipation_wear(0.02);
+  EXPECT_NEAR(ContactNode<3>(f.parameters, f.patch, f.at).wear_rate, node.wear_rate, 1e-14 * p);
 }
 
 // Eq. (7): under a homogeneous deformation F every facet carries V over into F V, and eq. (6) takes
@@ -183,22 +332,12 @@ TEST(ContactNode, StreamingIsCarriedByTheDeformation) {
   f.parameters.streaming = Vector<3>(2, 1, 0);
   Tensor<3> F = Tensor<3>::Identity() + 0.3 * noise<Tensor<3>>(1, 3);
   f.at.u = f.at.X * (F - Tensor<3>::Identity()).transpose();
-  const Vector<3> FV = relative_velocity<3, double>(f.patch, f.at.X, f.at.X + f.at.u,
-                                                    f.parameters.streaming, Vector<3>::Zero());
+  const Vector<3> FV =
+      streaming_velocity<3, double>(f.patch, f.at.X, f.at.X + f.at.u, f.parameters.streaming);
   EXPECT_NEAR((FV - F * Vector<3>(2, 1, 0)).norm(), 0, 1e-13);
   const Sliding<3> sliding(FV, Vector<3>(0, 0, 1));
   EXPECT_NEAR(sliding.speed, FV.head<2>().norm(), 1e-13);
   EXPECT_NEAR(sliding.direction[2], 0, 1e-15);
-}
-
-// A point outside a ball, on its axis: gap and normal by hand.
-TEST(CounterBody, GapAndNormalOfABall) {
-  CounterBody<3> ball;
-  ball.point = Vector<3>(0, 0, 5);
-  ball.radius = 5;
-  const auto seen = ball.project<double>(Vector<3>(0, 0, -0.25));
-  EXPECT_DOUBLE_EQ(seen.gap, 0.25);
-  EXPECT_NEAR((seen.normal - Vector<3>(0, 0, -1)).norm(), 0, 1e-15);
 }
 
 // Complementarity, eq. (9) and (26): a closed node asks for g = 0 and transmits lambda + rho g; an
@@ -266,24 +405,6 @@ TEST(NodalSurface, WeighsNormalsWithInitialAndSumsCurrentAreas) {
   EXPECT_NEAR((normalised.normal - Vector<2>(-0.15, -0.95) / std::sqrt(0.925)).norm(), 0, 1e-15);
   EXPECT_DOUBLE_EQ(averaged.area, 3);
   EXPECT_DOUBLE_EQ(normalised.area, 3);
-}
-
-// Moved by that far, the counter-body touches the point, coming from outside; a ball may pass by.
-TEST(CounterBody, TravelsUntilItTouches) {
-  CounterBody<3> plane, ball;
-  plane.point = Vector<3>(0.3, 0.1, -0.7);
-  plane.normal = Vector<3>(0.6, 0, 0.8);
-  ball.radius = 2;
-  ball.point = Vector<3>(0.1, 0.2, 5);
-  ball.approach = Vector<3>(0, 0.6, -0.8);
-  for (const Vector<3>& x : {Vector<3>(0.2, 3, 0), Vector<3>(0.5, 0.4, 4.9), Vector<3>(0, 4, 1)})
-    for (const CounterBody<3>* body : {&plane, &ball}) {
-      const double w = body->travel_to(x);
-      const auto seen = body->project<double>(x - w * body->approach);
-      EXPECT_NEAR(seen.gap, 0, 1e-13);
-      EXPECT_GT(seen.normal.dot(body->approach), 0);
-    }
-  EXPECT_TRUE(std::isinf(ball.travel_to(Vector<3>(2.2, 0.2, 0))));
 }
 
 }  // namespace

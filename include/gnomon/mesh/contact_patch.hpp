@@ -1,6 +1,7 @@
 // The neighbourhood of a contact node on the contact surface.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <gnomon/mesh/mesh.hpp>
 #include <vector>
@@ -17,20 +18,33 @@ struct ContactPatch {
   int node = 0;            ///< mesh node
   std::vector<int> nodes;  ///< mesh nodes of the facets, each once; nodes[0] == node
   struct Corner {
-    std::array<int, dim> nodes;  ///< positions in `nodes`: this node, then (2D) the other end,
-                                 ///< (3D) the next and the previous corner
-    double sign;                 ///< 2D: +1 when this node comes first in the facet
-    double initial_area;         ///< A^_f [length^(dim-1)]
+    /// Positions in `nodes`: this node, then (2D) the other end, (3D) the next, the previous and
+    /// the opposite corner.
+    std::array<int, (1 << (dim - 1))> nodes;
+    double sign;          ///< 2D: +1 when this node comes first in the facet
+    double initial_area;  ///< A^_f [length^(dim-1)]
   };
   std::vector<Corner> corners;
-  double initial_area = 0;  ///< sum of A^_f
+  /// Of facets at this node that belong to the rest of the body's boundary: no contact and no wear
+  /// is there, but the node moves them when it moves.
+  std::vector<Corner> corners_beyond;
+  double initial_area = 0;              ///< sum of A^_f
+  Vector<dim> initial_position;         ///< X^ of the node [length]
+  Vector<dim> initial_normal;           ///< N^: unit, average of the facets' by A^_f
+  std::array<char, dim> shape_fixed{};  ///< 1 where a component of the node's shape is held
+
+  bool may_move() const {
+    return std::any_of(shape_fixed.begin(), shape_fixed.end(), [](char held) { return held == 0; });
+  }
 };
 
 /// Patches of all nodes of a surface, in ascending order of nodes (2D: along the surface when its
-/// nodes are numbered so). Throws Error beyond the bounds above.
+/// nodes are numbered so). Of the facets of `boundary` those that are none of the surface's and
+/// touch it become corners_beyond. Throws Error beyond the bounds above.
 template <int dim>
 std::vector<ContactPatch<dim>> contact_patches(
-    const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets);
+    const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
+    const std::vector<typename Mesh<dim>::Facet>& boundary = {});
 
 template <int dim, class Scalar = double>
 using PatchNodal = Eigen::Matrix<Scalar, Eigen::Dynamic, dim, 0, max_patch_nodes, dim>;
@@ -56,6 +70,30 @@ Vector<dim, Scalar> corner_area_vector(const typename ContactPatch<dim>::Corner&
   } else {
     const Vector<dim, Scalar> b = edges.col(1);
     return a.cross(b) / Scalar(4);
+  }
+}
+
+/// Of a bilinear facet: 2 (X1 - X0) + X2 - X3 and 2 (X3 - X0) + X2 - X1, from corner 0.
+template <class Scalar>
+std::array<Vector<3, Scalar>, 2> corner_volume_edges(const ContactPatch<3>::Corner& corner,
+                                                     const PatchNodal<3, Scalar>& X) {
+  const auto [own, next, previous, opposite] = corner.nodes;
+  return {Scalar(2) * (X.row(next) - X.row(own)) + X.row(opposite) - X.row(previous),
+          Scalar(2) * (X.row(previous) - X.row(own)) + X.row(opposite) - X.row(next)};
+}
+
+/// Derivative of the body's volume by the position of a corner, as far as its facet goes: the
+/// integral of the corner's shape function times the area vector. That of a segment is the area
+/// vector of the corner; a bilinear facet with the corners 0 to 3 has
+/// (2 (X1 - X0) + X2 - X3) x (2 (X3 - X0) + X2 - X1) / 36.
+template <int dim, class Scalar>
+Vector<dim, Scalar> corner_volume_gradient(const typename ContactPatch<dim>::Corner& corner,
+                                           const PatchNodal<dim, Scalar>& X) {
+  if constexpr (dim == 2) {
+    return corner_area_vector<dim, Scalar>(corner, X);
+  } else {
+    const auto along = corner_volume_edges<Scalar>(corner, X);
+    return along[0].cross(along[1]) / Scalar(36);
   }
 }
 

@@ -36,7 +36,7 @@ private:
   ComposedSystem<dim> system_;
 };
 
-/// Half the distance between the edges of the contact zone [length], along the rigid plane in the
+/// Half the distance between the edges of the contact zone [length], across the approach, in the
 /// current configuration; 0 without contact. 2D, contact nodes in order along the surface.
 ///
 /// An edge lies between the last active node and the next open one. If the pressure falls towards

@@ -38,7 +38,9 @@ inline constexpr Range relative_tolerance{.min = 1e-13, .max = 0.1};
 struct Key {
   enum class Presence { required, defaulted, optional };
 
-  std::string name{};  ///< dotted, for example "body.young_modulus"
+  /// Dotted, for example "body.young_modulus". A part "*" stands for any name that the scene
+  /// chooses: "wear.constants.*" is a table of numbers with names of its own; such keys are optional.
+  std::string name{};
   KeyKind kind = KeyKind::real;
   std::string unit{};  ///< "MPa"; empty when dimensionless
   Presence presence = Presence::required;
@@ -70,6 +72,8 @@ public:
   const std::vector<double>& reals(const std::string& key) const;
   bool has(const std::string& key) const;  ///< false for an absent optional key
   std::optional<double> real_if(const std::string& key) const;
+  /// What the scene gives in the place of "*" in a key of the table, ascending.
+  std::vector<std::string> chosen_names(const std::string& key) const;
 
   /// The file it came from, for messages.
   const std::filesystem::path& path() const { return path_; }

@@ -3,28 +3,42 @@
 // Each facet gives its corner an area vector S_f (normal times the corner's share of undeformed
 // area: half a segment, a quarter of |a x b| of a bilinear facet). Then
 //
-//   A = sum_f |S_f|,   N = sum_f A^_f S_f/|S_f| / sum_f A^_f        (A^_f: initial shares, eq. 35)
+//   A = sum_f |S_f|
 //   force      = A lambda_eff (n - friction s)    row of u;  s = v_T/|v_T|, eq. (25) and sec. 3.1
 //   constraint = C_N                              row of lambda
 //   velocity   = -Wdot N                          row of d: ddot - velocity = 0, eq. (14)
 //
-// v_T is the tangential part of F V - v^2 (sliding.hpp), n the normal of the counter-body.
+// v_T is the tangential part of F V - v^2 (sliding.hpp), n the normal of the counter-body, Wdot
+// that of the wear law, N a normal by one of the rules below.
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <gnomon/laws/contact_law.hpp>
+#include <gnomon/base/lift.hpp>
+#include <gnomon/laws/counter_body.hpp>
+#include <gnomon/laws/unilateral_contact.hpp>
+#include <gnomon/laws/wear_law.hpp>
 #include <gnomon/mesh/contact_patch.hpp>
 #include <gnomon/terms/sliding.hpp>
+#include <span>
 
 namespace gnomon {
 
-enum class NormalRule { averaged, normalised };
+/// The direction and length of N, by which a wear rate moves the shape.
+///
+///   averaged      sum_f A^_f S_f/|S_f| / sum_f A^_f    (A^_f: initial shares, eq. 35)
+///   normalised    the same made unit
+///   conservative  A a/|a|^2, where a is the derivative of the body's volume by the node's
+///   position,
+///                 without the components of the shape that are held. The body then loses volume
+///                 at the rate sum A Wdot, whatever the mesh.
+enum class NormalRule { averaged, normalised, conservative };
 
 /// Constants of all contact nodes.
 template <int dim>
 struct ContactParameters {
   CounterBody<dim> counter_body;
-  ArchardWear wear;
+  WearLaw wear;
   double friction = 0;                          ///< Coulomb's coefficient mu of eq. (10)
   Vector<dim> streaming = Vector<dim>::Zero();  ///< V of eq. (7), along the surface [length / time]
   NormalRule normal_rule = NormalRule::averaged;
@@ -35,7 +49,7 @@ struct ContactParameters {
 template <int dim, class Scalar = double>
 struct NodalSurface {
   Scalar area;
-  Vector<dim, Scalar> normal;
+  Vector<dim, Scalar> normal;  ///< N; zero where conservative has none
 
   NodalSurface(const ContactPatch<dim>& patch, const PatchNodal<dim, Scalar>& X, NormalRule rule);
 };
@@ -47,6 +61,16 @@ struct ContactInput {
   PatchNodal<dim, Scalar> u;  ///< their displacements [length]
   Scalar lambda;              ///< of the node itself [stress]
   Scalar w = Scalar(0);       ///< rigid motion of the counter-body [length]
+  WearMoment moment = {};     ///< read by the wear law
+};
+
+/// Which smooth branch of a contact node is meant.
+struct NodeBranch {
+  Branch contact = Branch::by_sign;
+  std::span<const char> wear = {};  ///< as of WearLaw
+
+  NodeBranch(Branch branch = Branch::by_sign, std::span<const char> wear_branches = {})
+      : contact(branch), wear(wear_branches) {}
 };
 
 /// Residual of a contact node.
@@ -62,15 +86,28 @@ struct ContactNode {
   bool active;
 
   ContactNode(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
-              const ContactInput<dim, Scalar>& at, Branch branch = Branch::by_sign);
+              const ContactInput<dim, Scalar>& at, const NodeBranch& branch = {});
 };
+
+/// How many switching functions a contact node has: that of contact, and those of the wear law.
+template <int dim>
+std::size_t switching_functions(const ContactParameters<dim>& parameters) {
+  return 1 + parameters.wear.kinks();
+}
+
+/// Writes the switching functions of a contact node, each negative or zero where it is active:
+/// lambda + rho g, then those of the wear law, on the given branch. An open node has p = 0 there.
+template <int dim>
+void contact_switching(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
+                       const ContactInput<dim>& at, const NodeBranch& branch,
+                       std::span<double> values);
 
 /// Derivatives of ContactNode. The positions x = X + u enter through u and d alike, the undeformed
 /// ones X through area, normal and streaming.
 template <int dim>
 struct ContactNodeTangent {
   template <class T>
-  using PerNode = std::array<T, max_patch_nodes>;  ///< one a node of the patch
+  using PerNode = std::array<T, max_patch_nodes>;  ///< one per node of the patch
 
   PerNode<Tensor<dim>> force_by_x, force_by_X;
   Vector<dim> force_by_lambda, force_by_w;
@@ -80,45 +117,110 @@ struct ContactNodeTangent {
   Vector<dim> velocity_by_lambda, velocity_by_w;
 
   ContactNodeTangent(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
-                     const ContactInput<dim>& at, Branch branch = Branch::by_sign);
+                     const ContactInput<dim>& at, const NodeBranch& branch = {});
 };
 
 // ---- templates on the scalar
 // ---------------------------------------------------------------------
+
+/// The derivative of the body's volume by the node's position [length^(dim-1)], zero where its
+/// shape is held.
+template <int dim, class Scalar>
+Vector<dim, Scalar> free_volume_gradient(const ContactPatch<dim>& patch,
+                                         const PatchNodal<dim, Scalar>& X) {
+  Vector<dim, Scalar> a = Vector<dim, Scalar>::Zero();
+  for (const auto* corners : {&patch.corners, &patch.corners_beyond})
+    for (const auto& corner : *corners) a += corner_volume_gradient<dim, Scalar>(corner, X);
+  for (int i = 0; i < dim; ++i)
+    if (patch.shape_fixed[i]) a[i] = Scalar(0);
+  return a;
+}
+
+/// Whether the volume that a node sweeps, by |a|^2, determines how far it moves.
+inline bool determines_motion(double square, double area) {
+  return square > 1e-8 * area * area;
+}
+
+/// Throws RecoverableError where a node that may move has no direction to wear in.
+template <int dim>
+void require_direction(const ContactPatch<dim>& patch, const Vector<dim>& normal);
+
+/// p, v, h and q of a contact node.
+template <int dim, class Scalar>
+Vector<4, Scalar> wear_variables(const ContactPatch<dim>& patch,
+                                 const ContactInput<dim, Scalar>& at, double friction,
+                                 const Scalar& pressure, const Scalar& speed) {
+  const Vector<dim, Scalar> d =
+      at.X.row(0).transpose() - patch.initial_position.template cast<Scalar>();
+  const Scalar depth = -d.dot(patch.initial_normal.template cast<Scalar>());
+  return {pressure, speed, depth, Scalar(Scalar(friction) * pressure * speed)};
+}
+
+template <int dim>
+WearInput wear_input(const ContactPatch<dim>& patch, const Vector<4>& variables,
+                     const WearMoment& moment) {
+  WearInput input{.pressure = variables[0],
+                  .speed = variables[1],
+                  .depth = variables[2],
+                  .friction_power = variables[3],
+                  .moment = moment};
+  std::copy(patch.initial_position.begin(), patch.initial_position.end(), input.initial.begin());
+  return input;
+}
 
 template <int dim, class Scalar>
 NodalSurface<dim, Scalar>::NodalSurface(const ContactPatch<dim>& patch,
                                         const PatchNodal<dim, Scalar>& X, NormalRule rule) {
   area = Scalar(0);
   normal.setZero();
+  const bool conserves = rule == NormalRule::conservative;
   for (const auto& corner : patch.corners) {
     const Vector<dim, Scalar> S = corner_area_vector<dim, Scalar>(corner, X);
     const Scalar share = S.norm();
     area += share;
-    normal += Scalar(corner.initial_area / patch.initial_area) * S / share;
+    if (!conserves) normal += Scalar(corner.initial_area / patch.initial_area) * S / share;
   }
   if (rule == NormalRule::normalised) normal /= Scalar(normal.norm());
+  if (!conserves) return;
+  const Vector<dim, Scalar> a = free_volume_gradient<dim, Scalar>(patch, X);
+  if (const Scalar square = a.squaredNorm(); determines_motion(plain(square), plain(area)))
+    normal = Scalar(area / square) * a;
 }
 
 template <int dim, class Scalar>
 ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,
                                       const ContactPatch<dim>& patch,
-                                      const ContactInput<dim, Scalar>& at, Branch branch) {
+                                      const ContactInput<dim, Scalar>& at,
+                                      const NodeBranch& branch) {
   const CounterBody<dim>& body = parameters.counter_body;
   const NodalSurface<dim, Scalar> surface(patch, at.X, parameters.normal_rule);
-  const Vector<dim, Scalar> x = (at.X.row(0) + at.u.row(0)).transpose();
-  const auto seen = body.template project<Scalar>(x - body.approach.template cast<Scalar>() * at.w);
-  const UnilateralContact<Scalar> contact(at.lambda, seen.gap, parameters.rho, branch);
+  const PatchNodal<dim, Scalar> x = at.X + at.u;
+  const Vector<dim, Scalar> seen =
+      body.template seen<Scalar>(Vector<dim, Scalar>(x.row(0).transpose()), at.w);
+  const SignedDistance<dim> distance = body.shape.at(plain<dim, Scalar>(seen));
+  const auto n = lift<dim, Scalar>(distance.normal, distance.normal_by_x, seen);
+  gap = lift<dim, Scalar>(distance.gap, distance.normal, seen);
+  const UnilateralContact<Scalar> contact(at.lambda, gap, parameters.rho, branch.contact);
   const Sliding<dim, Scalar> sliding(
-      relative_velocity<dim, Scalar>(patch, at.X, at.X + at.u, parameters.streaming, body.velocity),
-      seen.normal);
+      streaming_velocity<dim, Scalar>(patch, at.X, x, parameters.streaming) -
+          body.motion.template at<Scalar>(seen),
+      n);
   active = contact.active;
   traction = contact.traction;
-  gap = seen.gap;
   area = surface.area;
-  force = (area * traction) * (seen.normal - Scalar(parameters.friction) * sliding.direction);
+  force = (area * traction) * (n - Scalar(parameters.friction) * sliding.direction);
   constraint = contact.constraint;
-  wear_rate = parameters.wear.rate(traction, sliding.speed);
+  wear_rate = Scalar(0);
+  if (active) {  // an open node does not wear
+    const Vector<4, Scalar> input = wear_variables<dim, Scalar>(patch, at, parameters.friction,
+                                                                Scalar(-traction), sliding.speed);
+    const WearRate rate =
+        parameters.wear.rate(wear_input(patch, plain<4, Scalar>(input), at.moment), branch.wear);
+    wear_rate = lift<4, Scalar>(
+        rate.value, {rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power},
+        input);
+    require_direction(patch, plain<dim, Scalar>(surface.normal));
+  }
   velocity = -wear_rate * surface.normal;
 }
 

@@ -34,7 +34,7 @@ public:
   void add_residual(const Evaluation<dim>& at, std::span<double> F) const override;
   void add_jacobian(const Evaluation<dim>& at, double rate_weight,
                     std::span<double> values) const override;
-  /// lambda + rho g of every contact node [stress].
+  /// Of every contact node lambda + rho g [stress], then the kinks of the wear law.
   void switching(const Evaluation<dim>& at, std::span<double> values) const override;
 
   /// The contact law at every contact node.
@@ -54,6 +54,7 @@ private:
   std::vector<int> row_numbers(int c) const;
   std::vector<int> column_numbers(int c) const;
   ContactInput<dim> gather(const Evaluation<dim>& at, int c) const;
+  NodeBranch branch(const Evaluation<dim>& at, int c) const;
   ContactNode<dim> node(const Evaluation<dim>& at, int c) const;
   Local tangent(const Evaluation<dim>& at, int c) const;
   double weight(int c) const { return state_.wear_weight.empty() ? 1 : state_.wear_weight[c]; }
@@ -64,6 +65,8 @@ private:
   NodalNumbers<dim> u_numbers_, d_numbers_;
   std::vector<int> lambda_numbers_;
   int w_number_;
+  std::size_t switches_;               // of each node
+  double nominal_speed_;               // at which the bodies slide [length / time]
   std::vector<std::vector<int>> map_;  // of each node: positions, column by column; -1: none
 };
 

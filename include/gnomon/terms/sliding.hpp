@@ -16,13 +16,13 @@
 
 namespace gnomon {
 
-/// F V - v^2 of a node [length / time].
+/// F V of a node [length / time].
 template <int dim, class Scalar>
-Vector<dim, Scalar> relative_velocity(const ContactPatch<dim>& patch,
-                                      const PatchNodal<dim, Scalar>& X,
-                                      const PatchNodal<dim, Scalar>& x,
-                                      const Vector<dim>& streaming, const Vector<dim>& counter) {
-  Vector<dim, Scalar> result = -counter.template cast<Scalar>();
+Vector<dim, Scalar> streaming_velocity(const ContactPatch<dim>& patch,
+                                       const PatchNodal<dim, Scalar>& X,
+                                       const PatchNodal<dim, Scalar>& x,
+                                       const Vector<dim>& streaming) {
+  Vector<dim, Scalar> result = Vector<dim, Scalar>::Zero();
   if (streaming.isZero(0)) return result;
   for (const auto& corner : patch.corners) {
     const auto T = corner_edges<dim, Scalar>(corner, X);
@@ -55,12 +55,12 @@ struct Sliding {
   }
 };
 
-/// Derivatives of relative_velocity by the undeformed (X) and current (x) positions of the patch.
+/// Derivatives of streaming_velocity by the undeformed (X) and current (x) positions of the patch.
 template <int dim>
-struct RelativeVelocityDerivative {
+struct StreamingVelocityDerivative {
   std::array<Tensor<dim>, max_patch_nodes> by_X, by_x;
 
-  RelativeVelocityDerivative(const ContactPatch<dim>& patch, const PatchNodal<dim>& X,
+  StreamingVelocityDerivative(const ContactPatch<dim>& patch, const PatchNodal<dim>& X,
                              const PatchNodal<dim>& x, const Vector<dim>& streaming);
 };
 

@@ -1,0 +1,51 @@
+// Laws that scenes may name. A new one is one file in src/laws/catalogue with a Registration;
+// nothing else has to know of it.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <gnomon/laws/counter_shape.hpp>
+#include <gnomon/laws/wear_law.hpp>
+#include <gnomon/scene/registry.hpp>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// A shape that scenes may name, in one dimension.
+template <int dim>
+struct CounterShapeKind {
+  std::string name;
+  std::string help;       ///< one line
+  std::vector<Key> keys;  ///< counter_body.*
+  std::function<CounterShape<dim>(const Scene&)> make;
+};
+
+/// The vector that a key of `dim` reals gives. Throws InputError where it is zero.
+template <int dim>
+Vector<dim> read_direction(const Scene& scene, const std::string& key);
+template <int dim>
+Vector<dim> read_point(const Scene& scene, const std::string& key);
+
+/// A wear law that scenes may name.
+struct WearLawKind {
+  std::string name;
+  std::string help;       ///< one line
+  std::vector<Key> keys;  ///< wear.*
+  std::function<WearLaw(const Scene&)> make;
+};
+
+/// The inputs that a run may meet, largest values, for checks of a law.
+struct WearRange {
+  double pressure = 1, speed = 1, depth = 1, duration = 1;
+  double friction = 0;       ///< q = friction p v
+  double nominal_speed = 1;  ///< s = nominal_speed t
+  std::vector<std::array<double, 3>> initial = {{}};
+};
+
+/// Refuses a law that wears without pressure, lets material grow, or has no finite rate somewhere
+/// on a grid of inputs: throws InputError in one line that begins with `where`, the key that gave
+/// it, and says at which values what was expected.
+void check_wear_law(const WearLaw& law, const WearRange& range, const std::string& where);
+
+}  // namespace gnomon

@@ -1,0 +1,81 @@
+// Wear laws: how fast a contact node wears, as a function of what it meets. How scenes name them:
+// catalogue.hpp.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gnomon {
+
+/// When a wear law is evaluated.
+struct WearMoment {
+  double time = 0;  ///< t
+  double slid = 0;  ///< s, sliding distance up to t [length]
+  /// A time whose smooth part, up to the law's next breakpoint, the law is continued from to t.
+  double within = 0;
+};
+
+/// What a wear law may depend on.
+struct WearInput {
+  double pressure = 0;        ///< p = -lambda_eff, nominal [stress]
+  double speed = 0;           ///< v = |v_T| [length / time]
+  double depth = 0;           ///< h, of the material worn off, along the initial normal [length]
+  double friction_power = 0;  ///< q = mu p v, by nominal area [stress length / time]
+  WearMoment moment;
+  std::array<double, 3> initial{};  ///< initial position of the node [length]
+};
+
+/// Wdot [length / time] and its derivatives. t, s and the initial position of a node are given.
+struct WearRate {
+  double value = 0;
+  double by_pressure = 0, by_speed = 0, by_depth = 0, by_friction_power = 0;
+};
+
+/// A wear law. A value; copies share what they hold, and may be used by several threads at once.
+///
+/// It is smooth but for kinks, of two sorts. Those that depend on p, v, h, q or the initial
+/// position each have a switching function, negative or zero where the kink is *active*;
+/// `branches`, one entry per kink, not 0 where it is active, choose a smooth branch, continued
+/// beyond its border. Empty branches mean the one that the input lies in. Kinks that depend on t
+/// and s alone are breakpoints in time, where steps end.
+///
+/// A law is asked for p >= 0 alone. Below p = 0, where a closed node is continued to when it pulls,
+/// rate and switching functions f are continued by the point reflection
+///
+///     f(p, q) = 2 f(0, 0) - f(-p, -q)     at the same v, h, t, s
+///
+/// which has one value and slope with f at p = 0, and derivatives that follow from those of f.
+class WearLaw {
+public:
+  struct Definition {
+    std::function<WearRate(const WearInput&, std::span<const char> branches)> rate;
+    std::size_t kinks = 0;
+    /// Writes `kinks` values; not called without kinks.
+    std::function<void(const WearInput&, std::span<const char> branches, std::span<double> values)>
+        switching{};
+    std::vector<double> breakpoints{};  ///< ascending times
+  };
+
+  WearLaw();  ///< no wear
+  explicit WearLaw(Definition definition);
+
+  /// Throws RecoverableError where the law has no finite value or derivative.
+  WearRate rate(const WearInput& at, std::span<const char> branches = {}) const;
+  std::size_t kinks() const { return definition_->kinks; }
+  void switching(const WearInput& at, std::span<double> values,
+                 std::span<const char> branches = {}) const;
+  const std::vector<double>& breakpoints() const { return definition_->breakpoints; }
+
+private:
+  std::shared_ptr<const Definition> definition_;
+};
+
+/// Archard: k p v, sec. 4.1. k [1 / stress]
+WearLaw archard(double coefficient);
+/// By the frictional dissipation: K q, eq. (13). K [1 / stress]
+WearLaw dissipation_wear(double coefficient);
+
+}  // namespace gnomon
