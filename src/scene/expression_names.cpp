@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <gnomon/scene.hpp>
+#include <gnomon/scene/scene.hpp>
 #include <set>
 
 #include "scene/expression_language.hpp"
