@@ -6,6 +6,7 @@
 #include <functional>
 #include <gnomon/laws/counter_shape.hpp>
 #include <gnomon/laws/wear_law.hpp>
+#include <gnomon/scene/expression.hpp>
 #include <gnomon/scene/registry.hpp>
 #include <string>
 #include <vector>
@@ -34,6 +35,14 @@ struct WearLawKind {
   std::vector<Key> keys;  ///< wear.*
   std::function<WearLaw(const Scene&)> make;
 };
+
+/// The variables of a wear law that is an expression: p v h q t s x0 y0 z0, as in WearInput.
+const std::vector<std::string>& wear_law_variables();
+
+/// The wear rate as an expression of wear_law_variables(), in this order. Its kinks that depend on
+/// t and s alone become breakpoints, looked for in (0, end]; two changes of one condition within
+/// a thousandth of `end` may be missed. s = nominal_speed t there.
+WearLaw expression_wear_law(const Expression& rate, double end, double nominal_speed);
 
 /// The inputs that a run may meet, largest values, for checks of a law.
 struct WearRange {

@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <cmath>
+#include <gnomon/laws/catalogue.hpp>
+#include <memory>
+
+namespace gnomon {
+
+const std::vector<std::string>& wear_law_variables() {
+  static const std::vector<std::string> names = {"p", "v", "h", "q", "t", "s", "x0", "y0", "z0"};
+  return names;
+}
+
+namespace {
+
+using Variables = std::array<double, 9>;
+constexpr std::size_t time_variable = 4, slid_variable = 5;
+
+Variables variables(const WearInput& at) {
+  return {at.pressure,    at.speed,      at.depth,      at.friction_power, at.moment.time,
+          at.moment.slid, at.initial[0], at.initial[1], at.initial[2]};
+}
+
+/// Steps end where a condition on time changes; between, it has one branch.
+class ExpressionLaw {
+public:
+  ExpressionLaw(const Expression& rate, double end, double nominal_speed) : rate_(rate) {
+    for (std::size_t kink = 0; kink < rate.kinks(); ++kink) {
+      bool timed = true;
+      for (std::size_t i = 0; i < wear_law_variables().size(); ++i)
+        if (i != time_variable && i != slid_variable) timed &= !rate.kink_depends_on(kink, i);
+      (timed ? timed_ : nodal_).push_back(kink);
+    }
+    find_breakpoints(end, nominal_speed);
+  }
+
+  const std::vector<double>& breakpoints() const { return breakpoints_; }
+  std::size_t nodal_kinks() const { return nodal_.size(); }
+
+  WearRate rate(const WearInput& at, std::span<const char> branches) const {
+    const Variables x = variables(at);
+    Variables gradient{};
+    const std::vector<char> all = all_branches(x, at.moment.within, branches);
+    const double value = rate_.value_and_gradient(x, gradient, all);
+    return {value, gradient[0], gradient[1], gradient[2], gradient[3]};
+  }
+
+  void switching(const WearInput& at, std::span<const char> branches,
+                 std::span<double> values) const {
+    const Variables x = variables(at);
+    const std::vector<char> all = all_branches(x, at.moment.within, branches);
+    std::vector<double> found(rate_.kinks());
+    rate_.switching(x, found, all);
+    for (std::size_t k = 0; k < nodal_.size(); ++k) values[k] = found[nodal_[k]];
+  }
+
+private:
+  std::vector<char> active(const Variables& x) const {
+    std::vector<double> values(rate_.kinks());
+    rate_.switching(x, values);
+    std::vector<char> result(values.size());
+    std::transform(values.begin(), values.end(), result.begin(),
+                   [](double value) { return static_cast<char>(value <= 0); });
+    return result;
+  }
+
+  /// Of the kinks of the expression, from those of the law; empty: as x lies.
+  std::vector<char> all_branches(const Variables& x, double within,
+                                 std::span<const char> branches) const {
+    if (timed_.empty() && (branches.empty() || nodal_.empty())) return {};
+    std::vector<char> all = branches.empty() ? active(x) : std::vector<char>(rate_.kinks());
+    if (!branches.empty())
+      for (std::size_t k = 0; k < nodal_.size(); ++k) all[nodal_[k]] = branches[k];
+    const auto behind = std::upper_bound(breakpoints_.begin(), breakpoints_.end(), within);
+    const auto& between = between_[static_cast<std::size_t>(behind - breakpoints_.begin())];
+    for (const std::size_t kink : timed_) all[kink] = between[kink];
+    return all;
+  }
+
+  void find_breakpoints(double end, double nominal_speed) {
+    const auto at = [&](double t) {
+      Variables x;
+      x.fill(1);
+      x[time_variable] = t, x[slid_variable] = nominal_speed * t;
+      return x;
+    };
+    const auto size = [&](std::size_t kink, double t) {
+      std::vector<double> values(rate_.kinks());
+      rate_.switching(at(t), values);
+      return std::abs(values[kink]);
+    };
+    constexpr int samples = 2000;
+    std::vector<char> before = active(at(0));
+    for (int k = 1; k <= samples && !timed_.empty(); ++k) {
+      const double from = end * (k - 1) / samples, to = end * k / samples;
+      const std::vector<char> after = active(at(to));
+      for (const std::size_t kink : timed_) {
+        if (before[kink] == after[kink]) continue;
+        double low = from, high = to;
+        for (double middle = (low + high) / 2; middle > low && middle < high;
+             middle = (low + high) / 2)
+          (active(at(middle))[kink] == before[kink] ? low : high) = middle;
+        const double time = size(kink, low) < size(kink, high) ? low : high;
+        if (time > 0) breakpoints_.push_back(time);
+      }
+      before = after;
+    }
+    std::sort(breakpoints_.begin(), breakpoints_.end());
+    breakpoints_.erase(std::unique(breakpoints_.begin(), breakpoints_.end()), breakpoints_.end());
+    for (std::size_t k = 0; k <= breakpoints_.size(); ++k) {
+      const double from = k == 0 ? 0 : breakpoints_[k - 1];
+      const double to = k == breakpoints_.size() ? end : breakpoints_[k];
+      between_.push_back(active(at((from + to) / 2)));
+    }
+  }
+
+  Expression rate_;
+  std::vector<std::size_t> nodal_, timed_;  // kinks of the expression
+  std::vector<double> breakpoints_;
+  std::vector<std::vector<char>> between_;  // what is active between them, also at both ends
+};
+
+}  // namespace
+
+WearLaw expression_wear_law(const Expression& rate, double end, double nominal_speed) {
+  const auto law = std::make_shared<const ExpressionLaw>(rate, end, nominal_speed);
+  return WearLaw(
+      {.rate = [law](const WearInput& at,
+                     std::span<const char> branches) { return law->rate(at, branches); },
+       .kinks = law->nodal_kinks(),
+       .switching = [law](const WearInput& at, std::span<const char> branches,
+                          std::span<double> values) { law->switching(at, branches, values); },
+       .breakpoints = law->breakpoints()});
+}
+
+namespace {
+
+WearLaw make(const Scene& scene) {
+  ExpressionNames names;
+  names.variables = wear_law_variables();
+  try {
+    const Expression rate(scene.text("wear.rate"), names);
+    return expression_wear_law(rate, scene.real("time.end"), scene.real("wear.velocity"));
+  } catch (const ExpressionError& error) {
+    throw InputError(scene.where("wear.rate") + ": " + error.what());
+  }
+}
+
+const Registration<WearLawKind> registration(
+    {.name = "expression",
+     .help = "an expression of p, v, h, q, t, s, x0, y0, z0",
+     .keys = {{.name = "wear.rate",
+               .kind = KeyKind::text,
+               .unit = "mm/s",
+               .help = "wear rate by pressure p, sliding speed v, wear depth h, friction power q = "
+                       "mu p v, time t, sliding distance s, initial position x0, y0, z0"}},
+     .make = make});
+
+}  // namespace
+
+}  // namespace gnomon

@@ -1,0 +1,178 @@
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/laws/catalogue.hpp>
+
+#include "support/derivatives.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+using ::testing::HasSubstr;
+
+WearLaw law_of(const std::string& rate, double end = 100, double speed = 1000) {
+  ExpressionNames names;
+  names.variables = wear_law_variables();
+  return expression_wear_law(Expression(rate, names), end, speed);
+}
+
+WearInput input(double p, double v, double h = 0.2, double q = 40) {
+  return {.pressure = p, .speed = v, .depth = h, .friction_power = q, .moment = {3, 3000, 3}};
+}
+
+void expect_derivatives(const WearLaw& law, const WearInput& at,
+                        std::span<const char> branches = {}) {
+  const WearRate rate = law.rate(at, branches);
+  const auto difference = [&](double WearInput::*member) {
+    const double h = 1e-6 * std::max(1.0, std::abs(at.*member));
+    WearInput above = at, below = at;
+    above.*member += h, below.*member -= h;
+    return (law.rate(above, branches).value - law.rate(below, branches).value) / (2 * h);
+  };
+  const Vector<4> actual(rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power);
+  expect_same_matrix(
+      actual,
+      Vector<4>(difference(&WearInput::pressure), difference(&WearInput::speed),
+                difference(&WearInput::depth), difference(&WearInput::friction_power)),
+      1e-8);
+}
+
+TEST(WearLaw, BuiltInRatesByHand) {
+  EXPECT_DOUBLE_EQ(archard(1e-3).rate(input(20, 5)).value, 0.1);
+  EXPECT_DOUBLE_EQ(dissipation_wear(1e-3).rate(input(20, 5)).value, 0.04);
+  EXPECT_DOUBLE_EQ(archard(1e-3).rate(input(-20, 5)).value, -0.1);  // as far as Archard goes
+  EXPECT_EQ(WearLaw().rate(input(20, 5)).value, 0);
+  expect_derivatives(archard(1e-3), input(20, 5));
+  expect_derivatives(dissipation_wear(1e-3), input(-20, 5, 0.2, -40));
+}
+
+TEST(WearLaw, ExpressionsAreTheirFormulaAndItsDerivatives) {
+  const WearLaw same = law_of("1e-3 * p * v"), archards = archard(1e-3);
+  for (double p : {-7.0, 0.0, 7.0}) {
+    EXPECT_DOUBLE_EQ(same.rate(input(p, 5)).value, archards.rate(input(p, 5)).value);
+    EXPECT_DOUBLE_EQ(same.rate(input(p, 5)).by_speed, archards.rate(input(p, 5)).by_speed);
+  }
+  const WearLaw all = law_of("1e-3 * p^1.5 * v^1.2 * exp(-h / 0.3) + 2e-4 * q * (1 + h)");
+  for (double p : {-7.0, 7.0}) expect_derivatives(all, input(p, 5, 0.2, 0.4 * p * 5));
+  EXPECT_DOUBLE_EQ(all.rate(input(4, 1, 0, 10)).value, 0.01);
+  EXPECT_DOUBLE_EQ(law_of("x0 + 10 * y0 + 100 * z0 + t + s")
+                       .rate({.moment = {0.5, 0.25, 0}, .initial = {1, 2, 3}})
+                       .value,
+                   321.75);
+}
+
+// Below p = 0: twice the value at zero less that of the opposite input, with one value and slope.
+TEST(WearLaw, ContinuesBelowNoPressure) {
+  const WearLaw law = law_of("1e-3 * p^1.5 * v");
+  EXPECT_DOUBLE_EQ(law.rate(input(-4, 5)).value, -law.rate(input(4, 5)).value);
+  const WearLaw steep = law_of("1e-3 * p * v * (1 + p)");
+  EXPECT_NEAR(steep.rate(input(-1e-9, 5)).by_pressure, steep.rate(input(1e-9, 5)).by_pressure,
+              1e-10);
+  // A slope that is not finite is none where p = 0, and only there.
+  const WearLaw root = law_of("1e-3 * sqrt(p) * v");
+  EXPECT_EQ(root.rate(input(0, 5)).by_pressure, 0);
+  EXPECT_DOUBLE_EQ(root.rate(input(4, 5)).by_pressure, 1.25e-3);
+  EXPECT_THROW(law_of("p / h").rate(input(1, 5, 0)), RecoverableError);
+}
+
+TEST(WearLaw, KinksOfAnExpressionSwitch) {
+  const WearLaw law = law_of("1e-3 * v * max(p - 10, 0) * if(h < 0.5, 1, 0.2)");
+  ASSERT_EQ(law.kinks(), 2);
+  EXPECT_TRUE(law.breakpoints().empty());
+  std::array<double, 2> values{};
+  law.switching(input(25, 5), values);
+  EXPECT_DOUBLE_EQ(std::abs(values[0]), 15);
+  EXPECT_DOUBLE_EQ(std::abs(values[1]), 0.3);
+  const std::array<char, 2> here = {values[0] <= 0, values[1] <= 0};
+  EXPECT_DOUBLE_EQ(law.rate(input(25, 5)).value, 0.075);
+  // The branch that is taken above the threshold, below it and below no pressure.
+  EXPECT_EQ(law.rate(input(4, 5)).value, 0);
+  EXPECT_DOUBLE_EQ(law.rate(input(4, 5), here).value, -0.03);
+  EXPECT_DOUBLE_EQ(law.rate(input(-4, 5), here).value, -0.07);
+  for (double p : {25.0, 4.0, -4.0}) expect_derivatives(law, input(p, 5), here);
+  std::array<double, 2> continued{};
+  law.switching(input(-4, 5), continued, here);
+  EXPECT_DOUBLE_EQ(std::abs(continued[0]), 14);
+}
+
+TEST(WearLaw, ConditionsOnTimeAreBreakpoints) {
+  const WearLaw law = law_of("if(t < 10, 2e-3, 1e-3) * if(s >= 55000, 3, 1) * max(p - 1, 0) * v");
+  EXPECT_EQ(law.breakpoints(), (std::vector<double>{10, 55}));
+  EXPECT_EQ(law.kinks(), 1);
+  const auto rate = [&](double t, double within) {
+    WearInput at = input(2, 5);
+    at.moment = {t, 1000 * t, within};
+    return law.rate(at).value;
+  };
+  EXPECT_DOUBLE_EQ(rate(4, 4), 0.01);
+  EXPECT_DOUBLE_EQ(rate(10, 4), 0.01);  // of a step that ends there
+  EXPECT_DOUBLE_EQ(rate(10, 10), 0.005);
+  EXPECT_DOUBLE_EQ(rate(12, 9.9), 0.01);
+  EXPECT_DOUBLE_EQ(rate(55, 54), 0.005);
+  EXPECT_DOUBLE_EQ(rate(1e3, 1e3), 0.015);
+
+  ExpressionNames names;
+  names.variables = wear_law_variables();
+  names.tables.emplace("fade", PiecewiseLinear({0.1, 7, 7.01}, {1, 0.5, 0.2}));
+  const WearLaw table = expression_wear_law(Expression("1e-3 * p * v * fade(t)", names), 30, 1);
+  EXPECT_EQ(table.breakpoints(), (std::vector<double>{0.1, 7, 7.01}));
+}
+
+std::string refusal(const std::string& rate) {
+  const WearRange range{
+      .pressure = 30, .speed = 1000, .depth = 0.5, .duration = 100, .friction = 0.3};
+  try {
+    check_wear_law(law_of(rate), range, "scene.toml:3: key `wear.rate`");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(WearLaw, IsCheckedOnAGridOfInputs) {
+  EXPECT_EQ(refusal("1e-9 * p * v"), "");
+  EXPECT_EQ(refusal("1e-9 * p^0.8 * v * exp(-h)"), "");
+  EXPECT_EQ(refusal("1e-9 * q * sqrt(1e-3 + max(h, 0))"), "");
+  const std::string key = "scene.toml:3: key `wear.rate`: ";
+  const std::string idle = refusal("1e-9 * (p + 1) * v");
+  EXPECT_THAT(idle,
+              HasSubstr(key + "expected no wear without pressure, got the rate 1e-08 at p = 0,"));
+  EXPECT_THAT(refusal("1e-9 * p * v * (1 - 2 * h)"),
+              HasSubstr(key + "expected a wear rate of zero or more, got -"));
+  EXPECT_THAT(refusal("1e-9 * p * v * sqrt(h)"),
+              HasSubstr(key + "expected a finite wear rate, with finite derivatives, got none at"));
+  for (const std::string& text : {idle}) EXPECT_EQ(text.find('\n'), std::string::npos);
+}
+
+TEST(WearLaw, IsMadeOfASceneByItsName) {
+  EXPECT_EQ(Registry<WearLawKind>::names(),
+            (std::vector<std::string>{"archard", "dissipation", "expression"}));
+  const auto make = [](const std::string& name, const std::string& text) {
+    const WearLawKind& kind = Registry<WearLawKind>::find(name, "wear law");
+    std::vector<Key> keys = run_keys();
+    keys.push_back({.name = "wear.velocity"});
+    keys.insert(keys.end(), kind.keys.begin(), kind.keys.end());
+    return kind.make(
+        parse_scene("problem = \"any\"\ntime.end = 20.0\nintegrator.name = \"any\"\n"
+                    "wear.velocity = 1000.0\n" +
+                        text,
+                    "scene.toml", {}, [&](const std::string&) { return keys; }));
+  };
+  EXPECT_DOUBLE_EQ(make("archard", "wear.coefficient = 1e-3").rate(input(20, 5)).value, 0.1);
+  EXPECT_DOUBLE_EQ(make("dissipation", "wear.coefficient = 1e-3").rate(input(20, 5)).value, 0.04);
+  const WearLaw law = make("expression", "wear.rate = \"1e-3 * p * v * if(t < 10, 1, 2)\"");
+  EXPECT_DOUBLE_EQ(law.rate(input(20, 5)).value, 0.1);
+  EXPECT_EQ(law.breakpoints(), std::vector<double>{10});
+  try {
+    make("expression", "wear.rate = \"1e-3 * r\"");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("scene.toml:5: key `wear.rate`: column 8"));
+  }
+}
+
+}  // namespace
+}  // namespace gnomon
