@@ -42,7 +42,7 @@ Example worn_ball(double refinement, bool multigrid) {
 NodalState<3> NewtonIteration::guess(const Example& example) {
   const WornBody<3>& body = *example.body;
   NodalState<3> state = NodalState<3>::zero(body);
-  const NeoHookean& law = body.material;
+  const ElasticModuli& law = body.material.moduli;
   const double nu = law.lambda / (2 * (law.lambda + law.mu)), young = law.young_modulus();
   const HertzPoint hertz(body.copies * body.counter_force.value(), example.radius, young, nu);
   for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {

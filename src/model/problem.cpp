@@ -3,6 +3,7 @@
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
+#include <gnomon/terms/material_law.hpp>
 
 namespace gnomon {
 
@@ -22,13 +23,19 @@ std::unique_ptr<Model> make_model(const Scene& scene) {
   return Problems::find(scene.text("problem"), "problem").make(scene);
 }
 
+std::vector<Key> own_keys(const Problem& problem) {
+  std::vector<Key> keys = problem.keys;
+  for (const char* material : {"body.material", "shape.energy"}) add_material_keys(keys, material);
+  return keys;
+}
+
 std::vector<Key> key_table(const std::string& problem) {
   std::vector<Key> table = run_keys();
   for (Key& key : table) {
     if (key.name == "problem") key.choices = {problem};
     if (key.name == "integrator.name") key.choices = Integrators::names();
   }
-  const std::vector<Key>& own = Problems::find(problem, "problem").keys;
+  const std::vector<Key> own = own_keys(Problems::find(problem, "problem"));
   table.insert(table.end(), own.begin(), own.end());
   return table;
 }

@@ -15,7 +15,7 @@ template <int dim>
 void require_strain(const WornBody<dim>& body) {
   constexpr double least = 1e-14;
   const double strain = body.load_history.least(body.scales.duration) * body.scales.stress /
-                        body.material.young_modulus();
+                        body.material.moduli.young_modulus();
   if (!(strain >= least))
     throw InputError(fmt::format(
         "load.force, load.factors, body.young_modulus: expected a load that strains the "
@@ -120,7 +120,7 @@ std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
       {"element_volume", "", least}};
   if (body.section) scalars.push_back({"groove_section", "mm^2", worn / body.section->length});
   if (body.counter_force) scalars.push_back({"approach", "mm", nodal.w});
-  if (small_strain(body.element))
+  if (body.element.kinematics == Kinematics::small)
     scalars.push_back({"displacement_gradient", "", displacement_gradient(body, nodal)});
   if constexpr (dim == 2)
     scalars.push_back({"contact_half_width", "mm", contact_half_width(system_, nodal)});

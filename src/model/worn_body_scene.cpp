@@ -4,6 +4,7 @@
 #include <gnomon/base/same_time.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
+#include <gnomon/terms/material_law.hpp>
 
 namespace gnomon {
 
@@ -41,21 +42,13 @@ template <int dim>
 void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   const double young = scene.real("body.young_modulus");
   const double shape_young = scene.real("shape.young_modulus");
-  body.material = NeoHookean::from_young_poisson(young, scene.real("body.poisson_ratio"));
-  body.auxiliary_material =
-      NeoHookean::from_young_poisson(shape_young, scene.real("shape.poisson_ratio"));
-  if (scene.text("shape.energy") == "blatz-ko") {
-    body.auxiliary_element = ElementKind::plain_blatz_ko;
-    // Its forces grow without bound where the body is nearly worn away, and their rounding with
-    // them.
-    body.scales.auxiliary_force *= 1e3;
-  }
+  body.material = read_material(scene, "body.material");
+  body.auxiliary_material = read_material(scene, "shape.energy");
+  body.scales.auxiliary_force *= body.auxiliary_material.collapse_force;
   body.auxiliary_stiffening = scene.real("shape.stiffening");
-  const std::string& element = scene.text("body.element");
-  body.element = element == "plain"   ? ElementKind::plain
-                 : element == "f-bar" ? ElementKind::f_bar
-                                      : ElementKind::f_bar_variational;
-  if (scene.text("body.kinematics") == "small") body.element = small_strain_limit(body.element);
+  body.element.technology = technology_of(scene.text("body.element"));
+  body.element.kinematics =
+      scene.text("body.kinematics") == "small" ? Kinematics::small : Kinematics::finite;
   body.contact.wear.coefficient = scene.real("wear.coefficient");
   if constexpr (dim == 3) {  // eq. (13): wear by the frictional dissipation
     body.contact.friction = scene.real("friction.coefficient");

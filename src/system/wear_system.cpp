@@ -28,7 +28,8 @@ Scales above_rounding(const WornBody<dim>& body) {
   for (const Vector<dim>& X : body.mesh.nodes) low = low.cwiseMin(X), high = high.cwiseMax(X);
   const double length = 1e-6 * (high - low).maxCoeff();
   const double area = std::pow((high - low).maxCoeff(), dim - 1);
-  const double stiffness = 1e-7 * (body.material.lambda + 2 * body.material.mu) * area;
+  const double stiffness =
+      1e-7 * (body.material.moduli.lambda + 2 * body.material.moduli.mu) * area;
   Scales scales = body.scales;
   scales.displacement = std::max(scales.displacement, length);
   scales.force = std::max(scales.force, stiffness);

@@ -26,7 +26,7 @@ CellAssembly<dim> auxiliary_cells(const Mesh<dim>& mesh, const Body& body, const
                                   const Numbers& columns) {
   return {mesh,
           body.auxiliary_material,
-          body.auxiliary_element,
+          {ElementTechnology::plain, Kinematics::finite},
           rows,
           columns,
           nullptr,

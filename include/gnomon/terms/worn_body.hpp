@@ -7,7 +7,7 @@
 #include <gnomon/mesh/mesh.hpp>
 #include <gnomon/system/linear_solver_choice.hpp>
 #include <gnomon/terms/contact_node.hpp>
-#include <gnomon/terms/solid.hpp>
+#include <gnomon/terms/material.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,10 +60,9 @@ struct WornBody {
   NodalFlags<dim> displacement_fixed;            ///< 1 where u is held at zero
   NodalFlags<dim> shape_fixed;                   ///< 1 where d is held at zero
   NodalField<dim> load;                          ///< nodal dead loads at factor one
-  NeoHookean material;
-  ElementKind element = ElementKind::f_bar;
-  NeoHookean auxiliary_material;                       ///< eq. (20)
-  ElementKind auxiliary_element = ElementKind::plain;  ///< or plain_blatz_ko
+  Material material;
+  Element element;
+  Material auxiliary_material;      ///< eq. (20), plain elements, finite strains
   double auxiliary_stiffening = 0;  ///< chi: a cell is (mean volume / its volume)^chi as stiff
   ContactParameters<dim> contact;
   /// The force that presses the counter-body along its `approach`, at factor one; without it the
