@@ -15,7 +15,7 @@ template <int dim>
 void require_strain(const WornBody<dim>& body) {
   constexpr double least = 1e-14;
   const double strain = body.load_history.least(body.scales.duration) * body.scales.stress /
-                        body.material.young_modulus();
+                        body.material.moduli.young_modulus();
   if (!(strain >= least))
     throw InputError(fmt::format(
         "load.force, load.factors, body.young_modulus: expected a load that strains the "
@@ -115,7 +115,7 @@ std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
   if (body.section) scalars.push_back({"groove_section", "mm^2", worn / body.section->length});
   if (body.counter_force)
     scalars.push_back({"approach", "mm", values.scalar(equations_.fields().w)[0]});
-  if (small_strain(body.element))
+  if (body.element.kinematics == Kinematics::small)
     scalars.push_back({"displacement_gradient", "", displacement_gradient(body, nodal_u, nodal_d)});
   if constexpr (dim == 2)
     scalars.push_back(
