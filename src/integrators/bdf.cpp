@@ -54,10 +54,10 @@ private:
   ErrorNorm norm_;
   bool begun_ = false;
   long rejected_ = 0;
-  int vanishing_ = 0;                // steps, one after the other
-  double integrated_ = 0;            // value of the quadrature at the start of the step
-  ActiveSet branch_;                 // that steps stay on while events are located
-  std::vector<double> switched_at_;  // time of each node's last event
+  int vanishing_ = 0;                         // steps, one after the other
+  double integrated_ = 0;                     // value of the quadrature at the start of the step
+  ActiveSet branch_;                          // that steps stay on while events are located
+  std::vector<double> switched_at_;           // time of each node's last event
   std::optional<AlgebraicSolver> algebraic_;  // made at the first event
   LinearRequest request_;
   Guard guard_;
@@ -187,8 +187,9 @@ int BdfSolver::Memory::switch_nodes(const State& state, bool at_root) {
   // Of the largest switching function: symmetric nodes differ by what Newton leaves of them, up to
   // NewtonOptions::acceptable.
   constexpr double together = 1e-9;
-  // Of the run: before a node may switch again. After an event IDA begins at order one, with a step of
-  // 1e-3 of the time to t_stop at most: an event sooner than this is below the error of that step.
+  // Of the run: before a node may switch again. After an event IDA begins at order one, with a step
+  // of 1e-3 of the time to t_stop at most: an event sooner than this is below the error of that
+  // step.
   constexpr double moment = 1e-6;
   std::vector<int> found(branch_.size(), 0);
   if (at_root) check(IDAGetRootInfo(ida_.get(), found.data()), "IDAGetRootInfo");
@@ -223,8 +224,8 @@ bool BdfSolver::Memory::cross_event(State& state, bool at_root, StepReport& repo
   return true;
 }
 
-/// Behind an event or a breakpoint, where a polynomial through earlier states says nothing of the rates
-/// to come: at order one.
+/// Behind an event or a breakpoint, where a polynomial through earlier states says nothing of the
+/// rates to come: at order one.
 void BdfSolver::Memory::restart(const State& state) {
   std::copy(state.y.begin(), state.y.end(), view(y_.get()).begin());
   std::copy(state.ydot.begin(), state.ydot.end(), view(ydot_.get()).begin());

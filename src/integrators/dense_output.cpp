@@ -10,11 +10,12 @@ namespace {
 /// The stages of the last two steps: of seven each, as the longest table has (esdirk-5). Older ones
 /// are farther from any time of interest than four of these.
 constexpr std::size_t capacity = 14;
-/// A cubic. Stages are of order two or three in h, so a higher degree would interpolate their errors.
+/// A cubic. Stages are of order two or three in h, so a higher degree would interpolate their
+/// errors.
 constexpr std::size_t most_points = 4;
 /// Sum of |weights|: how much an extrapolation may magnify errors of the states. From the
-/// ends of equal steps, one step ahead: 3 by a line, 7 by a parabola, 15 by a cubic; two ahead: 5, 17
-/// and 49.
+/// ends of equal steps, one step ahead: 3 by a line, 7 by a parabola, 15 by a cubic; two ahead: 5,
+/// 17 and 49.
 constexpr double largest_weights = 12;
 
 /// Lagrange's weights at t of the polynomial through `nodes`.

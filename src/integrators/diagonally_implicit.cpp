@@ -82,9 +82,10 @@ NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base,
 }
 
 /// The same by continuation from step zero, where the solution is the state that the step starts
-/// from: `base` and the time move from there with the step, by a quarter of it at first, then by half
-/// as much again after every success and by half of that after a failure. Given up where a part of
-/// `least` is still too long, and after `most` solves, for the way may creep without an end.
+/// from: `base` and the time move from there with the step, by a quarter of it at first, then by
+/// half as much again after every success and by half of that after a failure. Given up where a
+/// part of `least` is still too long, and after `most` solves, for the way may creep without an
+/// end.
 std::string DiagonallyImplicit::continue_in_step(double t, double step, const Rates& base,
                                                  const State& from, const AttemptOptions& options,
                                                  State& to) {
@@ -148,9 +149,9 @@ Attempt DiagonallyImplicit::attempt(const State& from, double h, const AttemptOp
     const std::vector<double>& rates = is_state ? from.ydot : to.ydot;
     for (std::size_t k = 0; k < components.size(); ++k) k_[i][k] = rates[components[k]];
     if (!integrand_ || table_.b[i] == 0) continue;
-    const Point stage = is_state ? Point{from.t, from.y, from.ydot, from.own_piece()}
-                                 : Point{from.t + table_.c[i] * h, to.y, to.ydot, options.branch,
-                                         from.t};
+    const Point stage =
+        is_state ? Point{from.t, from.y, from.ydot, from.own_piece()}
+                 : Point{from.t + table_.c[i] * h, to.y, to.ydot, options.branch, from.t};
     integral += h * table_.b[i] * integrand_(stage);
   }
   if (!table_.stiffly_accurate()) {

@@ -59,8 +59,8 @@ constexpr PiController pi_controller{.proportional = 0.8,
                                      .safety = 0.99,
                                      .keep_from = 1.0,
                                      .keep_to = 1.5};
-/// Bounds on growth as for the other one-step methods (step_size.cpp), and failures in one step that
-/// are as good as endless: a step is then a billionth of what it was.
+/// Bounds on growth as for the other one-step methods (step_size.cpp), and failures in one step
+/// that are as good as endless: a step is then a billionth of what it was.
 constexpr double most_growth = 5;
 constexpr int most_failures = 30;
 }  // namespace
@@ -151,15 +151,14 @@ int ErkSolver::Memory::rate(sunrealtype t, N_Vector d, N_Vector ddot, void* data
   });
 }
 
-// ERKStep averages the squares over all components. The integral has no weight in the error, and the
-// factor makes it the mean over the others.
+// ERKStep averages the squares over all components. The integral has no weight in the error, and
+// the factor makes it the mean over the others.
 int ErkSolver::Memory::weights(N_Vector d, N_Vector w, void* data) {
   const Memory& self = *static_cast<Memory*>(data);
   const std::size_t all = view(d).size(), components = self.norm_.components().size();
   const double spread = std::sqrt(double(all) / double(components));
   std::fill(view(w).begin(), view(w).end(), 0.0);
-  for (std::size_t k = 0; k < components; ++k)
-    view(w)[k] = spread * self.norm_.weight(view(d)[k]);
+  for (std::size_t k = 0; k < components; ++k) view(w)[k] = spread * self.norm_.weight(view(d)[k]);
   return 0;
 }
 

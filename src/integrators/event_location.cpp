@@ -32,8 +32,8 @@ double polynomial_root(const std::vector<double>& h, std::vector<double> f, doub
   return (low + high) / 2;
 }
 
-/// Between low and high, for a zero that may be at any scale: while these differ much, the geometric
-/// mean halves the digits that are in doubt. From zero, four halvings at a time.
+/// Between low and high, for a zero that may be at any scale: while these differ much, the
+/// geometric mean halves the digits that are in doubt. From zero, four halvings at a time.
 double middle(double low, double high) {
   if (low == 0) return high / 16;
   return high > 4 * low ? std::sqrt(low * high) : (low + high) / 2;
@@ -124,8 +124,8 @@ double EventLocator::first_guess(const State& from, double h) const {
   return h / 2;
 }
 
-/// Both ends and the two samples nearest to one of them, for a cubic: the convergence of its zeros is
-/// superlinear, and a cubic is what a step between two events looks like.
+/// Both ends and the two samples nearest to one of them, for a cubic: the convergence of its zeros
+/// is superlinear, and a cubic is what a step between two events looks like.
 std::vector<const EventLocator::Sample*> EventLocator::samples_near(double end, double low,
                                                                     double high) const {
   std::vector<const Sample*> nodes;
@@ -184,12 +184,13 @@ Landing EventLocator::land(const State& from, double h, State& to) {
   // Interpolation takes three to six; bisection, every second one where that fails, halves the
   // bracket eight times in sixteen.
   constexpr int most_attempts = 16;
-  // Of the step. An event so near its start is taken to be its start: the next step would have to be
-  // a thousandth as long, a sliver (stop_times.hpp).
+  // Of the step. An event so near its start is taken to be its start: the next step would have to
+  // be a thousandth as long, a sliver (stop_times.hpp).
   constexpr double moment = 1e-3;
   const double width = tolerance * h;
-  // Nodes whose zeros are so near to the end switch with it: the end is within one width of the first
-  // of them, and those of symmetric nodes, found apart, differ by as much again at either side.
+  // Nodes whose zeros are so near to the end switch with it: the end is within one width of the
+  // first of them, and those of symmetric nodes, found apart, differ by as much again at either
+  // side.
   const double together = 3 * width;
   samples_.clear();
   sample(0, from.y);

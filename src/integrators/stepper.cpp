@@ -15,11 +15,12 @@ namespace gnomon {
 namespace {
 
 /// How long a step is tried whose equations cannot be solved. (What the error test rejects is no
-/// failure: the next attempt follows from the estimate.) First eight times plainly, each half as long
-/// as the last, down to 1/256: where the solution is smooth, one of these is short enough. Then
-/// continuation in the step, eight times from the wanted size on, for what is not a matter of size:
-/// a body that an iterate inverts, an active set that cycles. Two more limits end attempts that are
-/// fewer but hopeless: those that use up most_newton_iterations, and those below shortest_step.
+/// failure: the next attempt follows from the estimate.) First eight times plainly, each half as
+/// long as the last, down to 1/256: where the solution is smooth, one of these is short enough.
+/// Then continuation in the step, eight times from the wanted size on, for what is not a matter of
+/// size: a body that an iterate inverts, an active set that cycles. Two more limits end attempts
+/// that are fewer but hopeless: those that use up most_newton_iterations, and those below
+/// shortest_step.
 class Patience {
 public:
   Patience(const StepAccount& account, double wanted, double shortest)
@@ -32,9 +33,7 @@ public:
   }
   bool by_continuation() const { return failures_ >= plain_attempts; }
   /// After a failure: the size to try next, where half the last one is `halved`.
-  double after_failure(double halved) {
-    return ++failures_ == plain_attempts ? wanted_ : halved;
-  }
+  double after_failure(double halved) { return ++failures_ == plain_attempts ? wanted_ : halved; }
 
 private:
   static constexpr int plain_attempts = 8, continued_attempts = 8;
@@ -132,10 +131,9 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, bool continua
 
 /// Over a kink at the start that cannot be ended on, on whatever branches there are.
 Landing OneStepStepper::step_over(const State& state, const Plan& plan, bool continuation) {
-  Landing whole{
-      .attempt = method_->attempt(state, plan.h, {.continuation = continuation}, next_),
-      .at_start = true,
-      .h = plan.h};
+  Landing whole{.attempt = method_->attempt(state, plan.h, {.continuation = continuation}, next_),
+                .at_start = true,
+                .h = plan.h};
   next_.piece.clear();
   if (whole.attempt.success) locator_->begin(next_.y);
   return whole;
@@ -153,8 +151,8 @@ void OneStepStepper::accept(State& state, const Plan& plan, const Landing& landi
   proposal_ = after_success(plan, landing);
   std::swap(state, next_);
   if (landing.h == plan.h && plan.lands) state.t = plan.target;  // without the rounding of t + h
-  const bool kink = landing.switched > 0 || landing.at_start ||
-                    is_breakpoint(system_.structure(), state.t);
+  const bool kink =
+      landing.switched > 0 || landing.at_start || is_breakpoint(system_.structure(), state.t);
   method_->accept(state, kink);
   counters_.events += landing.switched > 0;
 }

@@ -30,6 +30,7 @@ private:
   static int next_step(N_Vector y, N_Vector G, SUNMatrix J, void* self, N_Vector, N_Vector);
   void set_up(const NewtonPolicy::Plan& plan, const ActiveSet& branch, N_Vector y, SUNMatrix J);
   int solve_from(std::span<const double> guess);
+  int iterations() const;
   bool accepted(int flag) const;
   std::string reason(int flag) const;
   std::string cycling() const;
@@ -75,8 +76,8 @@ NewtonSolver::Memory::Memory(const Structure& structure, Counters& counters,
   check(KINInit(k, &Memory::residual, y_.get()), "KINInit");
   check(KINSetUserData(k, this), "KINSetUserData");
   check(KINSetLinearSolver(k, linear_.get(), matrix_.get()), "KINSetLinearSolver");
-  // KINSOL takes the steps, the policy decides, and it is asked where KINSOL wants a Jacobian: before
-  // every iteration, also where KINSOL would be done.
+  // KINSOL takes the steps, the policy decides, and it is asked where KINSOL wants a Jacobian:
+  // before every iteration, also where KINSOL would be done.
   constexpr double never = 1e-300;  // but at a residual of zero
   check(KINSetJacFn(k, &Memory::next_step), "KINSetJacFn");
   check(KINSetMaxSetupCalls(k, 1), "KINSetMaxSetupCalls");
@@ -98,8 +99,8 @@ int NewtonSolver::Memory::residual(N_Vector y, N_Vector G, void* data) {
   });
 }
 
-// KINSOL asks for a Jacobian before every iteration (KINSetMaxSetupCalls). What is returned stops it
-// where the policy says so.
+// KINSOL asks for a Jacobian before every iteration (KINSetMaxSetupCalls). What is returned stops
+// it where the policy says so.
 int NewtonSolver::Memory::next_step(N_Vector y, N_Vector, SUNMatrix J, void* data, N_Vector,
                                     N_Vector) {
   constexpr int stop = 1;
@@ -160,6 +161,13 @@ bool NewtonSolver::Memory::accepted(int flag) const {
   return flag == KIN_STEP_LT_STPTOL && !norms_.empty() && norms_.back() <= options_.acceptable;
 }
 
+/// KINSOL's count: an iteration that is begun and stopped at rounding is one, as in all published
+/// counts of gnomon.
+int NewtonSolver::Memory::iterations() const {
+  const int steps = policy_.iterations();
+  return verdict_ == Verdict::rounding && steps < options_.max_iterations ? steps + 1 : steps;
+}
+
 int NewtonSolver::Memory::solve_from(std::span<const double> guess) {
   std::copy(guess.begin(), guess.end(), view(y_.get()).begin());
   norms_.clear();
@@ -170,7 +178,7 @@ int NewtonSolver::Memory::solve_from(std::span<const double> guess) {
   const int flag =
       KINSol(kinsol_.get(), y_.get(), KIN_NONE, unknown_scale_.get(), row_scale_.get());
   guard_.rethrow();
-  counters_.newton_iterations += policy_.iterations();
+  counters_.newton_iterations += iterations();
   return flag;
 }
 
@@ -186,7 +194,7 @@ NewtonReport NewtonSolver::Memory::solve(const NonlinearFunction& function, std:
   std::copy(view(y_.get()).begin(), view(y_.get()).end(), y.begin());
   NewtonReport report;
   report.converged = accepted(flag);
-  report.iterations = policy_.iterations();
+  report.iterations = iterations();
   report.norms = norms_;
   if (!report.converged) {
     report.reason = reason(flag);

@@ -9,8 +9,8 @@ namespace gnomon {
 
 /// One object per Jacobian: it remembers what the factors were made for. A solve goes
 ///
-///   begin(); at each iterate: judge(norm), and if it says go_on: plan(branch), a set-up if the plan
-///   has one, then factors_made(branch), and a Newton step.
+///   begin(); at each iterate: judge(norm), and if it says go_on: plan(branch), a set-up if the
+///   plan has one, then factors_made(branch), and a Newton step.
 class NewtonPolicy {
 public:
   explicit NewtonPolicy(const NewtonOptions& options) : options_(options) {}

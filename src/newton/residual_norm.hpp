@@ -7,7 +7,8 @@
 
 namespace gnomon {
 
-/// Largest |F_i| / scale_i, scale_i being Structure::row_scale unless allow_for_rounding() raised it.
+/// Largest |F_i| / scale_i, scale_i being Structure::row_scale unless allow_for_rounding() raised
+/// it.
 class ResidualNorm {
 public:
   explicit ResidualNorm(const Structure& structure)
@@ -17,8 +18,8 @@ public:
   const std::vector<double>& scale() const { return scale_; }
 
   /// Where rates are rate_weight (y - base), as in short steps, rounding of y leaves more of them
-  /// than `acceptable` of their scale: less can be asked of those rows. Their scale becomes what ten
-  /// roundings of y leave of them, divided by `acceptable`, where that is more.
+  /// than `acceptable` of their scale: less can be asked of those rows. Their scale becomes what
+  /// ten roundings of y leave of them, divided by `acceptable`, where that is more.
   void allow_for_rounding(double rate_weight, std::span<const double> y, double acceptable);
 
 private:

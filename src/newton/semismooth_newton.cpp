@@ -69,9 +69,13 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
   SUNNonlinearSolver solver = SUNNonlinSolNewEmpty(context);
   check(solver, "SUNNonlinSolNewEmpty");
   NonlinearSolverOwner owner(solver);
-  solver->content =
-      new Content{counters, guard, NewtonPolicy(options), ResidualNorm(structure),
-                  std::move(branch_at), request, make_vector(structure.size, context)};
+  solver->content = new Content{counters,
+                                guard,
+                                NewtonPolicy(options),
+                                ResidualNorm(structure),
+                                std::move(branch_at),
+                                request,
+                                make_vector(structure.size, context)};
   auto* ops = solver->ops;
   ops->gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
   ops->initialize = [](SUNNonlinearSolver) { return 0; };

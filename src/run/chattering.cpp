@@ -9,7 +9,7 @@ namespace {
 /// Losses of contact between two breakpoints. One is regular, as while the load falls. To leave a
 /// second time a node must have come back in between.
 constexpr int too_many = 2;
-}
+}  // namespace
 
 void Chattering::add(const std::optional<ContactSurface>& surface) {
   if (!surface) return;

@@ -1,4 +1,5 @@
-// Chattering: contact nodes that open and close again and again, as in steps above the critical one.
+// Chattering: contact nodes that open and close again and again, as in steps above the critical
+// one.
 #pragma once
 
 #include <gnomon/base/packed_numbers.hpp>

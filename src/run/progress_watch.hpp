@@ -1,4 +1,5 @@
-// Ends a run for lack of progress: every step succeeds, after ever more work and over ever less time.
+// Ends a run for lack of progress: every step succeeds, after ever more work and over ever less
+// time.
 #pragma once
 
 #include <gnomon/base/counters.hpp>

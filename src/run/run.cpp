@@ -8,9 +8,9 @@
 
 #include "run/checkpoint_numbers.hpp"
 #include "run/end_warnings.hpp"
-#include "run/progress_watch.hpp"
 #include "run/instability.hpp"
 #include "run/mesh_watch.hpp"
+#include "run/progress_watch.hpp"
 #include "run/store_schedule.hpp"
 #include "run/wear_integral.hpp"
 

@@ -50,7 +50,8 @@ struct Step {
   State from, to;
 
   Step(const std::vector<double>& borders, std::function<double(double)> x, double t = 0)
-      : Step(borders, [x](double at, const ActiveSet*) { return x(at); }, t) {}
+      : Step(
+            borders, [x](double at, const ActiveSet*) { return x(at); }, t) {}
   Step(const std::vector<double>& borders, std::function<double(double, const ActiveSet*)> x,
        double t)
       : system({.borders = borders, .x = x(t, nullptr)}), method(x), locator(system, method) {
@@ -111,7 +112,8 @@ TEST(EventLocation, TakesTheEventsOfOneStepInTheirOrder) {
 }
 
 TEST(EventLocation, SwitchesNodesTogetherThatCannotBeToldApart) {
-  for (const auto& [apart, together] : {std::pair(0.0, 2), std::pair(1e-8, 2), std::pair(1e-5, 1)}) {
+  for (const auto& [apart, together] :
+       {std::pair(0.0, 2), std::pair(1e-8, 2), std::pair(1e-5, 1)}) {
     SCOPED_TRACE(apart);
     Step step({0.5 + apart, 0.5}, sine);
     const auto landing = step.take(1);
@@ -170,10 +172,13 @@ TEST(EventLocation, SwitchesAtTheStartWhatIsOffTheBranchThere) {
 // A node that no branch keeps: open it closes, closed it opens. At the event it switches once.
 TEST(EventLocation, SwitchesANodeOnceAtOneTime) {
   const double event = 0.5;
-  Step step({event}, [&](double t, const ActiveSet* branch) {
-    const bool closed = branch && branch->front();
-    return closed ? event - (t - event) : t;
-  }, 0);
+  Step step(
+      {event},
+      [&](double t, const ActiveSet* branch) {
+        const bool closed = branch && branch->front();
+        return closed ? event - (t - event) : t;
+      },
+      0);
   const auto landing = step.take(1);
   ASSERT_TRUE(landing && landing->attempt.success);
   EXPECT_EQ(step.locator.branch(), (ActiveSet{1}));
@@ -254,7 +259,8 @@ TEST(LocatedEvents, AreWhereTheyAreKnownToBe) {
   const SprungPoints system({.borders = {0.31, 0.52, 0.52, 1.17}, .wear = 2});
   for (const char* integrator : {"esdirk-4", "esdirk-3", "theta", "bdf"}) {
     SCOPED_TRACE(integrator);
-    const Run located = run(system, integrator, integrator == std::string("bdf") ? 0 : 0.1, 1.5, true);
+    const Run located =
+        run(system, integrator, integrator == std::string("bdf") ? 0 : 0.1, 1.5, true);
     std::vector<double> times;
     std::vector<int> switched;
     for (std::size_t k = 0; k < located.reports.size(); ++k)

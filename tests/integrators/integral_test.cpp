@@ -61,8 +61,8 @@ struct Smooth {
     IntegratorSettings settings = settings_of(step, rtol, 2);
     settings.integrand = [this](const Point& at) { return (*this)(at.t, at.y); };
     Counters counters;
-    return std::abs(
-        integrate(model->system(), model->start(counters), name, settings).integral - exact());
+    return std::abs(integrate(model->system(), model->start(counters), name, settings).integral -
+                    exact());
   }
   /// By Simpson's rule on the exact solution.
   double exact() const {
@@ -79,7 +79,8 @@ struct Smooth {
 TEST_P(Integral, ConvergesWithTheOrderOfTheMethod) {
   const Smooth smooth;
   if (!integrator().fixed_steps) {
-    const double loose = smooth.error(GetParam(), 0, 1e-4), tight = smooth.error(GetParam(), 0, 1e-8);
+    const double loose = smooth.error(GetParam(), 0, 1e-4),
+                 tight = smooth.error(GetParam(), 0, 1e-8);
     EXPECT_LT(loose, 0.1);
     EXPECT_LT(tight, 1e-3 * loose);
     return;
@@ -99,9 +100,7 @@ SprungPoints springs() {
 
 /// The wear rate of point j: what its depth integrates.
 std::function<double(const Point&)> wear_rate(const SprungPoints& system, int j) {
-  return [&system, j](const Point& at) {
-    return system.options().wear * at.y[system.pressure(j)];
-  };
+  return [&system, j](const Point& at) { return system.options().wear * at.y[system.pressure(j)]; };
 }
 
 // Worn depth and integrated wear rate are the same number, whatever the error of the method.
@@ -109,15 +108,16 @@ TEST_P(Integral, OfTheRateOfAComponentIsItsChange) {
   const SprungPoints system = springs();
   for (const double step : {0.0, 0.15})
     for (const bool locate : {false, true}) {
-      if ((step > 0 && !integrator().fixed_steps) || (locate && !integrator().locates_events)) continue;
+      if ((step > 0 && !integrator().fixed_steps) || (locate && !integrator().locates_events))
+        continue;
       SCOPED_TRACE(::testing::Message() << "step " << step << ", located " << locate);
       IntegratorSettings settings = settings_of(step, 1e-3, 1);
       settings.locate_events = locate;
       for (const int j : {0, 1}) {
         settings.integrand = wear_rate(system, j);
         const Integrated run = integrate(system, system.start(), GetParam(), settings);
-        const double change =
-            run.states.back().y[SprungPoints::depth(j)] - run.states.front().y[SprungPoints::depth(j)];
+        const double change = run.states.back().y[SprungPoints::depth(j)] -
+                              run.states.front().y[SprungPoints::depth(j)];
         EXPECT_GT(change, 0.1);
         EXPECT_NEAR(run.integral, change, 1e-10);
         EXPECT_EQ(run.counters.events > 0, locate);

@@ -1,5 +1,5 @@
-// How steps are chosen: the controller, the points that steps end on, and what happens to those that
-// fail; by the smallest method that can show it.
+// How steps are chosen: the controller, the points that steps end on, and what happens to those
+// that fail; by the smallest method that can show it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -240,7 +240,9 @@ TEST(OneStepStepper, EndsFixedStepsOnTheGridOnBreakpointsAndOnStops) {
 
 TEST(OneStepStepper, EndsChosenStepsOnBreakpointsExactly) {
   Driven run(adaptive(), {2.5});
-  run.method->outcome = [](double, double, bool) { return Attempt{.success = true, .error = 0.81}; };
+  run.method->outcome = [](double, double, bool) {
+    return Attempt{.success = true, .error = 0.81};
+  };
   std::vector<double> times;
   while (run.state.t < 10) {
     const StepReport report = run.stepper->advance(run.state, 10);
@@ -322,7 +324,9 @@ TEST(OneStepStepper, CountsFailuresAndNotWhatTheErrorTestRejects) {
 
 TEST(OneStepStepper, TriesNoStepBelowTheShortest) {
   Driven run(adaptive());
-  run.method->outcome = [](double, double, bool) { return Attempt{.success = true, .error = 1e30}; };
+  run.method->outcome = [](double, double, bool) {
+    return Attempt{.success = true, .error = 1e30};
+  };
   EXPECT_THAT([&] { run.stepper->advance(run.state, 100); },
               ::testing::ThrowsMessage<SolutionError>(HasSubstr("the error test fails")));
   EXPECT_GT(run.method->asked.back().h, shortest_step(adaptive()));

@@ -126,7 +126,7 @@ TEST(NewtonPolicy, InIdaIsAtRoundingFromTheThirdIterationOnWhateverTheFactors) {
   policy.begin();
   step(policy, 1, {}, true);
   step(policy, 0.9e-9);
-  step(policy, 0.5e-9);                              // slow, but the second iteration
+  step(policy, 0.5e-9);  // slow, but the second iteration
   EXPECT_EQ(policy.judge(0.25e-9), Verdict::rounding);
   policy.begin();
   step(policy, 1), step(policy, 0.9e-9), step(policy, 0.5e-9);

@@ -24,9 +24,10 @@ TEST(ProgressWatch, EndsARunThatGoesNowhereFor5000Iterations) {
   counters.newton_iterations = 5699;
   EXPECT_NO_THROW(watch.require(10.001, counters));
   counters.newton_iterations = 5700;
-  EXPECT_THAT([&] { watch.require(10.0099, counters); },
-              ::testing::ThrowsMessage<SolutionError>(HasSubstr(
-                  "lack of progress: the last 5000 Newton iterations went from t = 10 s to 10.0099")));
+  EXPECT_THAT(
+      [&] { watch.require(10.0099, counters); },
+      ::testing::ThrowsMessage<SolutionError>(HasSubstr(
+          "lack of progress: the last 5000 Newton iterations went from t = 10 s to 10.0099")));
 }
 
 TEST(ProgressWatch, BeginsAnewWhereTheRunHasProgressed) {
@@ -126,7 +127,8 @@ TEST(Chattering, IsToLeaveContactTwiceBetweenBreakpoints) {
   EXPECT_EQ(chattering.nodes(), 0);
   chattering.add(surface({0, 0, 0}));  // the first for the second time
   EXPECT_EQ(chattering.nodes(), 1);
-  EXPECT_THROW(require_no_chattering(chattering.nodes(), integrator("forward-euler")), SolutionError);
+  EXPECT_THROW(require_no_chattering(chattering.nodes(), integrator("forward-euler")),
+               SolutionError);
 
   chattering.begin_anew();
   EXPECT_EQ(chattering.nodes(), 1);  // stays known

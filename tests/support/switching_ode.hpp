@@ -11,11 +11,11 @@
 namespace gnomon::testing {
 
 struct SprungPointsOptions {
-  std::vector<double> borders;   ///< a_j, where point j touches its spring
-  double frequency = 0;          ///< omega of the motion
-  double stiffness = 1;          ///< K
-  double wear = 0;               ///< k
-  double x = 0, speed = 1;       ///< at the start
+  std::vector<double> borders;  ///< a_j, where point j touches its spring
+  double frequency = 0;         ///< omega of the motion
+  double stiffness = 1;         ///< K
+  double wear = 0;              ///< k
+  double x = 0, speed = 1;      ///< at the start
   std::vector<double> breakpoints = {};
 };
 
@@ -119,7 +119,8 @@ public:
 private:
   /// The pressures for given x and d.
   struct Pressures : System {
-    explicit Pressures(const SprungPoints& parent) : parent(parent), frozen(parent.structure_.size) {
+    explicit Pressures(const SprungPoints& parent)
+        : parent(parent), frozen(parent.structure_.size) {
       const int m = parent.points();
       own.size = m;
       own.pattern = PatternBuilder(m).build();  // the diagonal

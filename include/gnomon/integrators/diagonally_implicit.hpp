@@ -2,13 +2,13 @@
 // included.
 #pragma once
 
+#include <functional>
 #include <gnomon/integrators/butcher_table.hpp>
 #include <gnomon/integrators/dense_output.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 #include <gnomon/integrators/one_step.hpp>
-#include <gnomon/newton/newton.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
-#include <functional>
+#include <gnomon/newton/newton.hpp>
 #include <memory>
 #include <optional>
 #include <vector>

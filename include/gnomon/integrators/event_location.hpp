@@ -38,9 +38,9 @@ public:
   void restore(Unpacker& memory);
 
   /// For a step of size h from `from` that ended off the branch in `to`: the shorter step that ends
-  /// on the first event. branch() is then the one behind it. Where the event is at the start itself,
-  /// branch() is that behind it, too, and the step is to be taken again; if nothing switches there
-  /// (nodes that did so before are off again), it can only be stepped over.
+  /// on the first event. branch() is then the one behind it. Where the event is at the start
+  /// itself, branch() is that behind it, too, and the step is to be taken again; if nothing
+  /// switches there (nodes that did so before are off again), it can only be stepped over.
   Landing land(const State& from, double h, State& to);
 
 private:

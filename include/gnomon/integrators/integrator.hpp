@@ -50,9 +50,9 @@ class Stepper {
 public:
   virtual ~Stepper() = default;
   /// Takes one accepted step from `state`, ending at t_stop at the latest (exactly at t_stop when
-  /// the step would pass it), and so on the breakpoints of the system (Structure). Updates `state` to a
-  /// consistent state. Throws SolutionError when no step can be taken; `state` is then unchanged
-  /// (the last good one).
+  /// the step would pass it), and so on the breakpoints of the system (Structure). Updates `state`
+  /// to a consistent state. Throws SolutionError when no step can be taken; `state` is then
+  /// unchanged (the last good one).
   virtual StepReport advance(State& state, double t_stop) = 0;
 
   /// What the next step takes over from earlier ones beside the state, where it is to be kept:

@@ -5,8 +5,8 @@
 
 namespace gnomon {
 
-/// Newton iterations that are spent on one step, or on 1e-5 of a run (run/progress_watch.hpp), before
-/// it is given up. That is a dozen attempts at seven stages that use up the 60 iterations of
+/// Newton iterations that are spent on one step, or on 1e-5 of a run (run/progress_watch.hpp),
+/// before it is given up. That is a dozen attempts at seven stages that use up the 60 iterations of
 /// modified_newton each.
 inline constexpr long most_newton_iterations = 5000;
 

@@ -1,4 +1,5 @@
-// Where a step has to end: on the grid of fixed steps, on breakpoints of the load, on times to store.
+// Where a step has to end: on the grid of fixed steps, on breakpoints of the load, on times to
+// store.
 #pragma once
 
 #include <gnomon/system/system.hpp>

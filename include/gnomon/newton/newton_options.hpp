@@ -4,8 +4,8 @@
 namespace gnomon {
 
 /// When a Newton iteration is done, when it has failed, and how long its factors are kept. Every
-/// integrator solves its equations to the same tolerance, so that conserved quantities hold whatever
-/// the error tolerance of the time integration.
+/// integrator solves its equations to the same tolerance, so that conserved quantities hold
+/// whatever the error tolerance of the time integration.
 ///
 /// All residuals are the largest one, each row divided by its Structure::row_scale; rows with rates
 /// allow for the rounding of y where that is more (ResidualNorm).
