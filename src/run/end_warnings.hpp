@@ -8,7 +8,7 @@
 namespace gnomon {
 
 /// Of an explicit method above its critical step, and of wear that the shape has not lost.
-std::vector<std::string> end_warnings(const std::vector<Scalar>& scalars, long flickering_nodes,
+std::vector<std::string> end_warnings(const std::vector<Scalar>& scalars, long chattering_nodes,
                                       const Integrator& integrator);
 
 }  // namespace gnomon

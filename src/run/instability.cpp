@@ -66,12 +66,12 @@ void DampingWatch::require_damping(const State& state) {
                         mode->eigenvalue.real()));
 }
 
-void require_no_flicker(long flickering_nodes, const Integrator& integrator) {
-  if (flickering_nodes > 0)
+void require_no_chattering(long chattering_nodes, const Integrator& integrator) {
+  if (chattering_nodes > 0)
     throw SolutionError(
         fmt::format("{} contact nodes left contact twice or more: steps exceed the critical one of "
                     "{} (gnomon stability)",
-                    flickering_nodes, integrator.name));
+                    chattering_nodes, integrator.name));
 }
 
 }  // namespace gnomon

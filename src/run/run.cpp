@@ -2,15 +2,15 @@
 
 #include <chrono>
 #include <gnomon/base/error.hpp>
-#include <gnomon/integrators/step_size.hpp>
+#include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/run/run.hpp>
 #include <set>
 
 #include "run/checkpoint_numbers.hpp"
 #include "run/end_warnings.hpp"
-#include "run/headway.hpp"
 #include "run/instability.hpp"
 #include "run/mesh_watch.hpp"
+#include "run/progress_watch.hpp"
 #include "run/store_schedule.hpp"
 #include "run/wear_integral.hpp"
 
@@ -48,13 +48,13 @@ public:
     }
     if (outcome_.status != Status::failed)
       for (const std::string& text :
-           end_warnings(outcome_.last->scalars, memory_.flicker.nodes(), integrator_))
+           end_warnings(outcome_.last->scalars, memory_.chattering.nodes(), integrator_))
         warn(text);
     // The last good state is worth keeping whatever the scene asked to store of a regular run.
     if (outcome_.status != Status::finished && outcome_.last) store();
     outcome_.wall_seconds = elapsed();
     outcome_.counters = counters_;
-    outcome_.flickering_nodes = memory_.flicker.nodes();
+    outcome_.flickering_nodes = memory_.chattering.nodes();
     if (writer_) writer_->close(outcome_.text(), outcome_.wall_seconds);
     return outcome_;
   }
@@ -85,7 +85,7 @@ private:
 
   Status integrate() {
     if (damping_) damping_->require_damping_in_wider_contact(state(), outcome_.last->scalars);
-    Headway headway(state().t, counters_, settings_.end);
+    ProgressWatch progress(state().t, counters_, settings_.end);
     while (state().t < settings_.end) {
       if (hooks_.interrupted()) return Status::interrupted;
       if (!stepper_) make_stepper();
@@ -94,7 +94,7 @@ private:
       std::vector<Scalar> scalars = model_.observe(state());
       require_mesh(scalars, before);
       record(report, std::move(scalars));
-      headway.require(state().t, counters_);
+      progress.require(state().t, counters_);
       if (damping_) require_damping();
       if (schedule_.wants(state().t, counters_.steps)) store();
       if (work() >= next_checkpoint_ || state().t >= settings_.end) checkpoint();
@@ -119,14 +119,14 @@ private:
 
   void require_damping() {
     damping_->require_damping_in_wider_contact(state(), outcome_.last->scalars);
-    require_no_flicker(memory_.flicker.nodes(), integrator_);
+    require_no_chattering(memory_.chattering.nodes(), integrator_);
   }
 
   void record(const StepReport& report, std::vector<Scalar> scalars) {
     HistoryRow row{state().t, report, counters_, std::move(scalars)};
     wear_integral_.append_to(row.scalars, state().t);
-    memory_.flicker.add(model_.contact(state()));
-    if (is_corner(model_.system().structure(), state().t)) memory_.flicker.begin_anew();
+    memory_.chattering.add(model_.contact(state()));
+    if (is_breakpoint(model_.system().structure(), state().t)) memory_.chattering.begin_anew();
     if (writer_) writer_->append(row);
     ++last_checkpoint_.rows;
     outcome_.last = std::move(row);

@@ -155,7 +155,7 @@ TEST_F(RunTest, ARunThatNoLongerGetsAnywhereEnds) {
   };
   const RunOutcome outcome = run_decay({.every = 0, .times = {}, .last = false}, vanishing);
   EXPECT_EQ(outcome.status, Status::failed);
-  EXPECT_THAT(outcome.diagnosis, testing::HasSubstr("no headway: the last 5000 Newton"));
+  EXPECT_THAT(outcome.diagnosis, testing::HasSubstr("lack of progress: the last 5000 Newton"));
   EXPECT_THAT(ResultReader(file()).stored_times(),
               ElementsAre(0, testing::AllOf(testing::Gt(0.999), testing::Lt(1))));
 }

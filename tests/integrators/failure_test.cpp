@@ -84,12 +84,12 @@ public:
     return {.reason = "nothing comes of it"};
   }
   void accept(const State&, bool) override {}
-  const Trace& trace() const override { return trace_; }
+  const DenseOutput& dense_output() const override { return dense_output_; }
 
 private:
   Counters& counters_;
   int& attempts_;
-  Trace trace_;
+  DenseOutput dense_output_;
 };
 
 // Sixteen attempts are made where they cost little.

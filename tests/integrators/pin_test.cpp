@@ -78,13 +78,13 @@ public:
     return {.success = true};
   }
   void accept(const State&, bool) override {}
-  const Trace& trace() const override { return trace_; }
+  const DenseOutput& dense_output() const override { return dense_output_; }
 
   bool continued = false;
 
 private:
   double largest_;
-  Trace trace_;
+  DenseOutput dense_output_;
 };
 
 struct Driven {
