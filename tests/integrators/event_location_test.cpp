@@ -57,14 +57,14 @@ struct Step {
       : system({.borders = borders, .x = x(t, nullptr)}), method(x), locator(system, method) {
     from = system.start();
     from.t = t;
-    locator.begin(from.y);
+    locator.begin(from);
   }
   /// The whole step, and where it left the branch, the landing.
   std::optional<Landing> take(double h) {
     const ActiveSet branch = locator.branch();
     EXPECT_TRUE(method.attempt(from, h, {.branch = &branch}, to).success);
     method.attempts = 0;
-    if (!locator.left(to.y)) return std::nullopt;
+    if (!locator.left(to)) return std::nullopt;
     return locator.land(from, h, to);
   }
   void go_on() { from = to; }
@@ -160,7 +160,7 @@ TEST(EventLocation, SwitchesAtTheStartWhatSwitchesAMomentLater) {
 
 TEST(EventLocation, SwitchesAtTheStartWhatIsOffTheBranchThere) {
   Step step({0.2, 0.9}, sine, 0.5);  // in contact with the first
-  step.locator.begin(SprungPoints({.borders = {0.2, 0.9}}).start().y);
+  step.locator.begin(SprungPoints({.borders = {0.2, 0.9}}).start());
   ASSERT_EQ(step.locator.branch(), (ActiveSet{0, 0}));
   const auto landing = step.take(0.1);
   ASSERT_TRUE(landing);
