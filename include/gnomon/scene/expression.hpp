@@ -8,7 +8,7 @@
 #pragma once
 
 #include <cstddef>
-#include <gnomon/error.hpp>
+#include <gnomon/base/error.hpp>
 #include <map>
 #include <memory>
 #include <span>
