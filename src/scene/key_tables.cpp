@@ -163,8 +163,9 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .presence = defaulted,
        .default_value = "averaged",
        .choices = {"averaged", "normalised", "conservative"},
-       .help = "direction of wear at a node: average of facet normals, eq. (35), the same made unit, "
-               "or such that the volume lost is what wears"},
+       .help =
+           "direction of wear at a node: average of facet normals, eq. (35), the same made unit, "
+           "or such that the volume lost is what wears"},
   };
 }
 
