@@ -87,7 +87,7 @@ private:
 inline Integrator exact_decay(double fail_at = INFINITY) {
   Integrator integrator;
   integrator.name = "exact-decay";
-  integrator.make = [fail_at](const Model&, const IntegratorSettings& settings,
+  integrator.make = [fail_at](const System&, const IntegratorSettings& settings,
                               Counters& counters) -> std::unique_ptr<Stepper> {
     return std::make_unique<ExactDecay>(settings, counters, fail_at);
   };

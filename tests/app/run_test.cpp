@@ -113,7 +113,7 @@ TEST_F(RunTest, InterruptionEndsAfterTheStepAndStoresIt) {
 
 TEST_F(RunTest, InterruptionDuringTheStartEndsBeforeTheIntegratorIsMade) {
   Integrator never = exact_decay();
-  never.make = [](const Model&, const IntegratorSettings&, Counters&) -> std::unique_ptr<Stepper> {
+  never.make = [](const System&, const IntegratorSettings&, Counters&) -> std::unique_ptr<Stepper> {
     throw std::logic_error("made");
   };
   const RunHooks hooks{.interrupted = [] { return true; }};
@@ -150,7 +150,7 @@ TEST_F(RunTest, ARunThatNoLongerGetsAnywhereEnds) {
     void restore(const State&, std::span<const double>) override {}
   };
   Integrator vanishing = exact_decay();
-  vanishing.make = [](const Model&, const IntegratorSettings&, Counters& counters) {
+  vanishing.make = [](const System&, const IntegratorSettings&, Counters& counters) {
     return std::make_unique<Vanishing>(counters);
   };
   const RunOutcome outcome = run_decay({.every = 0, .times = {}, .last = false}, vanishing);
