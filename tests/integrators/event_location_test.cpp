@@ -230,15 +230,15 @@ TEST(EventLocation, GivesUpOnAJump) {
 
 // ---- by a stepper
 
-struct Run {
+struct Stepped {
   Counters counters;
   std::vector<State> states;
   std::vector<StepReport> reports;
 };
 
-Run run(const SprungPoints& system, const std::string& integrator, double step, double end,
+Stepped run(const SprungPoints& system, const std::string& integrator, double step, double end,
         bool locate) {
-  Run run;
+  Stepped run;
   IntegratorSettings settings;
   settings.step = step;
   settings.rtol = settings.atol = 1e-6;
@@ -259,7 +259,7 @@ TEST(LocatedEvents, AreWhereTheyAreKnownToBe) {
   const SprungPoints system({.borders = {0.31, 0.52, 0.52, 1.17}, .wear = 2});
   for (const char* integrator : {"esdirk-4", "esdirk-3", "theta", "bdf"}) {
     SCOPED_TRACE(integrator);
-    const Run located =
+    const Stepped located =
         run(system, integrator, integrator == std::string("bdf") ? 0 : 0.1, 1.5, true);
     std::vector<double> times;
     std::vector<int> switched;

@@ -84,12 +84,11 @@ public:
     return {.reason = "nothing comes of it"};
   }
   void accept(const State&, bool) override {}
-  const DenseOutput& dense_output() const override { return dense_output_; }
+  void interpolate(double, std::span<double>) const override {}
 
 private:
   Counters& counters_;
   int& attempts_;
-  DenseOutput dense_output_;
 };
 
 // Sixteen attempts are made where they cost little.

@@ -78,13 +78,12 @@ public:
     return {.success = true};
   }
   void accept(const State&, bool) override {}
-  const DenseOutput& dense_output() const override { return dense_output_; }
+  void interpolate(double, std::span<double>) const override {}
 
   bool continued = false;
 
 private:
   double largest_;
-  DenseOutput dense_output_;
 };
 
 struct Driven {

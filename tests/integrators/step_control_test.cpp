@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/integrators/dense_output.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/integrators/stop_rules.hpp>
