@@ -253,7 +253,7 @@ TEST_F(Program, StopsWhenThePinIsWornAway) {
   EXPECT_LT(end, outcome.err.size()) << outcome.err;
   // What is kept is the state before, whose mesh is sound.
   const HistoryRow last = ResultReader(folder() / "a.h5").history().back();
-  EXPECT_GE(find_scalar(last.scalars, "element_volume")->value, 0.01);
+  EXPECT_GE(observation_of(last.scalars).element_volume.value(), 0.01);
 }
 
 TEST_F(Program, ListsAndHelp) {
