@@ -17,6 +17,7 @@
 #include <gnomon/mesh/quarter_ball.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/model/wear_model.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
 
 namespace gnomon {
@@ -96,8 +97,10 @@ Scales make_scales(const Scene& scene, double facet) {
                          scene.real("body.poisson_ratio"));
   Scales scales;
   scales.duration = scene.real("time.end");
-  const double worn = scene.real("wear.coefficient") * scene.real("friction.coefficient") *
-                      scene.real("wear.velocity") * load_impulse(scene);
+  const double hertz_pressure = force / (M_PI * hertz.radius * hertz.radius);
+  const double worn = wear_by_pressure(scene, read_wear_law(scene),
+                                       {hertz_pressure, scene.real("friction.coefficient")}) *
+                      load_impulse(scene);
   const double worn_area =
       std::sqrt(4 * R * worn * M_PI);  // pi a^2 of a rigid ball: pi a^4 = 4 R V
   scales.force = force;

@@ -19,6 +19,7 @@
 #include <gnomon/mesh/stations.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/model/wear_model.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
 
 namespace gnomon {
@@ -156,9 +157,10 @@ Scales make_scales(const Scene& scene) {
                          scene.real("body.poisson_ratio"));
   Scales scales;
   scales.duration = scene.real("time.end");
-  const double groove = scene.real("wear.coefficient") * scene.real("friction.coefficient") *
-                        scene.real("wear.velocity") * load_impulse(scene) /
-                        scene.real("path.length");
+  const double hertz_pressure = force / (M_PI * hertz.radius * hertz.radius);
+  const double groove = wear_by_pressure(scene, read_wear_law(scene),
+                                         {hertz_pressure, scene.real("friction.coefficient")}) *
+                        load_impulse(scene) / scene.real("path.length");
   const double half_width = std::cbrt(1.5 * R * groove);  // of a rigid ball: 2 a^3/(3 R) = groove
   scales.force = force;
   scales.displacement = hertz.approach;

@@ -28,6 +28,7 @@
 #include <gnomon/mesh/stations.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/model/wear_model.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
 
 namespace gnomon {
@@ -120,13 +121,15 @@ void hold_boundary(WornBody<2>& body) {
 
 Scales make_scales(const Scene& scene) {
   const double nu = scene.real("body.poisson_ratio"), force = scene.real("load.force");
-  const double k_v = scene.real("wear.coefficient") * scene.real("wear.velocity");
   Scales scales;
   scales.force = force;
   scales.displacement = force * (1 - nu * nu) / scene.real("body.young_modulus");
   scales.stress = force / (2 * scene.real("punch.half_width"));
   scales.duration = scene.real("time.end");
+  const double k_v = wear_by_pressure(scene, read_wear_law(scene),
+                                      {scales.stress, scene.real("friction.coefficient")});
   scales.wear_depth = k_v * load_impulse(scene) / (2 * scene.real("punch.half_width"));
+  if (scales.wear_depth == 0) scales.wear_depth = scales.displacement;  // a law without wear
   scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
   return scales;
 }

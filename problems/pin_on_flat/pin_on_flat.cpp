@@ -14,6 +14,7 @@
 #include <gnomon/mesh/distortion.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/model/wear_model.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
 
 namespace gnomon {
@@ -102,14 +103,16 @@ Scales make_scales(const Scene& scene) {
   const double nu = scene.real("body.poisson_ratio"), force = scene.real("load.force");
   const double reduced_modulus = scene.real("body.young_modulus") / (1 - nu * nu);
   const double width = scene.real("pin.width");
-  const double k_v = scene.real("wear.coefficient") * scene.real("wear.velocity");
   Scales scales;
   scales.force = force;
   scales.displacement = force / reduced_modulus;
   scales.stress = force / width;
   scales.duration = scene.real("time.end");
+  const double k_v = wear_by_pressure(scene, read_wear_law(scene),
+                                      {scales.stress, scene.real("friction.coefficient")});
   // Of a run that would wear more than there is, no tolerance follows.
   scales.wear_depth = std::min(k_v * load_impulse(scene) / width, scene.real("pin.height"));
+  if (scales.wear_depth == 0) scales.wear_depth = scales.displacement;  // a law without wear
   scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
   return scales;
 }

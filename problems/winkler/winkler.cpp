@@ -5,14 +5,15 @@
 // the gap g_i = x_i^2/(2R) + d_i - delta of the undeformed surface, d the wear depth, delta the
 // approach:
 //
-//   d_i:    ddot_i - k v p_i = 0
+//   d_i:    ddot_i - Wdot(p_i, v, d_i, t) = 0, by default k v p_i
 //   p_i:    p_i + K_w g_i = 0 (closed, g_i <= 0)   or   p_i = 0 (open)
 //   delta:  sum_i A_i p_i - F = 0
 //
-// so that the wear flux, sum_i A_i k v p_i, is k v F exactly. The switching function is K_w g_i.
+// so that with the default the wear flux, sum_i A_i k v p_i, is k v F exactly. The switching
+// functions are K_w g_i, and the kinks of the wear law.
 //
-// Closed form of the continuum. The contact half width a grows; at its edge p = d = 0, so that
-// delta = a^2/(2R), and the balance of forces with the worn area k v F t gives
+// Closed form of the continuum for that default. The contact half width a grows; at its edge p = d
+// = 0, so that delta = a^2/(2R), and the balance of forces with the worn area k v F t gives
 //
 //   2 a^3/(3R) = F/K_w + k v F t:   a = a_0 s^(1/3),  delta = delta_0 s^(2/3),  s = 1 + kappa t,
 //
@@ -32,6 +33,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/model/problem.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/newton/stage_solver.hpp>
 
 #include "winkler_system.hpp"
@@ -64,8 +66,9 @@ double integral(double low, double high, const Function& f) {
 
 class WinklerModel : public Model {
 public:
-  explicit WinklerModel(std::shared_ptr<const Foundation> foundation)
-      : foundation_(std::move(foundation)), system_(foundation_, true) {}
+  /// `linear`: the wear rate is proportional to the pressure, and the solution known.
+  WinklerModel(std::shared_ptr<const Foundation> foundation, bool linear)
+      : foundation_(std::move(foundation)), linear_(linear), system_(foundation_, true) {}
 
   const System& system() const override { return system_; }
   std::vector<BlockSize> blocks() const override {
@@ -89,24 +92,25 @@ public:
   /// As of a worn body (WearModel), without the quality of elements.
   Observation observe(const State& state) const override {
     const Foundation& f = *foundation_;
-    double worn = 0, pressure = 0;
+    double force = 0, worn = 0, pressure = 0;
     long active = 0;
     for (int i = 0; i < system_.points(); ++i) {
+      force += f.area[i] * state.y[system_.p(i)];
       worn += f.area[i] * state.y[system_.d(i)];
       pressure = std::max(pressure, state.y[system_.p(i)]);
       active += system_.gap(state.y, i) <= 0;
     }
     Observation observed;
     observed.contact_nodes = double(active);
-    observed.contact_force = force(state.y);
+    observed.contact_force = force;
     observed.max_pressure = pressure;
     observed.worn_volume = worn;
-    observed.wear_flux = f.wear_rate * force(state.y);
+    observed.wear_flux = flux({.t = state.t, .y = state.y, .piece = state.own_piece()});
     observed.contact_half_width = half_width(state.y);
     return observed;
   }
   std::function<double(const Point&)> wear_flux() const override {
-    return [this](const Point& at) { return foundation_->wear_rate * force(at.y); };
+    return [this](const Point& at) { return flux(at); };
   }
 
   double differential_scale() const override { return foundation_->mean_depth(); }
@@ -133,8 +137,9 @@ public:
   std::optional<State> exact(double t) const override {
     constexpr double memory = 40;  // exp(-40) is below rounding
     const Foundation& f = *foundation_;
+    if (!linear_) return std::nullopt;
     const double a_0 = std::cbrt(1.5 * f.radius * f.force / f.modulus);
-    const double kappa = f.modulus * f.wear_rate, s = 1 + kappa * t;
+    const double kappa = f.modulus * f.wear_by_pressure, s = 1 + kappa * t;
     if (a_0 * std::cbrt(s) > f.width / 2) return std::nullopt;
     State state{t, std::vector<double>(system_.structure().size, 0.0), {}};
     state.ydot = state.y;
@@ -153,9 +158,10 @@ public:
   }
 
 private:
-  double force(std::span<const double> y) const {
+  double flux(const Point& at) const {
     double sum = 0;
-    for (int i = 0; i < system_.points(); ++i) sum += foundation_->area[i] * y[system_.p(i)];
+    for (int i = 0; i < system_.points(); ++i)
+      sum += foundation_->area[i] * system_.wear(at, i).value;
     return sum;
   }
 
@@ -176,6 +182,7 @@ private:
   }
 
   std::shared_ptr<const Foundation> foundation_;
+  bool linear_;
   WinklerSystem system_;
 };
 
@@ -197,9 +204,15 @@ std::vector<Key> keys() {
        .range = {.min = 3, .max = 1000000},
        .help = "number of springs over the width, both ends included"}};
   for (const Key& key : worn_body_keys(2))
-    if (key.name == "load.force" || key.name == "wear.coefficient" || key.name == "wear.velocity")
+    if (key.name == "load.force" || (key.name.starts_with("wear.") && key.name != "wear.normal"))
       result.push_back(key);
   return result;
+}
+
+/// Whether the wear rate is k v p, of which the closed form is.
+bool has_archard_rate(const Scene& scene) {
+  return scene.text("wear.law") == "archard" ||
+         (scene.text("wear.law") == "expression" && scene.text("wear.rate") == "k * p * v");
 }
 
 std::unique_ptr<Model> make(const Scene& scene) {
@@ -208,15 +221,20 @@ std::unique_ptr<Model> make(const Scene& scene) {
   f->width = scene.real("pin.width");
   f->modulus = scene.real("foundation.modulus");
   f->force = scene.real("load.force");
-  f->wear_rate = scene.real("wear.coefficient") * scene.real("wear.velocity");
+  f->speed = scene.real("wear.velocity");
   f->duration = scene.real("time.end");
+  f->wear = read_wear_law(scene);
+  f->wear_by_pressure = wear_by_pressure(scene, f->wear, {.pressure = f->mean_pressure()});
+  if (f->wear_by_pressure == 0)
+    throw InputError(scene.where("wear.rate") + ": expected a law that wears this pin");
+  require_law(scene, f->wear, {.pressure = f->mean_pressure(), .depth = f->mean_depth()});
   const long n = scene.integer("foundation.points");
   const double spacing = f->width / double(n - 1);
   for (long i = 0; i < n; ++i) {
     f->x.push_back(f->width * (double(i) / double(n - 1) - 0.5));
     f->area.push_back(i == 0 || i == n - 1 ? spacing / 2 : spacing);
   }
-  return std::make_unique<WinklerModel>(std::move(f));
+  return std::make_unique<WinklerModel>(std::move(f), has_archard_rate(scene));
 }
 
 const Registration<Problem> registration({

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <gnomon/laws/wear_law.hpp>
 #include <gnomon/system/system.hpp>
 #include <memory>
 #include <utility>
@@ -13,14 +14,16 @@ namespace gnomon::winkler {
 struct Foundation {
   double radius, width;      ///< R, L [mm]
   double modulus;            ///< K_w [MPa/mm]
-  double force, wear_rate;   ///< F [N/mm], k v [mm/s/MPa]
+  double force, speed;       ///< F [N/mm], v [mm/s]
+  WearLaw wear;              ///< of p, v, t, s, x0 and h = d
+  double wear_by_pressure;   ///< typical Wdot / p [mm/s/MPa]
   double duration;           ///< of the run [s]
   std::vector<double> x;     ///< positions of the points [mm]
   std::vector<double> area;  ///< A_i [mm]
 
   double profile(double at) const { return at * at / (2 * radius); }
   double mean_pressure() const { return force / width; }
-  double mean_depth() const { return wear_rate * mean_pressure() * duration; }
+  double mean_depth() const { return wear_by_pressure * mean_pressure() * duration; }
 };
 
 /// Unknowns d_0, p_0, d_1, p_1, ..., delta; or p_0, p_1, ..., delta with d frozen. The Jacobian is
@@ -44,7 +47,7 @@ public:
     structure_.row_scale.assign(size, f.force);
     structure_.unknown_scale.assign(size, f.mean_pressure() / f.modulus);
     for (int i = 0; i < n; ++i) {
-      structure_.switch_node.push_back(i);
+      structure_.switch_node.insert(structure_.switch_node.end(), switches(), i);
       structure_.group[p(i)] = i;
       structure_.row_scale[p(i)] = structure_.unknown_scale[p(i)] = f.mean_pressure();
       if (!coupled_) continue;
@@ -53,6 +56,7 @@ public:
       structure_.row_scale[d(i)] = f.mean_depth() / f.duration;
       structure_.unknown_scale[d(i)] = f.mean_depth();
     }
+    structure_.corners = f.wear.breakpoints();
     for (int i = 0; i < n; ++i) {
       in_p_.push_back({position(p(i), p(i)), position(delta(), p(i)), position(p(i), delta())});
       if (coupled_)
@@ -68,7 +72,7 @@ public:
     for (int i = 0; i < points(); ++i) {
       const double pressure = at.y[p(i)], spring = f.modulus * gap(at.y, i);
       F[p(i)] = pressure + (closed(at.piece, i, spring) ? spring : 0);
-      if (coupled_) F[d(i)] = at.ydot[d(i)] - f.wear_rate * pressure;
+      if (coupled_) F[d(i)] = at.ydot[d(i)] - wear(at, i).value;
       force += f.area[i] * pressure;
     }
     F[delta()] = force - f.force;
@@ -83,14 +87,28 @@ public:
       values[in_p_[i].row] = f.area[i];
       values[in_p_[i].column] = -by_gap;
       if (!coupled_) continue;
-      values[in_d_[i].diagonal] = alpha;
-      values[in_d_[i].row] = -f.wear_rate;
+      const WearRate rate = wear(at, i);
+      values[in_d_[i].diagonal] = alpha - rate.by_depth;
+      values[in_d_[i].row] = -rate.by_pressure;
       values[in_d_[i].column] = by_gap;
     }
   }
 
-  void switching(double, std::span<const double> y, std::span<double> values) const override {
-    for (int i = 0; i < points(); ++i) values[i] = foundation_->modulus * gap(y, i);
+  void switching(double t, std::span<const double> y, std::span<double> values) const override {
+    const Point at{.t = t, .y = y};
+    for (int i = 0; i < points(); ++i) {
+      const std::span<double> own = values.subspan(first_switch(i), switches());
+      own.front() = foundation_->modulus * gap(y, i);
+      foundation_->wear.switching(wear_input(at, i), own.subspan(1));
+    }
+  }
+
+  /// Wear rate of a point, on its branch; of the coupled system. A point without pressure has none.
+  WearRate wear(const Point& at, int i) const {
+    const auto branches =
+        at.piece ? std::span<const char>(*at.piece).subspan(first_switch(i) + 1, switches() - 1)
+                 : std::span<const char>();
+    return foundation_->wear.rate(wear_input(at, i), branches);
   }
 
   std::vector<Stage> make_stages() const override {
@@ -120,9 +138,20 @@ private:
   struct Place {
     int diagonal, row, column;  // positions in the values
   };
+  WearInput wear_input(const Point& at, int i) const {
+    const Foundation& f = *foundation_;
+    return {.pressure = at.y[p(i)],
+            .speed = f.speed,
+            .depth = coupled_ ? at.y[d(i)] : frozen_[i],
+            .moment = {.time = at.t, .slid = f.speed * at.t, .within = at.within.value_or(at.t)},
+            .initial = {f.x[i], f.profile(f.x[i]), 0}};
+  }
+  /// Contact, then the kinks of the wear law.
+  std::size_t switches() const { return 1 + foundation_->wear.kinks(); }
+  std::size_t first_switch(int i) const { return static_cast<std::size_t>(i) * switches(); }
   int position(int row, int column) const { return structure_.pattern.find(row, column); }
-  static bool closed(const ActiveSet* piece, int i, double switching) {
-    return piece ? (*piece)[i] != 0 : switching <= 0;
+  bool closed(const ActiveSet* piece, int i, double switching) const {
+    return piece ? (*piece)[first_switch(i)] != 0 : switching <= 0;
   }
 
   std::shared_ptr<const Foundation> foundation_;

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <gnomon/integrators/integrator.hpp>
+#include <gnomon/laws/catalogue.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
 
@@ -22,6 +24,25 @@ std::unique_ptr<Model> make_model(const Scene& scene) {
   return Problems::find(scene.text("problem"), "problem").make(scene);
 }
 
+namespace {
+
+bool has_key(const std::vector<Key>& table, const std::string& name) {
+  return std::any_of(table.begin(), table.end(), [&](const Key& key) { return key.name == name; });
+}
+
+/// What the registered laws add to a table with `wear.law`.
+void add_wear_laws(std::vector<Key>& table) {
+  const auto law = std::find_if(table.begin(), table.end(),
+                                [](const Key& key) { return key.name == "wear.law"; });
+  if (law == table.end()) return;
+  law->choices = Registry<WearLawKind>::names();
+  for (const WearLawKind& kind : Registry<WearLawKind>::all())
+    for (const Key& key : kind.keys)
+      if (!has_key(table, key.name)) table.push_back(key);
+}
+
+}  // namespace
+
 std::vector<Key> key_table(const std::string& problem) {
   std::vector<Key> table = run_keys();
   for (Key& key : table) {
@@ -30,6 +51,7 @@ std::vector<Key> key_table(const std::string& problem) {
   }
   const std::vector<Key>& own = Problems::find(problem, "problem").keys;
   table.insert(table.end(), own.begin(), own.end());
+  add_wear_laws(table);
   return table;
 }
 

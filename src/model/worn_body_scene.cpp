@@ -3,6 +3,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/same_time.hpp>
 #include <gnomon/linear/inner_solver.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
 
 namespace gnomon {
@@ -56,11 +57,10 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
                  : element == "f-bar" ? ElementKind::f_bar
                                       : ElementKind::f_bar_variational;
   if (scene.text("body.kinematics") == "small") body.element = small_strain_limit(body.element);
-  body.contact.wear = archard(scene.real("wear.coefficient"));
-  if constexpr (dim == 3) {  // eq. (13): wear by the frictional dissipation
-    body.contact.friction = scene.real("friction.coefficient");
-    body.contact.wear = dissipation_wear(scene.real("wear.coefficient"));
-  }
+  body.contact.friction = scene.real("friction.coefficient");
+  body.contact.wear = read_wear_law(scene);
+  require_law(scene, body.contact.wear,
+              {body.scales.stress, body.contact.friction, body.scales.wear_depth});
   body.solver = linear_solver_of(scene, {dim, double(body.mesh.nodes.size())});
   body.contact.rho =
       scene.real("contact.regularization") * regularization_unit(young, facet, body.scales);

@@ -118,11 +118,13 @@ std::vector<Key> make_run_keys() {
   return keys;
 }
 
-Key friction_key() {
+/// The balls of the paper wear by friction, which has to be given.
+Key friction_key(int dim) {
   return {.name = "friction.coefficient",
-          .presence = required,
+          .presence = dim == 2 ? defaulted : required,
+          .default_value = 0.0,
           .range = {.min = 0, .max = positive_quantity.max},
-          .help = "Coulomb's coefficient of friction, eq. (10)"};
+          .help = "Coulomb's coefficient of friction f, eq. (10)"};
 }
 
 std::vector<Key> load_and_wear_keys(int dim) {
@@ -147,12 +149,41 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .range = {.max = positive_quantity.max},
        .help = "what F is multiplied by at load.times, 1e-6 or more: linear between, constant "
                "before the first and after the last"},
+      {.name = "wear.law",
+       .kind = KeyKind::text,
+       .presence = defaulted,
+       .default_value = "expression",
+       .help = "wear law: the expression wear.rate, or one that is built in (gnomon list laws)"},
+      {.name = "wear.rate",
+       .kind = KeyKind::text,
+       .unit = "mm/s",
+       .presence = defaulted,
+       .default_value = dim == 2 ? "k * p * v" : "k * q",
+       .help = "wear rate by pressure p, sliding speed v, friction power q = f p v, wear depth h, "
+               "time t, sliding distance s, initial position x0 y0 z0, k = wear.coefficient, "
+               "constants and tables (docs/wear_laws.md)"},
       {.name = "wear.coefficient",
        .unit = "1/MPa",
        .presence = required,
        .range = positive_quantity,
-       .help = dim == 2 ? "wear coefficient k of the rate k v |T_N|, sec. 4.1"
-                        : "wear coefficient K by the frictional dissipation, eq. (13)"},
+       .help = "wear coefficient, k of wear.rate"},
+      {.name = "wear.constants.*",
+       .presence = optional,
+       .absent_meaning = "no such constant",
+       .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
+       .help = "a constant of wear.rate, by its name"},
+      {.name = "wear.tables.*.x",
+       .kind = KeyKind::reals,
+       .presence = optional,
+       .absent_meaning = "no such table",
+       .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
+       .help = "arguments, ascending, of a function of wear.rate: linear between, constant beyond"},
+      {.name = "wear.tables.*.y",
+       .kind = KeyKind::reals,
+       .presence = optional,
+       .absent_meaning = "no such table",
+       .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
+       .help = "its values, as many"},
       {.name = "wear.velocity",
        .unit = "mm/s",
        .presence = required,
@@ -163,8 +194,9 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .presence = defaulted,
        .default_value = "averaged",
        .choices = {"averaged", "normalised", "conservative"},
-       .help = "direction of wear at a node: average of facet normals, eq. (35), the same made unit, "
-               "or such that the volume lost is what wears"},
+       .help =
+           "direction of wear at a node: average of facet normals, eq. (35), the same made unit, "
+           "or such that the volume lost is what wears"},
   };
 }
 
@@ -257,7 +289,7 @@ std::vector<Key> make_worn_body_keys(int dim) {
   std::vector<Key> keys;
   for (const auto& part : {body_keys(), load_and_wear_keys(dim), shape_keys(), solver_keys(dim)})
     keys.insert(keys.end(), part.begin(), part.end());
-  if (dim == 3) keys.push_back(friction_key());
+  keys.push_back(friction_key(dim));
   keys.push_back({.name = "contact.initial_gap",
                   .unit = "mm",
                   .presence = defaulted,

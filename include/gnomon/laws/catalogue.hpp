@@ -32,7 +32,9 @@ Vector<dim> read_point(const Scene& scene, const std::string& key);
 struct WearLawKind {
   std::string name;
   std::string help;       ///< one line
-  std::vector<Key> keys;  ///< wear.*
+  /// wear.*, beside those that every scene of wear has. Optional or with a default, for they are in
+  /// the tables of all scenes.
+  std::vector<Key> keys;
   std::function<WearLaw(const Scene&)> make;
 };
 

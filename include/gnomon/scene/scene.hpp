@@ -39,7 +39,8 @@ struct Key {
   enum class Presence { required, defaulted, optional };
 
   /// Dotted, for example "body.young_modulus". A part "*" stands for any name that the scene
-  /// chooses: "wear.constants.*" is a table of numbers with names of its own; such keys are optional.
+  /// chooses: "wear.constants.*" is a table of numbers with names of its own; such keys are
+  /// optional.
   std::string name{};
   KeyKind kind = KeyKind::real;
   std::string unit{};  ///< "MPa"; empty when dimensionless
@@ -56,7 +57,7 @@ struct Key {
 const std::vector<Key>& run_keys();
 
 /// Keys shared by problems of a worn hyperelastic body: `body.*`, `load.*`, `wear.*`, `shape.*`,
-/// `solver.*`, `contact.*`, and in 3D `friction.*`. A problem adds its own geometry and mesh keys.
+/// `solver.*`, `contact.*`, `friction.*`. A problem adds its own geometry and mesh keys.
 const std::vector<Key>& worn_body_keys(int dim);
 
 /// A validated scene. Every key of its table either has a value or is an absent optional key.

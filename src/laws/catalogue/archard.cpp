@@ -18,25 +18,11 @@ WearLaw dissipation_wear(double coefficient) {
 
 namespace {
 
-const char* const key = "wear.coefficient";
-
-const Registration<WearLawKind> by_pressure(
+const Registration<WearLawKind> registration(
     {.name = "archard",
-     .help = "Archard: k p v (paper, sec. 4.1)",
-     .keys = {{.name = key,
-               .unit = "1/MPa",
-               .range = positive_quantity,
-               .help = "wear coefficient k of the rate k p v"}},
-     .make = [](const Scene& scene) { return archard(scene.real(key)); }});
-
-const Registration<WearLawKind> by_dissipation(
-    {.name = "dissipation",
-     .help = "by the frictional dissipation: K q = K mu p v (paper, eq. 13)",
-     .keys = {{.name = key,
-               .unit = "1/MPa",
-               .range = positive_quantity,
-               .help = "wear coefficient K of the rate K mu p v"}},
-     .make = [](const Scene& scene) { return dissipation_wear(scene.real(key)); }});
+     .help = "Archard: k p v (paper, sec. 4.1), as wear.rate = \"k * p * v\" but built in",
+     .keys = {},
+     .make = [](const Scene& scene) { return archard(scene.real("wear.coefficient")); }});
 
 }  // namespace
 

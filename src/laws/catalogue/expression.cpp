@@ -134,9 +134,43 @@ WearLaw expression_wear_law(const Expression& rate, double end, double nominal_s
 
 namespace {
 
-WearLaw make(const Scene& scene) {
+/// The piecewise linear function that the scene calls `name`.
+PiecewiseLinear read_table(const Scene& scene, const std::string& name) {
+  const std::string x = "wear.tables." + name + ".x", y = "wear.tables." + name + ".y";
+  const auto given = [&](const char* key) {
+    const std::vector<std::string> names = scene.chosen_names(key);
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (!given("wear.tables.*.x") || !given("wear.tables.*.y")) {
+    const std::string& there = given("wear.tables.*.x") ? x : y;
+    throw InputError(scene.where(there) + ": expected x and y of the table");
+  }
+  try {
+    return {scene.reals(x), scene.reals(y)};
+  } catch (const ExpressionError& error) {
+    throw InputError(scene.where(x) + ": " + error.what());
+  }
+}
+
+/// k, the constants and the tables of the scene.
+ExpressionNames read_names(const Scene& scene) {
   ExpressionNames names;
   names.variables = wear_law_variables();
+  names.constants["k"] = scene.real("wear.coefficient");
+  for (const std::string& name : scene.chosen_names("wear.constants.*")) {
+    if (name == "k")
+      throw InputError(scene.where("wear.constants.k") +
+                       ": expected another name: k is wear.coefficient");
+    names.constants[name] = scene.real("wear.constants." + name);
+  }
+  for (const char* key : {"wear.tables.*.x", "wear.tables.*.y"})
+    for (const std::string& name : scene.chosen_names(key))
+      if (!names.tables.contains(name)) names.tables.emplace(name, read_table(scene, name));
+  return names;
+}
+
+WearLaw make(const Scene& scene) {
+  const ExpressionNames names = read_names(scene);
   try {
     const Expression rate(scene.text("wear.rate"), names);
     return expression_wear_law(rate, scene.real("time.end"), scene.real("wear.velocity"));
@@ -147,12 +181,8 @@ WearLaw make(const Scene& scene) {
 
 const Registration<WearLawKind> registration(
     {.name = "expression",
-     .help = "an expression of p, v, h, q, t, s, x0, y0, z0",
-     .keys = {{.name = "wear.rate",
-               .kind = KeyKind::text,
-               .unit = "mm/s",
-               .help = "wear rate by pressure p, sliding speed v, wear depth h, friction power q = "
-                       "mu p v, time t, sliding distance s, initial position x0, y0, z0"}},
+     .help = "the expression wear.rate of p, v, h, q, t, s, x0, y0, z0",
+     .keys = {},
      .make = make});
 
 }  // namespace

@@ -1,0 +1,28 @@
+// The wear law of a scene.
+#pragma once
+
+#include <gnomon/laws/wear_law.hpp>
+#include <gnomon/scene/scene.hpp>
+
+namespace gnomon {
+
+/// The law that `wear.law` names, made of its keys. Throws InputError where they are no law.
+WearLaw read_wear_law(const Scene& scene);
+
+/// What a wear law meets in a run, for scales and checks.
+struct WearCircumstances {
+  double pressure = 1;  ///< mean contact pressure [stress]
+  double friction = 0;  ///< Coulomb's coefficient
+  double depth = 1;     ///< mean wear depth at the end [length]; read by require_law() alone
+};
+
+/// The mean over the run of Wdot / p at a new surface [length / (time stress)]: k v of Archard's
+/// law. Of a law that needs more than the mean pressure, at the first multiple of it that wears;
+/// zero where none does.
+double wear_by_pressure(const Scene& scene, const WearLaw& law, const WearCircumstances& at);
+
+/// Throws InputError, in one line, where the law wears without pressure, adds material, or has no
+/// finite rate among the values that the run may meet.
+void require_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at);
+
+}  // namespace gnomon
