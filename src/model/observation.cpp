@@ -56,8 +56,7 @@ std::vector<Scalar> columns_of(const Observation& observation) {
 Observation observation_of(const std::vector<Scalar>& columns) {
   Observation observation;
   for (const Scalar& column : columns) {
-    const auto quantity =
-        std::ranges::find(table, std::string_view(column.name), &Quantity::name);
+    const auto quantity = std::ranges::find(table, std::string_view(column.name), &Quantity::name);
     if (quantity == table.end()) {
       observation.others.push_back(column);
       continue;

@@ -7,8 +7,8 @@
 
 namespace gnomon {
 
-/// Throws SolutionError for a state with an element that is folded (element_quality not positive) or
-/// has less than a hundredth of its volume (element_volume).
+/// Throws SolutionError for a state with an element that is folded (element_quality not positive)
+/// or has less than a hundredth of its volume (element_volume).
 void require_sound_mesh(const Observation& observed);
 
 struct MeshWarning {

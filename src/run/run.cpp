@@ -48,8 +48,7 @@ public:
       throw;
     }
     if (outcome_.status != Status::failed)
-      for (const std::string& text :
-           end_warnings(observed_, memory_.flicker.nodes(), integrator_))
+      for (const std::string& text : end_warnings(observed_, memory_.flicker.nodes(), integrator_))
         warn(text);
     // The last good state is worth keeping whatever the scene asked to store of a regular run.
     if (outcome_.status != Status::finished && outcome_.last) store();

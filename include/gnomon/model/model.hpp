@@ -64,8 +64,8 @@ public:
   /// What is told of a state: always the same members and others.
   virtual Observation observe(const State& state) const = 0;
   /// Observation::wear_flux as a function of a consistent point of system(), on its piece, which
-  /// the run loop has integrated over time as wear_integral. Empty: nothing wears. Keeps a reference
-  /// to the model. Throws where residual() does.
+  /// the run loop has integrated over time as wear_integral. Empty: nothing wears. Keeps a
+  /// reference to the model. Throws where residual() does.
   virtual std::function<double(const Point&)> wear_flux() const { return {}; }
   /// Typical size of the differential components over the run, for absolute tolerances: the mean
   /// wear depth.

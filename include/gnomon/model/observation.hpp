@@ -34,7 +34,8 @@ struct Observation {
   /// Integral of wear_flux over the run [mm^2 | mm^3]; of the run loop, not of a model.
   std::optional<double> wear_integral;
 
-  /// What only one problem has (the error against its exact solution). Other names than those above.
+  /// What only one problem has (the error against its exact solution). Other names than those
+  /// above.
   std::vector<Scalar> others;
 
   /// What the shape has lost more than the wear rate integrates to, where both are known: negative
