@@ -42,7 +42,7 @@ Example worn_ball(double refinement, bool multigrid) {
 FieldValues<3> NewtonIteration::guess(const Example& example) const {
   const WornBody<3>& body = *example.body;
   FieldValues<3> values(*equations_.composition()->fields);
-  const NeoHookean& law = body.material;
+  const ElasticModuli& law = body.material.moduli;
   const double nu = law.lambda / (2 * (law.lambda + law.mu)), young = law.young_modulus();
   const HertzPoint hertz(body.copies * body.counter_force.value(), example.radius, young, nu);
   for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {

@@ -22,8 +22,8 @@ std::string scene_help(const std::optional<std::string>& problem) {
   std::string text =
       fmt::format("{}\nKEYS OF EVERY SCENE\n\n{}", scene_topic, describe_keys(run_keys()));
   for (const Problem& entry : Problems::all())
-    text +=
-        fmt::format("\nKEYS OF {}: {}\n\n{}", entry.name, entry.help, describe_keys(entry.keys));
+    text += fmt::format("\nKEYS OF {}: {}\n\n{}", entry.name, entry.help,
+                        describe_keys(own_keys(entry)));
   return text;
 }
 

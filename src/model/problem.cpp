@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/laws/catalogue.hpp>
+#include <gnomon/model/added_term.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
+#include <gnomon/terms/material_law.hpp>
 
 namespace gnomon {
 
@@ -43,15 +45,24 @@ void add_wear_laws(std::vector<Key>& table) {
 
 }  // namespace
 
+std::vector<Key> own_keys(const Problem& problem) {
+  std::vector<Key> keys = problem.keys;
+  for (const char* material : {"body.material", "shape.energy"}) add_material_keys(keys, material);
+  add_wear_laws(keys);
+  if (has_key(keys, "body.young_modulus"))
+    for (const AddedTerm& term : AddedTerms::all())
+      keys.insert(keys.end(), term.keys.begin(), term.keys.end());
+  return keys;
+}
+
 std::vector<Key> key_table(const std::string& problem) {
   std::vector<Key> table = run_keys();
   for (Key& key : table) {
     if (key.name == "problem") key.choices = {problem};
     if (key.name == "integrator.name") key.choices = Integrators::names();
   }
-  const std::vector<Key>& own = Problems::find(problem, "problem").keys;
+  const std::vector<Key> own = own_keys(Problems::find(problem, "problem"));
   table.insert(table.end(), own.begin(), own.end());
-  add_wear_laws(table);
   return table;
 }
 

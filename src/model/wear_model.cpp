@@ -15,7 +15,7 @@ template <int dim>
 void require_strain(const WornBody<dim>& body) {
   constexpr double least = 1e-14;
   const double strain = body.load_history.least(body.scales.duration) * body.scales.stress /
-                        body.material.young_modulus();
+                        body.material.moduli.young_modulus();
   if (!(strain >= least))
     throw InputError(fmt::format(
         "load.force, load.factors, body.young_modulus: expected a load that strains the "
@@ -82,6 +82,7 @@ double wear_flux_of(const std::vector<ContactNode<dim>>& nodes, double copies) {
 template <int dim>
 void observe_cells(const WornBody<dim>& body, const NodalField<dim>& d, const NodalField<dim>& u,
                    Observation& observed) {
+  const bool small_strains = body.element.kinematics == Kinematics::small;
   double worn = 0, quality = 1, least = 1, gradient = 0;
   for (const auto& cell : body.mesh.cells) {
     const CellState<dim> at(body.mesh, cell, d, u);
@@ -89,7 +90,7 @@ void observe_cells(const WornBody<dim>& body, const NodalField<dim>& d, const No
     worn += before - after;
     least = std::min(least, after / before);
     quality = std::min(quality, scaled_jacobian<dim>(at.X));
-    if (small_strain(body.element)) {
+    if (small_strains) {
       const CellPoint<dim> centre(CellBasis<dim>::instance().centroid, at.X, at.u);
       gradient = std::max(gradient, centre.H.norm());
     }
@@ -98,7 +99,7 @@ void observe_cells(const WornBody<dim>& body, const NodalField<dim>& d, const No
   observed.worn_volume = worn;
   observed.element_quality = quality;
   observed.element_volume = least;
-  if (small_strain(body.element)) observed.displacement_gradient = gradient;
+  if (small_strains) observed.displacement_gradient = gradient;
   if (!body.section) return;
   observed.worn_volume = worn * body.section->path / body.section->length;
   observed.groove_section = worn / body.section->length;

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <gnomon/laws/catalogue.hpp>
 #include <gnomon/model/wear_scene.hpp>
 
@@ -7,21 +8,35 @@ WearLaw read_wear_law(const Scene& scene) {
   return Registry<WearLawKind>::find(scene.text("wear.law"), "wear law").make(scene);
 }
 
+namespace {
+
+/// Wdot / p at a pressure; of a rate that is proportional to it, whatever the pressure, to the last
+/// digit.
+double secant(const WearLaw& law, const WearCircumstances& at, double pressure, double speed,
+              double t) {
+  constexpr double rounding = 1e-12;
+  const WearRate rate = law.rate({.pressure = pressure,
+                                  .speed = speed,
+                                  .friction_power = at.friction * pressure * speed,
+                                  .moment = {.time = t, .slid = speed * t, .within = t}});
+  const double secant = rate.value / pressure;
+  const double slope = rate.by_pressure + rate.by_friction_power * at.friction * speed;
+  return std::abs(slope - secant) <= rounding * secant ? slope : secant;
+}
+
+}  // namespace
+
 double wear_by_pressure(const Scene& scene, const WearLaw& law, const WearCircumstances& at) {
   constexpr int moments = 16;  // middles of equal parts of the run
   const double speed = scene.real("wear.velocity"), end = scene.real("time.end");
   for (const double multiple : {1.0, 3.0, 10.0, 30.0}) {
-    const double pressure = multiple * at.pressure;
-    double sum = 0;
-    for (int k = 0; k < moments; ++k) {
-      const double t = end * (k + 0.5) / moments;
-      sum += law.rate({.pressure = pressure,
-                       .speed = speed,
-                       .friction_power = at.friction * pressure * speed,
-                       .moment = {.time = t, .slid = speed * t, .within = t}})
-                 .value;
-    }
-    if (sum > 0) return sum / (moments * pressure);
+    const auto at_moment = [&](int k) {
+      return secant(law, at, multiple * at.pressure, speed, end * (k + 0.5) / moments);
+    };
+    const double first = at_moment(0);
+    double difference = 0;  // so that equal ones have their mean to the last digit
+    for (int k = 1; k < moments; ++k) difference += at_moment(k) - first;
+    if (const double mean = first + difference / moments; mean > 0) return mean;
   }
   return 0;
 }

@@ -50,16 +50,11 @@ double indentation(const WornBody<dim>& body, double fraction) {
   return body.scales.displacement * std::cbrt(fraction * fraction);
 }
 
-/// As in a scene.
-const char* element_name(ElementKind kind) {
-  return variational(kind) ? "f-bar-variational" : averaged(kind) ? "f-bar" : "plain";
-}
-
 }  // namespace
 
 template <int dim>
 RampOptions ramp_options(const WornBody<dim>& body) {
-  const NeoHookean& law = body.material;
+  const ElasticModuli& law = body.material.moduli;
   const double whole_strain = body.scales.stress / law.young_modulus();
   const double strain = 3 * law.mu / (law.lambda + law.mu);
   RampOptions options;
@@ -110,7 +105,8 @@ State WearModel<dim>::start(Counters& counters) const {
   if (ramp.reached < 1)
     throw SolutionError(fmt::format(
         "the load ramp found no equilibrium beyond load fraction {:.4g} with element {}: {}",
-        ramp.reached, element_name(body().element), ramp.reason));
+        ramp.reached, technology_names[static_cast<std::size_t>(body().element.technology)],
+        ramp.reason));
   State state;
   state.y.resize(system_.structure().size);
   system_.numbering().gather(values, state.y);

@@ -17,7 +17,8 @@ Scales above_rounding(const WornBody<dim>& body) {
   for (const Vector<dim>& X : body.mesh.nodes) low = low.cwiseMin(X), high = high.cwiseMax(X);
   const double length = 1e-6 * (high - low).maxCoeff();
   const double area = std::pow((high - low).maxCoeff(), dim - 1);
-  const double stiffness = 1e-7 * (body.material.lambda + 2 * body.material.mu) * area;
+  const double stiffness =
+      1e-7 * (body.material.moduli.lambda + 2 * body.material.moduli.mu) * area;
   Scales scales = body.scales;
   scales.displacement = std::max(scales.displacement, length);
   scales.force = std::max(scales.force, stiffness);
@@ -160,6 +161,10 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   terms.push_back([body = body_, f = fields_](const Numbering& numbering) -> Made {
     return std::make_unique<ShapeEvolution<dim>>(numbering, worn_surface(*body, f));
   });
+  for (const AddedTermFactory<dim>& make : body_->added_terms)
+    terms.push_back([body = body_, f = fields_, make](const Numbering& numbering) -> Made {
+      return make(*body, f, numbering);
+    });
 }
 
 template <int dim>

@@ -3,8 +3,10 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/same_time.hpp>
 #include <gnomon/linear/inner_solver.hpp>
+#include <gnomon/model/added_term.hpp>
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
+#include <gnomon/terms/material_law.hpp>
 
 namespace gnomon {
 
@@ -42,21 +44,12 @@ template <int dim>
 void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   const double young = scene.real("body.young_modulus");
   const double shape_young = scene.real("shape.young_modulus");
-  body.material = NeoHookean::from_young_poisson(young, scene.real("body.poisson_ratio"));
-  body.mesh_motion.material =
-      NeoHookean::from_young_poisson(shape_young, scene.real("shape.poisson_ratio"));
-  if (scene.text("shape.energy") == "blatz-ko") {
-    body.mesh_motion.element = ElementKind::plain_blatz_ko;
-    // Its forces grow without bound where the body is nearly worn away, and their rounding with
-    // them.
-    body.scales.auxiliary_force *= 1e3;
-  }
-  body.mesh_motion.stiffening = scene.real("shape.stiffening");
-  const std::string& element = scene.text("body.element");
-  body.element = element == "plain"   ? ElementKind::plain
-                 : element == "f-bar" ? ElementKind::f_bar
-                                      : ElementKind::f_bar_variational;
-  if (scene.text("body.kinematics") == "small") body.element = small_strain_limit(body.element);
+  body.material = read_material(scene, "body.material");
+  body.mesh_motion = {read_material(scene, "shape.energy"), scene.real("shape.stiffening")};
+  body.scales.auxiliary_force *= body.mesh_motion.material.collapse_force;
+  body.element.technology = technology_of(scene.text("body.element"));
+  body.element.kinematics =
+      scene.text("body.kinematics") == "small" ? Kinematics::small : Kinematics::finite;
   body.contact.friction = scene.real("friction.coefficient");
   body.contact.wear = read_wear_law(scene);
   require_law(scene, body.contact.wear,
@@ -75,6 +68,7 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   CounterBody<dim>& counter_body = body.contact.counter_body;
   counter_body.position -= scene.real("contact.initial_gap") * counter_body.approach;
   body.load_history = read_load_history(scene);
+  body.added_terms = added_terms<dim>(scene);
   body.augmentation = scene.real("shape.augmentation") * shape_young / facet * body.scales.duration;
 }
 

@@ -158,9 +158,10 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .kind = KeyKind::text,
        .unit = "mm/s",
        .presence = defaulted,
-       .default_value = dim == 2 ? "k * p * v" : "k * q",
+       .default_value = dim == 2 ? "k * p * v" : "k * f * p * v",
        .help = "wear rate by pressure p, sliding speed v, friction power q = f p v, wear depth h, "
-               "time t, sliding distance s, initial position x0 y0 z0, k = wear.coefficient, "
+               "time t, sliding distance s, initial position x0 y0 z0, k = wear.coefficient, f = "
+               "friction.coefficient, "
                "constants and tables (docs/wear_laws.md)"},
       {.name = "wear.coefficient",
        .unit = "1/MPa",
@@ -206,11 +207,18 @@ std::vector<Key> body_keys() {
        .unit = "MPa",
        .presence = required,
        .range = positive_quantity,
-       .help = "Young's modulus E of the worn body, neo-Hookean, eq. (38)"},
+       .help = "Young's modulus E of the worn body, of the linearised law"},
       {.name = "body.poisson_ratio",
        .presence = required,
        .range = {.min = 0, .max = 0.5, .max_open = true},
-       .help = "Poisson's ratio nu of the worn body"},
+       .help = "Poisson's ratio nu of the worn body, of the linearised law"},
+      // Choices, and keys of the materials behind it, are filled in where materials are known.
+      {.name = "body.material",
+       .kind = KeyKind::text,
+       .presence = defaulted,
+       .default_value = "neo-hookean",
+       .help = "elastic law of the body with finite strains (docs/equations.md); small ones are "
+               "linear"},
       {.name = "body.element",
        .kind = KeyKind::text,
        .presence = defaulted,
@@ -249,8 +257,7 @@ std::vector<Key> shape_keys() {
        .kind = KeyKind::text,
        .presence = defaulted,
        .default_value = "neo-hookean",
-       .choices = {"neo-hookean", "blatz-ko"},
-       .help = "energy of the auxiliary elasticity: of eq. (38), or of Blatz and Ko, which keeps "
+       .help = "elastic law of the auxiliary elasticity: say, eq. (38), or blatz-ko, which keeps "
                "elements from collapsing, the more the larger its Poisson's ratio"},
       {.name = "shape.stiffening",
        .presence = defaulted,

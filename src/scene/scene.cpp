@@ -55,6 +55,11 @@ bool Scene::has(const std::string& key) const {
   return entry(key).value.has_value();
 }
 
+bool Scene::knows(const std::string& key) const {
+  return std::any_of(entries_.begin(), entries_.end(),
+                     [&](const Entry& entry) { return entry.key.name == key; });
+}
+
 std::optional<double> Scene::real_if(const std::string& key) const {
   return has(key) ? std::optional(real(key)) : std::nullopt;
 }

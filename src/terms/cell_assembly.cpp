@@ -8,13 +8,13 @@
 namespace gnomon {
 
 template <int dim>
-CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const NeoHookean& law, ElementKind kind,
-                                const Numbers& rows, const Numbers& columns,
+CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const Material& material,
+                                const Element& element, const Numbers& rows, const Numbers& columns,
                                 const Numbers* shape_columns, std::vector<double> stiffness)
     : mesh_(mesh),
-      law_(law),
+      moduli_(material.moduli),
       stiffness_(std::move(stiffness)),
-      kernel_(SolidKernel<dim>::of(kind)),
+      kernel_(material.kernel<dim>(element)),
       rows_(rows),
       columns_(columns),
       shape_columns_(shape_columns) {
@@ -30,9 +30,8 @@ CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const NeoHookean& law, El
 }
 
 template <int dim>
-NeoHookean CellAssembly<dim>::law_of(int cell) const {
-  const double factor = stiffness_.empty() ? 1 : stiffness_[cell];
-  return {factor * law_.lambda, factor * law_.mu};
+ElasticModuli CellAssembly<dim>::moduli_of(int cell) const {
+  return stiffness_.empty() ? moduli_ : moduli_.scaled(stiffness_[cell]);
 }
 
 template <int dim>
@@ -169,7 +168,7 @@ void CellAssembly<dim>::add_residual(const NodalField<dim>* shape,
     if (!meets(cell, rows_, own)) return true;
     CellNodal<dim> X, u, R;
     gather(cells_[c], shape, displacement, X, u);
-    if (!kernel_.residual(law_of(cells_[c]), X, u, R)) return false;
+    if (!kernel_.residual(moduli_of(cells_[c]), X, u, R)) return false;
     for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
       for (int i = 0; i < dim; ++i)
         if (const int row = rows_(cell[a], i); own.holds(row)) F[row] += R(a, i);
@@ -191,7 +190,7 @@ void CellAssembly<dim>::add_jacobian(const NodalField<dim>* shape,
     CellNodal<dim> X, u, R;
     CellMatrix<dim> K_u, K_d;
     gather(cells_[c], shape, displacement, X, u);
-    if (!tangent(law_of(cells_[c]), X, u, R, K_u, K_d)) return false;
+    if (!tangent(moduli_of(cells_[c]), X, u, R, K_u, K_d)) return false;
     const std::size_t first = std::size_t(c) * local * local;
     add_columns<dim>(cell, columns_, own, map_.data() + first, K_u, values);
     if (shape_columns_)

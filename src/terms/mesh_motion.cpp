@@ -40,13 +40,8 @@ NodalNumbers<dim> auxiliary_rows(const Numbering& numbering, FieldId d, FieldId 
 template <int dim>
 CellAssembly<dim> auxiliary_cells(const Mesh<dim>& mesh, const MeshMotionLaw& law,
                                   const NodalNumbers<dim>& rows, const NodalNumbers<dim>& columns) {
-  return {mesh,
-          law.material,
-          law.element,
-          rows,
-          columns,
-          nullptr,
-          stiffness_by_volume(mesh, law.stiffening)};
+  return {mesh,    law.material, {ElementTechnology::plain, Kinematics::finite}, rows,
+          columns, nullptr,      stiffness_by_volume(mesh, law.stiffening)};
 }
 
 }  // namespace

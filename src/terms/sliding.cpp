@@ -4,9 +4,9 @@ namespace gnomon {
 
 template <int dim>
 StreamingVelocityDerivative<dim>::StreamingVelocityDerivative(const ContactPatch<dim>& patch,
-                                                            const PatchNodal<dim>& X,
-                                                            const PatchNodal<dim>& x,
-                                                            const Vector<dim>& streaming) {
+                                                              const PatchNodal<dim>& X,
+                                                              const PatchNodal<dim>& x,
+                                                              const Vector<dim>& streaming) {
   for (std::size_t p = 0; p < patch.nodes.size(); ++p) by_X[p].setZero(), by_x[p].setZero();
   for (const auto& corner : patch.corners) {
     const double weight = corner.initial_area / patch.initial_area;

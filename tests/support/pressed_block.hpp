@@ -16,7 +16,7 @@ struct PressedBlock {
   double force = 20;       ///< N
   double wear = 1e-4;      ///< mm/(MPa s), k v
   double duration = 1000;  ///< s
-  ElementKind element = ElementKind::f_bar;
+  Element element;
 };
 
 inline Mesh<3> block_mesh(const PressedBlock& block) {
@@ -65,8 +65,10 @@ inline std::shared_ptr<WornBody<3>> pressed_block(const PressedBlock& block) {
     body->load(node, 2) = -block.force * edge / (n * n);
   }
   const double area = block.size * block.size;
-  body->material = NeoHookean::from_young_poisson(block.young_modulus, block.poisson_ratio);
-  body->mesh_motion.material = NeoHookean::from_young_poisson(1, 0.3);
+  body->material = make_material(
+      "neo-hookean", ElasticModuli::from_young_poisson(block.young_modulus, block.poisson_ratio));
+  body->mesh_motion.material =
+      make_material("neo-hookean", ElasticModuli::from_young_poisson(1, 0.3));
   body->element = block.element;
   Scales& scales = body->scales;
   scales.force = block.force / (n * n);

@@ -11,7 +11,7 @@ namespace {
 
 using namespace testing;
 
-const NeoHookean law = NeoHookean::from_young_poisson(7, 0.3);
+const ElasticModuli moduli = ElasticModuli::from_young_poisson(7, 0.3);
 
 /// A block of n^3 hexahedra, held at the bottom; u and, in the lower half, d at every node. The top
 /// moves rigidly along z: one number for all its nodes.
@@ -38,7 +38,9 @@ struct Block {
   }
   int nodes() const { return static_cast<int>(mesh.nodes.size()); }
 
-  CellAssembly<3> assembly() const { return {mesh, law, ElementKind::f_bar, u, u, &d}; }
+  CellAssembly<3> assembly() const {
+    return {mesh, make_material("neo-hookean", moduli), {}, u, u, &d};
+  }
 
   Mesh<3> mesh;
   Numbers u, d;
@@ -76,7 +78,8 @@ TEST(CellAssembly, IsTheSumOverTheCells) {
       X.row(a) = block.mesh.nodes[cell[a]].transpose() + block.shape.row(cell[a]);
       u.row(a) = block.displacement.row(cell[a]);
     }
-    ASSERT_TRUE((solid_tangent<ElementKind::f_bar, true, 3>(law, X, u, R, K_u, K_d)));
+    const Material material = make_material("neo-hookean", moduli);
+    ASSERT_TRUE(material.kernel<3>({}).tangent_ud(moduli, X, u, R, K_u, K_d));
     for (int row = 0; row < 24; ++row) {
       const int number = block.u(cell[row / 3], row % 3);
       if (number < 0) continue;

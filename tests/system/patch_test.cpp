@@ -3,6 +3,7 @@
 
 #include <gnomon/mesh/distortion.hpp>
 #include <gnomon/terms/cell_assembly.hpp>
+#include <gnomon/terms/material_law.hpp>
 
 #include "support/derivatives.hpp"
 
@@ -25,7 +26,7 @@ Mesh<dim> distorted_mesh() {
 
 /// Largest distance of the nodes inside, in equilibrium, from the linear field of the boundary.
 template <int dim>
-double patch_error(ElementKind kind) {
+double patch_error(const std::string& law, const Element& element) {
   const Mesh<dim> mesh = distorted_mesh<dim>();
   const auto nodes = static_cast<Eigen::Index>(mesh.nodes.size());
   const Tensor<dim> H = noise<Tensor<dim>>(0.03, 3);
@@ -43,8 +44,8 @@ double patch_error(ElementKind kind) {
     u.data()[k] = 0;  // to be found
   }
 
-  const NeoHookean law = NeoHookean::from_young_poisson(7, 0.3);
-  CellAssembly<dim> cells(mesh, law, kind, numbers, numbers, nullptr);
+  const Material material = make_material(law, ElasticModuli::from_young_poisson(7, 0.3));
+  CellAssembly<dim> cells(mesh, material, element, numbers, numbers, nullptr);
   PatternBuilder builder(size);
   cells.add_to_pattern(builder);
   const SparsePattern pattern = builder.build();
@@ -66,22 +67,22 @@ double patch_error(ElementKind kind) {
 }
 
 TEST(Patch, ALinearFieldIsReproducedOnDistortedMeshes) {
-  for (const ElementKind kind :
-       {ElementKind::plain, ElementKind::f_bar, ElementKind::plain_blatz_ko,
-        ElementKind::small_plain, ElementKind::small_f_bar}) {
-    EXPECT_LT(patch_error<2>(kind), 1e-13);
-    EXPECT_LT(patch_error<3>(kind), 1e-13);
-  }
-  for (const ElementKind kind :
-       {ElementKind::f_bar_variational, ElementKind::small_f_bar_variational})
-    EXPECT_LT(patch_error<2>(kind), 1e-13);
+  for (const std::string& law : MaterialLaws::names())
+    for (const Kinematics kinematics : {Kinematics::finite, Kinematics::small}) {
+      SCOPED_TRACE(law);
+      for (const auto technology : {ElementTechnology::plain, ElementTechnology::f_bar}) {
+        EXPECT_LT(patch_error<2>(law, {technology, kinematics}), 1e-13);
+        EXPECT_LT(patch_error<3>(law, {technology, kinematics}), 1e-13);
+      }
+      EXPECT_LT(patch_error<2>(law, {ElementTechnology::f_bar_variational, kinematics}), 1e-13);
+    }
 }
 
 // The gradient at the centroid of a distorted hexahedron is not the mean gradient.
 TEST(Patch, VariationalFBarHexahedraFail) {
-  for (const ElementKind kind :
-       {ElementKind::f_bar_variational, ElementKind::small_f_bar_variational})
-    EXPECT_GT(patch_error<3>(kind), 1e-5);
+  for (const Kinematics kinematics : {Kinematics::finite, Kinematics::small})
+    EXPECT_GT(patch_error<3>("neo-hookean", {ElementTechnology::f_bar_variational, kinematics}),
+              1e-5);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-// Linear elasticity, the small-strain limit of the neo-Hookean law, as a pure function of the
-// displacement gradient; same interface as NeoHookeanPoint.
+// Linear elasticity, the small-strain limit of every elastic law, as a pure function of the
+// displacement gradient.
 #pragma once
 
-#include <gnomon/laws/neo_hookean.hpp>
+#include <gnomon/laws/elastic_law.hpp>
 
 namespace gnomon {
 
@@ -12,27 +12,28 @@ template <int dim, class Scalar = double>
 class LinearElasticPoint {
 public:
   using T = Tensor<dim, Scalar>;
+  static constexpr Kinematics kinematics = Kinematics::small;
 
-  LinearElasticPoint(const NeoHookean& law, const T& H) : law_(law), H_(H) {}
+  LinearElasticPoint(const ElasticModuli& moduli, const T& H)
+      : lambda_(moduli.lambda), mu_(moduli.mu), H_(H) {}
+
+  /// sigma : eps / 2 [stress].
+  Scalar energy() const { return stress().cwiseProduct(H_).sum() / Scalar(2); }
 
   T stress() const { return stress_change(H_); }
 
-  /// Stress component normal to the plane (2D, plane strain).
-  Scalar out_of_plane_stress() const { return Scalar(law_.lambda) * H_.trace(); }
-
   T stress_change(const T& dH) const {
-    return Scalar(law_.lambda) * dH.trace() * T::Identity() +
-           Scalar(law_.mu) * (dH + dH.transpose());
+    return Scalar(lambda_) * dH.trace() * T::Identity() + Scalar(mu_) * (dH + dH.transpose());
   }
 
-  // [dsigma : (v (x) n_b)] n_a = [shear (n_a . n_b) I + volumetric n_a (x) n_b
-  //                               + geometric n_b (x) n_a] v
-  double shear() const { return law_.mu; }
-  double volumetric() const { return law_.lambda; }
-  double geometric() const { return law_.mu; }
+  // Of DyadicPoint: [dsigma : (v (x) n_b)] n_a = [shear (n_a . n_b) I + volumetric n_a (x) n_b
+  //                                              + geometric n_b (x) n_a] v
+  double shear() const { return mu_; }
+  double volumetric() const { return lambda_; }
+  double geometric() const { return mu_; }
 
 private:
-  NeoHookean law_;
+  double lambda_, mu_;
   T H_;
 };
 

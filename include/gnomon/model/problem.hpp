@@ -31,7 +31,10 @@ double estimated_memory(const Scene& scene);
 /// a run would need more memory than there is.
 std::unique_ptr<Model> make_model(const Scene& scene);
 
-/// Key table of a problem for load_scene: run_keys() followed by the problem's own.
+/// The problem's keys, with the choice of registered materials and their keys filled in.
+std::vector<Key> own_keys(const Problem& problem);
+
+/// Key table of a problem for load_scene: run_keys() followed by own_keys().
 std::vector<Key> key_table(const std::string& problem);
 
 }  // namespace gnomon

@@ -36,6 +36,23 @@ inline double regularization_unit(double young, double facet, const Scales& scal
   return std::min(young / facet, far_above * occurring);
 }
 
+/// Where the fields of a worn body stand in its FieldSet.
+struct WornBodyFields {
+  FieldId u = FieldId::none;       ///< displacement, all nodes
+  FieldId d = FieldId::none;       ///< shape, all nodes; differential on the contact surface
+  FieldId lambda = FieldId::none;  ///< contact multiplier, contact nodes
+  FieldId mu = FieldId::none;      ///< shape multiplier, contact nodes; only in that form
+  FieldId w = FieldId::none;       ///< rigid motion of the counter-body, once; only under a force
+};
+
+template <int dim>
+struct WornBody;
+
+/// Makes a term beside the usual ones (added_term.hpp). The body outlives the term.
+template <int dim>
+using AddedTermFactory = std::function<std::unique_ptr<Term<dim>>(
+    const WornBody<dim>&, const WornBodyFields&, const Numbering&)>;
+
 template <int dim>
 struct WornBody {
   Mesh<dim> mesh;
@@ -43,8 +60,8 @@ struct WornBody {
   NodalFlags<dim> displacement_fixed;            ///< 1 where u is held at zero
   NodalFlags<dim> shape_fixed;                   ///< 1 where d is held at zero
   NodalField<dim> load;                          ///< nodal dead loads at factor one
-  NeoHookean material;
-  ElementKind element = ElementKind::f_bar;
+  Material material;
+  Element element;
   MeshMotionLaw mesh_motion;  ///< eq. (20)
   ContactParameters<dim> contact;
   /// The force that presses the counter-body along its `approach`, at factor one; without it the
@@ -58,6 +75,7 @@ struct WornBody {
   double copies = 1;  ///< of the modelled part that make the whole (symmetry)
   ConstraintForm constraint = ConstraintForm::eliminated;
   double augmentation = 0;  ///< of mu: mu^ = mu + augmentation (ddot + Wdot N) [stress time/length]
+  std::vector<AddedTermFactory<dim>> added_terms;
   Scales scales;
   LinearSolverChoice solver;
 

@@ -9,15 +9,6 @@
 
 namespace gnomon {
 
-/// Where the fields of a worn body stand in its FieldSet.
-struct WornBodyFields {
-  FieldId u = FieldId::none;       ///< displacement, all nodes
-  FieldId d = FieldId::none;       ///< shape, all nodes; differential on the contact surface
-  FieldId lambda = FieldId::none;  ///< contact multiplier, contact nodes
-  FieldId mu = FieldId::none;      ///< shape multiplier, contact nodes; only in that form
-  FieldId w = FieldId::none;       ///< rigid motion of the counter-body, once; only under a force
-};
-
 /// Rows, in the order of their unknowns:
 ///   u                equilibrium, eq. 23-25: internal + contact force - load            [force]
 ///   lambda           C_N, eq. 26                                                        [length]

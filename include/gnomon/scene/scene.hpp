@@ -71,7 +71,8 @@ public:
   const std::string& text(const std::string& key) const;
   const std::vector<long>& integers(const std::string& key) const;
   const std::vector<double>& reals(const std::string& key) const;
-  bool has(const std::string& key) const;  ///< false for an absent optional key
+  bool has(const std::string& key) const;    ///< false for an absent optional key
+  bool knows(const std::string& key) const;  ///< whether the key is in the table of the scene
   std::optional<double> real_if(const std::string& key) const;
   /// What the scene gives in the place of "*" in a key of the table, ascending.
   std::vector<std::string> chosen_names(const std::string& key) const;

@@ -11,7 +11,7 @@ template <int dim>
 class BodyTerm : public Term<dim> {
 public:
   /// `mesh` must outlive the term.
-  BodyTerm(const Mesh<dim>& mesh, const NeoHookean& law, ElementKind kind,
+  BodyTerm(const Mesh<dim>& mesh, const Material& material, const Element& element,
            const Numbering& numbering, FieldId u, FieldId d);
 
   void declare(TermStructure& structure) const override;

@@ -6,7 +6,7 @@
 #include <gnomon/fields/field.hpp>
 #include <gnomon/fields/sparse_pattern.hpp>
 #include <gnomon/mesh/mesh.hpp>
-#include <gnomon/terms/solid.hpp>
+#include <gnomon/terms/material.hpp>
 #include <span>
 #include <vector>
 
@@ -19,10 +19,10 @@ public:
 
   /// `rows`, `columns`: numbers of the residual rows and of the unknown that plays the
   /// displacement. `shape_columns`: numbers of the shape unknowns that move the reference
-  /// configuration, or null when it does not move. `stiffness`: factors of the law, one a cell;
-  /// none: 1. Cells without a row are left out. References must outlive the object.
-  CellAssembly(const Mesh<dim>& mesh, const NeoHookean& law, ElementKind kind, const Numbers& rows,
-               const Numbers& columns, const Numbers* shape_columns,
+  /// configuration, or null when it does not move. `stiffness`: factors of the moduli, one per
+  /// cell; none: 1. Cells without a row are left out. References must outlive the object.
+  CellAssembly(const Mesh<dim>& mesh, const Material& material, const Element& element,
+               const Numbers& rows, const Numbers& columns, const Numbers* shape_columns,
                std::vector<double> stiffness = {});
 
   void add_to_pattern(PatternBuilder& builder) const;
@@ -39,7 +39,7 @@ public:
 private:
   static constexpr int local = dim * (1 << dim);  // values a cell
 
-  NeoHookean law_of(int cell) const;
+  ElasticModuli moduli_of(int cell) const;
   void cell_numbers(int cell, const Numbers& numbers, std::vector<int>& result) const;
   void gather(int cell, const NodalField<dim>* shape, const NodalField<dim>& displacement,
               CellNodal<dim>& X, CellNodal<dim>& u) const;
@@ -47,9 +47,9 @@ private:
   void fill_map(const SparsePattern& pattern, const Numbers& columns, std::vector<int>& map) const;
 
   const Mesh<dim>& mesh_;
-  NeoHookean law_;
+  ElasticModuli moduli_;
   std::vector<double> stiffness_;
-  SolidKernel<dim> kernel_;
+  CellKernel<dim> kernel_;
   const Numbers& rows_;
   const Numbers& columns_;
   const Numbers* shape_columns_;

@@ -9,10 +9,10 @@
 
 namespace gnomon {
 
-/// The elastic energy of the auxiliary problem, which is free to choose (sec. 2.5).
+/// The elastic energy of the auxiliary problem, which is free to choose (sec. 2.5): of plain
+/// elements at finite strains.
 struct MeshMotionLaw {
-  NeoHookean material;
-  ElementKind element = ElementKind::plain;  ///< or plain_blatz_ko
+  Material material;
   double stiffening = 0;  ///< chi: a cell is (mean volume / its volume)^chi as stiff
 };
 

@@ -61,7 +61,7 @@ struct StreamingVelocityDerivative {
   std::array<Tensor<dim>, max_patch_nodes> by_X, by_x;
 
   StreamingVelocityDerivative(const ContactPatch<dim>& patch, const PatchNodal<dim>& X,
-                             const PatchNodal<dim>& x, const Vector<dim>& streaming);
+                              const PatchNodal<dim>& x, const Vector<dim>& streaming);
 };
 
 }  // namespace gnomon

@@ -152,15 +152,21 @@ PiecewiseLinear read_table(const Scene& scene, const std::string& name) {
   }
 }
 
-/// k, the constants and the tables of the scene.
+/// Springs know no friction.
+double friction_of(const Scene& scene) {
+  return scene.knows("friction.coefficient") ? scene.real("friction.coefficient") : 0;
+}
+
+/// k, f, the constants and the tables of the scene.
 ExpressionNames read_names(const Scene& scene) {
   ExpressionNames names;
   names.variables = wear_law_variables();
   names.constants["k"] = scene.real("wear.coefficient");
+  names.constants["f"] = friction_of(scene);
   for (const std::string& name : scene.chosen_names("wear.constants.*")) {
-    if (name == "k")
-      throw InputError(scene.where("wear.constants.k") +
-                       ": expected another name: k is wear.coefficient");
+    if (names.constants.contains(name))
+      throw InputError(scene.where("wear.constants." + name) +
+                       ": expected another name: k is wear.coefficient, f friction.coefficient");
     names.constants[name] = scene.real("wear.constants." + name);
   }
   for (const char* key : {"wear.tables.*.x", "wear.tables.*.y"})

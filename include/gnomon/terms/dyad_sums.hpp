@@ -4,6 +4,7 @@
 
 #include <array>
 #include <gnomon/base/tensor.hpp>
+#include <type_traits>
 
 namespace gnomon {
 
@@ -70,25 +71,71 @@ private:
   int count_ = 0;
 };
 
-/// K(ab) = sum of direct dyads x_a (x) y_b, crossed ones y_b (x) x_a, and (n_a . n_b) D.
-template <int dim, int direct_dyads, int crossed_dyads>
+/// Sum of [A : (v (x) n_b)] n_a over the Gauss points for linear A, whatever their form: a matrix
+/// each of its own.
+template <int dim>
+class StressChangeSum {
+public:
+  static constexpr int local = dim * (1 << dim);
+  /// Entry [j][J], one row a node: (A : (e_j (x) e_J)) n_a.
+  using Changes = std::array<std::array<CellNodal<dim>, dim>, dim>;
+
+  void add(const CellNodal<dim>& n, const Changes& changes) {
+    for (int j = 0; j < dim; ++j)
+      for (int J = 0; J < dim; ++J) changes_[j][dim * count_ + J] = changes[j][J];
+    n_[count_++] = n;
+  }
+  /// Of v = e_j, one value a node and component.
+  CellNodal<dim> column(int b, int j) const {
+    CellNodal<dim> sum;
+    // Entry (b, J) of the n of a point stands J * (1 << dim) behind (b, 0), and the next point
+    // follows.
+    combine<local>(dim * count_, changes_[j][0].data(), local, n_[0].data() + b, 1 << dim,
+                   sum.data());
+    return sum;
+  }
+
+private:
+  std::array<std::array<CellNodal<dim>, local>, dim> changes_;
+  std::array<CellNodal<dim>, (1 << dim)> n_;
+  int count_ = 0;
+};
+
+/// How the tangent of a law is summed: (n_a . n_b) D where its other parts are dyads, else as it
+/// is.
+template <int dim, bool dyadic>
+using LawSum = std::conditional_t<dyadic, PairSum<dim>, StressChangeSum<dim>>;
+
+/// K(ab) = sum of direct dyads x_a (x) y_b, crossed ones y_b (x) x_a, and what the law gives.
+template <int dim, int direct_dyads, int crossed_dyads, bool dyadic>
 struct TangentSum {
   static constexpr int nodes = 1 << dim;
   DyadSum<dim, direct_dyads> direct;
   DyadSum<dim, crossed_dyads> crossed;
-  PairSum<dim> pairs;
+  LawSum<dim, dyadic> law;
 
   void write(CellMatrix<dim>& K) const {
-    std::array<CellNodal<dim>, dim * nodes> turned;
-    for (int i = 0; i < dim; ++i)
-      for (int b = 0; b < nodes; ++b) turned[i * nodes + b] = crossed.column(b, i);
+    std::array<CellNodal<dim>, crossed_dyads ? dim * nodes : 0> turned;
+    if constexpr (crossed_dyads > 0)
+      for (int i = 0; i < dim; ++i)
+        for (int b = 0; b < nodes; ++b) turned[i * nodes + b] = crossed.column(b, i);
     for (int j = 0; j < dim; ++j) {
-      std::array<NodePairs<dim>, dim> pair;
-      for (int i = 0; i < dim; ++i) pair[i] = pairs.component(i, j);
+      std::array<NodePairs<dim>, dyadic ? dim : 0> pair;
+      if constexpr (dyadic)
+        for (int i = 0; i < dim; ++i) pair[i] = law.component(i, j);
       for (int b = 0; b < nodes; ++b) {
-        CellNodal<dim> column = direct.column(b, j);
-        for (int i = 0; i < dim; ++i)
-          column.col(i) += pair[i].col(b) + turned[i * nodes + b].col(j);
+        CellNodal<dim> column;
+        if constexpr (direct_dyads > 0)
+          column = direct.column(b, j);
+        else
+          column.setZero();
+        if constexpr (!dyadic) column += law.column(b, j);
+        for (int i = 0; i < dim; ++i) {
+          if constexpr (dyadic)  // crossed as well
+            column.col(i) += pair[i].col(b) + turned[i * nodes + b].col(j);
+          else if constexpr (crossed_dyads > 0)
+            column.col(i) += turned[i * nodes + b].col(j);
+        }
         Eigen::Map<Eigen::Matrix<double, dim, nodes>>(K.col(dim * b + j).data()) =
             column.transpose();
       }

@@ -1,0 +1,41 @@
+// Terms that scenes may add to a worn body. A new one is one file with a Registration; nothing else
+// has to know of it.
+#pragma once
+
+#include <functional>
+#include <gnomon/model/worn_body.hpp>
+#include <gnomon/scene/registry.hpp>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+struct AddedTerm {
+  std::string name;  ///< "springs"
+  std::string help;  ///< one line
+  /// Keys of scenes with a worn body; optional or with a default, for they are in all their tables.
+  std::vector<Key> keys;
+  /// The term that a scene asks for; an empty function where it asks for none. Throws InputError
+  /// where its keys contradict each other.
+  std::function<AddedTermFactory<2>(const Scene&)> in_the_plane;
+  std::function<AddedTermFactory<3>(const Scene&)> in_space;
+};
+
+using AddedTerms = Registry<AddedTerm>;
+
+/// The terms that the scene asks for.
+template <int dim>
+std::vector<AddedTermFactory<dim>> added_terms(const Scene& scene) {
+  std::vector<AddedTermFactory<dim>> result;
+  for (const AddedTerm& term : AddedTerms::all()) {
+    AddedTermFactory<dim> factory;
+    if constexpr (dim == 2)
+      factory = term.in_the_plane(scene);
+    else
+      factory = term.in_space(scene);
+    if (factory) result.push_back(std::move(factory));
+  }
+  return result;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <gnomon/terms/material_law.hpp>
+
+namespace gnomon {
+
+namespace {
+
+/// "body." of "body.material".
+std::string table_of(const std::string& choice) {
+  return choice.substr(0, choice.find('.') + 1);
+}
+
+}  // namespace
+
+Material make_material(const std::string& law, const ElasticModuli& moduli) {
+  const MaterialLaw& found = MaterialLaws::find(law, "material");
+  return {moduli, found.kernels, found.collapse_force};
+}
+
+Material read_material(const Scene& scene, const std::string& choice) {
+  const std::string table = table_of(choice), name = scene.text(choice);
+  Material material =
+      make_material(name, ElasticModuli::from_young_poisson(scene.real(table + "young_modulus"),
+                                                            scene.real(table + "poisson_ratio")));
+  for (const MaterialLaw& law : MaterialLaws::all())
+    for (const Key& key : law.keys)
+      if (law.name != name && scene.has(table + key.name))
+        throw InputError(fmt::format("{}: only for {} = \"{}\", got \"{}\"",
+                                     scene.where(table + key.name), choice, law.name, name));
+  if (const auto& ratios = MaterialLaws::find(name, "material").ratios)
+    material.moduli.ratios = ratios(scene, table, material.moduli);
+  return material;
+}
+
+void add_material_keys(std::vector<Key>& table, const std::string& choice) {
+  const auto place =
+      std::find_if(table.begin(), table.end(), [&](const Key& key) { return key.name == choice; });
+  if (place == table.end()) return;
+  place->choices = MaterialLaws::names();
+  std::vector<Key> further;
+  for (const MaterialLaw& law : MaterialLaws::all())
+    for (Key key : law.keys) {
+      key.name = table_of(choice) + key.name;
+      further.push_back(std::move(key));
+    }
+  table.insert(place + 1, further.begin(), further.end());
+}
+
+}  // namespace gnomon

@@ -1,0 +1,17 @@
+#include <gnomon/laws/blatz_ko.hpp>
+#include <gnomon/terms/material_law.hpp>
+#include <gnomon/terms/solid_kernels.hpp>
+
+namespace gnomon {
+namespace {
+
+// Its forces grow without bound where a body is nearly worn away.
+const Registration<MaterialLaw> registration{
+    {.name = "blatz-ko",
+     .help = "Blatz and Ko, which keeps elements from collapsing, the more the larger Poisson's "
+             "ratio",
+     .kernels = &law_kernels<BlatzKoPoint>,
+     .collapse_force = 1e3}};
+
+}  // namespace
+}  // namespace gnomon

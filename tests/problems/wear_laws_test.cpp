@@ -1,0 +1,302 @@
+// Wear laws other than Archard's, by every integrator: against closed forms on springs, an
+// independent integration there, and a method of another family on the elastic pin.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <gnomon/newton/newton.hpp>
+
+#include "support/problem_run.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+
+constexpr double F = 20, R = 5, k = 1e-7, v = 1000, modulus = 70.33, width = 10, end = 200;
+constexpr int points = 41;
+
+/// The pin on springs with a law.
+std::unique_ptr<Model> springs(const std::string& rate, Overrides more = {}) {
+  more.push_back("foundation.points=" + std::to_string(points));
+  more.push_back("wear.rate=\"" + rate + "\"");
+  return model_of("winkler/pin.toml", more);
+}
+
+std::vector<double> depths(const std::vector<double>& y) {
+  std::vector<double> d;
+  for (int i = 0; i < points; ++i) d.push_back(y[2 * i]);
+  return d;
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+/// The same springs, written anew: depths after `end` by the classical Runge-Kutta method.
+class IndependentSprings {
+public:
+  using Law = std::function<double(double p, double h, double t)>;
+  explicit IndependentSprings(Law law) : law_(std::move(law)) {}
+
+  std::vector<double> worn(int steps) const {
+    std::vector<double> d(points, 0.0);
+    const double h = end / steps;
+    for (int n = 0; n < steps; ++n) {
+      const double t = n * h;
+      const auto k1 = rates(d, t), k2 = rates(moved(d, k1, h / 2), t + h / 2),
+                 k3 = rates(moved(d, k2, h / 2), t + h / 2), k4 = rates(moved(d, k3, h), t + h);
+      for (int i = 0; i < points; ++i) d[i] += h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
+    }
+    return d;
+  }
+
+private:
+  static double x(int i) { return width * (double(i) / (points - 1) - 0.5); }
+  static double area(int i) { return (i == 0 || i == points - 1 ? 0.5 : 1) * width / (points - 1); }
+  static std::vector<double> moved(std::vector<double> d, const std::vector<double>& k, double h) {
+    for (int i = 0; i < points; ++i) d[i] += h * k[i];
+    return d;
+  }
+  /// Pressures by bisection for the approach that carries the force.
+  static std::vector<double> pressures(const std::vector<double>& d) {
+    const auto at = [&](double delta) {
+      std::vector<double> p;
+      for (int i = 0; i < points; ++i)
+        p.push_back(std::max(0.0, modulus * (delta - x(i) * x(i) / (2 * R) - d[i])));
+      return p;
+    };
+    double low = 0, high = 100;
+    for (int k = 0; k < 200; ++k) {
+      const double middle = (low + high) / 2;
+      const auto p = at(middle);
+      double force = 0;
+      for (int i = 0; i < points; ++i) force += area(i) * p[i];
+      (force < F ? low : high) = middle;
+    }
+    return at(low);
+  }
+  std::vector<double> rates(const std::vector<double>& d, double t) const {
+    const auto p = pressures(d);
+    std::vector<double> rate;
+    for (int i = 0; i < points; ++i) rate.push_back(p[i] > 0 ? law_(p[i], d[i], t) : 0);
+    return rate;
+  }
+  Law law_;
+};
+
+struct Case {
+  std::string name, rate;
+  Overrides constants;
+  IndependentSprings::Law law;
+};
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all = {
+      {"PowerOfThePressure",
+       "k * (p / p0)^1.5 * p0 * v",
+       {"wear.constants.p0=2"},
+       [](double p, double, double) { return k * std::pow(p / 2, 1.5) * 2 * v; }},
+      {"Threshold",
+       "k * max(p - p0, 0) * v",
+       {"wear.constants.p0=1"},
+       [](double p, double, double) { return k * std::max(p - 1, 0.0) * v; }},
+      {"RunningInByTime",
+       "k * (1 + a * exp(-t / t0)) * p * v",
+       {"wear.constants.a=3", "wear.constants.t0=40"},
+       [](double p, double, double t) { return k * (1 + 3 * std::exp(-t / 40)) * p * v; }},
+      {"RunningInByDistance",
+       "k * (1 + a * exp(-s / s0)) * p * v",
+       {"wear.constants.a=3", "wear.constants.s0=40e3"},
+       [](double p, double, double t) { return k * (1 + 3 * std::exp(-t / 40)) * p * v; }},
+      {"HardeningWithDepth",
+       "k * p * v / (1 + h / h0)",
+       {"wear.constants.h0=0.05"},
+       [](double p, double h, double) { return k * p * v / (1 + h / 0.05); }},
+      {"TableOfTime",
+       "k * factor(t) * p * v",
+       {"wear.tables.factor.x=[0, 50, 100]", "wear.tables.factor.y=[3, 1, 2]"},
+       [](double p, double, double t) {
+         const double factor = t < 50 ? 3 - 2 * t / 50 : t < 100 ? 1 + (t - 50) / 50 : 2;
+         return k * factor * p * v;
+       }}};
+  return all;
+}
+
+/// Error, of the largest depth, that each integrator is asked for; steps where it has no estimate.
+struct Setting {
+  double step, rtol, allowed;
+};
+Setting setting_of(const Integrator& integrator) {
+  if (integrator.name == "forward-euler" || integrator.name == "backward-euler")
+    return {0.25, 0, 2e-2};
+  if (integrator.name == "theta") return {2, 0, 5e-3};
+  return {0, 1e-5, 1e-3};
+}
+
+class LawByEveryIntegrator : public ::testing::TestWithParam<std::size_t> {};
+
+// With the switching of points ignored, as integrators do by default.
+TEST_P(LawByEveryIntegrator, AgreesWithAnIndependentIntegration) {
+  const Case& law = cases()[GetParam()];
+  const auto model = springs(law.rate, law.constants);
+  const std::vector<double> reference = IndependentSprings(law.law).worn(4000);
+  const double largest = *std::max_element(reference.begin(), reference.end());
+  ASSERT_GT(largest, 1e-3);
+  for (const Integrator& integrator : Integrators::all()) {
+    const Setting s = setting_of(integrator);
+    const State last = run_model(*model, integrator.name, s.step, s.rtol, end).last();
+    EXPECT_LT(distance(depths(last.y), reference), s.allowed * largest) << integrator.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(WearLaw, LawByEveryIntegrator,
+                         ::testing::Range<std::size_t>(0, cases().size()),
+                         [](const auto& info) { return cases()[info.param].name; });
+
+// k(t) only stretches time: after t the springs are where constant k has them after the integral of
+// k(t)/k. So Archard's closed form holds, at that time.
+TEST(WearLaw, AFactorOfTimeStretchesTimeInTheClosedForm) {
+  const Overrides fine = {"wear.constants.a=3", "wear.constants.t0=40"};
+  const auto varying = springs("k * (1 + a * exp(-t / t0)) * p * v", fine);
+  const auto by_distance = springs("k * (1 + a * exp(-s / (t0 * 1000))) * p * v", fine);
+  const auto constant = springs("k * p * v");
+  ASSERT_FALSE(varying->exact(1).has_value());
+  const double stretched = end + 3 * 40 * (1 - std::exp(-end / 40));
+  const State closed = constant->exact(stretched).value();
+  const State tight = run_model(*constant, "esdirk-4", 0, 1e-8, stretched).last();
+  const double mesh = distance(depths(tight.y), depths(closed.y));  // of the points, not of time
+  for (const auto& model : {varying.get(), by_distance.get()}) {
+    const State last = run_model(*model, "esdirk-4", 0, 1e-8, end).last();
+    EXPECT_LT(distance(depths(last.y), depths(tight.y)), 1e-7);
+    EXPECT_LT(distance(depths(last.y), depths(closed.y)), mesh + 1e-7);
+  }
+}
+
+// A table's corners are breakpoints, on which steps end; a threshold switches nodes, on which
+// located steps end. Order 4 survives both.
+TEST(WearLaw, StepsEndOnItsKinks) {
+  const auto table = springs("k * factor(t) * p * v", {"wear.tables.factor.x=[0, 50, 100]",
+                                                       "wear.tables.factor.y=[3, 1, 2]"});
+  EXPECT_EQ(table->system().structure().corners, (std::vector<double>{50, 100}));
+  const auto threshold = springs("k * max(p - p0, 0) * v", {"wear.constants.p0=1"});
+  EXPECT_EQ(threshold->system().structure().switch_node.size(), 2 * points);
+  const auto final_depths = [&](double step, bool locate) {
+    return depths(run_model(*threshold, "esdirk-4", step, 0, end, locate).last().y);
+  };
+  const std::vector<double> exact = final_depths(0.625, true);
+  const double coarse = distance(final_depths(20, true), exact),
+               fine = distance(final_depths(5, true), exact);
+  std::printf("threshold, located: %.2e at 20 s, %.2e at 5 s; ignored: %.2e\n", coarse, fine,
+              distance(final_depths(5, false), exact));
+  EXPECT_GT(std::log2(coarse / fine) / 2, 3);
+  EXPECT_LT(fine, 0.2 * distance(final_depths(5, false), exact));
+}
+
+TEST(WearLaw, JacobiansOnSpringsEqualCentralDifferences) {
+  for (const Case& law : cases()) {
+    SCOPED_TRACE(law.name);
+    const auto model = springs(law.rate, law.constants);
+    Counters counters;
+    State state = model->start(counters);
+    for (int i = 0; i < points; ++i) state.y[2 * i] = 1e-3 * (i % 7);
+    check_jacobian(model->system(), 30, state.y, 0.2);
+  }
+}
+
+/// The coarse elastic pin.
+std::unique_ptr<Model> pin(Overrides more) {
+  more.push_back("mesh.elements=[10, 10]");
+  return model_of("pin_on_flat/small_deformation.toml", more);
+}
+
+TEST(WearLaw, MethodsOfTwoFamiliesAgreeOnTheElasticPin) {
+  const std::vector<Overrides> laws = {
+      {"wear.rate=k * (p / p0)^1.5 * p0 * v", "wear.constants.p0=2"},
+      {"wear.rate=\"k * max(p - p0, 0) * v\"", "wear.constants.p0=1"},
+      {"wear.rate=k * (1 + a * exp(-s / s0)) * p * v", "wear.constants.a=3",
+       "wear.constants.s0=1e5"},
+      {"wear.rate=k * q", "friction.coefficient=0.3"},
+      {"wear.rate=k * p * v / (1 + h / h0)", "wear.constants.h0=0.1", "wear.normal=conservative"}};
+  for (const Overrides& law : laws) {
+    SCOPED_TRACE(law.front());
+    const auto model = pin(law);
+    const auto worn = [&](const char* integrator) {
+      return observed(*model, run_model(*model, integrator, 0, 1e-6, 200).last(), "worn_volume");
+    };
+    const double runge_kutta = worn("esdirk-4"), multistep = worn("bdf");
+    EXPECT_GT(runge_kutta, 0.02);
+    EXPECT_NEAR(runge_kutta / multistep, 1, 2e-4);
+  }
+}
+
+// Newton sees exact derivatives: a full step squares the residual.
+TEST(WearLaw, NewtonStaysQuadratic) {
+  const auto model = pin({"wear.rate=k * (p / p0)^1.5 * p0 * v / (1 + h / h0)",
+                          "wear.constants.p0=2", "wear.constants.h0=0.1"});
+  const System& system = model->system();
+  Counters counters;
+  const State start = model->start(counters);
+  std::vector<double> y = start.y, ydot(y.size());
+  const double h = 20;
+  const Structure& structure = system.structure();
+  const ActiveSet piece = active_set(system, 0, y);
+  NonlinearFunction step;
+  const auto rates = [&](std::span<const double> at) {
+    for (std::size_t i = 0; i < ydot.size(); ++i)
+      ydot[i] = structure.differential[i] ? (at[i] - start.y[i]) / h : 0;
+  };
+  step.residual = [&](std::span<const double> at, std::span<double> G) {
+    rates(at);
+    system.residual({h, at, ydot, &piece}, G);
+  };
+  step.jacobian = [&](std::span<const double> at, std::span<double> values) {
+    rates(at);
+    system.jacobian({h, at, ydot, &piece}, 1 / h, values);
+  };
+  const NewtonReport report = NewtonSolver(structure, counters).solve(step, y);
+  ASSERT_TRUE(report.converged) << report.reason;
+  int quadratic = 0;
+  for (std::size_t n = 1; n + 1 < report.norms.size(); ++n) {
+    const double before = report.norms[n], after = report.norms[n + 1];
+    if (before > 1e-1 || before < 1e-7) continue;
+    EXPECT_LT(after, 1e3 * before * before + 1e-11) << "iteration " << n;
+    ++quadratic;
+  }
+  EXPECT_GE(quadratic, 1) << "no iterate in the quadratic range";
+}
+
+TEST(WearLaw, WrongExpressionsAreRefusedInOneLine) {
+  const auto message = [](Overrides overrides) -> std::string {
+    try {
+      pin(std::move(overrides));
+      return "nothing was refused";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  using ::testing::AllOf;
+  using ::testing::HasSubstr;
+  using ::testing::Not;
+  const auto refuses = [&](const Overrides& overrides, const char* what) {
+    const std::string text = message(overrides);
+    EXPECT_THAT(text, AllOf(HasSubstr(what), Not(HasSubstr("\n"))));
+  };
+  refuses({"wear.rate=k * pressure * v"}, "pressure");
+  refuses({"wear.rate=k * p * "}, "column");
+  refuses({"wear.rate=k * p * v - 1"}, "wear.rate");
+  refuses({"wear.rate=-k * p * v"}, "zero or more");
+  refuses({"wear.rate=k * p * v / (t - t)"}, "wear.rate");
+  refuses({"wear.rate=k * (p + 1) * v"}, "without pressure");
+  refuses({"wear.rate=k * f(p) * v", "wear.tables.f.x=[0, 1]"}, "wear.tables.f");
+  refuses({"wear.rate=k * f(p) * v", "wear.tables.f.x=[1, 0]", "wear.tables.f.y=[1, 2]"},
+          "wear.tables.f.x");
+  refuses({"wear.constants.k=1"}, "wear.constants.k");
+  refuses({"wear.constants.p=1"}, "p");
+  refuses({"wear.law=archar"}, "archard");
+}
+
+}  // namespace
+}  // namespace gnomon
