@@ -147,12 +147,14 @@ public:
     return state;
   }
   /// The value, its magnitude and the magnitude of its error.
-  std::vector<Scalar> observe(const State& state) const override {
+  Observation observe(const State& state) const override {
     const Pair y(state.y[0], state.y[1]);
-    return {{"real", "", y[0]},
-            {"imaginary", "", y[1]},
-            {"magnitude", "", y.norm()},
-            {"error", "", (y - equation_.y_of(equation_.exact(state.t))).norm()}};
+    Observation observed;
+    observed.others = {{"real", "", y[0]},
+                       {"imaginary", "", y[1]},
+                       {"magnitude", "", y.norm()},
+                       {"error", "", (y - equation_.y_of(equation_.exact(state.t))).norm()}};
+    return observed;
   }
   double differential_scale() const override { return 1; }
   std::optional<Grid> grid() const override { return std::nullopt; }

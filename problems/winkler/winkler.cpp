@@ -90,22 +90,27 @@ public:
   }
 
   /// As of a worn body (WearModel), without the quality of elements.
-  std::vector<Scalar> observe(const State& state) const override {
+  Observation observe(const State& state) const override {
     const Foundation& f = *foundation_;
-    double force = 0, worn = 0, pressure = 0, flux = 0;
-    const Point at{.t = state.t, .y = state.y, .piece = state.own_piece()};
+    double force = 0, worn = 0, pressure = 0;
     long active = 0;
     for (int i = 0; i < system_.points(); ++i) {
       force += f.area[i] * state.y[system_.p(i)];
       worn += f.area[i] * state.y[system_.d(i)];
-      flux += f.area[i] * system_.wear(at, i).value;
       pressure = std::max(pressure, state.y[system_.p(i)]);
       active += system_.gap(state.y, i) <= 0;
     }
-    return {
-        {"contact_nodes", "", double(active)}, {"contact_force", "N/mm", force},
-        {"max_pressure", "MPa", pressure},     {"worn_volume", "mm^2", worn},
-        {"wear_flux", "mm^2/s", flux},         {"contact_half_width", "mm", half_width(state.y)}};
+    Observation observed;
+    observed.contact_nodes = double(active);
+    observed.contact_force = force;
+    observed.max_pressure = pressure;
+    observed.worn_volume = worn;
+    observed.wear_flux = flux({.t = state.t, .y = state.y, .piece = state.own_piece()});
+    observed.contact_half_width = half_width(state.y);
+    return observed;
+  }
+  std::function<double(const Point&)> wear_flux() const override {
+    return [this](const Point& at) { return flux(at); };
   }
 
   double differential_scale() const override { return foundation_->mean_depth(); }
@@ -153,6 +158,13 @@ public:
   }
 
 private:
+  double flux(const Point& at) const {
+    double sum = 0;
+    for (int i = 0; i < system_.points(); ++i)
+      sum += foundation_->area[i] * system_.wear(at, i).value;
+    return sum;
+  }
+
   /// Half the distance between the zeros of the gap, linear between points.
   double half_width(std::span<const double> y) const {
     const int n = system_.points();

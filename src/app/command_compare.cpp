@@ -66,8 +66,10 @@ private:
 };
 
 std::string worn_volume(const HistoryRow& row) {
-  const Scalar* worn = find_scalar(row.scalars, "worn_volume");
-  return worn ? fmt::format("{:.6g} {}", worn->value, worn->unit) : "-";
+  const Observation observed = observation_of(row.scalars);
+  if (!observed.worn_volume) return "-";
+  return fmt::format("{:.6g} {}", *observed.worn_volume,
+                     unit_of(observed, &Observation::worn_volume));
 }
 
 /// The file, and how its run ended if not well.

@@ -5,6 +5,7 @@
 
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/results.hpp>
+#include <gnomon/run/summary.hpp>
 
 #include "app/commands.hpp"
 #include "app/program.hpp"
@@ -59,6 +60,8 @@ void print_history(const HistoryRow& last) {
     count("preconditioner_setups", c.preconditioner_setups);
   }
   fmt::print("\nat the end:\n{}", table.text());
+  if (const std::string ledger = ledger_text(observation_of(last.scalars)); !ledger.empty())
+    fmt::print("{}\n", ledger);
 }
 
 void print_contact_row(const ContactSurface& surface, std::size_t i) {

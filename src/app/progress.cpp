@@ -40,10 +40,11 @@ std::string progress_text(const HistoryRow& row, double end, double elapsed) {
   if (row.counters.steps > 0)
     text += fmt::format("  step {:.3g} s  order {}  Newton {}", row.step.step, row.step.order,
                         row.step.newton_iterations);
-  if (const Scalar* contact = find_scalar(row.scalars, "contact_nodes"))
-    text += fmt::format("  contact {:g}", contact->value);
-  if (const Scalar* worn = find_scalar(row.scalars, "worn_volume"))
-    text += fmt::format("  worn {:.3g} {}", worn->value, worn->unit);
+  const Observation observed = observation_of(row.scalars);
+  if (observed.contact_nodes) text += fmt::format("  contact {:g}", *observed.contact_nodes);
+  if (observed.worn_volume)
+    text += fmt::format("  worn {:.3g} {}", *observed.worn_volume,
+                        unit_of(observed, &Observation::worn_volume));
   return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
+#include <gnomon/run/summary.hpp>
 
 #include "app/interrupt.hpp"
 #include "app/program.hpp"
@@ -27,6 +28,9 @@ void print_summary(const RunOutcome& outcome, const EndReport& report) {
   for (const Scalar& scalar : outcome.last->scalars)
     table.add({"  " + scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});
   fmt::print("{}", table.text());
+  if (const std::string ledger = ledger_text(observation_of(outcome.last->scalars));
+      !ledger.empty())
+    fmt::print("{}\n", ledger);
   if (report.kept)
     fmt::print("the earlier {} is kept, which goes further\n", report.result.string());
   else

@@ -39,20 +39,78 @@ void require_stout_elements(const Mesh<dim>& mesh) {
   }
 }
 
-/// The largest norm of the displacement gradient at the centre of a cell.
+/// A cell with its nodal values, a row each.
 template <int dim>
-double displacement_gradient(const WornBody<dim>& body, const NodalField<dim>& nodal_u,
-                             const NodalField<dim>& nodal_d) {
-  double largest = 0;
-  for (const auto& cell : body.mesh.cells) {
-    CellNodal<dim> X = body.mesh.positions(cell), u;
+struct CellState {
+  CellNodal<dim> initial, X, u;  // X^, X = X^ + d, u
+
+  CellState(const Mesh<dim>& mesh, const typename Mesh<dim>::Cell& cell,
+            const NodalField<dim>& nodal_d, const NodalField<dim>& nodal_u)
+      : initial(mesh.positions(cell)), X(initial) {
     for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) {
       X.row(a) += nodal_d.row(cell[a]);
       u.row(a) = nodal_u.row(cell[a]);
     }
-    largest = std::max(largest, CellPoint<dim>(CellBasis<dim>::instance().centroid, X, u).H.norm());
   }
-  return largest;
+};
+
+/// The part of an observation that is a sum over contact nodes.
+template <int dim>
+void observe_contact(const std::vector<ContactNode<dim>>& nodes, double copies,
+                     Observation& observed) {
+  double force = 0, pressure = 0;
+  long active = 0;
+  for (const ContactNode<dim>& node : nodes) {
+    force -= copies * node.area * node.traction;
+    pressure = std::max(pressure, -node.traction);
+    active += node.active;
+  }
+  observed.contact_nodes = double(active);
+  observed.contact_force = force;
+  observed.max_pressure = pressure;
+}
+
+/// Volume per time [length^dim / time].
+template <int dim>
+double wear_flux_of(const std::vector<ContactNode<dim>>& nodes, double copies) {
+  double flux = 0;
+  for (const ContactNode<dim>& node : nodes) flux += copies * node.area * node.wear_rate;
+  return flux;
+}
+
+/// The part of an observation that takes a sweep of the cells.
+template <int dim>
+void observe_cells(const WornBody<dim>& body, const NodalField<dim>& d, const NodalField<dim>& u,
+                   Observation& observed) {
+  const bool small_strains = body.element.kinematics == Kinematics::small;
+  double worn = 0, quality = 1, least = 1, gradient = 0;
+  for (const auto& cell : body.mesh.cells) {
+    const CellState<dim> at(body.mesh, cell, d, u);
+    const double before = cell_volume<dim>(at.initial), after = cell_volume<dim>(at.X);
+    worn += before - after;
+    least = std::min(least, after / before);
+    quality = std::min(quality, scaled_jacobian<dim>(at.X));
+    if (small_strains) {
+      const CellPoint<dim> centre(CellBasis<dim>::instance().centroid, at.X, at.u);
+      gradient = std::max(gradient, centre.H.norm());
+    }
+  }
+  worn *= body.copies;
+  observed.worn_volume = worn;
+  observed.element_quality = quality;
+  observed.element_volume = least;
+  if (small_strains) observed.displacement_gradient = gradient;
+  if (!body.section) return;
+  observed.worn_volume = worn * body.section->path / body.section->length;
+  observed.groove_section = worn / body.section->length;
+}
+
+/// In 2D, z is zero.
+template <int dim>
+std::array<double, 3> in_space(const Vector<dim>& v) {
+  std::array<double, 3> point{};
+  std::copy(v.begin(), v.end(), point.begin());
+  return point;
 }
 
 }  // namespace
@@ -75,52 +133,32 @@ std::vector<BlockSize> WearModel<dim>::blocks() const {
 }
 
 template <int dim>
-std::vector<Scalar> WearModel<dim>::observe(const State& state) const {
+std::vector<ContactNode<dim>> WearModel<dim>::contact_nodes(const FieldValues<dim>& values,
+                                                            const State& state) const {
+  return equations_.contact_nodes(system_, values,
+                                  {.t = state.t, .y = state.y, .piece = state.own_piece()});
+}
+
+template <int dim>
+Observation WearModel<dim>::observe(const State& state) const {
+  const WornBodyFields& fields = equations_.fields();
   const FieldValues<dim> values = system_.values(state.y);
-  const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
-        &nodal_d = values.vector(equations_.fields().d);
-  const WornBody<dim>& body = this->body();
-  const std::vector<ContactNode<dim>> nodes = equations_.contact_nodes(system_, values, state);
-  double force = 0, flux = 0, pressure = 0;
-  long active = 0;
-  for (const ContactNode<dim>& node : nodes) {
-    force -= body.copies * node.area * node.traction;
-    flux += body.copies * node.area * node.wear_rate;
-    pressure = std::max(pressure, -node.traction);
-    active += node.active;
-  }
-  double worn = 0, quality = 1, least = 1;
-  for (const auto& cell : body.mesh.cells) {
-    const CellNodal<dim> initial = body.mesh.positions(cell);
-    CellNodal<dim> X = initial;
-    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) X.row(a) += nodal_d.row(cell[a]);
-    const double before = cell_volume<dim>(initial), after = cell_volume<dim>(X);
-    worn += before - after;
-    least = std::min(least, after / before);
-    quality = std::min(quality, scaled_jacobian<dim>(X));
-  }
-  worn *= body.copies;
-  // Per unit thickness in 2D.
-  const std::string force_unit = dim == 2 ? "N/mm" : "N";
-  const std::string volume_unit = dim == 2 ? "mm^2" : "mm^3";
-  std::vector<Scalar> scalars = {
-      {"contact_nodes", "", double(active)},
-      {"contact_force", force_unit, force},
-      {"max_pressure", "MPa", pressure},
-      {"worn_volume", volume_unit,
-       body.section ? worn * body.section->path / body.section->length : worn},
-      {"wear_flux", volume_unit + "/s", flux},
-      {"element_quality", "", quality},
-      {"element_volume", "", least}};
-  if (body.section) scalars.push_back({"groove_section", "mm^2", worn / body.section->length});
-  if (body.counter_force)
-    scalars.push_back({"approach", "mm", values.scalar(equations_.fields().w)[0]});
-  if (body.element.kinematics == Kinematics::small)
-    scalars.push_back({"displacement_gradient", "", displacement_gradient(body, nodal_u, nodal_d)});
+  const std::vector<ContactNode<dim>> nodes = contact_nodes(values, state);
+  Observation observed{.dim = dim};
+  observe_contact(nodes, body().copies, observed);
+  observed.wear_flux = wear_flux_of(nodes, body().copies);
+  observe_cells(body(), values.vector(fields.d), values.vector(fields.u), observed);
+  if (body().counter_force) observed.approach = values.scalar(fields.w)[0];
   if constexpr (dim == 2)
-    scalars.push_back(
-        {"contact_half_width", "mm", contact_half_width(body, equations_.fields(), values, nodes)});
-  return scalars;
+    observed.contact_half_width = contact_half_width(body(), fields, values, nodes);
+  return observed;
+}
+
+template <int dim>
+std::function<double(const Point&)> WearModel<dim>::wear_flux() const {
+  return [this](const Point& at) {
+    return wear_flux_of(equations_.contact_nodes(system_, system_.values(at.y), at), body().copies);
+  };
 }
 
 template <int dim>
@@ -128,11 +166,7 @@ std::optional<Grid> WearModel<dim>::grid() const {
   const Mesh<dim>& mesh = body().mesh;
   Grid grid;
   grid.cell = dim == 2 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
-  for (const Vector<dim>& X : mesh.nodes) {
-    std::array<double, 3> point{};
-    std::copy(X.begin(), X.end(), point.begin());
-    grid.points.push_back(point);
-  }
+  for (const Vector<dim>& X : mesh.nodes) grid.points.push_back(in_space<dim>(X));
   for (const auto& cell : mesh.cells) grid.cells.insert(grid.cells.end(), cell.begin(), cell.end());
   return grid;
 }
@@ -156,22 +190,17 @@ std::vector<GridField> WearModel<dim>::fields(const State& state) const {
   const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
         &nodal_d = values.vector(equations_.fields().d);
   const WornBody<dim>& body = this->body();
-  const std::vector<ContactNode<dim>> nodes = equations_.contact_nodes(system_, values, state);
+  const std::vector<ContactNode<dim>> nodes = contact_nodes(values, state);
   GridField pressure{"pressure", "MPa", GridField::On::nodes, 1, {}};
   pressure.values.assign(body.mesh.nodes.size(), 0.0);
   for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c)
     pressure.values[body.contact_nodes[c].node] = std::max(0.0, -nodes[c].traction);
   GridField stress{"equivalent_stress", "MPa", GridField::On::cells, 1, {}};
   GridField quality{"element_quality", "", GridField::On::cells, 1, {}};
-  CellNodal<dim> u;
   for (const auto& cell : body.mesh.cells) {
-    CellNodal<dim> X = body.mesh.positions(cell);
-    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) {
-      X.row(a) += nodal_d.row(cell[a]);
-      u.row(a) = nodal_u.row(cell[a]);
-    }
-    stress.values.push_back(equivalent_stress<dim>(body.element, body.material, X, u));
-    quality.values.push_back(scaled_jacobian<dim>(X));
+    const CellState<dim> at(body.mesh, cell, nodal_d, nodal_u);
+    stress.values.push_back(equivalent_stress<dim>(body.element, body.material, at.X, at.u));
+    quality.values.push_back(scaled_jacobian<dim>(at.X));
   }
   return {nodal_vector<dim>("displacement", nodal_u),
           nodal_vector<dim>("shape", nodal_d),
@@ -187,23 +216,18 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
   const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
         &nodal_d = values.vector(equations_.fields().d);
   const WornBody<dim>& body = this->body();
-  const std::vector<ContactNode<dim>> nodes = equations_.contact_nodes(system_, values, state);
+  const std::vector<ContactNode<dim>> nodes = contact_nodes(values, state);
   ContactSurface surface;
   surface.dim = dim;
-  const auto point = [](const Vector<dim>& v) {
-    std::array<double, 3> p{};
-    std::copy(v.begin(), v.end(), p.begin());
-    return p;
-  };
   for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c) {
     const int node = body.contact_nodes[c].node;
     const ContactNode<dim>& contact = nodes[c];
     const Vector<dim> d = nodal_d.row(node).transpose();
     const Vector<dim> u = nodal_u.row(node).transpose();
     surface.node.push_back(node);
-    surface.initial.push_back(point(body.mesh.nodes[node]));
-    surface.worn.push_back(point(body.mesh.nodes[node] + d));
-    surface.current.push_back(point(body.mesh.nodes[node] + d + u));
+    surface.initial.push_back(in_space<dim>(body.mesh.nodes[node]));
+    surface.worn.push_back(in_space<dim>(body.mesh.nodes[node] + d));
+    surface.current.push_back(in_space<dim>(body.mesh.nodes[node] + d + u));
     surface.pressure.push_back(std::max(0.0, -contact.traction));
     surface.wear_depth.push_back(d.norm());
     surface.active.push_back(contact.active);

@@ -215,8 +215,7 @@ const ContactTerm<dim>& WornBodyEquations<dim>::contact(const ComposedSystem<dim
 
 template <int dim>
 std::vector<ContactNode<dim>> WornBodyEquations<dim>::contact_nodes(
-    const ComposedSystem<dim>& system, const FieldValues<dim>& values, const State& state) const {
-  const Point at{.t = state.t, .y = state.y, .piece = state.own_piece()};
+    const ComposedSystem<dim>& system, const FieldValues<dim>& values, const Point& at) const {
   return contact(system).nodes(system.evaluation(at, values, contact_term_));
 }
 

@@ -8,7 +8,7 @@
 
 namespace gnomon {
 
-std::vector<std::string> end_warnings(const std::vector<Scalar>& scalars, long chattering_nodes,
+std::vector<std::string> end_warnings(const Observation& last, long chattering_nodes,
                                       const Integrator& integrator) {
   std::vector<std::string> warnings;
   const auto explicit_method = [&] {
@@ -20,12 +20,12 @@ std::vector<std::string> end_warnings(const std::vector<Scalar>& scalars, long c
         fmt::format("{} contact nodes left contact twice or more: steps seem to exceed the "
                     "critical one of {} (gnomon stability)",
                     chattering_nodes, integrator.name));
-  if (has_lost_wear(scalars))
+  if (has_lost_wear(last))
     warnings.push_back(fmt::format(
         "the shape has lost {:.3g}, the wear rate integrates to {:.3g}: contact may have reached "
         "where the surface cannot wear, the end of the contact zone or a held side; then pressures "
         "and shape are worthless",
-        find_scalar(scalars, "worn_volume")->value, find_scalar(scalars, "wear_integral")->value));
+        *last.worn_volume, *last.wear_integral));
   return warnings;
 }
 

@@ -38,12 +38,11 @@ DampingWatch::DampingWatch(const Model& model, const Integrator& integrator,
     : model_(model), integrator_(integrator), settings_(settings) {}
 
 void DampingWatch::require_damping_in_wider_contact(const State& state,
-                                                    const std::vector<Scalar>& scalars) {
+                                                    const Observation& observed) {
   // In number of nodes. Contact that widens tenfold is looked at a dozen times, and every time costs
   // a factorization or more.
   constexpr double wider = 1.2;
-  const Scalar* nodes = find_scalar(scalars, "contact_nodes");
-  const double width = nodes ? nodes->value : 0;
+  const double width = observed.contact_nodes.value_or(0);
   if (width <= wider * widest_) return;
   widest_ = width;
   require_damping(state);

@@ -22,7 +22,7 @@ public:
   void require_damping(const State& state);
   /// The same where contact is wider than where it was last looked at: a node that touches alone
   /// has no fast mode, a wide contact does.
-  void require_damping_in_wider_contact(const State& state, const std::vector<Scalar>& scalars);
+  void require_damping_in_wider_contact(const State& state, const Observation& observed);
   /// Whether any of these states had a mode that decays. Where contact is at one node whenever it
   /// is looked at, steps may be far too long all the same.
   bool has_seen_a_mode() const { return seen_; }

@@ -7,18 +7,12 @@
 namespace gnomon {
 
 namespace {
-
-/// One where the model has no such scalar.
-double value_of(const std::vector<Scalar>& scalars, const char* name) {
-  const Scalar* scalar = find_scalar(scalars, name);
-  return scalar ? scalar->value : 1;
+constexpr double sound = 1;  // volume and quality where a model has no mesh
 }
 
-}  // namespace
-
-void require_sound_mesh(const std::vector<Scalar>& scalars) {
-  const double volume = value_of(scalars, "element_volume");
-  const double quality = value_of(scalars, "element_quality");
+void require_sound_mesh(const Observation& observed) {
+  const double volume = observed.element_volume.value_or(sound);
+  const double quality = observed.element_quality.value_or(sound);
   // What wear leaves of such an element takes ever shorter steps to nowhere.
   if (volume < 0.01)
     throw SolutionError(fmt::format(
@@ -30,9 +24,9 @@ void require_sound_mesh(const std::vector<Scalar>& scalars) {
         "an element of the worn mesh is folded: its scaled Jacobian is {:.2g}", quality));
 }
 
-std::vector<MeshWarning> mesh_warnings(const std::vector<Scalar>& scalars) {
-  const double volume = value_of(scalars, "element_volume");
-  const double quality = value_of(scalars, "element_quality");
+std::vector<MeshWarning> mesh_warnings(const Observation& observed) {
+  const double volume = observed.element_volume.value_or(sound);
+  const double quality = observed.element_quality.value_or(sound);
   std::vector<MeshWarning> warnings;
   if (volume < 0.1)
     warnings.push_back(
@@ -44,13 +38,13 @@ std::vector<MeshWarning> mesh_warnings(const std::vector<Scalar>& scalars) {
         {"wear",
          fmt::format("an element of the worn mesh is nearly folded: its scaled Jacobian is {:.2g}",
                      quality)});
-  const Scalar* gradient = find_scalar(scalars, "displacement_gradient");
-  if (gradient && gradient->value > 0.5)
+  const double gradient = observed.displacement_gradient.value_or(0);
+  if (gradient > 0.5)
     warnings.push_back(
         {"strain",
          fmt::format("displacements have gradients up to {:.2g}, for which body.kinematics = "
                      "\"small\" is not meant: the result is worthless",
-                     gradient->value)});
+                     gradient)});
   return warnings;
 }
 

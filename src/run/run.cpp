@@ -30,7 +30,9 @@ public:
         checkpoint_work_(policy.checkpoint_work),
         schedule_(policy, settings.end),
         writer_(writer),
-        hooks_(hooks) {
+        hooks_(hooks),
+        wear_integral_(model) {
+    settings_.integrand = model.wear_flux();
     if (settings.stop_unstable && may_fail_to_damp(integrator, settings))
       damping_.emplace(model, integrator, settings);
   }
@@ -48,7 +50,7 @@ public:
     }
     if (outcome_.status != Status::failed)
       for (const std::string& text :
-           end_warnings(outcome_.last->scalars, memory_.chattering.nodes(), integrator_))
+           end_warnings(observed_, memory_.chattering.nodes(), integrator_))
         warn(text);
     // The last good state is worth keeping whatever the scene asked to store of a regular run.
     if (outcome_.status != Status::finished && outcome_.last) store();
@@ -74,7 +76,8 @@ private:
     if (state().t != from.row.t)
       throw InputError("the checkpoint is not of the time of its row in the history");
     counters_ = from.row.counters;
-    wear_integral_.resume(from.row.scalars, from.row.t);
+    observed_ = observation_of(from.row.scalars);
+    wear_integral_.resume(observed_);
     outcome_.last = from.row;
     last_checkpoint_ = from.checkpoint;
     next_checkpoint_ = work() + checkpoint_work_;
@@ -84,16 +87,17 @@ private:
   }
 
   Status integrate() {
-    if (damping_) damping_->require_damping_in_wider_contact(state(), outcome_.last->scalars);
+    if (damping_) damping_->require_damping_in_wider_contact(state(), observed_);
     ProgressWatch progress(state().t, counters_, settings_.end);
     while (state().t < settings_.end) {
       if (hooks_.interrupted()) return Status::interrupted;
       if (!stepper_) make_stepper();
       const State before = state();
       const StepReport report = stepper_->advance(state(), schedule_.stop());
-      std::vector<Scalar> scalars = model_.observe(state());
-      require_mesh(scalars, before);
-      record(report, std::move(scalars));
+      Observation observed = model_.observe(state());
+      require_mesh(observed, before);
+      wear_integral_.add(report.integral);
+      record(report, std::move(observed));
       progress.require(state().t, counters_);
       if (damping_) require_damping();
       if (schedule_.wants(state().t, counters_.steps)) store();
@@ -118,13 +122,14 @@ private:
   }
 
   void require_damping() {
-    damping_->require_damping_in_wider_contact(state(), outcome_.last->scalars);
+    damping_->require_damping_in_wider_contact(state(), observed_);
     require_no_chattering(memory_.chattering.nodes(), integrator_);
   }
 
-  void record(const StepReport& report, std::vector<Scalar> scalars) {
-    HistoryRow row{state().t, report, counters_, std::move(scalars)};
-    wear_integral_.append_to(row.scalars, state().t);
+  void record(const StepReport& report, Observation observed) {
+    observed.wear_integral = wear_integral_.value();
+    observed_ = std::move(observed);
+    HistoryRow row{state().t, report, counters_, columns_of(observed_)};
     memory_.chattering.add(model_.contact(state()));
     if (is_breakpoint(model_.system().structure(), state().t)) memory_.chattering.begin_anew();
     if (writer_) writer_->append(row);
@@ -134,14 +139,14 @@ private:
   }
 
   /// A state whose mesh is not sound is not one to keep: the run ends in the one before.
-  void require_mesh(const std::vector<Scalar>& scalars, const State& before) {
+  void require_mesh(const Observation& observed, const State& before) {
     try {
-      require_sound_mesh(scalars);
+      require_sound_mesh(observed);
     } catch (const SolutionError&) {
       state() = before;
       throw;
     }
-    for (const MeshWarning& warning : mesh_warnings(scalars))
+    for (const MeshWarning& warning : mesh_warnings(observed))
       if (warned_of_.insert(warning.about).second)
         warn(fmt::format("at t = {:g} s {}", state().t, warning.text));
   }
@@ -187,7 +192,7 @@ private:
 
   const Model& model_;
   const Integrator& integrator_;
-  const IntegratorSettings& settings_;
+  IntegratorSettings settings_;
   const long checkpoint_work_;
   StoreSchedule schedule_;
   ResultWriter* writer_;
@@ -200,6 +205,7 @@ private:
   std::optional<DampingWatch> damping_;
   std::unique_ptr<Stepper> stepper_;
   WearIntegral wear_integral_;
+  Observation observed_;  // of the last good state
   RunOutcome outcome_;
   std::set<std::string> warned_of_;
   std::optional<double> stored_at_;

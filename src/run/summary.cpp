@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <cmath>
 #include <fstream>
 #include <gnomon/run/summary.hpp>
 #include <nlohmann/json.hpp>
@@ -35,12 +38,14 @@ void add_counters(Json& json, const Counters& counters) {
 
 void add_scalars(Json& json, const RunOutcome& outcome) {
   // Named even when there are none, so that scripts find the keys in every summary.
-  for (const char* name :
-       {"contact_nodes", "contact_force", "max_pressure", "worn_volume", "wear_flux",
-        "wear_integral", "element_quality", "element_volume", "contact_half_width"})
+  for (const char* name : {"contact_nodes", "contact_force", "max_pressure", "worn_volume",
+                           "wear_flux", "wear_integral", "wear_difference", "element_quality",
+                           "element_volume", "contact_half_width"})
     json[name] = nullptr;
   if (!outcome.last) return;
   for (const Scalar& scalar : outcome.last->scalars) json[scalar.name] = scalar.value;
+  if (const auto difference = observation_of(outcome.last->scalars).wear_difference())
+    json["wear_difference"] = *difference;
 }
 
 }  // namespace
@@ -78,6 +83,18 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
   json["versions"] = header.versions;
   // Paths are bytes, JSON is UTF-8: what is no character is replaced.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string ledger_text(const Observation& observed) {
+  const std::optional<double> difference = observed.wear_difference();
+  if (!difference) return {};
+  const std::string unit = unit_of(observed, &Observation::worn_volume);
+  std::string text =
+      fmt::format("worn volume {:#.6g} {}, wear integral {:#.6g} {}, difference {:.1e} {}",
+                  *observed.worn_volume, unit, *observed.wear_integral, unit, *difference, unit);
+  if (const double percent = 100 * *difference / *observed.wear_integral; std::isfinite(percent))
+    text += fmt::format(" ({:.2g} %)", percent);
+  return text;
 }
 
 }  // namespace gnomon

@@ -4,42 +4,23 @@
 
 namespace gnomon {
 
-namespace {
-
-std::string integrated_unit(const std::string& unit) {
-  const std::string per_second = "/s";
-  if (unit.ends_with(per_second)) return unit.substr(0, unit.size() - per_second.size());
-  return unit.empty() ? "s" : unit + " s";
+WearIntegral::WearIntegral(const Model& model) {
+  if (model.wear_flux()) value_ = 0;
 }
 
-}  // namespace
-
-void WearIntegral::append_to(std::vector<Scalar>& scalars, double t) {
-  const Scalar* flux = find_scalar(scalars, "wear_flux");
-  if (!flux) return;
-  if (started_) value_ += (t - t_) * (flux_ + flux->value) / 2;
-  started_ = true;
-  t_ = t;
-  flux_ = flux->value;
-  const std::string unit = integrated_unit(flux->unit);
-  scalars.push_back({"wear_integral", unit, value_});
+void WearIntegral::resume(const Observation& last) {
+  if (value_) value_ = last.wear_integral.value_or(0);
 }
 
-void WearIntegral::resume(const std::vector<Scalar>& scalars, double t) {
-  t_ = t;
-  if (const Scalar* flux = find_scalar(scalars, "wear_flux")) flux_ = flux->value;
-  const Scalar* integral = find_scalar(scalars, "wear_integral");
-  if (!integral) return;
-  value_ = integral->value;
-  started_ = true;
+void WearIntegral::add(double increment) {
+  if (value_) *value_ += increment;
 }
 
-bool has_lost_wear(const std::vector<Scalar>& scalars) {
+bool has_lost_wear(const Observation& observed) {
   constexpr double most = 0.1;  // of the integral; the coarsest meshes lose some hundredths
-  const Scalar* worn = find_scalar(scalars, "worn_volume");
-  const Scalar* integral = find_scalar(scalars, "wear_integral");
-  if (!worn || !integral || worn->value == 0) return false;
-  return !(std::abs(worn->value - integral->value) <= most * std::abs(integral->value));
+  const std::optional<double> difference = observed.wear_difference();
+  if (!difference || *observed.worn_volume == 0) return false;
+  return !(std::abs(*difference) <= most * std::abs(*observed.wear_integral));
 }
 
 }  // namespace gnomon

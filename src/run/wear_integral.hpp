@@ -1,28 +1,28 @@
-// The integral of the scalar "wear_flux" over the accepted steps, by the trapezoidal rule.
+// The integral of the wear flux over the accepted steps, which the worn volume is held against.
 #pragma once
 
+#include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/model.hpp>
-#include <vector>
+#include <optional>
 
 namespace gnomon {
 
 class WearIntegral {
 public:
-  /// Advances the integral to `t` and appends it to the scalars as "wear_integral". Nothing happens
-  /// when the model has no wear flux.
-  void append_to(std::vector<Scalar>& scalars, double t);
-  /// Goes on from the scalars that it was appended to at `t`.
-  void resume(const std::vector<Scalar>& scalars, double t);
+  /// Zero at the start of a run; none where the model has no wear flux.
+  explicit WearIntegral(const Model& model);
+  /// Goes on from what was observed last.
+  void resume(const Observation& last);
+  /// What wears in an accepted step.
+  void add(double increment);
+  std::optional<double> value() const { return value_; }
 
 private:
-  double t_ = 0;
-  double flux_ = 0;
-  double value_ = 0;
-  bool started_ = false;
+  std::optional<double> value_;
 };
 
 /// What wears by the rate must be missing from the shape, but for what the mesh cannot show:
 /// whether a tenth of it is not. False where nothing wears, or too little to be seen in the volume.
-bool has_lost_wear(const std::vector<Scalar>& scalars);
+bool has_lost_wear(const Observation& observed);
 
 }  // namespace gnomon

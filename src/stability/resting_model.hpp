@@ -55,7 +55,7 @@ public:
     rest.ydot.assign(rest.y.size(), 0.0);
     return rest;
   }
-  std::vector<Scalar> observe(const State& state) const override { return model_.observe(state); }
+  Observation observe(const State& state) const override { return model_.observe(state); }
   double differential_scale() const override { return model_.differential_scale(); }
   std::optional<Grid> grid() const override { return model_.grid(); }
   std::vector<GridField> fields(const State& state) const override { return model_.fields(state); }

@@ -112,7 +112,7 @@ private:
 
   /// The references share it, so that it does not keep them from agreeing.
   bool lost_wear(const StudyRow& row) const try {
-    return has_lost_wear(ResultReader(files(row).result).history().back().scalars);
+    return has_lost_wear(observation_of(ResultReader(files(row).result).history().back().scalars));
   } catch (const Error&) {
     return false;
   }

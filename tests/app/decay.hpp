@@ -34,8 +34,14 @@ public:
     if (!starts) throw SolutionError("no equilibrium");
     return {0, {1.0}, {-1.0}};
   }
-  std::vector<Scalar> observe(const State& state) const override {
-    return {{"worn_volume", "mm^2", 1 - state.y[0]}, {"wear_flux", "mm^2/s", state.y[0]}};
+  Observation observe(const State& state) const override {
+    Observation observed;
+    observed.worn_volume = 1 - state.y[0];
+    observed.wear_flux = state.y[0];
+    return observed;
+  }
+  std::function<double(const Point&)> wear_flux() const override {
+    return [](const Point& at) { return at.y[0]; };
   }
   double differential_scale() const override { return 0.25; }
   std::optional<Grid> grid() const override { return std::nullopt; }

@@ -19,6 +19,7 @@ namespace {
 using test::coarse;
 using test::Outcome;
 using test::pin;
+using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -57,6 +58,18 @@ TEST_F(Program, RunWritesResultSidecarAndSummary) {
   for (const char* key : {"worn_volume", "contact_half_width", "max_pressure", "contact_force"})
     EXPECT_GT(json[key].get<double>(), 0) << key;
   EXPECT_TRUE(json["versions"].contains("SUNDIALS"));
+}
+
+TEST_F(Program, RunAndInfoShowTheLedger) {
+  const Outcome outcome = run({"-o", "a.h5", "--summary", "s.json"});
+  EXPECT_THAT(outcome.out, ContainsRegex("\nworn volume 0\\.[0-9]+ mm\\^2, wear integral "
+                                         "0\\.[0-9]+ mm\\^2, difference [-0-9.e]+ mm\\^2 \\("));
+  const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
+  EXPECT_EQ(json["wear_difference"].get<double>(),
+            json["worn_volume"].get<double>() - json["wear_integral"].get<double>());
+  for (const std::string& line : lines_of(outcome.out))
+    if (line.starts_with("worn volume"))
+      EXPECT_THAT(lines_of(gnomon({"info", "a.h5"}).out), testing::Contains(line));
 }
 
 TEST_F(Program, PipedProgressIsAFewPlainLines) {
@@ -253,7 +266,7 @@ TEST_F(Program, StopsWhenThePinIsWornAway) {
   EXPECT_LT(end, outcome.err.size()) << outcome.err;
   // What is kept is the state before, whose mesh is sound.
   const HistoryRow last = ResultReader(folder() / "a.h5").history().back();
-  EXPECT_GE(find_scalar(last.scalars, "element_volume")->value, 0.01);
+  EXPECT_GE(observation_of(last.scalars).element_volume.value(), 0.01);
 }
 
 TEST_F(Program, ListsAndHelp) {

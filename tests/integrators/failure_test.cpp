@@ -41,7 +41,7 @@ public:
   const System& system() const override { return system_; }
   std::vector<BlockSize> blocks() const override { return model_->blocks(); }
   State start(Counters& counters) const override { return model_->start(counters); }
-  std::vector<Scalar> observe(const State& state) const override { return model_->observe(state); }
+  Observation observe(const State& state) const override { return model_->observe(state); }
   double differential_scale() const override { return model_->differential_scale(); }
   std::optional<Grid> grid() const override { return std::nullopt; }
   std::vector<GridField> fields(const State&) const override { return {}; }

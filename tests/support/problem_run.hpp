@@ -23,8 +23,8 @@ inline std::unique_ptr<Model> model_of(const std::string& scene, const Overrides
 }
 
 inline double observed(const Model& model, const State& state, const std::string& name) {
-  const std::vector<Scalar> scalars = model.observe(state);
-  if (const Scalar* scalar = find_scalar(scalars, name)) return scalar->value;
+  for (const Scalar& column : columns_of(model.observe(state)))
+    if (column.name == name) return column.value;
   ADD_FAILURE() << "the model observes no " << name;
   return 0;
 }

@@ -2,29 +2,16 @@
 // and what can be observed of a state. Integrators, results and the run loop see only this.
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <functional>
 #include <gnomon/base/counters.hpp>
+#include <gnomon/model/observation.hpp>
 #include <gnomon/system/state.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace gnomon {
-
-/// A named scalar of a state, for histories and summaries.
-struct Scalar {
-  std::string name;
-  std::string unit;
-  double value = 0;
-};
-
-/// The one of this name; null where there is none.
-inline const Scalar* find_scalar(const std::vector<Scalar>& scalars, std::string_view name) {
-  const auto found = std::ranges::find(scalars, name, &Scalar::name);
-  return found == scalars.end() ? nullptr : &*found;
-}
 
 /// The mesh in its initial configuration, as files need it. In 2D, z is zero.
 struct Grid {
@@ -74,9 +61,12 @@ public:
   virtual std::vector<BlockSize> blocks() const = 0;
   /// Consistent state at t = 0. Throws SolutionError when there is none, with the reason.
   virtual State start(Counters& counters) const = 0;
-  /// Scalars of a state; always the same names in the same order. A scalar called "wear_flux" is
-  /// integrated over time by the run loop and reported as "wear_integral".
-  virtual std::vector<Scalar> observe(const State& state) const = 0;
+  /// What is told of a state: always the same members and others.
+  virtual Observation observe(const State& state) const = 0;
+  /// Observation::wear_flux as a function of a consistent point of system(), on its piece, which
+  /// the run loop has integrated over time as wear_integral. Empty: nothing wears. Keeps a
+  /// reference to the model. Throws where residual() does.
+  virtual std::function<double(const Point&)> wear_flux() const { return {}; }
   /// Typical size of the differential components over the run, for absolute tolerances: the mean
   /// wear depth.
   virtual double differential_scale() const = 0;

@@ -17,11 +17,13 @@ public:
   /// Equilibrium at the initial shape by a load ramp (rows 1-2 of the system, shape frozen). The
   /// SolutionError names the fraction of the load that was in equilibrium.
   State start(Counters& counters) const override;
-  /// contact_nodes, contact_force (the integral of the pressure), max_pressure, worn_volume,
-  /// wear_flux, element_quality, groove_section (of a groove), approach (w, where the counter-body
-  /// moves), contact_half_width (2D). Forces and volumes are those of the whole body, of which
-  /// symmetry may leave a part to be modelled.
-  std::vector<Scalar> observe(const State& state) const override;
+  /// All members but those that a body may not have: groove_section (of a groove), approach (w,
+  /// where the counter-body moves), displacement_gradient (small strains), contact_half_width (2D).
+  /// Forces and volumes are those of the whole body, of which symmetry may leave a part to be
+  /// modelled.
+  Observation observe(const State& state) const override;
+  /// Costs a pass over the contact nodes, none over the cells.
+  std::function<double(const Point&)> wear_flux() const override;
   double differential_scale() const override { return body().scales.wear_depth; }
   std::optional<Grid> grid() const override;
   std::vector<GridField> fields(const State& state) const override;
@@ -32,6 +34,10 @@ public:
   const WornBodyEquations<dim>& equations() const { return equations_; }
 
 private:
+  /// The contact law at every contact node, on the state's own smooth branch.
+  std::vector<ContactNode<dim>> contact_nodes(const FieldValues<dim>& values,
+                                              const State& state) const;
+
   WornBodyEquations<dim> equations_;
   ComposedSystem<dim> system_;
 };

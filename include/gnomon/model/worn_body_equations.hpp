@@ -29,10 +29,11 @@ public:
   BlockSelection deformation() const;
   /// The contact term of a system of this composition.
   const ContactTerm<dim>& contact(const ComposedSystem<dim>& system) const;
-  /// The contact law at every contact node, on the smooth branch of the state.
+  /// The contact law at every contact node, on the smooth branch of the point. `values`: those of
+  /// its y.
   std::vector<ContactNode<dim>> contact_nodes(const ComposedSystem<dim>& system,
                                               const FieldValues<dim>& values,
-                                              const State& state) const;
+                                              const Point& at) const;
 
 private:
   FieldSet make_fields();

@@ -1,4 +1,4 @@
-// The summary of a run as JSON, for scripts.
+// The summary of a run: as JSON, for scripts, and what people read of it.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,16 @@
 namespace gnomon {
 
 /// JSON text, indented, with the same keys however the run ended. `step` and `rtol` are the
-/// settings that the integrator was given; scalars of Model::observe appear under their names (null
-/// when the start itself failed), counters under the names of Counters, unknowns per block.
-/// `diagnosis` is empty unless the run failed.
+/// settings that the integrator was given; the columns of the last state appear under their names
+/// (null when the start itself failed) and with them the ledger: worn_volume, wear_integral and
+/// wear_difference, the first less the second; counters under the names of Counters, unknowns per
+/// block. `diagnosis` is empty unless the run failed.
 std::string summary_json(const Scene& scene, const RunHeader& header,
                          const IntegratorSettings& settings, const RunOutcome& outcome);
+
+/// The ledger in one line: "worn volume 1.99711 mm^2, wear integral 2.00000 mm^2, difference
+/// -2.9e-03 mm^2 (-0.14 %)". Empty for an observation without one.
+std::string ledger_text(const Observation& observed);
 
 /// Whether the file holds such a text.
 bool is_summary(const std::filesystem::path& file);

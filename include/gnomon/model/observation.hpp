@@ -1,0 +1,68 @@
+// What is observed of a state: typed members, and the named columns that files hold of them.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// A named number with its unit: one column of a history or summary.
+struct Scalar {
+  std::string name;
+  std::string unit;
+  double value = 0;
+};
+
+/// What a model tells of a state; each member is there if the model has it. Forces and volumes are
+/// those of the whole body, and per unit thickness in 2D: their units depend on the dimension.
+struct Observation {
+  int dim = 2;  ///< 2 or 3
+
+  std::optional<double> contact_nodes;          ///< number of nodes in contact
+  std::optional<double> contact_force;          ///< integral of the pressure [N/mm | N]
+  std::optional<double> max_pressure;           ///< [MPa]
+  std::optional<double> worn_volume;            ///< what the shape has lost [mm^2 | mm^3]
+  std::optional<double> wear_flux;              ///< volume that wears per time [mm^2/s | mm^3/s]
+  std::optional<double> element_quality;        ///< the least scaled Jacobian of the worn mesh
+  std::optional<double> element_volume;         ///< the least, by that of the initial element
+  std::optional<double> groove_section;         ///< worn area of a groove's section [mm^2]
+  std::optional<double> approach;               ///< w, of the counter-body [mm]
+  std::optional<double> displacement_gradient;  ///< its largest norm, where strains are small
+  std::optional<double> contact_half_width;     ///< [mm]
+  /// Integral of wear_flux over the run [mm^2 | mm^3]; of the run loop, not of a model.
+  std::optional<double> wear_integral;
+
+  /// What only one problem has (the error against its exact solution). Other names than those
+  /// above.
+  std::vector<Scalar> others;
+
+  /// What the shape has lost more than the wear rate integrates to, where both are known: negative
+  /// where less. The ledger of a run that conserves volume has zero here.
+  std::optional<double> wear_difference() const;
+};
+
+/// One member of Observation and its column.
+struct Quantity {
+  using Member = std::optional<double> Observation::*;
+  Member member;
+  const char* name;
+  const char* unit_2d;
+  const char* unit_3d;
+
+  const char* unit(int dim) const { return dim == 2 ? unit_2d : unit_3d; }
+};
+
+/// All of them, in the order of their columns.
+std::span<const Quantity> quantities();
+/// The unit of a member in this observation.
+std::string unit_of(const Observation& observation, Quantity::Member member);
+
+/// The columns of what is there: the quantities, then the others.
+std::vector<Scalar> columns_of(const Observation& observation);
+/// The observation that columns of a file are of. Names that are none of quantities() are others;
+/// the units tell the dimension.
+Observation observation_of(const std::vector<Scalar>& columns);
+
+}  // namespace gnomon

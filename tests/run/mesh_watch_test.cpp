@@ -1,0 +1,66 @@
+// When a worn mesh ends a run, and when it is warned of.
+#include "run/mesh_watch.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <gnomon/base/error.hpp>
+
+namespace gnomon {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::ThrowsMessage;
+
+Observation mesh(double volume, double quality) {
+  Observation observed;
+  observed.element_volume = volume;
+  observed.element_quality = quality;
+  return observed;
+}
+
+std::vector<std::string> warned_of(const Observation& observed) {
+  std::vector<std::string> subjects;
+  for (const MeshWarning& warning : mesh_warnings(observed)) subjects.push_back(warning.about);
+  return subjects;
+}
+
+TEST(MeshWatch, EndsWhereAnElementHasLessThanAHundredthOfItsVolume) {
+  EXPECT_NO_THROW(require_sound_mesh(mesh(0.01, 0.5)));
+  EXPECT_THAT([] { require_sound_mesh(mesh(0.0099, 0.5)); },
+              ThrowsMessage<SolutionError>(HasSubstr("worn down to 0.0099 of its volume")));
+}
+
+TEST(MeshWatch, EndsWhereAnElementIsFolded) {
+  EXPECT_NO_THROW(require_sound_mesh(mesh(0.5, 1e-9)));
+  EXPECT_THAT([] { require_sound_mesh(mesh(0.5, 0)); },
+              ThrowsMessage<SolutionError>(HasSubstr("folded: its scaled Jacobian is 0")));
+}
+
+TEST(MeshWatch, WarnsOfWearBelowATenth) {
+  EXPECT_THAT(warned_of(mesh(0.1, 0.1)), IsEmpty());
+  EXPECT_THAT(warned_of(mesh(0.099, 0.5)), ElementsAre("wear"));
+  EXPECT_THAT(warned_of(mesh(0.5, 0.099)), ElementsAre("wear"));
+  EXPECT_THAT(warned_of(mesh(0.05, 0.05)), ElementsAre("wear"));  // once
+  EXPECT_THAT(mesh_warnings(mesh(0.05, 0.05))[0].text, HasSubstr("0.05 of its volume"));
+}
+
+TEST(MeshWatch, WarnsOfStrainsThatAreNotSmall) {
+  Observation observed = mesh(1, 1);
+  observed.displacement_gradient = 0.5;
+  EXPECT_THAT(warned_of(observed), IsEmpty());
+  observed.displacement_gradient = 0.51;
+  EXPECT_THAT(warned_of(observed), ElementsAre("strain"));
+  observed.element_volume = 0.05;
+  EXPECT_THAT(warned_of(observed), ElementsAre("wear", "strain"));
+}
+
+TEST(MeshWatch, HasNothingToSayWithoutAMesh) {
+  EXPECT_NO_THROW(require_sound_mesh({}));
+  EXPECT_THAT(mesh_warnings({}), IsEmpty());
+}
+
+}  // namespace
+}  // namespace gnomon

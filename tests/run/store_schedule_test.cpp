@@ -1,0 +1,45 @@
+// Which states are stored, and where steps have to end.
+#include "run/store_schedule.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gnomon {
+namespace {
+
+TEST(StoreSchedule, StoresEveryNthStep) {
+  StoreSchedule schedule({.every = 3, .last = false}, 10);
+  EXPECT_FALSE(schedule.wants(1, 1));
+  EXPECT_FALSE(schedule.wants(2, 2));
+  EXPECT_TRUE(schedule.wants(3, 3));
+  EXPECT_FALSE(schedule.wants(4, 4));
+  EXPECT_FALSE(schedule.wants(10, 10));
+  EXPECT_EQ(schedule.stop(), 10);
+}
+
+TEST(StoreSchedule, StopsOnItsTimesAndStoresThemOnce) {
+  StoreSchedule schedule({.every = 0, .times = {2, 5}, .last = false}, 10);
+  EXPECT_EQ(schedule.stop(), 2);
+  EXPECT_FALSE(schedule.wants(1.5, 1));
+  EXPECT_TRUE(schedule.wants(2, 2));
+  EXPECT_EQ(schedule.stop(), 5);
+  EXPECT_FALSE(schedule.wants(4, 3));
+  EXPECT_TRUE(schedule.wants(5, 4));
+  EXPECT_EQ(schedule.stop(), 10);
+  EXPECT_FALSE(schedule.wants(10, 5));
+}
+
+TEST(StoreSchedule, StoresTheLastStateIfAsked) {
+  StoreSchedule schedule({.every = 0, .last = true}, 10);
+  EXPECT_FALSE(schedule.wants(9.99, 7));
+  EXPECT_TRUE(schedule.wants(10, 8));
+}
+
+// A run that goes on asks for where it is, and drops the answer.
+TEST(StoreSchedule, GoesOnBehindTimesThatHaveGoneBy) {
+  StoreSchedule schedule({.every = 0, .times = {2, 5, 7}, .last = true}, 10);
+  EXPECT_TRUE(schedule.wants(6, 12));
+  EXPECT_EQ(schedule.stop(), 7);
+}
+
+}  // namespace
+}  // namespace gnomon

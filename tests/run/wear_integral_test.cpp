@@ -1,0 +1,112 @@
+// The integral of the wear flux, and the ledger that it makes with the worn volume.
+#include "run/wear_integral.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <gnomon/run/run.hpp>
+#include <gnomon/run/summary.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/decay.hpp"
+#include "support/pin.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+using test::Decay;
+using test::exact_decay;
+using ::testing::IsEmpty;
+
+TEST(WearIntegral, IsTheSumOfItsIncrements) {
+  WearIntegral integral{Decay()};
+  EXPECT_EQ(integral.value(), 0);
+  integral.add(0.25);
+  integral.add(0.5);
+  EXPECT_EQ(integral.value(), 0.75);
+}
+
+TEST(WearIntegral, GoesOnFromTheHistory) {
+  WearIntegral integral{Decay()};
+  integral.resume(observation_of({{"worn_volume", "mm^2", 2.5}, {"wear_integral", "mm^2", 2}}));
+  EXPECT_EQ(integral.value(), 2);
+  integral.add(0.5);
+  EXPECT_EQ(integral.value(), 2.5);
+}
+
+TEST(WearIntegral, IsNoneOfAModelWithoutWear) {
+  WearIntegral integral{*model_of("dahlquist/decay.toml")};
+  integral.add(1);
+  integral.resume({});
+  EXPECT_FALSE(integral.value());
+}
+
+// ---- the ledger
+
+IntegratorSettings settings(double step, double end) {
+  IntegratorSettings result;
+  result.step = step;
+  result.end = end;
+  return result;
+}
+
+nlohmann::json summary_of(const RunOutcome& outcome) {
+  return nlohmann::json::parse(summary_json(pin_scene(), {}, settings(0.5, 2), outcome));
+}
+
+TEST(Ledger, StandsInTheSummaryAndBalances) {
+  const Decay model;
+  const RunOutcome outcome = run(model, exact_decay(), settings(0.5, 2), {}, nullptr, {});
+  const auto json = summary_of(outcome);
+  const double worn = json["worn_volume"], integral = json["wear_integral"];
+  EXPECT_EQ(worn, 1 - std::exp(-2.0));
+  EXPECT_GT(integral, 0);
+  EXPECT_EQ(json["wear_difference"].get<double>(), worn - integral);
+}
+
+TEST(Ledger, HasKeysWhateverIsKnown) {
+  Decay model;
+  model.starts = false;
+  const auto failed = summary_of(run(model, exact_decay(), settings(0.5, 2), {}, nullptr, {}));
+  for (const char* key : {"worn_volume", "wear_integral", "wear_difference"})
+    EXPECT_TRUE(failed.at(key).is_null()) << key;
+  const auto equation = model_of("dahlquist/decay.toml");
+  IntegratorSettings given = settings(0.1, 1);
+  given.scale = 1;
+  const auto json =
+      summary_of(run(*equation, Integrators::find("backward-euler", ""), given, {}, nullptr, {}));
+  EXPECT_TRUE(json.at("wear_difference").is_null());
+}
+
+TEST(Ledger, IsOneLineForPeople) {
+  Observation observed;
+  EXPECT_THAT(ledger_text(observed), IsEmpty());
+  observed.worn_volume = 1.99711;
+  observed.wear_integral = 2;
+  EXPECT_EQ(ledger_text(observed),
+            "worn volume 1.99711 mm^2, wear integral 2.00000 mm^2, difference -2.9e-03 mm^2 "
+            "(-0.14 %)");
+  observed.dim = 3;
+  observed.worn_volume = observed.wear_integral = 0;
+  EXPECT_EQ(ledger_text(observed),
+            "worn volume 0.00000 mm^3, wear integral 0.00000 mm^3, difference 0.0e+00 mm^3");
+}
+
+// The depth of a spring wears by its rate alone, so that a method integrates both alike.
+TEST(Ledger, OfSpringsBalances) {
+  const auto model = model_of("winkler/pin.toml", {"foundation.points=41"});
+  for (const char* name : {"backward-euler", "esdirk-3"}) {
+    IntegratorSettings given = settings(10, 50);
+    given.rtol = 1e-4;
+    given.scale = model->differential_scale();
+    given.atol = given.rtol * given.scale;
+    const RunOutcome outcome = run(*model, Integrators::find(name, ""), given, {}, nullptr, {});
+    const Observation last = observation_of(outcome.last->scalars);
+    EXPECT_NEAR(last.worn_volume.value(), 0.1, 1e-8) << name;  // k v F t
+    EXPECT_NEAR(last.wear_difference().value(), 0, 1e-9) << name;
+  }
+}
+
+}  // namespace
+}  // namespace gnomon
