@@ -14,15 +14,14 @@ using namespace testing;
 template <int dim>
 std::shared_ptr<WornBody<dim>> body_of(const std::string& scene, const Overrides& overrides) {
   const auto model = model_of(scene, overrides);
-  return std::make_shared<WornBody<dim>>(
-      dynamic_cast<const WearModel<dim>&>(*model).body());
+  return std::make_shared<WornBody<dim>>(dynamic_cast<const WearModel<dim>&>(*model).body());
 }
 
 /// The sum of the contact forces on the counter-body along x, by the force.
 double traction_ratio(const WearModel<2>& model, const State& state) {
   Vector<2> force = Vector<2>::Zero();
-  for (const ContactNode<2>& node : model.equations().contact_nodes(
-           model.system(), model.system().values(state.y), state))
+  for (const ContactNode<2>& node :
+       model.equations().contact_nodes(model.system(), model.system().values(state.y), state))
     force += node.force;
   return force[0] / force[1];
 }

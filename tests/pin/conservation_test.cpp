@@ -35,9 +35,10 @@ TEST(ConservativeNormal, LosesTheVolumeThatWearsByEveryFamily) {
 }
 
 TEST(ConservativeNormal, HoldsOnDistortedMeshesAndHeldSides) {
-  for (const Overrides& more :
-       {Overrides{"mesh.distortion=0.2"}, {"pin.sides=held"}, {"shape.constraint=multiplier"},
-        {"friction.coefficient=0.2"}}) {
+  for (const Overrides& more : {Overrides{"mesh.distortion=0.2"},
+                                {"pin.sides=held"},
+                                {"shape.constraint=multiplier"},
+                                {"friction.coefficient=0.2"}}) {
     Overrides all = more;
     all.push_back("wear.normal=conservative");
     EXPECT_NEAR(worn_pin(8, all).volume / (k_v_F * end), 1, 2e-5) << more.front();
