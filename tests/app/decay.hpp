@@ -71,14 +71,20 @@ private:
 class ExactDecay : public Stepper {
 public:
   ExactDecay(const IntegratorSettings& settings, Counters& counters, double fail_at)
-      : step_(settings.step), counters_(counters), fail_at_(fail_at) {}
+      : step_(settings.step),
+        integrand_(settings.integrand),
+        counters_(counters),
+        fail_at_(fail_at) {}
 
   StepReport advance(State& state, double t_stop) override {
     if (state.t >= fail_at_) throw SolutionError("inverted element 7");
     const bool lands = state.t + step_ >= t_stop * (1 - 1e-12);
     const double t = lands ? t_stop : state.t + step_;
-    const StepReport report{t - state.t, 1, 2, false};
+    StepReport report{t - state.t, 1, 2, false};
+    const double before = integrand_ ? integrand_({state.t, state.y}) : 0;
     state = {t, {std::exp(-t)}, {-std::exp(-t)}};
+    const double after = integrand_ ? integrand_({state.t, state.y}) : 0;
+    report.integral = report.step * (before + after) / 2;
     ++counters_.steps;
     counters_.newton_iterations += report.newton_iterations;
     return report;
@@ -86,6 +92,7 @@ public:
 
 private:
   double step_;
+  std::function<double(const Point&)> integrand_;
   Counters& counters_;
   double fail_at_;
 };

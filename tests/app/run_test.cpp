@@ -73,7 +73,7 @@ TEST_F(RunTest, RecordsTheStartAndEveryStep) {
   EXPECT_EQ(history[4].step.step, 0.5);
 }
 
-TEST_F(RunTest, IntegratesTheWearFluxByTrapezia) {
+TEST_F(RunTest, AddsUpTheIntegralsOfTheSteps) {
   const RunOutcome outcome = run_decay({}, exact_decay(), {}, 0.5);
   const Scalar& integral = outcome.last->scalars.back();
   EXPECT_EQ(integral.name, "wear_integral");
