@@ -28,7 +28,7 @@ from 1 by more than --notable where the whole interval is on the same side of 1.
 repetitions on a busy machine such marks can be chance: measure again, with more.
 
 A run that takes other counts of steps and Newton iterations in B does not do the same work: the
-table says so.
+table says so. With five repetitions all this takes about six minutes on an idle machine.
 """
 
 import argparse
@@ -47,7 +47,7 @@ ROOT = Path(__file__).resolve().parent.parent
 
 BENCHMARKS = {  # part: regular expression of the names
     "assembly": r"^(residual/hexahedron_.*|tangent/hexahedron_.*|block_residual.*|block_jacobian.*"
-                r"|residual/80|jacobian/80)$",
+                r"|residual/40|jacobian/40)$",
     "newton": r"^newton_iteration/(40|80)(/.*)?$",
 }
 
@@ -74,23 +74,25 @@ class Build:
         self.program = self.folder / "gnomon"
         self.benchmarks = self.folder / "benchmarks" / "gnomon_benchmarks"
 
-    def names(self, pattern):
-        """The benchmarks that the expression matches."""
+    def names(self, part):
+        """The benchmarks of a part."""
         listing = subprocess.run([self.benchmarks, "--benchmark_list_tests"], check=True,
                                  capture_output=True, text=True, env=ENVIRONMENT).stdout
-        return [name for name in listing.split() if re.search(pattern, name)]
+        return [name for name in listing.split() if re.search(BENCHMARKS[part], name)]
 
-    def benchmark(self, name, least):
-        """Processor seconds of one benchmark, one process."""
+    def benchmark(self, names, least):
+        """{name: (processor seconds, no counts)} of some benchmarks, in one process: what they
+        work on takes longer to make than to measure."""
+        pattern = "|".join(re.escape(name) for name in names)
         output = subprocess.run(
-            [self.benchmarks, f"--benchmark_filter=^{re.escape(name)}$",
+            [self.benchmarks, f"--benchmark_filter=^({pattern})$",
              "--benchmark_format=json", f"--benchmark_min_time={least}"],
             check=True, capture_output=True, text=True, env=ENVIRONMENT).stdout
-        result = json.loads(output)["benchmarks"][0]
-        return result["cpu_time"] * SECONDS[result["time_unit"]], {}
+        return {result["name"]: (result["cpu_time"] * SECONDS[result["time_unit"]], {})
+                for result in json.loads(output)["benchmarks"]}
 
     def run(self, name):
-        """Processor seconds of a whole run, user and system, and its counts."""
+        """{name: (processor seconds, user and system, and counts)} of a whole run."""
         scene, settings = RUNS[name]
         with tempfile.TemporaryDirectory() as folder:
             summary = Path(folder, "run.json")
@@ -103,7 +105,8 @@ class Build:
             if process.returncode != 0:
                 sys.exit(f"{self.program}: {name}: exit code {process.returncode}")
             counts = json.loads(summary.read_text())
-        return usage.ru_utime + usage.ru_stime, {key: counts.get(key) for key in WORK}
+        work = {key: counts.get(key) for key in WORK}
+        return {name: (usage.ru_utime + usage.ru_stime, work)}
 
 
 def ratio_of_medians(pairs):
@@ -124,13 +127,11 @@ class Measurement:
     def __init__(self, part, name):
         self.part, self.name, self.pairs, self.note = part, name, [], ""
 
-    def take(self, measure, builds, repetitions):
-        for repetition in range(repetitions + 1):
-            (a, work_a), (b, work_b) = (measure(build) for build in builds)
-            if repetition > 0:  # the first pair fills the caches
-                self.pairs.append((a, b))
-            self.note = ", ".join(f"{key} {work_a[key]} / {work_b[key]}" for key in work_a
-                                  if work_a[key] != work_b[key])
+    def add(self, of_a, of_b):
+        (a, work_a), (b, work_b) = of_a, of_b
+        self.pairs.append((a, b))
+        self.note = ", ".join(f"{key} {work_a[key]} / {work_b[key]}" for key in work_a
+                              if work_a[key] != work_b[key])
 
     def numbers(self, notable):
         a, b = (statistics.median(times) for times in zip(*self.pairs))
@@ -175,8 +176,8 @@ def arguments():
                         help="assembly, newton, runs; default: all")
     parser.add_argument("--filter", default="", metavar="WORD",
                         help="only what has this word in its name")
-    parser.add_argument("--min-time", type=float, default=0.2, metavar="SECONDS",
-                        help="least time of one measurement of a benchmark; default: 0.2")
+    parser.add_argument("--min-time", type=float, default=0.1, metavar="SECONDS",
+                        help="least time of one measurement of a benchmark; default: 0.1")
     parser.add_argument("--notable", type=float, default=0.03, metavar="FRACTION",
                         help="change of a ratio that is marked; default: 0.03")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE",
@@ -202,19 +203,20 @@ def arguments():
 
 
 def planned(options, builds):
-    """Pairs of (measurement, function of a build)."""
+    """Pairs of (measurements, function of a build that makes one turn of them)."""
     for part in options.only:
         if part == "runs":
             for name in RUNS:
-                yield Measurement(part, name), lambda build, name=name: build.run(name)
+                if options.filter in name:
+                    yield [Measurement(part, name)], lambda build, name=name: build.run(name)
             continue
-        names = [build.names(BENCHMARKS[part]) for build in builds]
-        for name in names[0]:
-            if name in names[1]:
-                yield (Measurement(part, name),
-                       lambda build, name=name: build.benchmark(name, options.min_time))
-        for name in set(names[0]) ^ set(names[1]):
+        of_a, of_b = (build.names(part) for build in builds)
+        for name in set(of_a) ^ set(of_b):
             print(f"{name}: only one of the builds has this benchmark", file=sys.stderr)
+        names = [name for name in of_a if name in of_b and options.filter in name]
+        if names:
+            yield ([Measurement(part, name) for name in names],
+                   lambda build, names=names: build.benchmark(names, options.min_time))
 
 
 def main():
@@ -223,9 +225,13 @@ def main():
         print(f"{build.letter}: {build.folder}")
     print(f"\n{HEADER}", flush=True)
     rows = []
-    for measurement, measure in planned(options, builds):
-        if options.filter in measurement.name:
-            measurement.take(measure, builds, options.repetitions)
+    for measurements, turn in planned(options, builds):
+        for repetition in range(options.repetitions + 1):
+            a, b = (turn(build) for build in builds)
+            for measurement in measurements:
+                if repetition > 0:  # the first pair fills the caches
+                    measurement.add(a[measurement.name], b[measurement.name])
+        for measurement in measurements:
             rows.append(measurement.numbers(options.notable))
             print(table_line(rows[-1]), flush=True)
     if not rows:
