@@ -29,8 +29,8 @@ macro(gnomon_find_plain name title package)
 endmacro()
 
 # Packages with a CMake configuration of their own.
-find_package(SUNDIALS 6.4 QUIET CONFIG COMPONENTS kinsol ida arkode sunlinsolspfgmr)
-gnomon_need("SUNDIALS 6.4 with KINSOL, IDA and ARKODE" libsundials-dev "${SUNDIALS_FOUND}")
+find_package(SUNDIALS 6.4 QUIET CONFIG COMPONENTS kinsol idas arkode sunlinsolspfgmr)
+gnomon_need("SUNDIALS 6.4 with KINSOL, IDAS and ARKODE" libsundials-dev "${SUNDIALS_FOUND}")
 find_package(Eigen3 3.4 QUIET CONFIG)
 gnomon_need("Eigen 3.4" libeigen3-dev "${Eigen3_FOUND}")
 find_package(Spectra 1.0 QUIET CONFIG)
@@ -114,7 +114,7 @@ endif()
 
 add_library(gnomon_dependencies INTERFACE)
 target_link_libraries(gnomon_dependencies INTERFACE
-  SUNDIALS::kinsol SUNDIALS::ida SUNDIALS::arkode SUNDIALS::sunlinsolspfgmr BLAS::BLAS gnomon::umfpack gnomon::cholmod
+  SUNDIALS::kinsol SUNDIALS::idas SUNDIALS::arkode SUNDIALS::sunlinsolspfgmr BLAS::BLAS gnomon::umfpack gnomon::cholmod
   gnomon::metis
   Eigen3::Eigen Spectra::Spectra PkgConfig::HDF5 tomlplusplus::tomlplusplus CLI11::CLI11 fmt::fmt
   nlohmann_json::nlohmann_json)

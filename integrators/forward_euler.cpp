@@ -3,9 +3,10 @@
 //
 //   d_{n+1} = d_n + h ddot_n,   ddot_n = -Wdot_n N_n   on the contact surface
 
+#include <gnomon/integrators/dense_output.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 #include <gnomon/integrators/stepper.hpp>
-#include <gnomon/newton/stage_solver.hpp>
+#include <gnomon/newton/algebraic_solver.hpp>
 
 namespace gnomon {
 
@@ -14,29 +15,35 @@ namespace {
 class ForwardEuler : public OneStepMethod {
 public:
   ForwardEuler(const System& system, const IntegratorSettings& settings, Counters& counters)
-      : system_(system), norm_(system.structure(), settings), stages_(system, counters) {}
+      : system_(system),
+        norm_(system.structure(), settings),
+        integrand_(settings.integrand),
+        algebraic_(system, counters) {}
 
   Attempt attempt(const State& from, double h, const AttemptOptions& options, State& to) override {
     to = from;
     to.t = from.t + h;
     for (int i : norm_.components()) to.y[i] += h * from.ydot[i];
-    std::string reason = stages_.solve(to.t, to.y, options.piece);
+    std::string reason = algebraic_.solve(to.t, to.y, options.branch);
     if (!reason.empty()) return {.reason = std::move(reason)};
-    set_rates(system_, options.piece, to);
+    set_rates(system_, options.branch, to);
     // The difference to Heun's method.
     error_.clear();
     for (int i : norm_.components()) error_.push_back(h / 2 * (to.ydot[i] - from.ydot[i]));
-    return {.success = true, .error = norm_(error_, to.y)};
+    const double integral =
+        integrand_ ? h * integrand_({from.t, from.y, from.ydot, from.own_piece()}) : 0;
+    return {.success = true, .error = norm_(error_, to.y), .integral = integral};
   }
 
-  void accept(const State& state, bool) override { trace_.add(state.t, state.y); }
-  const Trace& trace() const override { return trace_; }
+  void accept(const State& state, bool) override { dense_output_.add(state.t, state.y); }
+  void interpolate(double t, std::span<double> y) const override { dense_output_.evaluate(t, y); }
 
 private:
   const System& system_;
   ErrorNorm norm_;
-  StageSolver stages_;
-  Trace trace_;
+  std::function<double(const Point&)> integrand_;
+  AlgebraicSolver algebraic_;
+  DenseOutput dense_output_;
   std::vector<double> error_;
 };
 

@@ -124,7 +124,8 @@ std::unique_ptr<Model> make(const Scene& scene) {
   auto body = std::make_shared<WornBody<3>>();
   const double facet = ball.patch_half_width / ball.across;
   body->mesh = quarter_ball(ball);
-  body->contact_nodes = contact_patches<3>(body->mesh, body->mesh.boundary.at("contact"));
+  body->contact_nodes =
+      read_contact_patches<3>(scene, body->mesh, body->mesh.boundary.at("contact"));
   hold_boundary(scene.real("shape.reach"), *body);
   body->load = NodalField<3>::Zero(body->displacement_fixed.rows(), 3);
   body->scales = make_scales(scene, facet);

@@ -185,7 +185,7 @@ std::unique_ptr<Model> make(const Scene& scene) {
   auto body = std::make_shared<WornBody<3>>();
   const double facet = scene.reals("mesh.size")[1];
   body->mesh = block.mesh;
-  body->contact_nodes = contact_patches<3>(body->mesh, body->mesh.boundary.at("top"));
+  body->contact_nodes = read_contact_patches<3>(scene, body->mesh, body->mesh.boundary.at("top"));
   make_section(block, along, scene.real("path.length"), *body);
   hold_boundary(scene.text("block.sides") == "held", *body);
   body->load = NodalField<3>::Zero(body->displacement_fixed.rows(), 3);

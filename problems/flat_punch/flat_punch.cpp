@@ -138,7 +138,8 @@ std::unique_ptr<Model> make(const Scene& scene) {
   auto body = std::make_shared<WornBody<2>>();
   const double a = scene.real("punch.half_width");
   body->mesh = make_mesh(scene);
-  body->contact_nodes = contact_patches<2>(body->mesh, facets_under_punch(body->mesh, a));
+  body->contact_nodes =
+      read_contact_patches<2>(scene, body->mesh, facets_under_punch(body->mesh, a));
   hold_boundary(*body);
   body->load = uniform_load(body->mesh, "top", Vector<2>(0, -scene.real("load.force")));
   body->scales = make_scales(scene);

@@ -34,7 +34,7 @@
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/model/wear_scene.hpp>
-#include <gnomon/newton/stage_solver.hpp>
+#include <gnomon/newton/algebraic_solver.hpp>
 
 #include "winkler_system.hpp"
 
@@ -83,7 +83,7 @@ public:
     State state{0, std::vector<double>(system_.structure().size, 0.0), {}};
     // From full contact Newton only ever opens points: the force is convex in delta.
     state.y[system_.delta()] = f.profile(f.width / 2) + f.mean_pressure() / f.modulus;
-    const std::string reason = StageSolver(system_, counters).solve(state.t, state.y);
+    const std::string reason = AlgebraicSolver(system_, counters).solve(state.t, state.y);
     if (!reason.empty()) throw SolutionError("no equilibrium at t = 0: " + reason);
     set_rates(system_, nullptr, state);
     return state;

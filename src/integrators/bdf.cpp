@@ -1,14 +1,17 @@
 #include <fmt/format.h>
-#include <ida/ida.h>
+#include <idas/idas.h>
 
 #include <algorithm>
 #include <cmath>
 #include <gnomon/integrators/bdf.hpp>
 #include <gnomon/integrators/error_norm.hpp>
-#include <gnomon/integrators/step_size.hpp>
-#include <gnomon/integrators/stepper.hpp>
-#include <gnomon/newton/stage_solver.hpp>
+#include <gnomon/integrators/rates.hpp>
+#include <gnomon/integrators/step_account.hpp>
+#include <gnomon/integrators/stop_rules.hpp>
+#include <gnomon/integrators/stop_times.hpp>
+#include <gnomon/newton/algebraic_solver.hpp>
 #include <optional>
+#include <utility>
 
 #include "newton/semismooth_newton.hpp"
 
@@ -33,12 +36,16 @@ private:
                       SUNMatrix J, void* self, N_Vector, N_Vector, N_Vector);
   static int weights(N_Vector y, N_Vector w, void* self);
   static int switching(sunrealtype t, N_Vector y, N_Vector ydot, sunrealtype* values, void* self);
+  static int integrand(sunrealtype t, N_Vector y, N_Vector ydot, N_Vector value, void* self);
   void begin(const State& state);
   int switch_nodes(const State& state, bool at_root);
   bool cross_event(State& state, bool at_root, StepReport& report);
   void restart(const State& state);
   StepReport skip_to(State& state, double t);
-  const ActiveSet* piece() const { return settings_.locate_events ? &piece_ : nullptr; }
+  void account_for_rejected(StepAccount& account);
+  bool vanishes(double step);
+  double take_integral();
+  const ActiveSet* branch() const { return settings_.locate_events ? &branch_ : nullptr; }
   [[noreturn]] void fail(int flag, double t) const;
 
   const System& system_;
@@ -47,15 +54,16 @@ private:
   ErrorNorm norm_;
   bool begun_ = false;
   long rejected_ = 0;
-  int vanishing_ = 0;                // steps, one after the other
-  ActiveSet piece_;                  // the smooth piece that steps stay on while events are located
-  std::vector<double> switched_at_;  // time of each node's last event
-  std::optional<StageSolver> stages_;  // made at the first event
+  int vanishing_ = 0;                         // steps, one after the other
+  double integrated_ = 0;                     // value of the quadrature at the start of the step
+  ActiveSet branch_;                          // that steps stay on while events are located
+  std::vector<double> switched_at_;           // time of each node's last event
+  std::optional<AlgebraicSolver> algebraic_;  // made at the first event
   LinearRequest request_;
   Guard guard_;
   // Destroyed in reverse: IDA before what it refers to, the context last.
   Context context_;
-  VectorOwner y_, ydot_, id_, probe_;
+  VectorOwner y_, ydot_, id_, probe_, integral_;
   MatrixOwner matrix_;
   LinearSolverOwner linear_;
   NonlinearSolverOwner nonlinear_;
@@ -72,12 +80,13 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
       ydot_(make_vector(system.structure().size, context_)),
       id_(make_vector(system.structure().size, context_)),
       probe_(make_vector(system.structure().size, context_)),
-      matrix_(make_matrix(system.structure(), context_)),
+      integral_(make_vector(1, context_)),
+      matrix_(make_matrix(system.structure().pattern, context_)),
       linear_(make_linear_solver(system.structure(), counters, guard_, context_, request_)) {
   const auto& differential = system.structure().differential;
   std::copy(differential.begin(), differential.end(), view(id_.get()).begin());
-  SemismoothSettings newton;
-  newton.active_set = [this](N_Vector ycor, std::vector<char>& active) {
+  const auto branch_at = [this](N_Vector ycor) {
+    if (branch()) return branch_;
     N_Vector predicted = nullptr;
     sunrealtype t, gamma;
     N_Vector yy, yp, res;
@@ -86,10 +95,10 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
         IDAGetNonlinearSystemData(ida_.get(), &t, &predicted, &res, &yy, &yp, &res, &gamma, &user),
         "IDAGetNonlinearSystemData");
     N_VLinearSum(1.0, predicted, 1.0, ycor, probe_.get());
-    active = piece() ? piece_ : active_set(system_, t, view(probe_.get()));
+    return active_set(system_, t, view(probe_.get()));
   };
-  nonlinear_ =
-      make_semismooth_newton(system.structure(), counters, guard_, newton, request_, context_);
+  nonlinear_ = make_semismooth_newton(system.structure(), counters, guard_, newton_in_ida,
+                                      branch_at, request_, context_);
 }
 
 void BdfSolver::Memory::begin(const State& state) {
@@ -106,20 +115,24 @@ void BdfSolver::Memory::begin(const State& state) {
   check(IDASetSuppressAlg(ida, SUNTRUE), "IDASetSuppressAlg");
   check(IDASetMaxOrd(ida, settings_.max_order), "IDASetMaxOrd");
   // IDA would creep up to where the solution ends by ever smaller steps, without an end, and where
-  // this ends them, by steps that succeed (advance).
-  check(IDASetMinStep(ida, 1e-14 * settings_.end), "IDASetMinStep");
+  // this ends them, by steps that succeed (vanishes).
+  check(IDASetMinStep(ida, shortest_step(settings_)), "IDASetMinStep");
   if (settings_.max_step > 0) check(IDASetMaxStep(ida, settings_.max_step), "IDASetMaxStep");
-  check(IDASetMaxErrTestFails(ida, 30), "IDASetMaxErrTestFails");
-  check(IDASetMaxConvFails(ida, 30), "IDASetMaxConvFails");
+  // Failures in one step, as good as endless: nearly every one quarters it.
+  constexpr int most_failures = 30;
+  check(IDASetMaxErrTestFails(ida, most_failures), "IDASetMaxErrTestFails");
+  check(IDASetMaxConvFails(ida, most_failures), "IDASetMaxConvFails");
   check(IDASetLinearSolver(ida, linear_.get(), matrix_.get()), "IDASetLinearSolver");
   check(IDASetJacFn(ida, &Memory::jacobian), "IDASetJacFn");
   check(IDASetNonlinearSolver(ida, nonlinear_.get()), "IDASetNonlinearSolver");
   if (settings_.locate_events) {
-    piece_ = active_set(system_, state.t, state.y);
-    switched_at_.assign(piece_.size(), -settings_.end);
-    check(IDARootInit(ida, static_cast<int>(piece_.size()), &Memory::switching), "IDARootInit");
+    branch_ = active_set(system_, state.t, state.y);
+    switched_at_.assign(branch_.size(), -settings_.end);
+    check(IDARootInit(ida, static_cast<int>(branch_.size()), &Memory::switching), "IDARootInit");
     check(IDASetNoInactiveRootWarn(ida), "IDASetNoInactiveRootWarn");
   }
+  if (settings_.integrand)
+    check(IDAQuadInit(ida, &Memory::integrand, integral_.get()), "IDAQuadInit");
   begun_ = true;
 }
 
@@ -127,7 +140,7 @@ int BdfSolver::Memory::residual(sunrealtype t, N_Vector y, N_Vector ydot, N_Vect
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
     ++self.counters_.residual_evaluations;
-    self.system_.residual({t, view(y), view(ydot), self.piece()}, view(F));
+    self.system_.residual({t, view(y), view(ydot), self.branch()}, view(F));
     require_finite(view(F), "the residual");
   });
 }
@@ -137,7 +150,7 @@ int BdfSolver::Memory::jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
     ++self.counters_.jacobian_evaluations;
-    self.system_.jacobian({t, view(y), view(ydot), self.piece()}, alpha, values(J));
+    self.system_.jacobian({t, view(y), view(ydot), self.branch()}, alpha, values(J));
   });
 }
 
@@ -155,104 +168,139 @@ int BdfSolver::Memory::switching(sunrealtype t, N_Vector y, N_Vector, sunrealtyp
                                  void* data) {
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run(
-      [&] { self.system_.switching(t, view(y), std::span<double>(values, self.piece_.size())); });
+      [&] { self.system_.switching(t, view(y), std::span<double>(values, self.branch_.size())); });
+}
+
+// IDA integrates it by its own formula, order and step, without a part in the error test.
+int BdfSolver::Memory::integrand(sunrealtype t, N_Vector y, N_Vector ydot, N_Vector value,
+                                 void* data) {
+  Memory& self = *static_cast<Memory*>(data);
+  return self.guard_.run([&] {
+    view(value)[0] = self.settings_.integrand({t, view(y), view(ydot), self.branch()});
+  });
 }
 
 /// Switches the nodes at a root: the one that IDA names, and those that symmetry switches with it
 /// but rounding puts just before or behind. Returns how many. A node that has just switched starts
-/// from zero with a sign that is rounding's, and may reach its new piece by a root: it stays.
+/// from zero with a sign that is rounding's, and may reach its new branch by a root: it stays.
 int BdfSolver::Memory::switch_nodes(const State& state, bool at_root) {
-  constexpr double together = 1e-9;  // of the largest switching function
-  constexpr double moment = 1e-6;    // of the run
-  std::vector<int> found(piece_.size(), 0);
+  // Of the largest switching function: symmetric nodes differ by what Newton leaves of them, up to
+  // NewtonOptions::acceptable.
+  constexpr double together = 1e-9;
+  // Of the run: before a node may switch again. After an event IDA begins at order one, with a step
+  // of 1e-3 of the time to t_stop at most: an event sooner than this is below the error of that
+  // step.
+  constexpr double moment = 1e-6;
+  std::vector<int> found(branch_.size(), 0);
   if (at_root) check(IDAGetRootInfo(ida_.get(), found.data()), "IDAGetRootInfo");
-  std::vector<double> values(piece_.size());
+  std::vector<double> values(branch_.size());
   system_.switching(state.t, state.y, values);
   double largest = 0;
   for (double value : values) largest = std::max(largest, std::abs(value));
   int switched = 0;
-  for (std::size_t j = 0; j < piece_.size(); ++j) {
+  for (std::size_t j = 0; j < branch_.size(); ++j) {
     if (state.t - switched_at_[j] <= moment * settings_.end) continue;
-    const bool rooted = found[j] != 0 && (found[j] < 0) != bool(piece_[j]);
+    const bool rooted = found[j] != 0 && (found[j] < 0) != bool(branch_[j]);
     if (found[j] != 0 && !rooted) continue;
-    const bool off = (values[j] <= 0) != bool(piece_[j]);
+    const bool off = (values[j] <= 0) != bool(branch_[j]);
     const bool beside = at_root && std::abs(values[j]) <= together * largest;
     if (!rooted && !off && !beside) continue;
-    piece_[j] = !piece_[j];
+    branch_[j] = !branch_[j];
     switched_at_[j] = state.t;
     ++switched;
   }
   return switched;
 }
 
-/// At an event the state is made consistent on the piece behind it. False where there is none.
+/// At an event the state is made consistent on the branch behind it. False where there is none.
 bool BdfSolver::Memory::cross_event(State& state, bool at_root, StepReport& report) {
   report.switched = switch_nodes(state, at_root);
   if (report.switched == 0) return false;
   ++counters_.events;
-  if (!stages_) stages_.emplace(system_, counters_);
-  const std::string reason = stages_->solve(state.t, state.y, &piece_);
+  if (!algebraic_) algebraic_.emplace(system_, counters_);
+  const std::string reason = algebraic_->solve(state.t, state.y, &branch_);
   if (!reason.empty()) throw SolutionError("bdf, after an event: " + reason);
-  set_rates(system_, &piece_, state);
+  set_rates(system_, &branch_, state);
   return true;
 }
 
-/// Behind an event or a corner, where a polynomial through earlier states says nothing of the rates
-/// to come: at order one.
+/// Behind an event or a breakpoint, where a polynomial through earlier states says nothing of the
+/// rates to come: at order one.
 void BdfSolver::Memory::restart(const State& state) {
   std::copy(state.y.begin(), state.y.end(), view(y_.get()).begin());
   std::copy(state.ydot.begin(), state.ydot.end(), view(ydot_.get()).begin());
   check(IDAReInit(ida_.get(), state.t, y_.get(), ydot_.get()), "IDAReInit");
   rejected_ = 0;  // IDA's counts start anew
+  if (!settings_.integrand) return;
+  integrated_ = 0;
+  N_VConst(0, integral_.get());
+  check(IDAQuadReInit(ida_.get(), integral_.get()), "IDAQuadReInit");
 }
 
 /// Over a moment of rounding, as to a time to store that comes on resuming. IDA refuses such steps.
+/// The state stays, so the integral is zero.
 StepReport BdfSolver::Memory::skip_to(State& state, double t) {
-  StepReport report;
-  report.step = t - state.t;
-  report.order = 1;
+  const double step = t - state.t;
   state.t = t;
   restart(state);
-  if (piece()) state.piece = piece_;
-  ++counters_.steps;
-  return report;
+  if (branch()) state.piece = branch_;
+  return StepAccount(counters_).accept(step, 1);
+}
+
+/// Attempts that IDA threw away in the last step.
+void BdfSolver::Memory::account_for_rejected(StepAccount& account) {
+  long error_fails = 0, newton_fails = 0;
+  check(IDAGetNumErrTestFails(ida_.get(), &error_fails), "IDAGetNumErrTestFails");
+  check(IDAGetNumStepSolveFails(ida_.get(), &newton_fails), "IDAGetNumStepSolveFails");
+  const long rejected = error_fails + newton_fails;
+  account.reject(rejected - std::exchange(rejected_, rejected));
+}
+
+/// Where the solution ends, steps succeed and become ever smaller: whether that goes on.
+bool BdfSolver::Memory::vanishes(double step) {
+  constexpr int many = 20;
+  constexpr double tiny = 1e-12;  // of the run; a hundred of the shortest steps (stop_rules.hpp)
+  const bool tiny_for_a_reason = step < tiny * settings_.end && !guard_.recoverable().empty();
+  vanishing_ = tiny_for_a_reason ? vanishing_ + 1 : 0;
+  return vanishing_ == many;
+}
+
+/// Of the step that IDA has just made.
+double BdfSolver::Memory::take_integral() {
+  if (!settings_.integrand) return 0;
+  sunrealtype t = 0;
+  check(IDAGetQuad(ida_.get(), &t, integral_.get()), "IDAGetQuad");
+  const double reached = view(integral_.get())[0];
+  return reached - std::exchange(integrated_, reached);
 }
 
 StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
+  // Of the time: the distance of two times that are meant to be one. IDA refuses to begin with a
+  // step of a few roundings.
+  constexpr double nothing = 1e-12;
   if (!begun_) begin(state);
   void* ida = ida_.get();
   guard_.clear();
-  const long newton_before = counters_.newton_iterations;
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
-  if (t_stop - state.t <= 1e-12 * t_stop) return skip_to(state, t_stop);
+  if (t_stop - state.t <= nothing * t_stop) return skip_to(state, t_stop);
+  StepAccount account(counters_);
   check(IDASetStopTime(ida, t_stop), "IDASetStopTime");
   sunrealtype t = state.t;
   const int flag = IDASolve(ida, t_stop, &t, y_.get(), ydot_.get(), IDA_ONE_STEP);
   guard_.rethrow();
-  long error_fails = 0, newton_fails = 0;
-  check(IDAGetNumErrTestFails(ida, &error_fails), "IDAGetNumErrTestFails");
-  check(IDAGetNumStepSolveFails(ida, &newton_fails), "IDAGetNumStepSolveFails");
-  const long rejected = error_fails + newton_fails - rejected_;
-  rejected_ += rejected;
-  counters_.rejected_steps += rejected;
-  if (flag < 0) fail(flag, state.t);
-  // Where the solution ends, steps that succeed become ever smaller.
-  const bool vanishes = t - state.t < 1e-12 * settings_.end && !guard_.recoverable().empty();
-  vanishing_ = vanishes ? vanishing_ + 1 : 0;
-  if (vanishing_ == 20) fail(flag, state.t);
+  account_for_rejected(account);
+  if (flag < 0 || vanishes(t - state.t)) fail(flag, state.t);
 
-  StepReport report;
-  report.step = t - state.t;
-  check(IDAGetLastOrder(ida, &report.order), "IDAGetLastOrder");
-  report.newton_iterations = counters_.newton_iterations - newton_before;
-  report.restarted = rejected > 0;
-  ++counters_.steps;
+  int order = 0;
+  check(IDAGetLastOrder(ida, &order), "IDAGetLastOrder");
+  StepReport report = account.accept(t - state.t, order);
+  report.integral = take_integral();
   state.t = t;
   std::copy(view(y_.get()).begin(), view(y_.get()).end(), state.y.begin());
-  set_rates(system_, piece(), state);
-  const bool event = piece() && cross_event(state, flag == IDA_ROOT_RETURN, report);
-  if (event || is_corner(system_.structure(), t)) restart(state);
-  if (piece()) state.piece = piece_;
+  set_rates(system_, branch(), state);
+  const bool event = branch() && cross_event(state, flag == IDA_ROOT_RETURN, report);
+  if (event || is_breakpoint(system_.structure(), t)) restart(state);
+  if (branch()) state.piece = branch_;
   return report;
 }
 

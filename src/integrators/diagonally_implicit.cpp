@@ -14,20 +14,21 @@ DiagonallyImplicit::DiagonallyImplicit(const System& system, const IntegratorSet
       counters_(counters),
       table_(std::move(table)),
       norm_(system.structure(), settings),
+      integrand_(settings.integrand),
       short_step_(1e-6 * settings.end),
       newton_(system.structure(), counters, modified_newton),
       k_(table_.stages(), Rates(norm_.components().size())),
       base_(norm_.components().size()),
       error_(norm_.components().size()) {}
 
-StageSolver& DiagonallyImplicit::stages() {
-  if (!stages_) stages_.emplace(system_, counters_);
-  return *stages_;
+AlgebraicSolver& DiagonallyImplicit::algebraic() {
+  if (!algebraic_) algebraic_.emplace(system_, counters_);
+  return *algebraic_;
 }
 
 void DiagonallyImplicit::accept(const State& state, bool kink) {
-  if (kink) trace_.clear();
-  trace_.add(state.t, state.y);
+  if (kink) dense_output_.clear();
+  dense_output_.add(state.t, state.y);
   t_old_ = t_new_;
   t_new_ = state.t;
   std::swap(rate_old_, rate_new_);
@@ -58,22 +59,22 @@ void DiagonallyImplicit::set_rates_of(double step, const Rates& base, std::span<
 }
 
 /// One solve of F(t, y, (d - base) / step) = 0 from the guess to.y, F as it is in the step that
-/// starts at `from`: some tables have a stage past its end, where the load may have a corner.
+/// starts at `from`: some tables have a stage past its end, where the load may have a breakpoint.
 NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base, const State& from,
                                        const AttemptOptions& options, State& to) {
   NonlinearFunction function;
   function.residual = [&](std::span<const double> y, std::span<double> G) {
     set_rates_of(step, base, y, to.ydot);
-    system_.residual({t, y, to.ydot, options.piece, from.t}, G);
+    system_.residual({t, y, to.ydot, options.branch, from.t}, G);
   };
   function.jacobian = [&](std::span<const double> y, std::span<double> values) {
     set_rates_of(step, base, y, to.ydot);
-    system_.jacobian({t, y, to.ydot, options.piece, from.t}, 1 / step, values);
+    system_.jacobian({t, y, to.ydot, options.branch, from.t}, 1 / step, values);
   };
-  function.piece = [&](std::span<const double> y) {
-    return options.piece ? *options.piece : active_set(system_, t, y);
+  function.branch = [&](std::span<const double> y) {
+    return options.branch ? *options.branch : active_set(system_, t, y);
   };
-  function.alpha = 1 / step;
+  function.rate_weight = 1 / step;
   function.switch_node = system_.structure().switch_node;
   const NewtonReport report = newton_.solve(function, to.y);
   if (report.converged) set_rates_of(step, base, to.y, to.ydot);
@@ -81,8 +82,10 @@ NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base,
 }
 
 /// The same by continuation from step zero, where the solution is the state that the step starts
-/// from: `base` and the time move from there with the step. A way of more than `most` solves is
-/// given up, for it may creep without an end.
+/// from: `base` and the time move from there with the step, by a quarter of it at first, then by
+/// half as much again after every success and by half of that after a failure. Given up where a
+/// part of `least` is still too long, and after `most` solves, for the way may creep without an
+/// end.
 std::string DiagonallyImplicit::continue_in_step(double t, double step, const Rates& base,
                                                  const State& from, const AttemptOptions& options,
                                                  State& to) {
@@ -122,7 +125,7 @@ std::string DiagonallyImplicit::solve_stage(int i, const State& from, double h,
     base_[k] = from.y[norm_.components()[k]];
     for (int j = 0; j < i; ++j) base_[k] += h * table_.A(i, j) * k_[j][k];
   }
-  trace_.evaluate(t, to.y);
+  dense_output_.evaluate(t, to.y);
   const NewtonReport report = solve(t, step, base_, from, options, to);
   if (report.converged) return {};
   if (!options.continuation) return report.reason;
@@ -135,35 +138,41 @@ Attempt DiagonallyImplicit::attempt(const State& from, double h, const AttemptOp
   to.y.resize(from.y.size());
   to.ydot.assign(from.y.size(), 0.0);
   const auto& components = norm_.components();
+  double integral = 0;
   for (int i = 0; i < table_.stages(); ++i) {
     const bool is_state = i == 0 && table_.explicit_first_stage();
     if (!is_state) {
       std::string reason = solve_stage(i, from, h, options, to);
       if (!reason.empty()) return {.reason = std::move(reason)};
-      trace_.add(from.t + table_.c[i] * h, to.y);
+      dense_output_.add(from.t + table_.c[i] * h, to.y);
     }
     const std::vector<double>& rates = is_state ? from.ydot : to.ydot;
     for (std::size_t k = 0; k < components.size(); ++k) k_[i][k] = rates[components[k]];
+    if (!integrand_ || table_.b[i] == 0) continue;
+    const Point stage =
+        is_state ? Point{from.t, from.y, from.ydot, from.own_piece()}
+                 : Point{from.t + table_.c[i] * h, to.y, to.ydot, options.branch, from.t};
+    integral += h * table_.b[i] * integrand_(stage);
   }
   if (!table_.stiffly_accurate()) {
-    trace_.evaluate(to.t, to.y);
+    dense_output_.evaluate(to.t, to.y);
     for (std::size_t k = 0; k < components.size(); ++k) {
       double& d = to.y[components[k]] = from.y[components[k]];
       for (int i = 0; i < table_.stages(); ++i) d += h * table_.b[i] * k_[i][k];
     }
-    const Attempt projected = project(to, options.piece);
+    const Attempt projected = project(to, options.branch);
     if (!projected.success) return projected;
   } else if (h < short_step_) {
-    set_rates(system_, options.piece, to);  // a difference over so short a step is rounding
+    set_rates(system_, options.branch, to);  // a difference over so short a step is rounding
   }
-  return {.success = true, .error = estimate(from, h, to)};
+  return {.success = true, .error = estimate(from, h, to), .integral = integral};
 }
 
 /// Makes a state consistent with its differential components.
-Attempt DiagonallyImplicit::project(State& state, const ActiveSet* piece) {
-  std::string reason = stages().solve(state.t, state.y, piece);
+Attempt DiagonallyImplicit::project(State& state, const ActiveSet* branch) {
+  std::string reason = algebraic().solve(state.t, state.y, branch);
   if (!reason.empty()) return {.reason = std::move(reason)};
-  set_rates(system_, piece, state);
+  set_rates(system_, branch, state);
   return {.success = true};
 }
 

@@ -5,9 +5,13 @@
 #include <gnomon/integrators/arkode_table.hpp>
 #include <gnomon/integrators/erk.hpp>
 #include <gnomon/integrators/error_norm.hpp>
+#include <gnomon/integrators/rates.hpp>
+#include <gnomon/integrators/step_account.hpp>
 #include <gnomon/integrators/step_size.hpp>
-#include <gnomon/integrators/stepper.hpp>
-#include <gnomon/newton/stage_solver.hpp>
+#include <gnomon/integrators/stop_rules.hpp>
+#include <gnomon/integrators/stop_times.hpp>
+#include <gnomon/newton/algebraic_solver.hpp>
+#include <utility>
 
 #include "sundials/room.hpp"
 
@@ -46,6 +50,19 @@ TableOwner table_with_end(const ButcherTable& table) {
   result->c[s] = 1;
   return result;
 }
+
+/// The choice of steps by a PI controller: the parameters that ERKStep 6.4 had by default, whatever
+/// version is in use.
+constexpr PiController pi_controller{.proportional = 0.8,
+                                     .integral = 0.31,
+                                     .bias = 1.2,
+                                     .safety = 0.99,
+                                     .keep_from = 1.0,
+                                     .keep_to = 1.5};
+/// Bounds on growth as for the other one-step methods (step_size.cpp), and failures in one step
+/// that are as good as endless: a step is then a billionth of what it was.
+constexpr double most_growth = 5;
+constexpr int most_failures = 30;
 }  // namespace
 
 class ErkSolver::Memory {
@@ -64,21 +81,24 @@ private:
   void set_step(const State& state, double t_stop);
   void evaluate(double t, std::span<const double> d);
   void gather(const std::vector<double>& y, std::span<double> d) const;
+  void set_state(const State& state);
+  double integral() const { return settings_.integrand ? view(d_.get()).back() : 0; }
 
   const System& system_;
   IntegratorSettings settings_;
   Counters& counters_;
   ButcherTable table_;
   ErrorNorm norm_;
-  StageSolver stages_;
+  AlgebraicSolver algebraic_;
   State whole_;      // consistent state of the last evaluation, the guess for the next
   double proposal_;  // what is tried next; 0 before the first of the steps that are chosen
   long rejected_ = 0;
+  double integrated_ = 0;  // value of the last component at the start of the step
   Guard guard_;
   // Destroyed in reverse: ERKStep before what it refers to, the context last.
   Context context_;
   StepControl step_control_;
-  VectorOwner d_;
+  VectorOwner d_;  // the differential components, and where there is an integrand, its integral
   Owner<void, destroy_erk> erk_;
 };
 
@@ -89,21 +109,32 @@ ErkSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
       counters_(counters),
       table_(arkode_erk_table(table)),
       norm_(system.structure(), settings),
-      stages_(system, counters),
+      algebraic_(system, counters),
       proposal_(settings.step),
-      step_control_(context_),
-      d_(make_vector(static_cast<long>(norm_.components().size()), context_)) {}
+      step_control_(pi_controller, context_),
+      d_(make_vector(static_cast<long>(norm_.components().size()) + (settings.integrand ? 1 : 0),
+                     context_)) {}
 
 void ErkSolver::Memory::gather(const std::vector<double>& y, std::span<double> d) const {
-  for (std::size_t k = 0; k < d.size(); ++k) d[k] = y[norm_.components()[k]];
+  const std::vector<int>& components = norm_.components();
+  for (std::size_t k = 0; k < components.size(); ++k) d[k] = y[components[k]];
+}
+
+/// Where ERKStep begins, or begins again.
+void ErkSolver::Memory::set_state(const State& state) {
+  whole_ = state;
+  gather(state.y, view(d_.get()));
+  integrated_ = 0;
+  if (settings_.integrand) view(d_.get()).back() = 0;
 }
 
 /// Makes whole_ the consistent state with differential components d, its rates included.
 void ErkSolver::Memory::evaluate(double t, std::span<const double> d) {
   State next = whole_;
   next.t = t;
-  for (std::size_t k = 0; k < d.size(); ++k) next.y[norm_.components()[k]] = d[k];
-  const std::string reason = stages_.solve(t, next.y);
+  const std::vector<int>& components = norm_.components();
+  for (std::size_t k = 0; k < components.size(); ++k) next.y[components[k]] = d[k];
+  const std::string reason = algebraic_.solve(t, next.y);
   if (!reason.empty()) throw RecoverableError(reason);
   set_rates(system_, nullptr, next);
   whole_ = std::move(next);
@@ -113,19 +144,26 @@ int ErkSolver::Memory::rate(sunrealtype t, N_Vector d, N_Vector ddot, void* data
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
     self.evaluate(t, view(d));
-    self.gather(self.whole_.ydot, view(ddot));
+    const State& whole = self.whole_;
+    self.gather(whole.ydot, view(ddot));
+    if (self.settings_.integrand)
+      view(ddot).back() = self.settings_.integrand({whole.t, whole.y, whole.ydot});
   });
 }
 
+// ERKStep averages the squares over all components. The integral has no weight in the error, and
+// the factor makes it the mean over the others.
 int ErkSolver::Memory::weights(N_Vector d, N_Vector w, void* data) {
   const Memory& self = *static_cast<Memory*>(data);
-  for (std::size_t k = 0; k < view(d).size(); ++k) view(w)[k] = self.norm_.weight(view(d)[k]);
+  const std::size_t all = view(d).size(), components = self.norm_.components().size();
+  const double spread = std::sqrt(double(all) / double(components));
+  std::fill(view(w).begin(), view(w).end(), 0.0);
+  for (std::size_t k = 0; k < components; ++k) view(w)[k] = spread * self.norm_.weight(view(d)[k]);
   return 0;
 }
 
 void ErkSolver::Memory::begin(const State& state) {
-  whole_ = state;
-  gather(state.y, view(d_.get()));
+  set_state(state);
   erk_.reset(ERKStepCreate(&Memory::rate, state.t, d_.get(), context_));
   void* erk = erk_.get();
   check(erk, "ERKStepCreate");
@@ -134,13 +172,13 @@ void ErkSolver::Memory::begin(const State& state) {
   check(ERKStepSetTable(erk, table_with_end(table_).get()), "ERKStepSetTable");
   check(ARKodeWFtolerances(erk, &Memory::weights), "ARKodeWFtolerances");
   check(step_control_.give_to(erk), "StepControl");
-  check(ARKodeSetMaxGrowth(erk, 5.0), "ARKodeSetMaxGrowth");
-  check(ARKodeSetMaxErrTestFails(erk, 30), "ARKodeSetMaxErrTestFails");
+  check(ARKodeSetMaxGrowth(erk, most_growth), "ARKodeSetMaxGrowth");
+  check(ARKodeSetMaxErrTestFails(erk, most_failures), "ARKodeSetMaxErrTestFails");
   check(ARKodeSetMaxNumSteps(erk, -1), "ARKodeSetMaxNumSteps");
   if (settings_.max_step > 0) check(ARKodeSetMaxStep(erk, settings_.max_step), "ARKodeSetMaxStep");
   if (settings_.step > 0) return;
   if (proposal_ > 0)  // not the first step, which may be far too small
-    check(ARKodeSetMaxFirstGrowth(erk, 5.0), "ARKodeSetMaxFirstGrowth");
+    check(ARKodeSetMaxFirstGrowth(erk, most_growth), "ARKodeSetMaxFirstGrowth");
   else
     proposal_ = first_step(state, system_.structure(), settings_, table_.embedded_order);
   check(ARKodeSetInitStep(erk, proposal_), "ARKodeSetInitStep");
@@ -152,8 +190,7 @@ void ErkSolver::Memory::restore(double proposal) {
 
 /// After a failed evaluation: from the last good state with a shorter step.
 void ErkSolver::Memory::restart(const State& state, double h) {
-  whole_ = state;
-  gather(state.y, view(d_.get()));
+  set_state(state);
   check(ARKodeReset(erk_.get(), state.t, d_.get()), "ARKodeReset");
   if (settings_.step > 0)
     proposal_ = h;
@@ -170,51 +207,41 @@ void ErkSolver::Memory::set_step(const State& state, double t_stop) {
 }
 
 StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
-  constexpr int most_failures = 30;
   if (!erk_) begin(state);
   void* erk = erk_.get();
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
-  const long newton_before = counters_.newton_iterations;
-  StepReport report;
+  StepAccount account(counters_);
+  sunrealtype t = state.t;
   for (int failures = 0;; ++failures) {
     set_step(state, t_stop);
     guard_.clear();
-    sunrealtype t = state.t, tried = 0;
+    t = state.t;
     const int flag = ARKodeEvolve(erk, t_stop, d_.get(), &t, ARK_ONE_STEP);
     const bool done =
         flag >= 0 && guard_.run([&] { evaluate(t, view(d_.get())); }) == 0;  // where it has come to
     guard_.rethrow();
     long error_fails = 0;
     check(ARKodeGetNumErrTestFails(erk, &error_fails), "ARKodeGetNumErrTestFails");
-    counters_.rejected_steps += error_fails - rejected_;
-    report.restarted |= error_fails > rejected_;
-    rejected_ = error_fails;
-    if (done) {
-      report.step = t - state.t;
-      break;
-    }
-    if (flag >= 0)
-      tried = t - state.t;
-    else
-      check(ARKodeGetCurrentStep(erk, &tried), "ARKodeGetCurrentStep");
+    account.reject(error_fails - std::exchange(rejected_, error_fails));
+    if (done) break;
+    double tried = t - state.t;
+    if (flag < 0) check(ARKodeGetCurrentStep(erk, &tried), "ARKodeGetCurrentStep");
     // Ever smaller steps would creep up to where the solution ends.
-    const bool shortest = tried <= 1e-14 * settings_.end;
+    const bool shortest = tried <= shortest_step(settings_);
     if (guard_.recoverable().empty() || shortest || failures == most_failures)
       throw SolutionError(
           fmt::format("{} cannot go on from t = {:.6g}: code {}{}{}", table_.name, state.t, flag,
                       guard_.recoverable().empty() ? "" : "; last: ", guard_.recoverable()));
-    ++counters_.rejected_steps;
-    report.restarted = true;
+    account.reject();
     restart(state, std::min(tried, t_stop - state.t) / 2);
   }
   if (settings_.step > 0)
     proposal_ = std::min(settings_.step, 2 * proposal_);
   else
     check(ARKodeGetCurrentStep(erk, &proposal_), "ARKodeGetCurrentStep");
+  StepReport report = account.accept(t - state.t, table_.order);
+  report.integral = integral() - std::exchange(integrated_, integral());
   state = whole_;
-  ++counters_.steps;
-  report.order = table_.order;
-  report.newton_iterations = counters_.newton_iterations - newton_before;
   return report;
 }
 

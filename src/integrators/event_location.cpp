@@ -11,7 +11,8 @@ bool active(double value) {
   return value <= 0;
 }
 
-/// Zero in [low, high] of the polynomial through (h, f), by bisection; it changes sign there.
+/// Zero in [low, high] of the polynomial through (h, f), by bisection; it changes sign there. Sixty
+/// halvings leave nothing but rounding.
 double polynomial_root(const std::vector<double>& h, std::vector<double> f, double low,
                        double high) {
   const std::size_t n = h.size();
@@ -23,14 +24,16 @@ double polynomial_root(const std::vector<double>& h, std::vector<double> f, doub
     return sum;
   };
   const bool at_low = active(value(low));
-  for (int k = 0; k < 60; ++k) {
+  constexpr int halvings = 60;
+  for (int k = 0; k < halvings; ++k) {
     const double middle = (low + high) / 2;
     (active(value(middle)) == at_low ? low : high) = middle;
   }
   return (low + high) / 2;
 }
 
-/// For a zero that may be at any scale.
+/// Between low and high, for a zero that may be at any scale: while these differ much, the
+/// geometric mean halves the digits that are in doubt. From zero, four halvings at a time.
 double middle(double low, double high) {
   if (low == 0) return high / 16;
   return high > 4 * low ? std::sqrt(low * high) : (low + high) / 2;
@@ -41,25 +44,25 @@ double middle(double low, double high) {
 EventLocator::EventLocator(const System& system, OneStepMethod& method)
     : system_(system),
       method_(method),
-      piece_(system.structure().switch_node.size()),
-      crossed_(piece_.size()) {}
+      branch_(system.structure().switch_node.size()),
+      crossed_(branch_.size()) {}
 
 std::vector<double> EventLocator::memory() const {
   std::vector<double> memory = {crossed_at_};
-  pack(memory, piece_);
+  pack(memory, branch_);
   pack(memory, crossed_);
   return memory;
 }
 
 void EventLocator::restore(Unpacker& memory) {
-  const std::size_t nodes = piece_.size();
+  const std::size_t nodes = branch_.size();
   crossed_at_ = memory.one();
-  piece_ = memory.many<char>(nodes);
+  branch_ = memory.many<char>(nodes);
   crossed_ = memory.many<char>(nodes);
 }
 
 void EventLocator::sample(double h, const State& at) {
-  Sample sample{h, std::vector<double>(piece_.size())};
+  Sample sample{h, std::vector<double>(branch_.size())};
   system_.switching(at.t, at.y, sample.values);
   const auto place = std::lower_bound(samples_.begin(), samples_.end(), h,
                                       [](const Sample& s, double x) { return s.h < x; });
@@ -70,9 +73,9 @@ const EventLocator::Sample& EventLocator::at(double h) const {
   return *std::find_if(samples_.begin(), samples_.end(), [h](const Sample& s) { return s.h == h; });
 }
 
-bool EventLocator::off_piece(const Sample& sample) const {
-  for (std::size_t j = 0; j < piece_.size(); ++j)
-    if (active(sample.values[j]) != bool(piece_[j])) return true;
+bool EventLocator::off_branch(const Sample& sample) const {
+  for (std::size_t j = 0; j < branch_.size(); ++j)
+    if (active(sample.values[j]) != bool(branch_[j])) return true;
   return false;
 }
 
@@ -80,44 +83,49 @@ bool EventLocator::crossed(const State& from, std::size_t j) const {
   return from.t == crossed_at_ && crossed_[j];
 }
 
-bool EventLocator::starts_off_piece(const State& from) const {
-  for (std::size_t j = 0; j < piece_.size(); ++j)
-    if (!crossed(from, j) && active(at(0).values[j]) != bool(piece_[j])) return true;
+bool EventLocator::starts_off_branch(const State& from) const {
+  for (std::size_t j = 0; j < branch_.size(); ++j)
+    if (!crossed(from, j) && active(at(0).values[j]) != bool(branch_[j])) return true;
   return false;
 }
 
-/// Switches the nodes that are off the piece at `behind`, a moment later or now.
+/// Switches the nodes that are off the branch at `behind`, a moment later or now; each at most once
+/// at one time, for there its sign is rounding's.
 Landing EventLocator::switch_at_start(const State& from, const Sample& behind) {
-  if (from.t != crossed_at_) crossed_.assign(piece_.size(), 0);
+  if (from.t != crossed_at_) crossed_.assign(branch_.size(), 0);
   crossed_at_ = from.t;
-  Landing landing{.grazing = true};
-  for (std::size_t j = 0; j < piece_.size(); ++j) {
-    if (crossed_[j] || active(behind.values[j]) == bool(piece_[j])) continue;
-    piece_[j] = !piece_[j];
+  Landing landing{.at_start = true};
+  for (std::size_t j = 0; j < branch_.size(); ++j) {
+    if (crossed_[j] || active(behind.values[j]) == bool(branch_[j])) continue;
+    branch_[j] = !branch_[j];
     crossed_[j] = 1;
     ++landing.switched;
   }
   return landing;
 }
 
-/// From the dense output of the step that left the piece: where it first does.
+/// From the dense output of the step that left the branch: where it first does. That is a cubic, so
+/// in 32 parts it crosses and comes back unseen only if it hardly leaves the branch; the attempts
+/// that follow judge by themselves. Half the step where it shows no crossing.
 double EventLocator::first_guess(const State& from, double h) const {
   constexpr int parts = 32;
-  std::vector<double> y(from.y.size()), before(piece_.size()), after = at(0).values;
+  constexpr double none = 2;  // a part ends at 1
+  std::vector<double> y(from.y.size()), before(branch_.size()), after = at(0).values;
   for (int k = 1; k <= parts; ++k) {
     std::swap(before, after);
-    method_.trace().evaluate(from.t + h * k / parts, y);
+    method_.interpolate(from.t + h * k / parts, y);
     system_.switching(from.t + h * k / parts, y, after);
-    double first = 2;
-    for (std::size_t j = 0; j < piece_.size(); ++j)
-      if (active(before[j]) == bool(piece_[j]) && active(after[j]) != bool(piece_[j]))
+    double first = none;
+    for (std::size_t j = 0; j < branch_.size(); ++j)
+      if (active(before[j]) == bool(branch_[j]) && active(after[j]) != bool(branch_[j]))
         first = std::min(first, before[j] / (before[j] - after[j]));
-    if (first <= 1) return h * (k - 1 + first) / parts;
+    if (first < none) return h * (k - 1 + first) / parts;
   }
   return h / 2;
 }
 
-/// Both ends and the two samples nearest to one of them.
+/// Both ends and the two samples nearest to one of them, for a cubic: the convergence of its zeros
+/// is superlinear, and a cubic is what a step between two events looks like.
 std::vector<const EventLocator::Sample*> EventLocator::samples_near(double end, double low,
                                                                     double high) const {
   std::vector<const Sample*> nodes;
@@ -127,21 +135,22 @@ std::vector<const EventLocator::Sample*> EventLocator::samples_near(double end, 
   });
   const auto is_end = [&](const Sample* s) { return s->h == low || s->h == high; };
   std::stable_partition(nodes.begin(), nodes.end(), is_end);
-  if (nodes.size() > 4) nodes.resize(4);
+  constexpr std::size_t cubic = 4;
+  if (nodes.size() > cubic) nodes.resize(cubic);
   return nodes;
 }
 
 /// First zero of a switching function between two samples next to each other, the first on the
-/// piece.
+/// branch.
 double EventLocator::earliest_root(double low, double high) const {
   const std::vector<const Sample*> near[] = {samples_near(low, low, high),
                                              samples_near(high, low, high)};
   const std::size_t count = near[0].size();
   double earliest = high;
   std::vector<double> h(count), f(count);
-  for (std::size_t j = 0; j < piece_.size(); ++j) {
+  for (std::size_t j = 0; j < branch_.size(); ++j) {
     const double first = at(low).values[j], last = at(high).values[j];
-    if (active(last) == bool(piece_[j]) || active(first) != bool(piece_[j])) continue;
+    if (active(last) == bool(branch_[j]) || active(first) != bool(branch_[j])) continue;
     const auto& nodes = near[std::abs(last) < std::abs(first)];  // where the zero is to be expected
     for (std::size_t k = 0; k < count; ++k) h[k] = nodes[k]->h, f[k] = nodes[k]->values[j];
     earliest = std::min(earliest, polynomial_root(h, f, low, high));
@@ -155,44 +164,55 @@ int EventLocator::switch_at(double h, double width) {
       std::find_if(samples_.begin(), samples_.end(), [h](const Sample& s) { return s.h == h; });
   const auto there = here != samples_.begin() ? here - 1 : here + 1;
   int switched = 0;
-  crossed_.assign(piece_.size(), 0);
-  for (std::size_t j = 0; j < piece_.size(); ++j) {
+  crossed_.assign(branch_.size(), 0);
+  for (std::size_t j = 0; j < branch_.size(); ++j) {
     const double value = here->values[j];
     const double slope = (value - there->values[j]) / (here->h - there->h);
-    const bool off = active(value) != bool(piece_[j]);
-    const bool leaving = piece_[j] ? slope > 0 : slope < 0;
+    const bool off = active(value) != bool(branch_[j]);
+    const bool leaving = branch_[j] ? slope > 0 : slope < 0;
     if (!off && !(leaving && std::abs(value) <= std::abs(slope) * width)) continue;
-    piece_[j] = !piece_[j];
+    branch_[j] = !branch_[j];
     crossed_[j] = 1;
     ++switched;
   }
   return switched;
 }
 
+// The event is kept between `low`, on the branch, and `high`, off it. Every attempt is made at the
+// earliest zero that interpolation predicts, and becomes one of the two.
 Landing EventLocator::land(const State& from, double h, State& to) {
+  // Interpolation takes three to six; bisection, every second one where that fails, halves the
+  // bracket eight times in sixteen.
   constexpr int most_attempts = 16;
-  constexpr double grazing = 1e-3;  // of the step: an event so near its start is its start
+  // Of the step. An event so near its start is taken to be its start: the next step would have to
+  // be a thousandth as long, a sliver (stop_times.hpp).
+  constexpr double moment = 1e-3;
   const double width = tolerance * h;
+  // Nodes whose zeros are so near to the end switch with it: the end is within one width of the
+  // first of them, and those of symmetric nodes, found apart, differ by as much again at either
+  // side.
+  const double together = 3 * width;
   samples_.clear();
   sample(0, from);
   sample(h, to);
-  if (starts_off_piece(from)) return switch_at_start(from, at(0));
+  if (starts_off_branch(from)) return switch_at_start(from, at(0));
   double low = 0, high = h, guess = first_guess(from, h), bracket = h;
   Landing landing;
   for (int k = 0;; ++k) {
-    if (high <= grazing * h) return switch_at_start(from, at(high));
+    if (high <= moment * h) return switch_at_start(from, at(high));
+    // Never on a sample: a step nearer to one than half the width tells nothing new.
     landing.h = std::clamp(guess, low + width / 2, high - width / 2);
-    landing.attempt = k < most_attempts ? method_.attempt(from, landing.h, {.piece = &piece_}, to)
+    landing.attempt = k < most_attempts ? method_.attempt(from, landing.h, {.branch = &branch_}, to)
                                         : Attempt{.reason = "an event was not found in the step"};
     if (!landing.attempt.success) return landing;
     sample(landing.h, to);
-    (off_piece(at(landing.h)) ? high : low) = landing.h;
+    (off_branch(at(landing.h)) ? high : low) = landing.h;
     guess = earliest_root(low, high);
     if (std::abs(guess - landing.h) <= width) break;
     const double before = std::exchange(bracket, high - low);
     if (bracket > before / 2 && k % 2 == 1) guess = middle(low, high);
   }
-  landing.switched = switch_at(landing.h, 3 * width);
+  landing.switched = switch_at(landing.h, together);
   crossed_at_ = to.t;
   return landing;
 }

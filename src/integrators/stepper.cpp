@@ -4,10 +4,45 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/packed_numbers.hpp>
+#include <gnomon/integrators/step_account.hpp>
 #include <gnomon/integrators/stepper.hpp>
+#include <gnomon/integrators/stop_rules.hpp>
+#include <gnomon/integrators/stop_times.hpp>
 #include <utility>
 
 namespace gnomon {
+
+namespace {
+
+/// How long a step is tried whose equations cannot be solved. (What the error test rejects is no
+/// failure: the next attempt follows from the estimate.) First eight times plainly, each half as
+/// long as the last, down to 1/256: where the solution is smooth, one of these is short enough.
+/// Then continuation in the step, eight times from the wanted size on, for what is not a matter of
+/// size: a body that an iterate inverts, an active set that cycles. Two more limits end attempts
+/// that are fewer but hopeless: those that use up most_newton_iterations, and those below
+/// shortest_step.
+class Patience {
+public:
+  Patience(const StepAccount& account, double wanted, double shortest)
+      : account_(account), wanted_(wanted), shortest_(shortest) {}
+
+  /// May a step of this size be tried?
+  bool allows(double h) const {
+    return failures_ < plain_attempts + continued_attempts && h > shortest_ &&
+           account_.newton_iterations() < most_newton_iterations;
+  }
+  bool by_continuation() const { return failures_ >= plain_attempts; }
+  /// After a failure: the size to try next, where half the last one is `halved`.
+  double after_failure(double halved) { return ++failures_ == plain_attempts ? wanted_ : halved; }
+
+private:
+  static constexpr int plain_attempts = 8, continued_attempts = 8;
+  const StepAccount& account_;
+  double wanted_, shortest_;
+  int failures_ = 0;
+};
+
+}  // namespace
 
 OneStepStepper::OneStepStepper(const System& system, const IntegratorSettings& settings,
                                Counters& counters, std::unique_ptr<OneStepMethod> method, int order,
@@ -50,46 +85,55 @@ void OneStepStepper::restore(const State& state, std::span<const double> memory)
 
 /// A step of about h that does not pass the next point to land on.
 OneStepStepper::Plan OneStepStepper::plan(const State& state, double t_stop, double h) const {
+  // A chosen step that falls short of the target by rounding is to end on it; a fixed one has its
+  // grid to go by, and its remainder may be no sliver.
+  const double shortfall = fixed() ? sliver : 1e-9;
   double target = end_of_smooth_part(system_.structure(), state.t, t_stop);
   if (fixed())
     target = end_of_fixed_step(state.t, settings_.step, target);
   else if (settings_.max_step > 0)
     h = std::min(h, settings_.max_step);
   const double left = target - state.t;
-  if (h >= left * (1 - (fixed() ? sliver : 1e-9))) return {left, target, true};
+  if (h >= left * (1 - shortfall)) return {left, target, true};
   // Two equal steps rather than a long one and a sliver.
   if (!fixed() && h > left / 2) h = left / 2;
   return {h, target, false};
 }
 
+bool OneStepStepper::acceptable(const Attempt& attempt) const {
+  return attempt.success && (fixed() || attempt.error <= 1);
+}
+
 /// One attempt, ended on the first event when these are located.
 Landing OneStepStepper::take(const State& state, const Plan& plan, bool continuation) {
-  constexpr int most_switches = 8;  // at the start, one after the other
-  AttemptOptions options{.piece = locator_ ? &locator_->piece() : nullptr,
-                         .continuation = continuation};
+  // Groups of nodes at the start, one after the other. A node switches there once at most, so this
+  // ends anyway; after eight attempts without a step it is cheaper to step over the rest.
+  constexpr int most_switches = 8;
   int switched = 0;
   for (int k = 0; k < most_switches; ++k) {
-    next_.piece = locator_ ? locator_->piece() : ActiveSet{};
+    next_.piece = locator_ ? locator_->branch() : ActiveSet{};
+    const ActiveSet branch = next_.piece;
+    const AttemptOptions options{.branch = locator_ ? &branch : nullptr,
+                                 .continuation = continuation};
     Landing whole{.attempt = method_->attempt(state, plan.h, options, next_), .h = plan.h};
     whole.switched = switched;
-    const bool acceptable = whole.attempt.success && (fixed() || whole.attempt.error <= 1);
-    if (!locator_ || !acceptable || !locator_->left(next_)) return whole;
+    if (!locator_ || !acceptable(whole.attempt) || !locator_->left(next_)) return whole;
     Landing landing = locator_->land(state, plan.h, next_);
-    if (!landing.grazing) {
+    if (!landing.at_start) {
       landing.attempt.error = whole.attempt.error;  // of the size that the control asked for
       return landing;
     }
     if (landing.switched == 0) break;
     switched += landing.switched;
   }
-  return step_over(state, plan, options);
+  return step_over(state, plan, continuation);
 }
 
-/// Over a kink at the start that cannot be ended on, on whatever pieces there are.
-Landing OneStepStepper::step_over(const State& state, const Plan& plan, AttemptOptions options) {
-  options.piece = nullptr;
-  Landing whole{
-      .attempt = method_->attempt(state, plan.h, options, next_), .grazing = true, .h = plan.h};
+/// Over a kink at the start that cannot be ended on, on whatever branches there are.
+Landing OneStepStepper::step_over(const State& state, const Plan& plan, bool continuation) {
+  Landing whole{.attempt = method_->attempt(state, plan.h, {.continuation = continuation}, next_),
+                .at_start = true,
+                .h = plan.h};
   next_.piece.clear();
   if (whole.attempt.success) locator_->begin(next_);
   return whole;
@@ -102,57 +146,45 @@ double OneStepStepper::after_success(const Plan& plan, const Landing& landing) {
   return plan.h < proposal_ ? std::max(next, proposal_) : next;
 }
 
+/// next_ becomes the state.
+void OneStepStepper::accept(State& state, const Plan& plan, const Landing& landing) {
+  proposal_ = after_success(plan, landing);
+  std::swap(state, next_);
+  if (landing.h == plan.h && plan.lands) state.t = plan.target;  // without the rounding of t + h
+  const bool kink =
+      landing.switched > 0 || landing.at_start || is_breakpoint(system_.structure(), state.t);
+  method_->accept(state, kink);
+  counters_.events += landing.switched > 0;
+}
+
 StepReport OneStepStepper::advance(State& state, double t_stop) {
-  constexpr int plain_attempts = 8, most_failures = 16;
   if (!begun_) begin(state);
-  const long newton_before = counters_.newton_iterations;
-  const double shortest = 1e-14 * settings_.end;
-  const double wanted = proposal_;
-  double tried = proposal_;
-  StepReport report;
+  StepAccount account(counters_);
+  Patience patience(account, proposal_, shortest_step(settings_));
+  double shortest_tried = proposal_;
   std::string reason = "the error test fails";
-  const auto newton_iterations = [&] { return counters_.newton_iterations - newton_before; };
-  for (int failures = 0; failures < most_failures && proposal_ > shortest &&
-                         newton_iterations() < most_newton_iterations;) {
+  while (patience.allows(proposal_)) {
     const Plan plan = this->plan(state, t_stop, proposal_);
-    tried = std::min(tried, plan.h);
-    const Landing landing = take(state, plan, failures >= plain_attempts);
-    if (landing.attempt.success && (fixed() || landing.attempt.error <= 1)) {
-      proposal_ = after_success(plan, landing);
-      std::swap(state, next_);
-      if (landing.h == plan.h && plan.lands) state.t = plan.target;
-      method_->accept(state, landing.switched > 0 || landing.grazing ||
-                                 is_corner(system_.structure(), state.t));
-      ++counters_.steps;
-      counters_.events += landing.switched > 0;
-      report.step = landing.h;
-      report.order = order_;
+    shortest_tried = std::min(shortest_tried, plan.h);
+    const Landing landing = take(state, plan, patience.by_continuation());
+    if (acceptable(landing.attempt)) {
+      accept(state, plan, landing);
+      StepReport report = account.accept(landing.h, order_);
       report.switched = landing.switched;
-      report.newton_iterations = newton_iterations();
+      report.integral = landing.attempt.integral;
       return report;
     }
-    report.restarted = true;
-    ++counters_.rejected_steps;
+    account.reject();
     if (landing.attempt.success) {
       proposal_ = control_.after_rejection(plan.h, landing.attempt.error);
-      continue;
+    } else {
+      reason = landing.attempt.reason;
+      proposal_ = patience.after_failure(control_.after_failure(plan.h));
     }
-    reason = landing.attempt.reason;
-    proposal_ = control_.after_failure(plan.h);
-    if (++failures == plain_attempts) proposal_ = wanted;
   }
   throw SolutionError(fmt::format(
       "no step from t = {:.6g} s succeeds, down to {:.3g} s and after {} Newton iterations: {}",
-      state.t, tried, newton_iterations(), reason));
-}
-
-void set_rates(const System& system, const ActiveSet* piece, State& state) {
-  std::vector<double> F(state.y.size());
-  state.ydot.assign(state.y.size(), 0.0);
-  system.residual({state.t, state.y, state.ydot, piece}, F);
-  const std::vector<char>& differential = system.structure().differential;
-  for (std::size_t i = 0; i < F.size(); ++i)
-    if (differential[i]) state.ydot[i] = -F[i];
+      state.t, shortest_tried, account.newton_iterations(), reason));
 }
 
 }  // namespace gnomon

@@ -9,7 +9,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/model/wear_model.hpp>
-#include <gnomon/newton/stage_solver.hpp>
+#include <gnomon/newton/algebraic_solver.hpp>
 #include <limits>
 #include <optional>
 

@@ -72,6 +72,17 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   body.augmentation = scene.real("shape.augmentation") * shape_young / facet * body.scales.duration;
 }
 
+template <int dim>
+std::vector<ContactPatch<dim>> read_contact_patches(
+    const Scene& scene, const Mesh<dim>& mesh,
+    const std::vector<typename Mesh<dim>::Facet>& surface) {
+  std::vector<typename Mesh<dim>::Facet> boundary;
+  if (scene.text("wear.normal") == "conservative")
+    for (const auto& [name, part] : mesh.boundary)
+      boundary.insert(boundary.end(), part.begin(), part.end());
+  return contact_patches<dim>(mesh, surface, boundary);
+}
+
 LoadHistory read_load_history(const Scene& scene) {
   const double shortest = shortest_ramp * scene.real("time.end");
   const std::vector<double>& times = scene.reals("load.times");
@@ -121,6 +132,10 @@ NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part,
   return load / total;
 }
 
+template std::vector<ContactPatch<2>> read_contact_patches(const Scene&, const Mesh<2>&,
+                                                           const std::vector<Mesh<2>::Facet>&);
+template std::vector<ContactPatch<3>> read_contact_patches(const Scene&, const Mesh<3>&,
+                                                           const std::vector<Mesh<3>::Facet>&);
 template void read_worn_body(const Scene&, double, WornBody<2>&);
 template void read_worn_body(const Scene&, double, WornBody<3>&);
 

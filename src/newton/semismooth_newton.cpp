@@ -1,64 +1,61 @@
 #include "newton/semismooth_newton.hpp"
 
-#include "newton/forcing.hpp"
+#include <utility>
+
+#include "newton/newton_policy.hpp"
+#include "newton/residual_norm.hpp"
 
 namespace gnomon::sundials {
 
 namespace {
 
 struct Content {
-  const Structure& structure;
   Counters& counters;
   Guard& guard;
-  SemismoothSettings settings;
+  NewtonPolicy policy;
+  ResidualNorm norm;
+  std::function<ActiveSet(N_Vector ycor)> branch_at;
   LinearRequest& request;
   VectorOwner delta;
   SUNNonlinSolSysFn residual = nullptr;
   SUNNonlinSolLSetupFn setup = nullptr;
   SUNNonlinSolLSolveFn solve = nullptr;
-  std::vector<char> factored_set{}, current_set{};  // active sets of the factor and of the iterate
-  long iterations = 0;                              // of the last solve
   long failures = 0;
 
-  int iterate(N_Vector ycor, bool call_setup, void* ida);
-  int refactor(void* ida, bool converging);
-  double norm() { return scaled_norm(view(delta.get()), structure.row_scale); }
+  int iterate(N_Vector ycor, bool set_up_demanded, void* ida);
+  int set_up(const ActiveSet& branch, bool after_iterations, void* ida);
 };
 
 Content& content(SUNNonlinearSolver solver) {
   return *static_cast<Content*>(solver->content);
 }
 
-int Content::refactor(void* ida, bool converging) {
+/// IDA is told that the last Jacobian was bad when one is made in the middle of an iteration.
+int Content::set_up(const ActiveSet& branch, bool after_iterations, void* ida) {
   int current = 0;
-  const int flag = setup(converging ? SUNFALSE : SUNTRUE, &current, ida);
-  factored_set = current_set;
+  const int flag = setup(after_iterations ? SUNFALSE : SUNTRUE, &current, ida);
+  if (!flag) policy.factors_made(branch);
   return flag;
 }
 
 // Positive: recoverable, IDA cuts the step. Negative: fatal.
-int Content::iterate(N_Vector ycor, bool call_setup, void* ida) {
-  iterations = 0;
-  double previous = 0;
+int Content::iterate(N_Vector ycor, bool set_up_demanded, void* ida) {
+  using Verdict = NewtonPolicy::Verdict;
+  policy.begin();
   for (;;) {
     if (const int flag = residual(ycor, delta.get(), ida)) return flag;
-    const double current = norm();
-    if (current <= settings.newton.tolerance) return 0;
-    const bool stalled = previous > 0 && current > settings.slow * previous;
-    if (stalled && iterations > 2 && !call_setup && current <= settings.newton.acceptable)
-      return 0;  // rounding
-    if (iterations == settings.newton.max_iterations) return SUN_NLS_CONV_RECVR;
-    settings.active_set(ycor, current_set);
-    const bool fresh = call_setup || stalled || current_set != factored_set;
-    if (fresh)
-      if (const int flag = refactor(ida, iterations > 0)) return flag;
-    request.reduction = linear_reduction(current, previous, fresh, settings.newton.tolerance);
-    call_setup = false;
-    previous = current;
+    const Verdict verdict = policy.judge(norm(view(delta.get())));
+    if (verdict == Verdict::failed) return SUN_NLS_CONV_RECVR;
+    if (verdict != Verdict::go_on) return 0;
+    const bool at_guess = policy.iterations() == 0;
+    const ActiveSet branch = branch_at(ycor);
+    const NewtonPolicy::Plan plan = policy.plan(branch, at_guess && set_up_demanded);
+    if (plan.set_up)
+      if (const int flag = set_up(branch, !at_guess, ida)) return flag;
+    request.reduction = plan.reduction;
     N_VScale(-1.0, delta.get(), delta.get());
     if (const int flag = solve(delta.get(), ida)) return flag;
     N_VLinearSum(1.0, ycor, 1.0, delta.get(), ycor);
-    ++iterations;
     ++counters.newton_iterations;
   }
 }
@@ -66,13 +63,19 @@ int Content::iterate(N_Vector ycor, bool call_setup, void* ida) {
 }  // namespace
 
 NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters& counters,
-                                            Guard& guard, const SemismoothSettings& settings,
+                                            Guard& guard, const NewtonOptions& options,
+                                            std::function<ActiveSet(N_Vector ycor)> branch_at,
                                             LinearRequest& request, SUNContext context) {
   SUNNonlinearSolver solver = SUNNonlinSolNewEmpty(context);
   check(solver, "SUNNonlinSolNewEmpty");
   NonlinearSolverOwner owner(solver);
-  solver->content = new Content{structure, counters, guard,
-                                settings,  request,  make_vector(structure.size, context)};
+  solver->content = new Content{counters,
+                                guard,
+                                NewtonPolicy(options),
+                                ResidualNorm(structure),
+                                std::move(branch_at),
+                                request,
+                                make_vector(structure.size, context)};
   auto* ops = solver->ops;
   ops->gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
   ops->initialize = [](SUNNonlinearSolver) { return 0; };
@@ -98,7 +101,7 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
     return 0;
   };
   ops->getnumiters = [](SUNNonlinearSolver s, long* n) {
-    *n = content(s).iterations;
+    *n = content(s).policy.iterations();
     return 0;
   };
   ops->getnumconvfails = [](SUNNonlinearSolver s, long* n) {

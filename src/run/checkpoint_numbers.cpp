@@ -11,7 +11,7 @@ std::vector<double> packed(const RunMemory& memory, const Structure& structure) 
   for (std::size_t i = 0; i < state.ydot.size(); ++i)
     if (structure.differential[i]) pack(numbers, state.ydot[i]);
   pack(numbers, state.piece.empty() ? ActiveSet(structure.switch_node.size()) : state.piece);
-  memory.flicker.pack_into(numbers);
+  memory.chattering.pack_into(numbers);
   pack(numbers, memory.stepper);
   return numbers;
 }
@@ -30,7 +30,7 @@ RunMemory unpacked(const std::vector<double>& numbers, const Structure& structur
     if (structure.differential[i]) state.ydot[i] = rest.one();
   state.piece = rest.many<char>(structure.switch_node.size());
   if (!has_piece) state.piece.clear();
-  memory.flicker.unpack_from(rest);
+  memory.chattering.unpack_from(rest);
   memory.stepper.assign(rest.rest().begin(), rest.rest().end());
   return memory;
 }

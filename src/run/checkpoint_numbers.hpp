@@ -1,18 +1,18 @@
-// What a checkpoint holds of a run: state, the stepper's memory, the flicker count; all of it
+// What a checkpoint holds of a run: state, the stepper's memory, the chattering count; all of it
 // exact.
 #pragma once
 
 #include <gnomon/model/model.hpp>
 #include <vector>
 
-#include "run/flicker.hpp"
+#include "run/chattering.hpp"
 
 namespace gnomon {
 
 struct RunMemory {
   State state;
   std::vector<double> stepper;  ///< Stepper::memory()
-  Flicker flicker;
+  Chattering chattering;
 };
 
 /// As numbers whose count is the same at every checkpoint of a run.

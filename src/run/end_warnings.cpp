@@ -8,18 +8,18 @@
 
 namespace gnomon {
 
-std::vector<std::string> end_warnings(const Observation& last, long flickering_nodes,
+std::vector<std::string> end_warnings(const Observation& last, long chattering_nodes,
                                       const Integrator& integrator) {
   std::vector<std::string> warnings;
   const auto explicit_method = [&] {
     const auto table = integrator.table({});
     return table && is_explicit(*table);
   };
-  if (flickering_nodes > 0 && explicit_method())
+  if (chattering_nodes > 0 && explicit_method())
     warnings.push_back(
         fmt::format("{} contact nodes left contact twice or more: steps seem to exceed the "
                     "critical one of {} (gnomon stability)",
-                    flickering_nodes, integrator.name));
+                    chattering_nodes, integrator.name));
   if (has_lost_wear(last))
     warnings.push_back(fmt::format(
         "the shape has lost {:.3g}, the wear rate integrates to {:.3g}: contact may have reached "

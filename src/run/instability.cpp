@@ -25,6 +25,8 @@ std::optional<Mode> fastest_mode(const Model& model, const State& state) try {
 }  // namespace
 
 bool may_fail_to_damp(const Integrator& integrator, const IntegratorSettings& settings) {
+  // R at infinity, in effect. A mode that loses a tenth per step or more is gone after some fifty
+  // steps; the slowest of the shipped methods that count as damping, sdirk-2, halves it.
   constexpr double stiff = -1e8, damps = 0.9;
   if (settings.step == 0) return false;  // the error control keeps to what is damped
   const auto table = integrator.table(settings);
@@ -37,6 +39,8 @@ DampingWatch::DampingWatch(const Model& model, const Integrator& integrator,
 
 void DampingWatch::require_damping_in_wider_contact(const State& state,
                                                     const Observation& observed) {
+  // In number of nodes. Contact that widens tenfold is looked at a dozen times, and every time costs
+  // a factorization or more.
   constexpr double wider = 1.2;
   const double width = observed.contact_nodes.value_or(0);
   if (width <= wider * widest_) return;
@@ -45,6 +49,9 @@ void DampingWatch::require_damping_in_wider_contact(const State& state,
 }
 
 void DampingWatch::require_damping(const State& state) {
+  // A mode that should have decayed to a tenth by the end of the run: it may not double in one step,
+  // nor may half of it be left at the end. Both are far from what an acceptable run does, for the
+  // mode is that of one state and others come and go.
   constexpr double most_per_step = 2, most_left = 0.5, decayed = 0.1;
   const auto mode = fastest_mode(model_, state);
   seen_ |= mode.has_value();
@@ -65,12 +72,12 @@ void DampingWatch::require_damping(const State& state) {
                         mode->eigenvalue.real()));
 }
 
-void require_no_flicker(long flickering_nodes, const Integrator& integrator) {
-  if (flickering_nodes > 0)
+void require_no_chattering(long chattering_nodes, const Integrator& integrator) {
+  if (chattering_nodes > 0)
     throw SolutionError(
         fmt::format("{} contact nodes left contact twice or more: steps exceed the critical one of "
                     "{} (gnomon stability)",
-                    flickering_nodes, integrator.name));
+                    chattering_nodes, integrator.name));
 }
 
 }  // namespace gnomon

@@ -35,7 +35,7 @@ private:
   bool seen_ = false;
 };
 
-/// Throws SolutionError when nodes flicker (run/flicker.hpp).
-void require_no_flicker(long flickering_nodes, const Integrator& integrator);
+/// Throws SolutionError when nodes chatter (run/chattering.hpp).
+void require_no_chattering(long chattering_nodes, const Integrator& integrator);
 
 }  // namespace gnomon

@@ -2,15 +2,15 @@
 
 #include <chrono>
 #include <gnomon/base/error.hpp>
-#include <gnomon/integrators/step_size.hpp>
+#include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/run/run.hpp>
 #include <set>
 
 #include "run/checkpoint_numbers.hpp"
 #include "run/end_warnings.hpp"
-#include "run/headway.hpp"
 #include "run/instability.hpp"
 #include "run/mesh_watch.hpp"
+#include "run/progress_watch.hpp"
 #include "run/store_schedule.hpp"
 #include "run/wear_integral.hpp"
 
@@ -20,20 +20,27 @@ namespace {
 
 using Status = RunOutcome::Status;
 
+/// With what the run integrates beside the state.
+IntegratorSettings completed(const IntegratorSettings& settings, const Model& model) {
+  IntegratorSettings result = settings;
+  result.integrand = model.wear_flux();
+  return result;
+}
+
 class Runner {
 public:
   Runner(const Model& model, const Integrator& integrator, const IntegratorSettings& settings,
          const StorePolicy& policy, ResultWriter* writer, const RunHooks& hooks)
       : model_(model),
         integrator_(integrator),
-        settings_(settings),
+        settings_(completed(settings, model)),
         checkpoint_work_(policy.checkpoint_work),
         schedule_(policy, settings.end),
         writer_(writer),
         hooks_(hooks),
         wear_integral_(model) {
     if (settings.stop_unstable && may_fail_to_damp(integrator, settings))
-      damping_.emplace(model, integrator, settings);
+      damping_.emplace(model, integrator, settings_);
   }
 
   RunOutcome operator()(const Resumption* from) {
@@ -48,13 +55,14 @@ public:
       throw;
     }
     if (outcome_.status != Status::failed)
-      for (const std::string& text : end_warnings(observed_, memory_.flicker.nodes(), integrator_))
+      for (const std::string& text :
+           end_warnings(observed_, memory_.chattering.nodes(), integrator_))
         warn(text);
     // The last good state is worth keeping whatever the scene asked to store of a regular run.
     if (outcome_.status != Status::finished && outcome_.last) store();
     outcome_.wall_seconds = elapsed();
     outcome_.counters = counters_;
-    outcome_.flickering_nodes = memory_.flicker.nodes();
+    outcome_.flickering_nodes = memory_.chattering.nodes();
     if (writer_) writer_->close(outcome_.text(), outcome_.wall_seconds);
     return outcome_;
   }
@@ -86,7 +94,7 @@ private:
 
   Status integrate() {
     if (damping_) damping_->require_damping_in_wider_contact(state(), observed_);
-    Headway headway(state().t, counters_, settings_.end);
+    ProgressWatch progress(state().t, counters_, settings_.end);
     while (state().t < settings_.end) {
       if (hooks_.interrupted()) return Status::interrupted;
       if (!stepper_) make_stepper();
@@ -94,9 +102,9 @@ private:
       const StepReport report = stepper_->advance(state(), schedule_.stop());
       Observation observed = model_.observe(state());
       require_mesh(observed, before);
-      wear_integral_.add(worn_in(report, observed));
+      wear_integral_.add(report.integral);
       record(report, std::move(observed));
-      headway.require(state().t, counters_);
+      progress.require(state().t, counters_);
       if (damping_) require_damping();
       if (schedule_.wants(state().t, counters_.steps)) store();
       if (work() >= next_checkpoint_ || state().t >= settings_.end) checkpoint();
@@ -121,20 +129,15 @@ private:
 
   void require_damping() {
     damping_->require_damping_in_wider_contact(state(), observed_);
-    require_no_flicker(memory_.flicker.nodes(), integrator_);
-  }
-
-  /// The integral of the wear flux over a step: by the trapezoidal rule.
-  double worn_in(const StepReport& report, const Observation& observed) const {
-    return report.step * (observed_.wear_flux.value_or(0) + observed.wear_flux.value_or(0)) / 2;
+    require_no_chattering(memory_.chattering.nodes(), integrator_);
   }
 
   void record(const StepReport& report, Observation observed) {
     observed.wear_integral = wear_integral_.value();
     observed_ = std::move(observed);
     HistoryRow row{state().t, report, counters_, columns_of(observed_)};
-    memory_.flicker.add(model_.contact(state()));
-    if (is_corner(model_.system().structure(), state().t)) memory_.flicker.begin_anew();
+    memory_.chattering.add(model_.contact(state()));
+    if (is_breakpoint(model_.system().structure(), state().t)) memory_.chattering.begin_anew();
     if (writer_) writer_->append(row);
     ++last_checkpoint_.rows;
     outcome_.last = std::move(row);
@@ -195,7 +198,7 @@ private:
 
   const Model& model_;
   const Integrator& integrator_;
-  const IntegratorSettings& settings_;
+  const IntegratorSettings settings_;
   const long checkpoint_work_;
   StoreSchedule schedule_;
   ResultWriter* writer_;

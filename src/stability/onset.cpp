@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/stepper.hpp>
-#include <gnomon/newton/stage_solver.hpp>
+#include <gnomon/newton/algebraic_solver.hpp>
 #include <gnomon/stability/stability.hpp>
 
 #include "stability/resting_model.hpp"
@@ -15,7 +15,7 @@ namespace {
 /// The state, made consistent to the tolerance of the steppers' own solves, with its rates.
 State consistent(const System& system, State state) {
   Counters counters;
-  StageSolver stages(system, counters);
+  AlgebraicSolver stages(system, counters);
   if (const std::string reason = stages.solve(state.t, state.y); !reason.empty())
     throw SolutionError("a perturbed state cannot be made consistent: " + reason);
   set_rates(system, nullptr, state);

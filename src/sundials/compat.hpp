@@ -87,31 +87,38 @@ private:
   SUNContext context_ = nullptr;
 };
 
-/// ERKStep's choice of its steps: a PI controller on the order of the method, its parameters those
-/// of 6.4. To be made before what it is given to, and to outlive it.
+/// A PI controller of ERKStep's steps, on the order of the method: h is multiplied by
+/// safety * (bias e_n)^(-proportional/p) (bias e_(n-1))^(integral/p), and stays where it is between
+/// `keep_from` and `keep_to` times its size.
+struct PiController {
+  double proportional, integral, bias, safety, keep_from, keep_to;
+};
+
+/// It as the SUNDIALS in use takes it. To be made before what it is given to, and to outlive it.
 class StepControl {
 public:
 #if GNOMON_SUNDIALS >= 607
-  explicit StepControl(SUNContext context) : controller_(SUNAdaptController_PI(context)) {}
+  StepControl(const PiController& pi, SUNContext context)
+      : pi_(pi), controller_(SUNAdaptController_PI(context)) {}
   ~StepControl() {
     SUNAdaptController_Destroy(controller_);
   }
   /// Returns the code of the call that failed, or 0.
   int give_to(void* erk) const {
     if (!controller_) return ARK_MEM_FAIL;
-    int flag = SUNAdaptController_SetParams_PI(controller_, proportional, -integral);
-    if (!flag) flag = SUNAdaptController_SetErrorBias(controller_, bias);
+    int flag = SUNAdaptController_SetParams_PI(controller_, pi_.proportional, -pi_.integral);
+    if (!flag) flag = SUNAdaptController_SetErrorBias(controller_, pi_.bias);
     if (!flag) flag = ARKodeSetAdaptController(erk, controller_);
     if (!flag) flag = ARKodeSetAdaptivityAdjustment(erk, 0);  // that of the estimate, plus one
     return flag ? flag : set_bounds(erk);
   }
 #else
-  explicit StepControl(SUNContext) {}
+  StepControl(const PiController& pi, SUNContext) : pi_(pi) {}
   int give_to(void* erk) const {
-    constexpr int pi_controller = 1;
-    double parameters[] = {proportional, integral, 0};
-    int flag = ERKStepSetAdaptivityMethod(erk, pi_controller, SUNFALSE, SUNTRUE, parameters);
-    if (!flag) flag = ERKStepSetErrorBias(erk, bias);
+    constexpr int pi_method = 1;
+    double parameters[] = {pi_.proportional, pi_.integral, 0};
+    int flag = ERKStepSetAdaptivityMethod(erk, pi_method, SUNFALSE, SUNTRUE, parameters);
+    if (!flag) flag = ERKStepSetErrorBias(erk, pi_.bias);
     return flag ? flag : set_bounds(erk);
   }
 #endif
@@ -119,11 +126,11 @@ public:
   StepControl& operator=(const StepControl&) = delete;
 
 private:
-  static constexpr double proportional = 0.8, integral = 0.31, bias = 1.2;
-  static int set_bounds(void* erk) {
-    const int flag = ARKodeSetSafetyFactor(erk, 0.99);
-    return flag ? flag : ARKodeSetFixedStepBounds(erk, 1.0, 1.5);
+  int set_bounds(void* erk) const {
+    const int flag = ARKodeSetSafetyFactor(erk, pi_.safety);
+    return flag ? flag : ARKodeSetFixedStepBounds(erk, pi_.keep_from, pi_.keep_to);
   }
+  PiController pi_;
 #if GNOMON_SUNDIALS >= 607
   SUNAdaptController controller_;
 #endif

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "sundials/version.hpp"
 
@@ -42,20 +43,11 @@ void require_finite(std::span<const double> values, const char* what) {
     throw RecoverableError(std::string(what) + " is not finite");
 }
 
-double scaled_norm(std::span<const double> F, const std::vector<double>& row_scale) {
-  double largest = 0;
-  for (std::size_t i = 0; i < F.size(); ++i)
-    largest = std::max(largest, std::abs(F[i]) / row_scale[i]);
-  return largest;
-}
-
 // ---- matrix
-// --------------------------------------------------------------------------------------
-
 namespace {
 
 struct MatrixContent {
-  const Structure& structure;
+  const SparsePattern& pattern;
   std::vector<double> values;
 };
 
@@ -63,12 +55,12 @@ MatrixContent& content(SUNMatrix matrix) {
   return *static_cast<MatrixContent*>(matrix->content);
 }
 
-SUNMatrix new_matrix(const Structure& structure, SUNContext context) {
+SUNMatrix new_matrix(const SparsePattern& pattern, SUNContext context) {
   SUNMatrix matrix = SUNMatNewEmpty(context);
   if (!matrix) return nullptr;
-  matrix->content = new MatrixContent{structure, std::vector<double>(structure.pattern.nonzeros())};
+  matrix->content = new MatrixContent{pattern, std::vector<double>(pattern.nonzeros())};
   matrix->ops->getid = [](SUNMatrix) { return SUNMATRIX_CUSTOM; };
-  matrix->ops->clone = [](SUNMatrix m) { return new_matrix(content(m).structure, m->sunctx); };
+  matrix->ops->clone = [](SUNMatrix m) { return new_matrix(content(m).pattern, m->sunctx); };
   matrix->ops->zero = [](SUNMatrix) { return 0; };
   matrix->ops->destroy = [](SUNMatrix m) {
     delete &content(m);
@@ -79,8 +71,8 @@ SUNMatrix new_matrix(const Structure& structure, SUNContext context) {
 
 }  // namespace
 
-MatrixOwner make_matrix(const Structure& structure, SUNContext context) {
-  MatrixOwner matrix(new_matrix(structure, context));
+MatrixOwner make_matrix(const SparsePattern& pattern, SUNContext context) {
+  MatrixOwner matrix(new_matrix(pattern, context));
   check(matrix.get(), "SUNMatNewEmpty");
   return matrix;
 }

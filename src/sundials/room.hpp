@@ -1,5 +1,5 @@
 // The room that sees SUNDIALS: owners of its handles, views of its vectors, and the one way in
-// which errors and exceptions cross its C frames. Nothing outside src/sundials includes this file.
+// which errors and exceptions cross its C frames. It decides nothing; newton and integrators do.
 //
 // Version differences (6.4 and 7.x) belong here and in compat.hpp alone.
 #pragma once
@@ -9,10 +9,11 @@
 
 #include <exception>
 #include <gnomon/base/error.hpp>
-#include <gnomon/system/system.hpp>
+#include <gnomon/fields/sparse_pattern.hpp>
 #include <memory>
 #include <span>
-#include <vector>
+#include <string>
+#include <utility>
 
 #include "sundials/compat.hpp"
 
@@ -77,15 +78,12 @@ private:
   std::string recoverable_;
 };
 
-/// Values on a fixed pattern as a SUNMatrix. SUNMatZero does nothing: System::jacobian overwrites
-/// every value, and a Jacobian that is kept stays.
-MatrixOwner make_matrix(const Structure& structure, SUNContext context);
+/// Values on a fixed pattern, which must outlive it, as a SUNMatrix. SUNMatZero does nothing:
+/// whoever makes a Jacobian overwrites every value, and one that is kept stays.
+MatrixOwner make_matrix(const SparsePattern& pattern, SUNContext context);
 std::span<double> values(SUNMatrix matrix);
 
 /// Throws RecoverableError when an entry is not finite.
 void require_finite(std::span<const double> values, const char* what);
-
-/// Largest |F_i| / row_scale_i.
-double scaled_norm(std::span<const double> F, const std::vector<double>& row_scale);
 
 }  // namespace gnomon::sundials

@@ -67,17 +67,23 @@ private:
   NoSystem system_;
 };
 
-/// Exact steps of the size it is told; fails at `fail_at`.
+/// Exact steps of the size it is told, with exact integrals of what is linear in y; fails at
+/// `fail_at`.
 class ExactDecay : public Stepper {
 public:
   ExactDecay(const IntegratorSettings& settings, Counters& counters, double fail_at)
-      : step_(settings.step), counters_(counters), fail_at_(fail_at) {}
+      : step_(settings.step),
+        integrand_(settings.integrand),
+        counters_(counters),
+        fail_at_(fail_at) {}
 
   StepReport advance(State& state, double t_stop) override {
     if (state.t >= fail_at_) throw SolutionError("inverted element 7");
     const bool lands = state.t + step_ >= t_stop * (1 - 1e-12);
     const double t = lands ? t_stop : state.t + step_;
-    const StepReport report{t - state.t, 1, 2, false};
+    StepReport report{.step = t - state.t, .order = 1, .newton_iterations = 2};
+    const double mean = (std::exp(-state.t) - std::exp(-t)) / report.step;
+    if (integrand_) report.integral = report.step * integrand_({.t = t, .y = {&mean, 1}});
     state = {t, {std::exp(-t)}, {-std::exp(-t)}};
     ++counters_.steps;
     counters_.newton_iterations += report.newton_iterations;
@@ -86,6 +92,7 @@ public:
 
 private:
   double step_;
+  std::function<double(const Point&)> integrand_;
   Counters& counters_;
   double fail_at_;
 };
@@ -93,7 +100,7 @@ private:
 inline Integrator exact_decay(double fail_at = INFINITY) {
   Integrator integrator;
   integrator.name = "exact-decay";
-  integrator.make = [fail_at](const Model&, const IntegratorSettings& settings,
+  integrator.make = [fail_at](const System&, const IntegratorSettings& settings,
                               Counters& counters) -> std::unique_ptr<Stepper> {
     return std::make_unique<ExactDecay>(settings, counters, fail_at);
   };

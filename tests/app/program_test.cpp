@@ -191,7 +191,7 @@ TEST_F(Program, WarnsWhenAnAcceptedContactFlickers) {
   EXPECT_TRUE(warning("100"));
 }
 
-// Whatever it is seen by: at the start, by flicker, or at the end of a run in one step.
+// Whatever it is seen by: at the start, by chattering, or at the end of a run in one step.
 TEST_F(Program, StopsBeyondTheCriticalStep) {
   const auto run = [&](const std::string& integrator, const std::string& step) {
     return gnomon({"run", pin, "--set", coarse, "--integrator", integrator, "--set",

@@ -55,7 +55,7 @@ std::shared_ptr<WornBody<3>> extruded(const WornBody<2>& pin, bool as_section) {
 
 void check(bool as_section, double tolerance) {
   const auto pin = pin_model({elements(8), "body.element=plain", "body.young_modulus=40"});
-  const WornBody<2>& flat = dynamic_cast<const WearModel<2>&>(*pin).wear_system().body();
+  const WornBody<2>& flat = dynamic_cast<const WearModel<2>&>(*pin).body();
   const WearModel<3> solid(extruded(flat, as_section));
   const ModelRun expected = run_model(*pin, "backward-euler", 100, 1e-3, 300);
   const ModelRun actual = run_model(solid, "backward-euler", 100, 1e-3, 300);

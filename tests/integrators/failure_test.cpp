@@ -84,12 +84,11 @@ public:
     return {.reason = "nothing comes of it"};
   }
   void accept(const State&, bool) override {}
-  const Trace& trace() const override { return trace_; }
+  void interpolate(double, std::span<double>) const override {}
 
 private:
   Counters& counters_;
   int& attempts_;
-  Trace trace_;
 };
 
 // Sixteen attempts are made where they cost little.

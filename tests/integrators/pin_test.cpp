@@ -78,13 +78,12 @@ public:
     return {.success = true};
   }
   void accept(const State&, bool) override {}
-  const Trace& trace() const override { return trace_; }
+  void interpolate(double, std::span<double>) const override {}
 
   bool continued = false;
 
 private:
   double largest_;
-  Trace trace_;
 };
 
 struct Driven {

@@ -132,7 +132,7 @@ struct ShortStep {
                                [alpha = alpha](std::span<const double> y, std::span<double> J) {
                                  J[0] = alpha + std::exp(y[0]), J[1] = 0, J[2] = y[1], J[3] = y[0];
                                }};
-    function.alpha = alpha;
+    function.rate_weight = alpha;
     return function;
   }
 };

@@ -1,6 +1,6 @@
 #include <cmath>
 #include <complex>
-#include <gnomon/newton/stage_solver.hpp>
+#include <gnomon/newton/algebraic_solver.hpp>
 
 #include "support/problem_run.hpp"
 
@@ -31,7 +31,7 @@ TEST(Dahlquist, TheExactSolutionSatisfiesTheEquations) {
     SCOPED_TRACE(scene);
     const auto model = model_of(scene, {"dahlquist.nonlinearity=0.7"});
     Counters counters;
-    StageSolver stages(model->system(), counters);
+    AlgebraicSolver stages(model->system(), counters);
     for (double t : {0.0, 0.4, 1.3}) {
       State exact = model->exact(t).value();
       ASSERT_EQ(stages.solve(t, exact.y), "");

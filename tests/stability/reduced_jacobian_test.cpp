@@ -3,7 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <gnomon/integrators/stepper.hpp>
-#include <gnomon/newton/stage_solver.hpp>
+#include <gnomon/newton/algebraic_solver.hpp>
 #include <gnomon/stability/stability.hpp>
 
 #include "support/derivatives.hpp"
@@ -43,7 +43,7 @@ private:
   State at_;
   ActiveSet piece_;
   Counters counters_;
-  StageSolver stages_;
+  AlgebraicSolver stages_;
 };
 
 void expect_derivative_of_the_rate(const Overrides& overrides) {

@@ -1,8 +1,8 @@
 // The load over time: its values, and where they enter the equations.
 
-#include <gnomon/integrators/step_size.hpp>
+#include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/laws/load_history.hpp>
-#include <gnomon/newton/stage_solver.hpp>
+#include <gnomon/newton/algebraic_solver.hpp>
 
 #include "support/pin.hpp"
 
@@ -46,8 +46,8 @@ TEST(LoadHistory, StepsEndOnItsPoints) {
   EXPECT_EQ(end_of_smooth_part(structure, 0, 5), 5);
   EXPECT_EQ(end_of_smooth_part(structure, 10, 100), 20);
   EXPECT_EQ(end_of_smooth_part(structure, 20, 100), 100);
-  EXPECT_TRUE(is_corner(structure, 20));
-  EXPECT_FALSE(is_corner(structure, 15));
+  EXPECT_TRUE(is_breakpoint(structure, 20));
+  EXPECT_FALSE(is_breakpoint(structure, 15));
 }
 
 // With the shape given, what is solved for at t is the start under the force at t, however the load
@@ -57,7 +57,7 @@ TEST(LoadHistory, EquilibriaDoNotDependOnThePath) {
       pin_model({elements(16), "load.times=[0, 1, 2, 3, 4]", "load.factors=[1, 1e-3, 5, 1e-2, 1]"});
   Counters counters;
   State state = model->start(counters);
-  StageSolver stages(model->system(), counters);
+  AlgebraicSolver stages(model->system(), counters);
   const double factors[] = {1, 1e-3, 5, 1e-2, 1};
   std::vector<double> in_contact;
   for (int t = 0; t < 5; ++t) {

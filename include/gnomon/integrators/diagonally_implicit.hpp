@@ -2,11 +2,13 @@
 // included.
 #pragma once
 
+#include <functional>
 #include <gnomon/integrators/butcher_table.hpp>
+#include <gnomon/integrators/dense_output.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 #include <gnomon/integrators/one_step.hpp>
+#include <gnomon/newton/algebraic_solver.hpp>
 #include <gnomon/newton/newton.hpp>
-#include <gnomon/newton/stage_solver.hpp>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -23,7 +25,9 @@ namespace gnomon {
 ///
 /// Error: h sum (b_i - b^_i) k_i of the embedded method; for the theta family, which has none, the
 /// difference to the quadrature of the rates by the parabola through the last three of them:
-/// (1/2 - alpha) h (k_{n+1} - k_n) - h^3/6 k[t_{n-1}, t_n, t_{n+1}].
+/// (1/2 - alpha) h (k_{n+1} - k_n) - h^3/6 k[t_{n-1}, t_n, t_{n+1}], with alpha of eq. (21).
+///
+/// Integral: h sum b_i g_i, where g_i is the integrand at stage i.
 class DiagonallyImplicit : public OneStepMethod {
 public:
   DiagonallyImplicit(const System& system, const IntegratorSettings& settings, Counters& counters,
@@ -31,12 +35,12 @@ public:
 
   Attempt attempt(const State& from, double h, const AttemptOptions& options, State& to) override;
   void accept(const State& state, bool kink) override;
-  const Trace& trace() const override { return trace_; }
+  void interpolate(double t, std::span<double> y) const override { dense_output_.evaluate(t, y); }
   std::vector<double> memory() const override;
   void restore(std::span<const double> memory) override;
 
 private:
-  using Rates = std::vector<double>;  // one entry a differential component
+  using Rates = std::vector<double>;  // one entry per differential component
   std::string solve_stage(int i, const State& from, double h, const AttemptOptions& options,
                           State& to);
   NewtonReport solve(double t, double step, const Rates& base, const State& from,
@@ -45,18 +49,19 @@ private:
                                const AttemptOptions& options, State& to);
   void set_rates_of(double step, const Rates& base, std::span<const double> y,
                     std::span<double> ydot) const;
-  Attempt project(State& state, const ActiveSet* piece);
+  Attempt project(State& state, const ActiveSet* branch);
   double estimate(const State& from, double h, const State& to);
-  StageSolver& stages();
+  AlgebraicSolver& algebraic();
 
   const System& system_;
   Counters& counters_;
   ButcherTable table_;
   ErrorNorm norm_;
-  double short_step_;
+  std::function<double(const Point&)> integrand_;
+  double short_step_;  // below it a difference of d over the step has fewer than ten digits
   NewtonSolver newton_;
-  std::optional<StageSolver> stages_;  // made when first needed
-  Trace trace_;
+  std::optional<AlgebraicSolver> algebraic_;  // made when first needed
+  DenseOutput dense_output_;
   std::vector<Rates> k_;
   Rates base_, error_;
   // Rates at the last accepted point and the one before, for methods without an embedded one.

@@ -8,7 +8,7 @@
 namespace gnomon {
 
 /// ERKStep on the differential components: y' = rate(t, y), where the rate follows from a solve of
-/// the algebraic stages (StageSolver). Error control by ARKODE's PI controller in the norm of
+/// the algebraic stages (AlgebraicSolver). Error control by ARKODE's PI controller in the norm of
 /// ErrorNorm; or fixed steps, halved when a solve fails.
 class ErkSolver : public Stepper {
 public:

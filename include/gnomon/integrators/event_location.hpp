@@ -1,7 +1,6 @@
 // Ends a step where the active set changes, so that the order of a one-step method survives.
 #pragma once
 
-#include <gnomon/base/counters.hpp>
 #include <gnomon/base/packed_numbers.hpp>
 #include <gnomon/integrators/one_step.hpp>
 #include <vector>
@@ -10,17 +9,17 @@ namespace gnomon {
 
 /// How a search for an event ended.
 struct Landing {
-  Attempt attempt{};     ///< the step that ends on the event; failed if Newton or the search did
-  bool grazing = false;  ///< the event is at the very start: there is nothing to end there
-  double h = 0;          ///< size of the step [time]
-  int switched = 0;      ///< contact nodes that change there, or at the start when grazing
+  Attempt attempt{};      ///< the step that ends on the event; failed if Newton or the search did
+  bool at_start = false;  ///< the event is at the very start: there is nothing to end there
+  double h = 0;           ///< size of the step [time]
+  int switched = 0;       ///< contact nodes that change there, or at the start
 };
 
-/// Steps are taken on the smooth extension of one piece (Point::piece). When a switching function
+/// Steps are taken on the smooth extension of one branch (Point::piece). When a switching function
 /// has changed sign at the end of a step, the first of these events is found by interpolation and
 /// by repeating the step, shorter, until its end is within `tolerance` of the event.
 ///
-/// The tolerance is tight because the state found is not projected on the new piece: its rates,
+/// The tolerance is tight because the state found is not projected on the new branch: its rates,
 /// which the next step may use, are off by their slope there times the error in time.
 class EventLocator {
 public:
@@ -28,19 +27,20 @@ public:
 
   EventLocator(const System& system, OneStepMethod& method);
 
-  /// Takes the piece from the signs at y.
-  void begin(const State& at) { piece_ = active_set(system_, at.t, at.y); }
-  const ActiveSet& piece() const { return piece_; }
-  /// Has y left the piece?
-  bool left(const State& at) const { return active_set(system_, at.t, at.y) != piece_; }
+  /// Takes the branch from the signs there.
+  void begin(const State& at) { branch_ = active_set(system_, at.t, at.y); }
+  /// That steps are taken on now.
+  ActiveSet branch() const { return branch_; }
+  /// Has the state left the branch?
+  bool left(const State& at) const { return active_set(system_, at.t, at.y) != branch_; }
 
   std::vector<double> memory() const;
   void restore(Unpacker& memory);
 
-  /// For a step of size h from `from` that ended off the piece in `to`: the shorter step that ends
-  /// on the first event. piece() is then the one behind it. Where the event is at the start itself,
-  /// piece() is that behind it, too, and the step is to be taken again; if nothing switches there
-  /// (nodes that did so before are off again), it can only be stepped over.
+  /// For a step of size h from `from` that ended off the branch in `to`: the shorter step that ends
+  /// on the first event. branch() is then the one behind it. Where the event is at the start
+  /// itself, branch() is that behind it, too, and the step is to be taken again; if nothing
+  /// switches there (nodes that did so before are off again), it can only be stepped over.
   Landing land(const State& from, double h, State& to);
 
 private:
@@ -56,17 +56,17 @@ private:
   Landing switch_at_start(const State& from, const Sample& behind);
   bool crossed(const State& from, std::size_t j) const;
   const Sample& at(double h) const;
-  bool off_piece(const Sample& sample) const;
-  bool starts_off_piece(const State& from) const;
+  bool off_branch(const Sample& sample) const;
+  bool starts_off_branch(const State& from) const;
 
   const System& system_;
   OneStepMethod& method_;
-  ActiveSet piece_;
-  std::vector<Sample> samples_;  // ascending in h
+  ActiveSet branch_;
+  std::vector<Sample> samples_;  // of the step in hand, ascending in h
   // Nodes that switched at the event on which the last step ended, or behind it: there their
   // functions vanish, with a sign that is rounding's.
   std::vector<char> crossed_;
-  double crossed_at_ = -1;
+  double crossed_at_ = -1;  // when; no run is at negative times
 };
 
 }  // namespace gnomon

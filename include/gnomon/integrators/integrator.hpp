@@ -26,6 +26,10 @@ struct IntegratorSettings {
   bool stop_unstable = false;  ///< end runs whose fixed steps do not damp
   int max_order = 5;           ///< upper bound on the order of a variable-order method
   double end = 0;              ///< time at which the run ends [time]
+  /// What StepReport::integral integrates, at a consistent point of the system, ydot included [any
+  /// unit]. Empty: nothing. It has a value wherever the residual has one; its exceptions pass
+  /// through. Changes no step.
+  std::function<double(const Point&)> integrand{};
 };
 
 /// What one accepted step was.
@@ -35,6 +39,10 @@ struct StepReport {
   long newton_iterations = 0;  ///< spent on it, rejected attempts included
   bool restarted = false;      ///< a step or more was rejected before this one was accepted
   int switched = 0;            ///< contact nodes whose change of state was located at its end
+  /// Of the integrand over the step, by the formula that the method applies to the rates of the
+  /// differential components [unit of the integrand x time]. So where a component has the rate f,
+  /// its change is the integral of f up to the tolerance of the solves, whatever the step.
+  double integral = 0;
 };
 
 /// Advances a state. Made for one run; holds the method's memory.
@@ -42,9 +50,9 @@ class Stepper {
 public:
   virtual ~Stepper() = default;
   /// Takes one accepted step from `state`, ending at t_stop at the latest (exactly at t_stop when
-  /// the step would pass it), and so on the corners of the system (Structure). Updates `state` to a
-  /// consistent state. Throws SolutionError when no step can be taken; `state` is then unchanged
-  /// (the last good one).
+  /// the step would pass it), and so on the breakpoints of the system (Structure). Updates `state`
+  /// to a consistent state. Throws SolutionError when no step can be taken; `state` is then
+  /// unchanged (the last good one).
   virtual StepReport advance(State& state, double t_stop) = 0;
 
   /// What the next step takes over from earlier ones beside the state, where it is to be kept:

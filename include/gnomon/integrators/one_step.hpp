@@ -1,7 +1,6 @@
 // What a one-step method is to the code that drives it.
 #pragma once
 
-#include <gnomon/integrators/trace.hpp>
 #include <gnomon/system/state.hpp>
 #include <span>
 #include <string>
@@ -13,12 +12,13 @@ namespace gnomon {
 struct Attempt {
   bool success = false;
   double error = 0;      ///< estimated error of the step, 1 being the tolerance (ErrorNorm)
+  double integral = 0;   ///< of IntegratorSettings::integrand over the step, by the method
   std::string reason{};  ///< why it failed
 };
 
 /// How an attempt is made.
 struct AttemptOptions {
-  const ActiveSet* piece = nullptr;  ///< smooth piece to stay on (Point); null: whatever y lies in
+  const ActiveSet* branch = nullptr;  ///< smooth branch to stay on (Point::piece); null: that of y
   bool continuation = false;  ///< solve equations that Newton cannot by continuation in the step
 };
 
@@ -30,10 +30,10 @@ public:
   /// Tries a step of size h; fills `to` (whole) on success.
   virtual Attempt attempt(const State& from, double h, const AttemptOptions& options,
                           State& to) = 0;
-  /// `from` became the start of the next step; a kink there ends what can be extrapolated.
+  /// `state` became the start of the next step; a kink there ends what can be extrapolated.
   virtual void accept(const State& state, bool kink) = 0;
-  /// States of the last attempts.
-  virtual const Trace& trace() const = 0;
+  /// Dense output of the last attempt: about y at t [size].
+  virtual void interpolate(double t, std::span<double> y) const = 0;
 
   /// What error estimates use of earlier steps: always equally many numbers.
   virtual std::vector<double> memory() const { return {}; }

@@ -1,4 +1,4 @@
-// How long the next step is: from the errors of the last ones, or fixed.
+// How long the next step is, from the errors of the last ones.
 #pragma once
 
 #include <gnomon/base/packed_numbers.hpp>
@@ -7,15 +7,19 @@
 
 namespace gnomon {
 
-/// PI control of the step size (Gustafsson; Hairer and Wanner II, IV.2) with bounded growth.
+/// PI control of the step size (Gustafsson; Hairer and Wanner II, IV.2) with bounded growth:
+///
+///   h_new = h * 0.9 * e_n^(-0.7/p) * e_(n-1)^(0.4/p),   p = order + 1.
+///
+/// Errors are measured by ErrorNorm, 1 being the tolerance.
 class StepSizeControl {
 public:
   /// `order`: of the step as a function of its size, error ~ h^(order + 1).
   explicit StepSizeControl(int order) : exponent_(1.0 / (order + 1)) {}
 
-  /// Step after one of size h whose estimated error (1: the tolerance) was accepted.
+  /// Step after one of size h whose estimated error was accepted.
   double after_success(double h, double error);
-  /// Step to repeat one of size h whose error was too large.
+  /// Step to repeat one of size h whose error was too large. The next does not grow.
   double after_rejection(double h, double error);
   /// A step that failed for another reason is half as long, and the next does not grow.
   double after_failure(double h);
@@ -31,22 +35,6 @@ private:
   double last_error_ = 1;
   bool may_grow_ = true;
 };
-
-/// Steps that are shorter by this factor than the others are not made: their ends merge.
-inline constexpr double sliver = 1e-3;
-
-/// Newton iterations that are spent on one step, or on 1e-5 of a run, before it is given up.
-inline constexpr long most_newton_iterations = 5000;
-
-/// The next point after t of the grid k step that is not within a sliver of t (by count rather than
-/// by adding up, so that it does not drift), or t_stop where that comes earlier or a sliver later.
-double end_of_fixed_step(double t, double step, double t_stop);
-
-/// Where a step from t has to end at the latest: on the next corner (Structure) before t_stop, else
-/// on t_stop.
-double end_of_smooth_part(const Structure& structure, double t, double t_stop);
-/// Whether F may have a kink in time at t, on which a step has ended.
-bool is_corner(const Structure& structure, double t);
 
 /// First step: the one in which the surface would move, at its present rate, by as much of its
 /// final wear depth as a step of this order can at the tolerance. Rejections correct what this

@@ -4,6 +4,7 @@
 #include <gnomon/integrators/event_location.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/integrators/one_step.hpp>
+#include <gnomon/integrators/rates.hpp>
 #include <gnomon/integrators/step_size.hpp>
 #include <memory>
 #include <optional>
@@ -32,7 +33,9 @@ private:
   void begin(const State& state);
   Plan plan(const State& state, double t_stop, double h) const;
   Landing take(const State& state, const Plan& plan, bool continuation);
-  Landing step_over(const State& state, const Plan& plan, AttemptOptions options);
+  Landing step_over(const State& state, const Plan& plan, bool continuation);
+  bool acceptable(const Attempt& attempt) const;
+  void accept(State& state, const Plan& plan, const Landing& landing);
   double after_success(const Plan& plan, const Landing& landing);
   bool fixed() const { return settings_.step > 0; }
 
@@ -46,11 +49,7 @@ private:
   std::optional<EventLocator> locator_;
   bool begun_ = false;
   double proposal_ = 0;  // size of the next step
-  State next_;
+  State next_;           // end of the last attempt
 };
-
-/// Rates of the differential components on a piece (Point): every differential row is
-/// ydot + f(t, y) = 0, so they are minus the row at ydot = 0. Fills ydot, zero elsewhere.
-void set_rates(const System& system, const ActiveSet* piece, State& state);
 
 }  // namespace gnomon

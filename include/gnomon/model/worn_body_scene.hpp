@@ -15,6 +15,13 @@ namespace gnomon {
 template <int dim>
 void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body);
 
+/// The nodes of a contact surface. Where the scene asks for the normal that conserves volume they
+/// know the facets beyond the surface, too, which they move when they wear.
+template <int dim>
+std::vector<ContactPatch<dim>> read_contact_patches(
+    const Scene& scene, const Mesh<dim>& mesh,
+    const std::vector<typename Mesh<dim>::Facet>& surface);
+
 /// `load.times` and `load.factors`. Throws InputError when they are no history.
 LoadHistory read_load_history(const Scene& scene);
 

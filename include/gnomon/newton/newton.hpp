@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <gnomon/base/counters.hpp>
+#include <gnomon/newton/newton_options.hpp>
 #include <gnomon/system/system.hpp>
 #include <memory>
 #include <span>
@@ -11,29 +12,14 @@
 
 namespace gnomon {
 
-/// When a nonlinear solve is done. Every integrator solves its equations to this tolerance, so that
-/// conserved quantities hold whatever the error tolerance of the time integration.
-struct NewtonOptions {
-  /// Of the largest residual, each row by its row_scale; rows with rates by what ten roundings of
-  /// y leave of alpha y, over `acceptable`, where that is more.
-  double tolerance = 1e-11;
-  double acceptable = 1e-9;  ///< accepted when rounding stops the iteration above `tolerance`
-  int max_iterations = 30;
-  bool keep_factors = false;  ///< modified Newton: factorize only when the last factors serve badly
-  double slow = 0.2;          ///< contraction an iteration above which kept factors serve badly
-};
-
-/// What integrators solve their equations with.
-inline constexpr NewtonOptions modified_newton{.max_iterations = 60, .keep_factors = true};
-
 /// G(y) = 0 on the pattern of `structure`.
 struct NonlinearFunction {
   std::function<void(std::span<const double> y, std::span<double> G)> residual;
   std::function<void(std::span<const double> y, std::span<double> values)> jacobian;
-  /// The smooth piece that y lies in. Kept factors serve one piece only.
-  std::function<ActiveSet(std::span<const double> y)> piece{};
-  double alpha = 0;                ///< weight of the rates in J; kept factors serve nearby weights
-  std::vector<int> switch_node{};  ///< mesh nodes of the piece's entries, for the diagnosis
+  /// The smooth branch that y lies in. Kept factors serve one branch only.
+  std::function<ActiveSet(std::span<const double> y)> branch{};
+  double rate_weight = 0;          ///< of the rates in J; kept factors serve nearby weights
+  std::vector<int> switch_node{};  ///< mesh nodes of the entries of `branch`, for the diagnosis
 };
 
 /// How a solve went.
@@ -45,8 +31,9 @@ struct NewtonReport {
 };
 
 /// Newton steps with the exact Jacobian, or with kept factors as long as they contract; a step into
-/// a state without residual (inverted element) is halved by KINSOL. Holds the analysed
-/// factorization, so make one a system and use it often.
+/// a state without residual (inverted element) is halved by KINSOL. What is decided on the way is
+/// in src/newton/newton_policy.hpp. Holds the analysed factorization, so make one per system and
+/// use it often.
 class NewtonSolver {
 public:
   /// `structure` must outlive the solver.

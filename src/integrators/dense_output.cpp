@@ -1,15 +1,22 @@
 #include <algorithm>
 #include <cmath>
-#include <gnomon/integrators/trace.hpp>
+#include <gnomon/integrators/dense_output.hpp>
 #include <numeric>
 
 namespace gnomon {
 
 namespace {
 
-constexpr std::size_t capacity = 14;  // two steps of seven stages
+/// The stages of the last two steps: of seven each, as the longest table has (esdirk-5). Older ones
+/// are farther from any time of interest than four of these.
+constexpr std::size_t capacity = 14;
+/// A cubic. Stages are of order two or three in h, so a higher degree would interpolate their
+/// errors.
 constexpr std::size_t most_points = 4;
-constexpr double largest_weights = 12;  // sum of |w|: how much an extrapolation may magnify errors
+/// Sum of |weights|: how much an extrapolation may magnify errors of the states. From the
+/// ends of equal steps, one step ahead: 3 by a line, 7 by a parabola, 15 by a cubic; two ahead: 5,
+/// 17 and 49.
+constexpr double largest_weights = 12;
 
 /// Lagrange's weights at t of the polynomial through `nodes`.
 std::vector<double> lagrange(const std::vector<double>& nodes, double t) {
@@ -27,7 +34,7 @@ double magnification(const std::vector<double>& weights) {
 
 }  // namespace
 
-void Trace::add(double t, std::span<const double> y) {
+void DenseOutput::add(double t, std::span<const double> y) {
   std::erase_if(points_, [t](const Entry& point) { return point.t == t; });
   if (points_.size() == capacity) {
     points_.push_back(std::move(points_.front()));  // keeps the storage
@@ -39,7 +46,7 @@ void Trace::add(double t, std::span<const double> y) {
   }
 }
 
-void Trace::evaluate(double t, std::span<double> y) const {
+void DenseOutput::evaluate(double t, std::span<double> y) const {
   std::vector<const Entry*> nearest;
   for (const Entry& point : points_) nearest.push_back(&point);
   std::sort(nearest.begin(), nearest.end(), [t](const Entry* a, const Entry* b) {

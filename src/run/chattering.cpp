@@ -1,4 +1,4 @@
-#include "run/flicker.hpp"
+#include "run/chattering.hpp"
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
@@ -6,10 +6,12 @@
 namespace gnomon {
 
 namespace {
-constexpr int too_many = 2;  // losses of contact
-}
+/// Losses of contact between two breakpoints. One is regular, as while the load falls. To leave a
+/// second time a node must have come back in between.
+constexpr int too_many = 2;
+}  // namespace
 
-void Flicker::add(const std::optional<ContactSurface>& surface) {
+void Chattering::add(const std::optional<ContactSurface>& surface) {
   if (!surface) return;
   if (!active_.empty() && active_.size() != surface->active.size())
     throw InputError("the checkpoint does not belong to this scene");
@@ -18,23 +20,23 @@ void Flicker::add(const std::optional<ContactSurface>& surface) {
   active_.assign(surface->active.begin(), surface->active.end());
 }
 
-void Flicker::begin_anew() {
+void Chattering::begin_anew() {
   for (int& losses : losses_)
     if (losses < too_many) losses = 0;
 }
 
-long Flicker::nodes() const {
+long Chattering::nodes() const {
   return std::count_if(losses_.begin(), losses_.end(),
                        [](int losses) { return losses >= too_many; });
 }
 
-void Flicker::pack_into(std::vector<double>& numbers) const {
+void Chattering::pack_into(std::vector<double>& numbers) const {
   pack(numbers, double(active_.size()));
   pack(numbers, active_);
   pack(numbers, losses_);
 }
 
-void Flicker::unpack_from(Unpacker& numbers) {
+void Chattering::unpack_from(Unpacker& numbers) {
   const double count = numbers.one();
   if (!(count >= 0 && count <= static_cast<double>(numbers.rest().size())))
     throw InputError("the checkpoint does not belong to this scene");

@@ -1,4 +1,5 @@
-// Contact nodes that open and close again and again: the sign of steps above the critical one.
+// Chattering: contact nodes that open and close again and again, as in steps above the critical
+// one.
 #pragma once
 
 #include <gnomon/base/packed_numbers.hpp>
@@ -8,13 +9,13 @@
 
 namespace gnomon {
 
-class Flicker {
+class Chattering {
 public:
-  /// The contact surface after a step; a model without one never flickers.
+  /// The contact surface after a step; a model without one never chatters.
   void add(const std::optional<ContactSurface>& surface);
-  /// The load turns: a node may leave contact once more.
+  /// The load has a breakpoint: a node may leave contact once more.
   void begin_anew();
-  /// Nodes that have left contact twice or more, between two turns of the load.
+  /// Nodes that have left contact twice or more between two breakpoints of the load.
   long nodes() const;
 
   void pack_into(std::vector<double>& numbers) const;
@@ -22,7 +23,7 @@ public:
 
 private:
   std::vector<char> active_;
-  std::vector<int> losses_;  // of contact, a node
+  std::vector<int> losses_;  // of contact, one per node
 };
 
 }  // namespace gnomon

@@ -1,0 +1,12 @@
+// The rates of a consistent state.
+#pragma once
+
+#include <gnomon/system/state.hpp>
+
+namespace gnomon {
+
+/// Rates of the differential components on a smooth branch (Point::piece): every differential row
+/// is ydot + f(t, y) = 0, so they are minus the row at ydot = 0. Fills ydot, zero elsewhere.
+void set_rates(const System& system, const ActiveSet* branch, State& state);
+
+}  // namespace gnomon

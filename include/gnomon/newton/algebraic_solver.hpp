@@ -1,0 +1,33 @@
+// Solves the algebraic part of a system for given differential components.
+#pragma once
+
+#include <gnomon/newton/newton.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// Remark 1 of the paper: with the worn surface given, mesh motion and contact are solved one after
+/// the other, never together (System::make_stages).
+class AlgebraicSolver {
+public:
+  AlgebraicSolver(const System& system, Counters& counters);
+  /// Makes y consistent at t with its differential components, which stay, on a smooth branch
+  /// (Point::piece). On failure returns the reason (empty on success) and leaves y unspecified.
+  std::string solve(double t, std::span<double> y, const ActiveSet* branch = nullptr);
+
+private:
+  struct Subproblem {
+    Stage equations;
+    std::unique_ptr<NewtonSolver> newton;
+    std::vector<double> unknowns;
+  };
+  std::vector<Subproblem> subproblems_;  // in the order in which they are solved
+};
+
+/// The residual and Jacobian of a purely algebraic system on a smooth branch (Point::piece),
+/// for NewtonSolver.
+NonlinearFunction algebraic_function(const System& system, const ActiveSet* branch = nullptr);
+
+}  // namespace gnomon

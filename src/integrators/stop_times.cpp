@@ -1,0 +1,22 @@
+#include <algorithm>
+#include <cmath>
+#include <gnomon/integrators/stop_times.hpp>
+
+namespace gnomon {
+
+double end_of_fixed_step(double t, double step, double t_stop) {
+  const double grid = step * (std::floor(t / step + sliver) + 1);
+  return grid < t_stop - sliver * step ? grid : t_stop;
+}
+
+double end_of_smooth_part(const Structure& structure, double t, double t_stop) {
+  const std::vector<double>& breakpoints = structure.corners;
+  const auto next = std::upper_bound(breakpoints.begin(), breakpoints.end(), t);
+  return next == breakpoints.end() ? t_stop : std::min(*next, t_stop);
+}
+
+bool is_breakpoint(const Structure& structure, double t) {
+  return std::binary_search(structure.corners.begin(), structure.corners.end(), t);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,60 @@
+// Friction in the plane, and wear without friction in space: dimension does not choose physics.
+
+#include <cmath>
+#include <gnomon/model/wear_model.hpp>
+#include <memory>
+
+#include "ball/coarse.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+
+template <int dim>
+std::shared_ptr<WornBody<dim>> body_of(const std::string& scene, const Overrides& overrides) {
+  const auto model = model_of(scene, overrides);
+  return std::make_shared<WornBody<dim>>(
+      dynamic_cast<const WearModel<dim>&>(*model).wear_system().body());
+}
+
+/// The sum of the contact forces on the counter-body along x, by the force.
+double traction_ratio(const WearModel<2>& model, const State& state) {
+  const WearSystem<2>& system = model.wear_system();
+  const NodalState<2>& nodal = system.nodal(state.y);
+  Vector<2> force = Vector<2>::Zero();
+  for (int c = 0; c < static_cast<int>(system.body().contact_nodes.size()); ++c)
+    force += system.contact().node(nodal, c, state.own_piece()).force;
+  return force[0] / force[1];
+}
+
+// The plane drags the pin along, which its sides hold; the pin wears by K mu F v, more on one side.
+TEST(Friction, DragsAndWearsAPinInThePlane) {
+  const auto body = body_of<2>("pin_on_flat/small_deformation.toml", {"mesh.elements=[20, 20]"});
+  body->contact.friction = 0.3;
+  body->contact.wear = dissipation_wear(1e-7 / 0.3);
+  const WearModel<2> model(body);
+  const ModelRun run = run_model(model, "backward-euler", 50, 1e-3, 200);
+  for (const State& state : run.states) {
+    EXPECT_NEAR(observed(model, state, "wear_flux"), 1e-4 * 20, 1e-9 * 2e-3);
+    EXPECT_NEAR(std::abs(traction_ratio(model, state)), 0.3, 1e-12);
+  }
+  EXPECT_NEAR(observed(model, run.last(), "worn_volume"), 0.4, 0.004);
+}
+
+// A ball that wears by k p v on a smooth plane: k v F.
+TEST(Friction, IsNotNeededToWearABall) {
+  const auto body = body_of<3>(ball_small, ball_mesh(4, 3, 2));
+  body->contact.friction = 0;
+  body->contact.wear = archard(1e-8);
+  const WearModel<3> model(body);
+  const double speed = body->contact.counter_body.motion.velocity[0];
+  const ModelRun run = run_model(model, "backward-euler", 250, 1e-3, 500);
+  for (const State& state : run.states)
+    EXPECT_NEAR(observed(model, state, "wear_flux") /
+                    (1e-8 * speed * observed(model, state, "contact_force")),
+                1, 1e-9);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,64 @@
+// A wear law of one's own in C++, in one file and with nothing else touched: a scene chooses it by
+// wear.law, with a key that the registration brings.
+
+#include <gnomon/laws/catalogue.hpp>
+
+#include "support/pin.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+
+/// Sarkar: k p v sqrt(1 + 3 f^2), from the pressure and the frictional traction q / v together.
+WearLaw sarkar(double coefficient, double amplification) {
+  return WearLaw({.rate = [=](const WearInput& at, std::span<const char>) {
+    const double shear = at.speed > 0 ? at.friction_power / at.speed : 0;  // f p
+    const double both = std::sqrt(at.pressure * at.pressure + amplification * shear * shear);
+    if (both == 0) return WearRate{};
+    const double kv = coefficient * at.speed;
+    return WearRate{.value = kv * both,
+                    .by_pressure = kv * at.pressure / both,
+                    .by_speed = coefficient * (both - amplification * shear * shear / both),
+                    .by_friction_power = coefficient * amplification * shear / both};
+  }});
+}
+
+const Registration<WearLawKind> registration(
+    {.name = "sarkar",
+     .help = "Archard's law amplified by friction",
+     .keys = {{.name = "wear.amplification",
+               .presence = Key::Presence::defaulted,
+               .default_value = 3.0,
+               .range = {.min = 0, .max = positive_quantity.max},
+               .help = "factor of f^2 in the law sarkar"}},
+     .make = [](const Scene& scene) {
+       return sarkar(scene.real("wear.coefficient"), scene.real("wear.amplification"));
+     }});
+
+double worn(const Overrides& more) {
+  Overrides overrides = {elements(8), "friction.coefficient=0.4"};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  const PinRun run = run_pin("esdirk-3", 0, 1e-4, 100, overrides);
+  return run.observed("worn_volume");
+}
+
+// With gross sliding f p is proportional to p, so the law is Archard's with another coefficient.
+TEST(OwnWearLaw, IsChosenByTheSceneWithItsKey) {
+  const double amplified = std::sqrt(1 + 3 * 0.4 * 0.4);
+  const std::string coefficient =
+      "wear.coefficient=" + std::to_string(1e-7 * amplified * 1e7) + "e-7";
+  EXPECT_NEAR(worn({"wear.law=sarkar"}) / worn({coefficient}), 1, 1e-5);
+  EXPECT_NEAR(worn({"wear.law=sarkar", "wear.amplification=0"}) / worn({}), 1, 1e-9);
+  EXPECT_GT(worn({"wear.law=sarkar"}) / worn({}), 1.15);
+}
+
+TEST(OwnWearLaw, KeepsTheJacobianExact) {
+  const auto model = pin_model({elements(3), "friction.coefficient=0.4", "wear.law=sarkar"});
+  std::vector<double> y(model->system().structure().size);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = 0.01 * std::sin(double(i));
+  check_jacobian(model->system(), 0, y, 0.2);
+}
+
+}  // namespace
+}  // namespace gnomon
