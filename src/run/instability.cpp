@@ -39,8 +39,8 @@ DampingWatch::DampingWatch(const Model& model, const Integrator& integrator,
 
 void DampingWatch::require_damping_in_wider_contact(const State& state,
                                                     const Observation& observed) {
-  // In number of nodes. Contact that widens tenfold is looked at a dozen times, and every time costs
-  // a factorization or more.
+  // In number of nodes. Contact that widens tenfold is looked at a dozen times, and every time
+  // costs a factorization or more.
   constexpr double wider = 1.2;
   const double width = observed.contact_nodes.value_or(0);
   if (width <= wider * widest_) return;
@@ -49,9 +49,9 @@ void DampingWatch::require_damping_in_wider_contact(const State& state,
 }
 
 void DampingWatch::require_damping(const State& state) {
-  // A mode that should have decayed to a tenth by the end of the run: it may not double in one step,
-  // nor may half of it be left at the end. Both are far from what an acceptable run does, for the
-  // mode is that of one state and others come and go.
+  // A mode that should have decayed to a tenth by the end of the run: it may not double in one
+  // step, nor may half of it be left at the end. Both are far from what an acceptable run does, for
+  // the mode is that of one state and others come and go.
   constexpr double most_per_step = 2, most_left = 0.5, decayed = 0.1;
   const auto mode = fastest_mode(model_, state);
   seen_ |= mode.has_value();
