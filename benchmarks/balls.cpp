@@ -15,8 +15,8 @@ Example example(const std::string& problem, std::vector<std::string> overrides, 
   const Scene scene = load_scene(
       GNOMON_SOURCE_DIR "/problems/" + problem + "/small_deformation.toml", overrides, key_table);
   const auto model = Problems::find(scene.text("problem"), "problem").make(scene);
-  return {dynamic_cast<const WearModel<3>&>(*model).wear_system().shared_body(),
-          scene.real("ball.radius")};
+  const WornBody<3>& body = dynamic_cast<const WearModel<3>&>(*model).body();
+  return {std::make_shared<const WornBody<3>>(body), scene.real("ball.radius")};
 }
 
 }  // namespace

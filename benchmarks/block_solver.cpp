@@ -29,7 +29,7 @@ void report(::benchmark::State& loop, const NewtonIteration& newton) {
 /// Times of the counters are in seconds of all processors; `first_set_up` chooses aggregates.
 void block_newton(::benchmark::State& loop, bool multigrid) {
   const Example example = groove(refinement(loop), multigrid);
-  NewtonIteration newton(example, {});
+  NewtonIteration newton(example, true);
   newton.run();
   loop.counters["first_set_up"] = newton.set_up();
   newton.forget();
@@ -44,9 +44,8 @@ void block_newton(::benchmark::State& loop, bool multigrid) {
 void coupled_against_contact(::benchmark::State& loop, Example (*make)(double, bool),
                              bool multigrid) {
   const Example example = make(refinement(loop), multigrid);
-  NewtonIteration coupled(example, {});
-  NewtonIteration contact(example,
-                          {.deformation = true, .interior_shape = false, .contact_shape = false});
+  NewtonIteration coupled(example, true);
+  NewtonIteration contact(example, false);
   for (NewtonIteration* newton : {&coupled, &contact}) {
     newton->run();
     newton->forget();

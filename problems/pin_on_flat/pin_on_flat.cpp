@@ -30,14 +30,6 @@ std::vector<Key> keys() {
        .range = {.min = 2, .max = 4000},
        .length = 2,
        .help = "elements across and along the height of the pin"},
-      {.name = "mesh.polygon",
-       .kind = KeyKind::text,
-       .presence = Key::Presence::optional,
-       .absent_meaning = "of the true area with wear.normal = \"conservative\", else nodes on the "
-                         "parabola",
-       .choices = {"nodes", "area"},
-       .help = "contact surface of the mesh: nodes on the parabola, or moved out by h^2/(12 R), so "
-               "that the polygon has the parabola's area"},
       {.name = "mesh.distortion",
        .presence = Key::Presence::defaulted,
        .default_value = 0.0,
@@ -71,15 +63,6 @@ void require_convex_elements(const Scene& scene, const Mesh<2>& mesh) {
                       scene.where("mesh.distortion"), scene.real("mesh.distortion"), cell));
 }
 
-/// A polygon with its nodes on y = x^2/(2R) lacks h^2/(12 R) of the pin's height: what wears is
-/// then worn from too little material, and too deep.
-double missing_height(const Scene& scene) {
-  const bool of_true_area = scene.has("mesh.polygon") ? scene.text("mesh.polygon") == "area"
-                                                      : scene.text("wear.normal") == "conservative";
-  const double h = scene.real("pin.width") / double(scene.integers("mesh.elements")[0]);
-  return of_true_area ? h * h / (12 * scene.real("pin.radius")) : 0;
-}
-
 Mesh<2> make_mesh(const Scene& scene) {
   const double R = scene.real("pin.radius"), L = scene.real("pin.width");
   const double H = scene.real("pin.height");
@@ -88,10 +71,9 @@ Mesh<2> make_mesh(const Scene& scene) {
         "{}: expected more than L^2/(8R) = {:g} mm, so that the pin has sides, got {:g}",
         scene.where("pin.height"), side, H));
   const auto& elements = scene.integers("mesh.elements");
-  const double missing = missing_height(scene);
   Mesh<2> mesh = structured_quadrilaterals(
       static_cast<int>(elements[0]), static_cast<int>(elements[1]), [=](double s, double t) {
-        const double x = (s - 0.5) * L, bottom = x * x / (2 * R) - missing;
+        const double x = (s - 0.5) * L, bottom = x * x / (2 * R);
         return Vector<2>(x, bottom + t * (H - bottom));
       });
   distort(mesh, scene.real("mesh.distortion"));

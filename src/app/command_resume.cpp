@@ -97,7 +97,8 @@ void check_same(const Model& model, const ResultReader& earlier, const std::stri
 
 std::vector<std::string> field_names(const Model& model, const Checkpoint& checkpoint) {
   std::vector<std::string> names;
-  for (const GridField& field : model.fields(state_at(checkpoint, model))) names.push_back(field.name);
+  for (const GridField& field : model.fields(state_at(checkpoint, model)))
+    names.push_back(field.name);
   return names;
 }
 

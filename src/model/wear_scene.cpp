@@ -1,4 +1,5 @@
 #include <cmath>
+#include <gnomon/base/error.hpp>
 #include <gnomon/laws/catalogue.hpp>
 #include <gnomon/model/wear_scene.hpp>
 
@@ -9,6 +10,11 @@ WearLaw read_wear_law(const Scene& scene) {
 }
 
 namespace {
+
+/// The key that gives the law.
+std::string where_law(const Scene& scene) {
+  return scene.where(scene.text("wear.law") == "expression" ? "wear.rate" : "wear.law");
+}
 
 /// Wdot / p at a pressure; of a rate that is proportional to it, whatever the pressure, to the last
 /// digit.
@@ -26,7 +32,7 @@ double secant(const WearLaw& law, const WearCircumstances& at, double pressure, 
 
 }  // namespace
 
-double wear_by_pressure(const Scene& scene, const WearLaw& law, const WearCircumstances& at) {
+double wear_by_pressure(const Scene& scene, const WearLaw& law, const WearCircumstances& at) try {
   constexpr int moments = 16;  // middles of equal parts of the run
   const double speed = scene.real("wear.velocity"), end = scene.real("time.end");
   for (const double multiple : {1.0, 3.0, 10.0, 30.0}) {
@@ -39,10 +45,11 @@ double wear_by_pressure(const Scene& scene, const WearLaw& law, const WearCircum
     if (const double mean = first + difference / moments; mean > 0) return mean;
   }
   return 0;
+} catch (const RecoverableError& error) {
+  throw InputError(where_law(scene) + ": " + error.what());
 }
 
 void require_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at) {
-  const bool expression = scene.text("wear.law") == "expression";
   check_wear_law(law,
                  {.pressure = at.pressure,
                   .speed = scene.real("wear.velocity"),
@@ -50,7 +57,7 @@ void require_law(const Scene& scene, const WearLaw& law, const WearCircumstances
                   .duration = scene.real("time.end"),
                   .friction = at.friction,
                   .nominal_speed = scene.real("wear.velocity")},
-                 scene.where(expression ? "wear.rate" : "wear.law"));
+                 where_law(scene));
 }
 
 }  // namespace gnomon

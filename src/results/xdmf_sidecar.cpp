@@ -85,7 +85,8 @@ std::string XdmfSidecar::item(const std::string& dataset, const std::string& ext
       extents, result_name_, escaped(dataset));
 }
 
-void XdmfSidecar::add_step(double t, const std::string& group, const std::vector<GridField>& fields) {
+void XdmfSidecar::add_step(double t, const std::string& group,
+                           const std::vector<GridField>& fields) {
   steps_ += fmt::format(
       "      <Grid Name=\"{}\" GridType=\"Uniform\">\n        <Time Value=\"{:.17g}\"/>\n{}", group,
       t, mesh_);

@@ -20,25 +20,19 @@ namespace {
 
 using Status = RunOutcome::Status;
 
-/// With what the run integrates beside the state.
-IntegratorSettings completed(const IntegratorSettings& settings, const Model& model) {
-  IntegratorSettings result = settings;
-  result.integrand = model.wear_flux();
-  return result;
-}
-
 class Runner {
 public:
   Runner(const Model& model, const Integrator& integrator, const IntegratorSettings& settings,
          const StorePolicy& policy, ResultWriter* writer, const RunHooks& hooks)
       : model_(model),
         integrator_(integrator),
-        settings_(completed(settings, model)),
+        settings_(settings),
         checkpoint_work_(policy.checkpoint_work),
         schedule_(policy, settings.end),
         writer_(writer),
         hooks_(hooks),
         wear_integral_(model) {
+    settings_.integrand = model.wear_flux();
     if (settings.stop_unstable && may_fail_to_damp(integrator, settings))
       damping_.emplace(model, integrator, settings_);
   }
@@ -198,7 +192,7 @@ private:
 
   const Model& model_;
   const Integrator& integrator_;
-  const IntegratorSettings settings_;
+  IntegratorSettings settings_;
   const long checkpoint_work_;
   StoreSchedule schedule_;
   ResultWriter* writer_;

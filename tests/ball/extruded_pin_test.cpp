@@ -47,7 +47,8 @@ std::shared_ptr<WornBody<3>> extruded(const WornBody<2>& pin, bool as_section) {
   body->mesh_motion.material = pin.mesh_motion.material;
   body->contact.wear = pin.contact.wear;
   body->contact.rho = pin.contact.rho;
-  body->contact.counter_body.motion.velocity = Vector<3>(0, pin.contact.counter_body.motion.velocity[0], 0);
+  body->contact.counter_body.motion.velocity =
+      Vector<3>(0, pin.contact.counter_body.motion.velocity[0], 0);
   body->scales = pin.scales;
   body->scales.force *= thickness;
   return body;

@@ -14,17 +14,16 @@ using namespace testing;
 template <int dim>
 std::shared_ptr<WornBody<dim>> body_of(const std::string& scene, const Overrides& overrides) {
   const auto model = model_of(scene, overrides);
-  return std::make_shared<WornBody<dim>>(
-      dynamic_cast<const WearModel<dim>&>(*model).wear_system().body());
+  return std::make_shared<WornBody<dim>>(dynamic_cast<const WearModel<dim>&>(*model).body());
 }
 
 /// The sum of the contact forces on the counter-body along x, by the force.
 double traction_ratio(const WearModel<2>& model, const State& state) {
-  const WearSystem<2>& system = model.wear_system();
-  const NodalState<2>& nodal = system.nodal(state.y);
   Vector<2> force = Vector<2>::Zero();
-  for (int c = 0; c < static_cast<int>(system.body().contact_nodes.size()); ++c)
-    force += system.contact().node(nodal, c, state.own_piece()).force;
+  for (const ContactNode<2>& node :
+       model.equations().contact_nodes(model.system(), model.system().values(state.y),
+                                       {.t = state.t, .y = state.y, .piece = state.own_piece()}))
+    force += node.force;
   return force[0] / force[1];
 }
 

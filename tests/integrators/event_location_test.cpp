@@ -237,7 +237,7 @@ struct Stepped {
 };
 
 Stepped run(const SprungPoints& system, const std::string& integrator, double step, double end,
-        bool locate) {
+            bool locate) {
   Stepped run;
   IntegratorSettings settings;
   settings.step = step;

@@ -100,8 +100,7 @@ void decouple(Problem& problem) {
       const bool surface = s.role(j) == Role::evolution;
       const bool shape = surface || s.role(j) == Role::extension;
       if (s.role(i) == Role::stiffness && shape) problem.J[k] = 0;
-      if (s.role(i) == Role::evolution && surface && s.group[i] != s.group[j])
-        problem.J[k] = 0;
+      if (s.role(i) == Role::evolution && surface && s.group[i] != s.group[j]) problem.J[k] = 0;
     }
 }
 

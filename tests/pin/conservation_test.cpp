@@ -11,50 +11,70 @@ using namespace testing;
 
 constexpr double k_v_F = 2e-3, end = 400;
 
-struct End {
-  double volume, height;
-};
-
-/// The pin of n x n elements at `end`; height: of the centre of its surface.
-End worn_pin(int n, const Overrides& more, const char* integrator = "esdirk-4",
-             double rtol = 1e-5) {
+/// What the pin of n x n elements has lost at `end`.
+double worn_volume(int n, const Overrides& more, const char* integrator = "esdirk-4",
+                   double rtol = 1e-5) {
   Overrides overrides = {elements(n)};
   overrides.insert(overrides.end(), more.begin(), more.end());
   const PinRun run = run_pin(integrator, 0, rtol, end, overrides);
-  const ContactSurface surface = run.model->contact(run.last()).value();
-  return {run.observed("worn_volume"), surface.worn[surface.worn.size() / 2][1]};
+  return run.observed("worn_volume");
 }
 
 TEST(ConservativeNormal, LosesTheVolumeThatWearsByEveryFamily) {
   for (const char* integrator : {"esdirk-4", "bdf", "erk-4"}) {
-    const double worn = worn_pin(8, {"wear.normal=conservative"}, integrator).volume;
+    const double worn = worn_volume(8, {"wear.normal=conservative"}, integrator);
     EXPECT_NEAR(worn / (k_v_F * end), 1, 2e-5) << integrator;
   }
-  const double averaged = worn_pin(8, {"wear.normal=averaged"}).volume;
+  const double averaged = worn_volume(8, {"wear.normal=averaged"});
   EXPECT_LT(averaged, 0.995 * k_v_F * end);
 }
 
 TEST(ConservativeNormal, HoldsOnDistortedMeshesAndHeldSides) {
-  for (const Overrides& more :
-       {Overrides{"mesh.distortion=0.2"}, {"pin.sides=held"}, {"shape.constraint=multiplier"},
-        {"friction.coefficient=0.2"}}) {
+  for (const Overrides& more : {Overrides{"mesh.distortion=0.2"},
+                                {"pin.sides=held"},
+                                {"shape.constraint=multiplier"},
+                                {"friction.coefficient=0.2"}}) {
     Overrides all = more;
     all.push_back("wear.normal=conservative");
-    EXPECT_NEAR(worn_pin(8, all).volume / (k_v_F * end), 1, 2e-5) << more.front();
+    EXPECT_NEAR(worn_volume(8, all) / (k_v_F * end), 1, 2e-5) << more.front();
   }
 }
 
-// Worn from a polygon of the true area the surface is where finer meshes have it; from one with its
-// nodes on the parabola it is too deep, by the height that such a polygon lacks.
-TEST(ConservativeNormal, NeedsAPolygonOfTheTrueArea) {
-  const auto height = [](int n, const char* polygon) {
-    return worn_pin(n, {"wear.normal=conservative", std::string("mesh.polygon=") + polygon}).height;
+/// Heights of the centre of the surface at times while contact grows over facet after facet.
+std::vector<double> heights(int n, const char* normal) {
+  const auto model = pin_model({elements(n), std::string("wear.normal=") + normal});
+  IntegratorSettings settings{.rtol = 1e-5, .scale = model->differential_scale(), .end = 1000};
+  settings.atol = settings.rtol * settings.scale;
+  Counters counters;
+  State state = model->start(counters);
+  const auto stepper =
+      Integrators::find("esdirk-4", "integrator").make(model->system(), settings, counters);
+  std::vector<double> result;
+  for (double t = 100; t <= 1000; t += 50) {
+    while (state.t < t) stepper->advance(state, t);
+    const ContactSurface surface = model->contact(state).value();
+    result.push_back(surface.worn[surface.worn.size() / 2][1]);
+  }
+  return result;
+}
+
+// While the edge of contact crosses a facet, the depth of a coarse mesh goes up and down by a
+// fraction of h^2/R around that of a fine one; in the mean it is right, and with the paper's normal
+// too small by the volume that is lost.
+TEST(ConservativeNormal, WearsAsDeepAsAFineMeshInTheMean) {
+  const std::vector<double> fine = heights(40, "conservative");
+  const auto mean_difference = [&](const char* normal) {
+    const std::vector<double> coarse = heights(20, normal);
+    double sum = 0;
+    for (std::size_t k = 0; k < fine.size(); ++k) sum += coarse[k] - fine[k];
+    return sum / static_cast<double>(fine.size());
   };
-  const double fine = height(40, "area");
-  const double area = height(20, "area"), nodes = height(20, "nodes");
-  std::printf("height of the centre: 40x40 %.5f, 20x20 %.5f, with nodes on the parabola %.5f mm\n",
-              fine, area, nodes);
-  EXPECT_LT(std::abs(area - fine), 0.35 * std::abs(nodes - fine));
+  const double conservative = mean_difference("conservative"),
+               averaged = mean_difference("averaged");
+  std::printf("mean difference of the depth, 20x20 to 40x40: %.1e mm, with eq. 35 %.1e mm\n",
+              conservative, averaged);
+  EXPECT_LT(std::abs(conservative), 2e-4);
+  EXPECT_LT(averaged, -3e-4);
 }
 
 TEST(ConservativeNormal, AlsoOfABallInSpace) {

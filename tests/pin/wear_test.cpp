@@ -64,8 +64,9 @@ TEST(Pin, FBarDoesNotLock) {
                                   std::string("body.element=") + element});
     Counters counters;
     const auto fields = model->fields(model->start(counters));
-    const auto u = std::find_if(fields.begin(), fields.end(),
-                                [](const GridField& field) { return field.name == "displacement"; });
+    const auto u = std::find_if(fields.begin(), fields.end(), [](const GridField& field) {
+      return field.name == "displacement";
+    });
     const std::size_t middle_of_top = u->values.size() / 3 - 1 - 5;
     return -u->values.at(3 * middle_of_top + 1);
   };

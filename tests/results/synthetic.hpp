@@ -94,7 +94,8 @@ inline std::vector<GridField> fields(const Grid& grid, double t) {
   }
   GridField stress{"equivalent_stress", "MPa", GridField::On::cells, 1, {}};
   for (std::size_t i = 0; i < cells; ++i) stress.values.push_back(static_cast<double>(i) * t);
-  GridField quality{"element_quality", "", GridField::On::cells, 1, std::vector<double>(cells, 1.0)};
+  GridField quality{"element_quality", "", GridField::On::cells, 1,
+                    std::vector<double>(cells, 1.0)};
   return {displacement, shape, pressure, stress, quality};
 }
 

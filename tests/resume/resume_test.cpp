@@ -158,10 +158,10 @@ TEST_F(Resume, GoesOnFromBeforeAFailureWithAnotherTolerance) {
         inner->restore(state, memory);
       }
     };
-    fails.make = [make = fails.make](const Model& model, const IntegratorSettings& settings,
+    fails.make = [make = fails.make](const System& system, const IntegratorSettings& settings,
                                      Counters& counters) -> std::unique_ptr<Stepper> {
       auto stepper = std::make_unique<Stops>();
-      stepper->inner = make(model, settings, counters);
+      stepper->inner = make(system, settings, counters);
       return stepper;
     };
     ResultWriter writer(file("r"), app::run_header(setup), setup.model->grid());

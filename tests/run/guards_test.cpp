@@ -103,7 +103,9 @@ TEST(DampingWatch, LooksAgainWhereContactHasBecomeWiderByAFifth) {
   watched.settings.end = 5;
   DampingWatch watch(*watched.model, integrator("forward-euler"), watched.settings);
   const auto look = [&](double nodes) {
-    watch.require_damping_in_wider_contact(watched.state, {.contact_nodes = nodes});
+    Observation observed;
+    observed.contact_nodes = nodes;
+    watch.require_damping_in_wider_contact(watched.state, observed);
   };
   EXPECT_THROW(look(10), SolutionError);
   EXPECT_NO_THROW(look(12));  // has been looked at

@@ -24,7 +24,10 @@ PinRun worn_pin(int n, const Overrides& overrides = {}) {
 class ReducedRate {
 public:
   ReducedRate(const System& system, const State& at)
-      : system_(system), at_(at), piece_(active_set(system, at.t, at.y)), stages_(system, counters_) {}
+      : system_(system),
+        at_(at),
+        piece_(active_set(system, at.t, at.y)),
+        stages_(system, counters_) {}
 
   /// With the differential component at position i of y moved by `change`.
   Eigen::VectorXd operator()(int i, double change, const std::vector<int>& components) {

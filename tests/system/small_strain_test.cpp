@@ -1,4 +1,4 @@
-#include <gnomon/system/wear_system.hpp>
+#include <gnomon/model/wear_model.hpp>
 
 #include "support/derivatives.hpp"
 #include "support/pin.hpp"

@@ -29,7 +29,7 @@ std::vector<double> rough_state(const Model& model) {
 TEST(WearSystem, JacobianEqualsCentralDifferences) {
   for (const char* form : {"eliminated", "multiplier"})
     for (const char* element : {"plain", "f-bar", "f-bar-variational"})
-      for (const char* normal : {"averaged", "normalised"}) {
+      for (const char* normal : {"averaged", "normalised", "conservative"}) {
         SCOPED_TRACE(std::string(form) + " " + element + " " + normal);
         const auto model = pin_model({elements(4), std::string("shape.constraint=") + form,
                                       std::string("body.element=") + element,

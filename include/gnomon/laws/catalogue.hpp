@@ -31,7 +31,7 @@ Vector<dim> read_point(const Scene& scene, const std::string& key);
 /// A wear law that scenes may name.
 struct WearLawKind {
   std::string name;
-  std::string help;       ///< one line
+  std::string help;  ///< one line
   /// wear.*, beside those that every scene of wear has. Optional or with a default, for they are in
   /// the tables of all scenes.
   std::vector<Key> keys;

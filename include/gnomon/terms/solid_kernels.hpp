@@ -279,9 +279,9 @@ double solid_equivalent_stress(const ElasticModuli& moduli, const CellNodal<dim>
   return sum / CellBasis<dim>::points;
 }
 
-/// The functions of a CellKernel. All calls below them are inlined ("flatten"): with many kernels in
-/// a source file the compiler would otherwise stop at its limit of growth, and residuals take up to
-/// 1.5 times as long.
+/// The functions of a CellKernel. All calls below them are inlined ("flatten"): with many kernels
+/// in a source file the compiler would otherwise stop at its limit of growth, and residuals take up
+/// to 1.5 times as long.
 template <ElementTechnology technology, template <int, class> class Law, int dim>
 struct FlatKernel {
   using Nodal = CellNodal<dim>;
