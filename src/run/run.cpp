@@ -34,7 +34,7 @@ public:
         wear_integral_(model) {
     settings_.integrand = model.wear_flux();
     if (settings.stop_unstable && may_fail_to_damp(integrator, settings))
-      damping_.emplace(model, integrator, settings);
+      damping_.emplace(model, integrator, settings_);
   }
 
   RunOutcome operator()(const Resumption* from) {

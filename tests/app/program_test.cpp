@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <gnomon/model/problem.hpp>
@@ -62,14 +63,15 @@ TEST_F(Program, RunWritesResultSidecarAndSummary) {
 
 TEST_F(Program, RunAndInfoShowTheLedger) {
   const Outcome outcome = run({"-o", "a.h5", "--summary", "s.json"});
-  EXPECT_THAT(outcome.out, ContainsRegex("\nworn volume 0\\.[0-9]+ mm\\^2, wear integral "
+  ASSERT_THAT(outcome.out, ContainsRegex("\nworn volume 0\\.[0-9]+ mm\\^2, wear integral "
                                          "0\\.[0-9]+ mm\\^2, difference [-0-9.e]+ mm\\^2 \\("));
   const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
   EXPECT_EQ(json["wear_difference"].get<double>(),
             json["worn_volume"].get<double>() - json["wear_integral"].get<double>());
-  for (const std::string& line : lines_of(outcome.out))
-    if (line.starts_with("worn volume"))
-      EXPECT_THAT(lines_of(gnomon({"info", "a.h5"}).out), testing::Contains(line));
+  const auto lines = lines_of(outcome.out);
+  const auto ledger = std::ranges::find_if(
+      lines, [](const std::string& line) { return line.starts_with("worn volume"); });
+  EXPECT_THAT(lines_of(gnomon({"info", "a.h5"}).out), testing::Contains(*ledger));
 }
 
 TEST_F(Program, PipedProgressIsAFewPlainLines) {

@@ -7,7 +7,7 @@ namespace gnomon {
 namespace {
 
 TEST(StoreSchedule, StoresEveryNthStep) {
-  StoreSchedule schedule({.every = 3, .last = false}, 10);
+  StoreSchedule schedule({.every = 3, .times = {}, .last = false}, 10);
   EXPECT_FALSE(schedule.wants(1, 1));
   EXPECT_FALSE(schedule.wants(2, 2));
   EXPECT_TRUE(schedule.wants(3, 3));
@@ -29,7 +29,7 @@ TEST(StoreSchedule, StopsOnItsTimesAndStoresThemOnce) {
 }
 
 TEST(StoreSchedule, StoresTheLastStateIfAsked) {
-  StoreSchedule schedule({.every = 0, .last = true}, 10);
+  StoreSchedule schedule({.every = 0, .times = {}, .last = true}, 10);
   EXPECT_FALSE(schedule.wants(9.99, 7));
   EXPECT_TRUE(schedule.wants(10, 8));
 }

@@ -20,23 +20,23 @@ struct Scalar {
 struct Observation {
   int dim = 2;  ///< 2 or 3
 
-  std::optional<double> contact_nodes;          ///< number of nodes in contact
-  std::optional<double> contact_force;          ///< integral of the pressure [N/mm | N]
-  std::optional<double> max_pressure;           ///< [MPa]
-  std::optional<double> worn_volume;            ///< what the shape has lost [mm^2 | mm^3]
-  std::optional<double> wear_flux;              ///< volume that wears per time [mm^2/s | mm^3/s]
-  std::optional<double> element_quality;        ///< the least scaled Jacobian of the worn mesh
-  std::optional<double> element_volume;         ///< the least, by that of the initial element
-  std::optional<double> groove_section;         ///< worn area of a groove's section [mm^2]
-  std::optional<double> approach;               ///< w, of the counter-body [mm]
-  std::optional<double> displacement_gradient;  ///< its largest norm, where strains are small
-  std::optional<double> contact_half_width;     ///< [mm]
+  std::optional<double> contact_nodes{};          ///< number of nodes in contact
+  std::optional<double> contact_force{};          ///< integral of the pressure [N/mm | N]
+  std::optional<double> max_pressure{};           ///< [MPa]
+  std::optional<double> worn_volume{};            ///< what the shape has lost [mm^2 | mm^3]
+  std::optional<double> wear_flux{};              ///< volume that wears per time [mm^2/s | mm^3/s]
+  std::optional<double> element_quality{};        ///< the least scaled Jacobian of the worn mesh
+  std::optional<double> element_volume{};         ///< the least, by that of the initial element
+  std::optional<double> groove_section{};         ///< worn area of a groove's section [mm^2]
+  std::optional<double> approach{};               ///< w, of the counter-body [mm]
+  std::optional<double> displacement_gradient{};  ///< its largest norm, where strains are small
+  std::optional<double> contact_half_width{};     ///< [mm]
   /// Integral of wear_flux over the run [mm^2 | mm^3]; of the run loop, not of a model.
-  std::optional<double> wear_integral;
+  std::optional<double> wear_integral{};
 
   /// What only one problem has (the error against its exact solution). Other names than those
   /// above.
-  std::vector<Scalar> others;
+  std::vector<Scalar> others{};
 
   /// What the shape has lost more than the wear rate integrates to, where both are known: negative
   /// where less. The ledger of a run that conserves volume has zero here.
