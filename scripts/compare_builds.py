@@ -600,7 +600,8 @@ class Comparison:
                                      0 if a.pressure is None else np.abs(a.pressure).max(initial=0))
         row.scalars, row.worst_scalar = self.worst(
             {name: self.pair(value, b.scalars.get(name, (None,))[0], largest)
-             for name, (value, largest) in a.scalars.items()})
+             for name, (value, largest) in a.scalars.items()
+             if name not in self.options.ignore_scalar})
         row.fields, row.worst_field = self.worst(
             {name: self.pair(field, b.fields.get(name), np.abs(field).max(initial=0))
              for name, field in a.fields.items()})
@@ -891,6 +892,8 @@ def arguments():
                         help="largest relative difference; default: 1e-10")
     parser.add_argument("--allow-counts", action="store_true",
                         help="report differences of counts, but do not fail because of them")
+    parser.add_argument("--ignore-scalar", action="append", default=[], metavar="NAME",
+                        help="a column of the history that is meant to differ; repeatable")
     parser.add_argument("--ignore-wording", action="store_true",
                         help="compare only the numbers of a diagnosis")
     parser.add_argument("--problems", type=Path, default=ROOT / "problems", metavar="DIR",
