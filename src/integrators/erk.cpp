@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <gnomon/integrators/arkode_table.hpp>
 #include <gnomon/integrators/erk.hpp>
 #include <gnomon/integrators/error_norm.hpp>
@@ -32,9 +33,13 @@ using TableOwner = Owner<ARKodeButcherTableMem, destroy_table>;
 /// which holds only where that stage is the new value; Heun's is not, and would lose half its
 /// stability. Where needed, the new value is appended as a stage of no weight, whose rate the next
 /// step uses.
+int stages_with_end(const ButcherTable& table) {
+  const int s = table.stages();
+  return table.stiffly_accurate() || table.c[s - 1] != 1 ? s : s + 1;
+}
+
 TableOwner table_with_end(const ButcherTable& table) {
-  const bool ends_on_value = table.stiffly_accurate() || table.c[table.stages() - 1] != 1;
-  const int s = table.stages(), n = ends_on_value ? s : s + 1;
+  const int s = table.stages(), n = stages_with_end(table);
   TableOwner result(ARKodeButcherTable_Alloc(n, SUNTRUE));
   check(result.get(), "ARKodeButcherTable_Alloc");
   result->q = table.order;
@@ -45,7 +50,7 @@ TableOwner table_with_end(const ButcherTable& table) {
     result->c[i] = table.c[i];
     result->d[i] = table.b_embedded[i];
   }
-  if (ends_on_value) return result;
+  if (n == s) return result;
   for (int j = 0; j < s; ++j) result->A[s][j] = table.b[j];
   result->c[s] = 1;
   return result;
@@ -82,7 +87,8 @@ private:
   void evaluate(double t, std::span<const double> d);
   void gather(const std::vector<double>& y, std::span<double> d) const;
   void set_state(const State& state);
-  double integral() const { return settings_.integrand ? view(d_.get()).back() : 0; }
+  double integrand(const State& at) const { return settings_.integrand({at.t, at.y, at.ydot}); }
+  double integral(const State& start, double h) const;
 
   const System& system_;
   IntegratorSettings settings_;
@@ -93,12 +99,12 @@ private:
   State whole_;      // consistent state of the last evaluation, the guess for the next
   double proposal_;  // what is tried next; 0 before the first of the steps that are chosen
   long rejected_ = 0;
-  double integrated_ = 0;  // value of the last component at the start of the step
+  std::deque<double> integrands_;  // at the last evaluations of the rate
   Guard guard_;
   // Destroyed in reverse: ERKStep before what it refers to, the context last.
   Context context_;
   StepControl step_control_;
-  VectorOwner d_;  // the differential components, and where there is an integrand, its integral
+  VectorOwner d_;  // the differential components
   Owner<void, destroy_erk> erk_;
 };
 
@@ -112,8 +118,7 @@ ErkSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
       algebraic_(system, counters),
       proposal_(settings.step),
       step_control_(pi_controller, context_),
-      d_(make_vector(static_cast<long>(norm_.components().size()) + (settings.integrand ? 1 : 0),
-                     context_)) {}
+      d_(make_vector(static_cast<long>(norm_.components().size()), context_)) {}
 
 void ErkSolver::Memory::gather(const std::vector<double>& y, std::span<double> d) const {
   const std::vector<int>& components = norm_.components();
@@ -124,8 +129,6 @@ void ErkSolver::Memory::gather(const std::vector<double>& y, std::span<double> d
 void ErkSolver::Memory::set_state(const State& state) {
   whole_ = state;
   gather(state.y, view(d_.get()));
-  integrated_ = 0;
-  if (settings_.integrand) view(d_.get()).back() = 0;
 }
 
 /// Makes whole_ the consistent state with differential components d, its rates included.
@@ -144,21 +147,28 @@ int ErkSolver::Memory::rate(sunrealtype t, N_Vector d, N_Vector ddot, void* data
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
     self.evaluate(t, view(d));
-    const State& whole = self.whole_;
-    self.gather(whole.ydot, view(ddot));
-    if (self.settings_.integrand)
-      view(ddot).back() = self.settings_.integrand({whole.t, whole.y, whole.ydot});
+    self.gather(self.whole_.ydot, view(ddot));
+    if (!self.settings_.integrand) return;
+    self.integrands_.push_back(self.integrand(self.whole_));
+    if (self.integrands_.size() > static_cast<std::size_t>(stages_with_end(self.table_)))
+      self.integrands_.pop_front();
   });
 }
 
-// ERKStep averages the squares over all components. The integral has no weight in the error, and
-// the factor makes it the mean over the others.
+/// Over the step that ERKStep has just taken from `start`, by the weights of the table. The last
+/// evaluations of the rate are the stages of that step but the first, which is the start.
+double ErkSolver::Memory::integral(const State& start, double h) const {
+  if (!settings_.integrand) return 0;
+  const std::size_t later = static_cast<std::size_t>(stages_with_end(table_)) - 1;
+  double sum = table_.b[0] * integrand(start);
+  for (int i = 1; i < table_.stages(); ++i)
+    sum += table_.b[i] * integrands_[integrands_.size() - later + static_cast<std::size_t>(i) - 1];
+  return h * sum;
+}
+
 int ErkSolver::Memory::weights(N_Vector d, N_Vector w, void* data) {
   const Memory& self = *static_cast<Memory*>(data);
-  const std::size_t all = view(d).size(), components = self.norm_.components().size();
-  const double spread = std::sqrt(double(all) / double(components));
-  std::fill(view(w).begin(), view(w).end(), 0.0);
-  for (std::size_t k = 0; k < components; ++k) view(w)[k] = spread * self.norm_.weight(view(d)[k]);
+  for (std::size_t k = 0; k < view(d).size(); ++k) view(w)[k] = self.norm_.weight(view(d)[k]);
   return 0;
 }
 
@@ -240,7 +250,7 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
   else
     check(ARKodeGetCurrentStep(erk, &proposal_), "ARKodeGetCurrentStep");
   StepReport report = account.accept(t - state.t, table_.order);
-  report.integral = integral() - std::exchange(integrated_, integral());
+  report.integral = integral(state, t - state.t);
   state = whole_;
   return report;
 }
