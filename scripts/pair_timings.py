@@ -23,9 +23,10 @@ The two builds run in turns, A B A B ..., each with one thread, and what counts 
 median of B by the median of A: above 1, B is slower. "90 %" is the interval that holds nine of
 ten such ratios when pairs are drawn from the measured ones at random (bootstrap); "pairs" are the
 smallest and the largest ratio of two neighbouring measurements, and "best" is the ratio of the
-smallest times, which other work on the machine disturbs least. "changed" marks a ratio that differs
-from 1 by more than --notable where the whole interval is on the same side of 1. With few
-repetitions on a busy machine such marks can be chance: measure again, with more.
+smallest times, which other work on the machine disturbs least. "changed" marks a ratio that, like
+the best one, differs from 1 by more than --notable, where the whole interval is on the same side of
+1 and there are five pairs or more. Of fewer pairs, the interval says little. On a busy machine
+such a mark can still be chance: compare a build with itself to see how far ratios scatter there.
 
 A run that takes other counts of steps and Newton iterations in B does not do the same work: the
 table says so. With five repetitions all this takes about six minutes on an idle machine.
@@ -64,6 +65,7 @@ RUNS = {  # name: scene, settings
 WORK = ["steps", "newton_iterations", "factorizations", "krylov_iterations"]
 
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
+FEWEST_PAIRS = 5  # that can mark a change
 SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
@@ -138,7 +140,9 @@ class Measurement:
         ratios = [other / one for one, other in self.pairs]
         low, high = interval(self.pairs)
         ratio, best = b / a, min(b for _, b in self.pairs) / min(a for a, _ in self.pairs)
-        changed = abs(ratio - 1) > notable and (low > 1) == (high > 1) == (ratio > 1)
+        beyond = [min(ratio, best) > 1 + notable and low > 1,
+                  max(ratio, best) < 1 - notable and high < 1]
+        changed = any(beyond) and len(self.pairs) >= FEWEST_PAIRS
         note = "; ".join(filter(None, ["changed" if changed else "", self.note]))
         return [self.part, self.name, a, b, ratio, low, high, min(ratios), max(ratios), best, note]
 
