@@ -11,8 +11,6 @@ constexpr double safety = 0.9;
 constexpr double proportional = 0.7, integral = 0.4;
 // An estimate holds for steps of similar size: beyond these factors the error law says little.
 constexpr double most_growth = 5, most_shrink = 0.2;
-// A repeated step is shorter by a tenth at least, however near to the tolerance its error was.
-constexpr double after_rejection_at_most = 0.9;
 constexpr double least_error = 1e-8;  // a vanishing estimate says nothing more
 }  // namespace
 
@@ -28,7 +26,7 @@ double StepSizeControl::after_success(double h, double error) {
 
 double StepSizeControl::after_rejection(double h, double error) {
   may_grow_ = false;
-  return h * std::clamp(safety * std::pow(error, -exponent_), most_shrink, after_rejection_at_most);
+  return h * std::max(safety * std::pow(error, -exponent_), most_shrink);
 }
 
 double StepSizeControl::after_failure(double h) {

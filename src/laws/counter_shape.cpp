@@ -48,7 +48,10 @@ double CounterShape<dim>::travel_to(const Vector<dim>& x, const Vector<dim>& app
     w = next;
     there = distance_(seen(w));
   }
-  return std::abs(there.gap) <= 1e-3 * near ? w : never;
+  if (!(std::abs(there.gap) <= 1e-3 * near)) return never;
+  // Once more, so that on a plane nothing is left but the last digit of w itself.
+  const double slope = there.normal.dot(approach);
+  return slope > 0 ? w + there.gap / slope : w;
 }
 
 template class CounterShape<2>;

@@ -169,43 +169,41 @@ TEST(EventLocation, SwitchesAtTheStartWhatIsOffTheBranchThere) {
   EXPECT_EQ(step.locator.branch(), (ActiveSet{1, 0}));
 }
 
-// A node that no branch keeps: open it closes, closed it opens. At the event it switches once.
-TEST(EventLocation, SwitchesANodeOnceAtOneTime) {
-  const double event = 0.5;
-  Step step(
-      {event},
-      [&](double t, const ActiveSet* branch) {
-        const bool closed = branch && branch->front();
-        return closed ? event - (t - event) : t;
-      },
-      0);
-  const auto landing = step.take(1);
+/// At an event with the sign that rounding left on the wrong side: 1e-9 short of the border.
+struct JustSwitched : Step {
+  JustSwitched() : Step({0.5, 0.8}, sine) {
+    EXPECT_TRUE(take(1));
+    go_on();
+    from.y[0] = 0.5 - 1e-9;
+  }
+};
+
+TEST(EventLocation, DoesNotSwitchANodeBackByRounding) {
+  JustSwitched step;
+  const auto landing = step.take(1.2 - step.from.t);
   ASSERT_TRUE(landing && landing->attempt.success);
-  EXPECT_EQ(step.locator.branch(), (ActiveSet{1}));
-  step.go_on();
-  const auto behind = step.take(0.2);
-  ASSERT_TRUE(behind);
-  EXPECT_TRUE(behind->at_start);
-  EXPECT_EQ(behind->switched, 0);  // it can only be stepped over
-  EXPECT_EQ(step.locator.branch(), (ActiveSet{1}));
+  EXPECT_FALSE(landing->at_start);
+  EXPECT_NEAR(step.to.t, time_of(0.8), EventLocator::tolerance);
+  EXPECT_EQ(step.locator.branch(), (ActiveSet{1, 1}));
 }
 
-TEST(EventLocation, GoesOnWithItsMemoryAsItWould) {
-  const auto chattering = [](double t, const ActiveSet* branch) {
-    return branch && branch->front() ? 1 - t : t;
-  };
-  Step step({0.5}, chattering, 0);
-  ASSERT_TRUE(step.take(1));
-  step.go_on();
-  Step resumed({0.5}, chattering, 0);
-  resumed.from = step.from;
-  const std::vector<double> memory = step.locator.memory();
-  Unpacker numbers(memory);
-  resumed.locator.restore(numbers);
-  EXPECT_EQ(resumed.locator.branch(), step.locator.branch());
-  const auto landing = resumed.take(0.2);
-  ASSERT_TRUE(landing && landing->at_start);
-  EXPECT_EQ(landing->switched, 0);
+// The same from a checkpoint; without the memory the node would be switched back.
+TEST(EventLocation, RemembersWhatHasJustSwitched) {
+  JustSwitched step;
+  std::vector<double> memory = step.locator.memory();
+  for (const bool remembers : {true, false}) {
+    SCOPED_TRACE(remembers);
+    if (!remembers) memory.front() = -1;  // the time of the event
+    Step resumed({0.5, 0.8}, sine);
+    resumed.from = step.from;
+    Unpacker numbers(memory);
+    resumed.locator.restore(numbers);
+    EXPECT_EQ(resumed.locator.branch(), (ActiveSet{1, 0}));
+    const auto landing = resumed.take(1.2 - resumed.from.t);
+    ASSERT_TRUE(landing);
+    EXPECT_EQ(landing->at_start, !remembers);
+    EXPECT_EQ(resumed.locator.branch(), remembers ? (ActiveSet{1, 1}) : (ActiveSet{0, 0}));
+  }
 }
 
 TEST(EventLocation, FailsWhereTheMethodDoes) {
