@@ -99,7 +99,10 @@ private:
   State whole_;      // consistent state of the last evaluation, the guess for the next
   double proposal_;  // what is tried next; 0 before the first of the steps that are chosen
   long rejected_ = 0;
-  std::deque<double> integrands_;  // at the last evaluations of the rate
+  struct Evaluated {
+    double t, integrand;
+  };
+  std::deque<Evaluated> evaluated_;  // with the rate, the last ones
   Guard guard_;
   // Destroyed in reverse: ERKStep before what it refers to, the context last.
   Context context_;
@@ -149,21 +152,31 @@ int ErkSolver::Memory::rate(sunrealtype t, N_Vector d, N_Vector ddot, void* data
     self.evaluate(t, view(d));
     self.gather(self.whole_.ydot, view(ddot));
     if (!self.settings_.integrand) return;
-    self.integrands_.push_back(self.integrand(self.whole_));
-    if (self.integrands_.size() > static_cast<std::size_t>(stages_with_end(self.table_)))
-      self.integrands_.pop_front();
+    self.evaluated_.push_back({t, self.integrand(self.whole_)});
+    if (self.evaluated_.size() > static_cast<std::size_t>(self.table_.stages()) + 2)
+      self.evaluated_.pop_front();
   });
 }
 
-/// Over the step that ERKStep has just taken from `start`, by the weights of the table. The last
-/// evaluations of the rate are the stages of that step but the first, which is the start.
+/// Over the step of size h that ERKStep has just taken from `start`, by the weights of the table.
+/// The first stage is the start. The others were evaluated last, one after the other; behind them
+/// there may be the end of the step, as a stage of its own or for the next step.
 double ErkSolver::Memory::integral(const State& start, double h) const {
+  constexpr double rounding = 1e-9;  // of the step
   if (!settings_.integrand) return 0;
-  const std::size_t later = static_cast<std::size_t>(stages_with_end(table_)) - 1;
-  double sum = table_.b[0] * integrand(start);
-  for (int i = 1; i < table_.stages(); ++i)
-    sum += table_.b[i] * integrands_[integrands_.size() - later + static_cast<std::size_t>(i) - 1];
-  return h * sum;
+  const std::ptrdiff_t later = table_.stages() - 1;
+  const std::ptrdiff_t behind = stages_with_end(table_) - table_.stages();
+  const auto is_stage = [&](const Evaluated& point, int i) {
+    return std::abs(point.t - (start.t + table_.c[i] * h)) <= rounding * h;
+  };
+  for (auto first = std::ssize(evaluated_) - behind - later; first >= 0; --first) {
+    double sum = table_.b[0] * integrand(start);
+    int i = 1;
+    for (; i < table_.stages() && is_stage(evaluated_[first + i - 1], i); ++i)
+      sum += table_.b[i] * evaluated_[first + i - 1].integrand;
+    if (i == table_.stages()) return h * sum;
+  }
+  throw Error("ERKStep has not evaluated the stages of " + table_.name + " in their order");
 }
 
 int ErkSolver::Memory::weights(N_Vector d, N_Vector w, void* data) {
