@@ -67,14 +67,14 @@ NewtonIteration::NewtonIteration(const Example& example, bool coupled)
       solution_(sundials::make_vector(structure().size, context_)),
       solver_(structure(), counters_, context_) {
   const FieldValues<3> values = guess(example);
-  for (double lambda : values.scalar(equations_.fields().lambda)) piece_.push_back(lambda < 0);
+  for (double lambda : values.scalar(equations_.fields().lambda)) branch_.push_back(lambda < 0);
   system_.numbering().gather(values, y_);
   if (!coupled) system_.freeze(values, 0);
 }
 
 void NewtonIteration::run() {
   constexpr double alpha = 1.0 / 50, reduction = 1e-4;
-  const Point at{.t = 0, .y = y_, .ydot = rest_, .piece = &piece_};
+  const Point at{.t = 0, .y = y_, .ydot = rest_, .branch = &branch_};
   residual_.time([&] { system_.residual(at, F_); });
   jacobian_.time([&] { system_.jacobian(at, alpha, J_); });
   std::copy(F_.begin(), F_.end(), sundials::view(right_.get()).begin());

@@ -52,7 +52,7 @@ private:
   WornBodyEquations<3> equations_;
   ComposedSystem<3> system_;
   std::vector<double> y_, rest_, F_, J_;
-  ActiveSet piece_;
+  ActiveSet branch_;
   sundials::Context context_;
   Counters counters_;
   long runs_ = 0;

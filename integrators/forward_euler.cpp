@@ -31,7 +31,7 @@ public:
     error_.clear();
     for (int i : norm_.components()) error_.push_back(h / 2 * (to.ydot[i] - from.ydot[i]));
     const double integral =
-        integrand_ ? h * integrand_({from.t, from.y, from.ydot, from.own_piece()}) : 0;
+        integrand_ ? h * integrand_({from.t, from.y, from.ydot, from.own_branch()}) : 0;
     return {.success = true, .error = norm_(error_, to.y), .integral = integral};
   }
 

@@ -111,15 +111,15 @@ public:
 
   void switching(double, std::span<const double>, std::span<double>) const override {}
 
-  std::vector<Stage> make_stages() const override {
+  std::vector<AlgebraicStage> algebraic_stages() const override {
     auto algebraic = std::make_unique<DahlquistSystem>(equation_, false);
-    Stage stage;
+    AlgebraicStage stage;
     stage.unknowns = {2, 3};
     stage.freeze = [system = algebraic.get()](double, std::span<const double> y) {
       system->frozen_y_ = Pair(y[0], y[1]);
     };
     stage.system = std::move(algebraic);
-    std::vector<Stage> stages;
+    std::vector<AlgebraicStage> stages;
     stages.push_back(std::move(stage));
     return stages;
   }

@@ -105,7 +105,7 @@ public:
     observed.contact_force = force;
     observed.max_pressure = pressure;
     observed.worn_volume = worn;
-    observed.wear_flux = flux({.t = state.t, .y = state.y, .piece = state.own_piece()});
+    observed.wear_flux = flux({.t = state.t, .y = state.y, .branch = state.own_branch()});
     observed.contact_half_width = half_width(state.y);
     return observed;
   }
@@ -186,6 +186,9 @@ private:
   WinklerSystem system_;
 };
 
+/// In the order of the factors of the equations above.
+constexpr const char* archard_rate = "k * v * p";
+
 std::vector<Key> keys() {
   std::vector<Key> result = {
       {.name = "pin.radius",
@@ -204,15 +207,18 @@ std::vector<Key> keys() {
        .range = {.min = 3, .max = 1000000},
        .help = "number of springs over the width, both ends included"}};
   for (const Key& key : worn_body_keys(2))
-    if (key.name == "load.force" || (key.name.starts_with("wear.") && key.name != "wear.normal"))
+    if (key.name == "load.force" || (key.name.starts_with("wear.") && key.name != "wear.normal")) {
       result.push_back(key);
+      if (key.name == "wear.rate") result.back().default_value = archard_rate;
+    }
   return result;
 }
 
 /// Whether the wear rate is k v p, of which the closed form is.
 bool has_archard_rate(const Scene& scene) {
   return scene.text("wear.law") == "archard" ||
-         (scene.text("wear.law") == "expression" && scene.text("wear.rate") == "k * p * v");
+         (scene.text("wear.law") == "expression" &&
+          (scene.text("wear.rate") == archard_rate || scene.text("wear.rate") == "k * p * v"));
 }
 
 std::unique_ptr<Model> make(const Scene& scene) {

@@ -56,7 +56,7 @@ public:
       structure_.row_scale[d(i)] = f.mean_depth() / f.duration;
       structure_.unknown_scale[d(i)] = f.mean_depth();
     }
-    structure_.corners = f.wear.breakpoints();
+    structure_.breakpoints = f.wear.breakpoints();
     for (int i = 0; i < n; ++i) {
       in_p_.push_back({position(p(i), p(i)), position(delta(), p(i)), position(p(i), delta())});
       if (coupled_)
@@ -71,7 +71,7 @@ public:
     double force = 0;
     for (int i = 0; i < points(); ++i) {
       const double pressure = at.y[p(i)], spring = f.modulus * gap(at.y, i);
-      F[p(i)] = pressure + (closed(at.piece, i, spring) ? spring : 0);
+      F[p(i)] = pressure + (closed(at.branch, i, spring) ? spring : 0);
       if (coupled_) F[d(i)] = at.ydot[d(i)] - wear(at, i).value;
       force += f.area[i] * pressure;
     }
@@ -82,7 +82,7 @@ public:
     const Foundation& f = *foundation_;
     std::fill(values.begin(), values.end(), 0.0);
     for (int i = 0; i < points(); ++i) {
-      const double by_gap = closed(at.piece, i, f.modulus * gap(at.y, i)) ? f.modulus : 0;
+      const double by_gap = closed(at.branch, i, f.modulus * gap(at.y, i)) ? f.modulus : 0;
       values[in_p_[i].diagonal] = 1;
       values[in_p_[i].row] = f.area[i];
       values[in_p_[i].column] = -by_gap;
@@ -106,21 +106,21 @@ public:
   /// Wear rate of a point, on its branch; of the coupled system. A point without pressure has none.
   WearRate wear(const Point& at, int i) const {
     const auto branches =
-        at.piece ? std::span<const char>(*at.piece).subspan(first_switch(i) + 1, switches() - 1)
-                 : std::span<const char>();
+        at.branch ? std::span<const char>(*at.branch).subspan(first_switch(i) + 1, switches() - 1)
+                  : std::span<const char>();
     return foundation_->wear.rate(wear_input(at, i), branches);
   }
 
-  std::vector<Stage> make_stages() const override {
+  std::vector<AlgebraicStage> algebraic_stages() const override {
     auto algebraic = std::make_unique<WinklerSystem>(foundation_, false);
-    Stage stage;
+    AlgebraicStage stage;
     for (int i = 0; i < points(); ++i) stage.unknowns.push_back(p(i));
     stage.unknowns.push_back(delta());
     stage.freeze = [this, system = algebraic.get()](double, std::span<const double> y) {
       for (int i = 0; i < points(); ++i) system->frozen_[i] = y[d(i)];
     };
     stage.system = std::move(algebraic);
-    std::vector<Stage> stages;
+    std::vector<AlgebraicStage> stages;
     stages.push_back(std::move(stage));
     return stages;
   }
@@ -150,8 +150,8 @@ private:
   std::size_t switches() const { return 1 + foundation_->wear.kinks(); }
   std::size_t first_switch(int i) const { return static_cast<std::size_t>(i) * switches(); }
   int position(int row, int column) const { return structure_.pattern.find(row, column); }
-  bool closed(const ActiveSet* piece, int i, double switching) const {
-    return piece ? (*piece)[first_switch(i)] != 0 : switching <= 0;
+  bool closed(const ActiveSet* branch, int i, double switching) const {
+    return branch ? (*branch)[first_switch(i)] != 0 : switching <= 0;
   }
 
   std::shared_ptr<const Foundation> foundation_;

@@ -161,8 +161,9 @@ void CommandLine::add_extremes() {
 }
 
 void CommandLine::add_inspection() {
-  CLI::App* list = app_.add_subcommand("list", "Lists integrators, problems, scenes or studies");
-  list->add_option("SUBJECT", subject_, "integrators, problems, scenes or studies")
+  CLI::App* list = app_.add_subcommand(
+      "list", "Lists integrators, wear laws, materials, problems, scenes or studies");
+  list->add_option("SUBJECT", subject_, "integrators, laws, materials, problems, scenes or studies")
       ->required()
       ->type_name("");
   list->callback([this] { command_ = [this] { return list_command(subject_); }; });

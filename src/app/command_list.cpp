@@ -1,12 +1,15 @@
 // gnomon list: what there is to choose from.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
+#include <gnomon/laws/catalogue.hpp>
 #include <gnomon/model/problem.hpp>
+#include <gnomon/terms/material_law.hpp>
 
 #include "app/commands.hpp"
 #include "app/program.hpp"
@@ -26,9 +29,11 @@ std::string list_integrators() {
   return table.text();
 }
 
-std::string list_problems() {
+/// Names and one line about each.
+template <class Entry>
+std::string list_entries() {
   TextTable table({{}, {}});
-  for (const Problem& entry : Problems::all()) table.add({entry.name, entry.help});
+  for (const Entry& entry : Registry<Entry>::all()) table.add({entry.name, entry.help});
   return table.text();
 }
 
@@ -69,7 +74,8 @@ std::string list_files(bool studies) {
 }  // namespace
 
 const std::vector<std::string>& list_subjects() {
-  static const std::vector<std::string> subjects = {"integrators", "problems", "scenes", "studies"};
+  static const std::vector<std::string> subjects = {"integrators", "laws",   "materials",
+                                                    "problems",    "scenes", "studies"};
   return subjects;
 }
 
@@ -77,16 +83,21 @@ int list_command(const std::string& what) {
   if (what == "integrators") {
     fmt::print("{}", list_integrators());
   } else if (what == "problems") {
-    fmt::print("{}", list_problems());
+    fmt::print("{}", list_entries<Problem>());
+  } else if (what == "laws") {
+    fmt::print("{}", list_entries<WearLawKind>());
+  } else if (what == "materials") {
+    fmt::print("{}", list_entries<MaterialLaw>());
   } else if (what == "scenes") {
     fmt::print("{}", list_files(false));
   } else if (what == "studies") {
     fmt::print("{}", list_files(true));
   } else {
     const std::string near = nearest_name(what, list_subjects());
-    throw InputError(fmt::format("cannot list `{}`, {}", what,
-                                 near.empty() ? "expected integrators, problems, scenes or studies"
-                                              : "did you mean `" + near + "`?"));
+    throw InputError(fmt::format(
+        "cannot list `{}`, {}", what,
+        near.empty() ? fmt::format("expected one of: {}", fmt::join(list_subjects(), ", "))
+                     : "did you mean `" + near + "`?"));
   }
   return success;
 }

@@ -243,7 +243,7 @@ StepReport BdfSolver::Memory::skip_to(State& state, double t) {
   const double step = t - state.t;
   state.t = t;
   restart(state);
-  if (branch()) state.piece = branch_;
+  if (branch()) state.branch = branch_;
   return StepAccount(counters_).accept(step, 1);
 }
 
@@ -300,7 +300,7 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   set_rates(system_, branch(), state);
   const bool event = branch() && cross_event(state, flag == IDA_ROOT_RETURN, report);
   if (event || is_breakpoint(system_.structure(), t)) restart(state);
-  if (branch()) state.piece = branch_;
+  if (branch()) state.branch = branch_;
   return report;
 }
 

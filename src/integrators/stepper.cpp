@@ -111,8 +111,8 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, bool continua
   constexpr int most_switches = 8;
   int switched = 0;
   for (int k = 0; k < most_switches; ++k) {
-    next_.piece = locator_ ? locator_->branch() : ActiveSet{};
-    const ActiveSet branch = next_.piece;
+    next_.branch = locator_ ? locator_->branch() : ActiveSet{};
+    const ActiveSet branch = next_.branch;
     const AttemptOptions options{.branch = locator_ ? &branch : nullptr,
                                  .continuation = continuation};
     Landing whole{.attempt = method_->attempt(state, plan.h, options, next_), .h = plan.h};
@@ -134,7 +134,7 @@ Landing OneStepStepper::step_over(const State& state, const Plan& plan, bool con
   Landing whole{.attempt = method_->attempt(state, plan.h, {.continuation = continuation}, next_),
                 .at_start = true,
                 .h = plan.h};
-  next_.piece.clear();
+  next_.branch.clear();
   if (whole.attempt.success) locator_->begin(next_);
   return whole;
 }

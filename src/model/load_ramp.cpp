@@ -36,7 +36,8 @@ private:
   std::vector<double> last_, before_;
 };
 
-/// Where an increment ends. What is left behind it is no crumb, but as large as itself.
+/// Where an increment ends. The rest of the load behind it is as large as the increment itself, or
+/// zero.
 double target_of(double reached, double increment) {
   const double rest = 1 - reached;
   if (increment >= rest * (1 - 1e-9)) return 1;

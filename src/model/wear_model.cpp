@@ -26,7 +26,7 @@ void require_strain(const WornBody<dim>& body) {
 /// Stiffness along and across an element differ by the square of its lengths' ratio: rounding of
 /// the one must not drown the other.
 template <int dim>
-void require_stout_elements(const Mesh<dim>& mesh) {
+void require_compact_elements(const Mesh<dim>& mesh) {
   constexpr double most = 1e4;
   for (std::size_t e = 0; e < mesh.cells.size(); ++e) {
     const auto x = mesh.positions(mesh.cells[e]);
@@ -119,7 +119,7 @@ template <int dim>
 WearModel<dim>::WearModel(std::shared_ptr<const WornBody<dim>> body)
     : equations_(std::move(body)), system_(equations_.composition()) {
   require_strain(this->body());
-  require_stout_elements(this->body().mesh);
+  require_compact_elements(this->body().mesh);
 }
 
 template <int dim>
@@ -136,7 +136,7 @@ template <int dim>
 std::vector<ContactNode<dim>> WearModel<dim>::contact_nodes(const FieldValues<dim>& values,
                                                             const State& state) const {
   return equations_.contact_nodes(system_, values,
-                                  {.t = state.t, .y = state.y, .piece = state.own_piece()});
+                                  {.t = state.t, .y = state.y, .branch = state.own_branch()});
 }
 
 template <int dim>

@@ -21,7 +21,8 @@ void initialize_petsc() {
   PetscBool initialized = PETSC_FALSE;
   check(PetscInitialized(&initialized));
   if (initialized) return;
-  // One process talks to nobody: without these OpenMPI looks for networks, slowly and aloud.
+  // One process talks to nobody: without these OpenMPI looks for networks, slowly, and prints what
+  // it does not find.
   setenv("OMPI_MCA_btl", "self", 0);
   setenv("OMPI_MCA_pml", "ob1", 0);
   setenv("OMPI_MCA_opal_signal", "", 0);  // signals stay the program's

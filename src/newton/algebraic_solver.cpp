@@ -6,10 +6,10 @@ namespace gnomon {
 NonlinearFunction algebraic_function(const System& system, const ActiveSet* branch) {
   NonlinearFunction function;
   function.residual = [&system, branch](std::span<const double> y, std::span<double> G) {
-    system.residual({.y = y, .piece = branch}, G);
+    system.residual({.y = y, .branch = branch}, G);
   };
   function.jacobian = [&system, branch](std::span<const double> y, std::span<double> values) {
-    system.jacobian({.y = y, .piece = branch}, 0, values);
+    system.jacobian({.y = y, .branch = branch}, 0, values);
   };
   function.branch = [&system, branch](std::span<const double> y) {
     return branch ? *branch : active_set(system, 0, y);
@@ -19,7 +19,7 @@ NonlinearFunction algebraic_function(const System& system, const ActiveSet* bran
 }
 
 AlgebraicSolver::AlgebraicSolver(const System& system, Counters& counters) {
-  for (Stage& equations : system.make_stages()) {
+  for (AlgebraicStage& equations : system.algebraic_stages()) {
     auto newton =
         std::make_unique<NewtonSolver>(equations.system->structure(), counters, modified_newton);
     std::vector<double> unknowns(equations.unknowns.size());

@@ -6,11 +6,11 @@ namespace gnomon {
 
 std::vector<double> packed(const RunMemory& memory, const Structure& structure) {
   const State& state = memory.state;
-  std::vector<double> numbers = {double(structure.size), state.t, double(!state.piece.empty())};
+  std::vector<double> numbers = {double(structure.size), state.t, double(!state.branch.empty())};
   pack(numbers, state.y);
   for (std::size_t i = 0; i < state.ydot.size(); ++i)
     if (structure.differential[i]) pack(numbers, state.ydot[i]);
-  pack(numbers, state.piece.empty() ? ActiveSet(structure.switch_node.size()) : state.piece);
+  pack(numbers, state.branch.empty() ? ActiveSet(structure.switch_node.size()) : state.branch);
   memory.chattering.pack_into(numbers);
   pack(numbers, memory.stepper);
   return numbers;
@@ -23,13 +23,13 @@ RunMemory unpacked(const std::vector<double>& numbers, const Structure& structur
   RunMemory memory;
   State& state = memory.state;
   state.t = rest.one();
-  const bool has_piece = rest.one() != 0;
+  const bool has_branch = rest.one() != 0;
   state.y = rest.many<double>(static_cast<std::size_t>(structure.size));
   state.ydot.assign(state.y.size(), 0.0);
   for (std::size_t i = 0; i < state.ydot.size(); ++i)
     if (structure.differential[i]) state.ydot[i] = rest.one();
-  state.piece = rest.many<char>(structure.switch_node.size());
-  if (!has_piece) state.piece.clear();
+  state.branch = rest.many<char>(structure.switch_node.size());
+  if (!has_branch) state.branch.clear();
   memory.chattering.unpack_from(rest);
   memory.stepper.assign(rest.rest().begin(), rest.rest().end());
   return memory;

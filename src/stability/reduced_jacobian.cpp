@@ -13,9 +13,9 @@ ReducedJacobian::ReducedJacobian(const System& system, const State& state)
   const std::vector<char>& differential = system.structure().differential;
   for (int i = 0; i < pattern_.size(); ++i)
     if (differential[i]) components_.push_back(i);
-  const ActiveSet piece = active_set(system, state.t, state.y);
+  const ActiveSet branch = active_set(system, state.t, state.y);
   std::vector<double> values(pattern_.nonzeros());
-  system.jacobian({state.t, state.y, state.ydot, &piece}, 0, values);
+  system.jacobian({state.t, state.y, state.ydot, &branch}, 0, values);
   // The differential rows are kept for the products and give way to those of the identity.
   for (int column = 0; column < pattern_.size(); ++column)
     for (int k = pattern_.column_start[column]; k < pattern_.column_start[column + 1]; ++k) {

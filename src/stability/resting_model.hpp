@@ -13,24 +13,24 @@ public:
   /// `state`: with its rates. Both must outlive the object.
   RestingSystem(const System& system, const State& state)
       : system_(system), state_(state), structure_(system.structure()) {
-    structure_.corners.clear();
+    structure_.breakpoints.clear();
   }
 
   const Structure& structure() const override { return structure_; }
   void residual(const Point& at, std::span<double> F) const override {
-    system_.residual({state_.t, at.y, at.ydot, at.piece}, F);
+    system_.residual({state_.t, at.y, at.ydot, at.branch}, F);
     for (std::size_t i = 0; i < F.size(); ++i)
       if (structure().differential[i]) F[i] += state_.ydot[i];
   }
   void jacobian(const Point& at, double alpha, std::span<double> values) const override {
-    system_.jacobian({state_.t, at.y, at.ydot, at.piece}, alpha, values);
+    system_.jacobian({state_.t, at.y, at.ydot, at.branch}, alpha, values);
   }
   void switching(double, std::span<const double> y, std::span<double> values) const override {
     system_.switching(state_.t, y, values);
   }
-  std::vector<Stage> make_stages() const override {
-    std::vector<Stage> stages = system_.make_stages();
-    for (Stage& stage : stages)
+  std::vector<AlgebraicStage> algebraic_stages() const override {
+    std::vector<AlgebraicStage> stages = system_.algebraic_stages();
+    for (AlgebraicStage& stage : stages)
       stage.freeze = [freeze = std::move(stage.freeze), t = state_.t](
                          double, std::span<const double> y) { freeze(t, y); };
     return stages;

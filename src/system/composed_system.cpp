@@ -20,7 +20,7 @@ ComposedSystem<dim>::ComposedSystem(std::shared_ptr<const Composition<dim>> comp
 template <int dim>
 void ComposedSystem<dim>::build_structure() {
   PatternBuilder builder(numbering_.size());
-  std::vector<double>& breakpoints = structure_.corners;
+  std::vector<double>& breakpoints = structure_.breakpoints;
   first_switch_.push_back(0);
   for (const auto& term : terms_) {
     TermStructure part{.pattern = builder};
@@ -57,9 +57,9 @@ Evaluation<dim> ComposedSystem<dim>::evaluation(const Point& at, const FieldValu
                              .t = t,
                              .within = frozen_time_ ? t : at.within.value_or(t),
                              .load_fraction = load_fraction_};
-  if (at.piece)
-    evaluation.branch = std::span<const char>(*at.piece).subspan(
-        first_switch_[k], first_switch_[k + 1] - first_switch_[k]);
+  if (at.branch)
+    evaluation.branch = std::span<const char>(*at.branch)
+                            .subspan(first_switch_[k], first_switch_[k + 1] - first_switch_[k]);
   return evaluation;
 }
 
@@ -102,11 +102,11 @@ void ComposedSystem<dim>::freeze(FieldValues<dim> values, double t) {
 }
 
 template <int dim>
-std::vector<Stage> ComposedSystem<dim>::make_stages() const {
-  std::vector<Stage> stages;
+std::vector<AlgebraicStage> ComposedSystem<dim>::algebraic_stages() const {
+  std::vector<AlgebraicStage> stages;
   for (const BlockSelection& selected : composition_->stages) {
     auto part = std::make_unique<ComposedSystem<dim>>(composition_, selected);
-    Stage stage;
+    AlgebraicStage stage;
     stage.unknowns.resize(static_cast<std::size_t>(part->numbering_.size()));
     for (std::size_t f = 0; f < composition_->fields->fields.size(); ++f) {
       const auto id = static_cast<FieldId>(f);

@@ -18,7 +18,7 @@ public:
   void residual(const Point&, std::span<double>) const override { refuse(); }
   void jacobian(const Point&, double, std::span<double>) const override { refuse(); }
   void switching(double, std::span<const double>, std::span<double>) const override { refuse(); }
-  std::vector<Stage> make_stages() const override { refuse(); }
+  std::vector<AlgebraicStage> algebraic_stages() const override { refuse(); }
 
 private:
   [[noreturn]] static void refuse() { throw std::logic_error("not needed here"); }

@@ -22,7 +22,7 @@ double traction_ratio(const WearModel<2>& model, const State& state) {
   Vector<2> force = Vector<2>::Zero();
   for (const ContactNode<2>& node :
        model.equations().contact_nodes(model.system(), model.system().values(state.y),
-                                       {.t = state.t, .y = state.y, .piece = state.own_piece()}))
+                                       {.t = state.t, .y = state.y, .branch = state.own_branch()}))
     force += node.force;
   return force[0] / force[1];
 }

@@ -36,7 +36,7 @@ void check(const std::string& scene, const Overrides& overrides, double size) {
   ASSERT_LT(closed, static_cast<long>(active.size()));
   // Rows of the stiff body lose digits to its size.
   check_jacobian(system, 0, y, 0.2, nullptr, 1e-4);
-  for (const Stage& stage : system.make_stages()) {
+  for (const AlgebraicStage& stage : system.algebraic_stages()) {
     stage.freeze(0, y);
     std::vector<double> part;
     for (int unknown : stage.unknowns) part.push_back(y[unknown]);

@@ -28,7 +28,9 @@ public:
   void switching(double t, std::span<const double> y, std::span<double> values) const override {
     system_.switching(t, y, values);
   }
-  std::vector<Stage> make_stages() const override { return system_.make_stages(); }
+  std::vector<AlgebraicStage> algebraic_stages() const override {
+    return system_.algebraic_stages();
+  }
 
 private:
   const System& system_;

@@ -95,7 +95,7 @@ TEST(StopTimes, OfFixedStepsLeaveNoSlivers) {
 
 TEST(StopTimes, AreBreakpointsOfTheLoad) {
   Structure structure;
-  structure.corners = {1, 3};
+  structure.breakpoints = {1, 3};
   EXPECT_EQ(end_of_smooth_part(structure, 0, 5), 1);
   EXPECT_EQ(end_of_smooth_part(structure, 1, 5), 3);
   EXPECT_EQ(end_of_smooth_part(structure, 1, 2), 2);

@@ -25,12 +25,12 @@ struct Problem {
   std::vector<double> J, F;
 
   Problem(const System& system, const std::vector<double>& y, double alpha,
-          Preconditioner preconditioner, const ActiveSet* piece = nullptr)
+          Preconditioner preconditioner, const ActiveSet* branch = nullptr)
       : structure(system.structure()), J(structure.pattern.nonzeros()), F(structure.size) {
     structure.solver = {LinearSolverChoice::Method::block, preconditioner};
     const std::vector<double> rest(structure.size, 0.0);
-    system.residual({0, y, rest, piece}, F);
-    system.jacobian({0, y, rest, piece}, alpha, J);
+    system.residual({0, y, rest, branch}, F);
+    system.jacobian({0, y, rest, branch}, alpha, J);
   }
   double size(const std::vector<double>& r) const {
     double sum = 0;
@@ -79,16 +79,16 @@ Problem block_problem(int n, double step, Preconditioner preconditioner,
   FieldValues<3> values(*equations.composition()->fields);
   Eigen::VectorXd& lambda = values.scalar(equations.fields().lambda);
   const double a = 0.4 * block.size, p0 = 6 * block.force / (std::numbers::pi * a * a);
-  ActiveSet piece;
+  ActiveSet branch;
   for (std::size_t c = 0; c < body->contact_nodes.size(); ++c) {
     const Vector<3>& X = body->mesh.nodes[body->contact_nodes[c].node];
     const double inside = 1 - (X[0] * X[0] + X[1] * X[1]) / (a * a);
-    piece.push_back(inside > 0);
+    branch.push_back(inside > 0);
     lambda[static_cast<Eigen::Index>(c)] = inside > 0 ? -p0 * std::sqrt(inside) : 0;
   }
   std::vector<double> y(system.structure().size);
   system.numbering().gather(values, y);
-  return {system, y, 1 / step, preconditioner, &piece};
+  return {system, y, 1 / step, preconditioner, &branch};
 }
 
 /// Drops what the preconditioner drops: equilibrium by shape, and the shape of nodes beside.

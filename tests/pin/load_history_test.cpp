@@ -96,7 +96,7 @@ TEST(LoadHistoryOfThePin, AStepOfRoundingBehindACornerCostsNoAccuracy) {
 TEST(LoadHistoryOfThePin, ItsTimesAreThoseToLandOnButForRounding) {
   const auto model = pin_model({"time.end=0.6000000000000001", "load.times=[0, 0.3, 0.6]",
                                 "load.factors=[1, 2, 1]", "output.times=[0.30000000000000004]"});
-  EXPECT_EQ(model->system().structure().corners,
+  EXPECT_EQ(model->system().structure().breakpoints,
             (std::vector<double>{0, 0.30000000000000004, 0.6000000000000001}));
 }
 

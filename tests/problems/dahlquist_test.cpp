@@ -18,7 +18,7 @@ TEST(Dahlquist, JacobiansEqualCentralDifferences) {
     const auto model = model_of(scene, {"dahlquist.nonlinearity=0.7"});
     const std::vector<double> y = {0.3, -0.8, 0.6, 0.4};
     check_jacobian(model->system(), 0.3, y, 2.0);
-    for (const Stage& stage : model->system().make_stages()) {
+    for (const AlgebraicStage& stage : model->system().algebraic_stages()) {
       stage.freeze(0, y);
       check_jacobian(*stage.system, 0, {0.6, 0.4}, 0);
     }

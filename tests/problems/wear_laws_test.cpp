@@ -180,7 +180,7 @@ TEST(WearLaw, AFactorOfTimeStretchesTimeInTheClosedForm) {
 TEST(WearLaw, StepsEndOnItsKinks) {
   const auto table = springs("k * factor(t) * p * v", {"wear.tables.factor.x=[0, 50, 100]",
                                                        "wear.tables.factor.y=[3, 1, 2]"});
-  EXPECT_EQ(table->system().structure().corners, (std::vector<double>{50, 100}));
+  EXPECT_EQ(table->system().structure().breakpoints, (std::vector<double>{50, 100}));
   const auto threshold = springs("k * max(p - p0, 0) * v", {"wear.constants.p0=1"});
   EXPECT_EQ(threshold->system().structure().switch_node.size(), 2 * points);
   const auto final_depths = [&](double step, bool locate) {
@@ -242,7 +242,7 @@ TEST(WearLaw, NewtonStaysQuadratic) {
   std::vector<double> y = start.y, ydot(y.size());
   const double h = 20;
   const Structure& structure = system.structure();
-  const ActiveSet piece = active_set(system, 0, y);
+  const ActiveSet branch = active_set(system, 0, y);
   NonlinearFunction step;
   const auto rates = [&](std::span<const double> at) {
     for (std::size_t i = 0; i < ydot.size(); ++i)
@@ -250,11 +250,11 @@ TEST(WearLaw, NewtonStaysQuadratic) {
   };
   step.residual = [&](std::span<const double> at, std::span<double> G) {
     rates(at);
-    system.residual({h, at, ydot, &piece}, G);
+    system.residual({h, at, ydot, &branch}, G);
   };
   step.jacobian = [&](std::span<const double> at, std::span<double> values) {
     rates(at);
-    system.jacobian({h, at, ydot, &piece}, 1 / h, values);
+    system.jacobian({h, at, ydot, &branch}, 1 / h, values);
   };
   const NewtonReport report = NewtonSolver(structure, counters).solve(step, y);
   ASSERT_TRUE(report.converged) << report.reason;

@@ -48,11 +48,11 @@ TEST(Winkler, JacobiansEqualCentralDifferences) {
   ASSERT_LT(closed, 9);
   check_jacobian(system, 0, state.y, 0.2);
   std::vector<double> part;
-  const auto stages = system.make_stages();
+  const auto stages = system.algebraic_stages();
   for (int unknown : stages[0].unknowns) part.push_back(state.y[unknown]);
   stages[0].freeze(0, state.y);
   check_jacobian(*stages[0].system, 0, part, 0);
-  // And on the smooth extension of another piece.
+  // And on the smooth extension of another branch.
   for (char& point : active) point = !point;
   check_jacobian(system, 0, state.y, 0.2, &active);
   check_jacobian(*stages[0].system, 0, part, 0, &active);
@@ -138,7 +138,7 @@ TEST(Winkler, TightRunsOfTwoMethodsAgree) {
   EXPECT_GT(error_of(*model, a), difference);  // what is left is the discretization
 }
 
-// The piece is smooth: a method that ends its steps on the events keeps its order across them.
+// The branch is smooth: a method that ends its steps on the events keeps its order across them.
 TEST(Winkler, LocatedEventsKeepTheOrder) {
   const auto model = winkler(27);
   const State exact = run_model(*model, "esdirk-5", 1.25, 0, 200, true).last();

@@ -127,12 +127,12 @@ TEST(Observation, BalancesWhatIsWornAgainstTheRate) {
 void check_flux(const Model& model) {
   Counters counters;
   const State state = model.start(counters);
-  const double flux = model.wear_flux()({.t = 0, .y = state.y, .piece = state.own_piece()});
+  const double flux = model.wear_flux()({.t = 0, .y = state.y, .branch = state.own_branch()});
   EXPECT_GT(flux, 0);
   EXPECT_EQ(flux, model.observe(state).wear_flux);
   // Nothing wears on the branch where all nodes are open.
   const ActiveSet open(model.system().structure().switch_node.size(), 0);
-  EXPECT_EQ(model.wear_flux()({.t = 0, .y = state.y, .piece = &open}), 0);
+  EXPECT_EQ(model.wear_flux()({.t = 0, .y = state.y, .branch = &open}), 0);
 }
 
 TEST(WearFlux, IsThatOfTheStateOnItsBranch) {

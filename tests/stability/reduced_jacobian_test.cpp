@@ -26,16 +26,16 @@ public:
   ReducedRate(const System& system, const State& at)
       : system_(system),
         at_(at),
-        piece_(active_set(system, at.t, at.y)),
+        branch_(active_set(system, at.t, at.y)),
         stages_(system, counters_) {}
 
   /// With the differential component at position i of y moved by `change`.
   Eigen::VectorXd operator()(int i, double change, const std::vector<int>& components) {
     State state = at_;
     state.y[i] += change;
-    const std::string reason = stages_.solve(state.t, state.y, &piece_);
+    const std::string reason = stages_.solve(state.t, state.y, &branch_);
     EXPECT_EQ(reason, "");
-    set_rates(system_, &piece_, state);
+    set_rates(system_, &branch_, state);
     Eigen::VectorXd rate(components.size());
     for (std::size_t k = 0; k < components.size(); ++k) rate[k] = state.ydot[components[k]];
     return rate;
@@ -44,7 +44,7 @@ public:
 private:
   const System& system_;
   State at_;
-  ActiveSet piece_;
+  ActiveSet branch_;
   Counters counters_;
   AlgebraicSolver stages_;
 };
@@ -87,8 +87,8 @@ TEST(ReducedJacobian, HasTheSpectrumOfTheSprings) {
   const double rate = scene.real("foundation.modulus") * scene.real("wear.coefficient") *
                       scene.real("wear.velocity");
   const ReducedJacobian G(model->system(), start);
-  const ActiveSet piece = active_set(model->system(), start.t, start.y);
-  const auto closed = std::count(piece.begin(), piece.end(), 1);
+  const ActiveSet branch = active_set(model->system(), start.t, start.y);
+  const auto closed = std::count(branch.begin(), branch.end(), 1);
   ASSERT_GT(closed, 10);
   ASSERT_LT(closed, G.size());
   const std::vector<Mode> modes = all_modes(G.dense());

@@ -16,7 +16,7 @@ struct PressedBlock {
   double force = 20;       ///< N
   double wear = 1e-4;      ///< mm/(MPa s), k v
   double duration = 1000;  ///< s
-  Element element;
+  Element element{};
 };
 
 inline Mesh<3> block_mesh(const PressedBlock& block) {

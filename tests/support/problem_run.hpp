@@ -79,13 +79,14 @@ inline Eigen::MatrixXd dense(const SparsePattern& pattern, const std::vector<dou
 /// J = dF/dy + alpha dF/dydot against central differences of F(y + e, ydot + alpha e), with steps
 /// of `relative` times the typical size of each unknown. Refuses rows that are zero.
 inline void check_jacobian(const System& system, double t, const std::vector<double>& y,
-                           double alpha, const ActiveSet* piece = nullptr, double relative = 1e-5) {
+                           double alpha, const ActiveSet* branch = nullptr,
+                           double relative = 1e-5) {
   const Structure& structure = system.structure();
   const long n = structure.size;
   std::vector<double> values(structure.pattern.nonzeros());
   std::vector<double> ydot(n);
   for (long i = 0; i < n; ++i) ydot[i] = structure.differential[i] ? 0.01 * double(i + 1) : 0;
-  system.jacobian({t, y, ydot, piece}, alpha, values);
+  system.jacobian({t, y, ydot, branch}, alpha, values);
   const Eigen::MatrixXd J = dense(structure.pattern, values);
   Eigen::MatrixXd differences(n, n);
   for (long j = 0; j < n; ++j) {
@@ -93,8 +94,8 @@ inline void check_jacobian(const System& system, double t, const std::vector<dou
     std::vector<double> up = y, down = y, up_dot = ydot, down_dot = ydot, F_up(n), F_down(n);
     up[j] += h, down[j] -= h;
     up_dot[j] += alpha * h, down_dot[j] -= alpha * h;
-    system.residual({t, up, up_dot, piece}, F_up);
-    system.residual({t, down, down_dot, piece}, F_down);
+    system.residual({t, up, up_dot, branch}, F_up);
+    system.residual({t, down, down_dot, branch}, F_down);
     for (long i = 0; i < n; ++i) differences(i, j) = (F_up[i] - F_down[i]) / (2 * h);
   }
   // Row by row, since rows have different units.

@@ -11,11 +11,11 @@
 namespace gnomon::testing {
 
 struct SprungPointsOptions {
-  std::vector<double> borders;  ///< a_j, where point j touches its spring
-  double frequency = 0;         ///< omega of the motion
-  double stiffness = 1;         ///< K
-  double wear = 0;              ///< k
-  double x = 0, speed = 1;      ///< at the start
+  std::vector<double> borders{};  ///< a_j, where point j touches its spring
+  double frequency = 0;           ///< omega of the motion
+  double stiffness = 1;           ///< K
+  double wear = 0;                ///< k
+  double x = 0, speed = 1;        ///< at the start
   std::vector<double> breakpoints = {};
 };
 
@@ -41,7 +41,7 @@ public:
     structure_.row_scale.assign(n, 1.0);
     structure_.unknown_scale.assign(n, 1.0);
     for (int j = 0; j < points(); ++j) structure_.switch_node.push_back(100 + j);
-    structure_.corners = options.breakpoints;
+    structure_.breakpoints = options.breakpoints;
   }
 
   int points() const { return static_cast<int>(options_.borders.size()); }
@@ -69,7 +69,7 @@ public:
   const Structure& structure() const override { return structure_; }
 
   void residual(const Point& at, std::span<double> F) const override {
-    const ActiveSet active = at.piece ? *at.piece : active_set(*this, at.t, at.y);
+    const ActiveSet active = at.branch ? *at.branch : active_set(*this, at.t, at.y);
     const double omega = options_.frequency;
     F[0] = at.ydot[0] - at.y[1];
     F[1] = at.ydot[1] + omega * omega * at.y[0];
@@ -81,7 +81,7 @@ public:
   }
 
   void jacobian(const Point& at, double rate_weight, std::span<double> values) const override {
-    const ActiveSet active = at.piece ? *at.piece : active_set(*this, at.t, at.y);
+    const ActiveSet active = at.branch ? *at.branch : active_set(*this, at.t, at.y);
     const double omega = options_.frequency;
     std::fill(values.begin(), values.end(), 0.0);
     const auto J = [&](int row, int column) -> double& {
@@ -104,10 +104,10 @@ public:
     for (int j = 0; j < points(); ++j) values[j] = -overlap(j, y);
   }
 
-  std::vector<Stage> make_stages() const override {
+  std::vector<AlgebraicStage> algebraic_stages() const override {
     auto system = std::make_unique<Pressures>(*this);
     Pressures* pressures = system.get();
-    std::vector<Stage> stages(1);
+    std::vector<AlgebraicStage> stages(1);
     for (int j = 0; j < points(); ++j) stages[0].unknowns.push_back(pressure(j));
     stages[0].system = std::move(system);
     stages[0].freeze = [pressures](double, std::span<const double> y) {
@@ -132,7 +132,7 @@ private:
     }
     const Structure& structure() const override { return own; }
     void residual(const Point& at, std::span<double> F) const override {
-      const ActiveSet active = at.piece ? *at.piece : active_set(*this, at.t, at.y);
+      const ActiveSet active = at.branch ? *at.branch : active_set(*this, at.t, at.y);
       for (int j = 0; j < parent.points(); ++j)
         F[j] = at.y[j] - (active[j] ? parent.options_.stiffness * parent.overlap(j, frozen) : 0);
     }
@@ -142,7 +142,7 @@ private:
     void switching(double, std::span<const double>, std::span<double> values) const override {
       parent.switching(0, frozen, values);
     }
-    std::vector<Stage> make_stages() const override { return {}; }
+    std::vector<AlgebraicStage> algebraic_stages() const override { return {}; }
 
     const SprungPoints& parent;
     Structure own;

@@ -22,17 +22,17 @@ TEST(SmallStrains, JacobianEqualsCentralDifferences) {
 }
 
 // The stiffness of the body does not depend on its displacement: at frozen shape and on one smooth
-// piece the whole residual is linear in u and lambda, so its Jacobian is the same at every state.
+// branch the whole residual is linear in u and lambda, so its Jacobian is the same at every state.
 TEST(SmallStrains, ContactProblemIsLinearOnAPiece) {
   const auto jacobian_at = [](const char* kinematics, double amplitude) {
     const auto model = pin_model({elements(4), std::string("body.kinematics=") + kinematics});
-    const std::vector<Stage> stages = model->system().make_stages();
+    const std::vector<AlgebraicStage> stages = model->system().algebraic_stages();
     const System& contact = *stages.back().system;
     std::vector<double> y(contact.structure().size);
     for (std::size_t k = 0; k < y.size(); ++k) y[k] = amplitude * std::sin(3.0 * k);
-    const ActiveSet piece(contact.structure().switch_node.size(), 1);
+    const ActiveSet branch(contact.structure().switch_node.size(), 1);
     std::vector<double> values(contact.structure().pattern.nonzeros());
-    contact.jacobian({.y = y, .piece = &piece}, 0, values);
+    contact.jacobian({.y = y, .branch = &branch}, 0, values);
     return values;
   };
   EXPECT_EQ(jacobian_at("small", 0), jacobian_at("small", 0.05));

@@ -41,7 +41,7 @@ TEST(WearSystem, JacobianEqualsCentralDifferences) {
         ASSERT_GT(closed, 0);
         ASSERT_LT(closed, static_cast<long>(active.size()));
         check_jacobian(system, 0, y, 0.2);
-        // And on the smooth extension of another piece: every node on its wrong side.
+        // And on the smooth extension of another branch: every node on its wrong side.
         for (char& closed_node : active) closed_node = !closed_node;
         check_jacobian(system, 0, y, 0.2, &active);
       }
@@ -56,18 +56,18 @@ TEST(WearSystem, JacobianEqualsCentralDifferencesWithEveryAuxiliaryEnergy) {
     }
 }
 
-// A piece that is given agrees with the one chosen by sign where the two are the same.
+// A branch that is given agrees with the one chosen by sign where the two are the same.
 TEST(WearSystem, TheGivenPieceOfAStateIsItsResidual) {
   const auto model = pin_model({elements(4)});
   const System& system = model->system();
   const std::vector<double> y = rough_state(*model);
-  ActiveSet piece = active_set(system, 0, y);
+  ActiveSet branch = active_set(system, 0, y);
   std::vector<double> own(y.size()), given(y.size()), other(y.size());
   system.residual({0, y, y}, own);
-  system.residual({0, y, y, &piece}, given);
+  system.residual({0, y, y, &branch}, given);
   EXPECT_EQ(own, given);
-  piece[1] = !piece[1];
-  system.residual({0, y, y, &piece}, other);
+  branch[1] = !branch[1];
+  system.residual({0, y, y, &branch}, other);
   EXPECT_NE(own, other);
 }
 
@@ -75,9 +75,9 @@ TEST(WearSystem, StageJacobiansEqualCentralDifferences) {
   for (const char* form : {"eliminated", "multiplier"}) {
     const auto model = pin_model({elements(4), std::string("shape.constraint=") + form});
     const std::vector<double> y = rough_state(*model);
-    const auto stages = model->system().make_stages();
+    const auto stages = model->system().algebraic_stages();
     ASSERT_EQ(stages.size(), 2u);
-    for (const Stage& stage : stages) {
+    for (const AlgebraicStage& stage : stages) {
       stage.freeze(0, y);
       std::vector<double> part;
       for (int unknown : stage.unknowns) part.push_back(y[unknown]);
@@ -95,7 +95,7 @@ TEST(WearSystem, StagesAreItsAlgebraicRows) {
   system.residual({0, y, std::vector<double>(y.size(), 0.0)}, F);
   long rows =
       std::count(system.structure().differential.begin(), system.structure().differential.end(), 1);
-  for (const Stage& stage : system.make_stages()) {
+  for (const AlgebraicStage& stage : system.algebraic_stages()) {
     stage.freeze(0, y);
     std::vector<double> part, G(stage.unknowns.size());
     for (int unknown : stage.unknowns) part.push_back(y[unknown]);

@@ -8,7 +8,7 @@ namespace gnomon {
 /// Column j holds rows row_index[column_start[j]] ... row_index[column_start[j+1]-1], ascending.
 struct SparsePattern {
   std::vector<int> column_start;  ///< size + 1 entries
-  std::vector<int> row_index;     ///< one a structural nonzero
+  std::vector<int> row_index;     ///< one for each structural nonzero
 
   int size() const { return column_start.empty() ? 0 : static_cast<int>(column_start.size()) - 1; }
   long nonzeros() const { return static_cast<long>(row_index.size()); }

@@ -15,7 +15,7 @@ struct Landing {
   int switched = 0;       ///< contact nodes that change there, or at the start
 };
 
-/// Steps are taken on the smooth extension of one branch (Point::piece). When a switching function
+/// Steps are taken on the smooth extension of one branch (Point::branch). When a switching function
 /// has changed sign at the end of a step, the first of these events is found by interpolation and
 /// by repeating the step, shorter, until its end is within `tolerance` of the event.
 ///

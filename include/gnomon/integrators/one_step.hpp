@@ -18,7 +18,7 @@ struct Attempt {
 
 /// How an attempt is made.
 struct AttemptOptions {
-  const ActiveSet* branch = nullptr;  ///< smooth branch to stay on (Point::piece); null: that of y
+  const ActiveSet* branch = nullptr;  ///< smooth branch to stay on (Point::branch); null: that of y
   bool continuation = false;  ///< solve equations that Newton cannot by continuation in the step
 };
 

@@ -5,7 +5,7 @@
 
 namespace gnomon {
 
-/// Rates of the differential components on a smooth branch (Point::piece): every differential row
+/// Rates of the differential components on a smooth branch (Point::branch): every differential row
 /// is ydot + f(t, y) = 0, so they are minus the row at ydot = 0. Fills ydot, zero elsewhere.
 void set_rates(const System& system, const ActiveSet* branch, State& state);
 

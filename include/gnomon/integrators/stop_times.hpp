@@ -14,8 +14,8 @@ inline constexpr double sliver = 1e-3;
 /// by adding up, so that it does not drift), or t_stop where that comes earlier or a sliver later.
 double end_of_fixed_step(double t, double step, double t_stop);
 
-/// Where a step from t has to end at the latest: on the next breakpoint (Structure::corners) before
-/// t_stop, else on t_stop.
+/// Where a step from t has to end at the latest: on the next breakpoint (Structure::breakpoints)
+/// before t_stop, else on t_stop.
 double end_of_smooth_part(const Structure& structure, double t, double t_stop);
 /// Whether F may have a kink in time at t, on which a step has ended.
 bool is_breakpoint(const Structure& structure, double t);

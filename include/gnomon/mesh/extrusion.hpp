@@ -11,7 +11,7 @@ struct Extrusion {
   Mesh<3> mesh;
   Mesh<2> section;  ///< in the plane (y, z)
   std::vector<int>
-      section_node;  ///< one a node of `mesh`: the node of `section` it was carried from
+      section_node;  ///< one for each node of `mesh`: the node of `section` it was carried from
 };
 
 /// Carries a section in the plane (y, z) along x. `stations`: ascending values of x [length], at

@@ -63,7 +63,7 @@ public:
   virtual State start(Counters& counters) const = 0;
   /// What is told of a state: always the same members and others.
   virtual Observation observe(const State& state) const = 0;
-  /// Observation::wear_flux as a function of a consistent point of system(), on its piece, which
+  /// Observation::wear_flux as a function of a consistent point of system(), on its branch, which
   /// the run loop has integrated over time as wear_integral. Empty: nothing wears. Keeps a
   /// reference to the model. Throws where residual() does.
   virtual std::function<double(const Point&)> wear_flux() const { return {}; }

@@ -9,24 +9,24 @@
 namespace gnomon {
 
 /// Remark 1 of the paper: with the worn surface given, mesh motion and contact are solved one after
-/// the other, never together (System::make_stages).
+/// the other, never together (System::algebraic_stages).
 class AlgebraicSolver {
 public:
   AlgebraicSolver(const System& system, Counters& counters);
   /// Makes y consistent at t with its differential components, which stay, on a smooth branch
-  /// (Point::piece). On failure returns the reason (empty on success) and leaves y unspecified.
+  /// (Point::branch). On failure returns the reason (empty on success) and leaves y unspecified.
   std::string solve(double t, std::span<double> y, const ActiveSet* branch = nullptr);
 
 private:
   struct Subproblem {
-    Stage equations;
+    AlgebraicStage equations;
     std::unique_ptr<NewtonSolver> newton;
     std::vector<double> unknowns;
   };
   std::vector<Subproblem> subproblems_;  // in the order in which they are solved
 };
 
-/// The residual and Jacobian of a purely algebraic system on a smooth branch (Point::piece),
+/// The residual and Jacobian of a purely algebraic system on a smooth branch (Point::branch),
 /// for NewtonSolver.
 NonlinearFunction algebraic_function(const System& system, const ActiveSet* branch = nullptr);
 

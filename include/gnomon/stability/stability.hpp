@@ -22,7 +22,7 @@ namespace gnomon {
 std::vector<State> accurate_states(const Model& model, std::span<const double> times,
                                    Counters& counters);
 
-/// G at a consistent state on the smooth piece (active set) that the state lies in, as products
+/// G at a consistent state on the smooth branch (active set) that the state lies in, as products
 /// with vectors: one factorization, then one solve a product.
 ///
 /// With J = dF/dy in blocks of differential (d) and algebraic (a) rows and columns, and

@@ -33,7 +33,7 @@ public:
   void residual(const Point& at, std::span<double> F) const override;
   void jacobian(const Point& at, double alpha, std::span<double> values) const override;
   void switching(double t, std::span<const double> y, std::span<double> values) const override;
-  std::vector<Stage> make_stages() const override;
+  std::vector<AlgebraicStage> algebraic_stages() const override;
 
   const Numbering& numbering() const { return numbering_; }
   /// Values of all fields at y; those of frozen blocks as last given to freeze() (zero before).

@@ -12,12 +12,12 @@ struct State {
   double t = 0;
   std::vector<double> y;
   std::vector<double> ydot;
-  /// The smooth piece that it was solved on, where events are located: at an event a node may be on
-  /// the other side by rounding. Empty: the one that y lies in.
-  ActiveSet piece = {};
+  /// The smooth branch that it was solved on, where events are located: at an event a node may be
+  /// on the other side by rounding. Empty: the one that y lies in.
+  ActiveSet branch = {};
 
-  /// As Point::piece wants it.
-  const ActiveSet* own_piece() const { return piece.empty() ? nullptr : &piece; }
+  /// As Point::branch wants it.
+  const ActiveSet* own_branch() const { return branch.empty() ? nullptr : &branch; }
 };
 
 }  // namespace gnomon

@@ -26,8 +26,8 @@ struct Structure {
   std::vector<char> differential;     ///< size entries: 1 where ydot enters F
   std::vector<double> row_scale;      ///< size entries: |F_i| that matters, in the unit of the row
   std::vector<double> unknown_scale;  ///< size entries: typical |y_i|
-  std::vector<int> switch_node;       ///< one a switching function: the mesh node it belongs to
-  std::vector<double> corners;        ///< ascending times at which F may have a kink in t
+  std::vector<int> switch_node;  ///< one for each switching function: the mesh node it belongs to
+  std::vector<double> breakpoints;  ///< ascending times at which F may have a kink in t
   LinearSolverChoice solver;
   // For solvers by blocks; empty where a system has no such blocks.
   std::vector<Block> blocks;
@@ -47,15 +47,15 @@ struct Point {
   double t = 0;
   std::span<const double> y;
   std::span<const double> ydot = {};  ///< not read by purely algebraic systems
-  /// The smooth piece to evaluate, continued beyond its border (gaps of open nodes may be negative,
-  /// multipliers of closed ones positive). Null: the piece that y lies in.
-  const ActiveSet* piece = nullptr;
-  /// A time whose smooth part, up to the next corner, F is continued from to t: the start of a step
-  /// with a stage past its end. Absent: t itself.
+  /// The smooth branch to evaluate, continued beyond its border (gaps of open nodes may be
+  /// negative, multipliers of closed ones positive). Null: the branch that y lies in.
+  const ActiveSet* branch = nullptr;
+  /// A time whose smooth part, up to the next breakpoint, F is continued from to t: the start of a
+  /// step with a stage past its end. Absent: t itself.
   std::optional<double> within = {};
 };
 
-struct Stage;
+struct AlgebraicStage;
 
 /// The equations that every integrator sees. Five members, no defaults.
 class System {
@@ -76,19 +76,19 @@ public:
 
   /// The algebraic rows for given differential components, as a sequence of smaller systems to be
   /// solved one after the other (Remark 1: mesh motion, then contact). The caller owns them.
-  virtual std::vector<Stage> make_stages() const = 0;
+  virtual std::vector<AlgebraicStage> algebraic_stages() const = 0;
 };
 
 /// An algebraic stage: some unknowns of a parent system, solved for with the others and the time
 /// frozen.
-struct Stage {
+struct AlgebraicStage {
   std::vector<int> unknowns;       ///< position in the parent's y of each unknown of `system`
   std::unique_ptr<System> system;  ///< purely algebraic; t and ydot do not enter
   /// Fixes time and the others at the parent's t and y.
   std::function<void(double t, std::span<const double> y)> freeze;
 };
 
-/// The piece that y lies in at t.
+/// The branch that y lies in at t.
 ActiveSet active_set(const System& system, double t, std::span<const double> y);
 
 }  // namespace gnomon
