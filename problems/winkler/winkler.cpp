@@ -232,8 +232,13 @@ std::unique_ptr<Model> make(const Scene& scene) {
   f->wear = read_wear_law(scene);
   f->wear_by_pressure = wear_by_pressure(scene, f->wear, {.pressure = f->mean_pressure()});
   if (f->wear_by_pressure == 0)
-    throw InputError(scene.where("wear.rate") + ": expected a law that wears this pin");
-  require_law(scene, f->wear, {.pressure = f->mean_pressure(), .depth = f->mean_depth()});
+    throw InputError(
+        scene.where("wear.rate") +
+        ": expected a law that wears the centre of this pin; springs know no friction");
+  WearCircumstances circumstances{
+      .pressure = f->mean_pressure(), .depth = f->mean_depth(), .initial = {}};
+  for (const double x : f->x) circumstances.initial.push_back({x, f->profile(x), 0});
+  require_law(scene, f->wear, circumstances);
   const long n = scene.integer("foundation.points");
   const double spacing = f->width / double(n - 1);
   for (long i = 0; i < n; ++i) {

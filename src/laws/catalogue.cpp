@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/catalogue.hpp>
+#include <utility>
 
 namespace gnomon {
 
@@ -32,43 +33,51 @@ Vector<dim> read_direction(const Scene& scene, const std::string& key) {
   return direction;
 }
 
+namespace {
+
+/// Times of the run at which a law is looked at, and one in each part between its breakpoints.
+std::vector<double> moments(const WearLaw& law, double duration) {
+  constexpr std::size_t most_parts = 100;
+  std::vector<double> times;
+  for (const double part : {0.0, 1e-3, 0.1, 0.5, 1.0}) times.push_back(part * duration);
+  std::vector<double> ends = law.breakpoints();
+  ends.resize(std::min(ends.size(), most_parts));
+  double before = 0;
+  for (const double end : ends) times.push_back((before + std::exchange(before, end)) / 2);
+  return times;
+}
+
+}  // namespace
+
 void check_wear_law(const WearLaw& law, const WearRange& range, const std::string& where) {
-  // Rounding lets a depth be negative where nothing wears.
-  constexpr double rounding = 1e-9;
+  constexpr double rounding = 1e-9;  // of the rate at the mean pressure
   WearInput at;
   const auto rate = [&] {
     try {
-      return law.rate(at);
-    } catch (const RecoverableError&) {
-      throw InputError(
-          fmt::format("{}: expected a finite wear rate, with finite derivatives, got "
-                      "none at {}",
-                      where, described(at)));
+      return law.rate(at).value;
+    } catch (const RecoverableError& error) {
+      throw InputError(fmt::format(
+          "{}: expected a finite wear rate of zero or more, with finite derivatives: {}", where,
+          error.what()));
     }
   };
-  for (const double time : {0.0, 1e-3, 0.1, 0.5, 1.0})
-    for (const double speed : {0.01, 0.1, 1.0, 3.0})
-      for (const double depth : {-rounding, 0.0, 0.01, 0.3, 1.0, 2.0})
+  for (const double time : moments(law, range.duration))
+    for (const double speed : {0.5, 1.0, 2.0})
+      for (const double depth : {0.0, 0.01, 0.3, 1.0, 2.0})
         for (const auto& initial : range.initial) {
-          at.moment = {time * range.duration, time * range.duration * range.nominal_speed,
-                       time * range.duration};
+          at.moment = {time, time * range.nominal_speed, time};
           at.speed = speed * range.speed;
           at.depth = depth * range.depth;
           at.initial = initial;
-          double largest = 0;
+          double usual = 0;  // at the mean pressure
           for (const double pressure : {10.0, 3.0, 1.0, 0.3, 0.01, 1e-4, 0.0}) {
             at.pressure = pressure * range.pressure;
             at.friction_power = range.friction * at.pressure * at.speed;
-            const double value = rate().value;
-            largest = std::max(largest, value);
-            if (pressure == 0 && !(std::abs(value) <= rounding * largest))
+            const double value = rate();
+            if (pressure == 1) usual = value;
+            if (pressure == 0 && !(value <= rounding * usual))
               throw InputError(
                   fmt::format("{}: expected no wear without pressure, got the rate {:.4g} at {}",
-                              where, value, described(at)));
-            if (value < 0)
-              throw InputError(
-                  fmt::format("{}: expected a wear rate of zero or more, got {:.4g} "
-                              "at {}",
                               where, value, described(at)));
           }
         }

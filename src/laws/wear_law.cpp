@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/wear_law.hpp>
@@ -19,6 +20,14 @@ WearInput with_pressure(const WearInput& at, double pressure, double friction_po
   result.pressure = pressure;
   result.friction_power = friction_power;
   return result;
+}
+
+/// A depth that is negative by the rounding of positions alone.
+bool is_rounding(const WearInput& at) {
+  constexpr double roundings = 1e-12;
+  const auto& x = at.initial;
+  const double size = std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
+  return at.depth < 0 && at.depth > -roundings * size;
 }
 
 /// A law like p^0.8 has no slope at p = 0, where Newton needs one alone: none at all.
@@ -52,8 +61,16 @@ WearRate WearLaw::rate(const WearInput& at, std::span<const char> branches) cons
   }
   if (!finite(rate))
     throw RecoverableError(fmt::format(
-        "the wear law has no finite rate at p = {:.4g}, v = {:.4g}, h = {:.4g}, t = {:.4g}",
+        "the wear law has no finite rate, or derivatives of it, at p = {:.4g}, v = {:.4g}, h = "
+        "{:.4g}, t = {:.4g}",
         at.pressure, at.speed, at.depth, at.moment.time));
+  // A branch that is given may be continued to where it is negative.
+  if (branches.empty() && at.pressure >= 0 && rate.value < 0 && !is_rounding(at))
+    throw RecoverableError(fmt::format(
+        "the wear law adds material: its rate is {:.4g} at p = {:.4g}, v = {:.4g}, h = {:.4g}, t = "
+        "{:.4g}, initial position ({:.4g}, {:.4g}, {:.4g})",
+        rate.value, at.pressure, at.speed, at.depth, at.moment.time, at.initial[0], at.initial[1],
+        at.initial[2]));
   return rate;
 }
 

@@ -5,7 +5,35 @@
 
 namespace gnomon {
 
+namespace {
+
+/// A law in C++ reads neither the expression nor its names: they are not given in vain.
+void require_no_expression(const Scene& scene) {
+  const std::string& law = scene.text("wear.law");
+  const auto refuse = [&](const std::string& key) {
+    throw InputError(scene.where(key) + ": expected nothing: wear.law = \"" + law +
+                     "\" does not read it");
+  };
+  if (!scene.is_default("wear.rate")) refuse("wear.rate");
+  for (const char* key : {"wear.constants.*", "wear.tables.*.x", "wear.tables.*.y"})
+    if (const auto names = scene.chosen_names(key); !names.empty())
+      refuse(std::string(key).replace(std::string(key).find('*'), 1, names.front()));
+}
+
+/// At most some hundred of them, the last among them.
+std::vector<std::array<double, 3>> some_of(const std::vector<std::array<double, 3>>& positions) {
+  constexpr std::size_t most = 200;
+  if (positions.empty()) return {{}};
+  const std::size_t stride = positions.size() / most + 1;
+  std::vector<std::array<double, 3>> result = {positions.back()};
+  for (std::size_t k = 0; k < positions.size(); k += stride) result.push_back(positions[k]);
+  return result;
+}
+
+}  // namespace
+
 WearLaw read_wear_law(const Scene& scene) {
+  if (scene.text("wear.law") != "expression") require_no_expression(scene);
   return Registry<WearLawKind>::find(scene.text("wear.law"), "wear law").make(scene);
 }
 
@@ -46,7 +74,9 @@ double wear_by_pressure(const Scene& scene, const WearLaw& law, const WearCircum
   }
   return 0;
 } catch (const RecoverableError& error) {
-  throw InputError(where_law(scene) + ": " + error.what());
+  throw InputError(
+      where_law(scene) +
+      ": expected a finite wear rate of zero or more, with finite derivatives: " + error.what());
 }
 
 void require_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at) {
@@ -56,7 +86,8 @@ void require_law(const Scene& scene, const WearLaw& law, const WearCircumstances
                   .depth = at.depth,
                   .duration = scene.real("time.end"),
                   .friction = at.friction,
-                  .nominal_speed = scene.real("wear.velocity")},
+                  .nominal_speed = scene.real("wear.velocity"),
+                  .initial = some_of(at.initial)},
                  where_law(scene));
 }
 

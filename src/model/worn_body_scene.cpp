@@ -52,8 +52,13 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
       scene.text("body.kinematics") == "small" ? Kinematics::small : Kinematics::finite;
   body.contact.friction = scene.real("friction.coefficient");
   body.contact.wear = read_wear_law(scene);
-  require_law(scene, body.contact.wear,
-              {body.scales.stress, body.contact.friction, body.scales.wear_depth});
+  WearCircumstances circumstances{
+      body.scales.stress, body.contact.friction, body.scales.wear_depth, {}};
+  for (const ContactPatch<dim>& patch : body.contact_nodes) {
+    std::array<double, 3>& position = circumstances.initial.emplace_back();
+    std::copy(patch.initial_position.begin(), patch.initial_position.end(), position.begin());
+  }
+  require_law(scene, body.contact.wear, circumstances);
   body.solver = linear_solver_of(scene, {dim, double(body.mesh.nodes.size())});
   body.contact.rho =
       scene.real("contact.regularization") * regularization_unit(young, facet, body.scales);

@@ -60,6 +60,10 @@ bool Scene::knows(const std::string& key) const {
                      [&](const Entry& entry) { return entry.key.name == key; });
 }
 
+bool Scene::is_default(const std::string& key) const {
+  return entry(key).value == entry(key).key.default_value;
+}
+
 std::optional<double> Scene::real_if(const std::string& key) const {
   return has(key) ? std::optional(real(key)) : std::nullopt;
 }

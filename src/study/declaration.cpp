@@ -10,6 +10,7 @@
 #include <gnomon/model/problem.hpp>
 #include <sstream>
 
+#include "scene/chosen_name.hpp"
 #include "scene/raw_value.hpp"
 #include "scene/toml_reader.hpp"
 #include "scene/toml_text.hpp"
@@ -138,7 +139,7 @@ private:
         throw InputError(
             fmt::format("{}: `{}` is swept twice, expected once", sweep.origin, sweep.key));
     for (const Key& key : scene_keys_)
-      if (key.name == sweep.key) sweep_values(sweep, keyed);
+      if (key.name == sweep.key || chosen_name(key.name, sweep.key)) sweep_values(sweep, keyed);
     // Throws: the name is unknown.
     if (sweep.values.empty())
       scene_setting(sweep.key, keyed.open_values().front(), sweep.origin, scene_keys_, impossible_);

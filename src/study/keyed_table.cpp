@@ -7,6 +7,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 
+#include "scene/chosen_name.hpp"
 #include "scene/key_check.hpp"
 #include "scene/toml_text.hpp"
 
@@ -71,8 +72,9 @@ std::string owner(const std::string& key) {
 }
 
 const Key* find(const std::vector<Key>& keys, const std::string& name) {
-  const auto key =
-      std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });
+  const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) {
+    return k.name == name || chosen_name(k.name, name);
+  });
   return key == keys.end() ? nullptr : &*key;
 }
 

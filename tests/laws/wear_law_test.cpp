@@ -140,10 +140,14 @@ TEST(WearLaw, IsCheckedOnAGridOfInputs) {
   const std::string idle = refusal("1e-9 * (p + 1) * v");
   EXPECT_THAT(idle,
               HasSubstr(key + "expected no wear without pressure, got the rate 1e-08 at p = 0,"));
-  EXPECT_THAT(refusal("1e-9 * p * v * (1 - 2 * h)"),
-              HasSubstr(key + "expected a wear rate of zero or more, got -"));
-  EXPECT_THAT(refusal("1e-9 * p * v * sqrt(h)"),
-              HasSubstr(key + "expected a finite wear rate, with finite derivatives, got none at"));
+  EXPECT_THAT(
+      refusal("1e-9 * p * v * (1 - 2 * h)"),
+      HasSubstr(key + "expected a finite wear rate of zero or more, with finite derivatives: "
+                      "the wear law adds material: its rate is -"));
+  EXPECT_THAT(
+      refusal("1e-9 * p * v * sqrt(h)"),
+      HasSubstr(key + "expected a finite wear rate of zero or more, with finite derivatives: "
+                      "the wear law has no finite rate"));
   for (const std::string& text : {idle}) EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 

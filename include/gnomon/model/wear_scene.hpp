@@ -1,8 +1,10 @@
 // The wear law of a scene.
 #pragma once
 
+#include <array>
 #include <gnomon/laws/wear_law.hpp>
 #include <gnomon/scene/scene.hpp>
+#include <vector>
 
 namespace gnomon {
 
@@ -13,7 +15,9 @@ WearLaw read_wear_law(const Scene& scene);
 struct WearCircumstances {
   double pressure = 1;  ///< mean contact pressure [stress]
   double friction = 0;  ///< Coulomb's coefficient
-  double depth = 1;     ///< mean wear depth at the end [length]; read by require_law() alone
+  // Read by require_law() alone:
+  double depth = 1;                                   ///< mean wear depth at the end [length]
+  std::vector<std::array<double, 3>> initial = {{}};  ///< positions of the nodes [length]
 };
 
 /// The mean over the run of Wdot / p at a new surface [length / (time stress)]: k v of Archard's

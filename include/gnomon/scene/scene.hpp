@@ -74,6 +74,7 @@ public:
   bool has(const std::string& key) const;    ///< false for an absent optional key
   bool knows(const std::string& key) const;  ///< whether the key is in the table of the scene
   std::optional<double> real_if(const std::string& key) const;
+  bool is_default(const std::string& key) const;  ///< whether a key has its default value
   /// What the scene gives in the place of "*" in a key of the table, ascending.
   std::vector<std::string> chosen_names(const std::string& key) const;
 
