@@ -139,7 +139,7 @@ TEST(WearLaw, IsCheckedOnAGridOfInputs) {
   const std::string key = "scene.toml:3: key `wear.rate`: ";
   const std::string idle = refusal("1e-9 * (p + 1) * v");
   EXPECT_THAT(idle,
-              HasSubstr(key + "expected no wear without pressure, got the rate 1e-08 at p = 0,"));
+              HasSubstr(key + "expected no wear without pressure, got the rate 5e-07 at p = 0,"));
   EXPECT_THAT(
       refusal("1e-9 * p * v * (1 - 2 * h)"),
       HasSubstr(key + "expected a finite wear rate of zero or more, with finite derivatives: "
