@@ -76,7 +76,7 @@ NewtonSolver::Memory::Memory(const Structure& structure, Counters& counters,
   check(KINInit(k, &Memory::residual, y_.get()), "KINInit");
   check(KINSetUserData(k, this), "KINSetUserData");
   check(KINSetLinearSolver(k, linear_.get(), matrix_.get()), "KINSetLinearSolver");
-  // KINSOL takes the steps, the policy decides, and it is asked where KINSOL wants a Jacobian:
+  // KINSOL takes the steps, the policy decides, and it is asked where KINSOL asks for a Jacobian:
   // before every iteration, also where KINSOL would be done.
   constexpr double never = 1e-300;  // but at a residual of zero
   check(KINSetJacFn(k, &Memory::next_step), "KINSetJacFn");

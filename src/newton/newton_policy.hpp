@@ -32,7 +32,7 @@ public:
     double reduction;  ///< of the linear residual that an iterative linear solver is to reach
   };
   /// The next Newton step, from an iterate on `branch` (empty: the equations are smooth).
-  /// `demanded`: the caller wants a set-up for reasons of its own.
+  /// `demanded`: the caller needs a set-up for reasons of its own.
   Plan plan(const ActiveSet& branch, bool demanded = false);
   /// The set-up of the last plan has succeeded. Without this call the next plan has one again.
   void factors_made(const ActiveSet& branch);

@@ -201,7 +201,7 @@ TEST_F(BadInput, CommandLine) {
   expect_refused({"run", pin, "second.toml"}, {"unexpected argument `second.toml`"});
   expect_refused({"list", "integrator"}, {"did you mean `integrators`?"});
   expect_refused({"list", "zzzz"},
-                 {"cannot list `zzzz`, expected integrators, problems, scenes or"});
+                 {"cannot list `zzzz`, expected one of: integrators, laws, materials,"});
   expect_refused({"help", "zzzzzzzz"}, {"unknown topic `zzzzzzzz`, see `gnomon help`"});
   expect_refused({"help", "exit-code"}, {"unknown topic `exit-code`, did you mean `exit-codes`?"});
   expect_refused({"help", "scene", "pin"}, {"unknown problem \"pin\""});
