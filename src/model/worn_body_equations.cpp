@@ -115,8 +115,8 @@ WornSurface<dim> worn_surface(const WornBody<dim>& body, const WornBodyFields& f
 
 template <int dim>
 ContactState<dim> contact_state(const WornBody<dim>& body, const WornBodyFields& fields) {
-  return {fields.u,     fields.lambda,      fields.w,        body.mesh,
-          body.contact, body.contact_nodes, body.wear_weight};
+  return {fields.u,           fields.lambda,    fields.w,          body.mesh,        body.contact,
+          body.contact_nodes, body.wear_weight, body.further_wear, body.wear_surface};
 }
 
 }  // namespace

@@ -193,11 +193,10 @@ std::vector<Key> load_and_wear_keys(int dim) {
       {.name = "wear.normal",
        .kind = KeyKind::text,
        .presence = defaulted,
-       .default_value = "averaged",
-       .choices = {"averaged", "normalised", "conservative"},
-       .help =
-           "direction of wear at a node: average of facet normals, eq. (35), the same made unit, "
-           "or such that the volume lost is what wears"},
+       .default_value = "conservative",
+       .choices = {"conservative", "averaged", "normalised"},
+       .help = "direction of wear at a node: such that the volume lost is exactly what wears, the "
+               "average of facet normals of the paper, eq. (35), or that average made unit"},
   };
 }
 

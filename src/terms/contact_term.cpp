@@ -11,10 +11,14 @@ ContactTerm<dim>::ContactTerm(const ContactState<dim>& state, const WornSurface<
       u_numbers_(numbering.nodal<dim>(state.u)),
       d_numbers_(numbering.nodal<dim>(surface.d)),
       w_number_(numbering.number(state.w, 0)),
-      switches_(switching_functions(state.parameters)),
       nominal_speed_(
           (state.parameters.streaming - state.parameters.counter_body.motion.velocity).norm()) {
-  for (int c = 0; c < count(); ++c) lambda_numbers_.push_back(numbering.number(state.lambda, c));
+  surfaces_.assign(1 + state.further_wear.size(), state.parameters);
+  for (std::size_t k = 1; k < surfaces_.size(); ++k) surfaces_[k].wear = state.further_wear[k - 1];
+  for (int c = 0; c < count(); ++c) {
+    lambda_numbers_.push_back(numbering.number(state.lambda, c));
+    first_switch_.push_back(first_switch_.back() + switching_functions(parameters(c)));
+  }
 }
 
 template <int dim>
@@ -48,11 +52,14 @@ template <int dim>
 void ContactTerm<dim>::declare(TermStructure& structure) const {
   for (int c = 0; c < count(); ++c) {
     structure.pattern.add(row_numbers(c), column_numbers(c));
-    structure.switch_node.insert(structure.switch_node.end(), switches_, state_.patches[c].node);
+    structure.switch_node.insert(structure.switch_node.end(), switching_functions(parameters(c)),
+                                 state_.patches[c].node);
   }
-  const std::vector<double>& kinks_in_time = state_.parameters.wear.breakpoints();
-  structure.breakpoints.insert(structure.breakpoints.end(), kinks_in_time.begin(),
-                               kinks_in_time.end());
+  for (const ContactParameters<dim>& surface : surfaces_) {
+    const std::vector<double>& kinks_in_time = surface.wear.breakpoints();
+    structure.breakpoints.insert(structure.breakpoints.end(), kinks_in_time.begin(),
+                                 kinks_in_time.end());
+  }
 }
 
 template <int dim>
@@ -86,13 +93,13 @@ ContactInput<dim> ContactTerm<dim>::gather(const Evaluation<dim>& at, int c) con
 template <int dim>
 NodeBranch ContactTerm<dim>::branch(const Evaluation<dim>& at, int c) const {
   if (at.branch.empty()) return {};
-  const auto own = at.branch.subspan(static_cast<std::size_t>(c) * switches_, switches_);
-  return {own.front() ? Branch::closed : Branch::open, own.subspan(1)};
+  const auto of_node = own(at.branch, c);
+  return {of_node.front() ? Branch::closed : Branch::open, of_node.subspan(1)};
 }
 
 template <int dim>
 ContactNode<dim> ContactTerm<dim>::node(const Evaluation<dim>& at, int c) const {
-  return {state_.parameters, state_.patches[c], gather(at, c), branch(at, c)};
+  return {parameters(c), state_.patches[c], gather(at, c), branch(at, c)};
 }
 
 template <int dim>
@@ -118,7 +125,7 @@ void ContactTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double>
 template <int dim>
 typename ContactTerm<dim>::Local ContactTerm<dim>::tangent(const Evaluation<dim>& at, int c) const {
   const ContactPatch<dim>& patch = state_.patches[c];
-  const ContactNodeTangent<dim> node(state_.parameters, patch, gather(at, c), branch(at, c));
+  const ContactNodeTangent<dim> node(parameters(c), patch, gather(at, c), branch(at, c));
   const int size = static_cast<int>(patch.nodes.size());
   Local K = Local::Zero(rows, patch_column + 2 * dim * size);
   K.template block<dim, 1>(u_0, 0) = node.force_by_lambda;
@@ -161,8 +168,8 @@ void ContactTerm<dim>::add_jacobian(const Evaluation<dim>& at, double,
 template <int dim>
 void ContactTerm<dim>::switching(const Evaluation<dim>& at, std::span<double> values) const {
   for (int c = 0; c < count(); ++c)
-    contact_switching(state_.parameters, state_.patches[c], gather(at, c), branch(at, c),
-                      values.subspan(static_cast<std::size_t>(c) * switches_, switches_));
+    contact_switching(parameters(c), state_.patches[c], gather(at, c), branch(at, c),
+                      own(values, c));
 }
 
 template class ContactTerm<2>;

@@ -64,6 +64,9 @@ struct WornBody {
   Element element;
   MeshMotionLaw mesh_motion;  ///< eq. (20)
   ContactParameters<dim> contact;
+  /// Wearing surfaces: `contact.wear` is the law of surface 0, further_wear[k - 1] that of surface k.
+  std::vector<WearLaw> further_wear;
+  std::vector<int> wear_surface;  ///< that each contact node belongs to; empty: 0
   /// The force that presses the counter-body along its `approach`, at factor one; without it the
   /// counter-body stays.
   std::optional<double> counter_force;

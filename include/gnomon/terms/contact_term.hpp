@@ -21,6 +21,10 @@ struct ContactState {
   /// Part of each contact node in the wear rate of its shape unknowns; empty: 1. With a section,
   /// the length that the node stands for by that of the path.
   const std::vector<double>& wear_weight;
+  /// Laws of the wearing surfaces after the first, whose law is in `parameters`, and the surface of
+  /// each contact node; empty: all nodes belong to the first.
+  const std::vector<WearLaw>& further_wear;
+  const std::vector<int>& wear_surface;
 };
 
 template <int dim>
@@ -58,14 +62,23 @@ private:
   ContactNode<dim> node(const Evaluation<dim>& at, int c) const;
   Local tangent(const Evaluation<dim>& at, int c) const;
   double weight(int c) const { return state_.wear_weight.empty() ? 1 : state_.wear_weight[c]; }
+  const ContactParameters<dim>& parameters(int c) const {
+    return surfaces_[state_.wear_surface.empty() ? 0 : state_.wear_surface[c]];
+  }
+  /// The part of the term's switching functions that belongs to a node.
+  template <class T>
+  std::span<T> own(std::span<T> switching, int c) const {
+    return switching.subspan(first_switch_[c], first_switch_[c + 1] - first_switch_[c]);
+  }
 
   ContactState<dim> state_;
+  std::vector<ContactParameters<dim>> surfaces_;  // of each wearing surface
   FieldId d_;
   EvolutionRows<dim> evolution_;
   NodalNumbers<dim> u_numbers_, d_numbers_;
   std::vector<int> lambda_numbers_;
   int w_number_;
-  std::size_t switches_;               // of each node
+  std::vector<std::size_t> first_switch_ = {0};  // of each node; last: their number
   double nominal_speed_;               // at which the bodies slide [length / time]
   std::vector<std::vector<int>> map_;  // of each node: positions, column by column; -1: none
 };
