@@ -1,4 +1,5 @@
 #include <cmath>
+#include <gnomon/base/processes.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 
 namespace gnomon {
@@ -15,7 +16,8 @@ double ErrorNorm::operator()(std::span<const double> error, std::span<const doub
     const double scaled = error[k] * weight(y[components_[k]]);
     sum += scaled * scaled;
   }
-  return std::sqrt(sum / static_cast<double>(components_.size()));
+  return std::sqrt(sum_over_processes(sum) /
+                   sum_over_processes(static_cast<double>(components_.size())));
 }
 
 }  // namespace gnomon

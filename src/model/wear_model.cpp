@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
+#include <gnomon/base/processes.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/model/wear_model.hpp>
 
@@ -65,9 +66,9 @@ void observe_contact(const std::vector<ContactNode<dim>>& nodes, double copies,
     pressure = std::max(pressure, -node.traction);
     active += node.active;
   }
-  observed.contact_nodes = double(active);
-  observed.contact_force = force;
-  observed.max_pressure = pressure;
+  observed.contact_nodes = sum_over_processes(double(active));
+  observed.contact_force = sum_over_processes(force);
+  observed.max_pressure = largest_over_processes(pressure);
 }
 
 /// Volume per time [length^dim / time].
@@ -75,7 +76,7 @@ template <int dim>
 double wear_flux_of(const std::vector<ContactNode<dim>>& nodes, double copies) {
   double flux = 0;
   for (const ContactNode<dim>& node : nodes) flux += copies * node.area * node.wear_rate;
-  return flux;
+  return sum_over_processes(flux);
 }
 
 /// The part of an observation that takes a sweep of the cells.
@@ -95,11 +96,11 @@ void observe_cells(const WornBody<dim>& body, const NodalField<dim>& d, const No
       gradient = std::max(gradient, centre.H.norm());
     }
   }
-  worn *= body.copies;
+  worn = sum_over_processes(worn) * body.copies;
   observed.worn_volume = worn;
-  observed.element_quality = quality;
-  observed.element_volume = least;
-  if (small_strains) observed.displacement_gradient = gradient;
+  observed.element_quality = -largest_over_processes(-quality);
+  observed.element_volume = -largest_over_processes(-least);
+  if (small_strains) observed.displacement_gradient = largest_over_processes(gradient);
   if (!body.section) return;
   observed.worn_volume = worn * body.section->path / body.section->length;
   observed.groove_section = worn / body.section->length;

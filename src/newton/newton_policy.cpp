@@ -1,6 +1,7 @@
 #include "newton/newton_policy.hpp"
 
 #include <algorithm>
+#include <gnomon/base/processes.hpp>
 
 namespace gnomon {
 
@@ -40,7 +41,8 @@ bool NewtonPolicy::contracts_slowly() const {
 }
 
 bool NewtonPolicy::factors_serve(const ActiveSet& branch) const {
-  if (!options_.keep_factors || !has_factors_ || branch != factored_branch_) return false;
+  if (!options_.keep_factors || !has_factors_ || !on_all_processes(branch == factored_branch_))
+    return false;
   const double range = options_.rate_weight_range;
   if (range > 0 && (rate_weight_ > range * factored_rate_weight_ ||
                     factored_rate_weight_ > range * rate_weight_))

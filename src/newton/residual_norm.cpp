@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gnomon/base/processes.hpp>
 #include <limits>
 
 namespace gnomon {
@@ -10,7 +11,7 @@ double ResidualNorm::operator()(std::span<const double> F) const {
   double largest = 0;
   for (std::size_t i = 0; i < F.size(); ++i)
     largest = std::max(largest, std::abs(F[i]) / scale_[i]);
-  return largest;
+  return largest_over_processes(largest);
 }
 
 void ResidualNorm::allow_for_rounding(double rate_weight, std::span<const double> y,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gnomon/base/packed_numbers.hpp>
+#include <gnomon/base/processes.hpp>
 #include <gnomon/integrators/one_step.hpp>
 #include <vector>
 
@@ -32,7 +33,9 @@ public:
   /// That steps are taken on now.
   ActiveSet branch() const { return branch_; }
   /// Has the state left the branch?
-  bool left(const State& at) const { return active_set(system_, at.t, at.y) != branch_; }
+  bool left(const State& at) const { 
+    return !on_all_processes(active_set(system_, at.t, at.y) == branch_);
+  }
 
   std::vector<double> memory() const;
   void restore(Unpacker& memory);
