@@ -143,7 +143,7 @@ std::vector<ContactNode<dim>> WearModel<dim>::contact_nodes(const FieldValues<di
 template <int dim>
 Observation WearModel<dim>::observe(const State& state) const {
   const WornBodyFields& fields = equations_.fields();
-  const FieldValues<dim> values = system_.values(state.y);
+  const FieldValues<dim> values = system_.values(state.t, state.y);
   const std::vector<ContactNode<dim>> nodes = contact_nodes(values, state);
   Observation observed{.dim = dim};
   observe_contact(nodes, body().copies, observed);
@@ -158,7 +158,7 @@ Observation WearModel<dim>::observe(const State& state) const {
 template <int dim>
 std::function<double(const Point&)> WearModel<dim>::wear_flux() const {
   return [this](const Point& at) {
-    return wear_flux_of(equations_.contact_nodes(system_, system_.values(at.y), at), body().copies);
+    return wear_flux_of(equations_.contact_nodes(system_, system_.values(at.t, at.y), at), body().copies);
   };
 }
 
@@ -187,7 +187,7 @@ GridField nodal_vector(const std::string& name, const NodalField<dim>& values) {
 
 template <int dim>
 std::vector<GridField> WearModel<dim>::fields(const State& state) const {
-  const FieldValues<dim> values = system_.values(state.y);
+  const FieldValues<dim> values = system_.values(state.t, state.y);
   const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
         &nodal_d = values.vector(equations_.fields().d);
   const WornBody<dim>& body = this->body();
@@ -213,7 +213,7 @@ std::vector<GridField> WearModel<dim>::fields(const State& state) const {
 
 template <int dim>
 std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const {
-  const FieldValues<dim> values = system_.values(state.y);
+  const FieldValues<dim> values = system_.values(state.t, state.y);
   const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
         &nodal_d = values.vector(equations_.fields().d);
   const WornBody<dim>& body = this->body();

@@ -127,6 +127,8 @@ WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const WornBody<dim>> b
   auto composition = std::make_shared<Composition<dim>>();
   composition->fields = std::make_shared<const FieldSet>(make_fields());
   add_terms(composition->terms);
+  composition->prescribed = body_->prescribed_displacement;
+  for (PrescribedValues& held : composition->prescribed) held.field = fields_.u;
   composition->position = positions(body_->mesh);
   composition->solver = body_->solver;
   composition_ = composition;

@@ -30,6 +30,8 @@ void ComposedSystem<dim>::build_structure() {
     first_switch_.push_back(nodes.size());
     breakpoints.insert(breakpoints.end(), part.breakpoints.begin(), part.breakpoints.end());
   }
+  for (const PrescribedValues& held : composition_->prescribed)
+    breakpoints.insert(breakpoints.end(), held.history.times().begin(), held.history.times().end());
   std::sort(breakpoints.begin(), breakpoints.end());
   breakpoints.erase(std::unique(breakpoints.begin(), breakpoints.end()), breakpoints.end());
   structure_.size = numbering_.size();
@@ -51,11 +53,10 @@ void ComposedSystem<dim>::build_structure() {
 template <int dim>
 Evaluation<dim> ComposedSystem<dim>::evaluation(const Point& at, const FieldValues<dim>& values,
                                                 std::size_t k) const {
-  const double t = frozen_time_.value_or(at.t);
   Evaluation<dim> evaluation{.values = values,
                              .ydot = at.ydot,
-                             .t = t,
-                             .within = frozen_time_ ? t : at.within.value_or(t),
+                             .t = time(at),
+                             .within = within(at),
                              .load_fraction = load_fraction_};
   if (at.branch)
     evaluation.branch = std::span<const char>(*at.branch)
@@ -64,8 +65,20 @@ Evaluation<dim> ComposedSystem<dim>::evaluation(const Point& at, const FieldValu
 }
 
 template <int dim>
+void ComposedSystem<dim>::fill(std::span<const double> y, double t, double within,
+                               FieldValues<dim>& values) const {
+  numbering_.scatter(y, values);
+  for (const PrescribedValues& held : composition_->prescribed) {
+    const double factor = load_fraction_ * held.history.factor(t, within);
+    NodalField<dim>& field = values.vector(held.field);
+    for (const PrescribedValues::Entry& entry : held.entries)
+      field(entry.entity, entry.component) = factor * entry.value;
+  }
+}
+
+template <int dim>
 void ComposedSystem<dim>::residual(const Point& at, std::span<double> F) const {
-  numbering_.scatter(at.y, values_);
+  fill(at.y, time(at), within(at), values_);
   std::fill(F.begin(), F.end(), 0.0);
   for (std::size_t k = 0; k < terms_.size(); ++k)
     terms_[k]->add_residual(evaluation(at, values_, k), F);
@@ -73,7 +86,7 @@ void ComposedSystem<dim>::residual(const Point& at, std::span<double> F) const {
 
 template <int dim>
 void ComposedSystem<dim>::jacobian(const Point& at, double alpha, std::span<double> values) const {
-  numbering_.scatter(at.y, values_);
+  fill(at.y, time(at), within(at), values_);
   std::fill(values.begin(), values.end(), 0.0);
   for (std::size_t k = 0; k < terms_.size(); ++k)
     terms_[k]->add_jacobian(evaluation(at, values_, k), alpha, values);
@@ -82,16 +95,16 @@ void ComposedSystem<dim>::jacobian(const Point& at, double alpha, std::span<doub
 template <int dim>
 void ComposedSystem<dim>::switching(double t, std::span<const double> y,
                                     std::span<double> values) const {
-  numbering_.scatter(y, values_);
+  fill(y, time({.t = t}), within({.t = t}), values_);
   for (std::size_t k = 0; k < terms_.size(); ++k)
     terms_[k]->switching(evaluation({.t = t, .y = y}, values_, k),
                          values.subspan(first_switch_[k], first_switch_[k + 1] - first_switch_[k]));
 }
 
 template <int dim>
-FieldValues<dim> ComposedSystem<dim>::values(std::span<const double> y) const {
+FieldValues<dim> ComposedSystem<dim>::values(double t, std::span<const double> y) const {
   FieldValues<dim> result = values_;
-  numbering_.scatter(y, result);
+  fill(y, time({.t = t}), within({.t = t}), result);
   return result;
 }
 
@@ -115,7 +128,7 @@ std::vector<AlgebraicStage> ComposedSystem<dim>::algebraic_stages() const {
         if (mine.data()[k] >= 0) stage.unknowns[mine.data()[k]] = whole.data()[k];
     }
     stage.freeze = [this, part = part.get()](double t, std::span<const double> y) {
-      part->freeze(values(y), t);
+      part->freeze(values(t, y), t);
     };
     stage.system = std::move(part);
     stages.push_back(std::move(stage));

@@ -21,7 +21,7 @@ std::shared_ptr<WornBody<dim>> body_of(const std::string& scene, const Overrides
 double traction_ratio(const WearModel<2>& model, const State& state) {
   Vector<2> force = Vector<2>::Zero();
   for (const ContactNode<2>& node :
-       model.equations().contact_nodes(model.system(), model.system().values(state.y),
+       model.equations().contact_nodes(model.system(), model.system().values(state.t, state.y),
                                        {.t = state.t, .y = state.y, .branch = state.own_branch()}))
     force += node.force;
   return force[0] / force[1];

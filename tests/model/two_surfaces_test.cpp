@@ -49,7 +49,7 @@ TEST(TwoWearingSurfaces, WearByTheirOwnLaws) {
   const WearModel<2> model(halves(plain_law, threshold_law));
   Counters counters;
   const State start = model.start(counters);
-  const auto nodes = model.equations().contact_nodes(model.system(), model.system().values(start.y),
+  const auto nodes = model.equations().contact_nodes(model.system(), model.system().values(0, start.y),
                                                      {.t = 0, .y = start.y});
   const Scene scene = pin_scene();
   const double k_v = scene.real("wear.coefficient") * scene.real("wear.velocity");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <gnomon/laws/load_history.hpp>
+#include <gnomon/system/composed_system.hpp>
 #include <gnomon/system/linear_solver_choice.hpp>
 #include <gnomon/terms/contact_node.hpp>
 #include <gnomon/terms/mesh_motion.hpp>
@@ -59,6 +60,8 @@ struct WornBody {
   std::vector<ContactPatch<dim>> contact_nodes;  ///< the potential contact surface
   NodalFlags<dim> displacement_fixed;            ///< 1 where u is held at zero
   NodalFlags<dim> shape_fixed;                   ///< 1 where d is held at zero
+  /// Where u is held at other values, among those that `displacement_fixed` holds.
+  std::vector<PrescribedValues> prescribed_displacement;
   NodalField<dim> load;                          ///< nodal dead loads at factor one
   Material material;
   Element element;

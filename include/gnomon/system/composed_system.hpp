@@ -1,6 +1,7 @@
 // A system of terms over fields, or a part of it with the other blocks frozen.
 #pragma once
 
+#include <gnomon/laws/load_history.hpp>
 #include <gnomon/system/system.hpp>
 #include <gnomon/terms/term.hpp>
 #include <memory>
@@ -8,11 +9,23 @@
 
 namespace gnomon {
 
+/// Values of a field that are held, but not at zero: value times the factor of a history.
+struct PrescribedValues {
+  struct Entry {
+    int entity, component;
+    double value;
+  };
+  FieldId field = FieldId::none;  ///< of vectors
+  std::vector<Entry> entries;
+  LoadHistory history;
+};
+
 /// What systems are composed of; shared by a system and its algebraic stages.
 template <int dim>
 struct Composition {
   std::shared_ptr<const FieldSet> fields;
   std::vector<TermFactory<dim>> terms;
+  std::vector<PrescribedValues> prescribed;
   /// Blocks of the algebraic stages, in the order in which they are solved.
   std::vector<BlockSelection> stages;
   std::vector<std::array<double, 3>> position;  ///< of the mesh nodes, initial [length]
@@ -36,18 +49,23 @@ public:
   std::vector<AlgebraicStage> algebraic_stages() const override;
 
   const Numbering& numbering() const { return numbering_; }
-  /// Values of all fields at y; those of frozen blocks as last given to freeze() (zero before).
-  FieldValues<dim> values(std::span<const double> y) const;
+  /// Values of all fields at y and t; those of frozen blocks as last given to freeze() (zero
+  /// before).
+  FieldValues<dim> values(double t, std::span<const double> y) const;
   /// Gives the blocks that this system does not solve for, and the time that stands still.
   void freeze(FieldValues<dim> values, double t);
   /// The term of the k-th factory, and where it is evaluated at a point with these values.
   const Term<dim>& term(std::size_t k) const { return *terms_[k]; }
   Evaluation<dim> evaluation(const Point& at, const FieldValues<dim>& values, std::size_t k) const;
-  /// Fraction of every load that acts: less than one in a load ramp.
+  /// Fraction of every load and prescribed value that acts: less than one in a load ramp.
   void set_load_fraction(double fraction) { load_fraction_ = fraction; }
 
 private:
   void build_structure();
+  /// Values of all fields at y, and those that are prescribed at t on the smooth part of `within`.
+  void fill(std::span<const double> y, double t, double within, FieldValues<dim>& values) const;
+  double time(const Point& at) const { return frozen_time_.value_or(at.t); }
+  double within(const Point& at) const { return frozen_time_.value_or(at.within.value_or(at.t)); }
 
   std::shared_ptr<const Composition<dim>> composition_;
   Numbering numbering_;
