@@ -5,8 +5,8 @@ namespace gnomon {
 
 template <int dim>
 Loads<dim>::Loads(const Numbering& numbering, FieldId field, const Field::Values& forces,
-                  const LoadHistory& history)
-    : history_(history) {
+                  LoadHistory history, Purpose purpose)
+    : history_(std::move(history)), purpose_(purpose) {
   const Field::Indices& numbers = numbering.numbers(field);
   for (Eigen::Index k = 0; k < numbers.size(); ++k)
     if (numbers.data()[k] >= 0 && forces.data()[k] != 0)
@@ -24,7 +24,8 @@ template <int dim>
 void Loads<dim>::add_residual(const Evaluation<dim>& at, std::span<double> F) const {
   if (entries_.empty()) return;
   const double factor = at.load_fraction * history_.factor(at.t, at.within);
-  if (factor <= 0) throw RecoverableError("no load is left at a stage past the end of the step");
+  if (factor <= 0 && purpose_ == Purpose::presses)
+    throw RecoverableError("no load is left at a stage past the end of the step");
   for (const Entry& entry : entries_) F[entry.row] -= factor * entry.force;
 }
 

@@ -11,10 +11,12 @@ namespace gnomon {
 template <int dim>
 class Loads : public Term<dim> {
 public:
+  /// What a load is for: one that alone keeps the bodies together may not vanish.
+  enum class Purpose { presses, acts };
+
   /// `forces`: at factor one, entities x components of the field [force]. The field may be absent.
-  /// The history must outlive the term.
-  Loads(const Numbering& numbering, FieldId field, const Field::Values& forces,
-        const LoadHistory& history);
+  Loads(const Numbering& numbering, FieldId field, const Field::Values& forces, LoadHistory history,
+        Purpose purpose = Purpose::presses);
 
   void declare(TermStructure& structure) const override;
   void map_to(const SparsePattern&) override {}
@@ -27,7 +29,8 @@ private:
     int row;
     double force;
   };
-  const LoadHistory& history_;
+  LoadHistory history_;
+  Purpose purpose_;
   std::vector<Entry> entries_;
 };
 
