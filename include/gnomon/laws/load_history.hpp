@@ -5,8 +5,8 @@
 
 namespace gnomon {
 
-/// A factor of the load, or a length, linear in time between given points, and constant before the first of them
-/// and after the last.
+/// A factor of the load, or a length, linear in time between given points, and constant before the
+/// first of them and after the last.
 class LoadHistory {
 public:
   /// The whole load at all times.

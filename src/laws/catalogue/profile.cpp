@@ -1,32 +1,9 @@
-#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/catalogue.hpp>
 #include <gnomon/laws/profile.hpp>
 #include <gnomon/laws/shape_keys.hpp>
-#include <memory>
 
 namespace gnomon {
-
-/// With tangent t, outward normal n on the right of it and curvature kappa, positive where the
-/// curve turns left, about the body: the offset at the distance g has the curvature
-/// kappa / (1 + kappa g).
-CounterShape<2> profile(const SplineCurve& curve) {
-  const auto shared = std::make_shared<const SplineCurve>(curve);
-  const auto distance = [shared](const Vector<2>& x) {
-    constexpr double focal = 1e-9;
-    const SplineCurve::Nearest nearest = shared->nearest(x);
-    const auto& [position, first, second] = nearest.place;
-    const double speed = first.norm();
-    const Vector<2> t = first / speed, n(t[1], -t[0]);
-    const double gap = n.dot(x - position);
-    const double curvature =
-        (first[0] * second[1] - first[1] * second[0]) / (speed * speed * speed);
-    const double stretch = 1 + curvature * gap;
-    return SignedDistance<2>{gap, n, curvature / stretch * t * t.transpose(),
-                             nearest.unique && stretch > focal};
-  };
-  return {distance, shared->extent()};
-}
 
 namespace {
 
