@@ -65,10 +65,8 @@ void SplineCurve::refuse_crossings() const {
     }
   if (!closed_) lines.push_back({last, at(length() + far).position, pieces_.size()});
 
-  Vector<2> low = pieces_.front().low, high = low;
-  for (const Piece& piece : pieces_)
-    low = low.cwiseMin(piece.low), high = high.cwiseMax(piece.high);
-  const int sweep = high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
+  const Vector<2> size = boxes_.front().high - boxes_.front().low;
+  const int sweep = size[0] >= size[1] ? 0 : 1;
   std::vector<std::size_t> order(lines.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   const auto left = [&](std::size_t i) {

@@ -105,18 +105,28 @@ void SplineCurve::build(const Points& p) {
     const Vector<2> chord = (p[i + 1] - p[i]) / h[i];
     const Vector<2> start = chord - h[i] / 6 * (2 * M[i] + M[i + 1]);
     const Vector<2> end = chord + h[i] / 6 * (M[i] + 2 * M[i + 1]);
-    Piece piece{{p[i], p[i] + h[i] / 3 * start, p[i + 1] - h[i] / 3 * end, p[i + 1]},
-                knots_[i],
-                h[i],
-                {},
-                {}};
-    piece.low = piece.high = p[i];
-    for (const Vector<2>& control : piece.control) {
-      piece.low = piece.low.cwiseMin(control), piece.high = piece.high.cwiseMax(control);
-      extent_ = std::max(extent_, control.norm());
-    }
+    Piece piece{
+        {p[i], p[i] + h[i] / 3 * start, p[i + 1] - h[i] / 3 * end, p[i + 1]}, knots_[i], h[i]};
+    for (const Vector<2>& control : piece.control) extent_ = std::max(extent_, control.norm());
     pieces_.push_back(piece);
   }
+  add_box(0, pieces_.size());
+}
+
+/// The control points of a piece have it in their hull.
+std::size_t SplineCurve::add_box(std::size_t first, std::size_t end) {
+  const std::size_t own = boxes_.size();
+  boxes_.emplace_back();
+  Box box{pieces_[first].control[0], pieces_[first].control[0], first, {0, 0}};
+  for (std::size_t k = first; k < end; ++k)
+    for (const Vector<2>& control : pieces_[k].control)
+      box.low = box.low.cwiseMin(control), box.high = box.high.cwiseMax(control);
+  if (end - first > 1) {
+    const std::size_t middle = first + (end - first) / 2;
+    box.within = {add_box(first, middle), add_box(middle, end)};
+  }
+  boxes_[own] = box;
+  return own;
 }
 
 SplineCurve::Place SplineCurve::Piece::at(double u) const {

@@ -62,23 +62,34 @@ private:
   struct Piece {
     std::array<Vector<2>, 4> control;
     double from, span;  // parameters
-    Vector<2> low, high;
 
     Place at(double u) const;
-    double least_distance(const Vector<2>& x) const;  // a bound from below
+  };
+  /// A box around some pieces in succession; two smaller ones are within, or it has one piece.
+  struct Box {
+    Vector<2> low, high;
+    std::size_t piece;
+    std::array<std::size_t, 2> within;  // zero: none
+
+    double least_distance(const Vector<2>& x) const;  // of the pieces, a bound from below
   };
   struct Search;
 
   void build(const std::vector<Vector<2>>& points);
+  std::size_t add_box(std::size_t first_piece, std::size_t end);
   void refuse_cusps() const;
   void refuse_crossings() const;
+  void search_box(const Box& box, Search& search) const;
   void search_piece(const Piece& piece, Search& search) const;
+  static double refine(const Piece& piece, const Search& search, double low, double high,
+                       bool rises);
   void search_rays(Search& search) const;
 
   std::vector<Vector<2>> points_;
   bool closed_;
   std::vector<double> knots_;
   std::vector<Piece> pieces_;
+  std::vector<Box> boxes_;  // the first is around all
   double extent_ = 0;
 };
 
