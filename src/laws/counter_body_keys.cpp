@@ -103,6 +103,23 @@ std::vector<Key> counter_body_keys() {
   return keys;
 }
 
+std::vector<Key> counter_body_keys() {
+  std::vector<Key> keys = counter_body_keys<2>();
+  for (const Key& key : counter_body_keys<3>()) {
+    const auto there = std::find_if(keys.begin(), keys.end(),
+                                    [&](const Key& other) { return other.name == key.name; });
+    if (there == keys.end()) {
+      keys.push_back(key);
+      continue;
+    }
+    if (there->length != key.length) there->length = 0;
+    for (const std::string& shape : key.choices)
+      if (std::find(there->choices.begin(), there->choices.end(), shape) == there->choices.end())
+        there->choices.push_back(shape);
+  }
+  return keys;
+}
+
 template std::vector<Key> counter_body_keys<2>();
 template std::vector<Key> counter_body_keys<3>();
 

@@ -20,6 +20,23 @@ std::vector<std::string> names_of(const CounterShapeKind<dim>& kind) {
   return names;
 }
 
+/// What a table for the plane and for space lets pass.
+template <int dim>
+void check_dimension(const Scene& scene) {
+  const std::vector<Key> own = counter_body_keys<dim>();
+  const char* const here = dim == 2 ? "in the plane" : "in space";
+  for (const Key& key : counter_body_keys()) {
+    if (!given(scene, key.name)) continue;
+    const auto there = std::find_if(own.begin(), own.end(),
+                                    [&](const Key& other) { return other.name == key.name; });
+    if (there == own.end())
+      throw InputError(fmt::format("{}: there is no such key {}", scene.where(key.name), here));
+    if (there->length != 0 && scene.reals(key.name).size() != there->length)
+      throw InputError(fmt::format("{}: expected {} numbers {}, got {}", scene.where(key.name),
+                                   there->length, here, scene.reals(key.name).size()));
+  }
+}
+
 /// The scene with the defaults of the shape. Throws where a key of it is missing, or one is given
 /// that only other shapes have.
 template <int dim>
@@ -90,8 +107,12 @@ void read_motion(const Scene& scene, Section section, CounterBody<dim>& body) {
   const double across = body.motion.across;
   body.motion = rigid_motion<dim>(velocity, rotation_spin<dim>(scene, rate), center);
   body.motion.across = across;
-  if (!turns_into_itself(body.shape, body.motion.spin, center))
-    body.turning = Turning<dim>{body.motion.spin, center};
+  if (turns_into_itself(body.shape, body.motion.spin, center)) return;
+  if (!velocity.isZero(0))
+    throw InputError(scene.where("counter_body.motion.velocity") +
+                     ": expected none beside a rotation that changes where the shape is: it turns "
+                     "on the spot");
+  body.turning = Turning<dim>{body.motion.spin, center};
 }
 
 /// Throws unless there is one time for each approach, ascending.
@@ -143,6 +164,7 @@ void read_press(const Scene& scene, Section section, PressedCounterBody<dim>& re
 
 template <int dim>
 PressedCounterBody<dim> read_counter_body(const Scene& scene, Section section) {
+  check_dimension<dim>(scene);
   const auto& kind =
       Registry<CounterShapeKind<dim>>::find(scene.text("counter_body.shape"), "shape");
   const Scene complete = of_shape(scene, kind);

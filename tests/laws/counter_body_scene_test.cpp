@@ -37,6 +37,31 @@ TEST(CounterBodyKeys, AreTheSameInAllShapes) {
   check_shared_keys<3>();
 }
 
+// One table for both, where only the mesh says which.
+TEST(CounterBodyKeys, ServeThePlaneAndSpace) {
+  const std::string ring = "[counter_body]\nshape = \"cylinder\"\nradius = 2.0\n";
+  const Scene plane = scene_of<0>(ring + "center = [0.0, 3.0]\nmotion = { out_of_plane = 1.0 }\n");
+  EXPECT_DOUBLE_EQ(read_counter_body<2>(plane).body.shape.at({0, 0}).gap, 1);
+  const Scene space = scene_of<0>(ring + "center = [0.0, 0.0, 3.0]\naxis = [0.0, 1.0, 0.0]\n");
+  EXPECT_DOUBLE_EQ(read_counter_body<3>(space).body.shape.at({0, 7, 0}).gap, 1);
+  const auto refused = [](const auto& read) {
+    try {
+      read();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(refused([&] { read_counter_body<3>(plane); }),
+              HasSubstr("counter_body.center`: expected 3 numbers in space, got 2"));
+  EXPECT_THAT(refused([&] { read_counter_body<2>(space); }),
+              HasSubstr("counter_body.center`: expected 2 numbers in the plane, got 3"));
+  const Scene across =
+      scene_of<0>("[counter_body]\nshape = \"plane\"\nmotion = { out_of_plane = 1.0 }\n");
+  EXPECT_THAT(refused([&] { read_counter_body<3>(across); }),
+              HasSubstr("motion.out_of_plane`: there is no such key in space"));
+}
+
 // By hand, in every section that a shape has.
 TEST(CounterBodyScene, ShapesInThePlane) {
   const auto gap = [](const std::string& text, Vector<2> x, Section section = Section::plane) {
@@ -167,6 +192,9 @@ TEST(CounterBodyScene, MotionByPosition) {
           .body;
   EXPECT_NEAR((tilted.motion.at<double>({1, 1, 0}) - Vector<3>(0, 0, 10)).norm(), 0, 1e-13);
   EXPECT_TRUE(tilted.turning);
+  EXPECT_THAT(refusal<3>(pipe + "motion = { rotation = 10.0, axis = [1.0, 0.0, 0.0], velocity = "
+                                "[1.0, 0.0, 0.0] }"),
+              HasSubstr("turns on the spot"));
   EXPECT_THAT(refusal<3>("shape = \"ball\"\nradius = 2.0\ncenter = [0.0, 0.0, 2.0]\n"
                          "motion = { rotation = 10.0 }"),
               HasSubstr("expected also counter_body.motion.axis"));

@@ -9,11 +9,12 @@
 
 namespace gnomon::testing {
 
-/// A scene that has the keys of a run and of a counter-body.
+/// A scene that has the keys of a run and of a counter-body; dim = 0: in the plane or in space.
 template <int dim>
 Scene scene_of(const std::string& text, const std::string& name = "scene.toml") {
   std::vector<Key> keys = run_keys();
-  for (const Key& key : counter_body_keys<dim>()) keys.push_back(key);
+  const auto table = dim == 0 ? counter_body_keys() : counter_body_keys < dim == 0 ? 2 : dim > ();
+  keys.insert(keys.end(), table.begin(), table.end());
   return parse_scene("problem = \"any\"\ntime.end = 1.0\nintegrator.name = \"any\"\n" + text, name,
                      {}, [&](const std::string&) { return keys; });
 }

@@ -14,6 +14,10 @@ namespace gnomon {
 template <int dim>
 std::vector<Key> counter_body_keys();
 
+/// The same for a scene of which only its mesh says whether it is in the plane or in space: vectors
+/// have any length, which read_counter_body checks. Not before all shapes are registered.
+std::vector<Key> counter_body_keys();
+
 /// A counter-body, and the force that presses it along its `approach`.
 template <int dim>
 struct PressedCounterBody {
@@ -21,8 +25,8 @@ struct PressedCounterBody {
   std::optional<double> force;  ///< without it the counter-body stays, or moves as body.travel says
 };
 
-/// Throws InputError. `motion.reference` is the origin; set it to a point of the contact. A scene
-/// in 3D has no section.
+/// Reads a scene that has the keys of one of these tables. Throws InputError. `motion.reference` is
+/// the origin; set it to a point of the contact. A scene in 3D has no section.
 template <int dim>
 PressedCounterBody<dim> read_counter_body(const Scene& scene, Section section = Section::plane);
 
