@@ -1,8 +1,9 @@
 // A counter-body that moves by a given approach over time instead of being pressed by a force.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
+#include <gnomon/base/error.hpp>
 
 #include "support/pressed_block.hpp"
 #include "support/problem_run.hpp"
@@ -65,6 +66,26 @@ TEST(GivenApproach, GivesWhatTheForceGives) {
   const ModelRun run = run_model(over_time, "backward-euler", 20, 1e-3, 80);
   for (const double p : pressures(over_time, run.states.front())) EXPECT_EQ(p, 0);
   expect_reference(over_time, run.last());
+}
+
+// The load ramp moves it from where it touches: what is too much fails at a part of it.
+TEST(GivenApproach, ComesByTheLoadRamp) {
+  const auto start_at = [](double approach) {
+    auto body = held_block({.wear = 0});
+    body->contact.counter_body.travel = LoadHistory({0}, {approach});
+    const WearModel<3> model(body);
+    Counters counters;
+    const std::vector<double> pressed = pressures(model, model.start(counters));
+    return *std::max_element(pressed.begin(), pressed.end());
+  };
+  EXPECT_NEAR(start_at(0), 0, 1e-9);  // touches in a point
+  EXPECT_GT(start_at(0.5), 100);
+  try {
+    start_at(1.5);  // of a height of 2
+    FAIL() << "expected no equilibrium";
+  } catch (const SolutionError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("beyond load fraction 0."));
+  }
 }
 
 // A flat column against closed form, with a breakpoint of the approach, on which a step ends.
