@@ -23,11 +23,13 @@ constexpr int max_iterations = 15;
 constexpr double rough_tolerance = 1e-3;
 
 /// Brings body and counter-body together, or apart, until they touch in a point, so that the first
-/// matrix is not singular: moves the counter-body if it is free to, else the body.
+/// matrix is not singular: moves the counter-body if it is free to, else the body. A counter-body
+/// whose motion is given comes as the load ramp lets it (ContactTerm).
 template <int dim>
 void close_initial_gap(const WornBodyEquations<dim>& equations, FieldValues<dim>& values) {
   const WornBody<dim>& body = equations.body();
   const CounterBody<dim>& other = body.contact.counter_body;
+  if (other.travel) return;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& patch : body.contact_nodes)
     least = std::min(least, other.travel_to(body.mesh.nodes[patch.node]));

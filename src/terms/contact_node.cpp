@@ -87,7 +87,18 @@ struct TractionDerivative {
         -friction * traction / sliding.speed * (Tensor<dim>::Identity() - s * s.transpose());
     by_position += turn * v_by_x;
     by_velocity = turn * tangential;
+    friction_traction = friction * traction;
   }
+
+  /// The speed has a part out of the plane that depends on the position, too.
+  void slide_across(const Sliding<dim>& sliding, double across, const Vector<dim>& across_by_x) {
+    const Vector<dim> by_x = across / sliding.speed * across_by_x;
+    speed_by_position += by_x;
+    by_position += friction_traction / sliding.speed * sliding.direction * by_x.transpose();
+  }
+
+private:
+  double friction_traction = 0;
 };
 
 /// Wdot and its derivatives by what a contact node depends on; q = mu p v is seen through.
@@ -112,6 +123,15 @@ NodalWear nodal_wear(const ContactParameters<dim>& parameters, const ContactPatc
 }  // namespace
 
 template <int dim>
+void require_normal(const ContactPatch<dim>& patch, const SignedDistance<dim>& distance) {
+  if (!distance.unique)
+    throw RecoverableError(fmt::format(
+        "contact node {} touches the counter-body where several points of its surface are equally "
+        "near, so that it has no normal",
+        patch.node));
+}
+
+template <int dim>
 void require_direction(const ContactPatch<dim>& patch, const Vector<dim>& normal) {
   if (normal.isZero(0) && patch.may_move())
     throw RecoverableError(fmt::format(
@@ -127,13 +147,13 @@ void contact_switching(const ContactParameters<dim>& parameters, const ContactPa
   const CounterBody<dim>& body = parameters.counter_body;
   const PatchNodal<dim> x = at.X + at.u;
   const Vector<dim> seen = body.seen(Vector<dim>(x.row(0).transpose()), at.w);
-  const SignedDistance<dim> distance = body.shape.at(seen);
+  const SignedDistance<dim> distance = body.distance(seen, at.moment.time);
   values[0] = at.lambda + parameters.rho * distance.gap;
   if (values.size() == 1) return;
   const UnilateralContact<double> contact(at.lambda, distance.gap, parameters.rho, branch.contact);
   const Sliding<dim> sliding(
       streaming_velocity<dim, double>(patch, at.X, x, parameters.streaming) - body.motion.at(seen),
-      distance.normal);
+      distance.normal, body.motion.across_at(seen));
   const Vector<4> input =
       wear_variables<dim, double>(patch, at, parameters.friction, -contact.traction, sliding.speed);
   parameters.wear.switching(wear_input(patch, input, at.moment), values.subspan(1), branch.wear);
@@ -148,16 +168,18 @@ ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parame
   const SurfaceDerivative<dim> derivative(patch, at.X, parameters.normal_rule);
   const PatchNodal<dim> x = at.X + at.u;
   const Vector<dim> seen = body.seen(Vector<dim>(x.row(0).transpose()), at.w);
-  const SignedDistance<dim> distance = body.shape.at(seen);
+  const SignedDistance<dim> distance = body.distance(seen, at.moment.time);
   const Vector<dim>& n = distance.normal;
   const UnilateralContact<double> contact(at.lambda, distance.gap, parameters.rho, branch.contact);
   const Vector<dim> relative =
       streaming_velocity<dim, double>(patch, at.X, x, parameters.streaming) - body.motion.at(seen);
-  const Sliding<dim> sliding(relative, n);
-  const TractionDerivative<dim> traction(n, distance.normal_by_x, relative, sliding,
-                                         parameters.friction, contact.traction);
+  const double across = body.motion.across_at(seen);
+  const Sliding<dim> sliding(relative, n, across);
+  TractionDerivative<dim> traction(n, distance.normal_by_x, relative, sliding, parameters.friction,
+                                   contact.traction);
+  if (across != 0) traction.slide_across(sliding, across, body.motion.across_by_x);
   const NodalWear wear = nodal_wear(parameters, patch, at, contact, sliding.speed, branch);
-  if (contact.active) require_direction(patch, surface.normal);
+  if (contact.active) require_normal(patch, distance), require_direction(patch, surface.normal);
 
   // What depends on the node's own position, as seen from the counter-body, whose surface may move
   // differently there.
@@ -199,6 +221,8 @@ ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parame
   }
 }
 
+template void require_normal(const ContactPatch<2>&, const SignedDistance<2>&);
+template void require_normal(const ContactPatch<3>&, const SignedDistance<3>&);
 template void require_direction(const ContactPatch<2>&, const Vector<2>&);
 template void require_direction(const ContactPatch<3>&, const Vector<3>&);
 template void contact_switching(const ContactParameters<2>&, const ContactPatch<2>&,

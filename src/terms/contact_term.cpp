@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <gnomon/terms/contact_term.hpp>
+#include <limits>
 
 namespace gnomon {
 
@@ -12,13 +14,27 @@ ContactTerm<dim>::ContactTerm(const ContactState<dim>& state, const WornSurface<
       d_numbers_(numbering.nodal<dim>(surface.d)),
       w_number_(numbering.number(state.w, 0)),
       nominal_speed_(
-          (state.parameters.streaming - state.parameters.counter_body.motion.velocity).norm()) {
+          state.parameters.counter_body.motion.nominal_speed(state.parameters.streaming)) {
   surfaces_.assign(1 + state.further_wear.size(), state.parameters);
   for (std::size_t k = 1; k < surfaces_.size(); ++k) surfaces_[k].wear = state.further_wear[k - 1];
   for (int c = 0; c < count(); ++c) {
     lambda_numbers_.push_back(numbering.number(state.lambda, c));
     first_switch_.push_back(first_switch_.back() + switching_functions(parameters(c)));
   }
+  const CounterBody<dim>& body = state.parameters.counter_body;
+  if (!body.travel) return;
+  double touching = std::numeric_limits<double>::infinity();
+  for (const ContactPatch<dim>& patch : state.patches)
+    touching = std::min(touching, body.travel_to(state.mesh.nodes[patch.node]));
+  overlap_ = std::max(0.0, body.travel->factor(0) - touching);
+}
+
+template <int dim>
+double ContactTerm<dim>::motion(const Evaluation<dim>& at) const {
+  const double unknown = state_.w == FieldId::none ? 0 : at.values.scalar(state_.w)[0];
+  const std::optional<LoadHistory>& travel = state_.parameters.counter_body.travel;
+  if (!travel) return unknown;
+  return unknown + travel->factor(at.t, at.within) - (1 - at.load_fraction) * overlap_;
 }
 
 template <int dim>
@@ -60,6 +76,9 @@ void ContactTerm<dim>::declare(TermStructure& structure) const {
     structure.breakpoints.insert(structure.breakpoints.end(), kinks_in_time.begin(),
                                  kinks_in_time.end());
   }
+  if (const auto& travel = state_.parameters.counter_body.travel)
+    structure.breakpoints.insert(structure.breakpoints.end(), travel->times().begin(),
+                                 travel->times().end());
 }
 
 template <int dim>
@@ -80,7 +99,7 @@ ContactInput<dim> ContactTerm<dim>::gather(const Evaluation<dim>& at, int c) con
   ContactInput<dim> input{PatchNodal<dim>(size, dim),
                           PatchNodal<dim>(size, dim),
                           at.values.scalar(state_.lambda)[c],
-                          state_.w == FieldId::none ? 0 : at.values.scalar(state_.w)[0],
+                          motion(at),
                           {.time = at.t, .slid = nominal_speed_ * at.t, .within = at.within}};
   for (Eigen::Index p = 0; p < size; ++p) {
     const int node = patch.nodes[p];

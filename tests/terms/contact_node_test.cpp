@@ -1,6 +1,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <gnomon/base/error.hpp>
+#include <gnomon/laws/profile.hpp>
 #include <gnomon/terms/contact_node.hpp>
 
 #include "support/derivatives.hpp"
@@ -32,10 +34,29 @@ Mesh<dim> wavy_surface() {
 
 /// What the node meets: a frictionless plane that slides past (sec. 4.1), the same with friction
 /// (4.2), a ball past which the body streams (4.3), a ball that turns without friction, a cylinder
-/// that turns, with friction (2D: a disk).
-enum class Meets { plane, rough_plane, rough_ball, turning_ball, rough_turning_cylinder };
-constexpr Meets all_meets[] = {Meets::plane, Meets::rough_plane, Meets::rough_ball,
-                               Meets::turning_ball, Meets::rough_turning_cylinder};
+/// that turns, with friction (2D: a disk), a conical seat (2D: a groove), the groove of a ring
+/// (2D: a socket), a rail of which the shape turns, and a ball that slides out of the plane, faster
+/// to one side (in space: as the turning ball).
+enum class Meets {
+  plane,
+  rough_plane,
+  rough_ball,
+  turning_ball,
+  rough_turning_cylinder,
+  seat,
+  rough_groove,
+  rough_turning_rail,
+  rough_across
+};
+constexpr Meets all_meets[] = {Meets::plane,
+                               Meets::rough_plane,
+                               Meets::rough_ball,
+                               Meets::turning_ball,
+                               Meets::rough_turning_cylinder,
+                               Meets::seat,
+                               Meets::rough_groove,
+                               Meets::rough_turning_rail,
+                               Meets::rough_across};
 constexpr NormalRule all_rules[] = {NormalRule::averaged, NormalRule::normalised,
                                     NormalRule::conservative};
 
@@ -96,6 +117,28 @@ WearLaw law_of(Law law) {
   return WearLaw({.rate = threshold_rate, .kinks = 2, .switching = threshold_switching});
 }
 
+CounterShape<2> wavy_rail() {
+  return profile(
+      SplineCurve({{-3, -0.2}, {-1.2, 0.1}, {0.1, -0.1}, {1.3, 0.2}, {3, -0.3}}, false).reversed());
+}
+
+/// Near the origin, and bent there.
+template <int dim>
+CounterShape<dim> bent_shape(Meets meets) {
+  const Vector<dim> up = Vector<dim>(Vector<dim>::LinSpaced(0.2, 1)).normalized();
+  const Vector<dim> below = -2 * Vector<dim>::Unit(dim - 1) + 0.9 * Vector<dim>::Unit(0);
+  if (meets == Meets::seat) return complement(cone<dim>(below, up, 1.1));
+  if constexpr (dim == 2) {
+    if (meets == Meets::rough_groove) return complement(ball<2>({0.2, 3.8}, 4));
+    return wavy_rail();
+  } else {
+    if (meets == Meets::rough_groove) return complement(torus({0.2, -5, 2.8}, {0, 0.1, 1}, 5, 3));
+    Tensor<3> frame;
+    frame << Vector<3>(0.8, 0.6, 0), Vector<3>(0, 0, 1), Vector<3>(0.6, -0.8, 0);
+    return extruded(wavy_rail(), {0.1, 0.2, 0.05}, frame);
+  }
+}
+
 template <int dim>
 ContactParameters<dim> parameters_of(Meets meets, NormalRule rule, Law law) {
   ContactParameters<dim> parameters;
@@ -105,7 +148,7 @@ ContactParameters<dim> parameters_of(Meets meets, NormalRule rule, Law law) {
   parameters.normal_rule = rule;
   body.motion.velocity = 2 * Vector<dim>::Unit(0);
   if (meets == Meets::plane) return parameters;
-  parameters.friction = meets == Meets::turning_ball ? 0 : 0.5;
+  parameters.friction = meets == Meets::turning_ball || meets == Meets::seat ? 0 : 0.5;
   body.approach = Vector<dim>(Vector<dim>::LinSpaced(0.2, 1)).normalized();
   if (meets == Meets::rough_plane) return parameters;
   const Vector<dim> centre = -4.1 * Vector<dim>::Unit(dim - 1) + 0.3 * Vector<dim>::Unit(0);
@@ -123,6 +166,13 @@ ContactParameters<dim> parameters_of(Meets meets, NormalRule rule, Law law) {
   if constexpr (dim == 3)
     if (meets == Meets::rough_turning_cylinder)
       body.shape = cylinder(centre, Vector<3>(0.2, 1, 0.1), 4);
+  if (meets == Meets::seat || meets == Meets::rough_groove || meets == Meets::rough_turning_rail)
+    body.shape = bent_shape<dim>(meets);
+  if (meets == Meets::rough_turning_rail) body.turning = Turning<dim>{body.motion.spin, centre};
+  if (dim == 2 && meets == Meets::rough_across) {
+    body.motion.across = 1.5;
+    body.motion.across_by_x = 0.7 * Vector<dim>::LinSpaced(-1, 0.5);
+  }
   return parameters;
 }
 
@@ -138,7 +188,11 @@ struct Fixture {
 
   Fixture(bool active, NormalRule rule, Meets meets, Law law = Law::archard)
       : parameters(parameters_of<dim>(meets, rule, law)),
-        at{PatchNodal<dim>(nodes, dim), PatchNodal<dim>(nodes, dim), active ? -30.0 : 20.0, 0.07} {
+        at{PatchNodal<dim>(nodes, dim),
+           PatchNodal<dim>(nodes, dim),
+           active ? -30.0 : 20.0,
+           0.07,
+           {.time = 0.04}} {
     for (int p = 0; p < nodes; ++p) {
       at.X.row(p) =
           mesh.nodes[patch.nodes[p]].transpose() + noise<Vector<dim>>(0.05, 10 + p).transpose();
@@ -179,7 +233,7 @@ void check_tangent(const Fixture<dim>& f, const NodeBranch& branch, bool active,
   const ContactNode<dim, Dual> node(
       f.parameters, f.patch,
       {independent(f.at.X, 0, total), independent(f.at.u, dim * f.nodes, total),
-       Dual(f.at.lambda, total, total - 2), Dual(f.at.w, total, total - 1)},
+       Dual(f.at.lambda, total, total - 2), Dual(f.at.w, total, total - 1), f.at.moment},
       branch);
   ASSERT_EQ(node.active, active);
   const auto m = f.tangent(branch);
@@ -242,7 +296,7 @@ void for_every_case(const std::function<void(Meets, NormalRule, Law, bool)>& che
 }
 
 bool has_friction(Meets meets) {
-  return meets != Meets::plane && meets != Meets::turning_ball;
+  return meets != Meets::plane && meets != Meets::turning_ball && meets != Meets::seat;
 }
 
 template <int dim>
@@ -322,6 +376,43 @@ TEST(ContactNode, FrictionOpposesSlidingAndItsDissipationWears) {
   EXPECT_NEAR(node.wear_rate, 0.01 * p * 7, 1e-14 * p);
   f.parameters.wear = dissipation_wear(0.02);
   EXPECT_NEAR(ContactNode<3>(f.parameters, f.patch, f.at).wear_rate, node.wear_rate, 1e-14 * p);
+}
+
+// Sliding out of the plane by hand: the speed is the length of both parts, and the friction in the
+// plane has its share of them. Without a part in the plane there is none.
+TEST(ContactNode, SlidesOutOfThePlane) {
+  Fixture<2> f(true, NormalRule::averaged, Meets::rough_plane);
+  RigidMotion<2>& motion = f.parameters.counter_body.motion;
+  motion.velocity = Vector<2>(3, 0);
+  motion.across = -4;
+  const ContactNode<2> node(f.parameters, f.patch, f.at);
+  const double p = -node.traction;
+  ASSERT_GT(p, 0);
+  EXPECT_NEAR((node.force / node.area - p * Vector<2>(-0.3, -1)).norm(), 0, 1e-13 * p);
+  EXPECT_NEAR(node.wear_rate, 0.01 * p * 5, 1e-14 * p);
+  // About r = 0: omega r, at the node as the counter-body sees it.
+  motion = {};
+  motion.across_by_x = Vector<2>(2, 0);
+  const ContactNode<2> turning(f.parameters, f.patch, f.at);
+  const Vector<2> x = (f.at.X + f.at.u).row(0).transpose();
+  const double r = f.parameters.counter_body.seen<double>(x, f.at.w)[0];
+  EXPECT_NEAR(turning.wear_rate, 0.01 * p * 2 * std::abs(r), 1e-14 * p);
+  EXPECT_NEAR((turning.force / turning.area - p * Vector<2>(0, -1)).norm(), 0, 1e-13 * p);
+}
+
+// On the axis of a seat an open node needs no normal; a closed one has none, and says so.
+TEST(ContactNode, RefusesAClosedNodeWithoutANormal) {
+  Fixture<3> f(false, NormalRule::averaged, Meets::plane);
+  f.parameters.counter_body.shape = complement(cone<3>({0, 0, -5}, {0, 0, 1}, 1.0));
+  f.at.w = 0;
+  f.at.u.row(0) = Vector<3>(0, 0, 0.1).transpose() - f.at.X.row(0);
+  const ContactNode<3> open(f.parameters, f.patch, f.at);
+  EXPECT_FALSE(open.active);
+  EXPECT_NEAR(open.gap, 5.1 * std::sin(1.0), 1e-14);
+  EXPECT_NO_THROW(ContactNodeTangent<3>(f.parameters, f.patch, f.at));
+  f.at.lambda = -30;
+  EXPECT_THROW(ContactNode<3>(f.parameters, f.patch, f.at), RecoverableError);
+  EXPECT_THROW(ContactNodeTangent<3>(f.parameters, f.patch, f.at), RecoverableError);
 }
 
 // Eq. (7): under a homogeneous deformation F every facet carries V over into F V, and eq. (6) takes

@@ -13,13 +13,20 @@
 
 namespace gnomon {
 
+/// What a scene in 2D is a section of: bodies that are the same along the third direction, or
+/// bodies of revolution about r = 0, in coordinates (r, z).
+enum class Section { plane, meridian };
+
 /// A shape that scenes may name, in one dimension.
 template <int dim>
 struct CounterShapeKind {
   std::string name;
-  std::string help;       ///< one line
-  std::vector<Key> keys;  ///< counter_body.*
-  std::function<CounterShape<dim>(const Scene&)> make;
+  std::string help;  ///< one line
+  /// counter_body.*. One name has the same kind, length and range in all shapes of a dimension,
+  /// for one table has the keys of all shapes (counter_body_scene.hpp).
+  std::vector<Key> keys;
+  /// Throws InputError. In 3D the section is not read.
+  std::function<CounterShape<dim>(const Scene&, Section)> make;
 };
 
 /// The vector that a key of `dim` reals gives. Throws InputError where it is zero.

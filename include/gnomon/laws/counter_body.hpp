@@ -1,20 +1,63 @@
 // The rigid counter-body: what shape it has, where it stands, how its surface moves.
 #pragma once
 
+#include <cmath>
 #include <gnomon/laws/counter_shape.hpp>
+#include <gnomon/laws/load_history.hpp>
+#include <optional>
 
 namespace gnomon {
 
-/// Velocity of a rigid body's points, v(x) = velocity + spin x.
+/// Velocity of a rigid body's points, v(x) = velocity + spin x. In 2D it may have a component out
+/// of the plane, across(x) = across + across_by_x . x: a body that slides along the third
+/// direction, or (dim = 2, coordinates r, z) that turns about r = 0.
 template <int dim>
 struct RigidMotion {
-  Vector<dim> velocity = Vector<dim>::Zero();  ///< at the origin of x [length / time]
-  Tensor<dim> spin = Tensor<dim>::Zero();      ///< dv/dx, skew [1 / time]
+  Vector<dim> velocity = Vector<dim>::Zero();     ///< at the origin of x [length / time]
+  Tensor<dim> spin = Tensor<dim>::Zero();         ///< dv/dx, skew [1 / time]
+  double across = 0;                              ///< at the origin of x; 2D only [length / time]
+  Vector<dim> across_by_x = Vector<dim>::Zero();  ///< 2D only [1 / time]
+  Vector<dim> reference = Vector<dim>::Zero();    ///< where the nominal speed of a run is taken
 
   template <class Scalar = double>
   Vector<dim, Scalar> at(const Vector<dim, Scalar>& x) const {
     return velocity.template cast<Scalar>() + spin.template cast<Scalar>() * x;
   }
+  template <class Scalar = double>
+  Scalar across_at(const Vector<dim, Scalar>& x) const {
+    return Scalar(across) + across_by_x.template cast<Scalar>().dot(x);
+  }
+  /// The speed at which a body that streams by with `streaming` slides at `reference`.
+  double nominal_speed(const Vector<dim>& streaming) const {
+    const double out_of_plane = across_at<double>(reference);
+    return std::sqrt((streaming - at<double>(reference)).squaredNorm() +
+                     out_of_plane * out_of_plane);
+  }
+};
+
+/// v(x) = velocity + spin (x - centre)
+template <int dim>
+RigidMotion<dim> rigid_motion(const Vector<dim>& velocity, const Tensor<dim>& spin,
+                              const Vector<dim>& centre) {
+  RigidMotion<dim> motion;
+  motion.velocity = velocity - spin * centre;
+  motion.spin = spin;
+  return motion;
+}
+
+/// The spin of a rotation in the plane, from its first to its second direction [1 / time].
+Tensor<2> spin_in_plane(double rate);
+/// The spin of a rotation about a direction of any length, by the right-hand rule [1 / time].
+Tensor<3> spin_about(const Vector<3>& axis, double rate);
+
+/// A shape that turns, with a constant spin about a point at rest: a cam.
+template <int dim>
+struct Turning {
+  Tensor<dim> spin;    ///< skew [1 / time]
+  Vector<dim> centre;  ///< in the coordinates of the shape
+
+  /// The rotation from t = 0, exp(t spin).
+  Tensor<dim> rotation(double t) const;
 };
 
 /// A rigid body that the worn body may not enter. It moves by w along `approach`.
@@ -24,13 +67,21 @@ struct CounterBody {
   Vector<dim> position = Vector<dim>::Zero();         ///< of the shape's origin at w = 0 [length]
   Vector<dim> approach = Vector<dim>::Unit(dim - 1);  ///< unit
   RigidMotion<dim> motion;  ///< of its surface, v^2 of eq. (6), in the coordinates of the shape
+  /// A shape that does not look the same while it turns with `motion`; else the surface moves along
+  /// itself, and the shape stays.
+  std::optional<Turning<dim>> turning;
+  /// A given part of w over time [length], beside the unknown one, if there is one.
+  std::optional<LoadHistory> travel;
 
-  /// A point of the worn body in the coordinates of the shape [length].
+  /// A point of the worn body in the coordinates of the shape at t = 0 [length].
   template <class Scalar = double>
   Vector<dim, Scalar> seen(const Vector<dim, Scalar>& x, const Scalar& w) const {
     return x - position.template cast<Scalar>() - approach.template cast<Scalar>() * w;
   }
-  /// The w at which it touches x when it comes from afar [length]; infinite where it passes by.
+  /// The signed distance of a point as `seen` at the time t. Throws RecoverableError.
+  SignedDistance<dim> distance(const Vector<dim>& seen, double t) const;
+  /// The w at which it touches x at t = 0 when it comes from afar [length]; infinite where it
+  /// passes by.
   double travel_to(const Vector<dim>& x) const { return shape.travel_to(x - position, approach); }
 };
 

@@ -1,12 +1,12 @@
-// How the load of a run changes with time.
+// How the load of a run, or a given motion, changes with time.
 #pragma once
 
 #include <vector>
 
 namespace gnomon {
 
-/// A factor of the load, linear in time between given points, and constant before the first of them
-/// and after the last.
+/// A factor of the load, or a length, linear in time between given points, and constant before the
+/// first of them and after the last.
 class LoadHistory {
 public:
   /// The whole load at all times.

@@ -60,8 +60,8 @@ struct ContactInput {
   PatchNodal<dim, Scalar> X;  ///< undeformed positions of patch.nodes [length]
   PatchNodal<dim, Scalar> u;  ///< their displacements [length]
   Scalar lambda;              ///< of the node itself [stress]
-  Scalar w = Scalar(0);       ///< rigid motion of the counter-body [length]
-  WearMoment moment = {};     ///< read by the wear law
+  Scalar w = Scalar(0);       ///< motion of the counter-body along `approach` [length]
+  WearMoment moment = {};     ///< read by the wear law, and by a counter-body that turns
 };
 
 /// Which smooth branch of a contact node is meant.
@@ -141,6 +141,10 @@ inline bool determines_motion(double square, double area) {
   return square > 1e-8 * area * area;
 }
 
+/// Throws RecoverableError where a closed node has several normals.
+template <int dim>
+void require_normal(const ContactPatch<dim>& patch, const SignedDistance<dim>& distance);
+
 /// Throws RecoverableError where a node that may move has no direction to wear in.
 template <int dim>
 void require_direction(const ContactPatch<dim>& patch, const Vector<dim>& normal);
@@ -197,15 +201,16 @@ ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,
   const PatchNodal<dim, Scalar> x = at.X + at.u;
   const Vector<dim, Scalar> seen =
       body.template seen<Scalar>(Vector<dim, Scalar>(x.row(0).transpose()), at.w);
-  const SignedDistance<dim> distance = body.shape.at(plain<dim, Scalar>(seen));
+  const SignedDistance<dim> distance = body.distance(plain<dim, Scalar>(seen), at.moment.time);
   const auto n = lift<dim, Scalar>(distance.normal, distance.normal_by_x, seen);
   gap = lift<dim, Scalar>(distance.gap, distance.normal, seen);
   const UnilateralContact<Scalar> contact(at.lambda, gap, parameters.rho, branch.contact);
   const Sliding<dim, Scalar> sliding(
       streaming_velocity<dim, Scalar>(patch, at.X, x, parameters.streaming) -
           body.motion.template at<Scalar>(seen),
-      n);
+      n, body.motion.template across_at<Scalar>(seen));
   active = contact.active;
+  if (active) require_normal(patch, distance);
   traction = contact.traction;
   area = surface.area;
   force = (area * traction) * (n - Scalar(parameters.friction) * sliding.direction);

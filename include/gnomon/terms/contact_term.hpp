@@ -57,6 +57,9 @@ private:
   int count() const { return static_cast<int>(state_.patches.size()); }
   std::vector<int> row_numbers(int c) const;
   std::vector<int> column_numbers(int c) const;
+  /// Of the counter-body along `approach`: the unknown and the given part. In a load ramp it comes
+  /// from where it would touch the body at rest.
+  double motion(const Evaluation<dim>& at) const;
   ContactInput<dim> gather(const Evaluation<dim>& at, int c) const;
   NodeBranch branch(const Evaluation<dim>& at, int c) const;
   ContactNode<dim> node(const Evaluation<dim>& at, int c) const;
@@ -80,6 +83,7 @@ private:
   int w_number_;
   std::vector<std::size_t> first_switch_ = {0};  // of each node; last: their number
   double nominal_speed_;               // at which the bodies slide [length / time]
+  double overlap_ = 0;                 // of the body at rest, by the given motion at t = 0 [length]
   std::vector<std::vector<int>> map_;  // of each node: positions, column by column; -1: none
 };
 

@@ -8,7 +8,8 @@
 //   V = sum_j c_j T_j   (least squares: c = (T'T)^-1 T'V),   F V = sum_j c_j t_j,
 //
 // averaged like the normal, with the initial areas of the facets. With the velocity v^2 of the
-// counter-body and its normal n:  v_T = (1 - n n') (F V - v^2).
+// counter-body and its normal n:  v_T = (1 - n n') (F V - v^2). In 2D the counter-body may also
+// slide out of the plane, with v_z: then the speed is (|v_T|^2 + v_z^2)^(1/2).
 #pragma once
 
 #include <cmath>
@@ -35,16 +36,18 @@ Vector<dim, Scalar> streaming_velocity(const ContactPatch<dim>& patch,
   return result;
 }
 
-/// Tangential part of a relative velocity: |v_T| and v_T/|v_T|, zero where nothing slides.
+/// Tangential part of a relative velocity: its length and its direction in space (2D: in the plane,
+/// shorter than one where it has a part `across` the plane), zero where nothing slides.
 template <int dim, class Scalar = double>
 struct Sliding {
   Scalar speed;
   Vector<dim, Scalar> direction;
 
-  Sliding(const Vector<dim, Scalar>& relative, const Vector<dim, Scalar>& normal) {
+  Sliding(const Vector<dim, Scalar>& relative, const Vector<dim, Scalar>& normal,
+          const Scalar& across = Scalar(0)) {
     using std::sqrt;
     const Vector<dim, Scalar> tangential = relative - normal * normal.dot(relative);
-    const Scalar square = tangential.squaredNorm();
+    const Scalar square = tangential.squaredNorm() + across * across;
     if (square > Scalar(0)) {
       speed = sqrt(square);
       direction = tangential / speed;

@@ -1,4 +1,5 @@
 #include <gnomon/laws/catalogue.hpp>
+#include <gnomon/laws/shape_keys.hpp>
 
 namespace gnomon {
 
@@ -17,22 +18,22 @@ CounterShape<dim> ball(const Vector<dim>& centre, double radius) {
 namespace {
 
 template <int dim>
+CounterShape<dim> make(const Scene& scene, Section section) {
+  Vector<dim> centre = read_point<dim>(scene, "counter_body.center");
+  if constexpr (dim == 2)
+    if (section == Section::meridian)
+      centre = read_point_of_axis(scene, "counter_body.center", "the ball");
+  return convex_or_concave(scene, ball<dim>(centre, scene.real("counter_body.radius")));
+}
+
+template <int dim>
 CounterShapeKind<dim> kind() {
   return {.name = "ball",
-          .help = dim == 2 ? "disk: a cylinder seen along its axis" : "ball",
-          .keys = {{.name = "counter_body.centre",
-                    .kind = KeyKind::reals,
-                    .unit = "mm",
-                    .length = dim,
-                    .help = "centre of the ball"},
-                   {.name = "counter_body.radius",
-                    .unit = "mm",
-                    .range = positive_quantity,
-                    .help = "radius of the ball"}},
-          .make = [](const Scene& scene) {
-            return ball<dim>(read_point<dim>(scene, "counter_body.centre"),
-                             scene.real("counter_body.radius"));
-          }};
+          .help = dim == 2 ? "disk, or a ball about r = 0; concave: a socket"
+                           : "ball; concave: a socket",
+          .keys = {center_key(dim, "centre of the ball"),
+                   length_key("counter_body.radius", "radius of the ball"), concave_key()},
+          .make = make<dim>};
 }
 
 const Registration<CounterShapeKind<2>> in_2d(kind<2>());

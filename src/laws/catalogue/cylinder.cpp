@@ -1,4 +1,5 @@
 #include <gnomon/laws/catalogue.hpp>
+#include <gnomon/laws/shape_keys.hpp>
 
 namespace gnomon {
 
@@ -16,27 +17,39 @@ CounterShape<3> cylinder(const Vector<3>& point, const Vector<3>& axis, double r
 
 namespace {
 
-const Registration<CounterShapeKind<3>> registration(
+/// Seen along its axis; about the axis of symmetry a straight line at the distance of the radius.
+CounterShape<2> make_2d(const Scene& scene, Section section) {
+  const double radius = scene.real("counter_body.radius");
+  if (section == Section::plane)
+    return convex_or_concave(scene, ball<2>(read_point<2>(scene, "counter_body.center"), radius));
+  read_point_of_axis(scene, "counter_body.center", "the cylinder");
+  return convex_or_concave(scene, plane<2>({radius, 0}, {1, 0}));
+}
+
+CounterShape<3> make_3d(const Scene& scene, Section) {
+  return convex_or_concave(scene, cylinder(read_point<3>(scene, "counter_body.center"),
+                                           read_direction<3>(scene, "counter_body.axis"),
+                                           scene.real("counter_body.radius")));
+}
+
+std::vector<Key> keys(int dim) {
+  std::vector<Key> keys = {center_key(dim, "point of the axis"),
+                           length_key("counter_body.radius", "radius of the cylinder"),
+                           concave_key()};
+  if (dim == 3) keys.push_back(axis_key(dim, "direction of the axis"));
+  return keys;
+}
+
+const Registration<CounterShapeKind<2>> in_2d(
     {.name = "cylinder",
-     .help = "circular cylinder without ends",
-     .keys = {{.name = "counter_body.point",
-               .kind = KeyKind::reals,
-               .unit = "mm",
-               .length = 3,
-               .help = "point of the axis"},
-              {.name = "counter_body.axis",
-               .kind = KeyKind::reals,
-               .length = 3,
-               .help = "direction of the axis, of any length"},
-              {.name = "counter_body.radius",
-               .unit = "mm",
-               .range = positive_quantity,
-               .help = "radius of the cylinder"}},
-     .make = [](const Scene& scene) {
-       return cylinder(read_point<3>(scene, "counter_body.point"),
-                       read_direction<3>(scene, "counter_body.axis"),
-                       scene.real("counter_body.radius"));
-     }});
+     .help = "cylinder seen along its axis, or a rod about r = 0; concave: a bore",
+     .keys = keys(2),
+     .make = make_2d});
+const Registration<CounterShapeKind<3>> in_3d(
+    {.name = "cylinder",
+     .help = "circular cylinder without ends; concave: a bore",
+     .keys = keys(3),
+     .make = make_3d});
 
 }  // namespace
 

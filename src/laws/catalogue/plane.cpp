@@ -1,3 +1,4 @@
+#include <gnomon/base/error.hpp>
 #include <gnomon/laws/catalogue.hpp>
 
 namespace gnomon {
@@ -12,6 +13,16 @@ CounterShape<dim> plane(const Vector<dim>& point, const Vector<dim>& normal) {
 }
 
 namespace {
+
+template <int dim>
+CounterShape<dim> make(const Scene& scene, Section section) {
+  const Vector<dim> normal = read_direction<dim>(scene, "counter_body.normal");
+  if (section == Section::meridian && normal[0] != 0)
+    throw InputError(scene.where("counter_body.normal") +
+                     ": expected a normal along the axis of symmetry, [0, 1] or [0, -1], in an "
+                     "axisymmetric scene; others belong to a `cone` or a `cylinder`");
+  return plane<dim>(read_point<dim>(scene, "counter_body.point"), normal);
+}
 
 template <int dim>
 CounterShapeKind<dim> kind() {
@@ -33,10 +44,7 @@ CounterShapeKind<dim> kind() {
                     .default_value = up,
                     .length = dim,
                     .help = "its normal towards the worn body, of any length"}},
-          .make = [](const Scene& scene) {
-            return plane<dim>(read_point<dim>(scene, "counter_body.point"),
-                              read_direction<dim>(scene, "counter_body.normal"));
-          }};
+          .make = make<dim>};
 }
 
 const Registration<CounterShapeKind<2>> in_2d(kind<2>());
