@@ -425,7 +425,7 @@ class Program:
 COUNTS = {"steps": "steps", "rejected": "rejected_steps", "events": "events",
           "newton": "newton_iterations", "factorizations": "factorizations"}
 OTHER_COUNTS = ["residual_evaluations", "jacobian_evaluations", "linear_solves",
-                "krylov_iterations", "preconditioner_setups", "flickering_nodes"]
+                "krylov_iterations", "preconditioner_setups", "chattering_nodes"]
 
 
 @dataclasses.dataclass

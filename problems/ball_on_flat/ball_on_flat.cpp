@@ -91,16 +91,16 @@ void hold_boundary(double reach, WornBody<3>& body) {
     body.shape_fixed(node, 1) = body.displacement_fixed(node, 1) = 1;
 }
 
-Scales make_scales(const Scene& scene, double facet) {
+Scales make_scales(const Scene& scene, const WearLaw& wear, double facet) {
   const double R = scene.real("ball.radius"), force = scene.real("load.force");
   const HertzPoint hertz(force, R, scene.real("body.young_modulus"),
                          scene.real("body.poisson_ratio"));
   Scales scales;
   scales.duration = scene.real("time.end");
   const double hertz_pressure = force / (M_PI * hertz.radius * hertz.radius);
-  const double worn = wear_by_pressure(scene, read_wear_law(scene),
-                                       {hertz_pressure, scene.real("friction.coefficient")}) *
-                      load_impulse(scene);
+  const double worn =
+      wear_by_pressure(scene, wear, {hertz_pressure, scene.real("friction.coefficient")}) *
+      load_impulse(scene);
   const double worn_area =
       std::sqrt(4 * R * worn * M_PI);  // pi a^2 of a rigid ball: pi a^4 = 4 R V
   scales.force = force;
@@ -128,7 +128,8 @@ std::unique_ptr<Model> make(const Scene& scene) {
       read_contact_patches<3>(scene, body->mesh, body->mesh.boundary.at("contact"));
   hold_boundary(scene.real("shape.reach"), *body);
   body->load = NodalField<3>::Zero(body->displacement_fixed.rows(), 3);
-  body->scales = make_scales(scene, facet);
+  body->contact.wear = read_wear_law(scene);
+  body->scales = make_scales(scene, body->contact.wear, facet);
   body->contact.counter_body.motion.velocity = Vector<3>(scene.real("wear.velocity"), 0, 0);
   read_worn_body(scene, facet, *body);
   body->copies = 2;

@@ -151,16 +151,16 @@ void hold_boundary(bool sides_held, WornBody<3>& body) {
     for (int node : body.mesh.boundary_nodes(part)) body.displacement_fixed.row(node).setOnes();
 }
 
-Scales make_scales(const Scene& scene) {
+Scales make_scales(const Scene& scene, const WearLaw& wear) {
   const double R = scene.real("ball.radius"), force = scene.real("load.force");
   const HertzPoint hertz(force, R, scene.real("body.young_modulus"),
                          scene.real("body.poisson_ratio"));
   Scales scales;
   scales.duration = scene.real("time.end");
   const double hertz_pressure = force / (M_PI * hertz.radius * hertz.radius);
-  const double groove = wear_by_pressure(scene, read_wear_law(scene),
-                                         {hertz_pressure, scene.real("friction.coefficient")}) *
-                        load_impulse(scene) / scene.real("path.length");
+  const double groove =
+      wear_by_pressure(scene, wear, {hertz_pressure, scene.real("friction.coefficient")}) *
+      load_impulse(scene) / scene.real("path.length");
   const double half_width = std::cbrt(1.5 * R * groove);  // of a rigid ball: 2 a^3/(3 R) = groove
   scales.force = force;
   scales.displacement = hertz.approach;
@@ -189,7 +189,8 @@ std::unique_ptr<Model> make(const Scene& scene) {
   make_section(block, along, scene.real("path.length"), *body);
   hold_boundary(scene.text("block.sides") == "held", *body);
   body->load = NodalField<3>::Zero(body->displacement_fixed.rows(), 3);
-  body->scales = make_scales(scene);
+  body->contact.wear = read_wear_law(scene);
+  body->scales = make_scales(scene, body->contact.wear);
   const double radius = scene.real("ball.radius");
   body->contact.counter_body.shape = ball<3>(Vector<3>(0, 0, radius), radius);
   body->contact.counter_body.approach = Vector<3>(0, 0, -1);

@@ -119,15 +119,15 @@ void hold_boundary(WornBody<2>& body) {
   for (const auto& patch : body.contact_nodes) body.shape_fixed.row(patch.node).setZero();
 }
 
-Scales make_scales(const Scene& scene) {
+Scales make_scales(const Scene& scene, const WearLaw& wear) {
   const double nu = scene.real("body.poisson_ratio"), force = scene.real("load.force");
   Scales scales;
   scales.force = force;
   scales.displacement = force * (1 - nu * nu) / scene.real("body.young_modulus");
   scales.stress = force / (2 * scene.real("punch.half_width"));
   scales.duration = scene.real("time.end");
-  const double k_v = wear_by_pressure(scene, read_wear_law(scene),
-                                      {scales.stress, scene.real("friction.coefficient")});
+  const double k_v =
+      wear_by_pressure(scene, wear, {scales.stress, scene.real("friction.coefficient")});
   scales.wear_depth = k_v * load_impulse(scene) / (2 * scene.real("punch.half_width"));
   if (scales.wear_depth == 0) scales.wear_depth = scales.displacement;  // a law without wear
   scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
@@ -142,7 +142,8 @@ std::unique_ptr<Model> make(const Scene& scene) {
       read_contact_patches<2>(scene, body->mesh, facets_under_punch(body->mesh, a));
   hold_boundary(*body);
   body->load = uniform_load(body->mesh, "top", Vector<2>(0, -scene.real("load.force")));
-  body->scales = make_scales(scene);
+  body->contact.wear = read_wear_law(scene);
+  body->scales = make_scales(scene, body->contact.wear);
   body->contact.counter_body.motion.velocity = Vector<2>(scene.real("wear.velocity"), 0);
   read_worn_body(scene, 2 * a / double(scene.integer("mesh.punch_elements")), *body);
   return std::make_unique<WearModel<2>>(std::move(body));

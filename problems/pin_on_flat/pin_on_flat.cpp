@@ -99,7 +99,7 @@ void hold_boundary(bool sliding_sides, WornBody<2>& body) {
     }
 }
 
-Scales make_scales(const Scene& scene) {
+Scales make_scales(const Scene& scene, const WearLaw& wear) {
   const double nu = scene.real("body.poisson_ratio"), force = scene.real("load.force");
   const double reduced_modulus = scene.real("body.young_modulus") / (1 - nu * nu);
   const double width = scene.real("pin.width");
@@ -108,8 +108,8 @@ Scales make_scales(const Scene& scene) {
   scales.displacement = force / reduced_modulus;
   scales.stress = force / width;
   scales.duration = scene.real("time.end");
-  const double k_v = wear_by_pressure(scene, read_wear_law(scene),
-                                      {scales.stress, scene.real("friction.coefficient")});
+  const double k_v =
+      wear_by_pressure(scene, wear, {scales.stress, scene.real("friction.coefficient")});
   // Of a run that would wear more than there is, no tolerance follows.
   scales.wear_depth = std::min(k_v * load_impulse(scene) / width, scene.real("pin.height"));
   if (scales.wear_depth == 0) scales.wear_depth = scales.displacement;  // a law without wear
@@ -124,7 +124,8 @@ std::unique_ptr<Model> make(const Scene& scene) {
   body->contact_nodes = read_contact_patches<2>(scene, body->mesh, surface);
   hold_boundary(scene.text("pin.sides") == "sliding", *body);
   body->load = uniform_load(body->mesh, "top", Vector<2>(0, -scene.real("load.force")));
-  body->scales = make_scales(scene);
+  body->contact.wear = read_wear_law(scene);
+  body->scales = make_scales(scene, body->contact.wear);
   body->contact.counter_body.motion.velocity = Vector<2>(scene.real("wear.velocity"), 0);
   read_worn_body(scene, scene.real("pin.width") / static_cast<double>(surface.size()), *body);
   return std::make_unique<WearModel<2>>(std::move(body));

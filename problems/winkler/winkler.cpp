@@ -229,6 +229,12 @@ std::unique_ptr<Model> make(const Scene& scene) {
   f->force = scene.real("load.force");
   f->speed = scene.real("wear.velocity");
   f->duration = scene.real("time.end");
+  const long n = scene.integer("foundation.points");
+  const double spacing = f->width / double(n - 1);
+  for (long i = 0; i < n; ++i) {
+    f->x.push_back(f->width * (double(i) / double(n - 1) - 0.5));
+    f->area.push_back(i == 0 || i == n - 1 ? spacing / 2 : spacing);
+  }
   f->wear = read_wear_law(scene);
   f->wear_by_pressure = wear_by_pressure(scene, f->wear, {.pressure = f->mean_pressure()});
   if (f->wear_by_pressure == 0)
@@ -239,12 +245,6 @@ std::unique_ptr<Model> make(const Scene& scene) {
       .pressure = f->mean_pressure(), .depth = f->mean_depth(), .initial = {}};
   for (const double x : f->x) circumstances.initial.push_back({x, f->profile(x), 0});
   require_law(scene, f->wear, circumstances);
-  const long n = scene.integer("foundation.points");
-  const double spacing = f->width / double(n - 1);
-  for (long i = 0; i < n; ++i) {
-    f->x.push_back(f->width * (double(i) / double(n - 1) - 0.5));
-    f->area.push_back(i == 0 || i == n - 1 ? spacing / 2 : spacing);
-  }
   return std::make_unique<WinklerModel>(std::move(f), has_archard_rate(scene));
 }
 

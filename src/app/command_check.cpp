@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <gnomon/model/wear_scene.hpp>
+
 #include "app/commands.hpp"
 #include "app/program.hpp"
 #include "app/setup.hpp"
@@ -21,6 +23,8 @@ int check_command(const std::filesystem::path& scene, const std::vector<std::str
   fmt::print("{}\n{}", setup.scene.resolved(), table.text());
   if (const double memory = estimated_memory(setup.scene); memory > 0)
     fmt::print("# a run takes about {} of memory\n", memory_text(memory));
+  for (const std::string& name : unused_wear_names(setup.scene))
+    fmt::print("# {} is given, but wear.rate does not use it\n", name);
   return success;
 }
 

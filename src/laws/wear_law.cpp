@@ -22,12 +22,22 @@ WearInput with_pressure(const WearInput& at, double pressure, double friction_po
   return result;
 }
 
-/// A depth that is negative by the rounding of positions alone.
-bool is_rounding(const WearInput& at) {
+/// Of a depth that is negative by the rounding of positions alone.
+bool is_of_rounded_depth(const WearInput& at) {
   constexpr double roundings = 1e-12;
   const auto& x = at.initial;
   const double size = std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
   return at.depth < 0 && at.depth > -roundings * size;
+}
+
+/// A rate that relative changes of 1e-9 of what it depends on make positive: of p v (1 - h / h0) at
+/// h0, beyond which iterates come.
+bool is_nearly_zero(const WearInput& at, const WearRate& rate) {
+  constexpr double change = 1e-9;
+  const double size = std::abs(rate.by_pressure * at.pressure) +
+                      std::abs(rate.by_speed * at.speed) + std::abs(rate.by_depth * at.depth) +
+                      std::abs(rate.by_friction_power * at.friction_power);
+  return -rate.value <= change * size;
 }
 
 /// A law like p^0.8 has no slope at p = 0, where Newton needs one alone: none at all.
@@ -65,7 +75,8 @@ WearRate WearLaw::rate(const WearInput& at, std::span<const char> branches) cons
         "{:.4g}, t = {:.4g}",
         at.pressure, at.speed, at.depth, at.moment.time));
   // A branch that is given may be continued to where it is negative.
-  if (branches.empty() && at.pressure >= 0 && rate.value < 0 && !is_rounding(at))
+  if (branches.empty() && at.pressure >= 0 && rate.value < 0 && !is_of_rounded_depth(at) &&
+      !is_nearly_zero(at, rate))
     throw RecoverableError(fmt::format(
         "the wear law adds material: its rate is {:.4g} at p = {:.4g}, v = {:.4g}, h = {:.4g}, t = "
         "{:.4g}, initial position ({:.4g}, {:.4g}, {:.4g})",

@@ -143,7 +143,7 @@ BlockPreconditioner::~BlockPreconditioner() = default;
 void BlockPreconditioner::refresh(std::span<const double> J) {
   blocks_->J = J;
   blocks_->contact.update(J);
-  blocks_->terms = blocks_->contact.terms(blocks_->stiffness.part);
+  blocks_->terms = blocks_->contact.low_rank_terms(blocks_->stiffness.part);
   blocks_->bordered = false;
 }
 
@@ -160,7 +160,7 @@ int BlockPreconditioner::set_up(bool whole) {
   Blocks& b = *blocks_;
   b.stiffness.part.gather(b.J, b.stiffness.values);
   b.contact.add_springs(b.stiffness.part, b.stiffness.values);
-  b.terms = b.contact.terms(b.stiffness.part);  // common wear alone
+  b.terms = b.contact.low_rank_terms(b.stiffness.part);  // common wear alone
   b.change.clear();
   int factorizations = b.stiffness.set_up("the stiffness of the body");
   b.update_change();

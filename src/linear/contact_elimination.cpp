@@ -8,14 +8,14 @@
 
 namespace gnomon {
 
-void ContactElimination::Numbers::add(int number) {
+void ContactElimination::NodeUnknowns::add(int number) {
   if (size == most) throw Error("a contact node with more than three displacements");
   data[size++] = number;
 }
 
-ContactElimination::ContactElimination(const Structure& structure, bool has_terms)
+ContactElimination::ContactElimination(const Structure& structure, bool takes_low_rank)
     : structure_(structure),
-      has_terms_(has_terms),
+      takes_low_rank_(takes_low_rank),
       wear_row_(structure, {Role::evolution}, {Role::stiffness, Role::multiplier}),
       wear_block_(structure, {Role::evolution}) {
   const auto& [group, pattern] = std::tie(structure.group, structure.pattern);
@@ -36,7 +36,7 @@ ContactElimination::ContactElimination(const Structure& structure, bool has_term
     for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k) {
       const int row = pattern.row_index[k], c = contact_of[row];
       if (c < 0) continue;
-      // The pattern may hold the displacements around; the gap contains those of the node.
+      // The pattern may have the displacements around; the gap contains those of the node.
       if (structure.role(j) == Role::stiffness && group[j] == group[row]) contact_[c].u.add(j);
       if (structure.role(j) == Role::evolution)
         contact_[c].candidates.push_back(surface_of[group[j]]);
@@ -55,8 +55,8 @@ void ContactElimination::update(std::span<const double> J) {
   for (ContactNode& node : contact_) update_contact(node);
   share_surfaces();
   for (ContactNode& node : contact_) update_spring(node);
-  for (SurfaceNode& node : surface_) update_line(node);
-  follow_moved_springs();
+  for (SurfaceNode& node : surface_) update_gamma(node);
+  find_moved_springs();
   wear_block_.factorize(J);
 }
 
@@ -69,7 +69,7 @@ void ContactElimination::update_surface(SurfaceNode& node) const {
 }
 
 ContactElimination::Values ContactElimination::surface_row(int multiplier, int surface) const {
-  const Numbers& c = surface_[surface].unknowns;
+  const NodeUnknowns& c = surface_[surface].unknowns;
   Values row = Values::Zero();
   for (int k = 0; k < c.size; ++k) row[k] = entry(multiplier, c[k]);
   return row;
@@ -83,9 +83,10 @@ void ContactElimination::update_contact(ContactNode& node) const {
     node.C[k] = entry(l, node.u[k]);
     for (int m = 0; m < n; ++m) K(k, m) = entry(node.u[k], node.u[m]);
   }
-  node.D = -entry(l, l);
-  node.alpha = node.epsilon = 0;
-  // The pattern of the row holds the shape of all nodes around; the gap contains one.
+  node.D = -entry(l, l);  // share_surfaces() adds a J_cl
+  node.a_m = node.e_m = 0;
+  // The pattern of the row has the shape of all nodes around; the gap contains that of one, which
+  // has nonzero entries.
   node.surface = -1;
   double largest = 0;
   for (int candidate : node.candidates)
@@ -94,7 +95,7 @@ void ContactElimination::update_contact(ContactNode& node) const {
       node.surface = candidate;
     }
   if (node.surface >= 0) {
-    const Numbers& c = surface_[node.surface].unknowns;
+    const NodeUnknowns& c = surface_[node.surface].unknowns;
     node.a = surface_[node.surface].inverse.transpose() * surface_row(l, node.surface);
     node.e = Values::Zero();
     for (int k = 0; k < c.size; ++k) {
@@ -103,125 +104,142 @@ void ContactElimination::update_contact(ContactNode& node) const {
     }
   }
   node.CB = node.C.dot(node.B);
-  node.stiffness = node.CB == 0 ? 0 : node.C.dot(K * node.C) / node.C.squaredNorm();
+  node.own_stiffness = node.CB == 0 ? 0 : node.C.dot(K * node.C) / node.C.squaredNorm();
 }
 
-/// D of a node that is alone on its surface contains its wear; nodes that share one wear together.
+/// Completes D_0. A node that is alone on its surface node has its wear in D_0; closed nodes that
+/// share one have theirs in a_m and e_m, along the mean direction m of what their pressures wear.
 void ContactElimination::share_surfaces() {
   for (SurfaceNode& surface : surface_) surface.closed.clear();
   for (std::size_t c = 0; c < contact_.size(); ++c)
     if (contact_[c].surface >= 0 && contact_[c].CB != 0)
       surface_[contact_[c].surface].closed.push_back(static_cast<int>(c));
   for (SurfaceNode& surface : surface_) {
-    if (!has_terms_ || surface.closed.size() < 2) {
+    if (!takes_low_rank_ || surface.closed.size() < 2) {
       for (int c : surface.closed) contact_[c].D += contact_[c].a.dot(contact_[c].e);
       continue;
     }
     Values sum = Values::Zero();
     for (int c : surface.closed) sum += contact_[c].e;
     if (sum == Values::Zero()) continue;  // nothing wears
-    const Values direction = sum.stableNormalized();
+    const Values m = sum.stableNormalized();
     for (int c : surface.closed) {
       ContactNode& node = contact_[c];
-      node.alpha = node.a.dot(direction);
-      node.epsilon = node.e.dot(direction);
+      node.a_m = node.a.dot(m);
+      node.e_m = node.e.dot(m);
     }
   }
 }
 
 void ContactElimination::update_spring(ContactNode& node) const {
-  // A spring ten times as stiff as the node itself leaves the preconditioned multipliers' spectrum
-  // within 10 % of one.
+  // Instead of a rigid constraint: a spring ten times as stiff as the node itself leaves the
+  // preconditioned multipliers' spectrum within 10 % of one.
   constexpr double stiff = 10;
   node.spring = 0;
   if (node.CB == 0) {  // open
     if (node.D == 0) node.D = 1;
     return;
   }
-  const double least = std::abs(node.CB) / (stiff * std::abs(node.stiffness));
+  const double least = std::abs(node.CB) / (stiff * std::abs(node.own_stiffness));
+  // Of the sign of C.B, so that the spring is positive and K with springs stays definite.
   node.D = std::copysign(std::max(std::copysign(1.0, node.CB) * node.D, least), node.CB);
   node.spring = node.CB / node.D;
 }
 
-void ContactElimination::update_line(SurfaceNode& surface) const {
+void ContactElimination::update_gamma(SurfaceNode& surface) const {
   double sum = 1;
-  for (int c : surface.closed) sum += contact_[c].epsilon * contact_[c].alpha / contact_[c].D;
+  for (int c : surface.closed) sum += contact_[c].e_m * contact_[c].a_m / contact_[c].D;
   surface.gamma = sum == 0 ? 0 : 1 / sum;
 }
 
 void ContactElimination::add_springs(const SymmetricPart& part, std::vector<double>& values) {
-  followed_.clear();
+  moved_.clear();
   for (ContactNode& node : contact_) {
-    node.spring_set = node.spring;
-    node.followed = false;
+    node.spring_at_setup = node.spring;
+    node.has_moved = false;
     if (node.spring == 0) continue;
-    node.direction = node.C.normalized();
+    node.direction_at_setup = node.C.normalized();
     for (int k = 0; k < node.u.size; ++k)
       for (int m = 0; m <= k; ++m)
         values[part.find(node.u[k], node.u[m])] +=
-            node.spring * node.direction[k] * node.direction[m];
+            node.spring * node.direction_at_setup[k] * node.direction_at_setup[m];
   }
 }
 
-/// Springs that have changed since they were added by more than preconditioning bears.
-void ContactElimination::follow_moved_springs() {
+/// A preconditioner works with a spring that is wrong by half, or by little beside the node's own
+/// stiffness. A spring that has moved once is followed exactly until the next set-up.
+void ContactElimination::find_moved_springs() {
   for (std::size_t c = 0; c < contact_.size(); ++c) {
     ContactNode& node = contact_[c];
-    const double change = std::abs(node.spring - node.spring_set);
-    if (node.followed || change <= 0.5 * std::max(node.spring, node.spring_set) ||
-        change <= 0.3 * node.stiffness)
+    const double change = std::abs(node.spring - node.spring_at_setup);
+    if (node.has_moved || change <= 0.5 * std::max(node.spring, node.spring_at_setup) ||
+        change <= 0.3 * node.own_stiffness)
       continue;
-    if (node.spring_set == 0) node.direction = node.C.normalized();
-    node.followed = true;
-    followed_.push_back(static_cast<int>(c));
+    if (node.spring_at_setup == 0) node.direction_at_setup = node.C.normalized();
+    node.has_moved = true;
+    moved_.push_back(static_cast<int>(c));
   }
 }
 
-std::vector<RankOneTerm> ContactElimination::terms(const SymmetricPart& part) const {
-  if (!has_terms_) return {};
-  std::vector<RankOneTerm> result;
-  const auto append = [&part](SparseVector& vector, const ContactNode& node, const Values& value) {
-    for (int k = 0; k < node.u.size; ++k) {
-      vector.index.push_back(part.number(node.u[k]));
-      vector.value.push_back(value[k]);
-    }
-  };
-  for (int c : followed_) {
+namespace {
+
+void append(SparseVector& vector, const SymmetricPart& part, int unknown, double value) {
+  vector.index.push_back(part.number(unknown));
+  vector.value.push_back(value);
+}
+
+}  // namespace
+
+/// (s - s at the set-up) n n^T.
+RankOneTerm ContactElimination::moved_spring(int c, const SymmetricPart& part) const {
+  const ContactNode& node = contact_[c];
+  RankOneTerm term{c, node.spring - node.spring_at_setup, {}, {}};
+  for (int k = 0; k < node.u.size; ++k) append(term.u, part, node.u[k], node.direction_at_setup[k]);
+  term.v = term.u;
+  return term;
+}
+
+/// -gamma (B D_0^-1 a_m) (e_m^T D_0^-1 C) of a surface node, with B along C as in the springs. Its
+/// first vector has length one: LowRankUpdate solves for its column again only when the vector has
+/// turned, and a_m changes with every step. A factor of zero: nothing wears.
+RankOneTerm ContactElimination::common_wear(int s, const SymmetricPart& part) const {
+  RankOneTerm term{static_cast<int>(contact_.size()) + s, -surface_[s].gamma, {}, {}};
+  for (int c : surface_[s].closed) {
     const ContactNode& node = contact_[c];
-    RankOneTerm& term = result.emplace_back(RankOneTerm{c, node.spring - node.spring_set, {}, {}});
-    append(term.u, node, node.direction);
-    term.v = term.u;
+    const double B_by_C = node.CB / node.C.squaredNorm();
+    const Values u = node.C * (B_by_C * node.a_m / node.D), v = node.C * (node.e_m / node.D);
+    for (int k = 0; k < node.u.size; ++k) {
+      append(term.u, part, node.u[k], u[k]);
+      append(term.v, part, node.u[k], v[k]);
+    }
   }
+  const double length = std::sqrt(
+      std::inner_product(term.u.value.begin(), term.u.value.end(), term.u.value.begin(), 0.0));
+  if (length > 0)
+    for (double& value : term.u.value) value /= length;
+  term.k *= length;
+  return term;
+}
+
+std::vector<RankOneTerm> ContactElimination::low_rank_terms(const SymmetricPart& part) const {
+  if (!takes_low_rank_) return {};
+  std::vector<RankOneTerm> result;
+  for (int c : moved_) result.push_back(moved_spring(c, part));
   for (std::size_t s = 0; s < surface_.size(); ++s) {
     if (surface_[s].closed.size() < 2) continue;
-    const int id = static_cast<int>(contact_.size() + s);
-    RankOneTerm& term = result.emplace_back(RankOneTerm{id, -surface_[s].gamma, {}, {}});
-    for (int c : surface_[s].closed) {
-      const ContactNode& node = contact_[c];
-      const double symmetric = node.CB / node.C.squaredNorm();  // B along C, as in the springs
-      append(term.u, node, node.C * (symmetric * node.alpha / node.D));
-      append(term.v, node, node.C * (node.epsilon / node.D));
-    }
-    // Its size belongs to k, so that a column serves as long as u points its way: alpha changes
-    // with every step.
-    const double size = std::sqrt(
-        std::inner_product(term.u.value.begin(), term.u.value.end(), term.u.value.begin(), 0.0));
-    if (size == 0) {  // nothing wears
-      result.pop_back();
-      continue;
-    }
-    for (double& value : term.u.value) value /= size;
-    term.k *= size;
+    RankOneTerm term = common_wear(static_cast<int>(s), part);
+    if (term.k != 0) result.push_back(std::move(term));
   }
   return result;
 }
 
-void ContactElimination::divide_by_D(std::vector<double>& r) const {
+/// r becomes D^-1 r, by the formula of Sherman and Morrison.
+void ContactElimination::solve_D(std::vector<double>& r) const {
   for (std::size_t c = 0; c < contact_.size(); ++c) r[c] /= contact_[c].D;
   for (const SurfaceNode& surface : surface_) {
     double sum = 0;
-    for (int c : surface.closed) sum += contact_[c].epsilon * r[c];
-    for (int c : surface.closed) r[c] -= surface.gamma * sum * contact_[c].alpha / contact_[c].D;
+    for (int c : surface.closed) sum += contact_[c].e_m * r[c];
+    for (int c : surface.closed) r[c] -= surface.gamma * sum * contact_[c].a_m / contact_[c].D;
   }
 }
 
@@ -230,12 +248,12 @@ void ContactElimination::condense(std::span<double> s) {
     const ContactNode& node = contact_[i];
     double& right = s[node.multiplier];
     if (node.surface >= 0) {
-      const Numbers& c = surface_[node.surface].unknowns;
+      const NodeUnknowns& c = surface_[node.surface].unknowns;
       for (int k = 0; k < c.size; ++k) right -= node.a[k] * s[c[k]];
     }
     work_[i] = right;
   }
-  divide_by_D(work_);
+  solve_D(work_);
   for (std::size_t i = 0; i < contact_.size(); ++i)
     for (int k = 0; k < contact_[i].u.size; ++k) s[contact_[i].u[k]] += contact_[i].B[k] * work_[i];
 }
@@ -246,7 +264,7 @@ void ContactElimination::recover(std::span<double> s, std::span<double> z) {
     work_[i] = -s[node.multiplier];
     for (int k = 0; k < node.u.size; ++k) work_[i] += node.C[k] * z[node.u[k]];
   }
-  divide_by_D(work_);
+  solve_D(work_);
   for (std::size_t i = 0; i < contact_.size(); ++i) z[contact_[i].multiplier] = work_[i];
   wear_row_.subtract(J_, z, s);
   wear_block_.solve(s, z);

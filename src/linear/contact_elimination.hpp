@@ -13,69 +13,95 @@
 
 namespace gnomon {
 
-/// With r and z right side and solution, and B, C the columns and rows of the multipliers l at the
-/// displacements of their nodes:
+/// A linear solve J z = r in the unknowns u (displacements), l (contact multipliers) and c (shape
+/// of the worn surface), where z = (du, dl, dc). Indices of J are rows and columns, K = J_uu, and B
+/// = J_ul. The influence of c upon the rows of u, J_uc, is neglected, and of J_cc only the block of
+/// each surface node counts, so that it is inverted node by node:
 ///
-///   row of c   dd_c = J_cc^-1 (r_c - J_cu du - J_cl dl)
-///   row of l   C du - D dl = r_l,   C = J_lu - a J_cu,  D = a J_cl - J_ll,  a = J_lc J_cc^-1
-///   row of u   K_uu du + B dl = r_u
+///   (u)   K du + B dl                  = r_u
+///   (l)   J_lu du + J_lc dc + J_ll dl  = r_l
+///   (c)   J_cu du + J_cc dc + J_cl dl  = r_c
 ///
-/// so that K_uu + B D^-1 C, K_uu with springs, remains. In a only a node's own entries of J_cc
-/// count. D is diagonal where every node has a worn surface of its own, and kept from vanishing.
-/// Nodes that share one (the line of a groove) wear together: there D is diagonal but for a matrix
-/// of rank one, and so is the change that it brings to K_uu with the springs of the diagonal.
+/// 1. dc from (c), put into (l), with a = J_lc J_cc^-1:
+///
+///   (l')  C du - D dl = r_l - a r_c,     C = J_lu - a J_cu,     D = a J_cl - J_ll
+///
+/// 2. dl = D^-1 (C du - r_l + a r_c) from (l'), put into (u):
+///
+///   (u')  (K + B D^-1 C) du = r_u + B D^-1 (r_l - a r_c)
+///
+/// The caller solves (u') between condense(), which makes its right side, and recover(), which
+/// gives dl and dc. A closed contact node is thus a spring on its displacements. Its compliance D
+/// is the wear that its pressure makes within the step. An open node has B = 0 or C = 0, no spring.
+///
+/// Springs are added to K as s n n^T with n = C / |C| and s = C.B / D, which keeps K symmetric: B
+/// is parallel to C but for friction. Where nothing wears, D = 0 (a rigid constraint); |D| is kept
+/// so large that no spring is stiffer than ten times its node.
+///
+/// D is diagonal where every contact node has a surface node of its own. Contact nodes that share
+/// one (all those on a line of a groove) wear together: D_ij = a_i . e_j for each pair of them,
+/// with e_j = J_cl of node j. All e_j have nearly one direction m, so D is approximately a diagonal
+/// matrix D_0 plus one of rank one, of which Sherman and Morrison give the inverse:
+///
+///   D = D_0 + a_m e_m^T,                    a_m = (a_i . m)_i,   e_m = (e_j . m)_j
+///   D^-1 = D_0^-1 - gamma D_0^-1 a_m e_m^T D_0^-1,   gamma = 1 / (1 + e_m^T D_0^-1 a_m)
+///
+/// The diagonal part gives springs, the other a change of rank one per shared surface node,
+/// -gamma (B D_0^-1 a_m) (e_m^T D_0^-1 C). Two sorts of changes are not in the factors of K but
+/// handed out by low_rank_terms(): these, and springs that have moved since the last set-up.
 class ContactElimination {
 public:
-  /// `structure` must outlive the object. `has_terms`: whether the solver of K_uu takes changes of
-  /// low rank. Factors do, for many columns share the way through them; a cycle of multigrid costs
-  /// as much for each, and there nodes count as if each wore alone, at springs of the last set-up.
-  ContactElimination(const Structure& structure, bool has_terms);
+  /// `structure` must outlive the object. `takes_low_rank`: whether the solver of (u') takes
+  /// changes of low rank. Factors do, since many columns are solved for together. Multigrid would
+  /// need a cycle for each, so there every node counts as if it wore alone, and springs stay as
+  /// they were at the last set-up.
+  ContactElimination(const Structure& structure, bool takes_low_rank);
 
   /// Takes the values of J; the span must outlive their use.
   void update(std::span<const double> J);
 
-  /// Adds the springs to K_uu, as (C.B / D) along C, and remembers them.
+  /// Set-up: adds the springs of the diagonal of D to `values` of K, and remembers them.
   void add_springs(const SymmetricPart& part, std::vector<double>& values);
-  /// What K_uu with the springs of add_springs() lacks: those that have moved since by more than
-  /// preconditioning bears, and common wear. None without `has_terms`.
-  std::vector<RankOneTerm> terms(const SymmetricPart& part) const;
+  /// What the matrix of (u') has beyond K with the springs of add_springs(). None without
+  /// `takes_low_rank`.
+  std::vector<RankOneTerm> low_rank_terms(const SymmetricPart& part) const;
 
-  /// Turns the right side into that of K_uu with springs; s_l and s_c are kept for recover().
+  /// s holds r; s_u becomes the right side of (u'), s_l that of (l'); s_c stays.
   void condense(std::span<double> s);
-  /// z_l and z_c from z_u; s as condense() left it, changed.
+  /// z_l and z_c from z_u. `s` must be as condense() left it; it is changed.
   void recover(std::span<double> s, std::span<double> z);
 
 private:
   static constexpr int most = 3;   // components of a node
-  using Values = Eigen::Vector3d;  // of components that a node lacks: zero
+  using Values = Eigen::Vector3d;  // by component; zero for those that a node lacks
   using Square = Eigen::Matrix3d;
-  struct Numbers {
-    std::array<int, most> data{};
+  struct NodeUnknowns {
+    std::array<int, most> data{};  // their numbers in J
     int size = 0;
     int operator[](int k) const { return data[k]; }
     void add(int number);
   };
-  /// Unknowns of the worn surface with one number of `group`, and their block of J, inverted.
+  /// The unknowns c with one number of Structure::group: of one node, or of a line of a groove.
   struct SurfaceNode {
-    Numbers unknowns;
-    Square inverse = Square::Zero();
-    std::vector<int> closed;  ///< in contact_
-    double gamma = 0;         ///< 1 / (1 + epsilon D^-1 alpha) over them
+    NodeUnknowns unknowns;
+    Square inverse = Square::Zero();  ///< J_cc^-1
+    std::vector<int> closed;          ///< contact nodes upon it, in contact_
+    double gamma = 0;                 ///< as above
   };
   struct ContactNode {
-    int multiplier = 0;
-    std::vector<int> candidates;  ///< in surface_, of the pattern of its row
-    int surface = -1;             ///< the one that its gap contains, -1: none
-    Numbers u;
-    Values B = Values::Zero(), C = Values::Zero(), a = Values::Zero();
-    Values e = Values::Zero();      ///< J_cl
-    double CB = 0;                  ///< C.B; zero: open
-    double D = 1;                   ///< its diagonal
-    double alpha = 0, epsilon = 0;  ///< of a shared surface: D contains alpha_i epsilon_j
-    double stiffness = 0;           ///< of the node itself along C
-    double spring = 0, spring_set = 0;
-    Values direction = Values::Zero();  ///< of spring_set
-    bool followed = false;
+    int multiplier = 0;           ///< number of l in J
+    NodeUnknowns u;               ///< the node's own displacements
+    std::vector<int> candidates;  ///< in surface_: all that the row of l may contain
+    int surface = -1;             ///< the one that it does contain; -1: none
+    Values B = Values::Zero(), C = Values::Zero(), a = Values::Zero(), e = Values::Zero();
+    double CB = 0;               ///< C.B; zero: open
+    double D = 1;                ///< of D_0
+    double a_m = 0, e_m = 0;     ///< of a shared surface node, else zero
+    double own_stiffness = 0;    ///< of K at the node alone, along C
+    double spring = 0;           ///< s of the J that is current
+    double spring_at_setup = 0;  ///< s and n that add_springs() has added
+    Values direction_at_setup = Values::Zero();
+    bool has_moved = false;  ///< since then, so far that low_rank_terms() makes up for it
   };
 
   double entry(int row, int column) const;
@@ -84,16 +110,18 @@ private:
   void update_contact(ContactNode& node) const;
   void share_surfaces();
   void update_spring(ContactNode& node) const;
-  void update_line(SurfaceNode& surface) const;
-  void follow_moved_springs();
-  void divide_by_D(std::vector<double>& r) const;
+  void update_gamma(SurfaceNode& surface) const;
+  void find_moved_springs();
+  RankOneTerm moved_spring(int c, const SymmetricPart& part) const;
+  RankOneTerm common_wear(int s, const SymmetricPart& part) const;
+  void solve_D(std::vector<double>& r) const;
 
   const Structure& structure_;
-  const bool has_terms_;
+  const bool takes_low_rank_;
   std::span<const double> J_;
   std::vector<SurfaceNode> surface_;
   std::vector<ContactNode> contact_;
-  std::vector<int> followed_;  // in contact_
+  std::vector<int> moved_;  // in contact_
   JacobianBlock wear_row_;
   FactoredBlock wear_block_;
   std::vector<double> work_;  // of contact_

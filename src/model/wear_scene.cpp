@@ -2,6 +2,9 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/catalogue.hpp>
 #include <gnomon/model/wear_scene.hpp>
+#include <set>
+
+#include "scene/expression_text.hpp"
 
 namespace gnomon {
 
@@ -89,6 +92,21 @@ void require_law(const Scene& scene, const WearLaw& law, const WearCircumstances
                   .nominal_speed = scene.real("wear.velocity"),
                   .initial = some_of(at.initial)},
                  where_law(scene));
+}
+
+std::vector<std::string> unused_wear_names(const Scene& scene) {
+  if (!scene.knows("wear.rate")) return {};
+  std::set<std::string, std::less<>> used;
+  const std::string& rate = scene.text("wear.rate");
+  for (Token token = token_at(rate, 0); token.kind != Token::Kind::end;
+       token = token_at(rate, token.end()))
+    used.emplace(token.text);
+  std::vector<std::string> unused;
+  for (const auto& [table, key] : {std::pair("wear.constants.", "wear.constants.*"),
+                                   std::pair("wear.tables.", "wear.tables.*.x")})
+    for (const std::string& name : scene.chosen_names(key))
+      if (!used.contains(name)) unused.push_back(table + name);
+  return unused;
 }
 
 }  // namespace gnomon

@@ -51,7 +51,6 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   body.element.kinematics =
       scene.text("body.kinematics") == "small" ? Kinematics::small : Kinematics::finite;
   body.contact.friction = scene.real("friction.coefficient");
-  body.contact.wear = read_wear_law(scene);
   WearCircumstances circumstances{
       body.scales.stress, body.contact.friction, body.scales.wear_depth, {}};
   for (const ContactPatch<dim>& patch : body.contact_nodes) {

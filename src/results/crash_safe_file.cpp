@@ -17,22 +17,26 @@ namespace {
 
 constexpr haddr_t kPage = 4096;
 
-// Object headers come last, for they make the rest visible. A chunk index is a tree whose nodes
-// (signature, type, level) are written from the root down: a split node's parent must lead to its
-// new sibling before the node itself is cut. 5 <= rank of a node <= 260.
+/// Where a change has its place in a commit: smaller ranks first. An index of chunks is a tree of
+/// nodes that begin with a signature, their type and their level, 0 for leaves. When a node is
+/// split, its parent must lead to the new sibling before the node itself is cut: higher levels go
+/// first.
 int rank_of(H5FD_mem_t type, const unsigned char* bytes, size_t size) {
-  constexpr int kSuperblock = 0, kRaw = 1, kRoot = 260, kOther = 300, kObjectHeader = 400;
+  constexpr int superblock = 0, raw_data = 1, highest_level = 2, most_levels = 256;
+  constexpr int other = highest_level + most_levels, object_header = other + 1;
+  constexpr size_t level_at = 5;
   switch (type) {
     case H5FD_MEM_SUPER:
-      return kSuperblock;
+      return superblock;
     case H5FD_MEM_DRAW:
-      return kRaw;
+      return raw_data;
     case H5FD_MEM_BTREE:
-      return size > 5 && std::memcmp(bytes, "TREE", 4) == 0 ? kRoot - bytes[5] : kOther;
+      if (size <= level_at || std::memcmp(bytes, "TREE", 4) != 0) return other;
+      return highest_level + (most_levels - 1 - bytes[level_at]);
     case H5FD_MEM_OHDR:
-      return kObjectHeader;
+      return object_header;
     default:
-      return kOther;
+      return other;
   }
 }
 
@@ -40,6 +44,19 @@ bool has_name(int descriptor, const std::filesystem::path& path) {
   struct stat here = {}, there = {};
   return fstat(descriptor, &here) == 0 && stat(path.c_str(), &there) == 0 &&
          here.st_dev == there.st_dev && here.st_ino == there.st_ino;
+}
+
+/// Reads what there is, `got` bytes, fewer than `size` at the end of the file. 0 or an errno value.
+int read_all(int descriptor, haddr_t address, unsigned char* bytes, size_t size, size_t& got) {
+  for (got = 0; got < size;) {
+    const ssize_t done =
+        pread(descriptor, bytes + got, size - got, static_cast<off_t>(address + got));
+    if (done < 0 && errno == EINTR) continue;
+    if (done < 0) return errno;
+    if (done == 0) break;
+    got += static_cast<size_t>(done);
+  }
+  return 0;
 }
 
 int write_all(int descriptor, haddr_t address, const unsigned char* bytes, size_t size) {
@@ -86,16 +103,9 @@ void CrashSafeFile::sync() {
 int CrashSafeFile::read(haddr_t address, size_t size, void* buffer) const {
   auto* out = static_cast<unsigned char*>(buffer);
   size_t got = 0;
-  while (got < size) {
-    const ssize_t done =
-        pread(descriptor_, out + got, size - got, static_cast<off_t>(address + got));
-    if (done < 0 && errno == EINTR) continue;
-    if (done < 0) return errno;
-    if (done == 0) break;
-    got += static_cast<size_t>(done);
-  }
-  std::memset(out + got, 0, size - got);  // allocated, not written yet
-  for (const Change& change : changes_) {
+  if (const int error = read_all(descriptor_, address, out, size, got)) return error;
+  std::memset(out + got, 0, size - got);   // allocated, not written yet
+  for (const Change& change : changes_) {  // what waits lies over what is on disk
     const haddr_t from = std::max(address, change.address);
     const haddr_t to = std::min(address + size, change.address + change.bytes.size());
     if (from < to) {
@@ -118,6 +128,7 @@ bool CrashSafeFile::succeeds(int error) {
 
 void CrashSafeFile::write(H5FD_mem_t type, haddr_t address, size_t size, const void* buffer) {
   const auto* bytes = static_cast<const unsigned char*>(buffer);
+  // Once abandoned, everything waits: HDF5 goes on in memory.
   if (!abandoned_ && address >= committed_end_ &&
       succeeds(write_all(descriptor_, address, bytes, size)))
     return;
@@ -138,6 +149,7 @@ void CrashSafeFile::commit() {
   committed_end_ = end_;
 }
 
+// The file is long enough before anything, first of all the superblock, says so.
 int CrashSafeFile::publish_all() {
   struct stat status = {};
   if (fstat(descriptor_, &status) != 0) return errno;
@@ -153,18 +165,14 @@ int CrashSafeFile::publish_all() {
   return 0;
 }
 
-// Writes only the bytes that differ, and of a change over several pages (raw data that the object
-// header does not show yet) one page after the other.
+// Only the bytes from the first that differs to the last, page by page. More than one page is there
+// only for raw data, which no object header shows yet.
 int CrashSafeFile::publish(const Change& change) const {
   std::vector<unsigned char> old(change.bytes.size());
   size_t got = 0;
-  while (got < old.size()) {
-    const ssize_t done = pread(descriptor_, old.data() + got, old.size() - got,
-                               static_cast<off_t>(change.address + got));
-    if (done < 0 && errno == EINTR) continue;
-    if (done <= 0) return done < 0 ? errno : EIO;
-    got += static_cast<size_t>(done);
-  }
+  if (const int error = read_all(descriptor_, change.address, old.data(), old.size(), got))
+    return error;
+  if (got < old.size()) return EIO;
   const auto first = std::mismatch(old.begin(), old.end(), change.bytes.begin()).first;
   const auto last =
       std::mismatch(old.rbegin(), std::make_reverse_iterator(first), change.bytes.rbegin())

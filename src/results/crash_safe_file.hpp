@@ -11,16 +11,26 @@
 
 namespace gnomon::hdf5 {
 
-/// Stands between the HDF5 library and the disk as its file driver. HDF5 overwrites its structures
-/// in place and in any order; here
-/// - new space is only ever taken at the end of the file and is written at once (nothing refers to
-///   it yet),
-/// - changes to what is already committed wait in memory until H5Fflush, and then go out in an
-/// order
-///   in which each leaves a valid file: the superblock (length of the file), raw data, chunk
-///   indices, and last the object headers that make the new things visible,
-/// - no structure that changes in place crosses a page border, so that the kernel writes each of
-///   them as a whole or not at all.
+/// The file driver of HDF5 that stands between the library and the disk. HDF5 changes its
+/// structures in place and in any order, so that a process killed between two of its writes leaves
+/// a file that no reader opens. Here the bytes on disk are, after each single system call, a valid
+/// HDF5 file that holds all that was committed:
+///
+/// 1. allocate() takes new space at the end only, and space is never given back. Whatever lies
+///    behind committed_end() is therefore unknown to the file on disk.
+/// 2. write() behind committed_end() goes to the disk at once. A write before it would change what
+///    readers see: it waits in memory, where read() finds it.
+/// 3. commit(), called by H5Fflush, lengthens the file to all that is allocated, and writes the
+///    waiting changes, in an order in which each refers only to what is on disk already:
+///    superblock   the length of the file: nothing may lie behind it
+///    raw data     rows behind the length of their table: nobody reads them yet
+///    indices      of chunks, from the root down
+///    headers      of objects: the length of tables, links; what makes the new things visible
+/// 4. Each change is one system call within one page of memory, which Linux carries out as a
+///    whole even for a process that is being killed: allocate() lets no small structure cross the
+///    border of a page.
+///
+/// All this orders what processes see. What a power failure leaves depends on sync().
 class CrashSafeFile {
 public:
   /// Creates the file, or takes over what a dead writer has left there. Throws Failure with the
@@ -55,14 +65,15 @@ public:
 
 private:
   struct Change {
-    int rank = 0;  ///< position in the order of the commit
+    int rank = 0;  ///< smaller ones go first
     haddr_t address = 0;
     std::vector<unsigned char> bytes;
   };
 
+  // These return 0 or an errno value.
   int publish_all();
   int publish(const Change& change) const;
-  bool succeeds(int error);
+  bool succeeds(int error);  ///< keeps the error and abandons the file if there is one
 
   int descriptor_ = -1;
   int error_ = 0;  ///< errno of the first write that failed

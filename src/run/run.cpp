@@ -56,7 +56,7 @@ public:
     if (outcome_.status != Status::finished && outcome_.last) store();
     outcome_.wall_seconds = elapsed();
     outcome_.counters = counters_;
-    outcome_.flickering_nodes = memory_.chattering.nodes();
+    outcome_.chattering_nodes = memory_.chattering.nodes();
     if (writer_) writer_->close(outcome_.text(), outcome_.wall_seconds);
     return outcome_;
   }

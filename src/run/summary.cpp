@@ -74,7 +74,7 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
   json["t_end"] = settings.end;
   add_counters(json, outcome.counters);
   json["warnings"] = outcome.warnings;
-  json["flickering_nodes"] = outcome.flickering_nodes;
+  json["chattering_nodes"] = outcome.chattering_nodes;
   json["wall_seconds"] = outcome.wall_seconds;
   add_scalars(json, outcome);
   Json unknowns = Json::object();

@@ -16,9 +16,8 @@ bool is_identifier(std::string_view text) {
          std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || digit(c); });
 }
 
-}  // namespace
-
-std::optional<std::string> chosen_name(const std::string& key, const std::string& name) {
+/// What stands in `name` for "*", an identifier or not.
+std::optional<std::string> chosen_part(const std::string& key, const std::string& name) {
   const std::size_t star = key.find('*');
   if (star == std::string::npos) return std::nullopt;
   const std::string_view before = std::string_view(key).substr(0, star),
@@ -26,8 +25,32 @@ std::optional<std::string> chosen_name(const std::string& key, const std::string
   if (name.size() <= before.size() + behind.size() || !name.starts_with(before) ||
       !name.ends_with(behind))
     return std::nullopt;
-  std::string chosen = name.substr(before.size(), name.size() - before.size() - behind.size());
-  return is_identifier(chosen) ? std::optional(std::move(chosen)) : std::nullopt;
+  return name.substr(before.size(), name.size() - before.size() - behind.size());
+}
+
+}  // namespace
+
+std::optional<std::string> chosen_name(const std::string& key, const std::string& name) {
+  std::optional<std::string> part = chosen_part(key, name);
+  return part && is_identifier(*part) ? part : std::nullopt;
+}
+
+bool is_misnamed(const std::string& key, const std::string& name) {
+  const auto part = chosen_part(key, name);
+  return part && !is_identifier(*part) && part->find('.') == std::string::npos;
+}
+
+std::string key_like(const std::string& key, const std::string& name) {
+  const std::size_t star = key.find('*');
+  if (star == std::string::npos) return key;
+  std::size_t begin = 0;  // of the part of the name with as many parts before it
+  for (auto dots = std::count(key.begin(), key.begin() + std::ptrdiff_t(star), '.'); dots > 0;
+       --dots) {
+    begin = name.find('.', begin) + 1;
+    if (begin == 0) return key;
+  }
+  const std::string part = name.substr(begin, name.find('.', begin) - begin);
+  return is_identifier(part) ? std::string(key).replace(star, 1, part) : key;
 }
 
 }  // namespace gnomon

@@ -10,4 +10,11 @@ namespace gnomon {
 /// names are identifiers: letters, digits and underscores, no digit first.
 std::optional<std::string> chosen_name(const std::string& key, const std::string& name);
 
+/// Whether the name would be one of the key if what stands for "*" were an identifier.
+bool is_misnamed(const std::string& key, const std::string& name);
+
+/// The key with the part of the name that stands in the place of "*", so that "wear.constnts.a" is
+/// near to "wear.constants.a"; the key itself where the name has no such part.
+std::string key_like(const std::string& key, const std::string& name);
+
 }  // namespace gnomon

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "scene/expression_program.hpp"
+#include "scene/untrapped_arithmetic.hpp"
 
 namespace gnomon {
 

@@ -55,21 +55,33 @@ bool is_reserved(std::string_view name) {
   return find_function(name) || name == "if" || name == "and" || name == "or";
 }
 
-std::string unknown_expression_name(std::string_view name, const ExpressionNames& names) {
-  std::vector<std::string> all, kinds;
+std::string describe_expression_names(const ExpressionNames& names) {
+  std::vector<std::string> kinds;
   const auto add = [&](const char* kind, const std::vector<std::string>& some) {
-    if (some.empty()) return;
-    all.insert(all.end(), some.begin(), some.end());
-    kinds.push_back(fmt::format("{} {}", kind, joined(some, ", ")));
+    if (!some.empty()) kinds.push_back(fmt::format("{} {}", kind, joined(some, ", ")));
   };
   add("variables", names.variables);
   add("constants", keys_of(names.constants));
   add("tables", keys_of(names.tables));
   add("functions", function_names());
+  return joined(kinds, "; ");
+}
+
+bool is_taken_in_expressions(const std::string& name, const ExpressionNames& names) {
+  const auto& variables = names.variables;
+  return is_reserved(name) || names.constants.contains(name) || names.tables.contains(name) ||
+         std::find(variables.begin(), variables.end(), name) != variables.end();
+}
+
+std::string unknown_expression_name(std::string_view name, const ExpressionNames& names) {
+  std::vector<std::string> all = names.variables;
+  for (const auto& some : {keys_of(names.constants), keys_of(names.tables), function_names()})
+    all.insert(all.end(), some.begin(), some.end());
   // A letter is as near to any other.
   const std::string near = name.size() > 1 ? nearest_name(std::string(name), all) : "";
   return fmt::format("unknown name {}, {}there are the {}", quote(name),
-                     near.empty() ? "" : "did you mean \"" + near + "\"? ", joined(kinds, "; "));
+                     near.empty() ? "" : "did you mean \"" + near + "\"? ",
+                     describe_expression_names(names));
 }
 
 void check_expression_names(const ExpressionNames& names) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "scene/untrapped_arithmetic.hpp"
+
 namespace gnomon {
 
 namespace {

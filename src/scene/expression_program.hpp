@@ -1,7 +1,6 @@
 // What an expression is compiled to: a list of instructions, each of which fills a slot of its own.
 #pragma once
 
-#include <cfenv>
 #include <cstdint>
 #include <gnomon/scene/expression.hpp>
 #include <optional>
@@ -65,18 +64,6 @@ double evaluate_with_gradient(const ExpressionProgram& program, std::span<const 
                               std::span<const char> branches, std::span<double> gradient);
 void evaluate_switching(const ExpressionProgram& program, std::span<const double> x,
                         std::span<const char> branches, std::span<double> values);
-
-/// Floating-point exceptions do not trap meanwhile (GNOMON_TRAP).
-class UntrappedArithmetic {
-public:
-  UntrappedArithmetic() { std::feholdexcept(&before_); }
-  ~UntrappedArithmetic() { std::fesetenv(&before_); }
-  UntrappedArithmetic(const UntrappedArithmetic&) = delete;
-  UntrappedArithmetic& operator=(const UntrappedArithmetic&) = delete;
-
-private:
-  std::fenv_t before_;
-};
 
 /// Makes a program node by node, in the order of evaluation. An operation on constants becomes a
 /// constant, which takes the place of all nodes that led to it.

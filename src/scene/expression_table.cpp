@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scene/expression_program.hpp"
+#include "scene/untrapped_arithmetic.hpp"
 
 namespace gnomon {
 

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gnomon/base/error.hpp>
 #include <optional>
 
+#include "scene/chosen_name.hpp"
 #include "scene/toml_text.hpp"
 
 namespace gnomon {
@@ -126,6 +128,78 @@ std::variant<SceneValue, Complaint> check_value(const Key& key, const RawValue& 
       return check_numbers<double>(key, raw);
   }
   return Complaint{"has no type"};  // not reached: all kinds are handled above
+}
+
+std::string message_about(const std::string& file, int line, const std::string& key) {
+  return line ? fmt::format("{}:{}: key `{}`", file, line, key)
+              : fmt::format("{}: key `{}`", file, key);
+}
+
+SceneValue checked_value(const Key& key, const RawValue& raw, const std::string& origin) {
+  const auto result = check_value(key, raw);
+  if (const auto* complaint = std::get_if<Complaint>(&result))
+    throw InputError(origin + ": " + complaint->text);
+  return std::get<SceneValue>(result);
+}
+
+RawValue raw_value(const SceneValue& value) {
+  return std::visit(
+      []<class T>(const T& content) -> RawValue {
+        if constexpr (std::is_same_v<T, std::vector<long>> ||
+                      std::is_same_v<T, std::vector<double>>)
+          return {RawArray(content.begin(), content.end())};
+        else
+          return {RawScalar(content)};
+      },
+      value);
+}
+
+std::optional<Key> find_key(const std::vector<Key>& table, const std::string& name) {
+  for (const Key& key : table)
+    if (key.name == name || chosen_name(key.name, name)) {
+      Key found = key;
+      found.name = name;
+      return found;
+    }
+  return std::nullopt;
+}
+
+namespace {
+
+bool names_table(const std::string& name, const std::vector<Key>& table) {
+  return std::any_of(table.begin(), table.end(),
+                     [&](const Key& key) { return key.name.starts_with(name + "."); });
+}
+
+}  // namespace
+
+bool gives_table(const std::string& name, const RawValue& value, const std::vector<Key>& table) {
+  return is_table(value) && names_table(name, table);
+}
+
+void refuse_unknown_key(const std::string& origin, const std::string& name, const RawValue& value,
+                        const std::vector<Key>& table, const std::string& help,
+                        const std::string& prefix) {
+  if (names_table(name, table))
+    throw InputError(fmt::format("{}: expected a table of keys, [{}{}], got {}", origin, prefix,
+                                 name, describe(value)));
+  std::vector<std::string> names;
+  for (const Key& key : table) {
+    if (is_misnamed(key.name, name))
+      throw InputError(
+          fmt::format("{}: expected letters, digits and underscores, no digit first, "
+                      "in the place of * in `{}{}`",
+                      origin, prefix, key.name));
+    names.push_back(key_like(key.name, name));
+  }
+  const std::string near = nearest_name(name, names);
+  throw InputError(fmt::format("{}: unknown key, {}", origin,
+                               near.empty() ? fmt::format("expected one of `{}`", help)
+                                            : fmt::format("did you mean `{}{}`?", prefix, near)));
+}
+
+void refuse_missing_key(const std::string& origin, const Key& key) {
+  throw InputError(fmt::format("{}: missing, expected {}", origin, expectation(key)));
 }
 
 }  // namespace gnomon

@@ -1,9 +1,12 @@
-// Checks a value against the specification of its key.
+// Checks what a file gives against the specifications of its keys: the one validator of scenes and
+// of studies.
 #pragma once
 
 #include <gnomon/scene/scene.hpp>
+#include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "scene/raw_value.hpp"
 
@@ -19,5 +22,31 @@ struct Complaint {
 
 /// The value in the type of the key, or why it is not acceptable.
 std::variant<SceneValue, Complaint> check_value(const Key& key, const RawValue& raw);
+
+/// Beginning of a message: "FILE:LINE: key `KEY`", or "FILE: key `KEY`" for line 0.
+std::string message_about(const std::string& file, int line, const std::string& key);
+
+/// As check_value(), but throws InputError, which begins with `origin`.
+SceneValue checked_value(const Key& key, const RawValue& raw, const std::string& origin);
+
+/// What a file would give for the value: reals stay reals where it gave an integer.
+RawValue raw_value(const SceneValue& value);
+
+/// The key of that name, or the key with "*" that the name is one of, under the chosen name. None
+/// where the table has no such key.
+std::optional<Key> find_key(const std::vector<Key>& table, const std::string& name);
+
+/// Whether a whole table is given that keys stand in: in a file an empty one, since of others there
+/// are the keys.
+bool gives_table(const std::string& name, const RawValue& value, const std::vector<Key>& table);
+
+/// Throws InputError for a name that no key has, with the nearest one or the command that lists
+/// them all (`help`). `prefix` is put before names.
+[[noreturn]] void refuse_unknown_key(const std::string& origin, const std::string& name,
+                                     const RawValue& value, const std::vector<Key>& table,
+                                     const std::string& help, const std::string& prefix = "");
+
+/// Throws InputError for a required key that is missing.
+[[noreturn]] void refuse_missing_key(const std::string& origin, const Key& key);
 
 }  // namespace gnomon

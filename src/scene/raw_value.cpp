@@ -27,6 +27,12 @@ struct Description {
 
 }  // namespace
 
+bool is_table(const RawValue& value) {
+  const auto* scalar = std::get_if<RawScalar>(&value.content);
+  const auto* foreign = scalar ? std::get_if<ForeignValue>(scalar) : nullptr;
+  return foreign && foreign->is_table;
+}
+
 std::string describe(const RawScalar& value) {
   return std::visit(Description{}, value);
 }

@@ -41,6 +41,8 @@ struct RawDocument {
   std::vector<RawTable> tables;
 };
 
+bool is_table(const RawValue& value);
+
 /// Short text of a value for messages: `-3`, `"steel"`, `an array of 3 values`.
 std::string describe(const RawScalar& value);
 std::string describe(const RawValue& value);

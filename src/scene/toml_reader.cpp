@@ -4,12 +4,12 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cfenv>
 #include <gnomon/base/error.hpp>
 #include <string_view>
 
 #include "scene/nesting.hpp"
 #include "scene/toml_text.hpp"
+#include "scene/untrapped_arithmetic.hpp"
 
 namespace gnomon {
 
@@ -61,19 +61,6 @@ void sort_by_line(std::vector<Item>& items) {
                    [](const Item& a, const Item& b) { return a.line < b.line; });
 }
 
-/// Floating-point exceptions do not trap meanwhile (GNOMON_TRAP): 1e999 overflows in strtod, by
-/// which toml++ knows that it is too large.
-class Untrapped {
-public:
-  Untrapped() { std::feholdexcept(&before_); }
-  ~Untrapped() { std::fesetenv(&before_); }
-  Untrapped(const Untrapped&) = delete;
-  Untrapped& operator=(const Untrapped&) = delete;
-
-private:
-  std::fenv_t before_;
-};
-
 /// The parser quotes what it met, line breaks included.
 std::string one_line(std::string_view text) {
   std::string line(text);
@@ -85,7 +72,7 @@ std::string one_line(std::string_view text) {
 toml::table parse(const std::string& text, const std::string& name) {
   if (const auto deep = find_deep_nesting(text))
     throw InputError(fmt::format("{}:{}: {}", name, deep->line, deep->message));
-  const Untrapped untrapped;
+  const UntrappedArithmetic untrapped;  // by an overflow toml++ knows that 1e999 is too large
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
@@ -132,6 +119,7 @@ std::optional<RawValue> read_toml_value(const std::string& text) {
   // A line break would let the text smuggle in more than one value.
   if (text.find_first_of("\r\n") != std::string::npos) return std::nullopt;
   if (find_deep_nesting(text)) return std::nullopt;
+  const UntrappedArithmetic untrapped;
   try {
     const toml::table table = toml::parse("value = " + text);
     return value_of(*table.get("value"));

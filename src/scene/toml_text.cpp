@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace gnomon {
 
@@ -58,6 +59,29 @@ struct TextOf {
 
 std::string toml_text(const SceneValue& value) {
   return std::visit(TextOf{}, value);
+}
+
+namespace {
+
+struct RawTextOf {
+  std::string operator()(bool value) const { return value ? "true" : "false"; }
+  std::string operator()(long value) const { return fmt::format("{}", value); }
+  std::string operator()(double value) const {
+    return std::isfinite(value) ? toml_text(value) : fmt::format("{}", value);
+  }
+  std::string operator()(const std::string& value) const { return toml_text(value); }
+  std::string operator()(const ForeignValue&) const { return "{}"; }
+};
+
+}  // namespace
+
+std::string toml_text(const RawValue& value) {
+  if (const auto* scalar = std::get_if<RawScalar>(&value.content))
+    return std::visit(RawTextOf{}, *scalar);
+  std::vector<std::string> parts;
+  for (const RawScalar& scalar : std::get<RawArray>(value.content))
+    parts.push_back(std::visit(RawTextOf{}, scalar));
+  return fmt::format("[{}]", fmt::join(parts, ", "));
 }
 
 std::string toml_key(const std::string& key) {

@@ -4,12 +4,17 @@
 #include <gnomon/scene/scene.hpp>
 #include <string>
 
+#include "scene/raw_value.hpp"
+
 namespace gnomon {
 
 /// Shortest text that reads back as exactly this real: `1e-7`, `640.0`.
 std::string toml_text(double value);
 std::string toml_text(const std::string& value);  ///< quoted and escaped
 std::string toml_text(const SceneValue& value);
+
+/// Also of what no key accepts; a table or a date, which has no text here, gives an empty table.
+std::string toml_text(const RawValue& value);
 
 /// A key as TOML writes it: bare where possible, else quoted.
 std::string toml_key(const std::string& key);

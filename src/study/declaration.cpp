@@ -10,7 +10,7 @@
 #include <gnomon/model/problem.hpp>
 #include <sstream>
 
-#include "scene/chosen_name.hpp"
+#include "scene/key_check.hpp"
 #include "scene/raw_value.hpp"
 #include "scene/toml_reader.hpp"
 #include "scene/toml_text.hpp"
@@ -138,11 +138,9 @@ private:
       if (earlier.key == sweep.key)
         throw InputError(
             fmt::format("{}: `{}` is swept twice, expected once", sweep.origin, sweep.key));
-    for (const Key& key : scene_keys_)
-      if (key.name == sweep.key || chosen_name(key.name, sweep.key)) sweep_values(sweep, keyed);
-    // Throws: the name is unknown.
-    if (sweep.values.empty())
-      scene_setting(sweep.key, keyed.open_values().front(), sweep.origin, scene_keys_, impossible_);
+    if (const RawValue& first = keyed.open_values().front(); !find_key(scene_keys_, sweep.key))
+      refuse_unknown_key(sweep.origin, sweep.key, first, scene_keys_, "gnomon help scene");
+    sweep_values(sweep, keyed);
     return sweep;
   }
 
@@ -151,9 +149,9 @@ private:
       SceneSetting setting =
           scene_setting(sweep.key, value, keyed.where("values"), scene_keys_, impossible_);
       for (const SceneSetting& earlier : sweep.values)
-        if (earlier.value == setting.value)
+        if (const std::string text = toml_text(setting.value); toml_text(earlier.value) == text)
           throw InputError(
-              fmt::format("{}: {} is there twice, expected once", setting.origin, setting.value));
+              fmt::format("{}: {} is there twice, expected once", setting.origin, text));
       sweep.values.push_back(std::move(setting));
       sweep.labels.push_back(sweep.key + "=" + label_text(value));
     }
@@ -231,7 +229,7 @@ private:
       references = {{"esdirk-5",
                      "esdirk-5",
                      {{Kind::tolerance, 1e-8}},
-                     {{"integrator.events", "\"locate\"", origin}},
+                     {{"integrator.events", {RawScalar("locate")}, origin}},
                      origin},
                     {"bdf", "bdf", {{Kind::tolerance, 1e-9}}, {}, origin}};
     }

@@ -12,6 +12,9 @@
 #include <map>
 #include <set>
 
+#include "scene/key_check.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/toml_text.hpp"
 #include "study/declaration.hpp"
 
 namespace gnomon {
@@ -35,10 +38,22 @@ std::string last_part(const std::string& label) {
   return label.substr(label.rfind('.', label.find('=')) + 1);
 }
 
+/// Of scene keys, in the place of what the scene file gives for them.
+using Values = std::map<std::string, RawValue>;
+
+/// For each combination of swept values: the times at which errors are measured, the references
+/// (runs, or the closed form), and one run for each method and each of its steps or tolerances.
+/// Runs whose scenes are equal are one.
+///
+/// The scene of a run is the scene file, in which take the place of its own values, later ones that
+/// of earlier ones: what the study sets, the combination, what the method sets, and what the study
+/// needs (integrator, its step or tolerance, times to store).
 class Expansion {
 public:
   Expansion(const Declaration& declaration, Impossible impossible)
-      : declaration_(declaration), kept_(impossible == Impossible::kept) {
+      : declaration_(declaration),
+        kept_(impossible == Impossible::kept),
+        scene_file_(declaration.scene) {
     study_.file = declaration.file;
     study_.name = study_.file.stem().string();
     study_.title = declaration.title;
@@ -120,7 +135,8 @@ private:
   /// An impossible sweep point has nothing to measure.
   void add_ways_to_measure() {
     double end = 0;
-    if (!possible([&] { end = guarded("", [&] { return base_scene().real("time.end"); }); }))
+    if (!possible(
+            [&] { end = guarded("", [&] { return scene_with(overrides_).real("time.end"); }); }))
       return;
     add_times(end);
     if (possible([&] { add_references(); })) return;
@@ -149,13 +165,16 @@ private:
     require_apart(times, declaration_.times_origin);
   }
 
-  Scene base_scene() const {
-    return load_scene(declaration_.scene, override_texts(overrides_), key_table);
+  /// The scene of the study with these values in the place of its own.
+  Scene scene_with(const Values& values) const {
+    std::vector<GivenValue> overrides;
+    for (const auto& [key, value] : values) overrides.push_back(override_of(key, value));
+    return scene_file_.scene(overrides, key_table);
   }
 
-  static std::vector<std::string> override_texts(const std::map<std::string, std::string>& map) {
+  static std::vector<std::string> override_texts(const Values& values) {
     std::vector<std::string> texts;
-    for (const auto& [key, value] : map) texts.push_back(key + "=" + value);
+    for (const auto& [key, value] : values) texts.push_back(key + "=" + toml_text(value));
     return texts;
   }
 
@@ -201,17 +220,16 @@ private:
                              method.integrator, setting});
   }
 
-  std::map<std::string, std::string> overrides_of(const Method& method,
-                                                  const StudySetting& setting) const {
-    auto overrides = overrides_;
+  Values overrides_of(const Method& method, const StudySetting& setting) const {
+    Values overrides = overrides_;
     for (const SceneSetting& own : method.settings) overrides[own.key] = own.value;
-    overrides["integrator.name"] = fmt::format("\"{}\"", method.integrator);
+    overrides["integrator.name"] = raw_value(method.integrator);
     const bool fixed = setting.kind == Kind::step;
-    overrides[fixed ? "integrator.step" : "integrator.rtol"] = number_text(setting.value);
-    overrides["output.every"] = std::string(1, '0');  // a literal makes GCC 12 warn wrongly
-    overrides["output.last"] = "true";
-    overrides["output.checkpoints"] = std::string(1, '0');  // runs are redone, and costs compared
-    overrides["output.times"] = fmt::format("[{}]", fmt::join(study_.sweep.back().times, ", "));
+    overrides[fixed ? "integrator.step" : "integrator.rtol"] = raw_value(setting.value);
+    overrides["output.every"] = raw_value(0L);
+    overrides["output.last"] = raw_value(true);
+    overrides["output.checkpoints"] = raw_value(0L);  // runs are redone, and costs compared
+    overrides["output.times"] = raw_value(study_.sweep.back().times);
     return overrides;
   }
 
@@ -219,7 +237,7 @@ private:
     const auto overrides = overrides_of(method, setting);
     const bool fixed = setting.kind == Kind::step;
     return guarded(title(method, setting), [&] {
-      Scene scene = load_scene(declaration_.scene, override_texts(overrides), key_table);
+      Scene scene = scene_with(overrides);
       if (!fixed) scene = scene.without("integrator.step");
       store_policy(scene);
       chosen_integrator(scene);
@@ -234,8 +252,7 @@ private:
     return {scene_of(method, setting), {}};
   } catch (const InputError&) {
     if (!kept_) throw;
-    return {load_scene(declaration_.scene, {}, key_table),
-            override_texts(overrides_of(method, setting))};
+    return {scene_with({}), override_texts(overrides_of(method, setting))};
   }
 
   /// The run of this scene, a new one unless there is one already.
@@ -268,9 +285,10 @@ private:
   const Declaration& declaration_;
   const bool kept_;
   Study study_;
-  std::map<std::string, std::string> overrides_;  // of the sweep point: key, value in TOML
-  std::string prefix_;                            // of the names of its runs
-  std::map<std::string, std::size_t> runs_;       // resolved scene, index
+  const SceneFile scene_file_;
+  Values overrides_;                         // of the sweep point
+  std::string prefix_;                       // of the names of its runs
+  std::map<std::string, std::size_t> runs_;  // resolved scene, index
   std::set<std::string> names_;
 };
 

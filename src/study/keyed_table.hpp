@@ -12,15 +12,12 @@
 
 namespace gnomon::study {
 
-/// A scene key that the study sets: its value in TOML, and where.
+/// A scene key that the study sets, and where.
 struct SceneSetting {
   std::string key;
-  std::string value;
+  RawValue value;
   std::string origin;  ///< beginning of a message about it
 };
-
-/// "FILE:LINE: key `KEY`", or "FILE: key `KEY`" for line 0.
-std::string message_about(const std::string& file, int line, const std::string& key);
 
 /// Checks `raw` for the scene key `name`; `origin` begins the message. Refuses keys that a study
 /// gives itself, and values that are none of the key's unless impossible ones are kept. Throws

@@ -175,7 +175,7 @@ TEST_F(Program, InfoTellsStatusUnknownsAndScene) {
     EXPECT_THAT(outcome.out, HasSubstr(part));
 }
 
-TEST_F(Program, WarnsWhenAnAcceptedContactFlickers) {
+TEST_F(Program, WarnsWhenAnAcceptedContactChatters) {
   const auto warning = [&](const std::string& step) {
     const Outcome outcome =
         gnomon({"run", pin, "--set", coarse, "--integrator", "forward-euler", "--set",
@@ -184,7 +184,7 @@ TEST_F(Program, WarnsWhenAnAcceptedContactFlickers) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
     const bool warned = outcome.err.find("warning") != std::string::npos;
-    EXPECT_EQ(warned, json["flickering_nodes"] > 0);
+    EXPECT_EQ(warned, json["chattering_nodes"] > 0);
     EXPECT_EQ(json["warnings"].size(), warned ? 1 : 0);
     for (const std::string text : json["warnings"]) EXPECT_THAT(outcome.err, HasSubstr(text));
     return warned;

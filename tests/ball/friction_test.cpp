@@ -31,7 +31,9 @@ double traction_ratio(const WearModel<2>& model, const State& state) {
 TEST(Friction, DragsAndWearsAPinInThePlane) {
   const auto body = body_of<2>("pin_on_flat/small_deformation.toml", {"mesh.elements=[20, 20]"});
   body->contact.friction = 0.3;
-  body->contact.wear = dissipation_wear(1e-7 / 0.3);
+  body->contact.wear = WearLaw({.rate = [K = 1e-7 / 0.3](const WearInput& at, auto) {
+    return WearRate{.value = K * at.friction_power, .by_friction_power = K};
+  }});
   const WearModel<2> model(body);
   const ModelRun run = run_model(model, "backward-euler", 50, 1e-3, 200);
   for (const State& state : run.states) {

@@ -1,6 +1,7 @@
 // Both linear solvers on the balls: friction, the rigid motion, the shape of a cross-section.
 
 #include <gnomon/linear/inner_solver.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
 
 #include "ball/coarse.hpp"
@@ -76,6 +77,7 @@ TEST(Solver, LargeBodiesAskForMultigridUnlessToldOtherwise) {
                                    overrides, key_table);
     WornBody<3> body;
     body.mesh.nodes.resize(nodes);
+    body.contact.wear = read_wear_law(scene);
     read_worn_body(scene, 0.1, body);
     return body.solver.preconditioner;
   };

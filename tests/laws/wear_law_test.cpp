@@ -40,13 +40,13 @@ void expect_derivatives(const WearLaw& law, const WearInput& at,
       1e-8);
 }
 
-TEST(WearLaw, BuiltInRatesByHand) {
+TEST(WearLaw, RatesByHand) {
   EXPECT_DOUBLE_EQ(archard(1e-3).rate(input(20, 5)).value, 0.1);
-  EXPECT_DOUBLE_EQ(dissipation_wear(1e-3).rate(input(20, 5)).value, 0.04);
+  EXPECT_DOUBLE_EQ(law_of("1e-3 * q").rate(input(20, 5)).value, 0.04);
   EXPECT_DOUBLE_EQ(archard(1e-3).rate(input(-20, 5)).value, -0.1);  // as far as Archard goes
   EXPECT_EQ(WearLaw().rate(input(20, 5)).value, 0);
   expect_derivatives(archard(1e-3), input(20, 5));
-  expect_derivatives(dissipation_wear(1e-3), input(-20, 5, 0.2, -40));
+  expect_derivatives(law_of("1e-3 * q"), input(-20, 5, 0.2, -40));
 }
 
 TEST(WearLaw, ExpressionsAreTheirFormulaAndItsDerivatives) {
@@ -121,6 +121,29 @@ TEST(WearLaw, ConditionsOnTimeAreBreakpoints) {
   EXPECT_EQ(table.breakpoints(), (std::vector<double>{0.1, 7, 7.01}));
 }
 
+TEST(WearLaw, IsContinuedPastTheEndOfItsSmoothPart) {
+  const WearLaw law = law_of("1e-3 * p * v * (1 + sqrt(max(50 - t, 0))) * log(150 - s / 1000)");
+  EXPECT_EQ(law.breakpoints(), std::vector<double>{50});
+  const auto rate = [&](double t, double within) {
+    WearInput at = input(2, 5);
+    at.moment = {t, 1000 * t, within};
+    return law.rate(at).value;
+  };
+  EXPECT_DOUBLE_EQ(rate(50, 49), 0.01 * std::log(100));
+  EXPECT_DOUBLE_EQ(rate(50.5, 49), rate(50, 49));
+  EXPECT_DOUBLE_EQ(rate(50.5, 50.5), 0.01 * std::log(99.5));
+  EXPECT_DOUBLE_EQ(rate(49, 49), 0.01 * 2 * std::log(101));
+  EXPECT_DOUBLE_EQ(rate(100.5, 60), 0.01 * std::log(49.5));  // finite past the end of the run
+  EXPECT_DOUBLE_EQ(rate(151, 60), 0.01 * std::log(50));
+}
+
+TEST(WearLaw, AddsMaterialByRoundingAtMost) {
+  const WearLaw law = law_of("1e-3 * p * v * (1 - 5 * h)");
+  EXPECT_LT(law.rate(input(20, 5, 0.2 * (1 + 1e-10))).value, 0);
+  EXPECT_THROW(law.rate(input(20, 5, 0.2 * (1 + 1e-8))), RecoverableError);
+  EXPECT_THROW(law_of("-1e-30 * p * v").rate(input(20, 5)), RecoverableError);
+}
+
 std::string refusal(const std::string& rate) {
   const WearRange range{
       .pressure = 30, .speed = 1000, .depth = 0.5, .duration = 100, .friction = 0.3};
@@ -140,8 +163,12 @@ TEST(WearLaw, IsCheckedOnAGridOfInputs) {
   const std::string idle = refusal("1e-9 * (p + 1) * v");
   EXPECT_THAT(idle,
               HasSubstr(key + "expected no wear without pressure, got the rate 5e-07 at p = 0,"));
+  EXPECT_THAT(refusal("1e-9 * p * v + 1e-9 * h"), HasSubstr("expected no wear without pressure"));
+  // How deep it wears depends on the law: not beyond 0.01 here.
+  EXPECT_EQ(refusal("1e-9 * p * v * (1 - 100 * h)"), "");
+  EXPECT_EQ(refusal("1e-9 * p * v * log(1.01 - h)"), "");
   EXPECT_THAT(
-      refusal("1e-9 * p * v * (1 - 2 * h)"),
+      refusal("1e-9 * p * v * (1 - 0.02 * p)"),
       HasSubstr(key + "expected a finite wear rate of zero or more, with finite derivatives: "
                       "the wear law adds material: its rate is -"));
   EXPECT_THAT(

@@ -134,7 +134,7 @@ TEST(LoadHistoryOfThePin, ContactIsLostAndRegained) {
 }
 
 // A run of an explicit method with fixed steps does not take the breathing for an instability.
-TEST(LoadHistoryOfThePin, LosingContactAtEveryTurnIsNoFlicker) {
+TEST(LoadHistoryOfThePin, LosingContactAtEveryTurnIsNoChattering) {
   const auto model = pin_model(breathing);
   IntegratorSettings settings;
   settings.step = 1;
@@ -144,7 +144,7 @@ TEST(LoadHistoryOfThePin, LosingContactAtEveryTurnIsNoFlicker) {
   const RunOutcome outcome =
       run(*model, Integrators::find("forward-euler", "integrator"), settings, {}, nullptr, {});
   EXPECT_EQ(outcome.text(), "finished");
-  EXPECT_EQ(outcome.flickering_nodes, 0);
+  EXPECT_EQ(outcome.chattering_nodes, 0);
 }
 
 std::string refusal(const Overrides& overrides) {

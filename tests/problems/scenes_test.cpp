@@ -96,7 +96,7 @@ TEST_P(EveryScene, RunsToItsEndWithEveryErrorControl) {
     EXPECT_EQ(outcome.text(), "finished");
     EXPECT_EQ(outcome.last->t, scene.real("time.end"));
     if (integrator.family.starts_with("explicit")) {
-      EXPECT_EQ(outcome.flickering_nodes, 0);
+      EXPECT_EQ(outcome.chattering_nodes, 0);
     }
   }
 }

@@ -1,9 +1,12 @@
 // Wear laws other than Archard's, by every integrator: against closed forms on springs, an
 // independent integration there, and a method of another family on the elastic pin.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/newton/newton.hpp>
 
 #include "support/problem_run.hpp"
@@ -268,6 +271,17 @@ TEST(WearLaw, NewtonStaysQuadratic) {
   EXPECT_GE(quadratic, 1) << "no iterate in the quadratic range";
 }
 
+TEST(WearLaw, NamesThatTheRateDoesNotUseAreKnown) {
+  const Scene scene =
+      load_scene(GNOMON_SOURCE_DIR "/problems/pin_on_flat/small_deformation.toml",
+                 {"wear.rate=k * p * v * g(h) * (1 + a2)", "wear.constants.a=1",
+                  "wear.constants.a2=1", "wear.tables.g.x=[0]", "wear.tables.g.y=[1]",
+                  "wear.tables.h2.x=[0]", "wear.tables.h2.y=[1]"},
+                 key_table);
+  EXPECT_EQ(unused_wear_names(scene),
+            (std::vector<std::string>{"wear.constants.a", "wear.tables.h2"}));
+}
+
 TEST(WearLaw, WrongExpressionsAreRefusedInOneLine) {
   const auto message = [](Overrides overrides) -> std::string {
     try {
@@ -294,7 +308,20 @@ TEST(WearLaw, WrongExpressionsAreRefusedInOneLine) {
   refuses({"wear.rate=k * f(p) * v", "wear.tables.f.x=[1, 0]", "wear.tables.f.y=[1, 2]"},
           "wear.tables.f.x");
   refuses({"wear.constants.k=1"}, "wear.constants.k");
-  refuses({"wear.constants.p=1"}, "p");
+  refuses({"wear.constants.p=1"},
+          "--set wear.constants.p: expected another name, there are already the variables p, v, ");
+  refuses({"wear.constants.exp=1"}, "--set wear.constants.exp: expected another name");
+  refuses({"wear.tables.t.x=[0, 1]", "wear.tables.t.y=[0, 1]"},
+          "--set wear.tables.t.x: expected another name");
+  refuses({"wear.constants.2x=1"},
+          "--set wear.constants.2x: expected letters, digits and underscores, no digit first, in "
+          "the place of * in `wear.constants.*`");
+  refuses({"wear.tables.f2.z=[0, 1]"}, "did you mean `wear.tables.f2.x`?");
+  refuses({"wear.rate=k * max(p, 0) * v"}, "'wear.rate=\"k * max(p, 0) * v\"'");
+  std::string many = "0";
+  for (int i = 1; i <= 1000; ++i) many += fmt::format(", {}", i);
+  refuses({"wear.tables.g.x=[" + many + "]", "wear.tables.g.y=[" + many + "]"},
+          "--set wear.tables.g.x: expected at most 1000 points of a table, got 1001");
   refuses({"wear.law=archar"}, "archard");
 }
 

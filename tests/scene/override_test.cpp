@@ -49,6 +49,10 @@ TEST(BadOverride, IsRefused) {
   EXPECT_EQ(complaint(text, {"mesh.level=3", "mesh.level=4"}),
             "--set mesh.level: given twice, expected once");
   EXPECT_EQ(complaint(text, {"mesh.elements=[1,"}), "--set mesh.elements: not a TOML value: [1,");
+  EXPECT_EQ(complaint(text, {"output.title=max(a, b)"}),
+            "--set output.title: not a TOML value: max(a, b), expected quotes around a text: --set "
+            "'output.title=\"max(a, b)\"'");
+  EXPECT_EQ(complaint(text, {"output.title=a\"b"}), "--set output.title: not a TOML value: a\"b");
   EXPECT_EQ(complaint(text, {"body.young_modulus=-3"}),
             "--set body.young_modulus: expected a number in (0, inf) [MPa], got -3");
   EXPECT_EQ(complaint(text, {"body.young_modulus=stiff"}),

@@ -101,12 +101,17 @@ void threshold_switching(const WearInput& at, std::span<const char>, std::span<d
   values[1] = threshold_depth - at.depth;
 }
 
+/// Eq. (13).
+WearRate dissipation_rate(const WearInput& at, std::span<const char>) {
+  return {.value = 0.02 * at.friction_power, .by_friction_power = 0.02};
+}
+
 WearLaw law_of(Law law) {
   switch (law) {
     case Law::archard:
       return archard(0.01);
     case Law::dissipation:
-      return dissipation_wear(0.02);
+      return WearLaw({.rate = dissipation_rate});
     case Law::power:
       return WearLaw({.rate = power_rate});
     case Law::running_in:
@@ -374,7 +379,7 @@ TEST(ContactNode, FrictionOpposesSlidingAndItsDissipationWears) {
   ASSERT_GT(p, 0);
   EXPECT_NEAR((node.force / node.area - p * Vector<3>(-0.5, 0, -1)).norm(), 0, 1e-13 * p);
   EXPECT_NEAR(node.wear_rate, 0.01 * p * 7, 1e-14 * p);
-  f.parameters.wear = dissipation_wear(0.02);
+  f.parameters.wear = law_of(Law::dissipation);
   EXPECT_NEAR(ContactNode<3>(f.parameters, f.patch, f.at).wear_rate, node.wear_rate, 1e-14 * p);
 }
 

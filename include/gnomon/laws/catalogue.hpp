@@ -61,9 +61,9 @@ struct WearRange {
   std::vector<std::array<double, 3>> initial = {{}};
 };
 
-/// Refuses a law that wears without pressure, lets material grow, or has no finite rate somewhere
-/// on a grid of inputs: throws InputError in one line that begins with `where`, the key that gave
-/// it, and says at which values what was expected.
+/// Refuses a law that on a grid of inputs wears without pressure, or at a new surface, h = 0, lets
+/// material grow or has no finite rate: throws InputError in one line that begins with `where`, the
+/// key that gave it, and says at which values what was expected.
 void check_wear_law(const WearLaw& law, const WearRange& range, const std::string& where);
 
 }  // namespace gnomon

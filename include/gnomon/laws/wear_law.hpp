@@ -62,7 +62,8 @@ public:
   WearLaw();  ///< no wear
   explicit WearLaw(Definition definition);
 
-  /// Throws RecoverableError where the law has no finite value or derivative.
+  /// Throws RecoverableError where the law has no finite value or derivative, and without branches
+  /// where it adds material, but for rounding.
   WearRate rate(const WearInput& at, std::span<const char> branches = {}) const;
   std::size_t kinks() const { return definition_->kinks; }
   void switching(const WearInput& at, std::span<double> values,
@@ -75,7 +76,5 @@ private:
 
 /// Archard: k p v, sec. 4.1. k [1 / stress]
 WearLaw archard(double coefficient);
-/// By the frictional dissipation: K q, eq. (13). K [1 / stress]
-WearLaw dissipation_wear(double coefficient);
 
 }  // namespace gnomon

@@ -4,6 +4,7 @@
 #include <array>
 #include <gnomon/laws/wear_law.hpp>
 #include <gnomon/scene/scene.hpp>
+#include <string>
 #include <vector>
 
 namespace gnomon {
@@ -25,8 +26,10 @@ struct WearCircumstances {
 /// zero where none does.
 double wear_by_pressure(const Scene& scene, const WearLaw& law, const WearCircumstances& at);
 
-/// Throws InputError, in one line, where the law wears without pressure, adds material, or has no
-/// finite rate among the values that the run may meet.
+/// Throws InputError, in one line, where check_wear_law() does for the values that the run may meet.
 void require_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at);
+
+/// The constants and tables of the scene, "wear.constants.a", that wear.rate does not use.
+std::vector<std::string> unused_wear_names(const Scene& scene);
 
 }  // namespace gnomon

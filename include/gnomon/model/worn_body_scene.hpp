@@ -8,10 +8,11 @@
 
 namespace gnomon {
 
-/// Fills in what worn_body_keys() say: materials, element, load history, wear, contact and the form
-/// of the shape constraint; moves the counter-body away by the initial gap. `facet` is a typical
-/// length of a contact facet; body.mesh, body.scales and the counter-body, touching, must be given.
-/// Throws InputError where read_load_history() does.
+/// Fills in what worn_body_keys() say: materials, element, load history, contact and the form of
+/// the shape constraint; moves the counter-body away by the initial gap. `facet` is a typical
+/// length of a contact facet. body.mesh, body.contact_nodes, body.contact.wear, body.scales and the
+/// counter-body, touching, must be given. Throws InputError where read_load_history() does, or
+/// require_law() of the wear law.
 template <int dim>
 void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body);
 

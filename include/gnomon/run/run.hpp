@@ -46,8 +46,8 @@ struct RunOutcome {
   std::optional<HistoryRow> last;  ///< of the last good state; none when the start itself failed
   Counters counters;               ///< work of the whole run, failed attempts included
   double wall_seconds = 0;
-  /// Contact nodes that left contact twice or more between two corners of the load: an oscillation.
-  long flickering_nodes = 0;
+  /// Contact nodes that left contact twice or more between two breakpoints of the load: an oscillation.
+  long chattering_nodes = 0;
   /// What the run has warned of, a line each: why its numbers may be worthless.
   std::vector<std::string> warnings;
 

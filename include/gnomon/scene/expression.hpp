@@ -55,6 +55,12 @@ struct ExpressionNames {
   std::map<std::string, PiecewiseLinear> tables;
 };
 
+/// "variables p, v; constants k; functions exp, ...", for messages.
+std::string describe_expression_names(const ExpressionNames& names);
+
+/// Whether the name has a meaning already: as one of `names`, or in the language.
+bool is_taken_in_expressions(const std::string& name, const ExpressionNames& names);
+
 struct ExpressionProgram;
 
 /// A parsed expression. It never changes, may be used by several threads at once, and copies share

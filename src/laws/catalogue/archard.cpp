@@ -10,12 +10,6 @@ WearLaw archard(double coefficient) {
   }});
 }
 
-WearLaw dissipation_wear(double coefficient) {
-  return WearLaw({.rate = [K = coefficient](const WearInput& at, std::span<const char>) {
-    return WearRate{.value = K * at.friction_power, .by_friction_power = K};
-  }});
-}
-
 namespace {
 
 const Registration<WearLawKind> registration(

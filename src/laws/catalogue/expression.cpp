@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <gnomon/laws/catalogue.hpp>
@@ -23,25 +25,31 @@ Variables variables(const WearInput& at) {
 /// Steps end where a condition on time changes; between, it has one branch.
 class ExpressionLaw {
 public:
-  ExpressionLaw(const Expression& rate, double end, double nominal_speed) : rate_(rate) {
+  ExpressionLaw(const Expression& rate, double end, double nominal_speed)
+      : rate_(rate), end_(end), nominal_speed_(nominal_speed) {
     for (std::size_t kink = 0; kink < rate.kinks(); ++kink) {
       bool timed = true;
       for (std::size_t i = 0; i < wear_law_variables().size(); ++i)
         if (i != time_variable && i != slid_variable) timed &= !rate.kink_depends_on(kink, i);
       (timed ? timed_ : nodal_).push_back(kink);
     }
-    find_breakpoints(end, nominal_speed);
+    find_breakpoints();
   }
 
   const std::vector<double>& breakpoints() const { return breakpoints_; }
   std::size_t nodal_kinks() const { return nodal_.size(); }
 
   WearRate rate(const WearInput& at, std::span<const char> branches) const {
-    const Variables x = variables(at);
-    Variables gradient{};
-    const std::vector<char> all = all_branches(x, at.moment.within, branches);
-    const double value = rate_.value_and_gradient(x, gradient, all);
-    return {value, gradient[0], gradient[1], gradient[2], gradient[3]};
+    const WearRate rate = rate_at(variables(at), at.moment.within, branches);
+    if (std::isfinite(rate.value)) return rate;
+    // Past the end of its step, where stages of some methods lie, sqrt(max(950 - t, 0)) is
+    // continued by what it is at the end.
+    const auto next = std::upper_bound(breakpoints_.begin(), breakpoints_.end(), at.moment.within);
+    const double end = next == breakpoints_.end() ? end_ : *next;
+    if (at.moment.time <= end) return rate;
+    Variables x = variables(at);
+    x[time_variable] = end, x[slid_variable] = nominal_speed_ * end;
+    return rate_at(x, at.moment.within, branches);
   }
 
   void switching(const WearInput& at, std::span<const char> branches,
@@ -54,6 +62,13 @@ public:
   }
 
 private:
+  WearRate rate_at(const Variables& x, double within, std::span<const char> branches) const {
+    Variables gradient{};
+    const std::vector<char> all = all_branches(x, within, branches);
+    const double value = rate_.value_and_gradient(x, gradient, all);
+    return {value, gradient[0], gradient[1], gradient[2], gradient[3]};
+  }
+
   std::vector<char> active(const Variables& x) const {
     std::vector<double> values(rate_.kinks());
     rate_.switching(x, values);
@@ -76,11 +91,11 @@ private:
     return all;
   }
 
-  void find_breakpoints(double end, double nominal_speed) {
+  void find_breakpoints() {
     const auto at = [&](double t) {
       Variables x;
       x.fill(1);
-      x[time_variable] = t, x[slid_variable] = nominal_speed * t;
+      x[time_variable] = t, x[slid_variable] = nominal_speed_ * t;
       return x;
     };
     const auto size = [&](std::size_t kink, double t) {
@@ -91,7 +106,7 @@ private:
     constexpr int samples = 2000;
     std::vector<char> before = active(at(0));
     for (int k = 1; k <= samples && !timed_.empty(); ++k) {
-      const double from = end * (k - 1) / samples, to = end * k / samples;
+      const double from = end_ * (k - 1) / samples, to = end_ * k / samples;
       const std::vector<char> after = active(at(to));
       for (const std::size_t kink : timed_) {
         if (before[kink] == after[kink]) continue;
@@ -108,12 +123,13 @@ private:
     breakpoints_.erase(std::unique(breakpoints_.begin(), breakpoints_.end()), breakpoints_.end());
     for (std::size_t k = 0; k <= breakpoints_.size(); ++k) {
       const double from = k == 0 ? 0 : breakpoints_[k - 1];
-      const double to = k == breakpoints_.size() ? end : breakpoints_[k];
+      const double to = k == breakpoints_.size() ? end_ : breakpoints_[k];
       between_.push_back(active(at((from + to) / 2)));
     }
   }
 
   Expression rate_;
+  double end_, nominal_speed_;              // of the run
   std::vector<std::size_t> nodal_, timed_;  // kinks of the expression
   std::vector<double> breakpoints_;
   std::vector<std::vector<char>> between_;  // what is active between them, also at both ends
@@ -145,6 +161,12 @@ PiecewiseLinear read_table(const Scene& scene, const std::string& name) {
     const std::string& there = given("wear.tables.*.x") ? x : y;
     throw InputError(scene.where(there) + ": expected x and y of the table");
   }
+  // Of p, v, h, q or a position, each is a switching function of every contact node; of t or s, a
+  // breakpoint at which a step ends.
+  constexpr std::size_t most = 1000;
+  if (scene.reals(x).size() > most)
+    throw InputError(fmt::format("{}: expected at most {} points of a table, got {}",
+                                 scene.where(x), most, scene.reals(x).size()));
   try {
     return {scene.reals(x), scene.reals(y)};
   } catch (const ExpressionError& error) {
@@ -157,6 +179,14 @@ double friction_of(const Scene& scene) {
   return scene.knows("friction.coefficient") ? scene.real("friction.coefficient") : 0;
 }
 
+/// Throws InputError for a name that the scene chooses, with this key, and that is taken.
+void require_free(const Scene& scene, const std::string& key, const std::string& name,
+                  const ExpressionNames& names) {
+  if (is_taken_in_expressions(name, names))
+    throw InputError(fmt::format("{}: expected another name, there are already the {}, and, or",
+                                 scene.where(key), describe_expression_names(names)));
+}
+
 /// k, f, the constants and the tables of the scene.
 ExpressionNames read_names(const Scene& scene) {
   ExpressionNames names;
@@ -164,14 +194,20 @@ ExpressionNames read_names(const Scene& scene) {
   names.constants["k"] = scene.real("wear.coefficient");
   names.constants["f"] = friction_of(scene);
   for (const std::string& name : scene.chosen_names("wear.constants.*")) {
-    if (names.constants.contains(name))
-      throw InputError(scene.where("wear.constants." + name) +
+    const std::string key = "wear.constants." + name;
+    if (name == "k" || name == "f")
+      throw InputError(scene.where(key) +
                        ": expected another name: k is wear.coefficient, f friction.coefficient");
-    names.constants[name] = scene.real("wear.constants." + name);
+    require_free(scene, key, name, names);
+    names.constants[name] = scene.real(key);
   }
   for (const char* key : {"wear.tables.*.x", "wear.tables.*.y"})
-    for (const std::string& name : scene.chosen_names(key))
-      if (!names.tables.contains(name)) names.tables.emplace(name, read_table(scene, name));
+    for (const std::string& name : scene.chosen_names(key)) {
+      if (names.tables.contains(name)) continue;  // by its x
+      require_free(scene, std::string(key).replace(std::string(key).find('*'), 1, name), name,
+                   names);
+      names.tables.emplace(name, read_table(scene, name));
+    }
   return names;
 }
 

@@ -1,0 +1,149 @@
+#include "scene/scene_file.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <gnomon/base/error.hpp>
+#include <set>
+#include <system_error>
+
+#include "scene/chosen_name.hpp"
+#include "scene/key_check.hpp"
+#include "scene/toml_reader.hpp"
+
+namespace gnomon {
+
+namespace {
+
+const GivenValue* find(const std::vector<GivenValue>& given, const std::string& name) {
+  for (const GivenValue& candidate : given)
+    if (candidate.name == name) return &candidate;
+  return nullptr;
+}
+
+std::string read_file(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status))
+    throw InputError(fmt::format("{}: no such file, expected a scene", file.string()));
+  if (std::filesystem::is_directory(status))
+    throw InputError(fmt::format("{}: is a folder, expected a scene file", file.string()));
+  std::ifstream stream(file, std::ios::binary);
+  constexpr std::size_t most = 1 << 24;  // bytes; a device may go on without an end
+  std::string text(most + 1, '\0');
+  if (stream.is_open()) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (!stream.is_open() || stream.bad())
+    throw InputError(fmt::format("{}: cannot be read", file.string()));
+  if (text.size() > most)
+    throw InputError(fmt::format("{}: expected a scene of at most {} bytes", file.string(), most));
+  return text;
+}
+
+}  // namespace
+
+GivenValue override_of(const std::string& key, RawValue value) {
+  return {key, "--set " + key, std::move(value)};
+}
+
+/// Puts the values of a file and overrides together with the defaults of a key table.
+class SceneLoader {
+public:
+  SceneLoader(const std::string& name, const std::vector<GivenValue>& in_file,
+              const std::vector<GivenValue>& overrides)
+      : name_(name), in_file_(in_file), overrides_(overrides) {}
+
+  Scene load(const KeyTableOf& table_of) const {
+    const GivenValue& given = problem();
+    const std::string problem =
+        std::get<std::string>(checked_value(run_keys().front(), given.value, given.origin));
+    std::vector<Key> table;
+    try {
+      table = table_of(problem);
+    } catch (const InputError& error) {
+      throw InputError(given.origin + ": " + error.what());
+    }
+    // In the order of the file, so that its first mistake is the one that is reported.
+    for (const GivenValue& value : in_file_)
+      if (!gives_table(value.name, value.value, table)) check(value, table, problem);
+    for (const GivenValue& value : overrides_) {
+      if (gives_table(value.name, value.value, table))
+        throw InputError(
+            fmt::format("{}: expected one value, as in --set {}.KEY=VALUE, got a table",
+                        value.origin, value.name));
+      check(value, table, problem);
+    }
+
+    Scene scene;
+    scene.path_ = name_;
+    for (const Key& key : table)
+      if (key.name.find('*') == std::string::npos)
+        scene.entries_.push_back(resolve(key));
+      else
+        for (const std::string& name : given_names_of(key))
+          scene.entries_.push_back(resolve(*find_key({key}, name)));
+    return scene;
+  }
+
+private:
+  const GivenValue& problem() const {
+    const Key& key = run_keys().front();
+    if (const GivenValue* given = find(overrides_, key.name)) return *given;
+    if (const GivenValue* given = find(in_file_, key.name)) return *given;
+    // A misspelt key outside any table can only have meant this one.
+    for (const GivenValue& given : in_file_)
+      if (!nearest_name(given.name, {key.name}).empty())
+        refuse_unknown_key(given.origin, given.name, given.value, {key}, "gnomon help scene");
+    throw InputError(
+        fmt::format("{}: missing, expected the name of a problem (`gnomon list problems`)",
+                    message_about(name_, 0, key.name)));
+  }
+
+  /// The key exists and the value is acceptable; also where an override replaces the value.
+  static void check(const GivenValue& given, const std::vector<Key>& table,
+                    const std::string& problem) {
+    const auto key = find_key(table, given.name);
+    if (!key)
+      refuse_unknown_key(given.origin, given.name, given.value, table,
+                         "gnomon help scene " + problem);
+    checked_value(*key, given.value, given.origin);
+  }
+
+  /// The names, ascending, that file and overrides give keys of a name with "*".
+  std::set<std::string> given_names_of(const Key& key) const {
+    std::set<std::string> names;
+    for (const auto* values : {&overrides_, &in_file_})
+      for (const GivenValue& given : *values)
+        if (chosen_name(key.name, given.name)) names.insert(given.name);
+    return names;
+  }
+
+  Scene::Entry resolve(const Key& key) const {
+    const std::string origin = message_about(name_, 0, key.name);
+    for (const auto* values : {&overrides_, &in_file_})
+      if (const GivenValue* given = find(*values, key.name))
+        return {key, checked_value(key, given->value, given->origin), given->origin};
+    if (key.presence == Key::Presence::required) refuse_missing_key(origin, key);
+    if (key.presence == Key::Presence::defaulted) return {key, key.default_value, origin};
+    return {key, std::nullopt, origin};
+  }
+
+  const std::string& name_;
+  const std::vector<GivenValue>& in_file_;
+  const std::vector<GivenValue>& overrides_;
+};
+
+SceneFile::SceneFile(const std::filesystem::path& file)
+    : SceneFile(read_file(file), file.string()) {}
+
+SceneFile::SceneFile(const std::string& text, const std::string& name) : name_(name) {
+  for (RawEntry& entry : read_toml(text, name))
+    values_.push_back(
+        {entry.name, message_about(name, entry.line, entry.name), std::move(entry.value)});
+}
+
+Scene SceneFile::scene(const std::vector<GivenValue>& overrides, const KeyTableOf& table_of) const {
+  return SceneLoader(name_, values_, overrides).load(table_of);
+}
+
+}  // namespace gnomon

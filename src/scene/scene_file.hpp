@@ -1,0 +1,38 @@
+// A scene file that has been read, of which scenes are made that differ in some values.
+#pragma once
+
+#include <filesystem>
+#include <gnomon/scene/scene.hpp>
+#include <string>
+#include <vector>
+
+#include "scene/raw_value.hpp"
+
+namespace gnomon {
+
+/// A value that a file or the command line gives for a key.
+struct GivenValue {
+  std::string name;    ///< of the key
+  std::string origin;  ///< beginning of a message about it
+  RawValue value;
+};
+
+/// As `--set KEY=VALUE` gives it.
+GivenValue override_of(const std::string& key, RawValue value);
+
+class SceneFile {
+public:
+  /// Throw InputError where there is no such file or the text is not TOML.
+  explicit SceneFile(const std::filesystem::path& file);
+  SceneFile(const std::string& text, const std::string& name);
+
+  /// The scene with these values in the place of those of the file. Throws InputError for the first
+  /// value of the file, else of the overrides, that its key does not accept.
+  Scene scene(const std::vector<GivenValue>& overrides, const KeyTableOf& table_of) const;
+
+private:
+  std::string name_;
+  std::vector<GivenValue> values_;
+};
+
+}  // namespace gnomon
