@@ -16,7 +16,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/hertz.hpp>
 #include <gnomon/mesh/extrusion.hpp>
-#include <gnomon/mesh/stations.hpp>
+#include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/model/wear_scene.hpp>
@@ -79,7 +79,7 @@ std::vector<Key> keys() {
 }
 
 /// Lines of the mesh from the origin to `end` in direction `axis`, at distances that do not shrink.
-std::vector<double> stations(const Scene& scene, int axis, double end) {
+std::vector<double> grid_lines(const Scene& scene, int axis, double end) {
   const long elements = scene.integers("mesh.elements")[axis];
   const double size = scene.reals("mesh.size")[axis];
   constexpr const char* directions[] = {"along half of the block", "across its half width",
@@ -90,8 +90,8 @@ std::vector<double> stations(const Scene& scene, int axis, double end) {
   };
   std::vector<double> lines;
   try {
-    lines = graded_stations(size, scene.reals("mesh.fine")[axis], end,
-                            static_cast<int>(axis == 0 ? elements / 2 : elements));
+    lines = graded_grid_lines(size, scene.reals("mesh.fine")[axis], end,
+                              static_cast<int>(axis == 0 ? elements / 2 : elements));
   } catch (const InputError& error) {
     throw refuse(error.what());
   }
@@ -108,8 +108,8 @@ MeshSize mesh_size(const Scene& scene) {
 }
 
 Extrusion make_block(const Scene& scene, const std::vector<double>& along) {
-  const std::vector<double> y = stations(scene, 1, scene.real("block.half_width"));
-  const std::vector<double> depth = stations(scene, 2, scene.real("block.depth"));
+  const std::vector<double> y = grid_lines(scene, 1, scene.real("block.half_width"));
+  const std::vector<double> depth = grid_lines(scene, 2, scene.real("block.depth"));
   const int ny = static_cast<int>(y.size()) - 1, nz = static_cast<int>(depth.size()) - 1;
   const Mesh<2> section = structured_quadrilaterals(ny, nz, [&](double s, double t) {
     return Vector<2>(y[std::lround(s * ny)], -depth[std::lround((1 - t) * nz)]);
@@ -179,8 +179,8 @@ std::unique_ptr<Model> make(const Scene& scene) {
   if (const long along = scene.integers("mesh.elements")[0]; along % 2)
     throw InputError(fmt::format("{}: expected an even number of elements along the block, got {}",
                                  scene.where("mesh.elements"), along));
-  const std::vector<double> half = stations(scene, 0, scene.real("block.length") / 2);
-  const std::vector<double> along = two_sided_stations(half, half);
+  const std::vector<double> half = grid_lines(scene, 0, scene.real("block.length") / 2);
+  const std::vector<double> along = two_sided_grid_lines(half, half);
   const Extrusion block = make_block(scene, along);
   auto body = std::make_shared<WornBody<3>>();
   const double facet = scene.reals("mesh.size")[1];

@@ -25,7 +25,7 @@
 
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <gnomon/mesh/stations.hpp>
+#include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/model/wear_scene.hpp>
@@ -77,9 +77,9 @@ Lines mesh_lines(const Scene& scene) {
                                  scene.where("block.width"), 2 * a, 2 * (side + a)));
   const int under = static_cast<int>(scene.integer("mesh.punch_elements"));
   const double element = 2 * a / under;
-  const std::vector<double> beside = graded_stations_by_growth(element, 0, side, grading);
+  const std::vector<double> beside = graded_grid_lines_by_growth(element, 0, side, grading);
   Lines lines;
-  lines.y = graded_stations_by_growth(element / grading, 0, scene.real("block.depth"), grading);
+  lines.y = graded_grid_lines_by_growth(element / grading, 0, scene.real("block.depth"), grading);
   for (std::size_t k = beside.size(); k-- > 1;) lines.x.push_back(-a - beside[k]);
   for (int k = 0; k <= under; ++k) lines.x.push_back(a * (2.0 * k / under - 1));
   for (std::size_t k = 1; k < beside.size(); ++k) lines.x.push_back(a + beside[k]);

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/mesh/quarter_ball.hpp>
-#include <gnomon/mesh/stations.hpp>
 #include <numbers>
 
 namespace gnomon {
@@ -99,8 +99,8 @@ void BallMesh::add_nodes() {
   const double size = angle / ball_.across;
   const Geometry geometry{angle};
   const std::vector<double> up =
-      graded_stations(size, 0, std::numbers::pi / 2 - angle, ball_.height);
-  const std::vector<double> inwards = graded_stations(size, 0, core_depth, ball_.layers);
+      graded_grid_lines(size, 0, std::numbers::pi / 2 - angle, ball_.height);
+  const std::vector<double> inwards = graded_grid_lines(size, 0, core_depth, ball_.layers);
   const Vector<3> centre(0, 0, ball_.radius);
   std::vector<Vector<3>> layers;
   for (int k = 0; k <= ball_.height; ++k)

@@ -78,14 +78,15 @@ private:
 
   double look_up(const Instruction& instruction, double x) {
     const PiecewiseLinear& table = program_.tables[instruction.b];
-    const auto corners = table.corners();
+    const auto breakpoints = table.breakpoints();
     if constexpr (Switching::wants_all)
-      for (std::size_t i = 0; i < corners.size(); ++i) active(instruction.kink + i, x - corners[i]);
+      for (std::size_t i = 0; i < breakpoints.size(); ++i)
+        active(instruction.kink + i, x - breakpoints[i]);
     std::size_t piece = 0;
     if (branches_.empty())
       piece = table.piece_at(x);
     else
-      for (const char is_left : branches_.subspan(instruction.kink, corners.size()))
+      for (const char is_left : branches_.subspan(instruction.kink, breakpoints.size()))
         piece += is_left == 0;
     work_.choice[at_] = static_cast<std::uint32_t>(piece);
     return table.value(piece, x);

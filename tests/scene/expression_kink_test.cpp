@@ -277,8 +277,8 @@ TEST_F(UndefinedExpression, HidesBehindAGivenBranch) {
 TEST(PiecewiseLinearTable, GoesThroughItsPoints) {
   const Numbers x = {-2, 0, 0.5, 3}, y = {1, 4, 4, -1};
   const PiecewiseLinear table(x, y);
-  const auto corners = table.corners();
-  EXPECT_EQ(Numbers(corners.begin(), corners.end()), x);
+  const auto breakpoints = table.breakpoints();
+  EXPECT_EQ(Numbers(breakpoints.begin(), breakpoints.end()), x);
   const auto value = [&](double at) { return table.value(table.piece_at(at), at); };
   for (std::size_t i = 0; i < x.size(); ++i) EXPECT_DOUBLE_EQ(value(x[i]), y[i]);
   EXPECT_DOUBLE_EQ(value(-1), 2.5);

@@ -1,6 +1,6 @@
 // The auxiliary problem by itself, on columns whose solution is known; and behind a deep step.
 
-#include <gnomon/mesh/stations.hpp>
+#include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
 #include <gnomon/terms/material_law.hpp>
 
@@ -17,7 +17,7 @@ const ElasticModuli moduli = ElasticModuli::from_young_poisson(2, 0.3);
 /// A column of n cells that grow with the height t.
 template <int dim>
 Mesh<dim> column_mesh(int n) {
-  const std::vector<double> heights = graded_stations(0.05, 0, 1, n);
+  const std::vector<double> heights = graded_grid_lines(0.05, 0, 1, n);
   const auto height = [&](double t) { return heights[std::lround(t * n)]; };
   if constexpr (dim == 2)
     return structured_quadrilaterals(1, n,

@@ -24,15 +24,15 @@ struct ExpressionError : InputError {
 };
 
 /// The polygon through given points, constant beyond its ends. Pieces are numbered from the left;
-/// there is one more of them than corners, the places where the slope changes.
+/// there is one more of them than breakpoints, the places where the slope changes.
 class PiecewiseLinear {
 public:
   /// Throws ExpressionError unless there are as many x as y, at least one, all finite, with x
   /// ascending and no slope beyond the numbers.
   PiecewiseLinear(const std::vector<double>& x, const std::vector<double>& y);
 
-  std::span<const double> corners() const { return corners_; }  ///< ascending
-  std::size_t piece_at(double x) const;  ///< a corner belongs to the piece on its left
+  std::span<const double> breakpoints() const { return breakpoints_; }  ///< ascending
+  std::size_t piece_at(double x) const;  ///< a breakpoint belongs to the piece on its left
   /// Of one piece, continued beyond its ends.
   double value(std::size_t piece, double x) const {
     return pieces_[piece].y + pieces_[piece].slope * (x - pieces_[piece].x);
@@ -43,7 +43,7 @@ private:
   struct Piece {
     double x, y, slope;  // through the point (x, y)
   };
-  std::vector<double> corners_;
+  std::vector<double> breakpoints_;
   std::vector<Piece> pieces_;
 };
 
@@ -69,7 +69,7 @@ struct ExpressionProgram;
 ///
 /// and >=, > likewise with a and b exchanged. max and min of n arguments have n - 1 kinks, where a
 /// stands for the result so far. Parts without variables are evaluated when the text is parsed, and
-/// have none. Kinks are numbered as the parts they belong to end in the text, the corners of a
+/// have none. Kinks are numbered as the parts they belong to end in the text, the breakpoints of a
 /// table from the left.
 ///
 /// `branches` of the functions below chooses a smooth branch of the expression: one entry per kink,
