@@ -66,7 +66,7 @@ std::string unknown_expression_name(std::string_view name, const ExpressionNames
   add("constants", keys_of(names.constants));
   add("tables", keys_of(names.tables));
   add("functions", function_names());
-  // A letter is as near to any other.
+  // For a single letter every other letter would be equally near.
   const std::string near = name.size() > 1 ? nearest_name(std::string(name), all) : "";
   return fmt::format("unknown name {}, {}there are the {}", quote(name),
                      near.empty() ? "" : "did you mean \"" + near + "\"? ", joined(kinds, "; "));
@@ -82,7 +82,7 @@ void check_expression_names(const ExpressionNames& names) {
                       quote(name)));
     if (is_reserved(name))
       throw ExpressionError(
-          fmt::format("the name {} has a meaning of its own in expressions, expected another "
+          fmt::format("the name {} is reserved in expressions, expected another "
                       "name than exp, log, sqrt, abs, pow, min, max, if, and, or",
                       quote(name)));
     if (!seen.insert(name).second)

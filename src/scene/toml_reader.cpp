@@ -61,8 +61,8 @@ void sort_by_line(std::vector<Item>& items) {
                    [](const Item& a, const Item& b) { return a.line < b.line; });
 }
 
-/// Floating-point exceptions do not trap meanwhile (GNOMON_TRAP): 1e999 overflows in strtod, by
-/// which toml++ knows that it is too large.
+/// While it exists, floating-point exceptions do not trap (GNOMON_TRAP): 1e999 overflows in strtod,
+/// and toml++ relies on that to detect numbers that are too large.
 class Untrapped {
 public:
   Untrapped() { std::feholdexcept(&before_); }
@@ -74,7 +74,7 @@ private:
   std::fenv_t before_;
 };
 
-/// The parser quotes what it met, line breaks included.
+/// The parser quotes parts of the text, including line breaks.
 std::string one_line(std::string_view text) {
   std::string line(text);
   std::replace_if(
@@ -129,7 +129,7 @@ RawDocument read_toml_document(const std::string& text, const std::string& name)
 }
 
 std::optional<RawValue> read_toml_value(const std::string& text) {
-  // A line break would let the text smuggle in more than one value.
+  // With a line break the text could contain more than one value.
   if (text.find_first_of("\r\n") != std::string::npos) return std::nullopt;
   if (find_deep_nesting(text)) return std::nullopt;
   try {
