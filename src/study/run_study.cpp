@@ -98,7 +98,7 @@ public:
       : study_(study), options_(options), hooks_(hooks) {}
 
   StudyProgress operator()() {
-    look_what_is_done();
+    find_done_runs();
     hooks_.on_progress(progress_);
     std::size_t next = 0;
     while (next < waiting_.size() || pool_.running() > 0) {
@@ -113,7 +113,7 @@ public:
 
 private:
   /// References come first, because they take longest.
-  void look_what_is_done() {
+  void find_done_runs() {
     progress_.total = study_.runs.size();
     std::set<std::size_t> seen;
     const auto look = [&](std::size_t run, const SweepPoint& sweep) {

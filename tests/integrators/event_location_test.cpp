@@ -222,7 +222,7 @@ TEST(EventLocation, GivesUpOnAJump) {
   const auto landing = step.take(1);
   ASSERT_TRUE(landing);
   EXPECT_FALSE(landing->attempt.success);  // not to 1e-7 in sixteen attempts: the step is shortened
-  EXPECT_EQ(landing->attempt.reason, "an event was not found in the step");
+  EXPECT_EQ(landing->attempt.reason, "an event in the step was not found");
   EXPECT_EQ(step.method.attempts, 16);
 }
 

@@ -133,11 +133,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"p * temperature", "column 5: unknown name \"temperature\", " + known_names},
         Mistake{"nan", "column 1: unknown name \"nan\", " + known_names},
         Mistake{"p(2)",
-                "column 1: \"p\" is no function or table, expected an operator behind it, "
+                "column 1: \"p\" is not a function or table, expected an operator after it, "
                 "got \"(\" (a product is written a * b)"},
         Mistake{"k (p + v)",
-                "column 1: \"k\" is no function or table, expected an operator behind "
-                "it, got \"(\" (a product is written a * b)"},
+                "column 1: \"k\" is not a function or table, expected an operator after it, got "
+                "\"(\" (a product is written a * b)"},
         Mistake{"exp + 1", "column 5: expected \"(\" after \"exp\", got \"+\""},
         Mistake{"k / hardness", "column 13: expected \"(\" after \"hardness\"" + end_of_text},
         Mistake{"if", "column 3: expected \"(\" after \"if\"" + end_of_text}));
@@ -164,20 +164,20 @@ INSTANTIATE_TEST_SUITE_P(
     Conditions, BadExpression,
     testing::Values(
         Mistake{"p < 1",
-                "column 1: \"p < 1\" is a condition, expected a number (conditions stand "
-                "in if(condition, a, b) only)"},
+                "column 1: \"p < 1\" is a condition, expected a number (conditions occur in "
+                "if(condition, a, b) only)"},
         Mistake{"2 * (p < 1)",
-                "column 5: \"(p < 1)\" is a condition, expected a number (conditions "
-                "stand in if(condition, a, b) only)"},
+                "column 5: \"(p < 1)\" is a condition, expected a number (conditions occur in "
+                "if(condition, a, b) only)"},
         Mistake{"(p < 1) * 2",
-                "column 1: \"(p < 1)\" is a condition, expected a number (conditions "
-                "stand in if(condition, a, b) only)"},
+                "column 1: \"(p < 1)\" is a condition, expected a number (conditions occur in "
+                "if(condition, a, b) only)"},
         Mistake{"-(p < 1)",
-                "column 2: \"(p < 1)\" is a condition, expected a number (conditions "
-                "stand in if(condition, a, b) only)"},
+                "column 2: \"(p < 1)\" is a condition, expected a number (conditions occur in "
+                "if(condition, a, b) only)"},
         Mistake{"exp(p < 1)",
-                "column 5: \"p < 1\" is a condition, expected a number (conditions "
-                "stand in if(condition, a, b) only)"},
+                "column 5: \"p < 1\" is a condition, expected a number (conditions occur in "
+                "if(condition, a, b) only)"},
         Mistake{"if(p, 1, 2)", "column 4: \"p\" is a number, expected a condition such as a < b"},
         Mistake{"if(p < 1 and v, 1, 2)",
                 "column 14: \"v\" is a number, expected a condition such as a < b"},
