@@ -85,13 +85,11 @@ TEST(StopTimes, OfFixedStepsAreOnTheGridByCount) {
   }
 }
 
-TEST(StopTimes, OfFixedStepsLeaveNoSlivers) {
-  EXPECT_EQ(end_of_fixed_step(0.9, 0.1, 1.00005),
-            1.00005);  // merged with the grid
+TEST(StopTimes, OfFixedStepsLeaveNoShortRemainders) {
+  EXPECT_EQ(end_of_fixed_step(0.9, 0.1, 1.00005), 1.00005);  // merged with the grid
   EXPECT_EQ(end_of_fixed_step(0.9, 0.1, 1.0002), 0.1 * 10);
   EXPECT_EQ(end_of_fixed_step(0.9, 0.1, 0.95), 0.95);
-  EXPECT_EQ(end_of_fixed_step(0.99995, 0.1, 2),
-            0.1 * 11);  // too near to the grid for a step
+  EXPECT_EQ(end_of_fixed_step(0.99995, 0.1, 2), 0.1 * 11);  // too near to the grid for a step
   EXPECT_EQ(end_of_fixed_step(0.9998, 0.1, 2), 0.1 * 10);
 }
 
