@@ -225,7 +225,7 @@ TEST_F(Program, WarnsWhenNoStateTellsOfStability) {
   const Outcome outcome = gnomon({"run", pin, "--set", "mesh.elements=[4,4]", "--integrator",
                                   "erk-2", "--set", "integrator.step=1000", "-o", "a.h5"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("after no step was there a decaying mode"));
+  EXPECT_THAT(outcome.err, HasSubstr("no step ended with a decaying mode"));
 }
 
 TEST_F(Program, WarnsOfLargeStrainsOfSmallKinematics) {

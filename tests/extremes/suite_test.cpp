@@ -102,8 +102,10 @@ TEST_F(Extremes, TimesBeyondTheEndOrTooNearAreAMistakeInTheFile) {
   EXPECT_THAT(outcome.err,
               HasSubstr("key `times`: expected times up to time.end = 100 s, got 200"));
   write("study.toml", "times = [50, 50.0000001]\n" + head() + method("bdf", "tolerances = [1e-3]"));
-  EXPECT_THAT(extremes().err,
-              HasSubstr("key `times`: expected times that are 1e-05 of them apart"));
+  EXPECT_THAT(
+      extremes().err,
+      HasSubstr(
+          "key `times`: expected times (including time.end) at least 1e-05 of their value apart"));
 }
 
 TEST_F(Extremes, OneReferenceConfirmsAloneAndIsNamed) {
