@@ -18,7 +18,7 @@ double geometric_sum(double q, int elements) {
   return sum;
 }
 
-/// The ratio at which that sum is `sum`, which it is at one q > 0 since it ascends.
+/// The ratio q > 0 at which that sum is `sum`; it is unique because the sum increases with q.
 double ratio(double sum, int elements) {
   double low = 0, high = 1;
   while (geometric_sum(high, elements) < sum) high *= 2;
