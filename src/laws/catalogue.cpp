@@ -35,7 +35,7 @@ Vector<dim> read_direction(const Scene& scene, const std::string& key) {
 
 namespace {
 
-/// Times of the run at which a law is looked at, and one in each part between its breakpoints.
+/// Times of the run at which a law is checked, including one in each part between its breakpoints.
 std::vector<double> moments(const WearLaw& law, double duration) {
   constexpr std::size_t most_parts = 100;
   std::vector<double> times;

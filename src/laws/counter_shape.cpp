@@ -9,13 +9,13 @@ template <int dim>
 SignedDistance<dim> CounterShape<dim>::at(const Vector<dim>& x) const {
   SignedDistance<dim> result = distance_(x);
   if (!std::isfinite(result.gap) || !result.normal.allFinite() || !result.normal_by_x.allFinite())
-    throw RecoverableError("a contact node lies where the counter-body has no normal");
+    throw RecoverableError("a contact node is at a point where the counter-body has no normal");
   return result;
 }
 
-/// Along the ray by which x comes near, as seen from the shape, the distance says how far one may
-/// go without touching (sphere tracing). Where little is left Newton's method ends it, without
-/// which a grazing approach would take long.
+/// On the ray along which x approaches in the coordinates of the shape, the distance says how far x
+/// may move without touching (sphere tracing). When the distance is small, Newton's method finishes
+/// the search; without it a grazing approach would need many steps.
 template <int dim>
 double CounterShape<dim>::travel_to(const Vector<dim>& x, const Vector<dim>& approach) const {
   constexpr double never = std::numeric_limits<double>::infinity();
@@ -28,7 +28,7 @@ double CounterShape<dim>::travel_to(const Vector<dim>& x, const Vector<dim>& app
   double w = -2 * size;
   SignedDistance<dim> there = distance_(seen(w));
   for (int k = 0; !(there.gap > 0); ++k) {
-    if (k == most_doublings) return never;  // nothing of the ray is outside
+    if (k == most_doublings) return never;  // no part of the ray is outside
     w *= 2;
     there = distance_(seen(w));
   }
@@ -49,7 +49,7 @@ double CounterShape<dim>::travel_to(const Vector<dim>& x, const Vector<dim>& app
     there = distance_(seen(w));
   }
   if (!(std::abs(there.gap) <= 1e-3 * near)) return never;
-  // Once more, so that on a plane nothing is left but the last digit of w itself.
+  // One more step, so that on a plane only the last digit of w is uncertain.
   const double slope = there.normal.dot(approach);
   return slope > 0 ? w + there.gap / slope : w;
 }

@@ -22,7 +22,7 @@ WearInput with_pressure(const WearInput& at, double pressure, double friction_po
   return result;
 }
 
-/// A depth that is negative by the rounding of positions alone.
+/// Whether a negative depth comes only from rounding of positions.
 bool is_rounding(const WearInput& at) {
   constexpr double roundings = 1e-12;
   const auto& x = at.initial;
@@ -30,7 +30,8 @@ bool is_rounding(const WearInput& at) {
   return at.depth < 0 && at.depth > -roundings * size;
 }
 
-/// A law like p^0.8 has no slope at p = 0, where Newton needs one alone: none at all.
+/// A law like p^0.8 has no finite slope at p = 0, where only Newton's method needs one: it is
+/// replaced by zero.
 void without_slope_at_zero(const WearInput& at, WearRate& rate) {
   if (at.pressure == 0 && !std::isfinite(rate.by_pressure)) rate.by_pressure = 0;
   if (at.friction_power == 0 && !std::isfinite(rate.by_friction_power)) rate.by_friction_power = 0;
@@ -64,7 +65,7 @@ WearRate WearLaw::rate(const WearInput& at, std::span<const char> branches) cons
         "the wear law has no finite rate, or derivatives of it, at p = {:.4g}, v = {:.4g}, h = "
         "{:.4g}, t = {:.4g}",
         at.pressure, at.speed, at.depth, at.moment.time));
-  // A branch that is given may be continued to where it is negative.
+  // A prescribed branch may be continued to negative rates.
   if (branches.empty() && at.pressure >= 0 && rate.value < 0 && !is_rounding(at))
     throw RecoverableError(fmt::format(
         "the wear law adds material: its rate is {:.4g} at p = {:.4g}, v = {:.4g}, h = {:.4g}, t = "

@@ -1,4 +1,4 @@
-// The rigid counter-body: what shape it has, where it stands, how its surface moves.
+// The rigid counter-body: its shape, its position, and the motion of its surface.
 #pragma once
 
 #include <gnomon/laws/counter_shape.hpp>
@@ -30,7 +30,8 @@ struct CounterBody {
   Vector<dim, Scalar> seen(const Vector<dim, Scalar>& x, const Scalar& w) const {
     return x - position.template cast<Scalar>() - approach.template cast<Scalar>() * w;
   }
-  /// The w at which it touches x when it comes from afar [length]; infinite where it passes by.
+  /// The w at which it first touches x, coming from far away [length]; infinite if it does not
+  /// touch x.
   double travel_to(const Vector<dim>& x) const { return shape.travel_to(x - position, approach); }
 };
 
