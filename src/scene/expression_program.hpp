@@ -29,8 +29,8 @@ enum class Operation : std::uint8_t {
   below,          // a < b
   both,           // a and b
   either,         // a or b
-  skip_if_false,  // goes on at instruction b if a is 0
-  skip_if_true,   // goes on at instruction b if a is 1
+  skip_if_false,  // continues at instruction b if a is 0
+  skip_if_true,   // continues at instruction b if a is 1
   select,         // b if a, else c
 };
 

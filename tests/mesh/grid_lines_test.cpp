@@ -26,7 +26,7 @@ TEST(GradedStations, AreUniformThenGrowByOneRatio) {
   for (int k = 6; k < 12; ++k) EXPECT_NEAR(h[k] / h[k - 1], ratio, 1e-12);
 }
 
-// 1 = 0.1 (q + q^2 + q^3) has no root that is easy to type, but 14 = 1 (2 + 4 + 8) has.
+// 1 = 0.1 (q + q^2 + q^3) has no simple root, but 14 = 1 (2 + 4 + 8) has.
 TEST(GradedStations, SolveForTheRatio) {
   const std::vector<double> expected = {0, 1, 2, 4, 8, 16};
   const std::vector<double> lines = graded_grid_lines(1, 2, 16, 5);

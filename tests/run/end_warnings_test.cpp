@@ -1,4 +1,4 @@
-// What the end of a run says of its numbers.
+// Warnings at the end of a run about its numbers.
 #include "run/end_warnings.hpp"
 
 #include <gmock/gmock.h>

@@ -221,7 +221,7 @@ std::string repeated(const std::string& part, int count) {
 struct Nest {
   const char* name;
   std::string open, inside, close;
-  int most;  // of them that are accepted
+  int most;  // largest accepted number of them
 };
 
 void PrintTo(const Nest& nest, std::ostream* stream) {

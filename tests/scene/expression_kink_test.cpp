@@ -158,7 +158,7 @@ const char* const kinked[] = {
     "if(x < 1, if(y < 1, x, y), if(z < 1, z, x*y)) * max(x, y, z)",
 };
 
-/// At random points, the branch that a point lies in gives the same as no branch.
+/// At random points, the branch that a point lies in gives the same result as no prescribed branch.
 TEST(ExpressionBranches, AgreeWithTheSigns) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> number(-1, 5);
@@ -205,7 +205,7 @@ TEST(ExpressionBranches, AreSmoothAcrossBorders) {
   EXPECT_GT(borders, 1000);
 }
 
-/// Where a switching function changes its sign, what is taken changes.
+/// Where a switching function changes its sign, the chosen part changes.
 TEST(ExpressionSwitching, ChangesItsSignWhereTheValueHasAKink) {
   const Expression expression = parsed("max(x, 2) + abs(x - 3) + ramp(x)");  // at 2, 3, 1, 2, 4
   const Numbers places = {2, 3, 1, 2, 4};

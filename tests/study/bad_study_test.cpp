@@ -14,7 +14,7 @@ using testing::IsEmpty;
 
 struct Case {
   const char* name;
-  std::string text;  // behind the head, whose last line is the fourth
+  std::string text;  // after the head, whose last line is the fourth
   std::vector<std::string> parts;
 };
 

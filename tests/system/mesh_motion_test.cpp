@@ -1,4 +1,5 @@
-// The auxiliary problem by itself, on columns whose solution is known; and behind a deep step.
+// The auxiliary problem alone, on columns whose solution is known; and beside a deep step of the
+// surface.
 
 #include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
@@ -77,7 +78,7 @@ class MeshMotionOf : public ::testing::Test {};
 using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(MeshMotionOf, Dimensions);
 
-// The stress is that of every cell, whatever the energy.
+// All cells have the same stress, with every energy.
 TYPED_TEST(MeshMotionOf, AColumnShrinksUniformly) {
   constexpr int dim = TypeParam::value;
   WornBody<dim> body = column<dim>(5);
