@@ -17,24 +17,23 @@ struct Example {
 };
 
 /// The ball that wears a groove into a half-space. `refinement` 1 is the paper's mesh of 40 x 82 x
-/// 20 elements (65,600); lengths of elements scale with its inverse. In every other key as the
-/// scene of small deformations says.
+/// 20 elements (65,600); lengths of elements scale with its inverse. All other keys are those of
+/// the scene of small deformations.
 Example groove(double refinement, bool multigrid);
 
-/// The ball that wears on a flat, likewise; 1 is 16,320 elements. Its shape is an unknown in a
-/// volume.
+/// The ball that wears on a flat, likewise; 1 is 16,320 elements. Its shape is unknown in a volume.
 Example worn_ball(double refinement, bool multigrid);
 
 /// A Newton iteration on the whole system of the body or on a part of it, at the Hertzian guess of
 /// the pressure, undeformed. alpha = 1/50 s.
 class NewtonIteration {
 public:
-  /// `coupled`: with the shape, or the contact problem alone.
+  /// `coupled`: with the shape; otherwise the contact problem alone.
   NewtonIteration(const Example& example, bool coupled);
 
   /// Residual, Jacobian, a set-up of the preconditioner, and a solve down to 1e-4.
   void run();
-  /// So that what follows is measured without what came before.
+  /// Resets the times, so that earlier runs do not count.
   void forget();
 
   const Structure& structure() const { return system_.structure(); }

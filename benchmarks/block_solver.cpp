@@ -1,5 +1,5 @@
-// What a coupled Newton iteration by the block solver costs against the size of the mesh, and
-// against the contact problem alone.
+// The cost of a coupled Newton iteration by the block solver as a function of the size of the mesh,
+// and compared with the contact problem alone.
 
 #include <benchmark/benchmark.h>
 
@@ -12,7 +12,8 @@ namespace gnomon::bench {
 
 namespace {
 
-/// A hundredth of a refinement is the unit of the argument: benchmarks take whole numbers.
+/// The unit of the argument is a hundredth of a refinement, because arguments of benchmarks are
+/// integers.
 double refinement(const ::benchmark::State& loop) {
   return 0.01 * static_cast<double>(loop.range(0));
 }
@@ -39,8 +40,8 @@ void block_newton(::benchmark::State& loop, bool multigrid) {
   loop.counters["peak_MB"] = peak_memory();
 }
 
-/// The two take turns. `coupled/contact` is what wear and shape cost; the others are the same ratio
-/// of the parts.
+/// Both run alternately. `coupled/contact` is the cost of wear and shape; the others are the same
+/// ratio for the parts.
 void coupled_against_contact(::benchmark::State& loop, Example (*make)(double, bool),
                              bool multigrid) {
   const Example example = make(refinement(loop), multigrid);

@@ -1,4 +1,4 @@
-// What a Newton iteration on the coupled system costs, part by part, at n x n elements.
+// The cost of a Newton iteration on the coupled system, part by part, for n x n elements.
 
 #include <benchmark/benchmark.h>
 
@@ -44,9 +44,9 @@ void solve(::benchmark::State& loop) {
   report_sizes(loop, pin);
 }
 
-/// All parts in turn, as Newton asks for them, with a dense product and factorization between them.
-/// The counters named a/b are ratios of times (assembly: residual and Jacobian together), but for
-/// those of rates: factorization/dgemm and /dgetrf, in flops a second.
+/// All parts in the order of Newton's method, with a dense product and factorization between them.
+/// The counters named a/b are ratios of times (assembly: residual and Jacobian together), except
+/// for factorization/dgemm and /dgetrf, which are ratios of rates in flops per second.
 void newton_iteration(::benchmark::State& loop) {
   PinSystem& pin = pin_system(elements(loop));
   Dense dense;

@@ -18,7 +18,7 @@ public:
   void product();
   /// Copies A and factorizes the copy by dgetrf.
   void factorize();
-  /// Whether the BLAS at hand brings LAPACK along, as OpenBLAS does.
+  /// Whether the BLAS in use contains LAPACK, as OpenBLAS does.
   static bool has_factorization();
 
 private:

@@ -7,7 +7,7 @@ namespace gnomon::bench {
 
 namespace {
 
-/// KLU reads its values through a pointer to non-const, and leaves them alone.
+/// KLU reads its values through a pointer to non-const, but does not change them.
 double* untouched(std::span<const double> values) {
   return const_cast<double*>(values.data());
 }
@@ -16,8 +16,8 @@ double* untouched(std::span<const double> values) {
 
 Klu::Klu(const SparsePattern& pattern, const std::vector<int>& order) : pattern_(pattern) {
   klu_defaults(&common_);
-  // One block, so that the given order stands. Nothing is lost: the Jacobian of the pin is
-  // irreducible, and with its search for blocks on KLU does the same operations.
+  // One block, so that the given order is used. This is no disadvantage: the Jacobian of the pin is
+  // irreducible, and with the search for blocks KLU does the same operations.
   common_.btf = 0;
   std::vector<int> rows = order, columns = order;
   symbolic_ = klu_analyze_given(pattern_.size(), pattern_.column_start.data(),

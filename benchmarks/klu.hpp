@@ -9,7 +9,7 @@
 
 namespace gnomon::bench {
 
-/// Works on the exact pattern: KLU has no dense fronts that would gain from padding it.
+/// Uses the exact pattern: KLU has no dense fronts that would benefit from padding.
 class Klu {
 public:
   /// `order`: entry k is the unknown eliminated k-th, as nested_dissection() gives it.

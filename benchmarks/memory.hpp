@@ -1,4 +1,4 @@
-// What the process takes of the machine's memory.
+// The memory that the process uses.
 #pragma once
 
 #include <fstream>
@@ -6,7 +6,7 @@
 
 namespace gnomon::bench {
 
-/// Largest memory that the process ever had in RAM [MB].
+/// Peak resident memory of the process [MB].
 inline double peak_memory() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)

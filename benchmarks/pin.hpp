@@ -10,13 +10,13 @@
 
 namespace gnomon::bench {
 
-/// The pin at small deformations on n x n elements, in every other key as its scene file says.
+/// The pin at small deformations on n x n elements, with all other keys as in its scene file.
 std::unique_ptr<Model> pin_model(int n);
 
 /// Integrates from the model's start to `end` by backward Euler. Returns the last state.
 State wear(const Model& model, double step, double end, Counters& counters);
 
-/// What a Newton iteration of backward Euler works on: the state behind the first step of 50 s, its
+/// The data of a Newton iteration of backward Euler: the state after the first step of 50 s, its
 /// Jacobian with alpha = 1/50 s, and a right side with one unit of every row.
 struct PinSystem {
   static constexpr double step = 50;  // s

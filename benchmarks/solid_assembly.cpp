@@ -1,5 +1,5 @@
-// What assembly costs in three dimensions: one hexahedron in the cache, and a block of them with
-// pattern, map, gather and scatter.
+// The cost of assembly in three dimensions: one hexahedron in the cache, and a block of hexahedra
+// with pattern, map, gather and scatter.
 
 #include <benchmark/benchmark.h>
 
@@ -66,7 +66,7 @@ BENCHMARK_CAPTURE(tangent, hexahedron_plain_by_u, ElementTechnology::plain, fals
 BENCHMARK_CAPTURE(tangent, hexahedron_plain_by_u_and_d, ElementTechnology::plain, true);
 BENCHMARK_CAPTURE(tangent, hexahedron_f_bar_by_u, ElementTechnology::f_bar, false);
 BENCHMARK_CAPTURE(tangent, hexahedron_f_bar_by_u_and_d, ElementTechnology::f_bar, true);
-// A law whose tangent is not made of dyads.
+// A law whose tangent does not consist of dyads.
 BENCHMARK_CAPTURE(residual, hexahedron_general, ElementTechnology::f_bar, "mooney-rivlin");
 BENCHMARK_CAPTURE(tangent, hexahedron_general_by_u, ElementTechnology::f_bar, false,
                   "mooney-rivlin");

@@ -1,4 +1,4 @@
-// Times parts of a loop against each other.
+// Compares the times of parts of a loop.
 #pragma once
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 
 namespace gnomon::bench {
 
-/// Times of one part, one a pass. The parts that are to be compared take turns in one loop, and
-/// what counts is processor time and its median: what else the machine does then cancels from the
-/// ratio.
+/// Times of one part, one per pass. The parts that are compared run alternately in one loop, and
+/// the median of the processor time is used, so that the influence of other work on the machine
+/// cancels in the ratio.
 class Stopwatch {
 public:
   template <typename Part>

@@ -28,8 +28,8 @@ struct Times {
   Stopwatch factorization, solve;
 };
 
-/// The time of the benchmark is that of both solvers; what it is for are the ratios klu/umfpack,
-/// of times (both: factorization and solve), of nonzeros of the factors, of flops.
+/// The time of the benchmark is that of both solvers; its purpose is the ratios klu/umfpack of
+/// times (both: factorization and solve), of nonzeros of the factors, and of flops.
 void umfpack_against_klu(::benchmark::State& loop) {
   PinSystem& pin = pin_system(static_cast<int>(loop.range(0)));
   const Structure& structure = pin.structure();

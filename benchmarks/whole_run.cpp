@@ -23,7 +23,7 @@ void backward_euler_run(::benchmark::State& loop) {
   loop.counters["factorizations"] = static_cast<double>(counters.factorizations);
 }
 
-// Wall time: it is what a user waits for.
+// Wall time, because that is the time a user waits.
 BENCHMARK(backward_euler_run)->Arg(40)->UseRealTime()->Unit(::benchmark::kSecond);
 
 }  // namespace

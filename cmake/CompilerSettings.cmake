@@ -7,7 +7,7 @@ if(GNOMON_SANITIZE)
   target_link_options(gnomon_settings INTERFACE -fsanitize=address,undefined)
 endif()
 if(GNOMON_COVERAGE)
-  # Eigen's functions are not of interest, and counting in them takes most of the time.
+  # Eigen's functions are not of interest, and counting in them would take most of the time.
   target_compile_options(gnomon_settings INTERFACE --coverage -fprofile-exclude-files=^/usr/.*)
   target_link_options(gnomon_settings INTERFACE --coverage)
 endif()

@@ -1,9 +1,9 @@
 # Every external library, found once and bundled in one interface target, gnomon_dependencies.
-# What is missing is collected, so that one run names everything there is to install.
+# Missing libraries are collected, so that one run names everything that has to be installed.
 set(gnomon_missing "")
 set(gnomon_missing_packages "")
 
-# Notes NAME as missing, to be had from the Debian package PACKAGE, unless FOUND is true.
+# Notes NAME as missing, with the Debian package PACKAGE that contains it, unless FOUND is true.
 function(gnomon_need name package found)
   if(NOT found)
     list(APPEND gnomon_missing "${name} (${package})")
@@ -54,7 +54,7 @@ if(GNOMON_BENCHMARKS)
   gnomon_need("Google Benchmark" libbenchmark-dev "${benchmark_FOUND}")
 endif()
 
-# HDF5: Debian installs serial and MPI flavours side by side; gnomon wants the serial one.
+# HDF5: Debian installs serial and MPI variants side by side; gnomon needs the serial one.
 find_package(PkgConfig QUIET)
 gnomon_need("pkg-config" pkg-config "${PKG_CONFIG_FOUND}")
 if(PKG_CONFIG_FOUND)
@@ -70,7 +70,7 @@ if(GNOMON_BENCHMARKS)
   gnomon_find_plain(klu KLU libsuitesparse-dev)
 endif()
 
-# PETSc, with the MPI that its headers want, for multigrid alone: a module that is loaded on first use.
+# PETSc, with the MPI that its headers need, only for multigrid: a module that is loaded on first use.
 if(GNOMON_MULTIGRID AND PKG_CONFIG_FOUND)
   pkg_search_module(PETSC QUIET IMPORTED_TARGET PETSc petsc)
   find_package(MPI QUIET COMPONENTS CXX)
@@ -81,7 +81,7 @@ if(GNOMON_MULTIGRID AND PKG_CONFIG_FOUND)
   endif()
 endif()
 
-# BLAS: OpenBLAS where it exists, otherwise whatever there is; -DBLA_VENDOR=... chooses another.
+# BLAS: OpenBLAS if it exists, otherwise any other; -DBLA_VENDOR=... chooses another one.
 if(NOT BLA_VENDOR)
   set(BLA_VENDOR OpenBLAS)
   find_package(BLAS QUIET)

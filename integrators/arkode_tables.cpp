@@ -1,6 +1,5 @@
 // Runge-Kutta methods with coefficients from ARKODE's tables. The number in the name is the order.
-//
-//   sdirk-*, esdirk-*   diagonally implicit, on the DAE, one KINSOL solve a stage
+//   sdirk-*, esdirk-*   diagonally implicit, on the DAE, one KINSOL solve per stage
 //   erk-*               explicit, on the reduced ODE, driven by ERKStep with its own error control;
 //                       every rate is a solve of mesh motion and contact for the given surface
 //                       (Remark 1)
@@ -50,7 +49,7 @@ const Entry explicit_entries[] = {
      "Zonneveld's pair: the classical method with an estimate"},
 };
 
-/// What does not depend on the kind.
+/// The properties that do not depend on the kind of method.
 Integrator describe(const Entry& entry) {
   Integrator integrator;
   integrator.name = entry.name;

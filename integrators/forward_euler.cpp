@@ -27,7 +27,7 @@ public:
     std::string reason = algebraic_.solve(to.t, to.y, options.branch);
     if (!reason.empty()) return {.reason = std::move(reason)};
     set_rates(system_, options.branch, to);
-    // The difference to Heun's method.
+    // The difference from Heun's method.
     error_.clear();
     for (int i : norm_.components()) error_.push_back(h / 2 * (to.ydot[i] - from.ydot[i]));
     const double integral =
@@ -51,10 +51,10 @@ const Registration<Integrator> registration({
     .name = "forward-euler",
     .family = "explicit one-step, decoupled",
     .order = "1",
-    .error_estimate = "difference to Heun",
+    .error_estimate = "difference from Heun",
     .stability = "conditional, |1 + z| <= 1",
     .driver = "KINSOL (contact and mesh motion)",
-    .help = "the paper's explicit scheme, eq. (15): one contact problem a step, unstable above a "
+    .help = "the paper's explicit scheme, eq. (15): one contact problem per step, unstable above a "
             "critical step",
     .table =
         [](const IntegratorSettings&) {

@@ -1,4 +1,4 @@
-// backward-euler and theta: the implicit schemes of eq. (18) and (21), one coupled solve a step.
+// backward-euler and theta: the implicit schemes of eq. (18) and (21), one coupled solve per step.
 //
 //   d_{n+1} = d_n + h ((1 - alpha) ddot_n + alpha ddot_{n+1})   on the contact surface
 

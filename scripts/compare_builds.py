@@ -240,7 +240,7 @@ def text_of(value):
 
 
 def given_value(text):
-    """The value of a --set, as TOML where it is that, else as text."""
+    """The value of a --set, as TOML if it is valid TOML, otherwise as text."""
     try:
         return tomllib.loads(f"value = {text}")["value"]
     except tomllib.TOMLDecodeError:
@@ -331,7 +331,7 @@ class Program:
             return self.keys[problem]
 
     def own_settings(self, case):
-        """Those that the problem of this case has, and that the case leaves open."""
+        """The settings whose keys the problem of this case has and the case itself does not set."""
         if not self.settings:
             return {}
         keys = self.known_keys(case.file.split("/")[0])
@@ -341,7 +341,7 @@ class Program:
                 if key in keys and key not in case.settings}
 
     def execute(self, arguments, folder, limit):
-        """Runs the program. Returns (exit code or None, CPU seconds); its words go to `folder`."""
+        """Runs the program. Returns (exit code or None, CPU seconds); its output goes to `folder`."""
         environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1",
                            PATH=f"{self.options.output / 'no_python'}:{os.environ['PATH']}")
         with open(folder / "stdout", "ab") as out, open(folder / "stderr", "ab") as err:
@@ -420,7 +420,7 @@ class Program:
         return [["stability", file, *self.overrides(settings), "-o", folder / "stability"]]
 
 
-# ---------------------------------------------------------------- what came of it
+# ---------------------------------------------------------------- outcomes
 
 COUNTS = {"steps": "steps", "rejected": "rejected_steps", "events": "events",
           "newton": "newton_iterations", "factorizations": "factorizations"}
@@ -430,7 +430,7 @@ OTHER_COUNTS = ["residual_evaluations", "jacobian_evaluations", "linear_solves",
 
 @dataclasses.dataclass
 class Outcome:
-    """The end of one run, as its files tell it."""
+    """The end of one run, from its files."""
     code: int | None
     words: str = ""
     summary: dict = dataclasses.field(default_factory=dict)
@@ -529,7 +529,7 @@ class Row:
 
 
 def difference(a, b, scale):
-    """Largest difference by the scale; infinite where the two cannot be compared."""
+    """Largest difference divided by the scale; infinite if the two cannot be compared."""
     a, b = np.asarray(a, float), np.asarray(b, float)
     if a.shape != b.shape or not np.array_equal(np.isfinite(a), np.isfinite(b)):
         return math.inf
@@ -650,7 +650,7 @@ class Comparison:
         return [self.runs(case.name, "run", *outcomes, may_be_refused=case.may_be_refused)]
 
     def study_rows(self, case, *folders):
-        """A row for every run of the study, and one for its table."""
+        """One row per run of the study, and one for its table."""
         ends = [read_json(folder / "end.json") for folder in folders]
         row = Row(f"{case.name} study.csv", "table", cpu_reference=ends[0]["cpu"],
                   cpu_candidate=ends[1]["cpu"])
@@ -720,7 +720,7 @@ class Comparison:
 
     @staticmethod
     def columns(a, b, scale):
-        """Without a scale: by the largest number of the column."""
+        """Without a scale: relative to the largest number of the column."""
         if [bool(value) for value in a] != [bool(value) for value in b]:
             return math.inf
         a, b = ([float(value) for value in column if value] for column in (a, b))
@@ -879,11 +879,11 @@ def arguments():
                         help="only cases whose name contains one of these words, or matches it as "
                         "a pattern with * (names are in the first column of the report)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N",
-                        help="cases at a time; default: the number of cores")
+                        help="number of cases at the same time; default: the number of cores")
     parser.add_argument("--quick", action="store_true",
                         help="fewer integrators, variants and studies: less than two minutes")
     parser.add_argument("--extremes", action="store_true",
-                        help="also the verdicts of gnomon extremes: some minutes for each program")
+                        help="also the verdicts of gnomon extremes: a few minutes for each program")
     parser.add_argument("--only-extremes", action="store_true", help="these verdicts alone")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE",
                         help="scene key for the candidate only, in all problems that have the key "
@@ -893,18 +893,18 @@ def arguments():
     parser.add_argument("--allow-counts", action="store_true",
                         help="report differences of counts, but do not fail because of them")
     parser.add_argument("--ignore-scalar", action="append", default=[], metavar="NAME",
-                        help="a column of the history that is meant to differ; repeatable")
+                        help="a column of the history that may differ; repeatable")
     parser.add_argument("--ignore-wording", action="store_true",
                         help="compare only the numbers of a diagnosis")
     parser.add_argument("--problems", type=Path, default=ROOT / "problems", metavar="DIR",
                         help="scenes and studies for both; default: those beside this script")
     parser.add_argument("--candidate-problems", type=Path, metavar="DIR",
-                        help="those of the candidate, if the files have changed; the cases are "
+                        help="scenes and studies of the candidate, if they have changed; the cases are "
                         "those of --problems")
     parser.add_argument("--reuse", action="store_true",
-                        help="keep what the same reference has computed in DIR before")
+                        help="reuse results that the same reference has computed in DIR before")
     parser.add_argument("--keep", action="store_true",
-                        help="keep the candidate's results where they are equal, too")
+                        help="keep the candidate's results also if they are equal")
     parser.add_argument("--limit", type=float, default=600, metavar="SECONDS",
                         help="wall time of one case; default: 600")
     parser.add_argument("--list", action="store_true", help="print the names of the cases and stop")
@@ -956,7 +956,7 @@ def planned(options, reference):
 
 
 def check_settings(options, candidate, cases):
-    """A misspelt key would apply to nothing, unnoticed."""
+    """A misspelt key would have no effect and would not be noticed."""
     names = {case.file.split("/")[0] for case in cases}
     names |= {name.split("/")[0] for name in shipped(options.problems)}
     for key in options.settings:

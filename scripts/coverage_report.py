@@ -49,7 +49,7 @@ def ranges(numbers):
 
 
 def folder_of(file):
-    """The folder of its room: src/linear, but include/gnomon for what stands there."""
+    """The folder of its room, such as src/linear; include/gnomon for headers directly in it."""
     parts = pathlib.Path(file).parent.parts
     return "/".join(parts[:3] if parts[0] == "include" else parts[:2])
 

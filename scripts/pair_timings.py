@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Compares the speed of two builds of gnomon, by measurements that take turns.
+"""Compares the speed of two builds of gnomon, by alternating measurements.
 
     scripts/pair_timings.py BUILD_A BUILD_B [--repetitions N] [--only assembly newton runs]
 
@@ -83,8 +83,8 @@ class Build:
         return [name for name in listing.split() if re.search(BENCHMARKS[part], name)]
 
     def benchmark(self, names, least):
-        """{name: (processor seconds, no counts)} of some benchmarks, in one process: what they
-        work on takes longer to make than to measure."""
+        """{name: (processor seconds, no counts)} of some benchmarks, in one process, because
+        preparing their data takes longer than measuring."""
         pattern = "|".join(re.escape(name) for name in names)
         output = subprocess.run(
             [self.benchmarks, f"--benchmark_filter=^({pattern})$",
@@ -117,14 +117,14 @@ def ratio_of_medians(pairs):
 
 
 def interval(pairs, draws=2000):
-    """5 % and 95 % of the ratios of medians of as many pairs, drawn with replacement."""
+    """5 % and 95 % quantiles of the ratios of medians of as many pairs, drawn with replacement."""
     chance = random.Random(1)
     ratios = sorted(ratio_of_medians(chance.choices(pairs, k=len(pairs))) for _ in range(draws))
     return ratios[draws // 20], ratios[-draws // 20 - 1]
 
 
 class Measurement:
-    """The times of one thing by both builds, a pair for every repetition."""
+    """The times of one measurement by both builds, one pair per repetition."""
 
     def __init__(self, part, name):
         self.part, self.name, self.pairs, self.note = part, name, [], ""
@@ -179,9 +179,9 @@ def arguments():
                         default=[*BENCHMARKS, "runs"], metavar="PART",
                         help="assembly, newton, runs; default: all")
     parser.add_argument("--filter", default="", metavar="WORD",
-                        help="only what has this word in its name")
+                        help="only measurements with this word in their name")
     parser.add_argument("--min-time", type=float, default=0.1, metavar="SECONDS",
-                        help="least time of one measurement of a benchmark; default: 0.1")
+                        help="shortest time of one measurement of a benchmark; default: 0.1")
     parser.add_argument("--notable", type=float, default=0.03, metavar="FRACTION",
                         help="change of a ratio that is marked; default: 0.03")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE",
@@ -207,7 +207,7 @@ def arguments():
 
 
 def planned(options, builds):
-    """Pairs of (measurements, function of a build that makes one turn of them)."""
+    """Pairs of (measurements, function that makes one round of them with a build)."""
     for part in options.only:
         if part == "runs":
             for name in RUNS:
@@ -239,7 +239,7 @@ def main():
             rows.append(measurement.numbers(options.notable))
             print(table_line(rows[-1]), flush=True)
     if not rows:
-        print("nothing to measure has such a name", file=sys.stderr)
+        print("no measurement has such a name", file=sys.stderr)
         return 2
     if options.output:
         with open(options.output, "w", newline="") as stream:

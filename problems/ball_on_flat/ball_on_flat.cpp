@@ -1,10 +1,11 @@
 // ball_on_flat: the paper's sec. 4.2. An elastic ball is pressed on a rigid flat that slides past
-// with friction, and wears: half of the ball below its mid-plane, by symmetry a quarter.
+// with friction, and wears. The body is the half of the ball below its mid-plane, by symmetry a
+// quarter.
 //
 // The mid-plane stays plane and does not move along the flat; a uniform normal displacement of it
-// is conjugate to the prescribed force. Only the motion relative to the flat matters, so that here
-// the mid-plane is at rest and the flat comes up by w: one scalar unknown. The shape is an unknown
-// near the contact only (Remark 2), within shape.reach of the pole.
+// is conjugate to the prescribed force. Only the motion relative to the flat matters; therefore the
+// mid-plane is at rest here and the flat moves up by w, one scalar unknown. The shape is an unknown
+// only near the contact (Remark 2), within shape.reach of the pole.
 //
 // The ball touches the flat z = 0 at the origin; the flat moves along x, y = 0 is the plane of
 // symmetry.
@@ -36,7 +37,8 @@ std::vector<Key> keys() {
        .default_value = std::vector<long>{20, 6, 9},
        .range = {.min = 1, .max = 500},
        .length = 3,
-       .help = "elements from the pole to the edge of the bottom patch, on to the mid-plane, and "
+       .help = "elements from the pole to the edge of the bottom patch, from there to the "
+               "mid-plane, and "
                "from the core to the surface"},
       {.name = "mesh.patch",
        .unit = "mm",
@@ -71,12 +73,13 @@ QuarterBall read_ball(const Scene& scene) {
 }
 
 MeshSize mesh_size(const Scene& scene) {
-  // As many as of a cube.
+  // As many nodes as a cube with as many elements.
   return {3, std::pow(std::cbrt(double(read_ball(scene).elements())) + 1, 3)};
 }
 
-/// Displacement: zero on the mid-plane, in the plane of symmetry. Shape: zero beyond its reach and
-/// on all of the boundary but the contact surface, along which the plane of symmetry slides.
+/// The displacement is zero on the mid-plane, and normal to the plane of symmetry on that plane.
+/// The shape is zero beyond its reach and on the whole boundary except the contact surface and,
+/// along it, the plane of symmetry.
 void hold_boundary(double reach, WornBody<3>& body) {
   const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
   body.displacement_fixed = body.shape_fixed = NodalFlags<3>::Zero(nodes, 3);
@@ -106,7 +109,7 @@ Scales make_scales(const Scene& scene, const WearLaw& wear, double facet) {
   scales.force = force;
   scales.displacement = hertz.approach;
   scales.stress = force / (M_PI * hertz.radius * hertz.radius + worn_area);
-  // Without friction nothing wears, by eq. (13).
+  // Without friction there is no wear, by eq. (13).
   scales.wear_depth = worn > 0 ? worn / worn_area : hertz.approach;
   scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth * facet;
   return scales;

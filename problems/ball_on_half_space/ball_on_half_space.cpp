@@ -2,11 +2,12 @@
 // streams past it with friction and wears at every pass, as the disc of a pin-on-disc test does: a
 // groove that is uniform along the sliding direction.
 //
-// The half-space is a block, by symmetry half of it, on a rigid base (paper: depth and outer
-// boundary are left open). Its undeformed configuration is fixed in space and the material streams
-// through it with v along x; the ball at rest comes down by w under its force. The shape is a field
-// of the cross-section (y, z), and what wears a point is the mean along its path of length L, of
-// which the block is a part.
+// The half-space is a block, by symmetry half of it, on a rigid base (the paper does not define
+// depth and outer boundary).
+// Its undeformed configuration is fixed in space and the material streams
+// through it with v along x; the ball, which does not slide, moves down by w under its force. The
+// shape is a field of the cross-section (y, z), and a point wears by the mean of the wear rate
+// along its path of length L, of which the block is a part.
 //
 // The surface is z = 0, touched by the ball at the origin; y = 0 is the plane of symmetry.
 
@@ -16,7 +17,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/hertz.hpp>
 #include <gnomon/mesh/extrusion.hpp>
-#include <gnomon/mesh/stations.hpp>
+#include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/model/wear_scene.hpp>
@@ -39,11 +40,11 @@ std::vector<Key> keys() {
       {.name = "block.half_width",
        .unit = "mm",
        .range = positive_quantity,
-       .help = "half its width"},
+       .help = "half the width of the block"},
       {.name = "block.depth",
        .unit = "mm",
        .range = positive_quantity,
-       .help = "its depth, down to a rigid base"},
+       .help = "depth of the block, down to a rigid base"},
       {.name = "block.sides",
        .kind = KeyKind::text,
        .presence = Key::Presence::defaulted,
@@ -53,7 +54,8 @@ std::vector<Key> keys() {
       {.name = "path.length",
        .unit = "mm",
        .range = positive_quantity,
-       .help = "sliding length of a cycle, L: the groove that the ball passes at every turn"},
+       .help = "sliding length L of a cycle: length of the groove along which the ball slides in "
+               "each turn"},
       {.name = "mesh.elements",
        .kind = KeyKind::integers,
        .presence = Key::Presence::defaulted,
@@ -73,13 +75,14 @@ std::vector<Key> keys() {
        .range = {.min = 0},
        .length = 3,
        .help =
-           "distances from the origin up to which the elements keep that size; beyond, they grow"}};
+           "distances from the origin up to which the elements have that size; beyond, they grow"}};
   result.insert(result.end(), worn_body_keys(3).begin(), worn_body_keys(3).end());
   return result;
 }
 
-/// Lines of the mesh from the origin to `end` in direction `axis`, at distances that do not shrink.
-std::vector<double> stations(const Scene& scene, int axis, double end) {
+/// Grid lines of the mesh from the origin to `end` in direction `axis`, at distances that do not
+/// decrease.
+std::vector<double> grid_lines(const Scene& scene, int axis, double end) {
   const long elements = scene.integers("mesh.elements")[axis];
   const double size = scene.reals("mesh.size")[axis];
   constexpr const char* directions[] = {"along half of the block", "across its half width",
@@ -90,8 +93,8 @@ std::vector<double> stations(const Scene& scene, int axis, double end) {
   };
   std::vector<double> lines;
   try {
-    lines = graded_stations(size, scene.reals("mesh.fine")[axis], end,
-                            static_cast<int>(axis == 0 ? elements / 2 : elements));
+    lines = graded_grid_lines(size, scene.reals("mesh.fine")[axis], end,
+                              static_cast<int>(axis == 0 ? elements / 2 : elements));
   } catch (const InputError& error) {
     throw refuse(error.what());
   }
@@ -108,8 +111,8 @@ MeshSize mesh_size(const Scene& scene) {
 }
 
 Extrusion make_block(const Scene& scene, const std::vector<double>& along) {
-  const std::vector<double> y = stations(scene, 1, scene.real("block.half_width"));
-  const std::vector<double> depth = stations(scene, 2, scene.real("block.depth"));
+  const std::vector<double> y = grid_lines(scene, 1, scene.real("block.half_width"));
+  const std::vector<double> depth = grid_lines(scene, 2, scene.real("block.depth"));
   const int ny = static_cast<int>(y.size()) - 1, nz = static_cast<int>(depth.size()) - 1;
   const Mesh<2> section = structured_quadrilaterals(ny, nz, [&](double s, double t) {
     return Vector<2>(y[std::lround(s * ny)], -depth[std::lround((1 - t) * nz)]);
@@ -117,7 +120,7 @@ Extrusion make_block(const Scene& scene, const std::vector<double>& along) {
   return extrude(section, along);
 }
 
-/// Nodes that carry the shape: the first of each line along x. Wear of a line: the mean over the
+/// The first node of each line along x carries the shape. The wear of a line is the mean over the
 /// path.
 void make_section(const Extrusion& block, const std::vector<double>& x, double path,
                   WornBody<3>& body) {
@@ -135,8 +138,8 @@ void make_section(const Extrusion& block, const std::vector<double>& x, double p
   body.section = std::move(section);
 }
 
-/// The base is held, the ends and the outer side as the scene says. The shape is held on the base
-/// and the outer side.
+/// The base is held; the ends and the outer side are held or free, as the scene says. The shape is
+/// held on the base and the outer side.
 void hold_boundary(bool sides_held, WornBody<3>& body) {
   const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
   body.displacement_fixed = body.shape_fixed = NodalFlags<3>::Zero(nodes, 3);
@@ -165,7 +168,7 @@ Scales make_scales(const Scene& scene, const WearLaw& wear) {
   scales.force = force;
   scales.displacement = hertz.approach;
   scales.stress = force / (M_PI * hertz.radius * (hertz.radius + half_width));
-  // Without friction nothing wears, by eq. (13).
+  // Without friction there is no wear, by eq. (13).
   scales.wear_depth =
       groove > 0 ? groove / (2 * std::max(half_width, hertz.radius)) : hertz.approach;
   scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
@@ -179,8 +182,8 @@ std::unique_ptr<Model> make(const Scene& scene) {
   if (const long along = scene.integers("mesh.elements")[0]; along % 2)
     throw InputError(fmt::format("{}: expected an even number of elements along the block, got {}",
                                  scene.where("mesh.elements"), along));
-  const std::vector<double> half = stations(scene, 0, scene.real("block.length") / 2);
-  const std::vector<double> along = two_sided_stations(half, half);
+  const std::vector<double> half = grid_lines(scene, 0, scene.real("block.length") / 2);
+  const std::vector<double> along = two_sided_grid_lines(half, half);
   const Extrusion block = make_block(scene, along);
   auto body = std::make_shared<WornBody<3>>();
   const double facet = scene.reals("mesh.size")[1];

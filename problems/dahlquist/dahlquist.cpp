@@ -14,7 +14,7 @@
 //   y:  ydot - M(z) r(t, z) = 0,      z:  z + c |z|^2 z - y = 0.
 //
 // forcing = 0 and c = 0 is Dahlquist's equation; forcing = 1 has the smooth solution z = phi
-// whatever lambda is, with the phenomena of stiffness (order reduction). Nothing ever switches.
+// for every lambda, with the phenomena of stiffness (order reduction). There are no events.
 
 #include <cmath>
 #include <complex>
@@ -51,7 +51,7 @@ struct Equation {
     return (1 + nonlinearity * z.squaredNorm()) * Block::Identity() +
            2 * nonlinearity * z * z.transpose();
   }
-  /// Derivative of M(z) r by z, r held.
+  /// Derivative of M(z) r with respect to z for constant r.
   Block curvature(const Pair& z, const Pair& r) const {
     return 2 * nonlinearity *
            (r * z.transpose() + z.dot(r) * Block::Identity() + z * r.transpose());
@@ -217,7 +217,7 @@ std::unique_ptr<Model> make(const Scene& scene) {
 
 const Registration<Problem> registration({
     .name = "dahlquist",
-    .help = "the test equation ydot = lambda y, forced and non-linear if wanted, solved exactly",
+    .help = "the test equation ydot = lambda y, optionally forced and non-linear, solved exactly",
     .keys = keys(),
     .make = make,
 });

@@ -9,23 +9,23 @@
 //
 //   mu_n p_n(x) = P integral over [-1, 1] of -ln|x - s| p_n(s) ds,   c_n = pi/(2 mu_n),
 //
-// P taking the mean away: c = 1.0031, 1.7267, 2.5627, 3.3143, 4.1300, antisymmetric modes first
-// (the punch does not tilt). The tests solve this equation, too.
+// where P subtracts the mean: c = 1.0031, 1.7267, 2.5627, 3.3143, 4.1300, antisymmetric modes first
+// (the punch does not tilt). The tests solve this equation numerically, too.
 //
-// The block lies above the punch, on the plane y = 0 of which only |x| <= a exists. A uniform
-// traction presses on the top, the sides are held laterally. The contact nodes are those under the
-// punch, its edges included: of a node at an edge only the facet under the punch carries pressure
-// and wears, so that its area is half that facet, its normal that of it, and the areas add up to
-// 2a. The surface beside the punch keeps its shape: the step that wears at the edge is spread over
-// the first element beside it. That asks for depths small against the elements, and makes the
-// volume of the mesh shrink by more (half an element a side) than the wear integral, which has the
-// exact k v F t.
+// The block lies above the punch, which is the part |x| <= a of the plane y = 0. A uniform traction
+// acts on the top, the sides are held laterally. The contact nodes are those under the punch,
+// including its edges. At a node on an edge only the facet under the punch carries pressure and
+// wears; therefore the node has half the area of this facet and its normal, and the areas add up to
+// 2a. The surface beside the punch keeps its shape: the step that wear makes at the edge is spread
+// over the first element beside it. Therefore the wear depth must be small compared with the
+// elements, and the volume of the mesh decreases by more (half an element on each side) than the
+// wear integral, which is exactly k v F t.
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <gnomon/mesh/stations.hpp>
+#include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/model/wear_scene.hpp>
@@ -64,7 +64,7 @@ std::vector<Key> keys() {
   return result;
 }
 
-/// The lines of the mesh, across and in depth.
+/// The grid lines of the mesh, across and in depth.
 struct Lines {
   std::vector<double> x, y;
 };
@@ -77,9 +77,9 @@ Lines mesh_lines(const Scene& scene) {
                                  scene.where("block.width"), 2 * a, 2 * (side + a)));
   const int under = static_cast<int>(scene.integer("mesh.punch_elements"));
   const double element = 2 * a / under;
-  const std::vector<double> beside = graded_stations_by_growth(element, 0, side, grading);
+  const std::vector<double> beside = graded_grid_lines_by_growth(element, 0, side, grading);
   Lines lines;
-  lines.y = graded_stations_by_growth(element / grading, 0, scene.real("block.depth"), grading);
+  lines.y = graded_grid_lines_by_growth(element / grading, 0, scene.real("block.depth"), grading);
   for (std::size_t k = beside.size(); k-- > 1;) lines.x.push_back(-a - beside[k]);
   for (int k = 0; k <= under; ++k) lines.x.push_back(a * (2.0 * k / under - 1));
   for (std::size_t k = 1; k < beside.size(); ++k) lines.x.push_back(a + beside[k]);
@@ -108,7 +108,8 @@ std::vector<Mesh<2>::Facet> facets_under_punch(const Mesh<2>& mesh, double half_
   return result;
 }
 
-/// The sides slide along themselves; the shape is held on the boundary but under the punch.
+/// The nodes of the sides may slide along the sides; the shape is held on the whole boundary except
+/// under the punch.
 void hold_boundary(WornBody<2>& body) {
   const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
   body.displacement_fixed = body.shape_fixed = NodalFlags<2>::Zero(nodes, 2);

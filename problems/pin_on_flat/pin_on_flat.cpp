@@ -3,8 +3,9 @@
 // |T_N|.
 //
 // Left and right sides are held laterally; a uniform traction acts on the top. The shape is held on
-// the top, and on the sides across them; along them it slides, so that the end nodes of the contact
-// surface wear like all others (the paper does not say; pin.sides = "held" holds it altogether).
+// the top, and its component normal to the sides is held on the sides; along the sides it is free,
+// so that the end nodes of the contact surface wear like all others. (The paper does not define
+// this; pin.sides = "held" holds both components.)
 
 #include <fmt/format.h>
 
@@ -34,7 +35,8 @@ std::vector<Key> keys() {
        .presence = Key::Presence::defaulted,
        .default_value = 0.0,
        .range = {.min = 0, .max = 1},
-       .help = "by how much of the shortest edge there the nodes inside are displaced, up to"},
+       .help =
+           "largest displacement of the inner nodes, relative to the shortest edge at the node"},
       {.name = "pin.radius",
        .unit = "mm",
        .range = positive_quantity,
@@ -49,8 +51,9 @@ std::vector<Key> keys() {
        .presence = Key::Presence::defaulted,
        .default_value = "sliding",
        .choices = {"sliding", "held"},
-       .help = "shape of the left and right side: sliding along it, so that the end nodes of the "
-               "contact surface wear, or held"}};
+       .help =
+           "shape of the left and right side: sliding along the side, so that the end nodes of the "
+           "contact surface wear, or held"}};
   result.insert(result.end(), worn_body_keys(2).begin(), worn_body_keys(2).end());
   return result;
 }
@@ -59,7 +62,7 @@ void require_convex_elements(const Scene& scene, const Mesh<2>& mesh) {
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
     if (scaled_jacobian<2>(mesh.positions(mesh.cells[cell])) <= 0)
       throw InputError(
-          fmt::format("{}: expected less (below 0.25 is safe), {:g} inverts element {}",
+          fmt::format("{}: expected less (values below 0.25 are safe), {:g} inverts element {}",
                       scene.where("mesh.distortion"), scene.real("mesh.distortion"), cell));
 }
 
@@ -86,8 +89,8 @@ MeshSize mesh_size(const Scene& scene) {
   return {2, double(elements[0] + 1) * double(elements[1] + 1)};
 }
 
-/// With sliding sides their shape nodes follow the wear along the side, so that the corners wear
-/// too.
+/// With sliding sides the shape of their nodes follows the wear along the side, so that the corner
+/// nodes wear too.
 void hold_boundary(bool sliding_sides, WornBody<2>& body) {
   const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
   body.displacement_fixed = body.shape_fixed = NodalFlags<2>::Zero(nodes, 2);
@@ -110,7 +113,7 @@ Scales make_scales(const Scene& scene, const WearLaw& wear) {
   scales.duration = scene.real("time.end");
   const double k_v =
       wear_by_pressure(scene, wear, {scales.stress, scene.real("friction.coefficient")});
-  // Of a run that would wear more than there is, no tolerance follows.
+  // Not more than the height, so that a run with more wear than that has a useful tolerance.
   scales.wear_depth = std::min(k_v * load_impulse(scene) / width, scene.real("pin.height"));
   if (scales.wear_depth == 0) scales.wear_depth = scales.displacement;  // a law without wear
   scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;

@@ -1,5 +1,6 @@
 // winkler: the worn pin on a bed of springs instead of an elastic body (a Winkler foundation; K. L.
-// Johnson, Contact Mechanics, sec. 4.3), cheap with thousands of points and solved in closed form.
+// Johnson, Contact Mechanics, sec. 4.3), inexpensive with thousands of points and solved in closed
+// form.
 //
 // Points x_i, equally spaced over [-L/2, L/2] with both ends, carry the trapezoidal areas A_i. With
 // the gap g_i = x_i^2/(2R) + d_i - delta of the undeformed surface, d the wear depth, delta the
@@ -45,7 +46,7 @@ namespace {
 using winkler::Foundation;
 using winkler::WinklerSystem;
 
-/// Integral over [low, high] by Gauss-Legendre with ten points a panel of length one at most.
+/// Integral over [low, high] by Gauss-Legendre with ten points in each panel of length at most one.
 template <class Function>
 double integral(double low, double high, const Function& f) {
   constexpr double node[] = {0.14887433898163121, 0.43339539412924719, 0.67940956829902441,
@@ -66,7 +67,7 @@ double integral(double low, double high, const Function& f) {
 
 class WinklerModel : public Model {
 public:
-  /// `linear`: the wear rate is proportional to the pressure, and the solution known.
+  /// `linear`: the wear rate is proportional to the pressure, so that the solution is known.
   WinklerModel(std::shared_ptr<const Foundation> foundation, bool linear)
       : foundation_(std::move(foundation)), linear_(linear), system_(foundation_, true) {}
 
@@ -89,7 +90,7 @@ public:
     return state;
   }
 
-  /// As of a worn body (WearModel), without the quality of elements.
+  /// The same scalars as for a worn body (WearModel), without the quality of elements.
   Observation observe(const State& state) const override {
     const Foundation& f = *foundation_;
     double force = 0, worn = 0, pressure = 0;
@@ -186,7 +187,7 @@ private:
   WinklerSystem system_;
 };
 
-/// In the order of the factors of the equations above.
+/// The factors are in the order of the equations above.
 constexpr const char* archard_rate = "k * v * p";
 
 std::vector<Key> keys() {
@@ -199,7 +200,7 @@ std::vector<Key> keys() {
       {.name = "foundation.modulus",
        .unit = "MPa/mm",
        .range = positive_quantity,
-       .help = "modulus K_w of the springs: pressure a unit of compression"},
+       .help = "modulus K_w of the springs: pressure per unit of compression"},
       {.name = "foundation.points",
        .kind = KeyKind::integer,
        .presence = Key::Presence::defaulted,
@@ -214,7 +215,7 @@ std::vector<Key> keys() {
   return result;
 }
 
-/// Whether the wear rate is k v p, of which the closed form is.
+/// Whether the wear rate is k v p, for which the closed form holds.
 bool has_archard_rate(const Scene& scene) {
   return scene.text("wear.law") == "archard" ||
          (scene.text("wear.law") == "expression" &&
@@ -240,7 +241,7 @@ std::unique_ptr<Model> make(const Scene& scene) {
   if (f->wear_by_pressure == 0)
     throw InputError(
         scene.where("wear.rate") +
-        ": expected a law that wears the centre of this pin; springs know no friction");
+        ": expected a law that wears the centre of this pin; the springs have no friction");
   WearCircumstances circumstances{
       .pressure = f->mean_pressure(), .depth = f->mean_depth(), .initial = {}};
   for (const double x : f->x) circumstances.initial.push_back({x, f->profile(x), 0});

@@ -1,4 +1,4 @@
-// The equations of the worn pin on springs (winkler.cpp says which) as a DAE.
+// The equations of the worn pin on springs (see winkler.cpp) as a DAE.
 #pragma once
 
 #include <algorithm>
@@ -103,7 +103,7 @@ public:
     }
   }
 
-  /// Wear rate of a point, on its branch; of the coupled system. A point without pressure has none.
+  /// Wear rate of a point of the coupled system, on its branch. A point without pressure has none.
   WearRate wear(const Point& at, int i) const {
     const auto branches =
         at.branch ? std::span<const char>(*at.branch).subspan(first_switch(i) + 1, switches() - 1)

@@ -1,4 +1,4 @@
-// gnomon compare: results side by side, with the paper's error against one of them.
+// gnomon compare: a table of results, with the paper's error relative to one of them.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,7 +20,7 @@ namespace {
 
 using Align = TextTable::Align;
 
-/// None when another version of gnomon wrote it; all else can still be compared.
+/// None if another version of gnomon wrote it; everything else can still be compared.
 std::optional<Scene> scene_of(const RunHeader& header, const std::filesystem::path& file) {
   try {
     return parse_scene(header.scene, file.string(), {}, key_table);
@@ -29,7 +29,7 @@ std::optional<Scene> scene_of(const RunHeader& header, const std::filesystem::pa
   }
 }
 
-/// What the run's accuracy was asked for with: "step 5 s" or "rtol 1e-4".
+/// The setting that determines the run's accuracy: "step 5 s" or "rtol 1e-4".
 std::string setting(const std::optional<Scene>& scene) {
   if (!scene) return "?";
   if (scene->has("integrator.step"))
@@ -37,7 +37,7 @@ std::string setting(const std::optional<Scene>& scene) {
   return fmt::format("rtol {:g}", scene->real("integrator.rtol"));
 }
 
-/// Compares scenes with the first that it is given, but for how they are integrated and stored.
+/// Compares scenes with the first one given, except for keys of integration and output.
 class SceneDifferences {
 public:
   void add(const std::filesystem::path& file) {
@@ -72,7 +72,7 @@ std::string worn_volume(const HistoryRow& row) {
                      unit_of(observed, &Observation::worn_volume));
 }
 
-/// The file, and how its run ended if not well.
+/// The file, and how its run ended unless it finished.
 std::string name_and_status(const std::filesystem::path& file, const ResultReader& result,
                             double t) {
   const std::string status = result.status();

@@ -1,4 +1,4 @@
-// gnomon extremes: runs studies at the extremes of their parameters, and judges every run.
+// gnomon extremes: runs studies at the extremes of their parameters and judges every run.
 
 #include <fmt/format.h>
 
@@ -23,7 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* table_file = "extremes.csv";  // what makes a folder a suite's
+constexpr const char* table_file =
+    "extremes.csv";  // its presence shows that a folder is that of a suite
 
 std::vector<fs::path> toml_files_below(const fs::path& folder, const std::string& in = "") {
   std::vector<fs::path> files;
@@ -50,11 +51,11 @@ std::vector<fs::path> study_files(const std::vector<fs::path>& given) {
     const std::vector<fs::path> found = toml_files_below(path);
     files.insert(files.end(), found.begin(), found.end());
   }
-  if (files.empty()) throw InputError("expected study files, there are none");
+  if (files.empty()) throw InputError("expected study files, got none");
   return files;
 }
 
-/// Of a file in problems/PROBLEM/extremes: "PROBLEM-STEM"; its stem elsewhere.
+/// "PROBLEM-STEM" for a file in problems/PROBLEM/extremes; the stem for other files.
 std::string name_of(const fs::path& file) {
   const fs::path folder = fs::absolute(file).parent_path();
   const std::string stem = file.stem().string();
@@ -81,7 +82,7 @@ std::vector<Suite> load_suites(const std::vector<fs::path>& files) {
   return suites;
 }
 
-/// The table is written anew: it must not lose the cases of studies that it held.
+/// The table is rewritten, and the cases of all studies that it held must stay in it.
 void check_holds_only(const fs::path& folder, const std::vector<Suite>& suites) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
@@ -101,8 +102,8 @@ void prepare_folder(const fs::path& folder, bool resume, const std::vector<Suite
                       "an earlier gnomon extremes",
                       folder.string()));
     if (!resume)
-      throw InputError(fmt::format("{}: exists already, expected a new name, or --resume to go on",
-                                   folder.string()));
+      throw InputError(fmt::format(
+          "{}: exists already, expected a new name, or --resume to continue", folder.string()));
     check_holds_only(folder, suites);
   }
   fs::create_directories(folder, error);
@@ -110,7 +111,7 @@ void prepare_folder(const fs::path& folder, bool resume, const std::vector<Suite
   write_file(folder / table_file, extremes_csv({}), Earlier::replaced);
 }
 
-/// All studies, one after the other; the runs of each side by side.
+/// All studies, one after the other; several runs of a study at the same time.
 void run_all(const std::vector<Suite>& suites, const ExtremesOptions& given, StudyOptions options) {
   StudyProgressBar bar(Progress::mode_for_stderr(given.quiet));
   StudyProgress before;
@@ -131,7 +132,7 @@ void run_all(const std::vector<Suite>& suites, const ExtremesOptions& given, Stu
   }
   bar.finish();
   if (before.done < before.total)
-    throw Error(fmt::format("interrupted with {} of {} runs done; --resume goes on from there",
+    throw Error(fmt::format("interrupted with {} of {} runs done; --resume continues from there",
                             before.done, before.total));
 }
 
@@ -139,7 +140,7 @@ std::string number(const std::optional<double>& value, const char* format) {
   return value ? fmt::format(fmt::runtime(format), *value) : "-";
 }
 
-/// Every case, faults last, so that they are what is seen.
+/// Every case; the faults come last, so that they stay visible on a terminal.
 void print_cases(const std::vector<ExtremeCase>& cases) {
   constexpr auto right = TextTable::Align::right;
   TextTable text({{"verdict"},
@@ -187,7 +188,7 @@ int extremes_command(const ExtremesOptions& given) {
   options.resume = given.resume;
   options.limit = given.limit;
   if (!given.quiet) warn_of_slow_blas();
-  const InterruptGuard guard(false);  // to the end, as for a study
+  const InterruptGuard guard(false);  // until the page is written, as for a study
   run_all(suites, given, options);
 
   std::vector<ExtremeCase> cases;
@@ -201,7 +202,7 @@ int extremes_command(const ExtremesOptions& given) {
              Earlier::replaced);
   if (!given.quiet) {
     print_cases(cases);
-    fmt::print("{}{}{}\nresults: {} (index.html, {}, a folder a study)\n", figures.note,
+    fmt::print("{}{}{}\nresults: {} (index.html, {}, one folder per study)\n", figures.note,
                figures.note.empty() ? "" : "\n", counts_text(cases), given.folder.string(),
                table_file);
   }

@@ -1,4 +1,4 @@
-// gnomon info and gnomon contact: what a result file holds.
+// gnomon info and gnomon contact: the contents of a result file.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,14 +27,14 @@ std::string blocks_text(const std::vector<BlockSize>& blocks) {
   return fmt::format("{} ({})", total, fmt::join(parts, ", "));
 }
 
-/// Not more than a line or two, however many were stored.
+/// At most one or two lines, also for many stored times.
 std::string times_text(const std::vector<double>& times) {
   constexpr std::size_t most = 12;
   if (times.empty()) return "none";
   if (times.size() <= most) return fmt::format("{:g}", fmt::join(times, ", "));
   const std::vector<double> first(times.begin(), times.begin() + most / 2);
   const std::vector<double> last(times.end() - most / 2, times.end());
-  return fmt::format("{:g}, ..., {:g} ({} in all)", fmt::join(first, ", "), fmt::join(last, ", "),
+  return fmt::format("{:g}, ..., {:g} ({} in total)", fmt::join(first, ", "), fmt::join(last, ", "),
                      times.size());
 }
 

@@ -13,7 +13,7 @@ namespace gnomon::app {
 
 namespace {
 
-/// One argument an occurrence, so that what follows is not swallowed.
+/// Each occurrence takes one argument, so that the arguments after it are not taken too.
 void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
   command->add_option("--set", overrides, "Replaces a scene key; repeatable")
       ->type_name("KEY=VALUE")
@@ -21,17 +21,18 @@ void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
 }
 
 void add_jobs(CLI::App* command, int& jobs) {
-  command->add_option("--jobs", jobs, "Runs at a time; default: the number of cores")
+  command
+      ->add_option("--jobs", jobs, "Number of runs at the same time; default: the number of cores")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
 }
 
 void add_flags_of_studies(CLI::App* command, bool& resume, bool& quiet) {
-  command->add_flag("--resume", resume, "Goes on in an existing folder, keeping what is done");
+  command->add_flag("--resume", resume, "Continues in an existing folder and keeps finished runs");
   command->add_flag("--quiet", quiet, "Prints nothing but errors");
 }
 
-/// Throws InputError about the option, of which the scene knows nothing.
+/// Throws InputError that names the option, because the scene does not contain it.
 const std::string& known_integrator(const std::string& name) {
   try {
     Integrators::find(name, "integrator");
@@ -50,7 +51,8 @@ void add_run_options(CLI::App* command, std::filesystem::path& summary, bool& qu
 
 }  // namespace
 
-CommandLine::CommandLine() : app_("gnomon integrates the shape of worn bodies in time.", "gnomon") {
+CommandLine::CommandLine()
+    : app_("gnomon computes how wear changes the shape of bodies over time.", "gnomon") {
   app_.set_help_flag("-h,--help", "Shows this help");
   app_.add_flag_callback(
       "--version", [this] { command_ = version_command; },
@@ -98,8 +100,8 @@ void CommandLine::add_run() {
 
 void CommandLine::add_resume() {
   CLI::App* command = app_.add_subcommand(
-      "resume", "Goes on with a run that was interrupted, failed, was killed, or has ended");
-  command->add_option("RESULT", resume_.result, "Result file (HDF5); what is new goes there, too")
+      "resume", "Continues a run that was interrupted, failed, was killed, or has ended");
+  command->add_option("RESULT", resume_.result, "Result file (HDF5); the new steps are added to it")
       ->required()
       ->type_name("");
   command->add_option("--end", resume_.end, "A later end; the same as --set time.end=T")
@@ -113,7 +115,7 @@ void CommandLine::add_resume() {
 
 void CommandLine::add_check() {
   CLI::App* command =
-      app_.add_subcommand("check", "Validates a scene; prints it in full, and its unknowns");
+      app_.add_subcommand("check", "Validates a scene; prints all its keys and its unknowns");
   command->add_option("SCENE", run_.scene, "Scene file (TOML)")->required()->type_name("");
   add_overrides(command, run_.overrides);
   command->callback(
@@ -121,8 +123,8 @@ void CommandLine::add_check() {
 }
 
 void CommandLine::add_study() {
-  CLI::App* command =
-      app_.add_subcommand("study", "Runs a scene in many ways; tables errors and costs");
+  CLI::App* command = app_.add_subcommand(
+      "study", "Runs a scene with many methods and settings; makes a table of errors and costs");
   command->add_option("STUDY", study_.study, "Study file (TOML), see gnomon help studies")
       ->required()
       ->type_name("");
@@ -138,7 +140,7 @@ void CommandLine::add_study() {
 
 void CommandLine::add_extremes() {
   CLI::App* command = app_.add_subcommand(
-      "extremes", "Runs studies at the extremes of their parameters, and judges every run");
+      "extremes", "Runs studies at the extremes of their parameters and judges every run");
   command
       ->add_option("STUDIES", extremes_.studies,
                    "Study files (TOML) and folders of them; default: problems/*/extremes")
@@ -168,7 +170,7 @@ void CommandLine::add_inspection() {
       ->type_name("");
   list->callback([this] { command_ = [this] { return list_command(subject_); }; });
 
-  CLI::App* info = app_.add_subcommand("info", "Shows what a result file holds");
+  CLI::App* info = app_.add_subcommand("info", "Shows the contents of a result file");
   info->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
   info->callback([this] { command_ = [this] { return info_command(result_); }; });
 
@@ -185,7 +187,7 @@ void CommandLine::add_compare() {
   command->add_option("RESULTS", results_, "Result files (HDF5)")->required()->type_name("");
   command
       ->add_option("--reference", reference_,
-                   "What shape errors refer to; default: the last result")
+                   "Result against which shape errors are measured; default: the last result")
       ->type_name("RESULT.h5")
       ->check(check_file_name);
   command->callback(
@@ -199,7 +201,8 @@ void CommandLine::add_stability() {
   command->add_option("SCENE", stability_.scene, "Scene file (TOML)")->required()->type_name("");
   command
       ->add_option("--time", stability_.times,
-                   "Where the spectrum is taken; repeatable; default: the start, time.end / 5 and "
+                   "Time at which the spectrum is computed; repeatable; default: the start, "
+                   "time.end / 5 and "
                    "time.end")
       ->type_name("T")
       ->check(check_number)
@@ -214,7 +217,7 @@ void CommandLine::add_stability() {
                     "The whole spectrum instead of the largest eigenvalues");
   command
       ->add_option("-o,--output", stability_.folder,
-                   "Folder for spectrum.csv and critical_steps.csv; made when there is none")
+                   "Folder for spectrum.csv and critical_steps.csv; made if it does not exist")
       ->type_name("DIR")
       ->check(check_file_name);
   command->callback([this] { command_ = [this] { return stability_command(stability_); }; });
@@ -229,7 +232,8 @@ void CommandLine::add_plot() {
       ->type_name("")
       ->check(check_file_name);
   command
-      ->add_option("-o,--output", figures_, "Folder of the figures; default: figures, beside each")
+      ->add_option("-o,--output", figures_,
+                   "Folder of the figures; default: the folder figures beside each target")
       ->type_name("DIR")
       ->check(check_file_name);
   command->callback([this] { command_ = [this] { return plot_command(results_, figures_); }; });
@@ -237,8 +241,11 @@ void CommandLine::add_plot() {
 
 void CommandLine::add_help() {
   CLI::App* command = app_.add_subcommand("help", "Explains a topic");
-  command->add_option("TOPIC", topic_, "See below; default: the overview")->type_name("");
-  command->add_option("PROBLEM", problem_, "Of topic scene: whose keys; default: all problems'")
+  command->add_option("TOPIC", topic_, "One of the topics below; default: the overview")
+      ->type_name("");
+  command
+      ->add_option("PROBLEM", problem_,
+                   "For the topic scene: the problem whose keys are shown; default: all problems")
       ->type_name("");
   command->callback([this] { command_ = [this] { return help(); }; });
 }
@@ -246,7 +253,7 @@ void CommandLine::add_help() {
 int CommandLine::help() const {
   const std::vector<std::string> commands = command_names();
   const auto print = [](const CLI::App* app, const std::string& parent) {
-    // App::help() would answer for the command that was parsed, which is `help`.
+    // App::help() would describe the command that was parsed, which is `help`.
     fmt::print("{}", app->get_formatter()->make_help(app, parent, CLI::AppFormatMode::Normal));
   };
   if (!topic_) {
@@ -282,7 +289,7 @@ int CommandLine::operator()(int argc, char** argv) {
     fmt::print("{}", chosen.empty() ? app_.help() : chosen.front()->help("gnomon"));
     return 0;
   }
-  if (!command_) throw InputError("expected a command, one of `gnomon help`");
+  if (!command_) throw InputError("expected a command, see `gnomon help`");
   return command_();
 }
 

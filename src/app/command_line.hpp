@@ -1,4 +1,4 @@
-// The command line: which commands and options exist, and what they are bound to.
+// The command line: which commands and options exist, and the variables that they set.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -39,7 +39,7 @@ private:
   CLI::App app_;
   std::function<int()> command_;
 
-  // Where the options are bound to; each command uses its own part.
+  // The variables that the options set; each command uses its own part.
   RunOptions run_;
   ResumeOptions resume_;
   StudyCommandOptions study_;

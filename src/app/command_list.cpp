@@ -1,4 +1,4 @@
-// gnomon list: what there is to choose from.
+// gnomon list: the available methods, laws, materials, problems and files.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,7 +29,7 @@ std::string list_integrators() {
   return table.text();
 }
 
-/// Names and one line about each.
+/// Names, with one line about each.
 template <class Entry>
 std::string list_entries() {
   TextTable table({{}, {}});
@@ -62,7 +62,7 @@ std::string list_files(bool studies) {
   if (error) throw InputError(fmt::format("cannot read the scenes in {}", root.string()));
   std::sort(files.begin(), files.end());
   TextTable table({{}, {}});
-  // From here if that is shorter: what is printed is meant to be passed to `gnomon run`.
+  // Relative to the current folder if that is shorter: users pass these names to `gnomon run`.
   for (const fs::path& file : files) {
     const std::string relative = fs::proximate(file, error).string();
     const bool shorter = !error && relative.size() < file.string().size();

@@ -18,8 +18,8 @@ namespace {
 constexpr const char* python = "python3";
 constexpr const char* packages = "python3-matplotlib python3-h5py";
 
-/// Becomes this program, so that signals reach it; without a shell: names of files may hold
-/// anything.
+/// Replaces this process by the program, so that signals reach it; without a shell, because names
+/// of files may contain any character.
 [[noreturn]] void become(const std::vector<std::string>& words) {
   std::vector<char*> argv;
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));

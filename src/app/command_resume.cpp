@@ -1,5 +1,5 @@
-// gnomon resume: goes on from the last checkpoint of a result, into a new file that takes the place
-// of the old one as soon as it goes further, or ends where that did.
+// gnomon resume: continues from the last checkpoint of a result, in a new file that replaces the
+// old one as soon as it has gone further, or has ended at the same time.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,8 +22,8 @@ namespace gnomon::app {
 
 namespace {
 
-/// What may differ from the scene that the result holds: nothing that the problem, its mesh, the
-/// method or what it remembers depend on.
+/// The keys that may differ from the scene in the result: the problem, its mesh, the method and the
+/// memory of the method must not depend on them.
 const std::vector<std::string>& changeable_keys() {
   static const std::vector<std::string> keys = {
       "time.end",           "integrator.rtol", "integrator.atol",      "integrator.max_step",
@@ -60,7 +60,8 @@ Resumption last_checkpoint(const ResultReader& earlier, const std::string& name)
   const std::vector<HistoryRow> history = earlier.history();
   const std::vector<double> times = earlier.stored_times();
   if (rows > history.size() || stored > times.size())
-    throw InputError(fmt::format("{}: its checkpoint is of a longer history than it holds", name));
+    throw InputError(
+        fmt::format("{}: its checkpoint belongs to a longer history than the file holds", name));
   from.row = history[rows - 1];
   if (stored > 0) from.stored = times[stored - 1];
   from.wall_seconds = earlier.wall_seconds();
@@ -74,12 +75,12 @@ void check_end(const Scene& scene, double reached, const std::string& name) {
                                  scene.where("time.end"), reached, name, end));
 }
 
-/// A time to store that has gone by would silently be missing.
+/// An output time that has already passed would be missing in the result without a message.
 void check_times(const Scene& scene, const ResultReader& earlier, double reached) {
   const std::vector<double> stored = earlier.stored_times();
   for (const double t : store_policy(scene).times)
     if (t <= reached && std::ranges::find(stored, t) == stored.end())
-      throw InputError(fmt::format("{}: expected times after {} s, where the run goes on, got {}",
+      throw InputError(fmt::format("{}: expected times after {} s, where the run continues, got {}",
                                    scene.where("output.times"), reached, t));
 }
 
@@ -92,7 +93,7 @@ void check_same(const Model& model, const ResultReader& earlier, const std::stri
                          (!grid || (grid->points == old->points && grid->cells == old->cells));
   if (!std::ranges::equal(model.blocks(), earlier.header().blocks, same_block) || !same_grid)
     throw InputError(
-        fmt::format("{}: this version of gnomon makes another mesh of its scene", name));
+        fmt::format("{}: this version of gnomon makes a different mesh from its scene", name));
 }
 
 std::vector<std::string> field_names(const Model& model, const Checkpoint& checkpoint) {
@@ -119,11 +120,11 @@ int resume_command(const ResumeOptions& options) {
   check_end(scene, reached, name);
   if (earlier.status() == "finished" && scene.real("time.end") == reached) {
     if (!options.summary.empty() || !options.overrides.empty())
-      throw InputError(
-          fmt::format("--set, --summary: expected a run to go on, {} is finished (--end goes on to "
-                      "a later time)",
-                      name));
-    if (!options.quiet) fmt::print("{} is finished; --end goes on to a later time\n", name);
+      throw InputError(fmt::format(
+          "--set, --summary: expected a run to continue, {} is finished (--end continues to "
+          "a later time)",
+          name));
+    if (!options.quiet) fmt::print("{} is finished; --end continues to a later time\n", name);
     return success;
   }
   check_times(scene, earlier, from.row.t);

@@ -1,4 +1,4 @@
-// gnomon run: integrates a scene, writes its result and summary, and tells how it went.
+// gnomon run: integrates a scene, writes its result and summary, and reports how it ended.
 
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
@@ -27,7 +27,8 @@ int run_command(const RunOptions& given) {
   const RunHeader header = run_header(setup);
   const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
   const RunOutcome outcome = [&] {
-    const InterruptGuard guard(!options.quiet);  // first: a result that exists is always closed
+    const InterruptGuard guard(
+        !options.quiet);  // before the result is created, so that it is always closed
     ResultWriter writer(options.result, header, setup.model->grid(),
                         options.force ? Earlier::replaced : Earlier::refused);
     return integrate(setup, settings, writer, options.quiet);

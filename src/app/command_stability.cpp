@@ -1,5 +1,5 @@
-// gnomon stability: the spectrum of the reduced Jacobian along a run, and what it allows explicit
-// methods, beside what they really bear.
+// gnomon stability: the spectrum of the reduced Jacobian along a run, the critical steps of
+// explicit methods that follow from it, and the measured onsets of instability.
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ std::vector<double> chosen_times(const StabilityOptions& options, double end) {
   return times;
 }
 
-/// Explicit methods: these, or all when none is named.
+/// The named explicit methods, or all if none is named.
 std::vector<Integrator> chosen_methods(const std::vector<std::string>& names) {
   const auto bounded = [](const Integrator& integrator) {
     const auto table = integrator.table({});
@@ -52,7 +52,7 @@ std::vector<Integrator> chosen_methods(const std::vector<std::string>& names) {
   return methods;
 }
 
-/// Of the folder that is written to, before anything is computed.
+/// Makes the output folder before anything is computed.
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   if (!folder.empty() && !std::filesystem::is_directory(folder, error) &&
@@ -66,7 +66,7 @@ std::string eigenvalue_text(std::complex<double> value) {
                      std::abs(value.imag()));
 }
 
-/// What is printed and written, a state at a time.
+/// The printed and written tables, filled state by state.
 class Report {
 public:
   Report(const Model& model, std::vector<Integrator> methods, bool all)
@@ -101,7 +101,7 @@ private:
                                    critical.step, onset ? fmt::format("{:.10g}", *onset) : "");
   }
 
-  /// None where there is nothing to look for, or nothing was found.
+  /// None if there is no mode to perturb, or if no onset was found.
   std::optional<double> observed_onset(const State& state, const std::vector<Mode>& modes,
                                        const Integrator& integrator,
                                        const CriticalStep& critical) const {

@@ -80,7 +80,8 @@ void print_table(const Study& study, const StudyTable& table) {
   }
   const bool marked = std::any_of(table.rows.begin(), table.rows.end(),
                                   [](const StudyRow& row) { return row.marked_shape; });
-  if (marked) fmt::print("* less than ten times the error of the reference, or that is unknown\n");
+  if (marked)
+    fmt::print("* less than ten times the error of the reference, or the latter is unknown\n");
 }
 
 }  // namespace
@@ -89,10 +90,11 @@ int study_command(const StudyCommandOptions& given) {
   const Study study = load_study(given.study);
   const StudyOptions options = study_options(study, given);
   if (!given.quiet) warn_of_slow_blas();
-  const InterruptGuard guard(false);  // to the end: a page half written would be lost work
+  const InterruptGuard guard(
+      false);  // until the page is written: a half-written page would be useless
   const StudyProgress progress = run_all(study, options, given.quiet);
   if (progress.done < progress.total)
-    throw Error(fmt::format("interrupted with {} of {} runs done; --resume goes on from there",
+    throw Error(fmt::format("interrupted with {} of {} runs done; --resume continues from there",
                             progress.done, progress.total));
   const StudyTable table = measure(study, options.folder);
   write_file(options.folder / "study.csv", study_csv(study, table), Earlier::replaced);

@@ -15,7 +15,7 @@ struct RunOptions {
   std::vector<std::string> overrides;  ///< "key=value", --integrator included
   std::filesystem::path result;        ///< empty: default_result()
   std::filesystem::path summary;       ///< empty: none; "-": standard output
-  bool force = false;                  ///< replace what earlier runs left under these names
+  bool force = false;                  ///< replace the files of earlier runs with these names
   bool quiet = false;
 };
 
@@ -50,7 +50,7 @@ struct StabilityOptions {
   std::vector<std::string> overrides;
   std::vector<double> times;         ///< empty: start, a fifth of time.end, time.end
   std::vector<std::string> methods;  ///< explicit ones; empty: all of them
-  bool all = false;                  ///< the whole spectrum
+  bool all = false;                  ///< compute the whole spectrum
   std::filesystem::path folder;      ///< for the tables as CSV; empty: none
 };
 
@@ -70,13 +70,13 @@ int stability_command(const StabilityOptions& options);
 /// Figures of results and of folders with studies or spectra. `folder` empty: beside each of them.
 int plot_command(const std::vector<std::filesystem::path>& targets,
                  const std::filesystem::path& folder);
-/// Help topics but those of the command line itself. Throws InputError for an unknown topic, naming
-/// the nearest of `further_topics` and its own.
+/// All help topics except the commands. Throws InputError for an unknown topic; the message names
+/// the nearest of `further_topics` and the own topics.
 int help_command(const std::string& topic, const std::optional<std::string>& problem,
                  const std::vector<std::string>& further_topics);
 int version_command();
 
-/// What `gnomon list` knows.
+/// The subjects of `gnomon list`.
 const std::vector<std::string>& list_subjects();
 
 }  // namespace gnomon::app

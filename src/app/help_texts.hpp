@@ -1,20 +1,19 @@
-// Help topics that no registry or table can write.
+// Help topics that cannot be generated from a registry or a table.
 #pragma once
 
 namespace gnomon::app {
 
 inline constexpr const char* scene_topic =
-    R"(A scene is a TOML file that holds every parameter of one run. `gnomon list scenes` shows those that
-come with gnomon, `gnomon check SCENE.toml` prints one in full, defaults included, and
-`--set KEY=VALUE` replaces a key for one run (a text needs no quotes there). What is printed is a
-scene itself; a line `# KEY = ...` stands for an optional key without a value, and says what its
-absence means.
+    R"(A scene is a TOML file that holds every parameter of one run. `gnomon list scenes` shows those
+that come with gnomon, `gnomon check SCENE.toml` prints one in full, defaults included, and `--set
+KEY=VALUE` replaces a key for one run (a text needs no quotes there). The printed text is itself a
+scene; a line `# KEY = ...` names an optional key without a value and says what its absence means.
 )";
 
 inline constexpr const char* studies_topic =
-    R"(A study is a TOML file that has one scene run in many ways: several methods, each with a list of
-steps or tolerances, for all combinations of swept scene keys. `gnomon list studies` shows those
-that come with gnomon.
+    R"(A study is a TOML file that describes many runs of one scene: several methods, each with a list of
+steps or tolerances, for all combinations of swept scene keys. `gnomon list studies` shows the
+studies that come with gnomon.
 
     scene = "../small_deformation.toml"
     [set]                           # scene keys of all runs; also [method.set], [reference.set]
@@ -29,33 +28,34 @@ that come with gnomon.
     integrator = "bdf"
     tolerances = [1e-3, 1e-5]
 
-Errors are measured against a closed form where the problem has one. Else two tight runs of
-different families are made; their difference estimates the error of the reference, and errors below
-ten times it are marked. Runs go side by side (--jobs); for times that can be compared, use
---jobs 1 on an idle machine. The folder of the results holds study.csv, study.h5, index.html and
-runs/. A study that was interrupted or killed goes on with --resume. A run that fails stays in the
-table with its reason; the exit code is 3 only when all fail.
+Errors are measured against a closed form if the problem has one. Otherwise two runs with tight
+tolerances, of different families, are the reference; their difference estimates its error, and
+errors below ten times this difference are marked. Several runs are done at the same time
+(--jobs); for times that can be compared, use --jobs 1 on an idle machine. The folder of the
+results holds study.csv, study.h5, index.html and runs/. --resume continues a study that was
+interrupted or killed. A run that fails stays in the table with its reason; the exit code is 3
+only if all runs fail.
 )";
 
 inline constexpr const char* integrators_topic =
     R"(Without integrator.step a method chooses its steps so that the estimated error of the worn surface
-stays below integrator.rtol and .atol in every step. With it the steps are fixed, and halved (counted
-as rejected) when their equations cannot be solved. Across the switching of a contact node every
-method falls to order two; integrator.events = "locate" ends steps there and keeps its order. Explicit
-methods are unstable above a critical step that is proportional to mesh size / Young's modulus;
-`gnomon stability SCENE.toml` computes it.
+stays below integrator.rtol and .atol in every step. With it the steps are fixed; a step whose
+equations cannot be solved is halved and counted as rejected. Where a contact node switches within
+a step, the order of every method falls to two; integrator.events = "locate" ends steps there, and
+the method keeps its order. Explicit methods are unstable above a critical step that is
+proportional to mesh size / Young's modulus; `gnomon stability SCENE.toml` computes it.
 )";
 
 inline constexpr const char* units_topic =
-    R"(One consistent set of units a scene. gnomon names them as the paper does:
+    R"(A scene uses one consistent set of units. gnomon names the units of the paper:
 
     length       mm
-    force        N      (N/mm, a unit of thickness, in 2D)
+    force        N      (N/mm in 2D: per unit of thickness)
     stress       MPa = N/mm^2
     time         s
     wear volume  mm^3   (mm^2 in 2D)
 
-Any other consistent set works as well; the names that are printed are then wrong.
+Any other consistent set works as well; the printed names of units are then wrong.
 )";
 
 inline constexpr const char* output_topic =
@@ -65,19 +65,20 @@ inline constexpr const char* output_topic =
     pressure, equivalent stress and element quality; in the group /gnomon the contact surface, the
     scalars, sizes, orders and counters of every step, the resolved scene and versions.
 
-Nothing that exists is overwritten. --force replaces what an earlier run has left under these names,
-once the start is solved; a start that fails leaves them as they were.
+Existing files are not overwritten. --force replaces the files of an earlier run with these names,
+once the start is solved; if the start fails, they are not changed.
 
 In ParaView open the .xdmf file; Warp By Vector with `shape` shows the worn body, with
 `displacement` added the deformed one. Which steps are stored is set by output.every, output.times
-and output.last; the start is always stored. The file is readable while the run goes on, and after
-Ctrl-C, a failure or a crash it holds everything up to the last step. A run that is resumed takes
-the steps of one that was not interrupted, bit for bit with one-step methods; bdf begins at order
-one, and agrees to its tolerance. --set may then change time.end, tolerances and steps of the
-integrator, output.* and solver.*. The result is replaced once the new one has come as far.
+and output.last; the start is always stored. The file is readable during the run, and after
+Ctrl-C, a failure or a crash it holds everything up to the last step. A resumed run takes the
+steps of a run that was not interrupted, bit for bit with one-step methods; bdf begins at order
+one and agrees within its tolerance. When a run is resumed, --set may change time.end, tolerances
+and steps of the integrator, output.* and solver.*. The result is replaced when the new one has
+reached the same time.
 
-    gnomon resume RESULT.h5        goes on from its last checkpoint (output.checkpoints); --end T
-    gnomon info RESULT.h5          what it holds
+    gnomon resume RESULT.h5        continues from its last checkpoint (output.checkpoints); --end T
+    gnomon info RESULT.h5          shows its contents
     gnomon contact RESULT.h5       the contact surface as CSV
     gnomon compare RESULT.h5...    several runs side by side
     gnomon plot RESULT.h5...       figures: shape, pressure, history, stress, worn volume
@@ -86,7 +87,7 @@ integrator, output.* and solver.*. The result is replaced once the new one has c
 
 inline constexpr const char* exit_codes_topic =
     R"(0  done
-1  anything else that went wrong, a run ended by Ctrl-C or SIGTERM included
+1  every other failure, including a run ended by Ctrl-C or SIGTERM
 2  bad input (scene, command line, result file): one line on stderr, nothing written
 3  the solution failed: a diagnosis on stderr, the last good state in the result
 )";

@@ -13,10 +13,11 @@ volatile std::sig_atomic_t announced = 0;
 
 extern "C" void on_signal(int) {
   signalled = 1;
-  std::signal(SIGINT, SIG_DFL);  // the second one kills, whichever it is
+  std::signal(SIGINT, SIG_DFL);  // the second signal of either kind kills
   std::signal(SIGTERM, SIG_DFL);
   if (!announced) return;
-  static const char text[] = "\ngnomon: ending after this step (or the start); once more kills\n";
+  static const char text[] =
+      "\ngnomon: ending after this step (or the start); a second signal kills\n";
   // Nothing can be done about a failure, and nothing else is safe here.
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof text - 1);
 }
@@ -32,7 +33,7 @@ InterruptGuard::InterruptGuard(bool announce) {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);  // both are then reported by the call that wrote
+  std::signal(SIGPIPE, SIG_IGN);  // the writing call then reports the error
   std::signal(SIGXFSZ, SIG_IGN);
 }
 

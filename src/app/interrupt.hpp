@@ -1,5 +1,5 @@
-// Ctrl-C and SIGTERM end a run after its current step; a second one kills as usual. That nobody
-// reads its progress any more does not end it.
+// Ctrl-C and SIGTERM end a run after its current step; a second signal kills it as usual. A run
+// does not end when the reader of its progress has gone away.
 #pragma once
 
 namespace gnomon::app {
@@ -7,7 +7,8 @@ namespace gnomon::app {
 /// Catches the signals while it lives. At most one at a time.
 class InterruptGuard {
 public:
-  explicit InterruptGuard(bool announce);  ///< announce: tell on stderr that the signal was heard
+  explicit InterruptGuard(
+      bool announce);  ///< announce: report on stderr that the signal was received
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;

@@ -45,16 +45,16 @@ void check_writable(const fs::path& file) {
   if (longest > 0 && needed > static_cast<std::size_t>(longest)) fail("the name is too long");
 }
 
-/// A terminal, a pipe, /dev/null: holds nothing that could be lost.
+/// A terminal, a pipe, /dev/null: a file without contents that could be lost.
 bool is_stream(const fs::path& file) {
   std::error_code ignored;
   const fs::file_status status = fs::status(file, ignored);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-/// A kind of file that runs leave.
+/// A kind of file that runs write.
 struct Kind {
-  const char* option;  ///< that names it
+  const char* option;  ///< the option that names the file
   const char* name;
   bool (*made)(const fs::path&);  ///< whether a run can have made the file
 };

@@ -15,7 +15,8 @@ namespace gnomon::app {
 
 namespace {
 
-/// One line whatever the message holds (names of files may contain anything).
+/// Prints one line for every message, whatever it contains (names of files may contain any
+/// character).
 void complain(const std::string& message) {
   std::string line = message;
   for (char& c : line)
@@ -23,8 +24,9 @@ void complain(const std::string& message) {
   std::fputs(("gnomon: " + line + "\n").c_str(), stderr);  // unlike fmt::print, never throws
 }
 
-/// The number of a closed stream would go to the next file that is opened, perhaps the result, and
-/// what is printed into that file. Here it goes to something that cannot be written.
+/// The next file that is opened, perhaps the result, would get the number of a closed stream, and
+/// all printed text would be written into that file. Here that number is given to a file that
+/// cannot be written.
 void occupy_closed_streams() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(descriptor, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != descriptor) return;
@@ -60,7 +62,7 @@ int program(int argc, char** argv) {
   occupy_closed_streams();
   CommandLine command_line;
   const int code = guarded(command_line, argc, argv);
-  // A full disk behind a redirected stdout shows only here.
+  // If stdout is redirected to a full disk, the error appears only here.
   if (std::fflush(stdout) != 0 && code == success) {
     complain("cannot write to standard output");
     return other_failure;

@@ -18,7 +18,7 @@ std::size_t terminal_width() {
   return 80;
 }
 
-/// A run does not end because nobody can read how far it is: failures are ignored.
+/// A run does not end because its progress cannot be written: failures are ignored.
 void put(const std::string& text) {
   std::fputs(text.c_str(), stderr);
   std::fflush(stderr);
@@ -34,7 +34,7 @@ std::string clock_text(double seconds) {
 }
 
 std::string progress_text(const HistoryRow& row, double end, double elapsed) {
-  // What matters most comes first: a narrow terminal cuts the rest.
+  // The most important values come first, because a narrow terminal cuts off the rest.
   std::string text = fmt::format("t {:.5g} of {:g} s", row.t, end);
   if (row.t > 0) text += "  left " + clock_text(elapsed * (end - row.t) / row.t);
   if (row.counters.steps > 0)
@@ -49,7 +49,7 @@ std::string progress_text(const HistoryRow& row, double end, double elapsed) {
 }
 
 Progress::Progress(Mode mode, double end) : mode_(mode), end_(end) {
-  if (mode_ == Mode::live) put("\rlooking for equilibrium at t = 0\x1b[K");
+  if (mode_ == Mode::live) put("\rcomputing the equilibrium at t = 0\x1b[K");
 }
 
 Progress::Mode Progress::mode_for_stderr(bool quiet) {

@@ -1,4 +1,4 @@
-// Shows how far a run is: one live line on a terminal, a few plain lines elsewhere.
+// Shows the progress of a run: one live line on a terminal, a few plain lines elsewhere.
 #pragma once
 
 #include <chrono>
@@ -7,8 +7,9 @@
 
 namespace gnomon::app {
 
-/// "t 250 of 1000 s  left 0:42  step 5 s  order 1  Newton 3  contact 13  worn 0.5 mm^2": time, wall
-/// time to go, last step with its order and iterations, nodes in contact, worn volume. `elapsed` is
+/// "t 250 of 1000 s  left 0:42  step 5 s  order 1  Newton 3  contact 13  worn 0.5 mm^2": time,
+/// remaining wall time, last step
+/// with its order and iterations, nodes in contact, worn volume. `elapsed` is
 /// in seconds.
 std::string progress_text(const HistoryRow& row, double end, double elapsed);
 
@@ -25,9 +26,9 @@ public:
   static Mode mode_for_stderr(bool quiet);
 
   void show(const HistoryRow& row);
-  /// A line that stays.
+  /// Prints a line that is not overwritten.
   void warn(const std::string& text);
-  /// Leaves the terminal clean for what comes next.
+  /// Ends the live line, so that further output begins on a new one.
   void finish();
 
 private:

@@ -32,7 +32,7 @@ void print_summary(const RunOutcome& outcome, const EndReport& report) {
       !ledger.empty())
     fmt::print("{}\n", ledger);
   if (report.kept)
-    fmt::print("the earlier {} is kept, which goes further\n", report.result.string());
+    fmt::print("the earlier {} is kept, because it goes further\n", report.result.string());
   else
     fmt::print("result: {} (for ParaView: {})\n", report.result.string(),
                sidecar_of(report.result).string());
@@ -53,7 +53,7 @@ int exit_code(const RunOutcome& outcome) {
 std::string failure_message(const RunOutcome& outcome, const EndReport& report) {
   const std::string file = report.result.string();
   if (report.kept) return fmt::format("{} (the earlier {} is kept)", outcome.diagnosis, file);
-  if (!outcome.last) return fmt::format("{} ({} holds the scene alone)", outcome.diagnosis, file);
+  if (!outcome.last) return fmt::format("{} ({} holds only the scene)", outcome.diagnosis, file);
   return fmt::format("{} (everything up to t = {:g} s is in {})", outcome.diagnosis,
                      outcome.last->t, file);
 }

@@ -1,4 +1,4 @@
-// What is said about a run when it has ended, however it began.
+// The messages about a run that has ended; they are the same for new and resumed runs.
 #pragma once
 
 #include <filesystem>
@@ -9,18 +9,18 @@
 
 namespace gnomon::app {
 
-/// Before anything that takes time.
+/// Called before anything that takes time.
 void warn_of_slow_blas();
 
-/// Integrates into `writer` and shows how far it is.
+/// Integrates, writes to `writer` and shows the progress.
 RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, ResultWriter& writer,
                      bool quiet, const Resumption* from = nullptr);
 
-/// What a run says of its end, and where.
+/// Which messages a run prints at its end, and for which file.
 struct EndReport {
   std::filesystem::path result;
-  bool kept = false;   ///< an earlier result is still there under this name
-  bool quiet = false;  ///< nothing but errors
+  bool kept = false;   ///< an earlier result of this name was not replaced
+  bool quiet = false;  ///< errors only
   bool table = true;   ///< the scalars at the end, unless quiet
 };
 

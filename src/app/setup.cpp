@@ -19,7 +19,7 @@ Scene checked_scene(const std::filesystem::path& file, const std::vector<std::st
 
 namespace {
 
-/// What the size of the model decided, for the resolved scene to say it.
+/// The scene with the choices that follow from the size of the model, for the resolved scene.
 Scene with_choices(const Scene& scene, const LinearSolverChoice& solver) {
   if (solver.method != LinearSolverChoice::Method::block || scene.has("solver.preconditioner"))
     return scene;

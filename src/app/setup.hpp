@@ -1,4 +1,4 @@
-// From a scene file to the things that a command works with.
+// From a scene file to the objects that a command works with.
 #pragma once
 
 #include <filesystem>
@@ -15,18 +15,18 @@ struct Setup {
   std::unique_ptr<Model> model;
 };
 
-/// Checks of several keys that take no model. Throws InputError.
+/// Checks of combinations of keys that do not need a model. Throws InputError.
 void check_run(const Scene& scene);
 
-/// Loads the scene and checks it whole, as far as that takes no model.
+/// Loads the scene and makes all checks that do not need a model.
 Scene checked_scene(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 
-/// The model of a checked scene, which may take long to make.
+/// Makes the model of a checked scene, which may take long.
 Setup set_up(Scene scene);
 /// Both.
 Setup set_up(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 
-/// What the result file and the summary say about the run of a set-up.
+/// The description of the run that the result file and the summary contain.
 RunHeader run_header(const Setup& setup);
 
 }  // namespace gnomon::app

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Exit code of `python3 ARGUMENTS`, what it prints going to `log`.
+/// Exit code of `python3 ARGUMENTS`; its output goes to `log`.
 int python(const std::vector<std::string>& arguments, const std::string& log) {
   std::vector<char*> argv = {const_cast<char*>("python3")};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
@@ -41,7 +41,7 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// What a program that failed said last.
+/// The last line that a failed program printed.
 std::string last_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
   const std::size_t start = text.rfind('\n');
@@ -71,7 +71,7 @@ StudyFigures study_figures(const fs::path& folder, const std::string& kind) {
   if (python({script.string(), kind, folder.string(), "--svg-out", figures.string()},
              log.string()) != 0)
     return {{},
-            fmt::format("No figures: {} (then give the command again with --resume).",
+            fmt::format("No figures: {} (then repeat the command with --resume).",
                         last_line(text_of(log)))};
   fs::remove(log, error);
   StudyFigures result;

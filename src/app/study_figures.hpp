@@ -9,11 +9,11 @@ namespace gnomon::app {
 
 struct StudyFigures {
   std::vector<std::string> svgs;  ///< texts of FOLDER/figures/*.svg, by name
-  std::string note;               ///< why there are none; what to do about it
+  std::string note;               ///< why there are no figures, and how to get them
 };
 
-/// Has them made of a folder with the table KIND.csv: "study", "extremes". Never throws for want of
-/// figures.
+/// Makes the figures of a folder with the table KIND.csv: "study", "extremes". Missing figures are
+/// not an error.
 StudyFigures study_figures(const std::filesystem::path& folder, const std::string& kind);
 
 }  // namespace gnomon::app

@@ -1,4 +1,4 @@
-// Shows how far a study is: one bar on a terminal, a line a run elsewhere.
+// Shows the progress of a study: one bar on a terminal, one line per run elsewhere.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@ class StudyProgressBar {
 public:
   explicit StudyProgressBar(Progress::Mode mode) : mode_(mode) {}
   void show(const StudyProgress& progress);
-  /// Leaves the terminal clean for what comes next.
+  /// Ends the live line, so that further output begins on a new one.
   void finish();
 
 private:

@@ -15,7 +15,7 @@ public:
   };
 
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
-  /// One cell a column.
+  /// One cell per column.
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
   /// Title line (unless all titles are empty) and rows, two spaces between columns.
   std::string text() const;

@@ -4,7 +4,7 @@ namespace gnomon {
 
 namespace {
 
-/// Entities of a field at every mesh node, and at the place behind all nodes.
+/// Entities of a field at every mesh node, and last those at no node.
 std::vector<std::vector<int>> entities_by_node(const Field& field, int nodes) {
   std::vector<std::vector<int>> result(static_cast<std::size_t>(nodes) + 1);
   for (std::size_t entity = 0; entity < field.node.size(); ++entity)

@@ -23,7 +23,8 @@ void PatternBuilder::add(const std::vector<int>& rows, const std::vector<int>& c
   for (int column : columns) {
     if (column < 0) continue;
     std::vector<int>& collected = columns_[column];
-    // Cells that share an edge repeat each other: repetitions go before more room is asked for.
+    // Cells that share an edge give equal entries: duplicates are removed before more memory is
+    // allocated.
     if (collected.size() + rows.size() > collected.capacity()) {
       sort_unique(collected);
       collected.reserve(2 * (collected.size() + rows.size()));

@@ -56,7 +56,7 @@ private:
   long rejected_ = 0;
   int vanishing_ = 0;                         // steps, one after the other
   double integrated_ = 0;                     // value of the quadrature at the start of the step
-  ActiveSet branch_;                          // that steps stay on while events are located
+  ActiveSet branch_;                          // branch of the steps while events are located
   std::vector<double> switched_at_;           // time of each node's last event
   std::optional<AlgebraicSolver> algebraic_;  // made at the first event
   LinearRequest request_;
@@ -114,11 +114,12 @@ void BdfSolver::Memory::begin(const State& state) {
   check(IDASetId(ida, id_.get()), "IDASetId");
   check(IDASetSuppressAlg(ida, SUNTRUE), "IDASetSuppressAlg");
   check(IDASetMaxOrd(ida, settings_.max_order), "IDASetMaxOrd");
-  // IDA would creep up to where the solution ends by ever smaller steps, without an end, and where
-  // this ends them, by steps that succeed (vanishes).
+  // Where the solution ends, IDA would take ever smaller steps without an end. This limit ends
+  // failing steps; vanishes() ends those that succeed.
   check(IDASetMinStep(ida, shortest_step(settings_)), "IDASetMinStep");
   if (settings_.max_step > 0) check(IDASetMaxStep(ida, settings_.max_step), "IDASetMaxStep");
-  // Failures in one step, as good as endless: nearly every one quarters it.
+  // Failures in one step; practically unlimited, because nearly every failure divides the step by
+  // four.
   constexpr int most_failures = 30;
   check(IDASetMaxErrTestFails(ida, most_failures), "IDASetMaxErrTestFails");
   check(IDASetMaxConvFails(ida, most_failures), "IDASetMaxConvFails");
@@ -155,7 +156,8 @@ int BdfSolver::Memory::jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_
 }
 
 // IDA averages the masked squares over ALL components; the factor makes it the mean over the
-// differential ones, so that rtol means the same however many algebraic unknowns there are.
+// differential ones, so that the meaning of rtol does not depend on the number of algebraic
+// unknowns.
 int BdfSolver::Memory::weights(N_Vector y, N_Vector w, void* data) {
   const Memory& self = *static_cast<Memory*>(data);
   const double spread = std::sqrt(double(view(y).size()) / double(self.norm_.components().size()));
@@ -171,7 +173,7 @@ int BdfSolver::Memory::switching(sunrealtype t, N_Vector y, N_Vector, sunrealtyp
       [&] { self.system_.switching(t, view(y), std::span<double>(values, self.branch_.size())); });
 }
 
-// IDA integrates it by its own formula, order and step, without a part in the error test.
+// IDA integrates it by its own formula, order and step; it does not take part in the error test.
 int BdfSolver::Memory::integrand(sunrealtype t, N_Vector y, N_Vector ydot, N_Vector value,
                                  void* data) {
   Memory& self = *static_cast<Memory*>(data);
@@ -180,16 +182,17 @@ int BdfSolver::Memory::integrand(sunrealtype t, N_Vector y, N_Vector ydot, N_Vec
   });
 }
 
-/// Switches the nodes at a root: the one that IDA names, and those that symmetry switches with it
-/// but rounding puts just before or behind. Returns how many. A node that has just switched starts
-/// from zero with a sign that is rounding's, and may reach its new branch by a root: it stays.
+/// Switches the nodes at a root: the node that IDA names, and nodes that switch with it because of
+/// symmetry but whose roots differ by rounding. Returns how many. A node that has just switched
+/// starts from zero with a sign that is determined by rounding, and may reach its new branch by a
+/// root: it is not switched again.
 int BdfSolver::Memory::switch_nodes(const State& state, bool at_root) {
-  // Of the largest switching function: symmetric nodes differ by what Newton leaves of them, up to
-  // NewtonOptions::acceptable.
+  // Relative to the largest switching function: symmetric nodes differ by the residual of Newton's
+  // method, up to NewtonOptions::acceptable.
   constexpr double together = 1e-9;
-  // Of the run: before a node may switch again. After an event IDA begins at order one, with a step
-  // of 1e-3 of the time to t_stop at most: an event sooner than this is below the error of that
-  // step.
+  // Part of the run before a node may switch again. After an event IDA begins at order one, with a
+  // step of at most 1e-3 of the time to t_stop: an event earlier than this is below the error of
+  // that step.
   constexpr double moment = 1e-6;
   std::vector<int> found(branch_.size(), 0);
   if (at_root) check(IDAGetRootInfo(ida_.get(), found.data()), "IDAGetRootInfo");
@@ -212,7 +215,8 @@ int BdfSolver::Memory::switch_nodes(const State& state, bool at_root) {
   return switched;
 }
 
-/// At an event the state is made consistent on the branch behind it. False where there is none.
+/// At an event the state is made consistent on the branch after the event. Returns false if there
+/// is no event.
 bool BdfSolver::Memory::cross_event(State& state, bool at_root, StepReport& report) {
   report.switched = switch_nodes(state, at_root);
   if (report.switched == 0) return false;
@@ -224,8 +228,8 @@ bool BdfSolver::Memory::cross_event(State& state, bool at_root, StepReport& repo
   return true;
 }
 
-/// Behind an event or a breakpoint, where a polynomial through earlier states says nothing of the
-/// rates to come: at order one.
+/// Restarts at order one after an event or a breakpoint, because a polynomial through earlier
+/// states does not predict the rates there.
 void BdfSolver::Memory::restart(const State& state) {
   std::copy(state.y.begin(), state.y.end(), view(y_.get()).begin());
   std::copy(state.ydot.begin(), state.ydot.end(), view(ydot_.get()).begin());
@@ -237,8 +241,8 @@ void BdfSolver::Memory::restart(const State& state) {
   check(IDAQuadReInit(ida_.get(), integral_.get()), "IDAQuadReInit");
 }
 
-/// Over a moment of rounding, as to a time to store that comes on resuming. IDA refuses such steps.
-/// The state stays, so the integral is zero.
+/// Passes over a time of the size of rounding errors, for example to an output time right after
+/// resuming. IDA refuses such steps. The state does not change, so the integral is zero.
 StepReport BdfSolver::Memory::skip_to(State& state, double t) {
   const double step = t - state.t;
   state.t = t;
@@ -247,7 +251,7 @@ StepReport BdfSolver::Memory::skip_to(State& state, double t) {
   return StepAccount(counters_).accept(step, 1);
 }
 
-/// Attempts that IDA threw away in the last step.
+/// Counts the attempts that IDA rejected in the last step.
 void BdfSolver::Memory::account_for_rejected(StepAccount& account) {
   long error_fails = 0, newton_fails = 0;
   check(IDAGetNumErrTestFails(ida_.get(), &error_fails), "IDAGetNumErrTestFails");
@@ -256,16 +260,17 @@ void BdfSolver::Memory::account_for_rejected(StepAccount& account) {
   account.reject(rejected - std::exchange(rejected_, rejected));
 }
 
-/// Where the solution ends, steps succeed and become ever smaller: whether that goes on.
+/// Where the solution ends, steps succeed but become ever smaller. Returns true if this persists.
 bool BdfSolver::Memory::vanishes(double step) {
   constexpr int many = 20;
-  constexpr double tiny = 1e-12;  // of the run; a hundred of the shortest steps (stop_rules.hpp)
+  constexpr double tiny =
+      1e-12;  // part of the run; a hundred of the shortest steps (stop_rules.hpp)
   const bool tiny_for_a_reason = step < tiny * settings_.end && !guard_.recoverable().empty();
   vanishing_ = tiny_for_a_reason ? vanishing_ + 1 : 0;
   return vanishing_ == many;
 }
 
-/// Of the step that IDA has just made.
+/// The integral over the step that IDA has just made.
 double BdfSolver::Memory::take_integral() {
   if (!settings_.integrand) return 0;
   sunrealtype t = 0;
@@ -275,8 +280,8 @@ double BdfSolver::Memory::take_integral() {
 }
 
 StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
-  // Of the time: the distance of two times that are meant to be one. IDA refuses to begin with a
-  // step of a few roundings.
+  // Relative distance of two times that are meant to be equal. IDA refuses to begin with a step of
+  // a few rounding errors.
   constexpr double nothing = 1e-12;
   if (!begun_) begin(state);
   void* ida = ida_.get();
@@ -309,9 +314,9 @@ void BdfSolver::Memory::fail(int flag, double t) const {
                      : flag == IDA_CONV_FAIL    ? "Newton failed at the smallest step"
                      : flag == IDA_TOO_MUCH_ACC ? "the tolerance is below rounding"
                      : flag < 0                 ? "IDA stopped"
-                                                : "steps vanish";
+                                                : "steps become too small";
   throw SolutionError(
-      fmt::format("bdf cannot go on from t = {:.6g}: {} (code {}){}{}", t, what, flag,
+      fmt::format("bdf cannot continue from t = {:.6g}: {} (code {}){}{}", t, what, flag,
                   guard_.recoverable().empty() ? "" : "; last: ", guard_.recoverable()));
 }
 

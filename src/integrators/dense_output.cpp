@@ -7,8 +7,8 @@ namespace gnomon {
 
 namespace {
 
-/// The stages of the last two steps: of seven each, as the longest table has (esdirk-5). Older ones
-/// are farther from any time of interest than four of these.
+/// The stages of the last two steps, seven in each for the longest table (esdirk-5). At every time
+/// of interest at least four of them are nearer than older ones.
 constexpr std::size_t capacity = 14;
 /// A cubic. Stages are of order two or three in h, so a higher degree would interpolate their
 /// errors.

@@ -58,8 +58,9 @@ void DiagonallyImplicit::set_rates_of(double step, const Rates& base, std::span<
     ydot[components[k]] = (y[components[k]] - base[k]) / step;
 }
 
-/// One solve of F(t, y, (d - base) / step) = 0 from the guess to.y, F as it is in the step that
-/// starts at `from`: some tables have a stage past its end, where the load may have a breakpoint.
+/// One solve of F(t, y, (d - base) / step) = 0 from the guess to.y. F is that of the step that
+/// starts at `from`, also past its end: some tables have a stage there, and the load may have a
+/// breakpoint between.
 NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base, const State& from,
                                        const AttemptOptions& options, State& to) {
   NonlinearFunction function;
@@ -82,10 +83,9 @@ NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base,
 }
 
 /// The same by continuation from step zero, where the solution is the state that the step starts
-/// from: `base` and the time move from there with the step, by a quarter of it at first, then by
-/// half as much again after every success and by half of that after a failure. Given up where a
-/// part of `least` is still too long, and after `most` solves, for the way may creep without an
-/// end.
+/// from: `base` and the time move from there with the step, by a quarter of it at first; each
+/// success multiplies this part by 1.5, each failure by 0.5. It fails if a part of `least` is still
+/// too long, and after `most` solves, because the progress may be too slow.
 std::string DiagonallyImplicit::continue_in_step(double t, double step, const Rates& base,
                                                  const State& from, const AttemptOptions& options,
                                                  State& to) {
@@ -163,7 +163,7 @@ Attempt DiagonallyImplicit::attempt(const State& from, double h, const AttemptOp
     const Attempt projected = project(to, options.branch);
     if (!projected.success) return projected;
   } else if (h < short_step_) {
-    set_rates(system_, options.branch, to);  // a difference over so short a step is rounding
+    set_rates(system_, options.branch, to);  // a difference over so short a step is only rounding
   }
   return {.success = true, .error = estimate(from, h, to), .integral = integral};
 }
@@ -187,7 +187,7 @@ double DiagonallyImplicit::estimate(const State& from, double h, const State& to
     return norm_(error_, to.y);
   }
   const double alpha = table_.A(table_.stages() - 1, table_.stages() - 1);
-  // Before there are three rates, the difference to the explicit Euler method stands in.
+  // Before there are three rates, the difference from the explicit Euler method is used.
   const bool has_history = !rate_old_.empty() && t_old_ < from.t;
   const double first = has_history ? 0.5 - alpha : 0.5;
   for (std::size_t k = 0; k < components.size(); ++k) {

@@ -29,10 +29,10 @@ void destroy_table(ARKodeButcherTableMem* table) {
 }
 using TableOwner = Owner<ARKodeButcherTableMem, destroy_table>;
 
-/// ERKStep takes (until 6.7) the rate of a last stage at c = 1 for the rate at the end of the step,
-/// which holds only where that stage is the new value; Heun's is not, and would lose half its
-/// stability. Where needed, the new value is appended as a stage of no weight, whose rate the next
-/// step uses.
+/// ERKStep (until 6.7) uses the rate of a last stage at c = 1 as the rate at the end of the step,
+/// which is right only if that stage is the new value; in Heun's method it is not, and the method
+/// would lose half of its stability. Where needed, the new value is appended as a stage of weight
+/// zero, whose rate the next step uses.
 int stages_with_end(const ButcherTable& table) {
   const int s = table.stages();
   return table.stiffly_accurate() || table.c[s - 1] != 1 ? s : s + 1;
@@ -56,16 +56,16 @@ TableOwner table_with_end(const ButcherTable& table) {
   return result;
 }
 
-/// The choice of steps by a PI controller: the parameters that ERKStep 6.4 had by default, whatever
-/// version is in use.
+/// The PI controller that chooses the steps: with every version of SUNDIALS, the default parameters
+/// of ERKStep 6.4.
 constexpr PiController pi_controller{.proportional = 0.8,
                                      .integral = 0.31,
                                      .bias = 1.2,
                                      .safety = 0.99,
                                      .keep_from = 1.0,
                                      .keep_to = 1.5};
-/// Bounds on growth as for the other one-step methods (step_size.cpp), and failures in one step
-/// that are as good as endless: a step is then a billionth of what it was.
+/// Bounds on growth as for the other one-step methods (step_size.cpp), and a number of failures in
+/// one step that is practically unlimited: a step is then a billionth of its first size.
 constexpr double most_growth = 5;
 constexpr int most_failures = 30;
 }  // namespace
@@ -97,7 +97,7 @@ private:
   ErrorNorm norm_;
   AlgebraicSolver algebraic_;
   State whole_;      // consistent state of the last evaluation, the guess for the next
-  double proposal_;  // what is tried next; 0 before the first of the steps that are chosen
+  double proposal_;  // size of the next attempt; 0 before the first adaptive step
   long rejected_ = 0;
   struct Evaluated {
     double t, integrand;
@@ -128,13 +128,13 @@ void ErkSolver::Memory::gather(const std::vector<double>& y, std::span<double> d
   for (std::size_t k = 0; k < components.size(); ++k) d[k] = y[components[k]];
 }
 
-/// Where ERKStep begins, or begins again.
+/// The state from which ERKStep begins, or begins again.
 void ErkSolver::Memory::set_state(const State& state) {
   whole_ = state;
   gather(state.y, view(d_.get()));
 }
 
-/// Makes whole_ the consistent state with differential components d, its rates included.
+/// Makes whole_ the consistent state with differential components d, including its rates.
 void ErkSolver::Memory::evaluate(double t, std::span<const double> d) {
   State next = whole_;
   next.t = t;
@@ -158,11 +158,11 @@ int ErkSolver::Memory::rate(sunrealtype t, N_Vector d, N_Vector ddot, void* data
   });
 }
 
-/// Over the step of size h that ERKStep has just taken from `start`, by the weights of the table.
-/// The first stage is the start. The others were evaluated last, one after the other; behind them
-/// there may be the end of the step, as a stage of its own or for the next step.
+/// The integral over the step of size h that ERKStep has just taken from `start`, by the weights of
+/// the table. The first stage is the start. The other stages were evaluated last, one after the
+/// other; after them there may be the end of the step, as a separate stage or for the next step.
 double ErkSolver::Memory::integral(const State& start, double h) const {
-  constexpr double rounding = 1e-9;  // of the step
+  constexpr double rounding = 1e-9;  // in units of the step
   if (!settings_.integrand) return 0;
   const std::ptrdiff_t later = table_.stages() - 1;
   const std::ptrdiff_t behind = stages_with_end(table_) - table_.stages();
@@ -211,7 +211,7 @@ void ErkSolver::Memory::restore(double proposal) {
   proposal_ = settings_.step > 0 ? std::min(proposal, settings_.step) : proposal;
 }
 
-/// After a failed evaluation: from the last good state with a shorter step.
+/// Restarts after a failed evaluation: from the last good state with a shorter step.
 void ErkSolver::Memory::restart(const State& state, double h) {
   set_state(state);
   check(ARKodeReset(erk_.get(), state.t, d_.get()), "ARKodeReset");
@@ -225,7 +225,8 @@ void ErkSolver::Memory::set_step(const State& state, double t_stop) {
   check(ARKodeSetStopTime(erk_.get(), t_stop), "ARKodeSetStopTime");
   if (settings_.step == 0) return;
   const double left = end_of_fixed_step(state.t, settings_.step, t_stop) - state.t;
-  check(ARKodeSetFixedStep(erk_.get(), proposal_ < left * (1 - sliver) ? proposal_ : left),
+  check(ARKodeSetFixedStep(erk_.get(),
+                           proposal_ < left * (1 - shortest_remainder) ? proposal_ : left),
         "ARKodeSetFixedStep");
 }
 
@@ -240,8 +241,8 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
     guard_.clear();
     t = state.t;
     const int flag = ARKodeEvolve(erk, t_stop, d_.get(), &t, ARK_ONE_STEP);
-    const bool done =
-        flag >= 0 && guard_.run([&] { evaluate(t, view(d_.get())); }) == 0;  // where it has come to
+    const bool done = flag >= 0 && guard_.run([&] { evaluate(t, view(d_.get())); }) ==
+                                       0;  // the state that it has reached
     guard_.rethrow();
     long error_fails = 0;
     check(ARKodeGetNumErrTestFails(erk, &error_fails), "ARKodeGetNumErrTestFails");
@@ -249,11 +250,11 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
     if (done) break;
     double tried = t - state.t;
     if (flag < 0) check(ARKodeGetCurrentStep(erk, &tried), "ARKodeGetCurrentStep");
-    // Ever smaller steps would creep up to where the solution ends.
+    // Ever smaller steps would approach the end of the solution without reaching it.
     const bool shortest = tried <= shortest_step(settings_);
     if (guard_.recoverable().empty() || shortest || failures == most_failures)
       throw SolutionError(
-          fmt::format("{} cannot go on from t = {:.6g}: code {}{}{}", table_.name, state.t, flag,
+          fmt::format("{} cannot continue from t = {:.6g}: code {}{}{}", table_.name, state.t, flag,
                       guard_.recoverable().empty() ? "" : "; last: ", guard_.recoverable()));
     account.reject();
     restart(state, std::min(tried, t_stop - state.t) / 2);

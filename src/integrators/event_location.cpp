@@ -11,8 +11,8 @@ bool active(double value) {
   return value <= 0;
 }
 
-/// Zero in [low, high] of the polynomial through (h, f), by bisection; it changes sign there. Sixty
-/// halvings leave nothing but rounding.
+/// Zero in [low, high] of the polynomial through (h, f), by bisection; it changes sign there. After
+/// sixty halvings only rounding errors are left.
 double polynomial_root(const std::vector<double>& h, std::vector<double> f, double low,
                        double high) {
   const std::size_t n = h.size();
@@ -32,8 +32,8 @@ double polynomial_root(const std::vector<double>& h, std::vector<double> f, doub
   return (low + high) / 2;
 }
 
-/// Between low and high, for a zero that may be at any scale: while these differ much, the
-/// geometric mean halves the digits that are in doubt. From zero, four halvings at a time.
+/// A point between low and high, for a zero at an unknown scale: while both differ much, the
+/// geometric mean halves the number of uncertain digits. If low is zero, it is a sixteenth of high.
 double middle(double low, double high) {
   if (low == 0) return high / 16;
   return high > 4 * low ? std::sqrt(low * high) : (low + high) / 2;
@@ -89,8 +89,8 @@ bool EventLocator::starts_off_branch(const State& from) const {
   return false;
 }
 
-/// Switches the nodes that are off the branch at `behind`, a moment later or now; each at most once
-/// at one time, for there its sign is rounding's.
+/// Switches the nodes that are off the branch at `behind`, shortly after the start or at the start;
+/// each node at most once at one time, because rounding determines its sign there.
 Landing EventLocator::switch_at_start(const State& from, const Sample& behind) {
   if (from.t != crossed_at_) crossed_.assign(branch_.size(), 0);
   crossed_at_ = from.t;
@@ -104,9 +104,10 @@ Landing EventLocator::switch_at_start(const State& from, const Sample& behind) {
   return landing;
 }
 
-/// From the dense output of the step that left the branch: where it first does. That is a cubic, so
-/// in 32 parts it crosses and comes back unseen only if it hardly leaves the branch; the attempts
-/// that follow judge by themselves. Half the step where it shows no crossing.
+/// From the dense output of the step that left the branch, the time at which it first leaves it.
+/// The dense output is a cubic, so that a crossing and a return within one of 32 parts are missed
+/// only if it hardly leaves the branch; the attempts that follow do not rely on it. Half the step
+/// if there is no crossing.
 double EventLocator::first_guess(const State& from, double h) const {
   constexpr int parts = 32;
   constexpr double none = 2;  // a part ends at 1
@@ -152,7 +153,7 @@ double EventLocator::earliest_root(double low, double high) const {
   for (std::size_t j = 0; j < branch_.size(); ++j) {
     const double first = at(low).values[j], last = at(high).values[j];
     if (active(last) == bool(branch_[j]) || active(first) != bool(branch_[j])) continue;
-    const auto& nodes = near[std::abs(last) < std::abs(first)];  // where the zero is to be expected
+    const auto& nodes = near[std::abs(last) < std::abs(first)];  // those near the expected zero
     for (std::size_t k = 0; k < count; ++k) h[k] = nodes[k]->h, f[k] = nodes[k]->values[j];
     earliest = std::min(earliest, polynomial_root(h, f, low, high));
   }
@@ -179,19 +180,19 @@ int EventLocator::switch_at(double h, double width) {
   return switched;
 }
 
-// The event is kept between `low`, on the branch, and `high`, off it. Every attempt is made at the
-// earliest zero that interpolation predicts, and becomes one of the two.
+// The event is kept between `low`, on the branch, and `high`, off it. Every attempt ends at the
+// earliest zero that interpolation predicts, and replaces one of the two.
 Landing EventLocator::land(const State& from, double h, State& to) {
-  // Interpolation takes at most six on a smooth path (the tests hold it to that); bisection, every
-  // second one where that fails, halves the bracket eight times in sixteen.
+  // Interpolation takes at most six attempts on a smooth path (the tests check this); if it fails,
+  // every second attempt is a bisection, which halves the bracket eight times in sixteen attempts.
   constexpr int most_attempts = 16;
-  // Of the step. An event so near its start is taken to be its start: the next step would have to
-  // be a thousandth as long, a sliver (stop_times.hpp).
+  // Part of the step. An event this near to the start is treated as an event at the start: the step
+  // to it would be too short (shortest_remainder in stop_times.hpp).
   constexpr double moment = 1e-3;
   const double width = tolerance * h;
-  // Nodes whose zeros are so near to the end switch with it: the end is within one width of the
-  // first of them, and those of symmetric nodes, found apart, differ by as much again at either
-  // side.
+  // Nodes whose zeros are this near to the end switch at it: the end is within one width of the
+  // first zero, and the zeros of symmetric nodes, which are located separately, may differ by one
+  // width on either side.
   const double together = 3 * width;
   samples_.clear();
   sample(0, from);
@@ -201,10 +202,10 @@ Landing EventLocator::land(const State& from, double h, State& to) {
   Landing landing;
   for (int k = 0;; ++k) {
     if (high <= moment * h) return switch_at_start(from, at(high));
-    // Never on a sample: a step nearer to one than half the width tells nothing new.
+    // Not at a sample: a step nearer to a sample than half the width gives no new information.
     landing.h = std::clamp(guess, low + width / 2, high - width / 2);
     landing.attempt = k < most_attempts ? method_.attempt(from, landing.h, {.branch = &branch_}, to)
-                                        : Attempt{.reason = "an event was not found in the step"};
+                                        : Attempt{.reason = "an event in the step was not found"};
     if (!landing.attempt.success) return landing;
     sample(landing.h, to);
     (off_branch(at(landing.h)) ? high : low) = landing.h;

@@ -9,9 +9,9 @@ namespace {
 constexpr double safety = 0.9;
 // Gustafsson's gains: 0.7 and 0.4 of the exponent of the elementary (I) controller.
 constexpr double proportional = 0.7, integral = 0.4;
-// An estimate holds for steps of similar size: beyond these factors the error law says little.
+// An estimate holds for steps of similar size: beyond these factors the error law is unreliable.
 constexpr double most_growth = 5, most_shrink = 0.2;
-constexpr double least_error = 1e-8;  // a vanishing estimate says nothing more
+constexpr double least_error = 1e-8;  // smaller estimates give no more information
 }  // namespace
 
 double StepSizeControl::after_success(double h, double error) {
@@ -36,7 +36,7 @@ double StepSizeControl::after_failure(double h) {
 
 double first_step(const State& start, const Structure& structure,
                   const IntegratorSettings& settings, int order) {
-  constexpr double parts = 100;  // of what is left of the run, where nothing moves yet
+  constexpr double parts = 100;  // parts of the remaining run, if nothing moves yet
   double largest = 0;
   for (std::size_t i = 0; i < start.ydot.size(); ++i)
     if (structure.differential[i]) largest = std::max(largest, std::abs(start.ydot[i]));

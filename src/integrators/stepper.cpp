@@ -14,12 +14,12 @@ namespace gnomon {
 
 namespace {
 
-/// How long a step is tried whose equations cannot be solved. (What the error test rejects is no
-/// failure: the next attempt follows from the estimate.) First eight times plainly, each half as
-/// long as the last, down to 1/256: where the solution is smooth, one of these is short enough.
-/// Then continuation in the step, eight times from the wanted size on, for what is not a matter of
-/// size: a body that an iterate inverts, an active set that cycles. Two more limits end attempts
-/// that are fewer but hopeless: those that use up most_newton_iterations, and those below
+/// How often a step is tried whose equations cannot be solved. (A rejection by the error test is
+/// not a failure: the size of the next attempt follows from the estimate.) The first eight attempts
+/// are plain, each half as long as the last, down to 1/256: if the solution is smooth, one of these
+/// is short enough. Then follow eight attempts by continuation in the step, beginning with the
+/// wanted size, for failures that do not depend on the size: a body that an iterate inverts, an
+/// active set that cycles. Two more limits may end this earlier: most_newton_iterations and
 /// shortest_step.
 class Patience {
 public:
@@ -83,11 +83,11 @@ void OneStepStepper::restore(const State& state, std::span<const double> memory)
   method_->restore(numbers.rest());
 }
 
-/// A step of about h that does not pass the next point to land on.
+/// A step of about h that does not pass the next time at which a step has to end.
 OneStepStepper::Plan OneStepStepper::plan(const State& state, double t_stop, double h) const {
-  // A chosen step that falls short of the target by rounding is to end on it; a fixed one has its
-  // grid to go by, and its remainder may be no sliver.
-  const double shortfall = fixed() ? sliver : 1e-9;
+  // An adaptive step that misses the target by rounding has to end on it; fixed steps follow their
+  // grid, and their remainder must not be too short.
+  const double shortfall = fixed() ? shortest_remainder : 1e-9;
   double target = end_of_smooth_part(system_.structure(), state.t, t_stop);
   if (fixed())
     target = end_of_fixed_step(state.t, settings_.step, target);
@@ -95,7 +95,7 @@ OneStepStepper::Plan OneStepStepper::plan(const State& state, double t_stop, dou
     h = std::min(h, settings_.max_step);
   const double left = target - state.t;
   if (h >= left * (1 - shortfall)) return {left, target, true};
-  // Two equal steps rather than a long one and a sliver.
+  // Two equal steps are better than a long and a very short one.
   if (!fixed() && h > left / 2) h = left / 2;
   return {h, target, false};
 }
@@ -104,10 +104,11 @@ bool OneStepStepper::acceptable(const Attempt& attempt) const {
   return attempt.success && (fixed() || attempt.error <= 1);
 }
 
-/// One attempt, ended on the first event when these are located.
+/// One attempt, which ends on the first event if events are located.
 Landing OneStepStepper::take(const State& state, const Plan& plan, bool continuation) {
-  // Groups of nodes at the start, one after the other. A node switches there once at most, so this
-  // ends anyway; after eight attempts without a step it is cheaper to step over the rest.
+  // Groups of nodes may switch at the start, one after the other. A node switches there at most
+  // once, so this loop ends; after eight attempts without a step it costs less to step over the
+  // rest.
   constexpr int most_switches = 8;
   int switched = 0;
   for (int k = 0; k < most_switches; ++k) {
@@ -120,7 +121,7 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, bool continua
     if (!locator_ || !acceptable(whole.attempt) || !locator_->left(next_)) return whole;
     Landing landing = locator_->land(state, plan.h, next_);
     if (!landing.at_start) {
-      landing.attempt.error = whole.attempt.error;  // of the size that the control asked for
+      landing.attempt.error = whole.attempt.error;  // error of the step size that the control chose
       return landing;
     }
     if (landing.switched == 0) break;
@@ -129,7 +130,7 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, bool continua
   return step_over(state, plan, continuation);
 }
 
-/// Over a kink at the start that cannot be ended on, on whatever branches there are.
+/// Steps over a kink at the start on which no step can end; the signs choose the branches.
 Landing OneStepStepper::step_over(const State& state, const Plan& plan, bool continuation) {
   Landing whole{.attempt = method_->attempt(state, plan.h, {.continuation = continuation}, next_),
                 .at_start = true,
@@ -142,7 +143,7 @@ Landing OneStepStepper::step_over(const State& state, const Plan& plan, bool con
 double OneStepStepper::after_success(const Plan& plan, const Landing& landing) {
   if (fixed()) return std::min(settings_.step, std::max(proposal_, 2 * landing.h));
   const double next = control_.after_success(plan.h, landing.attempt.error);
-  // A step cut short by a point to land on says little about longer ones.
+  // A step that was shortened to end at a given time says little about longer ones.
   return plan.h < proposal_ ? std::max(next, proposal_) : next;
 }
 

@@ -5,8 +5,8 @@
 namespace gnomon {
 
 double end_of_fixed_step(double t, double step, double t_stop) {
-  const double grid = step * (std::floor(t / step + sliver) + 1);
-  return grid < t_stop - sliver * step ? grid : t_stop;
+  const double grid = step * (std::floor(t / step + shortest_remainder) + 1);
+  return grid < t_stop - shortest_remainder * step ? grid : t_stop;
 }
 
 double end_of_smooth_part(const Structure& structure, double t, double t_stop) {

@@ -72,7 +72,7 @@ double CounterShape<dim>::travel_to(const Vector<dim>& x, const Vector<dim>& app
     there = distance_(seen(w));
   }
   if (!(std::abs(there.gap) <= 1e-3 * near)) return never;
-  // Once more, so that on a plane nothing is left but the last digit of w itself.
+  // One more step, so that on a plane only the last digit of w is uncertain.
   const double slope = there.normal.dot(approach);
   return slope > 0 ? w + there.gap / slope : w;
 }

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-// OpenBLAS has them, other BLAS do not; resolved when the program is loaded.
+// Only OpenBLAS has these functions; they are resolved when the program is loaded.
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 extern "C" char* openblas_get_config() __attribute__((weak));
 
@@ -12,7 +12,8 @@ namespace gnomon {
 
 namespace {
 
-/// The file that dgemm comes from, links resolved: they are how Debian chooses among several.
+/// The file that contains dgemm, with links resolved, because Debian uses links to choose one of
+/// several BLAS.
 std::filesystem::path blas_file() {
   void* dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
   Dl_info info{};
@@ -40,7 +41,7 @@ std::string blas_name() {
 }
 
 bool is_reference_blas() {
-  // Netlib's library bears a plain name and lies in a folder that names no other.
+  // Netlib's library has a plain name and is in a folder that does not name another library.
   const std::filesystem::path file = blas_file();
   return !is_openblas(file) && file.filename().string().starts_with("libblas.so") &&
          file.string().find("atlas") == std::string::npos &&

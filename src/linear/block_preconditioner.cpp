@@ -18,7 +18,7 @@ std::unique_ptr<InnerSolver> make_inner(const StiffnessLayout& layout, const Str
              : make_factor_solver(layout);
 }
 
-/// A symmetric diagonal block with a solver of its own; may have no unknowns at all.
+/// A symmetric diagonal block with its own solver; it may have no unknowns.
 struct StiffnessBlock {
   std::vector<int> unknowns;
   SymmetricPart part;
@@ -42,7 +42,7 @@ struct StiffnessBlock {
     solver = make_inner(layout, structure);
   }
 
-  /// Of `values`. Returns how many factorizations were made.
+  /// Set-up for `values`. Returns how many factorizations were made.
   int set_up(const char* what) {
     if (!solver) return 0;
     if (!solver->set_up(values)) throw RecoverableError(std::string(what) + " is singular");
@@ -68,13 +68,13 @@ struct BlockPreconditioner::Blocks {
   StiffnessBlock stiffness, mesh_motion;
   ContactElimination contact;
   LowRankUpdate change;            // of the stiffness
-  std::vector<RankOneTerm> terms;  // that it is to consist of
+  std::vector<RankOneTerm> terms;  // of which the change has to consist
   JacobianBlock mesh_motion_row, multiplier_row, rigid_row, rigid_column;
   std::vector<int> core, multipliers;
   int rigid = -1;
   bool bordered = false;       // the two below belong to J and the set-up
   std::vector<double> border;  // core solution for the column of w
-  double schur = 1;            // of w
+  double schur = 1;            // Schur complement of w
   std::vector<double> work;
 
   explicit Blocks(const Structure& s)
@@ -93,7 +93,7 @@ struct BlockPreconditioner::Blocks {
         border(s.size),
         work(s.size) {
     const std::vector<int> scalars = unknowns_of(s, {Role::rigid});
-    if (scalars.size() > 1) throw Error("the block solver knows one scalar rigid motion only");
+    if (scalars.size() > 1) throw Error("the block solver supports only one scalar rigid motion");
     if (!scalars.empty()) rigid = scalars.front();
   }
 
@@ -104,14 +104,14 @@ struct BlockPreconditioner::Blocks {
       change.set(terms, *stiffness.solver, static_cast<long>(stiffness.unknowns.size()));
   }
 
-  /// Rows of u, lambda and c; s is changed.
+  /// Solves the rows of u, lambda and c; s is changed.
   void solve_core(std::span<double> s, std::span<double> z) {
     contact.condense(s);
     stiffness.solve(s, z, &change);
     contact.recover(s, z);
   }
 
-  /// Solves for a unit of w: z_core = -border then, and what is left of J_ww is `schur`.
+  /// Solves for a unit of w: then z_core = -border, and `schur` is the Schur complement of J_ww.
   void make_border() {
     std::fill(border.begin(), border.end(), 0.0);
     std::fill(work.begin(), work.end(), 0.0);
@@ -122,7 +122,7 @@ struct BlockPreconditioner::Blocks {
     std::fill(work.begin(), work.end(), 0.0);
     rigid_row.subtract(J, border, work);
     schur = diagonal(rigid) + work[rigid];
-    if (schur == 0) schur = 1;  // nothing carries the force: an outer iteration will tell
+    if (schur == 0) schur = 1;  // nothing carries the force: the outer iteration will fail
     bordered = true;
   }
 

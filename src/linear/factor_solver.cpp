@@ -33,7 +33,8 @@ struct Common {
   Common& operator=(const Common&) = delete;
 };
 
-/// What solves need beside the factor, kept from one to the next; a thread has its own.
+/// The memory that solves need in addition to the factor, kept for the next solve; each thread has
+/// its own.
 struct Workspace {
   Common common;
   cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;
@@ -70,7 +71,7 @@ private:
   std::vector<double> values_;
   cholmod_factor* factor_ = nullptr;
   RoundedFactor rounded_;                   // empty where the factors are small
-  std::deque<Workspace> workspaces_;        // one a thread
+  std::deque<Workspace> workspaces_;        // one per thread
   std::vector<SuiteSparse_long> diagonal_;  // positions in values_
   int factorizations_ = 0;
 };
@@ -122,15 +123,15 @@ cholmod_dense FactorSolver::columns(std::span<const double> values) const {
   return dense;
 }
 
-constexpr double worth_threads = 1e10;  // operations; below, waking them costs more
+constexpr double worth_threads = 1e10;  // operations; below, waking threads costs more
 
 /// Returns false where the matrix is not positive definite.
 bool FactorSolver::factorize() {
   cholmod_sparse matrix = view();
   ++factorizations_;
   if (common_.data.fl > worth_threads) use_blas_threads(omp_get_max_threads());
-  // CHOLMOD has four threads for its small loops, on however many cores; on two they take as long
-  // to wait for each other as all the rest.
+  // CHOLMOD uses four threads for its small loops on every number of cores; on two cores they wait
+  // for each other for as long as all other work takes.
   const int levels = omp_get_max_active_levels();
   omp_set_max_active_levels(0);
   cholmod_l_factorize(&matrix, factor_, &common_.data);
@@ -165,7 +166,7 @@ bool FactorSolver::solve(Workspace& workspace, std::span<const double> b,
 }
 
 void FactorSolver::apply(std::span<const double> b, std::span<double> x) {
-  // CHOLMOD copies the columns; a few at a time use its dense kernels as well as all.
+  // CHOLMOD copies the columns; its dense kernels are as efficient with a few columns as with all.
   constexpr long most = 32;
   const long size = layout_.lower.size(), count = static_cast<long>(b.size()) / size;
   if (count == 1 && !rounded_.empty()) return rounded_.solve(b, x);
@@ -186,8 +187,8 @@ void FactorSolver::apply(std::span<const double> b, std::span<double> x) {
 }
 
 double FactorSolver::set_up_cost() const {
-  // Dense kernels of a factorization do some 5 operations in the time of one of a solve, which
-  // waits for memory (191,100 unknowns, 4.5e11 operations, 1.9e8 entries: 12 s by two threads
+  // Dense kernels of a factorization do about 5 operations in the time of one operation of a solve,
+  // which waits for memory (191,100 unknowns, 4.5e11 operations, 1.9e8 entries: 12 s by two threads
   // against 0.155 s, in double precision and with CHOLMOD's own threads on).
   constexpr double faster = 5;
   return common_.data.fl / (4 * common_.data.lnz * faster);

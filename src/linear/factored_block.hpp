@@ -1,4 +1,4 @@
-// A small diagonal block of a Jacobian with LU factors of its own.
+// A small diagonal block of a Jacobian with its own LU factors.
 #pragma once
 
 #include <gnomon/linear/jacobian_block.hpp>
@@ -9,7 +9,7 @@
 
 namespace gnomon {
 
-/// Of the unknowns of some roles; may have none. Vectors have the system's size.
+/// The block of the unknowns with some roles; it may be empty. Vectors have the system's size.
 class FactoredBlock {
 public:
   FactoredBlock(const Structure& structure, Roles roles);

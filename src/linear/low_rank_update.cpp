@@ -13,13 +13,14 @@ double SparseVector::dot(const double* x) const {
 
 namespace {
 
-/// |a - b| / |b| in the greatest entry; b may not vanish. 1 where they have different entries.
+/// The largest entry of |a - b| divided by that of |b|; b must not be zero. 1 if their patterns
+/// differ.
 double turned(const SparseVector& a, const SparseVector& b) {
   if (a.index != b.index) return 1;
   double difference = 0, size = 0;
   for (std::size_t k = 0; k < a.value.size(); ++k) {
     const double here = std::abs(a.value[k] - b.value[k]);
-    if (!(here <= difference)) difference = here;  // what is no number serves nothing
+    if (!(here <= difference)) difference = here;  // a NaN counts as a difference
     size = std::max(size, std::abs(b.value[k]));
   }
   return difference / size;
@@ -47,7 +48,7 @@ long LowRankUpdate::columns_to_solve(const std::vector<RankOneTerm>& terms) cons
 
 void LowRankUpdate::solve(const std::vector<RankOneTerm>& terms, InnerSolver& stiffness,
                           long size) {
-  constexpr long most = 64;  // columns at once
+  constexpr long most = 64;  // columns per solve
   std::vector<const RankOneTerm*> fresh;
   for (const RankOneTerm& term : terms)
     if (!serves(term)) fresh.push_back(&term);

@@ -1,4 +1,4 @@
-// The inverse of a stiffness that has changed by few columns since it was factorized.
+// The inverse of a stiffness that has changed by a few columns since it was factorized.
 #pragma once
 
 #include <Eigen/LU>
@@ -16,27 +16,27 @@ struct SparseVector {
   double dot(const double* x) const;
 };
 
-/// k u v^T, to be added to a matrix. `id` tells the term from others and finds it again.
+/// k u v^T, to be added to a matrix. `id` identifies the term.
 struct RankOneTerm {
   int id = 0;
   double k = 0;
   SparseVector u, v;
 };
 
-/// Of K + U diag(k) V^T by the formula of Sherman, Morrison and Woodbury, with Y = K^-1 U:
+/// Solves with K + U diag(k) V^T by the formula of Sherman, Morrison and Woodbury, with Y = K^-1 U:
 ///
 ///   x = x0 - Y (1 + diag(k) V^T Y)^-1 diag(k) V^T x0,   x0 = K^-1 b
 ///
-/// A column of Y costs less than a solve with K, once; a new factorization costs some dozens.
+/// A column of Y costs less than one solve with K; a new factorization costs some dozens of solves.
 class LowRankUpdate {
 public:
-  /// Forgets everything: K is new.
+  /// Discards everything, because K is new.
   void clear();
-  /// How many columns set() would have to solve for: of terms that are new, and of those whose u
-  /// has turned so far that the old one serves badly.
+  /// How many columns set() would have to solve for: those of new terms, and those whose u has
+  /// changed direction too much for the old column.
   long columns_to_solve(const std::vector<RankOneTerm>& terms) const;
-  /// Takes the terms that make up the change, all of them, and solves for their columns with
-  /// `stiffness` of `size` unknowns where need be.
+  /// Takes all terms of the change, and solves for their columns with `stiffness` of `size`
+  /// unknowns where needed.
   void set(const std::vector<RankOneTerm>& terms, InnerSolver& stiffness, long size);
   /// x0 becomes x.
   void correct(std::span<double> x) const;
@@ -51,7 +51,7 @@ private:
 
   std::map<int, Column> columns_;  // by id
   std::vector<RankOneTerm> terms_;
-  std::vector<long> column_of_;  // of terms_
+  std::vector<long> column_of_;  // the column of each of terms_
   Eigen::MatrixXd Y_;
   Eigen::MatrixXd U_, solved_;  // some columns of U and of Y
   Eigen::PartialPivLU<Eigen::MatrixXd> inverse_;

@@ -13,7 +13,7 @@ bool has_multigrid() {
 
 std::unique_ptr<InnerSolver> make_multigrid_solver(const StiffnessLayout& layout) {
   using New = InnerSolver*(const StiffnessLayout&);
-  // Loaded for good: PETSc and MPI do not bear being unloaded.
+  // Never unloaded, because PETSc and MPI do not support it.
   static void* const module = dlopen(GNOMON_MULTIGRID_MODULE, RTLD_NOW | RTLD_LOCAL);
   static const auto make =
       module ? reinterpret_cast<New*>(dlsym(module, "gnomon_new_multigrid")) : nullptr;
@@ -32,7 +32,7 @@ bool has_multigrid() {
 
 std::unique_ptr<InnerSolver> make_multigrid_solver(const StiffnessLayout&) {
   throw InputError(
-      "solver.preconditioner = \"multigrid\" needs PETSc, which this gnomon was built without");
+      "solver.preconditioner = \"multigrid\" needs PETSc, but this gnomon was built without it");
 }
 
 #endif

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int one = 1;
 
-/// Columns next to each other with the same rows: a dense triangle, and what is below it.
+/// Neighbouring columns with the same rows: a dense triangle and the rows below it.
 struct Supernode {
   long first;                   // column
   int columns, rows, below;     // rows: of the triangle and below

@@ -13,7 +13,7 @@ namespace gnomon {
 
 namespace {
 
-/// Adjacency of groups, both directions, without self loops, as METIS wants it.
+/// Adjacency of groups, both directions, without self loops, as METIS requires it.
 struct GroupGraph {
   std::vector<idx_t> start{0}, neighbour;
 
@@ -49,7 +49,8 @@ int compress(std::vector<int>& group) {
 
 /// The pattern with every block between two coupled groups made full. UMFPACK then works on dense
 /// fronts: measured 1.5 (40x40) to 1.8 (80x80) times faster than on the exact pattern, where the
-/// missing derivative of the mesh motion by the displacement leaves ragged ones.
+/// missing derivative of the mesh motion with respect to the displacement makes the fronts
+/// irregular.
 SparsePattern pad_groups(const SparsePattern& pattern, std::vector<int> group) {
   const int groups = compress(group);
   std::vector<std::vector<int>> members(groups), coupled(groups);
@@ -81,7 +82,7 @@ std::vector<int> nested_dissection(const SparsePattern& pattern, const std::vect
     options[METIS_OPTION_SEED] = 1;  // the same order in every run
     if (METIS_NodeND(&groups, graph.start.data(), graph.neighbour.data(), nullptr, options,
                      order.data(), position.data()) != METIS_OK)
-      // It takes SIGTERM for an error of its own.
+      // METIS treats SIGTERM as its own error.
       throw Error("METIS was ended by a signal, or could not order the unknowns");
   }
   std::vector<int> result(compact.size());
@@ -111,7 +112,7 @@ struct SparseLu::Factors {
     umfpack_di_defaults(control);
     control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;  // diagonal pivots keep the order
     control[UMFPACK_ORDERING] = UMFPACK_ORDERING_GIVEN;
-    control[UMFPACK_IRSTEP] = 0;  // Newton corrects itself
+    control[UMFPACK_IRSTEP] = 0;  // Newton's method corrects the error
   }
   ~Factors() {
     if (numeric) umfpack_di_free_numeric(&numeric);

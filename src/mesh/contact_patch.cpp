@@ -9,7 +9,7 @@ namespace gnomon {
 
 namespace {
 
-/// Position of `node` in the patch, appended when new.
+/// Position of `node` in the patch; a new node is appended.
 template <int dim>
 int place_in_patch(ContactPatch<dim>& patch, int node) {
   const auto found = std::find(patch.nodes.begin(), patch.nodes.end(), node);
@@ -33,7 +33,7 @@ typename ContactPatch<dim>::Corner make_corner(ContactPatch<dim>& patch,
   return corner;
 }
 
-/// The facets' nodes, to compare facets whatever corner they begin with.
+/// The nodes of a facet in ascending order, to compare facets that begin with different corners.
 template <class Facet>
 Facet sorted(Facet facet) {
   std::sort(facet.begin(), facet.end());

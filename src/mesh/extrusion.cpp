@@ -4,17 +4,17 @@
 
 namespace gnomon {
 
-Extrusion extrude(const Mesh<2>& section, const std::vector<double>& stations) {
-  if (stations.size() < 2 || std::adjacent_find(stations.begin(), stations.end(),
-                                                std::greater_equal<>()) != stations.end())
-    throw Error("extrusion: at least two ascending stations are needed");
-  const int count = static_cast<int>(stations.size()), last = count - 1;
+Extrusion extrude(const Mesh<2>& section, const std::vector<double>& lines) {
+  if (lines.size() < 2 ||
+      std::adjacent_find(lines.begin(), lines.end(), std::greater_equal<>()) != lines.end())
+    throw Error("extrusion: at least two ascending grid lines are needed");
+  const int count = static_cast<int>(lines.size()), last = count - 1;
   const auto node = [count](int p, int i) { return p * count + i; };
   Extrusion result;
   result.section = section;
   Mesh<3>& mesh = result.mesh;
   for (int p = 0; p < static_cast<int>(section.nodes.size()); ++p)
-    for (double x : stations) {
+    for (double x : lines) {
       mesh.nodes.emplace_back(x, section.nodes[p][0], section.nodes[p][1]);
       result.section_node.push_back(p);
     }

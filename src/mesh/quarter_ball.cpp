@@ -1,19 +1,20 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/mesh/quarter_ball.hpp>
-#include <gnomon/mesh/stations.hpp>
 #include <numbers>
 
 namespace gnomon {
 
 namespace {
 
-// Shape of the core, in radii of the ball; chosen for the best least scaled Jacobian.
+// Shape of the core, in radii of the ball; chosen so that the least scaled Jacobian is as large as
+// possible.
 constexpr double core_depth = 0.35;      // thickness of the layers at the pole
 constexpr double core_half_width = 0.4;  // at the mid-plane
 constexpr double core_angle = 0.9;       // of the core's bottom, in angles of the patch
 
-/// Exactly a at 0 and b at 1, and exactly a where the two are equal.
+/// Linear interpolation: exactly a at 0 and b at 1, and exactly a where a and b are equal.
 Vector<3> between(const Vector<3>& a, const Vector<3>& b, double t) {
   return {std::lerp(a[0], b[0], t), std::lerp(a[1], b[1], t), std::lerp(a[2], b[2], t)};
 }
@@ -42,7 +43,8 @@ struct Geometry {
   Vector<3> sphere(double a, double b, double t) const {
     Vector<3> patch = downwards(patch_angle, a, b);
     if (t == 0) return patch;
-    // Azimuth of the point above on the mid-plane, from +x: its share of the edge's way.
+    // Azimuth, from +x, of the corresponding point on the mid-plane: proportional to its position
+    // on the edge of the patch.
     const double way = a == 1 ? b / 4 : a == -1 ? 1 - b / 4 : (2 - a) / 4;
     const double azimuth = std::numbers::pi * way;
     const Vector<3> equator(std::cos(azimuth), b == 0 ? 0 : std::sin(azimuth), 0);
@@ -99,8 +101,8 @@ void BallMesh::add_nodes() {
   const double size = angle / ball_.across;
   const Geometry geometry{angle};
   const std::vector<double> up =
-      graded_stations(size, 0, std::numbers::pi / 2 - angle, ball_.height);
-  const std::vector<double> inwards = graded_stations(size, 0, core_depth, ball_.layers);
+      graded_grid_lines(size, 0, std::numbers::pi / 2 - angle, ball_.height);
+  const std::vector<double> inwards = graded_grid_lines(size, 0, core_depth, ball_.layers);
   const Vector<3> centre(0, 0, ball_.radius);
   std::vector<Vector<3>> layers;
   for (int k = 0; k <= ball_.height; ++k)
@@ -144,7 +146,7 @@ void BallMesh::add_layers(const Mesh<3>::Facet& facet) {
 }
 
 void BallMesh::name_boundary() {
-  mesh_.boundary["free"];  // stays empty where every facet is near
+  mesh_.boundary["free"];  // stays empty if every facet is near
   for (const Mesh<3>::Facet& facet : exterior_facets(mesh_)) {
     bool symmetry = true, top = true, near = false;
     for (int node : facet) {

@@ -8,7 +8,7 @@ namespace gnomon {
 
 namespace {
 
-/// Equilibria on the way: the last two.
+/// The last two equilibria of the ramp.
 class LoadPath {
 public:
   explicit LoadPath(std::vector<double> unloaded) : last_(std::move(unloaded)) {}
@@ -36,8 +36,8 @@ private:
   std::vector<double> last_, before_;
 };
 
-/// Where an increment ends. The rest of the load behind it is as large as the increment itself, or
-/// zero.
+/// The end of an increment, chosen so that the rest of the load is zero or at least as large as the
+/// increment.
 double target_of(double reached, double increment) {
   const double rest = 1 - reached;
   if (increment >= rest * (1 - 1e-9)) return 1;
@@ -74,7 +74,7 @@ RampReport ramp_load(const LoadSolve& solve, const RampOptions& options, std::ve
   if (report.reached == 1)
     report.reason.clear();
   else if (report.reason.empty())
-    report.reason = "increments became ever smaller";
+    report.reason = "increments became too small";
   y = path.last();
   return report;
 }

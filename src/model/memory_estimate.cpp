@@ -13,7 +13,7 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// kB a node; measured on the meshes in docs/linear.md.
+/// kB per node; measured on the meshes in docs/linear.md.
 double kilobytes_a_node(const MeshSize& mesh, const LinearSolverChoice& solver) {
   const bool direct = solver.method == LinearSolverChoice::Method::direct;
   if (mesh.dim == 2) {
@@ -26,7 +26,7 @@ double kilobytes_a_node(const MeshSize& mesh, const LinearSolverChoice& solver) 
   return multigrid ? 35 : 27 + 1.5 * growth;
 }
 
-/// The number at the beginning of a file; unlimited when there is none ("max").
+/// The number at the beginning of a file; infinite if there is none ("max").
 double number_in(const std::string& file) {
   std::ifstream stream(file);
   double value = 0;
@@ -64,7 +64,7 @@ double address_space() {
 }  // namespace
 
 double estimated_memory(const MeshSize& mesh, const LinearSolverChoice& solver) {
-  constexpr double program = 18e6;  // itself and its libraries
+  constexpr double program = 18e6;  // the program and its libraries
   return program + 1e3 * mesh.nodes * kilobytes_a_node(mesh, solver);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 using O = Observation;
 
-// Results of earlier versions hold columns of these names, units and order.
+// Results of earlier versions have columns with these names, units and order.
 constexpr std::array table = {
     Quantity{&O::contact_nodes, "contact_nodes", "", ""},
     Quantity{&O::contact_force, "contact_force", "N/mm", "N"},

@@ -32,7 +32,7 @@ bool has_key(const std::vector<Key>& table, const std::string& name) {
   return std::any_of(table.begin(), table.end(), [&](const Key& key) { return key.name == name; });
 }
 
-/// What the registered laws add to a table with `wear.law`.
+/// Adds the keys of the registered laws to a table with `wear.law`.
 void add_wear_laws(std::vector<Key>& table) {
   const auto law = std::find_if(table.begin(), table.end(),
                                 [](const Key& key) { return key.name == "wear.law"; });

@@ -10,8 +10,8 @@ namespace gnomon {
 
 namespace {
 
-/// Residuals are relative to the load, displacements to the body: where the one hardly strains the
-/// other, at the least of its history, no load at all would pass for equilibrium.
+/// Residuals are relative to the load, displacements to the body: if the smallest load of the
+/// history hardly strains the body, even a state without load would be accepted as an equilibrium.
 template <int dim>
 void require_strain(const WornBody<dim>& body) {
   constexpr double least = 1e-14;
@@ -20,12 +20,12 @@ void require_strain(const WornBody<dim>& body) {
   if (!(strain >= least))
     throw InputError(fmt::format(
         "load.force, load.factors, body.young_modulus: expected a load that strains the "
-        "body by {:g} or more, got about {:.2g}, which drowns in rounding",
+        "body by {:g} or more, got about {:.2g}, which is less than rounding errors",
         least, strain));
 }
 
-/// Stiffness along and across an element differ by the square of its lengths' ratio: rounding of
-/// the one must not drown the other.
+/// Stiffnesses along and across an element differ by the square of its aspect ratio: rounding
+/// errors of the larger must not exceed the smaller.
 template <int dim>
 void require_compact_elements(const Mesh<dim>& mesh) {
   constexpr double most = 1e4;
@@ -40,7 +40,7 @@ void require_compact_elements(const Mesh<dim>& mesh) {
   }
 }
 
-/// A cell with its nodal values, a row each.
+/// A cell with its nodal values, one row per node.
 template <int dim>
 struct CellState {
   CellNodal<dim> initial, X, u;  // X^, X = X^ + d, u
@@ -79,7 +79,7 @@ double wear_flux_of(const std::vector<ContactNode<dim>>& nodes, double copies) {
   return sum_over_processes(flux);
 }
 
-/// The part of an observation that takes a sweep of the cells.
+/// The part of an observation that needs a sweep over the cells.
 template <int dim>
 void observe_cells(const WornBody<dim>& body, const NodalField<dim>& d, const NodalField<dim>& u,
                    Observation& observed) {

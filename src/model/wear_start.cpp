@@ -17,14 +17,13 @@ namespace gnomon {
 
 namespace {
 
-/// An attempt that will succeed needs 3 to 9 iterations.
+/// A successful attempt needs 3 to 9 iterations.
 constexpr int max_iterations = 15;
-/// Of equilibria on the way to the whole load, in the first load that is tried.
+/// Tolerance of equilibria on the way to the whole load, relative to the first load that is tried.
 constexpr double rough_tolerance = 1e-3;
 
-/// Brings body and counter-body together, or apart, until they touch in a point, so that the first
-/// matrix is not singular: moves the counter-body if it is free to, else the body. A counter-body
-/// whose motion is given comes as the load ramp lets it (ContactTerm).
+/// Moves body and counter-body together, or apart, until they touch at a point, so that the first
+/// matrix is not singular: moves the counter-body if it is free, otherwise the body.
 template <int dim>
 void close_initial_gap(const WornBodyEquations<dim>& equations, FieldValues<dim>& values) {
   const WornBody<dim>& body = equations.body();
@@ -43,10 +42,9 @@ void close_initial_gap(const WornBodyEquations<dim>& equations, FieldValues<dim>
       if (!body.displacement_fixed(node, i)) u(node, i) = -least * other.approach[i];
 }
 
-/// How far a counter-body under part of its force comes near a body at rest, about: as a ball does,
-/// by F^(2/3) (Hertz). From there Newton meets a whole patch of active nodes. With one node alone
-/// that touches it would turn the elements beside that node inside out, the sooner the finer they
-/// are.
+/// The approximate approach of a counter-body under part of its force: proportional to F^(2/3), as
+/// for a ball (Hertz). From there Newton's method begins with several active nodes. With a single
+/// active node it would invert the elements at that node, and the more easily the finer they are.
 template <int dim>
 double indentation(const WornBody<dim>& body, double fraction) {
   return body.scales.displacement * std::cbrt(fraction * fraction);
@@ -69,7 +67,8 @@ template <int dim>
 RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSystem<dim>& contact,
                             const RampOptions& options, FieldValues<dim>& values,
                             Counters& counters) {
-  // One at a time, for each holds factors. Most loads go on at once, and need the exact one alone.
+  // One solver at a time, because each holds factors. Most ramps reach the whole load at once and
+  // need only the exact solver.
   std::optional<NewtonSolver> solver;
   bool exact = false;
   const NonlinearFunction function = algebraic_function(contact);

@@ -1,4 +1,4 @@
-// Equilibrium of a worn body at frozen shape, from rest.
+// Equilibrium of a worn body at frozen shape, computed from the unloaded state.
 #pragma once
 
 #include <gnomon/base/counters.hpp>
@@ -8,17 +8,19 @@
 
 namespace gnomon {
 
-/// How the load of this body is best applied. What limits an increment from rest is the change of
-/// volume that a linear step makes at second order in the strain: against it stands lambda, against
-/// the strain mu. So the first increment brings a mean strain (pressure by Young's modulus) of a
-/// few times mu / lambda, or the whole load where that is less. Measured on the pin (E = 10 and 20
+/// The best increments of the load of this body. An increment from rest is limited by the change of
+/// volume that a linear step causes at second order in the strain: lambda resists this change, mu
+/// resists the strain. So the first increment causes a mean strain (pressure divided by Young's
+/// modulus) of a few times mu / lambda, or is the whole load if that is less.
+/// Measured on the pin (E = 10 and 20
 /// MPa, nu = 0.499, 20x20): twice as much fails.
 template <int dim>
 RampOptions ramp_options(const WornBody<dim>& body);
 
 /// Brings `values` (zero displacement) into equilibrium with the whole load at t = 0 by a ramp.
-/// Increments below the whole load are solved only roughly, for they are mere guesses. `contact`:
-/// the system of WornBodyEquations::deformation(); its load fraction is left where the ramp ended.
+/// Increments below the whole load are solved only roughly, because they only give first guesses.
+/// `contact`: the system of WornBodyEquations::deformation(); its load fraction keeps the value at
+/// which the ramp ended.
 template <int dim>
 RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSystem<dim>& contact,
                             const RampOptions& options, FieldValues<dim>& values,

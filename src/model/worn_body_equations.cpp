@@ -9,8 +9,8 @@ namespace gnomon {
 
 namespace {
 
-/// The problem's scales, raised to where rounding of positions and stresses ends what can be
-/// solved: a small load, a short run or a stiff body would otherwise ask for less.
+/// The problem's scales, but not smaller than rounding errors of positions and stresses allow: a
+/// small load, a short run or a stiff body would otherwise require an impossible accuracy.
 template <int dim>
 Scales above_rounding(const WornBody<dim>& body) {
   Vector<dim> low = body.mesh.nodes.front(), high = low;

@@ -14,8 +14,8 @@ namespace {
 
 using Preconditioner = LinearSolverChoice::Preconditioner;
 
-/// Factors of a plane body stay cheap; in space they cost more time and far more memory from some
-/// size on (docs/linear.md).
+/// For a plane body factors are always inexpensive; in space, above some size, they cost more time
+/// and far more memory than multigrid (docs/linear.md).
 Preconditioner preconditioner_by_size(const MeshSize& mesh) {
   constexpr double many_displacements = 300'000;
   return mesh.dim == 3 && mesh.dim * mesh.nodes >= many_displacements && has_multigrid()
@@ -25,10 +25,12 @@ Preconditioner preconditioner_by_size(const MeshSize& mesh) {
 
 /// Equations are solved to 1e-11 of load.force.
 constexpr double least_load_factor = 1e-6;
-/// In the time of the run: what a step changes of the shape has to stand out from rounding.
+/// Part of the time of the run: the change of the shape in a step has to be larger than rounding
+/// errors.
 constexpr double shortest_ramp = 1e-4;
 
-/// A time of the load that is one to store at, or the end, but for rounding is taken for that.
+/// Times of the load that differ only by rounding from an output time, or from the end, are
+/// replaced by it.
 std::vector<double> on_landings(std::vector<double> times, const Scene& scene) {
   std::vector<double> landings = scene.reals("output.times");
   landings.push_back(scene.real("time.end"));
@@ -98,7 +100,7 @@ LoadHistory read_load_history(const Scene& scene) {
   for (std::size_t k = 1; k < times.size(); ++k)
     if (!(times[k] - times[k - 1] >= 0.999 * shortest))
       throw InputError(
-          fmt::format("{}: expected ascending times, {:g} of time.end = {:g} s apart or more, got "
+          fmt::format("{}: expected ascending times, at least {:g} of time.end = {:g} s apart, got "
                       "{} after {}",
                       scene.where("load.times"), shortest_ramp, shortest, times[k], times[k - 1]));
   for (const double factor : factors)

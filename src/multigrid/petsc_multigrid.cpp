@@ -1,4 +1,4 @@
-// The module that sees PETSc. It is loaded by src/linear/multigrid.cpp on first use.
+// The only module that uses PETSc. src/linear/multigrid.cpp loads it on first use.
 
 #include <petscksp.h>
 
@@ -16,16 +16,16 @@ void check(PetscErrorCode code) {
   if (code) throw Error("PETSc failed with code " + std::to_string(code));
 }
 
-/// Once a process; PETSc leaves signals, standard streams and the user's settings alone.
+/// Called once per process; PETSc does not change signals, standard streams or the user's settings.
 void initialize_petsc() {
   PetscBool initialized = PETSC_FALSE;
   check(PetscInitialized(&initialized));
   if (initialized) return;
-  // One process talks to nobody: without these OpenMPI looks for networks, slowly, and prints what
-  // it does not find.
+  // There is only one process: without these settings OpenMPI searches for networks, which is slow,
+  // and prints which ones are missing.
   setenv("OMPI_MCA_btl", "self", 0);
   setenv("OMPI_MCA_pml", "ob1", 0);
-  setenv("OMPI_MCA_opal_signal", "", 0);  // signals stay the program's
+  setenv("OMPI_MCA_opal_signal", "", 0);  // the program handles signals itself
   check(PetscOptionsSetValue(nullptr, "-no_signal_handler", "true"));
   check(PetscOptionsSetValue(nullptr, "-skip_petscrc", "true"));
   check(PetscInitializeNoArguments());
@@ -33,7 +33,8 @@ void initialize_petsc() {
   std::atexit([] { PetscFinalize(); });
 }
 
-/// Every node with all its components, those that are held too: numbers dim * node + component.
+/// Every node with all its components, including those that are held: numbers dim * node +
+/// component.
 struct Nodes {
   int dim = 1;
   std::vector<int> group;   // of each node
@@ -65,7 +66,7 @@ public:
   bool set_up(std::span<const double> values) override;
   void apply(std::span<const double> b, std::span<double> x) override;
   int factorizations() const override { return 0; }
-  /// Galerkin products, with the interpolation kept (docs/benchmarks.md).
+  /// The cost of the Galerkin products; the interpolation is kept (docs/benchmarks.md).
   double set_up_cost() const override { return 8; }
 
 private:
@@ -139,8 +140,8 @@ void PetscMultigrid::make_preconditioner() {
   check(PCSetOperators(multigrid_, matrix_, matrix_));
   check(PCSetType(multigrid_, PCGAMG));
   check(PCGAMGSetReuseInterpolation(multigrid_, PETSC_TRUE));
-  // Aggregates two edges wide at first, of some hundred nodes: a set-up costs a third of what it
-  // costs with narrow ones, for a third more iterations.
+  // Aggregates of the first level are two edges wide, about a hundred nodes: a set-up costs a third
+  // of that with narrow aggregates, and a third more iterations are needed.
   check(PCGAMGSetAggressiveLevels(multigrid_, 1));
 }
 
@@ -155,7 +156,7 @@ void PetscMultigrid::know_rigid_modes(const StiffnessLayout& layout) {
   check(VecRestoreArray(coordinates, &place));
   MatNullSpace modes = nullptr;
   check(MatNullSpaceCreateRigidBody(coordinates, &modes));
-  // Held values do not take part in a mode.
+  // The modes are zero at held values.
   PetscInt count = 0;
   const Vec* vectors = nullptr;
   check(MatNullSpaceGetVecs(modes, nullptr, &count, &vectors));
@@ -188,21 +189,22 @@ bool PetscMultigrid::set_up(std::span<const double> values) {
   return failed == PC_NOERROR;
 }
 
-/// Levels are there after a set-up only.
+/// The levels exist only after a set-up.
 void PetscMultigrid::choose_cycle() {
   PetscInt levels = 0;
   check(PCMGGetLevels(multigrid_, &levels));
   if (levels < 2) return;
-  // A W-cycle keeps the iterations from growing with the levels, the coarser of which cost little.
+  // With a W-cycle the iterations do not grow with the number of levels; the coarser levels cost
+  // little.
   check(PCMGSetCycleType(multigrid_, PC_MG_CYCLE_W));
   KSP smoother = nullptr;
   PC sweep = nullptr;
   check(PCMGGetSmoother(multigrid_, levels - 1, &smoother));
   check(KSPGetPC(smoother, &sweep));
-  // On the finest level alone: an aggregate of one node has fewer unknowns than there are rigid
+  // On the finest level only: an aggregate of one node has fewer unknowns than there are rigid
   // modes, which leaves zero rows on the levels below. There Jacobi works, and a sweep fails.
   check(PCSetType(sweep, PCSOR));
-  // Symmetric sweeps bring all eigenvalues to (0, 1].
+  // With symmetric sweeps all eigenvalues are in (0, 1].
   check(KSPChebyshevSetEigenvalues(smoother, 1, 0.1));
   check(KSPSetUp(smoother));
 }

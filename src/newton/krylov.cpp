@@ -9,7 +9,7 @@ namespace gnomon::sundials {
 namespace {
 
 constexpr int most_iterations = 80;
-/// What a solve must reach at least to be of use to Newton's method.
+/// The reduction that a solve must reach to be useful to Newton's method.
 constexpr double useful = 0.3;
 
 }  // namespace
@@ -35,7 +35,7 @@ BlockSolver::BlockSolver(const Structure& structure, Counters& counters, SUNCont
   check(SUNLinSolSetATimes(gmres_.get(), this, product), "SUNLinSolSetATimes");
   check(SUNLinSolSetPreconditioner(gmres_.get(), this, nullptr, precondition),
         "SUNLinSolSetPreconditioner");
-  // Krylov vectors live in scaled rows: what enters the preconditioner is scaled back.
+  // Krylov vectors have scaled rows; the input of the preconditioner is scaled back.
   check(SUNLinSolSetScalingVectors(gmres_.get(), row_scale_.get(), row_scale_.get()),
         "SUNLinSolSetScalingVectors");
   check(SUNLinSolInitialize(gmres_.get()), "SUNLinSolInitialize");
@@ -54,7 +54,7 @@ void BlockSolver::set_up(std::span<const double> J, bool anew) {
 
 void BlockSolver::set_up_preconditioner() {
   const bool whole = policy_.whole();
-  policy_.failed();  // until it is made
+  policy_.failed();  // valid until the set-up has succeeded
   ++counters_.preconditioner_setups;
   counters_.factorizations += preconditioner_.set_up(whole);
   policy_.made(whole, preconditioner_.set_up_cost());

@@ -11,15 +11,15 @@
 
 namespace gnomon::sundials {
 
-/// Solves J x = b for a sequence of Jacobians on one pattern, and keeps its preconditioner over
-/// them while it pays (SetupPolicy).
+/// Solves J x = b for a sequence of Jacobians on one pattern, and keeps its preconditioner while
+/// this costs less than a new one (SetupPolicy).
 class BlockSolver {
 public:
   /// References must outlive the solver. Errors as BlockPreconditioner.
   BlockSolver(const Structure& structure, Counters& counters, SUNContext context);
 
-  /// Takes a new Jacobian, which must outlive the solves with it. `anew`: with a new
-  /// preconditioner, also where the old one would serve.
+  /// Takes a new Jacobian, which must outlive the solves with it. `anew`: with a new preconditioner
+  /// even if the old one is good enough.
   void set_up(std::span<const double> J, bool anew = false);
   /// Solves until the residual, rows divided by their scales, has fallen to `reduction` of the
   /// right side's in the Euclidean norm. b may be x. Throws RecoverableError when even a fresh

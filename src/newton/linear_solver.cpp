@@ -8,7 +8,7 @@ namespace gnomon::sundials {
 
 namespace {
 
-/// The two solvers behind one handle.
+/// The content of the SUNLinearSolver: one of the two solvers.
 struct Content {
   Content(const Structure& s, Counters& c, Guard& g, SUNContext context, const LinearRequest& r)
       : counters(c), guard(g), request(r) {

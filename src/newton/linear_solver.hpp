@@ -15,14 +15,15 @@ inline void destroy_linear(_generic_SUNLinearSolver* s) {
 }
 using LinearSolverOwner = Owner<_generic_SUNLinearSolver, destroy_linear>;
 
-/// What a nonlinear solver asks of its linear one, renewed before every solve.
+/// The request of a nonlinear solver to its linear solver, set before every solve.
 struct LinearRequest {
   bool keep = false;        ///< a set-up leaves the last Jacobian and factors as they are
   double reduction = 1e-8;  ///< residual to be reached, relative to the right side; direct: ignored
 };
 
-/// The solver that `structure` chooses; counts its work. To SUNDIALS it is a direct one, so that
-/// Jacobians come as matrices and tolerances are gnomon's own. Its references must outlive it.
+/// The solver that `structure` chooses; counts its work. For SUNDIALS it is a direct solver, so
+/// that Jacobians are passed as matrices and gnomon chooses the tolerances. The referenced objects
+/// must outlive it.
 LinearSolverOwner make_linear_solver(const Structure& structure, Counters& counters, Guard& guard,
                                      SUNContext context, const LinearRequest& request);
 

@@ -41,7 +41,7 @@ private:
   NewtonPolicy policy_;
   ResidualNorm norm_;
   const NonlinearFunction* function_ = nullptr;
-  // Of the present solve.
+  // Data of the present solve.
   std::vector<double> norms_;        // of the iterates
   std::vector<ActiveSet> branches_;  // of the iterates
   Verdict verdict_ = Verdict::go_on;
@@ -76,14 +76,14 @@ NewtonSolver::Memory::Memory(const Structure& structure, Counters& counters,
   check(KINInit(k, &Memory::residual, y_.get()), "KINInit");
   check(KINSetUserData(k, this), "KINSetUserData");
   check(KINSetLinearSolver(k, linear_.get(), matrix_.get()), "KINSetLinearSolver");
-  // KINSOL takes the steps, the policy decides, and it is asked where KINSOL asks for a Jacobian:
-  // before every iteration, also where KINSOL would be done.
-  constexpr double never = 1e-300;  // but at a residual of zero
+  // KINSOL takes the steps and the policy decides. It decides when KINSOL requests a Jacobian:
+  // before every iteration, also when KINSOL itself would stop.
+  constexpr double never = 1e-300;  // KINSOL stops only at a residual of zero
   check(KINSetJacFn(k, &Memory::next_step), "KINSetJacFn");
   check(KINSetMaxSetupCalls(k, 1), "KINSetMaxSetupCalls");
   check(KINSetNumMaxIters(k, options.max_iterations + 1), "KINSetNumMaxIters");
   check(KINSetFuncNormTol(k, never), "KINSetFuncNormTol");
-  // Steps of a few roundings of y lead nowhere.
+  // Steps of a few rounding errors of y are useless.
   check(KINSetScaledStepTol(k, 1e-15), "KINSetScaledStepTol");
   // The default bound (1000, or 1000 |u_0|) would clip the first step from rest.
   check(KINSetMaxNewtonStep(k, 1e100), "KINSetMaxNewtonStep");
@@ -99,8 +99,8 @@ int NewtonSolver::Memory::residual(N_Vector y, N_Vector G, void* data) {
   });
 }
 
-// KINSOL asks for a Jacobian before every iteration (KINSetMaxSetupCalls). What is returned stops
-// it where the policy says so.
+// KINSOL requests a Jacobian before every iteration (KINSetMaxSetupCalls). The return value stops
+// it if the policy decides so.
 int NewtonSolver::Memory::next_step(N_Vector y, N_Vector, SUNMatrix J, void* data, N_Vector,
                                     N_Vector) {
   constexpr int stop = 1;
@@ -122,7 +122,7 @@ void NewtonSolver::Memory::set_up(const NewtonPolicy::Plan& plan, const ActiveSe
   if (!plan.set_up) return;
   ++counters_.jacobian_evaluations;
   function_->jacobian(view(y), values(J));
-  policy_.factors_made(branch);  // by KINSOL, next
+  policy_.factors_made(branch);  // KINSOL makes them next
 }
 
 std::string NewtonSolver::Memory::reason(int flag) const {
@@ -131,13 +131,13 @@ std::string NewtonSolver::Memory::reason(int flag) const {
     return fmt::format("Newton did not converge in {} iterations{}", options_.max_iterations,
                        cycling());
   if (flag == KIN_STEP_LT_STPTOL)
-    return fmt::format("Newton's steps vanish at {:.2g} times the scale of the residual",
+    return fmt::format("Newton's steps become too small at {:.2g} times the scale of the residual",
                        norms_.back());
   return fmt::format("KINSOL stopped with code {}", flag);
 }
 
-/// Which nodes went on switching in the last iterations: three times in eight is a cycle of two or
-/// three sets, not a front of contact that passes. Four of them are enough to find the place.
+/// The nodes that kept switching in the last iterations: three times in eight means a cycle of two
+/// or three active sets, not a moving edge of contact. Four nodes are enough to find the place.
 std::string NewtonSolver::Memory::cycling() const {
   constexpr std::size_t window = 8;
   constexpr int many = 3, most_shown = 4;
@@ -161,8 +161,8 @@ bool NewtonSolver::Memory::accepted(int flag) const {
   return flag == KIN_STEP_LT_STPTOL && !norms_.empty() && norms_.back() <= options_.acceptable;
 }
 
-/// KINSOL's count: an iteration that is begun and stopped at rounding is one, as in all published
-/// counts of gnomon.
+/// KINSOL's count: an iteration that is stopped at rounding counts, as in all published counts of
+/// gnomon.
 int NewtonSolver::Memory::iterations() const {
   const int steps = policy_.iterations();
   return verdict_ == Verdict::rounding && steps < options_.max_iterations ? steps + 1 : steps;

@@ -13,8 +13,8 @@ void NewtonPolicy::begin(double rate_weight) {
   began_with_kept_factors_ = options_.keep_factors && has_factors_;
 }
 
-/// The residual that ends the iteration, and the one place that says how accurate is accurate
-/// enough. Today a constant. A fraction of the time error instead would be decided here: it needs
+/// The residual that ends the iteration; only this function decides which accuracy is sufficient.
+/// At present it is a constant. A fraction of the time error would be implemented here: it needs
 /// the size of the last Newton step in the error norm, as another argument of judge(), and the rate
 /// of convergence current_ / previous_ (done when rate / (1 - rate) * step <= fraction).
 double NewtonPolicy::target() const {
@@ -65,14 +65,16 @@ void NewtonPolicy::factors_made(const ActiveSet& branch) {
 }
 
 /// Forcing term. With a fresh Jacobian the second choice of Eisenstat and Walker (SIAM J. Sci.
-/// Comput. 17 (1996) 16), 0.9 (current / previous)^2: as accurate as the next contraction may be. A
-/// kept Jacobian contracts by the same factor again, and a tenth of that is enough.
+/// Comput. 17 (1996) 16), 0.9 (current / previous)^2: so that the solve is as accurate as the
+/// expected contraction. A kept Jacobian contracts by the same factor again, and a tenth of that
+/// factor is enough.
 double NewtonPolicy::reduction() const {
   // A step that does not resolve the sign of a contact node switches it at random. The start of the
   // groove (20x41x10 elements) takes 5 iterations with 1e-4, and with 0.05 fails after 15; an inner
   // iteration costs a hundredth of a factorization.
   constexpr double loosest = 1e-4;
-  // GMRES on scaled rows does not get below; nor is a fifth of what ends the iteration of use.
+  // GMRES on scaled rows does not reach smaller values; and less than a fifth of the residual that
+  // ends the iteration is useless.
   constexpr double tightest = 1e-10, margin = 0.2;
   if (previous_ <= 0) return loosest;
   const double contraction = current_ / previous_;

@@ -1,5 +1,5 @@
-// The decisions of a semismooth Newton iteration, without the iteration: values in, decisions out.
-// KINSOL (newton.cpp) and IDA (semismooth_newton.cpp) both ask it.
+// The decisions of a semismooth Newton iteration, without the iteration: from values to decisions.
+// KINSOL (newton.cpp) and IDA (semismooth_newton.cpp) both use it.
 #pragma once
 
 #include <gnomon/newton/newton_options.hpp>
@@ -7,7 +7,8 @@
 
 namespace gnomon {
 
-/// One object per Jacobian: it remembers what the factors were made for. A solve goes
+/// One object per Jacobian: it remembers for which branch and weight the factors were made. A solve
+/// does
 ///
 ///   begin(); at each iterate: judge(norm), and if it says go_on: plan(branch), a set-up if the
 ///   plan has one, then factors_made(branch), and a Newton step.
@@ -15,21 +16,21 @@ class NewtonPolicy {
 public:
   explicit NewtonPolicy(const NewtonOptions& options) : options_(options) {}
 
-  /// A solve begins, at its guess. `rate_weight`: of the rates in its Jacobian.
+  /// Called when a solve begins, at its guess. `rate_weight`: weight of the rates in its Jacobian.
   void begin(double rate_weight = 0);
 
   enum class Verdict {
     go_on,
     done,      ///< below the target
-    rounding,  ///< not below the target, but small and no longer falling: accepted
-    failed     ///< iterations are used up
+    rounding,  ///< not below the target, but small and no longer decreasing: accepted
+    failed     ///< all allowed iterations were done
   };
-  /// At an iterate (the guess first) with this residual norm.
+  /// Called at each iterate (the guess is the first) with its residual norm.
   Verdict judge(double norm);
 
   struct Plan {
-    bool set_up;       ///< a new Jacobian and its factors are to be made at this iterate
-    double reduction;  ///< of the linear residual that an iterative linear solver is to reach
+    bool set_up;       ///< a new Jacobian and its factors must be made at this iterate
+    double reduction;  ///< reduction of the linear residual that an iterative solver must reach
   };
   /// The next Newton step, from an iterate on `branch` (empty: the equations are smooth).
   /// `demanded`: the caller needs a set-up for reasons of its own.
@@ -37,10 +38,10 @@ public:
   /// The set-up of the last plan has succeeded. Without this call the next plan has one again.
   void factors_made(const ActiveSet& branch);
 
-  /// After a solve that failed: whether kept factors may have led it astray, so that it is worth
-  /// repeating with fresh ones.
+  /// After a solve that failed: whether kept factors may be the reason, so that it should be
+  /// repeated with fresh ones.
   bool began_with_kept_factors() const { return began_with_kept_factors_; }
-  /// The next plan has a set-up.
+  /// After this call the next plan has a set-up.
   void forget_factors() { has_factors_ = false; }
 
   /// Newton steps since begin().
@@ -55,13 +56,13 @@ private:
   double reduction() const;
 
   NewtonOptions options_;
-  // Of this solve.
+  // Data of this solve.
   double rate_weight_ = 0;
   double current_ = 0, previous_ = 0;  // norms of this iterate and the last
   int iterations_ = 0;
-  bool fresh_ = false;  // the last step, or the one planned, has a fresh Jacobian
+  bool fresh_ = false;  // the last or the planned step has a fresh Jacobian
   bool began_with_kept_factors_ = false;
-  // Of the factors.
+  // Data of the factors.
   bool has_factors_ = false;
   double factored_rate_weight_ = 0;
   ActiveSet factored_branch_;

@@ -7,8 +7,8 @@
 
 namespace gnomon {
 
-/// Largest |F_i| / scale_i, scale_i being Structure::row_scale unless allow_for_rounding() raised
-/// it.
+/// Largest |F_i| / scale_i, where scale_i is Structure::row_scale unless allow_for_rounding() has
+/// raised it.
 class ResidualNorm {
 public:
   explicit ResidualNorm(const Structure& structure)
@@ -17,9 +17,10 @@ public:
   double operator()(std::span<const double> F) const;
   const std::vector<double>& scale() const { return scale_; }
 
-  /// Where rates are rate_weight (y - base), as in short steps, rounding of y leaves more of them
-  /// than `acceptable` of their scale: less can be asked of those rows. Their scale becomes what
-  /// ten roundings of y leave of them, divided by `acceptable`, where that is more.
+  /// Where rates are rate_weight (y - base), in short steps rounding of y may change them by more
+  /// than `acceptable` times their scale, so that those rows cannot be solved to this accuracy.
+  /// Their scale is raised to the effect of ten rounding errors of y, divided by `acceptable`, if
+  /// that is larger.
   void allow_for_rounding(double rate_weight, std::span<const double> y, double acceptable);
 
 private:

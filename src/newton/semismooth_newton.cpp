@@ -30,7 +30,7 @@ Content& content(SUNNonlinearSolver solver) {
   return *static_cast<Content*>(solver->content);
 }
 
-/// IDA is told that the last Jacobian was bad when one is made in the middle of an iteration.
+/// When a Jacobian is made in the middle of an iteration, IDA is told that the last one was bad.
 int Content::set_up(const ActiveSet& branch, bool after_iterations, void* ida) {
   int current = 0;
   const int flag = setup(after_iterations ? SUNFALSE : SUNTRUE, &current, ida);
@@ -38,7 +38,7 @@ int Content::set_up(const ActiveSet& branch, bool after_iterations, void* ida) {
   return flag;
 }
 
-// Positive: recoverable, IDA cuts the step. Negative: fatal.
+// Positive: recoverable, IDA shortens the step. Negative: fatal.
 int Content::iterate(N_Vector ycor, bool set_up_demanded, void* ida) {
   using Verdict = NewtonPolicy::Verdict;
   policy.begin();

@@ -16,9 +16,10 @@ inline void destroy_nonlinear(_generic_SUNNonlinearSolver* s) {
 using NonlinearSolverOwner = Owner<_generic_SUNNonlinearSolver, destroy_nonlinear>;
 
 /// IDA's own Newton freezes the Jacobian within a step and gives up after four iterations, which
-/// fails whenever a contact node switches. This one makes factors when IDA demands them and when
-/// the policy does. `branch_at`: the smooth branch at a correction `ycor` of the predicted state.
-/// Tells the linear solver through `request` what it needs. References must outlive the solver.
+/// fails whenever a contact node switches. This solver makes factors when IDA or the policy demands
+/// them. `branch_at`: the smooth branch at a correction `ycor` of the predicted state.
+/// It passes its requests to the linear solver through `request`. The referenced objects must
+/// outlive the solver.
 NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters& counters,
                                             Guard& guard, const NewtonOptions& options,
                                             std::function<ActiveSet(N_Vector ycor)> branch_at,

@@ -1,21 +1,21 @@
-// When a preconditioner that is kept over changing Jacobians is made anew.
+// Decides when a preconditioner that is kept for changing Jacobians is made again.
 #pragma once
 
 #include <algorithm>
 
 namespace gnomon {
 
-/// A set-up is due when what was spent on doing without amounts to its price: on Krylov iterations
-/// beyond those of a fresh preconditioner, on updates. Counts decide, never clocks, so that runs
-/// repeat.
+/// A set-up is due when the additional cost of the old preconditioner (Krylov iterations beyond
+/// those of a fresh one, and updates) has reached the cost of a set-up. Counts decide, not measured
+/// times, so that runs are reproducible.
 class SetupPolicy {
 public:
   bool due() const { return failed_ || spent_ >= cost_; }
-  /// Whether the mesh motion is to be set up with the rest, for a fresh stiffness alone no longer
-  /// brings the iterations down.
+  /// Whether the mesh motion must be set up too, because a fresh stiffness alone no longer reduces
+  /// the iterations.
   bool whole() const { return failed_ || fresh_rate_ > 1.5 * whole_rate_; }
 
-  /// After a set-up. `cost`: what it cost, in applications of the preconditioner.
+  /// Called after a set-up. `cost`: in applications of the preconditioner.
   void made(bool whole, double cost) {
     cost_ = cost;
     if (whole) whole_rate_ = 0;
@@ -23,7 +23,7 @@ public:
     failed_ = false;
     fresh_rate_ = spent_ = 0;
   }
-  /// After a solve that reduced the residual by `digits` powers of ten.
+  /// Called after a solve that reduced the residual by `digits` powers of ten.
   void solved(int iterations, double digits) {
     const double rate = iterations / std::max(digits, 0.1);
     if (fresh_) {
@@ -33,11 +33,12 @@ public:
     spent_ += applications_an_iteration * std::max(0.0, iterations - fresh_rate_ * digits);
     fresh_ = false;
   }
-  /// Before an update that costs that many applications; it is not made if a set-up is due then.
+  /// Called before an update that costs that many applications; the update is not made if a set-up
+  /// is due then.
   void spent(double applications) { spent_ += applications; }
-  /// After a solve that did not converge.
+  /// Called after a solve that did not converge.
   void failed() { failed_ = true; }
-  /// Whether nothing was solved since the set-up.
+  /// Whether there was no solve since the set-up.
   bool fresh() const { return fresh_; }
 
 private:

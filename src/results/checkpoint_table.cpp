@@ -20,7 +20,7 @@ constexpr const char* kName = "checkpoints";
 constexpr hsize_t kPlaces = 2;
 constexpr std::size_t kHead = 4;  // checksum, number, rows, stored
 
-/// FNV-1a over all numbers but the first, as many bits as a double holds.
+/// FNV-1a over all numbers except the first, with as many bits as a double represents exactly.
 double checksum(const std::vector<double>& row) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (std::size_t i = 1; i < row.size(); ++i) {
@@ -47,7 +47,7 @@ CheckpointTable CheckpointTable::create(hid_t gnomon, std::size_t count) {
 
 void CheckpointTable::put(const Checkpoint& checkpoint) {
   if (checkpoint.numbers.size() != count_)
-    throw Failure("cannot write a checkpoint: it is not as long as the first");
+    throw Failure("cannot write a checkpoint: its length differs from that of the first");
   std::vector<double> row = {0, double(checkpoint.number), double(checkpoint.rows),
                              double(checkpoint.stored)};
   row.insert(row.end(), checkpoint.numbers.begin(), checkpoint.numbers.end());
@@ -70,9 +70,9 @@ std::vector<Checkpoint> read_checkpoints(hid_t gnomon) {
   for (std::size_t place = 0; place < kPlaces; ++place) {
     const auto begin = values.begin() + static_cast<std::ptrdiff_t>(place * extents[1]);
     const std::vector<double> row(begin, begin + static_cast<std::ptrdiff_t>(extents[1]));
-    if (row[0] != checksum(row) || row[2] == 0) continue;  // not whole, or not written yet
+    if (row[0] != checksum(row) || row[2] == 0) continue;  // incomplete, or not written yet
     if (!(is_count(row[1]) && is_count(row[2]) && is_count(row[3])))
-      throw Failure("cannot read the checkpoints: their places in the result are no numbers");
+      throw Failure("cannot read the checkpoints: their positions in the result are not numbers");
     checkpoints.push_back(
         {long(row[1]), long(row[2]), long(row[3]), {row.begin() + kHead, row.end()}});
   }

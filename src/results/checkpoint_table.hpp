@@ -1,5 +1,5 @@
-// The dataset "gnomon/checkpoints": two places that checkpoints are written to in turn, so that one
-// of them is whole whenever a run is killed. Which it is, a checksum tells.
+// The dataset "gnomon/checkpoints": two rows to which checkpoints are written in turn, so that one
+// of them is complete whenever a run is killed. A checksum shows which one.
 #pragma once
 
 #include <hdf5.h>
@@ -14,10 +14,10 @@ namespace gnomon::layout {
 class CheckpointTable {
 public:
   CheckpointTable() = default;
-  /// Below the group "gnomon", for checkpoints of `count` numbers.
+  /// Creates the table in the group "gnomon", for checkpoints of `count` numbers.
   static CheckpointTable create(hid_t gnomon, std::size_t count);
 
-  /// Throws hdf5::Failure when the checkpoint has another count of numbers.
+  /// Throws hdf5::Failure if the checkpoint has a different count of numbers.
   void put(const Checkpoint& checkpoint);
   explicit operator bool() const { return static_cast<bool>(dataset_); }
 
@@ -26,7 +26,7 @@ private:
   std::size_t count_ = 0;
 };
 
-/// Those that are whole, ascending by number; none when there is no table.
+/// The complete checkpoints, ascending by number; none if there is no table.
 std::vector<Checkpoint> read_checkpoints(hid_t gnomon);
 
 }  // namespace gnomon::layout

@@ -1,6 +1,6 @@
-// The callbacks that make a CrashSafeFile a file driver of HDF5. No exception leaves them. What
-// could not be read goes to HDF5's error stack as an errno value and comes back through check();
-// what could not be written the file keeps for require_written().
+// The callbacks that make a CrashSafeFile a file driver of HDF5. No exception leaves them. A failed
+// read is put on HDF5's error stack as an errno value and is reported by check(); a failed write is
+// stored in the file object and reported by require_written().
 #include <cstring>
 
 #include "results/crash_safe_file.hpp"
@@ -10,7 +10,7 @@ namespace gnomon::hdf5 {
 namespace {
 
 struct DriverFile {
-  H5FD_t base = {};  // HDF5 casts; must come first
+  H5FD_t base = {};  // must be the first member, because HDF5 casts
   CrashSafeFile* file = nullptr;
 };
 
@@ -38,8 +38,8 @@ herr_t close_file(H5FD_t* base) {
 }
 
 herr_t query(const H5FD_t* /*base*/, unsigned long* flags) {
-  // No aggregation of small allocations, no caches of the driver layer: what HDF5 writes arrives
-  // one structure at a time. The file is an ordinary one for every other driver.
+  // No aggregation of small allocations and no caches of the driver layer: HDF5 then writes one
+  // structure at a time. For every other driver the file is an ordinary one.
   *flags = H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
   return 0;
 }
@@ -98,7 +98,7 @@ H5FD_class_t driver_class() {
   return driver;
 }
 
-// Registered once a process and never given back.
+// Registered once per process and never released.
 hid_t driver_id() {
   static const H5FD_class_t driver = driver_class();
   static const hid_t id = check(H5FDregister(&driver), "register the file driver");
@@ -112,7 +112,7 @@ Handle CrashSafeFile::access_list() {
   CrashSafeFile* self = this;
   check(H5Pset_driver(list.id(), driver_id(), &self), "prepare the file");
   // The format of HDF5 1.8: every reader understands it, and it has no mark "open for writing" that
-  // a killed run would leave behind.
+  // would remain after a killed run.
   check(H5Pset_libver_bounds(list.id(), H5F_LIBVER_V18, H5F_LIBVER_V18), "prepare the file");
   return list;
 }

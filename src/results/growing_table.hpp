@@ -1,4 +1,4 @@
-// A one-dimensional dataset that grows by a row at a time.
+// A one-dimensional dataset that grows row by row.
 #pragma once
 
 #include <string>

@@ -4,7 +4,8 @@ namespace gnomon::hdf5 {
 
 namespace {
 
-// Keeps the first description met; walking upward, that is the innermost and most telling one.
+// Keeps the first description; the walk goes upward, so this is the innermost and most specific
+// one.
 herr_t keep_first(unsigned /*depth*/, const H5E_error2_t* entry, void* text) {
   auto& reason = *static_cast<std::string*>(text);
   if (reason.empty() && entry->desc != nullptr) reason = entry->desc;
@@ -15,7 +16,8 @@ herr_t keep_first(unsigned /*depth*/, const H5E_error2_t* entry, void* text) {
 
 QuietErrors::QuietErrors() {
   // HDF5 leaks identifiers when it refuses a damaged file, and its clean-up at exit then loops or
-  // crashes. gnomon needs none: every handle has an owner, and what must be on disk is flushed.
+  // crashes. gnomon needs no clean-up: every handle has an owner, and data that must be on disk are
+  // flushed.
   [[maybe_unused]] static const herr_t once = H5dont_atexit();
   H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

@@ -1,4 +1,4 @@
-// Owners and checks for the C interface of HDF5: the only way in which gnomon touches it.
+// Owners and checks for the C interface of HDF5: gnomon uses it only in this way.
 #pragma once
 
 #include <hdf5.h>
@@ -9,13 +9,13 @@
 
 namespace gnomon::hdf5 {
 
-/// What HDF5 refused, without the file's name: the border of the room adds it.
+/// A failed call of HDF5, without the file's name, which the public functions of this room add.
 struct Failure : Error {
   using Error::Error;
 };
 
-/// An HDF5 identifier with its close function. Closing errors are ignored: whatever must reach the
-/// disk is flushed before, with a check.
+/// An HDF5 identifier with its close function. Closing errors are ignored: data that must reach the
+/// disk are flushed before, with a check.
 class Handle {
 public:
   using Close = herr_t (*)(hid_t);
@@ -41,7 +41,7 @@ private:
   Close close_ = nullptr;
 };
 
-/// Silences HDF5's own error printing on this thread while it lives: the library never prints.
+/// While it exists, HDF5 prints no errors on this thread: the library never prints.
 class QuietErrors {
 public:
   QuietErrors();

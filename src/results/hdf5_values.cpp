@@ -20,7 +20,7 @@ Handle create_attribute(hid_t object, const char* name, hid_t type,
              "write an attribute");
 }
 
-// Texts of `size` bytes each, one after the other, as HDF5 keeps them.
+// Texts of `size` bytes each, one after the other, as HDF5 stores them.
 std::vector<char> padded(const std::vector<std::string>& texts, std::size_t size) {
   std::vector<char> bytes(texts.size() * size, '\0');
   for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -59,7 +59,7 @@ std::size_t count_of(const std::vector<hsize_t>& extents) {
   return count;
 }
 
-// Appends the name of a link or an attribute to a list; no exception may leave.
+// Appends the name of a link or an attribute to a list; no exception may leave this function.
 herr_t add_name(std::vector<std::string>& names, const char* name) {
   try {
     names.emplace_back(name);
@@ -139,7 +139,7 @@ std::vector<std::string> read_texts_attribute(hid_t object, const char* name) {
   const Handle stored = own(H5Aget_type(attribute.id()), H5Tclose, "read an attribute");
   const Handle shape = own(H5Aget_space(attribute.id()), H5Sclose, "read an attribute");
   const hssize_t count = check(H5Sget_simple_extent_npoints(shape.id()), "read an attribute");
-  constexpr std::size_t most = 65536;  // bytes, and so texts
+  constexpr std::size_t most = 65536;  // bytes, and therefore texts
   if (static_cast<std::size_t>(count) > most ||
       static_cast<std::size_t>(count) * H5Tget_size(stored.id()) > most)
     throw Failure("cannot read an attribute: it is too large");

@@ -1,4 +1,4 @@
-// Strings, numbers and arrays in and out of HDF5 datasets and attributes.
+// Reads and writes strings, numbers and arrays as HDF5 datasets and attributes.
 #pragma once
 
 #include <hdf5.h>
@@ -11,8 +11,9 @@
 
 namespace gnomon::hdf5 {
 
-/// The type of text: UTF-8 of at most `size` bytes, padded with zeros. Never of variable length:
-/// that lives in HDF5's global heap, which has no checksum and crashes the library when damaged.
+/// The type of text: UTF-8 of at most `size` bytes, padded with zeros. Never of variable length,
+/// because such text is in HDF5's global heap,
+/// which has no checksum and crashes the library when damaged.
 Handle text_type(std::size_t size);
 /// A dataspace of the given extents; none: a scalar.
 Handle space(const std::vector<hsize_t>& extents);
@@ -28,7 +29,7 @@ std::string read_text_attribute(hid_t object, const char* name);
 std::vector<std::string> read_texts_attribute(hid_t object, const char* name);
 double read_number_attribute(hid_t object, const char* name);
 
-/// Text that can be rewritten in place: room for a thousand bytes, cut to fit.
+/// Text that can be rewritten in place: at most a thousand bytes, longer text is truncated.
 void rewrite_attribute(hid_t object, const char* name, const std::string& text);
 
 void write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& extents,

@@ -36,7 +36,8 @@ const std::vector<Column>& fixed_columns() {
   return columns;
 }
 
-// Columns of the history as the file names them. Throws Failure unless the fixed ones come first.
+// Columns of the history with their names in the file. Throws Failure unless the fixed ones come
+// first.
 std::vector<Column> read_columns(const Handle& dataset) {
   const Handle type = own(H5Dget_type(dataset.id()), H5Tclose, "read the history");
   const auto units = hdf5::read_texts_attribute(dataset.id(), "units");

@@ -1,4 +1,4 @@
-// The table "gnomon/history": rows of a run as cells of eight bytes, and back.
+// The table "gnomon/history": conversion of rows to cells of eight bytes, and back.
 #pragma once
 
 #include <hdf5.h>
@@ -17,7 +17,7 @@ struct Column {
   std::string unit;
   bool integer = false;
 };
-/// One cell of the history in memory and on file, whichever it holds.
+/// One cell of the history, in memory and in the file; its type depends on the column.
 union Cell {
   double real;
   std::int64_t integer;
@@ -28,7 +28,7 @@ std::vector<Column> columns_of(const HistoryRow& row);
 std::vector<Cell> cells_of(const HistoryRow& row);
 /// The type of a row of these columns. Throws hdf5::Failure when two share a name.
 hdf5::Handle history_type(const std::vector<Column>& columns);
-/// All rows of the history below the group "gnomon"; none when the run has not begun.
+/// All rows of the history in the group "gnomon"; none if the run has not begun.
 std::vector<HistoryRow> read_history(hid_t gnomon);
 
 }  // namespace gnomon::layout

@@ -23,7 +23,7 @@ inline constexpr const char* kRunning = "running or crashed";
 /// Stored steps lie in groups of this many, so that a group's list of links fits into a page.
 inline constexpr std::size_t kStepsPerGroup = 100;
 
-/// Text in a row: cut to fit, padded with zeros.
+/// Text in a row: truncated to fit, padded with zeros.
 template <std::size_t size>
 void put(std::array<char, size>& field, const std::string& text) {
   field.fill('\0');
@@ -34,7 +34,7 @@ std::string text_of(const std::array<char, size>& field) {
   return {field.begin(), std::find(field.begin(), field.end(), '\0')};
 }
 
-/// A count in a table, small enough to be added to others. Throws Failure for what is none.
+/// A count in a table, small enough to be added to others. Throws Failure if it is not a count.
 long count_of(std::int64_t value, const char* what);
 
 /// "0001/000123" for the stored step 123, below "steps" and "gnomon/contact".

@@ -26,7 +26,7 @@ int rename_part(const std::filesystem::path& part, const std::filesystem::path& 
     if (renameat2(AT_FDCWD, part.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) == 0)
       return 0;
     if (errno != EINVAL && errno != ENOSYS) return errno;
-    if (is_taken(target)) return EEXIST;  // a file system that cannot look and rename in one
+    if (is_taken(target)) return EEXIST;  // a file system without an atomic check and rename
   }
   return std::rename(part.c_str(), target.c_str()) == 0 ? 0 : errno;
 }
@@ -56,7 +56,7 @@ int open_part(const std::filesystem::path& part, std::string_view begins) {
   if (descriptor < 0 && error != ELOOP) refuse(part, error);
   if (descriptor >= 0) close(descriptor);
   throw Error(
-      fmt::format("{} is in the way, expected none or what a killed run left", part.string()));
+      fmt::format("{} exists, expected no such file or one that a killed run left", part.string()));
 }
 
 std::filesystem::path part_of(const std::filesystem::path& target) {

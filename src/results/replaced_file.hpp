@@ -1,4 +1,4 @@
-// A file that takes its name only when it is whole: it is made beside the target and renamed.
+// A file that gets its name only when it is complete: it is made beside the target and renamed.
 #pragma once
 
 #include <filesystem>
@@ -10,22 +10,22 @@ namespace gnomon {
 /// Where a file is made before it is renamed to `target`: "<target>.part" in the same folder.
 std::filesystem::path part_of(const std::filesystem::path& target);
 
-/// Opens the part to write and read: a new one, or what a killed run left, known by `begins`, with
-/// which it begins as what is to be written does, or by having no bytes yet but zeros. Returns the
-/// descriptor; the file is as it was. Throws Error, also for anything else of that name: it is
-/// somebody's.
+/// Opens the part for writing and reading: a new file, or one that a killed run left. Such a file
+/// begins with `begins`, like the text that will be written, or contains only zeros. Returns the
+/// descriptor; the file is not changed. Throws Error, also if another file has this name, because
+/// it may belong to someone.
 int open_part(const std::filesystem::path& part, std::string_view begins);
 
-/// Throws Error where write_file() of a text that begins with `begins` would for what has the name
-/// of its part.
+/// Throws Error if write_file() of a text that begins with `begins` would throw because of a file
+/// with the name of its part.
 void require_own_part(const std::filesystem::path& target, std::string_view begins);
 
-/// Follows a symbolic link, so that replacing the file keeps the link. Throws InputError when the
-/// target exists and is not a regular file that may be written.
+/// Follows a symbolic link, so that replacing the file keeps the link. Throws InputError if the
+/// target exists and is not a writable regular file.
 std::filesystem::path replaceable(const std::filesystem::path& target);
 
-/// Renames the part to its target: whoever opens the target finds the old or the new file, whole.
-/// Throws Error with the system's reason, or when there is an old file that is refused.
+/// Renames the part to its target: a reader finds either the whole old file or the whole new one.
+/// Throws Error with the system's reason, or if there is an old file that must not be replaced.
 void publish_part(const std::filesystem::path& target, Earlier earlier);
 
 }  // namespace gnomon

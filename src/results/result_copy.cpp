@@ -15,15 +15,16 @@ void copy_step(const ResultReader& from, std::size_t step, double t,
   to.store(t, values, from.has_contact() ? std::optional(from.contact(t)) : std::nullopt);
 }
 
-/// Before anything is written: a time far ahead would let the copy replace the result.
+/// Called before anything is written: with a time that is too late the copy would replace the
+/// result.
 void require_together(std::span<const HistoryRow> history, std::span<const double> stored) {
   const auto damaged = [](const char* how) {
-    throw InputError(fmt::format("the result to go on from is damaged: {}", how));
+    throw InputError(fmt::format("the result to continue from is damaged: {}", how));
   };
   std::size_t step = 0;
   for (std::size_t row = 0; row < history.size(); ++row) {
     if (row > 0 && !(history[row].t > history[row - 1].t))
-      damaged("its history does not go on in time");
+      damaged("the times of its history do not increase");
     step += step < stored.size() && stored[step] == history[row].t;
   }
   if (step != stored.size()) damaged("its stored steps are not at the times of its history");
@@ -46,7 +47,7 @@ void copy_to_last_checkpoint(const ResultReader& from, const std::vector<std::st
       copy_step(from, step, times[step], fields, to);
       ++step;
     }
-    // Their place in the file is that behind the start.
+    // In the file they come after the start.
     if (row == 0)
       for (const Checkpoint& checkpoint : checkpoints) to.checkpoint(checkpoint);
   }

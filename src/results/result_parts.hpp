@@ -14,8 +14,8 @@ namespace gnomon::layout {
 
 hdf5::Handle create_file(hdf5::CrashSafeFile& disk, const std::filesystem::path& path);
 
-/// A group that keeps its links in its own header, with room for `links` of them: one structure of
-/// less than a page, which is what changes when a step is added.
+/// A group that keeps its links in its own header, with space for `links` of them: a single
+/// structure of less than a page changes when a step is added.
 hdf5::Handle create_group(hid_t parent, const std::string& name, std::size_t links);
 
 void write_header(hid_t gnomon, const RunHeader& header);

@@ -132,8 +132,8 @@ std::optional<Grid> read_grid(hid_t file) {
   return grid;
 }
 
-// The stored step at t (none given: the last): the nearest within 1e-9 of the run's length, or the
-// only one that agrees with t in the digits that are printed.
+// The stored step at t (without t, the last one): the nearest within 1e-9 of the run's length, or
+// the only one that agrees with t in the printed digits.
 std::size_t find_step(const std::vector<double>& times, std::optional<double> t) {
   if (times.empty()) throw Failure("it has no stored step");
   if (!t) return times.size() - 1;
@@ -160,7 +160,7 @@ std::size_t find_step(const std::vector<double>& times, std::optional<double> t)
 
 }  // namespace
 
-// Not ResultReader, which refuses what it cannot read: a damaged result is still one.
+// ResultReader is not used, because it refuses damaged results, which are results too.
 bool is_result(const std::filesystem::path& file) {
   const hdf5::QuietErrors quiet;
   try {
@@ -175,9 +175,9 @@ bool is_result(const std::filesystem::path& file) {
 
 class ResultReader::File {
 public:
-  // Runs an action at the border of the room, where every failure is the file's. Whatever a damaged
-  // file provokes, a failed allocation included, comes out as one line.
-  // A run that goes on may change the file between two looks that HDF5 takes at it: then once more.
+  // Runs an action of a public function and attributes every failure to the file. Every failure
+  // that a damaged file causes, including a failed allocation, is reported in one line. A run in
+  // progress may change the file between two reads of HDF5; then the action is repeated.
   template <class Action>
   auto guarded(Action action) {
     constexpr int most = 20;

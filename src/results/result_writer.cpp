@@ -33,8 +33,8 @@ public:
              const std::optional<ContactSurface>& contact);
   void checkpoint(const Checkpoint& checkpoint);
   void end(const std::string& status, double wall_seconds, bool whole);
-  // Runs an action at the border of the room: HDF5 stays silent, and after a failure nothing more
-  // reaches the disk, which keeps the last committed state.
+  // Runs an action of a public function: HDF5 prints nothing, and after a failure nothing more is
+  // written to the disk, which keeps the last committed state.
   void guarded(const std::function<void()>& action);
 
 private:
@@ -70,9 +70,9 @@ ResultWriter::File::File(const std::filesystem::path& path, const RunHeader& hea
   try {
     if (sidecar_of(path_) == path_) throw Error("the suffix .xdmf is the sidecar's");
     disk_.emplace(part_of(path_));
-    check_earlier();  // now that the part is claimed, nobody else gives a file this name
+    check_earlier();  // the part is claimed now, so no other run gives a file this name
     create(header, grid);
-    // An earlier result stays until this run has something better.
+    // An earlier result stays until this run has a better one.
     if (!is_taken(path_) && !is_taken(sidecar_of(path_))) publish();
   } catch (const std::exception& error) {
     discard();
@@ -111,8 +111,8 @@ void ResultWriter::File::create(const RunHeader& header, const std::optional<Gri
   flush();
 }
 
-// The sidecar first: without a step it is right for either file, and if it cannot be written, the
-// earlier result is still there.
+// The sidecar first: without steps it is valid for both files, and if it cannot be written, the
+// earlier result still exists.
 void ResultWriter::File::publish() {
   if (sidecar_) {
     sidecar_->publish(earlier_);
@@ -125,7 +125,7 @@ void ResultWriter::File::publish() {
 }
 
 void ResultWriter::File::discard() noexcept {
-  if (!disk_) return;  // the part is another run's
+  if (!disk_) return;  // the part belongs to another run
   disk_->abandon();
   std::error_code ignored;
   std::filesystem::remove(part_of(path_), ignored);
@@ -156,9 +156,9 @@ void ResultWriter::File::guarded(const std::function<void()>& action) {
 }
 
 const char* ResultWriter::File::what_is_left() const {
-  if (!published_) return "nothing of this run is left; what was there is kept";
+  if (!published_) return "nothing of this run is left; earlier files are kept";
   if (!has_rows_) return "the result holds no step";
-  return "the result holds everything up to the step before";
+  return "the result holds everything up to the previous step";
 }
 
 void ResultWriter::File::append(const HistoryRow& row) {
@@ -218,7 +218,7 @@ void ResultWriter::File::store(double t, const std::vector<GridField>& fields,
     if (contact) layout::write_contact(contacts.id(), name, *contact);
   }
   flush();
-  // A commit of its own: the step counts as stored once it is all there.
+  // A separate commit: the step counts as stored when it is complete.
   layout::StoredRow row{t, {}};
   const std::string whole = "steps/" + path;
   layout::put(row.path, whole);

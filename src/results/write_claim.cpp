@@ -9,8 +9,8 @@ namespace gnomon {
 
 namespace {
 
-// Locks of the open file description: those of the process would go with the first descriptor that
-// it closes, which may be a reader's.
+// Locks of the open file description: locks of the process would be released with the first
+// descriptor that it closes, which may be that of a reader.
 struct flock whole_file(short type) {
   struct flock lock = {};
   lock.l_type = type;
@@ -31,7 +31,7 @@ void share_claim(int descriptor) {
 }
 
 bool is_claimed(const std::filesystem::path& file) {
-  // Not to be kept waiting by a pipe.
+  // O_NONBLOCK, so that a pipe does not block the call.
   const int descriptor = open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return false;
   struct flock lock = whole_file(F_WRLCK);

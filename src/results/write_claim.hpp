@@ -1,16 +1,16 @@
-// Who writes a file: a lock that two runs cannot both have, and that no reader runs into.
+// The writer of a file: a lock that only one run can have, and that does not affect readers.
 #pragma once
 
 #include <filesystem>
 
 namespace gnomon {
 
-/// Claims an open file for this writer alone, as long as the descriptor is open. False when another
-/// writer has it. A file system without locks lets everybody pass.
+/// Claims an open file for this writer alone, as long as the descriptor is open. Returns false if
+/// another writer has it. On a file system without locks it always succeeds.
 bool claim_alone(int descriptor);
 
-/// Lets readers in that lock what they read (HDF5's do, on a network file system with the same kind
-/// of lock); another writer still finds the file claimed.
+/// Allows readers that lock the file (readers of HDF5 do; on a network file system with the same
+/// kind of lock); for another writer the file is still claimed.
 void share_claim(int descriptor);
 
 /// Whether a writer, of this process or another, has claimed the file.

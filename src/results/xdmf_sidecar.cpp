@@ -11,7 +11,7 @@ namespace gnomon {
 
 namespace {
 
-// Every sidecar begins like this: what begins otherwise is not gnomon's.
+// Every sidecar begins with this text: a file that begins differently does not come from gnomon.
 constexpr const char* head =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
     "<Xdmf Version=\"3.0\">\n"

@@ -11,8 +11,8 @@ namespace gnomon {
 
 class XdmfSidecar {
 public:
-  /// A sidecar of the result with no steps yet. Nothing is written. Throws Error when something
-  /// foreign stands where it is to be made.
+  /// A sidecar of the result, without steps. Nothing is written. Throws Error if another file has
+  /// the name of its part.
   XdmfSidecar(const std::filesystem::path& result, const Grid& grid);
 
   /// Gives the file its name. Throws Error.
@@ -31,7 +31,7 @@ private:
   std::size_t points_ = 0;
   std::size_t cells_ = 0;
   std::string mesh_;   ///< topology and geometry, the same in every step
-  std::string steps_;  ///< one Grid element a stored step
+  std::string steps_;  ///< one Grid element per stored step
   bool published_ = false;
 };
 

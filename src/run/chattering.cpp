@@ -6,8 +6,8 @@
 namespace gnomon {
 
 namespace {
-/// Losses of contact between two breakpoints. One is regular, as while the load falls. To leave a
-/// second time a node must have come back in between.
+/// Losses of contact between two breakpoints. One loss is regular, for example while the load
+/// falls. Before a second loss a node must have come into contact again.
 constexpr int too_many = 2;
 }  // namespace
 

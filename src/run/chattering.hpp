@@ -11,9 +11,9 @@ namespace gnomon {
 
 class Chattering {
 public:
-  /// The contact surface after a step; a model without one never chatters.
+  /// Takes the contact surface after a step; a model without one never chatters.
   void add(const std::optional<ContactSurface>& surface);
-  /// The load has a breakpoint: a node may leave contact once more.
+  /// Called at a breakpoint of the load: a node may leave contact once more.
   void begin_anew();
   /// Nodes that have left contact twice or more between two breakpoints of the load.
   long nodes() const;
@@ -23,7 +23,7 @@ public:
 
 private:
   std::vector<char> active_;
-  std::vector<int> losses_;  // of contact, one per node
+  std::vector<int> losses_;  // losses of contact, one entry per node
 };
 
 }  // namespace gnomon

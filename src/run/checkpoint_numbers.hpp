@@ -1,5 +1,5 @@
-// What a checkpoint holds of a run: state, the stepper's memory, the chattering count; all of it
-// exact.
+// The data of a run in a checkpoint, without rounding: state, the stepper's memory, the chattering
+// counts.
 #pragma once
 
 #include <gnomon/model/model.hpp>
@@ -15,9 +15,9 @@ struct RunMemory {
   Chattering chattering;
 };
 
-/// As numbers whose count is the same at every checkpoint of a run.
+/// The data as numbers, whose count is the same at every checkpoint of a run.
 std::vector<double> packed(const RunMemory& memory, const Structure& structure);
-/// Throws InputError when they are not those of a system with this structure.
+/// Throws InputError if the numbers do not belong to a system with this structure.
 RunMemory unpacked(const std::vector<double>& numbers, const Structure& structure);
 
 }  // namespace gnomon

@@ -22,7 +22,7 @@ std::vector<std::string> end_warnings(const Observation& last, long chattering_n
                     chattering_nodes, integrator.name));
   if (has_lost_wear(last))
     warnings.push_back(fmt::format(
-        "the shape has lost {:.3g}, the wear rate integrates to {:.3g}: contact may have reached "
+        "the worn volume is {:.3g}, the wear integral is {:.3g}: contact may have reached a place "
         "where the surface cannot wear, the end of the contact zone or a held side; then pressures "
         "and shape are worthless",
         *last.worn_volume, *last.wear_integral));

@@ -1,4 +1,4 @@
-// What the end of a run tells of its numbers: it finishes like any other, and they are worthless.
+// Warnings at the end of a run that has finished but whose numbers are worthless.
 #pragma once
 
 #include <gnomon/integrators/integrator.hpp>
@@ -8,7 +8,7 @@
 
 namespace gnomon {
 
-/// Of an explicit method above its critical step, and of wear that the shape has not lost.
+/// Warns of an explicit method above its critical step, and of wear that is missing in the shape.
 std::vector<std::string> end_warnings(const Observation& last, long chattering_nodes,
                                       const Integrator& integrator);
 

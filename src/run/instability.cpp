@@ -12,7 +12,7 @@ namespace gnomon {
 
 namespace {
 
-/// The fastest mode, where the spectrum can be computed and it decays.
+/// The fastest mode, if the spectrum can be computed and the mode decays.
 std::optional<Mode> fastest_mode(const Model& model, const State& state) try {
   constexpr int count = 1;
   auto modes = leading_modes(ReducedJacobian(model.system(), state), count);
@@ -25,10 +25,10 @@ std::optional<Mode> fastest_mode(const Model& model, const State& state) try {
 }  // namespace
 
 bool may_fail_to_damp(const Integrator& integrator, const IntegratorSettings& settings) {
-  // R at infinity, in effect. A mode that loses a tenth per step or more is gone after some fifty
-  // steps; the slowest of the shipped methods that count as damping, sdirk-2, halves it.
+  // Practically R at infinity. A mode that loses a tenth or more per step has vanished after about
+  // fifty steps; of the methods that count as damping, sdirk-2 damps least and halves it.
   constexpr double stiff = -1e8, damps = 0.9;
-  if (settings.step == 0) return false;  // the error control keeps to what is damped
+  if (settings.step == 0) return false;  // the error control keeps to damped steps
   const auto table = integrator.table(settings);
   return table && !(std::abs(stability_function(*table, stiff)) < damps);
 }
@@ -39,8 +39,8 @@ DampingWatch::DampingWatch(const Model& model, const Integrator& integrator,
 
 void DampingWatch::require_damping_in_wider_contact(const State& state,
                                                     const Observation& observed) {
-  // In number of nodes. Contact that widens tenfold is looked at a dozen times, and every time
-  // costs a factorization or more.
+  // Ratio of numbers of nodes. Contact that widens tenfold is checked a dozen times, and each check
+  // costs one or more factorizations.
   constexpr double wider = 1.2;
   const double width = observed.contact_nodes.value_or(0);
   if (width <= wider * widest_) return;
@@ -49,9 +49,9 @@ void DampingWatch::require_damping_in_wider_contact(const State& state,
 }
 
 void DampingWatch::require_damping(const State& state) {
-  // A mode that should have decayed to a tenth by the end of the run: it may not double in one
-  // step, nor may half of it be left at the end. Both are far from what an acceptable run does, for
-  // the mode is that of one state and others come and go.
+  // A mode that should have decayed to a tenth by the end of the run must not double in one step,
+  // and less than half of it must be left at the end. Acceptable runs are far from both limits,
+  // which are wide because the mode is that of a single state and the modes change.
   constexpr double most_per_step = 2, most_left = 0.5, decayed = 0.1;
   const auto mode = fastest_mode(model_, state);
   seen_ |= mode.has_value();

@@ -1,5 +1,5 @@
-// Ends runs whose fixed steps amplify the fastest mode, or hardly damp it: they would finish like
-// any other, with numbers that are worthless.
+// Ends runs whose fixed steps amplify the fastest mode, or hardly damp it: they would finish
+// without an error, but their numbers would be worthless.
 #pragma once
 
 #include <gnomon/integrators/integrator.hpp>
@@ -13,18 +13,18 @@ bool may_fail_to_damp(const Integrator& integrator, const IntegratorSettings& se
 
 class DampingWatch {
 public:
-  /// Needs may_fail_to_damp(). Keeps references.
+  /// Only if may_fail_to_damp(). Keeps references.
   DampingWatch(const Model& model, const Integrator& integrator,
                const IntegratorSettings& settings);
-  /// Throws SolutionError when a step doubles the fastest mode at this state, or when more than
-  /// half of it is left at the end of the run though it should have decayed. Says nothing where the
-  /// spectrum cannot be computed.
+  /// Throws SolutionError if a step doubles the fastest mode at this state, or if more than half of
+  /// it is left at the end of the run although it should have decayed. Does nothing if the spectrum
+  /// cannot be computed.
   void require_damping(const State& state);
-  /// The same where contact is wider than where it was last looked at: a node that touches alone
-  /// has no fast mode, a wide contact does.
+  /// The same check if contact is wider than at the last check: a single node in contact has no
+  /// fast mode, a wide contact does.
   void require_damping_in_wider_contact(const State& state, const Observation& observed);
-  /// Whether any of these states had a mode that decays. Where contact is at one node whenever it
-  /// is looked at, steps may be far too long all the same.
+  /// Whether any of these states had a mode that decays. If contact is at a single node at every
+  /// check, steps may still be far too long.
   bool has_seen_a_mode() const { return seen_; }
 
 private:
@@ -35,7 +35,7 @@ private:
   bool seen_ = false;
 };
 
-/// Throws SolutionError when nodes chatter (run/chattering.hpp).
+/// Throws SolutionError if nodes chatter (run/chattering.hpp).
 void require_no_chattering(long chattering_nodes, const Integrator& integrator);
 
 }  // namespace gnomon

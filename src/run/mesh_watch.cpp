@@ -13,7 +13,7 @@ constexpr double sound = 1;  // volume and quality where a model has no mesh
 void require_sound_mesh(const Observation& observed) {
   const double volume = observed.element_volume.value_or(sound);
   const double quality = observed.element_quality.value_or(sound);
-  // What wear leaves of such an element takes ever shorter steps to nowhere.
+  // With such an element steps would become ever shorter without an end.
   if (volume < 0.01)
     throw SolutionError(fmt::format(
         "an element is worn down to {:.2g} of its volume: the body is worn away, or its mesh too "

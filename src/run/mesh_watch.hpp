@@ -1,4 +1,4 @@
-// Watches the mesh: elements that wear has nearly used up, or folded, end a run.
+// Checks the mesh: elements that are nearly worn away, or folded, end a run.
 #pragma once
 
 #include <gnomon/model/observation.hpp>
@@ -12,12 +12,12 @@ namespace gnomon {
 void require_sound_mesh(const Observation& observed);
 
 struct MeshWarning {
-  std::string about;  ///< the same for all that need be said once only
+  std::string about;  ///< subject; only one warning per subject is needed
   std::string text;
 };
 
-/// What is said when that is near (a tenth of the volume, a scaled Jacobian of 0.1), or when small
-/// strains are not (displacement_gradient above one half).
+/// Warnings when one of these limits is near (a tenth of the volume, a scaled Jacobian of 0.1), or
+/// when small strains are not small (displacement_gradient above one half).
 std::vector<MeshWarning> mesh_warnings(const Observation& observed);
 
 }  // namespace gnomon

@@ -11,7 +11,7 @@ ProgressWatch::ProgressWatch(double t, const Counters& counters, double end)
     : t_(t), newton_iterations_(counters.newton_iterations), end_(end) {}
 
 void ProgressWatch::require(double t, const Counters& counters) {
-  constexpr double least_progress = 1e-5;  // of the run; a run of even steps has 1e5 of these parts
+  constexpr double least_progress = 1e-5;  // part of the length of the run
   const long iterations = counters.newton_iterations - newton_iterations_;
   if (iterations < most_newton_iterations) return;
   if (t - t_ < least_progress * end_)

@@ -52,7 +52,7 @@ public:
       for (const std::string& text :
            end_warnings(observed_, memory_.chattering.nodes(), integrator_))
         warn(text);
-    // The last good state is worth keeping whatever the scene asked to store of a regular run.
+    // The last good state is always stored, independent of the output keys of the scene.
     if (outcome_.status != Status::finished && outcome_.last) store();
     outcome_.wall_seconds = elapsed();
     outcome_.counters = counters_;
@@ -74,7 +74,7 @@ private:
   void resume(const Resumption& from) {
     memory_ = unpacked(from.checkpoint.numbers, model_.system().structure());
     if (state().t != from.row.t)
-      throw InputError("the checkpoint is not of the time of its row in the history");
+      throw InputError("the time of the checkpoint is not that of its row in the history");
     counters_ = from.row.counters;
     observed_ = observation_of(from.row.scalars);
     wear_integral_.resume(observed_);
@@ -83,7 +83,7 @@ private:
     next_checkpoint_ = work() + checkpoint_work_;
     stored_at_ = from.stored;
     earlier_seconds_ = from.wall_seconds;
-    schedule_.wants(state().t, counters_.steps);  // what is wanted up to here is stored
+    schedule_.wants(state().t, counters_.steps);  // everything up to here is already stored
   }
 
   Status integrate() {
@@ -116,7 +116,7 @@ private:
     damping_->require_damping(state());
     if (!damping_->has_seen_a_mode() && model_.contact(state()))
       warn(fmt::format(
-          "after no step was there a decaying mode (contact at a single node has none) to tell "
+          "no step ended with a decaying mode (contact at a single node has none) that would show "
           "whether steps of {:g} s are short enough for {}",
           settings_.step, integrator_.name));
   }
@@ -138,7 +138,7 @@ private:
     hooks_.on_step(*outcome_.last);
   }
 
-  /// A state whose mesh is not sound is not one to keep: the run ends in the one before.
+  /// A state with an unusable mesh is not kept: the run ends with the state before it.
   void require_mesh(const Observation& observed, const State& before) {
     try {
       require_sound_mesh(observed);
@@ -163,8 +163,8 @@ private:
     if (counters_.steps > 0) stepper_->restore(state(), memory_.stepper);
   }
 
-  /// A one-step method then begins anew as it would when resumed: without the factors, and the
-  /// states for guesses, that it has kept.
+  /// A one-step method then restarts as it would when resumed: without kept factors and without
+  /// states for first guesses.
   void checkpoint() {
     if (checkpoint_work_ == 0) return;
     memory_.stepper = stepper_->memory();
@@ -175,7 +175,7 @@ private:
     if (integrator_.one_step) stepper_.reset();
   }
 
-  /// On the way out with an exception, which matters more than one from here.
+  /// Called while an exception is propagated; further exceptions are ignored.
   void close_quietly(const std::string& reason) noexcept {
     try {
       if (writer_) writer_->abandon("failed: " + reason, elapsed());
@@ -209,8 +209,8 @@ private:
   RunOutcome outcome_;
   std::set<std::string> warned_of_;
   std::optional<double> stored_at_;
-  Checkpoint last_checkpoint_{-1, 0, 0, {}};  // with the rows and stored steps of now
-  long next_checkpoint_ = 0;                  // when work() comes to this
+  Checkpoint last_checkpoint_{-1, 0, 0, {}};  // with the present numbers of rows and stored steps
+  long next_checkpoint_ = 0;                  // value of work() at which it is due
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What the `integrator.*` and `output.*` keys of a scene mean for a run.
+// The settings of a run from the `integrator.*` and `output.*` keys of a scene.
 
 #include <fmt/format.h>
 
@@ -13,9 +13,10 @@ void require_apart(const std::vector<double>& times, const std::string& where) {
   constexpr double least = 1e-5;
   for (std::size_t k = 1; k < times.size(); ++k)
     if (times[k] - times[k - 1] < least * times[k])
-      throw InputError(fmt::format(
-          "{}: expected times that are {:g} of them apart or more (time.end, too), got {} and {}",
-          where, least, times[k - 1], times[k]));
+      throw InputError(
+          fmt::format("{}: expected times (including time.end) at least {:g} of their value apart, "
+                      "got {} and {}",
+                      where, least, times[k - 1], times[k]));
 }
 
 StorePolicy store_policy(const Scene& scene) {
@@ -35,7 +36,7 @@ StorePolicy store_policy(const Scene& scene) {
   std::vector<double> landings = policy.times;
   if (landings.empty() || landings.back() != end) landings.push_back(end);
   require_apart(landings, scene.where("output.times"));
-  // The start is stored anyway.
+  // The start is always stored.
   if (!policy.times.empty() && policy.times.front() == 0) policy.times.erase(policy.times.begin());
   return policy;
 }

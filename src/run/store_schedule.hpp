@@ -1,4 +1,4 @@
-// Decides during a run which states are stored, and where steps have to end.
+// Decides during a run which states are stored, and at which times steps have to end.
 #pragma once
 
 #include <gnomon/run/run.hpp>
@@ -9,7 +9,7 @@ class StoreSchedule {
 public:
   StoreSchedule(const StorePolicy& policy, double end) : policy_(policy), end_(end) {}
 
-  /// The next time that a step must not pass.
+  /// The next time at which a step has to end.
   double stop() const { return next_ < policy_.times.size() ? policy_.times[next_] : end_; }
 
   /// Whether the state at `t`, reached by step number `step`, is to be stored.

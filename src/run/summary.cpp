@@ -37,7 +37,7 @@ void add_counters(Json& json, const Counters& counters) {
 }
 
 void add_scalars(Json& json, const RunOutcome& outcome) {
-  // Named even when there are none, so that scripts find the keys in every summary.
+  // Included even if they are absent, so that scripts find the keys in every summary.
   for (const char* name : {"contact_nodes", "contact_force", "max_pressure", "worn_volume",
                            "wear_flux", "wear_integral", "wear_difference", "element_quality",
                            "element_volume", "contact_half_width"})
@@ -81,7 +81,7 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
   for (const BlockSize& block : header.blocks) unknowns[block.name] = block.size;
   json["unknowns"] = unknowns;
   json["versions"] = header.versions;
-  // Paths are bytes, JSON is UTF-8: what is no character is replaced.
+  // Paths are bytes, JSON is UTF-8: invalid characters are replaced.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -17,7 +17,8 @@ void WearIntegral::add(double increment) {
 }
 
 bool has_lost_wear(const Observation& observed) {
-  constexpr double most = 0.1;  // of the integral; the coarsest meshes lose some hundredths
+  constexpr double most =
+      0.1;  // part of the integral; on the coarsest meshes a few hundredths differ
   const std::optional<double> difference = observed.wear_difference();
   if (!difference || *observed.worn_volume == 0) return false;
   return !(std::abs(*difference) <= most * std::abs(*observed.wear_integral));

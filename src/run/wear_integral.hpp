@@ -1,4 +1,4 @@
-// The integral of the wear flux over the accepted steps, which the worn volume is held against.
+// The integral of the wear flux over the accepted steps, with which the worn volume is compared.
 #pragma once
 
 #include <gnomon/integrators/integrator.hpp>
@@ -9,11 +9,11 @@ namespace gnomon {
 
 class WearIntegral {
 public:
-  /// Zero at the start of a run; none where the model has no wear flux.
+  /// Zero at the start of a run; absent if the model has no wear flux.
   explicit WearIntegral(const Model& model);
-  /// Goes on from what was observed last.
+  /// Continues from the last observation.
   void resume(const Observation& last);
-  /// What wears in an accepted step.
+  /// Adds the integral over an accepted step.
   void add(double increment);
   std::optional<double> value() const { return value_; }
 
@@ -21,8 +21,9 @@ private:
   std::optional<double> value_;
 };
 
-/// What wears by the rate must be missing from the shape, but for what the mesh cannot show:
-/// whether a tenth of it is not. False where nothing wears, or too little to be seen in the volume.
+/// Whether the worn volume differs from the wear integral by a tenth of it or more; smaller
+/// differences may come from the mesh. False without wear, or if the wear is too small to be seen
+/// in the volume.
 bool has_lost_wear(const Observation& observed);
 
 }  // namespace gnomon

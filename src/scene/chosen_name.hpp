@@ -1,4 +1,4 @@
-// Keys whose names a scene chooses itself: "wear.constants.*".
+// Keys with a part that a scene chooses itself: "wear.constants.*".
 #pragma once
 
 #include <optional>
@@ -6,8 +6,8 @@
 
 namespace gnomon {
 
-/// What stands in `name` for the "*" of a key; nothing where the name is not one of the key. Chosen
-/// names are identifiers: letters, digits and underscores, no digit first.
+/// The part of `name` in place of the "*" of a key; nothing if the name does not match the key.
+/// Chosen names are identifiers: letters, digits and underscores, not beginning with a digit.
 std::optional<std::string> chosen_name(const std::string& key, const std::string& name);
 
 /// Whether the name would be one of the key if what stands for "*" were an identifier.

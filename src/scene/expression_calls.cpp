@@ -1,4 +1,4 @@
-// Names in expressions, and what is called by them.
+// Names in expressions: variables, constants, functions and tables.
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ ExpressionParser::Part ExpressionParser::named() {
     refuse_expression(text_, name.begin, unknown_expression_name(name.text, names_));
   if (token_.is("("))
     refuse_expression(text_, name.begin,
-                      fmt::format("{} is no function or table, expected an operator behind it, "
+                      fmt::format("{} is not a function or table, expected an operator after it, "
                                   "got \"(\" (a product is written a * b)",
                                   quote(name.text)));
   if (constant != names_.constants.end())
@@ -48,7 +48,7 @@ ExpressionParser::Part ExpressionParser::named() {
 
 template <class Take>
 std::size_t ExpressionParser::arguments(const Token& name, const Take& take) {
-  expect("(", fmt::format("behind {}", quote(name.text)));
+  expect("(", fmt::format("after {}", quote(name.text)));
   std::size_t count = 0;
   if (!token_.is(")")) do {
       take(number(), count++);
@@ -89,7 +89,7 @@ ExpressionParser::Part ExpressionParser::table_call(const Token& name,
 
 ExpressionParser::Part ExpressionParser::conditional(const Token& name) {
   const std::string where = "in if(condition, a, b)";
-  expect("(", "behind \"if\"");
+  expect("(", "after \"if\"");
   const Node test = checked_condition(condition()).node;
   expect(",", where);
   const std::optional<double> known = builder_.constant_value(test);

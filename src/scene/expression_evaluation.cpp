@@ -1,5 +1,5 @@
 // Runs the programs of expressions: forwards for values and switching functions, and backwards for
-// the gradient, which takes about as long as the value whatever the number of variables.
+// the gradient, which takes about as long as the value for any number of variables.
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,8 @@ namespace gnomon {
 
 namespace {
 
-/// What one evaluation writes, by slot; on the stack, and left unset beyond what the program needs.
+/// The results of one evaluation, by slot; on the stack, not initialised beyond the slots that the
+/// program needs.
 struct Workspace {
   std::array<double, Expression::max_length> value;
   std::array<std::uint32_t, Expression::max_length> choice;  // alternative or piece taken
@@ -27,7 +28,7 @@ struct IgnoreSwitching {
   void operator()(std::size_t, double, bool) {}
 };
 
-/// Has every instruction run, those of parts that are not taken too.
+/// Runs every instruction, also those of parts that are not taken.
 struct WriteSwitching {
   static constexpr bool wants_all = true;
   std::span<const char> branches;
@@ -79,20 +80,21 @@ private:
 
   double look_up(const Instruction& instruction, double x) {
     const PiecewiseLinear& table = program_.tables[instruction.b];
-    const auto corners = table.corners();
+    const auto breakpoints = table.breakpoints();
     if constexpr (Switching::wants_all)
-      for (std::size_t i = 0; i < corners.size(); ++i) active(instruction.kink + i, x - corners[i]);
+      for (std::size_t i = 0; i < breakpoints.size(); ++i)
+        active(instruction.kink + i, x - breakpoints[i]);
     std::size_t piece = 0;
     if (branches_.empty())
       piece = table.piece_at(x);
     else
-      for (const char is_left : branches_.subspan(instruction.kink, corners.size()))
+      for (const char is_left : branches_.subspan(instruction.kink, breakpoints.size()))
         piece += is_left == 0;
     work_.choice[at_] = static_cast<std::uint32_t>(piece);
     return table.value(piece, x);
   }
 
-  /// Goes on at that instruction, or notes that what stands before it is not taken.
+  /// Continues at that instruction, or notes that the instructions before it are not taken.
   void skip_to(std::size_t target) {
     if constexpr (Switching::wants_all)
       taken_from_ = std::max(taken_from_, target);
@@ -182,7 +184,8 @@ double power_by_base(double a, double b) {
   return b == 0 ? 0 : b * std::pow(a, b - 1);
 }
 
-/// Adds to the adjoints of its operands, the derivatives of the expression by them.
+/// Adds to the adjoints of its operands, which are the derivatives of the expression with respect
+/// to them.
 void add_adjoints(const ExpressionProgram& program, const Instruction& in, const Workspace& work,
                   std::size_t at, double* adjoint) {
   const double own = adjoint[program.first_result() + at];
@@ -258,7 +261,7 @@ double evaluate_with_gradient(const ExpressionProgram& program, std::span<const 
   adjoint[program.result] = 1;
   const std::size_t first = program.first_result();
   for (std::size_t i = program.instructions.size(); i-- > 0;)
-    // What has no influence may have an infinite derivative, or not have been evaluated.
+    // A part without influence may have an infinite derivative, or may not have been evaluated.
     if (adjoint[first + i] != 0)
       add_adjoints(program, program.instructions[i], work, i, adjoint.data());
   std::fill(gradient.begin(), gradient.end(), 0.0);
@@ -270,7 +273,7 @@ double evaluate_with_gradient(const ExpressionProgram& program, std::span<const 
 void evaluate_switching(const ExpressionProgram& program, std::span<const double> x,
                         std::span<const char> branches, std::span<double> values) {
   assert(values.size() == program.kinks.size());
-  std::optional<UntrappedArithmetic> untrapped;  // for what is evaluated without being taken
+  std::optional<UntrappedArithmetic> untrapped;  // for parts that are evaluated but not taken
   if (program.skips) untrapped.emplace();
   Workspace work;
   ForwardRun<WriteSwitching>(program, x, branches, work, {branches, values})();

@@ -20,7 +20,7 @@ namespace gnomon {
 ///     power       primary [ ^ sign ]
 ///     primary     number | name | name ( condition { , condition } ) | ( condition )
 ///
-/// Parentheses may hold numbers and conditions, so the two are told apart afterwards.
+/// Parentheses may contain numbers and conditions, so the two are distinguished afterwards.
 class ExpressionParser {
 public:
   ExpressionParser(std::string_view text, const ExpressionNames& names)
@@ -37,13 +37,13 @@ private:
     std::size_t begin, end;  // in the text
   };
 
-  Part number();  // a condition of the grammar that is none
+  Part number();  // a `condition` of the grammar that is a number
   Part condition();
   Part conjunction();
   Part comparison();
   Part sum();
   Part product();
-  Part sign();  // every recursion comes by here
+  Part sign();  // every recursion passes through this function
   Part power();
   Part primary();
   Part named();
@@ -62,7 +62,7 @@ private:
   std::size_t arguments(const Token& name, const Take& take);
   void check_count(const Token& name, std::size_t count, std::size_t least, std::size_t most) const;
 
-  /// What ends before the current token. A constant must be finite.
+  /// The part that ends before the current token. A constant must be finite.
   Part part(Node node, std::size_t begin, bool is_condition = false) const;
   Part checked_number(const Part& part) const;
   Part checked_condition(const Part& part) const;

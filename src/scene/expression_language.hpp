@@ -1,4 +1,4 @@
-// The names that the language of expressions has of its own.
+// The reserved names of the language of expressions.
 #pragma once
 
 #include <limits>
@@ -16,13 +16,13 @@ struct ExpressionFunction {
   std::size_t least_arguments, most_arguments;
 };
 
-/// All functions but `if`, which does not evaluate all of its arguments.
+/// All functions except `if`, which does not evaluate all of its arguments.
 const ExpressionFunction* find_function(std::string_view name);
 
-/// Whether a scene may not use the name for something else.
+/// Whether the name is reserved, so that a scene cannot use it for something else.
 bool is_reserved(std::string_view name);
 
-/// Says that there is no such name, which one may have been meant, and which ones there are.
+/// The message that there is no such name, with the nearest name and the list of all names.
 std::string unknown_expression_name(std::string_view name, const ExpressionNames& names);
 
 }  // namespace gnomon

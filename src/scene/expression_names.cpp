@@ -94,7 +94,7 @@ void check_expression_names(const ExpressionNames& names) {
                       quote(name)));
     if (is_reserved(name))
       throw ExpressionError(
-          fmt::format("the name {} has a meaning of its own in expressions, expected another "
+          fmt::format("the name {} is reserved in expressions, expected another "
                       "name than exp, log, sqrt, abs, pow, min, max, if, and, or",
                       quote(name)));
     if (!seen.insert(name).second)

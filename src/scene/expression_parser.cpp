@@ -141,7 +141,7 @@ ExpressionParser::Part ExpressionParser::part(Node node, std::size_t begin,
 ExpressionParser::Part ExpressionParser::checked_number(const Part& part) const {
   if (part.is_condition)
     refuse_expression(text_, part.begin,
-                      fmt::format("{} is a condition, expected a number (conditions stand in "
+                      fmt::format("{} is a condition, expected a number (conditions occur in "
                                   "if(condition, a, b) only)",
                                   quote_part(part)));
   return part;

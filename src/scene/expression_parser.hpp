@@ -11,7 +11,7 @@ namespace gnomon {
 /// Throws ExpressionError unless the names are as ExpressionNames says.
 void check_expression_names(const ExpressionNames& names);
 
-/// Throws ExpressionError for what is no expression of these names.
+/// Throws ExpressionError for a text that is not an expression of these names.
 ExpressionProgram parse_expression(std::string_view text, const ExpressionNames& names);
 
 }  // namespace gnomon

@@ -43,7 +43,7 @@ std::size_t kinks_of(const Instruction& instruction, const std::vector<Piecewise
     case Operation::below:
       return 1;
     case Operation::table:
-      return tables[instruction.b].corners().size();
+      return tables[instruction.b].breakpoints().size();
     default:
       return 0;
   }

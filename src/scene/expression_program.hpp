@@ -1,4 +1,4 @@
-// What an expression is compiled to: a list of instructions, each of which fills a slot of its own.
+// The compiled form of an expression: a list of instructions, each of which fills its own slot.
 #pragma once
 
 #include <cstdint>
@@ -28,14 +28,14 @@ enum class Operation : std::uint8_t {
   below,          // a < b
   both,           // a and b
   either,         // a or b
-  skip_if_false,  // goes on at instruction b if a is 0
-  skip_if_true,   // goes on at instruction b if a is 1
+  skip_if_false,  // continues at instruction b if a is 0
+  skip_if_true,   // continues at instruction b if a is 1
   select,         // b if a, else c
 };
 
 struct Instruction {
   Operation operation;
-  std::uint16_t a = 0, b = 0, c = 0;  // slots, but as said above
+  std::uint16_t a = 0, b = 0, c = 0;  // slots, except as stated above
   std::uint32_t kink = 0;             // the first of its kinks, where it has some
 };
 
@@ -43,7 +43,8 @@ using VariableSet = std::uint64_t;  // bit i stands for variable i
 inline constexpr std::size_t max_variables = 64;
 
 /// Slots in order: the constants, the variables that occur, the results of the instructions. A text
-/// has no more of them than bytes: what needs two (`or`) or three (`if(,,)`) is longer than that.
+/// needs at most one slot per byte: operations that need two slots (`or`) or three (`if(,,)`) have
+/// more bytes than that.
 struct ExpressionProgram {
   std::vector<double> constants{};
   std::vector<std::uint16_t> variables{};
@@ -66,7 +67,7 @@ void evaluate_switching(const ExpressionProgram& program, std::span<const double
                         std::span<const char> branches, std::span<double> values);
 
 /// Makes a program node by node, in the order of evaluation. An operation on constants becomes a
-/// constant, which takes the place of all nodes that led to it.
+/// constant, which replaces all nodes from which it was computed.
 class ProgramBuilder {
 public:
   using Node = std::size_t;
@@ -81,7 +82,7 @@ public:
   void set_target(Node skip, Node target);
 
   Node next() const { return nodes_.size(); }
-  /// Removes this node and all behind it.
+  /// Removes this node and all later ones.
   void remove_from(Node node);
   std::optional<double> constant_value(Node node) const;
 

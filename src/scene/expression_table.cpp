@@ -41,14 +41,14 @@ PiecewiseLinear::PiecewiseLinear(const std::vector<double>& x, const std::vector
       throw ExpressionError(
           fmt::format("a table is too wide or too steep between {} and {}", x[i], x[i + 1]));
     if (slope == pieces_.back().slope) continue;
-    corners_.push_back(x[i]);
+    breakpoints_.push_back(x[i]);
     pieces_.push_back({x[i], y[i], slope});
   }
 }
 
 std::size_t PiecewiseLinear::piece_at(double x) const {
-  const auto first_not_passed = std::lower_bound(corners_.begin(), corners_.end(), x);
-  return static_cast<std::size_t>(first_not_passed - corners_.begin());
+  const auto first_not_passed = std::lower_bound(breakpoints_.begin(), breakpoints_.end(), x);
+  return static_cast<std::size_t>(first_not_passed - breakpoints_.begin());
 }
 
 }  // namespace gnomon

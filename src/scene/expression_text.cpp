@@ -12,7 +12,7 @@ namespace gnomon {
 
 namespace {
 
-// By the bytes of ASCII, whatever the locale is.
+// By the bytes of ASCII, independent of the locale.
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
@@ -22,7 +22,7 @@ bool is_letter(char c) {
 bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
-/// Of a character of UTF-8 that began before.
+/// Whether the byte continues a UTF-8 character that began earlier.
 bool is_continuation(char c) {
   return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
 }
@@ -32,7 +32,7 @@ std::size_t characters(std::string_view text) {
          static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_continuation));
 }
 
-/// All that a number could be meant to consist of.
+/// Length of all characters that could be meant as parts of a number.
 std::size_t number_length(std::string_view text) {
   std::size_t length = 0;
   while (length < text.size()) {

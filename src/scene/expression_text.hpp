@@ -1,4 +1,4 @@
-// The words of an expression, and messages about its text.
+// The tokens of an expression, and messages about its text.
 #pragma once
 
 #include <string>
@@ -6,14 +6,14 @@
 
 namespace gnomon {
 
-/// Throws ExpressionError: where `begin` is in the text, and what is wrong there.
+/// Throws ExpressionError with the place of `begin` in the text and the description of the mistake.
 [[noreturn]] void refuse_expression(std::string_view text, std::size_t begin,
                                     const std::string& what);
 
 /// A part of a text in quotes, on one line and not too long.
 std::string quote(std::string_view part);
 
-/// Whether it is a letter or underscore followed by such and digits.
+/// Whether it is a letter or underscore followed by letters, underscores and digits.
 bool is_expression_name(std::string_view name);
 
 struct Token {
@@ -28,7 +28,7 @@ struct Token {
   std::string description() const;  // for messages
 };
 
-/// Takes a text apart, from `begin`. Throws ExpressionError at what begins no token.
+/// The token of a text that begins at `begin`. Throws ExpressionError where no token begins.
 Token token_at(std::string_view text, std::size_t begin);
 
 }  // namespace gnomon

@@ -12,15 +12,16 @@
 
 namespace gnomon {
 
-/// What a key accepts: "a number in (0, inf) [MPa]", `one of "plain", "f-bar"`.
+/// The description of the values that a key accepts: "a number in (0, inf) [MPa]", `one of "plain",
+/// "f-bar"`.
 std::string expectation(const Key& key);
 
-/// What was wrong: "expected a number in (0, inf) [MPa], got -3".
+/// The mistake: "expected a number in (0, inf) [MPa], got -3".
 struct Complaint {
   std::string text;
 };
 
-/// The value in the type of the key, or why it is not acceptable.
+/// The value in the type of the key, or the reason why it is not acceptable.
 std::variant<SceneValue, Complaint> check_value(const Key& key, const RawValue& raw);
 
 /// Beginning of a message: "FILE:LINE: key `KEY`", or "FILE: key `KEY`" for line 0.

@@ -11,7 +11,7 @@ constexpr auto defaulted = Key::Presence::defaulted;
 constexpr auto optional = Key::Presence::optional;
 
 constexpr Range non_negative{.min = 0};
-// Wide enough for every set of units, and far from where differences drown in rounding.
+// Wide enough for every set of units, and far from where rounding errors exceed differences.
 constexpr Range duration{.min = 1e-6, .max = 1e12};
 
 std::vector<Key> integrator_keys() {
@@ -25,18 +25,18 @@ std::vector<Key> integrator_keys() {
        .presence = optional,
        .absent_meaning = "steps chosen by the error estimate",
        .range = duration,
-       .help = "fixed step, halved only when its equations cannot be solved; not for bdf"},
+       .help = "fixed step, halved only if its equations cannot be solved; not for bdf"},
       {.name = "integrator.rtol",
        .presence = defaulted,
        .default_value = 1e-4,
        .range = relative_tolerance,
-       .help = "relative tolerance of the worn surface a step, when steps follow the error"},
+       .help = "relative tolerance of the worn surface per step, when steps follow the error"},
       {.name = "integrator.atol",
        .unit = "mm",
        .presence = optional,
        .absent_meaning = "rtol times the mean wear depth at time.end",
        .range = {.min = 1e-20},
-       .help = "absolute tolerance of the worn surface a step, when steps follow the error"},
+       .help = "absolute tolerance of the worn surface per step, when steps follow the error"},
       {.name = "integrator.max_step",
        .unit = "s",
        .presence = optional,
@@ -66,9 +66,9 @@ std::vector<Key> integrator_keys() {
        .presence = defaulted,
        .default_value = "stop",
        .choices = {"stop", "accept"},
-       .help =
-           "fixed steps that amplify the fastest mode, or hardly damp it: stop the run, or accept "
-           "numbers that are worthless"},
+       .help = "for fixed steps that amplify the fastest mode or hardly damp it: stop the run, or "
+               "accept "
+               "numbers without meaning"},
   };
 }
 
@@ -79,7 +79,7 @@ std::vector<Key> output_keys() {
        .presence = defaulted,
        .default_value = 10L,
        .range = non_negative,
-       .help = "store fields every n-th step, 0: none (the start is always stored)"},
+       .help = "store fields every n-th step; 0: never (the start is always stored)"},
       {.name = "output.times",
        .kind = KeyKind::reals,
        .unit = "s",
@@ -97,7 +97,8 @@ std::vector<Key> output_keys() {
        .presence = defaulted,
        .default_value = 200L,
        .range = non_negative,
-       .help = "steps and Newton iterations between checkpoints (gnomon resume), 0: none"},
+       .help =
+           "steps plus Newton iterations between checkpoints (gnomon resume); 0: no checkpoints"},
   };
 }
 
@@ -111,14 +112,14 @@ std::vector<Key> make_run_keys() {
        .unit = "s",
        .presence = required,
        .range = duration,
-       .help = "the run goes from t = 0 to here"},
+       .help = "end of the run, which begins at t = 0"},
   };
   for (const auto& part : {integrator_keys(), output_keys()})
     keys.insert(keys.end(), part.begin(), part.end());
   return keys;
 }
 
-/// The balls of the paper wear by friction, which has to be given.
+/// In 3D it is required: the balls of the paper wear by friction.
 Key friction_key(int dim) {
   return {.name = "friction.coefficient",
           .presence = dim == 2 ? defaulted : required,
@@ -133,8 +134,8 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .unit = dim == 2 ? "N/mm" : "N",
        .presence = required,
        .range = positive_quantity,
-       .help =
-           dim == 2 ? "normal force F, a unit of thickness" : "normal force F, on the whole body"},
+       .help = dim == 2 ? "normal force F, per unit of thickness"
+                        : "normal force F, on the whole body"},
       {.name = "load.times",
        .kind = KeyKind::reals,
        .unit = "s",
@@ -147,22 +148,23 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .presence = defaulted,
        .default_value = std::vector<double>{},
        .range = {.max = positive_quantity.max},
-       .help = "what F is multiplied by at load.times, 1e-6 or more: linear between, constant "
+       .help = "factors of F at load.times, 1e-6 or more: linear between them, constant "
                "before the first and after the last"},
       {.name = "wear.law",
        .kind = KeyKind::text,
        .presence = defaulted,
        .default_value = "expression",
-       .help = "wear law: the expression wear.rate, or one that is built in (gnomon list laws)"},
+       .help = "wear law: the expression wear.rate, or a built-in law (gnomon list laws)"},
       {.name = "wear.rate",
        .kind = KeyKind::text,
        .unit = "mm/s",
        .presence = defaulted,
        .default_value = dim == 2 ? "k * p * v" : "k * f * p * v",
-       .help = "wear rate by pressure p, sliding speed v, friction power q = f p v, wear depth h, "
-               "time t, sliding distance s, initial position x0 y0 z0, k = wear.coefficient, f = "
-               "friction.coefficient, "
-               "constants and tables (docs/wear_laws.md)"},
+       .help =
+           "wear rate, from pressure p, sliding speed v, friction power q = f p v, wear depth h, "
+           "time t, sliding distance s, initial position x0 y0 z0, k = wear.coefficient, f = "
+           "friction.coefficient, "
+           "constants and tables (docs/wear_laws.md)"},
       {.name = "wear.coefficient",
        .unit = "1/MPa",
        .presence = required,
@@ -178,13 +180,13 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .presence = optional,
        .absent_meaning = "no such table",
        .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
-       .help = "arguments, ascending, of a function of wear.rate: linear between, constant beyond"},
+       .help = "arguments, ascending, of a function in wear.rate: linear between, constant beyond"},
       {.name = "wear.tables.*.y",
        .kind = KeyKind::reals,
        .presence = optional,
        .absent_meaning = "no such table",
        .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
-       .help = "its values, as many"},
+       .help = "values of this function, as many as arguments"},
       {.name = "wear.velocity",
        .unit = "mm/s",
        .presence = required,
@@ -206,24 +208,25 @@ std::vector<Key> body_keys() {
        .unit = "MPa",
        .presence = required,
        .range = positive_quantity,
-       .help = "Young's modulus E of the worn body, of the linearised law"},
+       .help = "Young's modulus E of the worn body (of the linearised law)"},
       {.name = "body.poisson_ratio",
        .presence = required,
        .range = {.min = 0, .max = 0.5, .max_open = true},
-       .help = "Poisson's ratio nu of the worn body, of the linearised law"},
+       .help = "Poisson's ratio nu of the worn body (of the linearised law)"},
       // Choices, and keys of the materials behind it, are filled in where materials are known.
       {.name = "body.material",
        .kind = KeyKind::text,
        .presence = defaulted,
        .default_value = "neo-hookean",
-       .help = "elastic law of the body with finite strains (docs/equations.md); small ones are "
-               "linear"},
+       .help =
+           "elastic law of the body with finite strains (docs/equations.md); with small strains "
+           "it is linear"},
       {.name = "body.element",
        .kind = KeyKind::text,
        .presence = defaulted,
        .default_value = "f-bar",
        .choices = {"plain", "f-bar", "f-bar-variational"},
-       .help = "plain, F-bar (de Souza Neto), or F-bar read as the variation of eq. (32)"},
+       .help = "plain, F-bar (de Souza Neto), or F-bar as the variation of eq. (32)"},
       {.name = "body.kinematics",
        .kind = KeyKind::text,
        .presence = defaulted,
@@ -256,14 +259,15 @@ std::vector<Key> shape_keys() {
        .kind = KeyKind::text,
        .presence = defaulted,
        .default_value = "neo-hookean",
-       .help = "elastic law of the auxiliary elasticity: say, eq. (38), or blatz-ko, which keeps "
-               "elements from collapsing, the more the larger its Poisson's ratio"},
+       .help = "elastic law of the auxiliary elasticity: eq. (38), or blatz-ko, for example, which "
+               "keeps "
+               "elements from collapsing; a larger Poisson's ratio strengthens this"},
       {.name = "shape.stiffening",
        .presence = defaulted,
        .default_value = 0.0,
        .range = {.min = 0, .max = 2},
        .help = "exponent c of the auxiliary elasticity: an element is (mean volume / its "
-               "volume)^c times as stiff, so that small ones move as if rigid"},
+               "volume)^c times as stiff, so that small elements move almost rigidly"},
       {.name = "shape.augmentation",
        .presence = defaulted,
        .default_value = 1.0,
@@ -284,10 +288,11 @@ std::vector<Key> solver_keys(int dim) {
       {.name = "solver.preconditioner",
        .kind = KeyKind::text,
        .presence = optional,
-       .absent_meaning = "by size, factor unless in 3D and large (docs/linear.md)",
+       .absent_meaning = "chosen by size: factor unless in 3D and large (docs/linear.md)",
        .choices = {"factor", "multigrid"},
-       .help = "what solver.method = \"block\" solves the stiffness with: Cholesky factors, or "
-               "algebraic multigrid (needs PETSc)"},
+       .help =
+           "how solver.method = \"block\" solves with the stiffness: by Cholesky factors, or by "
+           "algebraic multigrid (needs PETSc)"},
   };
 }
 
@@ -300,16 +305,16 @@ std::vector<Key> make_worn_body_keys(int dim) {
                   .unit = "mm",
                   .presence = defaulted,
                   .default_value = 0.0,
-                  .range = {.min = -1e5, .max = 1e5},  // beyond, rounding spoils the equilibrium
-                  .help = "distance of the bodies before they are loaded, negative: they overlap; "
+                  .range = {.min = -1e5, .max = 1e5},  // beyond, rounding errors are too large
+                  .help = "distance of the bodies before they are loaded (negative: they overlap); "
                           "under a force only the approach depends on it"});
   keys.push_back(
       {.name = "contact.regularization",
        .presence = defaulted,
        .default_value = 0.01,
        .range = positive_quantity,
-       .help = "rho of eq. (26) in units of E / facet length (of less under a light load); only "
-               "Newton's path depends on it"});
+       .help = "rho of eq. (26) in units of E / facet length (smaller under a light load); only "
+               "the path of Newton's method depends on it"});
   return keys;
 }
 

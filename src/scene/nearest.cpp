@@ -33,8 +33,8 @@ std::string last_part(const std::string& name) {
   return name.substr(name.rfind('.') + 1);
 }
 
-/// Distance of a word to a candidate; forgives a wrong table (where the name itself is near), a
-/// missing half of the name, and something behind it.
+/// Distance of a word from a candidate; tolerates a wrong table (if the name itself is near), a
+/// missing half of the name, and additional text after it.
 std::size_t distance(const std::string& word, const std::string& candidate) {
   std::size_t result = edit_distance(word, candidate);
   if (candidate.find('.') != std::string::npos) {
@@ -52,7 +52,8 @@ std::size_t distance(const std::string& word, const std::string& candidate) {
 }  // namespace
 
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates) {
-  constexpr std::size_t longest = 200;  // nobody mistypes that much; keeps the cost bounded
+  constexpr std::size_t longest =
+      200;  // longer words are no typing mistakes; the limit bounds the cost
   if (word.size() > longest) return {};
   std::string nearest;
   std::size_t best = std::max<std::size_t>(2, word.size() / 3) + 1;

@@ -41,8 +41,8 @@ private:
       parts_ = 1;
   }
 
-  /// Behind the string that begins here. One in single quotes knows no escapes; one that is not
-  /// closed ends with its line, or with the text if it may span lines.
+  /// Moves behind the string that begins here. A string in single quotes has no escapes; a string
+  /// that is not closed ends with its line, or with the text if it may span lines.
   void skip_string(char quote) {
     const std::string fence(3, quote);
     const bool spans_lines = text_.substr(at_, 3) == fence;

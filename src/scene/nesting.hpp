@@ -1,4 +1,4 @@
-// How deep a TOML text nests, found out before a parser that recurses is let near it.
+// How deep a TOML text nests; checked before the text is given to a recursive parser.
 #pragma once
 
 #include <optional>
@@ -7,12 +7,13 @@
 
 namespace gnomon {
 
-/// Most parts of a dotted key or table header, and most arrays and inline tables within each other.
+/// Largest number of parts of a dotted key or table header, and of arrays and inline tables within
+/// each other.
 inline constexpr int max_nesting = 32;
 
 struct DeepNesting {
-  int line = 0;         ///< 1-based, where the limit is passed
-  std::string message;  ///< what there is and what was expected
+  int line = 0;         ///< 1-based, where the limit is exceeded
+  std::string message;  ///< what was found and what was expected
 };
 
 /// The first place that nests deeper than max_nesting. Strings and comments do not count; text that

@@ -13,7 +13,7 @@ namespace {
 struct Description {
   std::string operator()(bool value) const { return value ? "true" : "false"; }
   std::string operator()(long value) const { return fmt::format("{}", value); }
-  // 2.0 stays one, so that "expected an integer, got 2.0" makes sense.
+  // 2.0 stays "2.0", so that "expected an integer, got 2.0" makes sense.
   std::string operator()(double value) const {
     return std::isfinite(value) ? toml_text(value) : fmt::format("{}", value);
   }

@@ -1,4 +1,5 @@
-// What a TOML document says, before anything is known about keys: no TOML library in sight.
+// The contents of a TOML document, before anything is known about keys, without types of the TOML
+// library.
 #pragma once
 
 #include <string>
@@ -25,7 +26,7 @@ struct RawEntry {
   std::string name;  ///< dotted, parts quoted as TOML does where they need it
   int line = 0;
   RawValue value;
-  std::vector<RawValue> elements{};  ///< of an array: each by itself, arrays included
+  std::vector<RawValue> elements{};  ///< the elements of an array, which may be arrays themselves
 };
 
 /// One table of an array of tables: [[name]].

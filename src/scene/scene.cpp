@@ -135,7 +135,8 @@ std::string Scene::resolved() const {
       assignments.push_back(value ? fmt::format("{} = {}", name, toml_text(*value))
                                   : fmt::format("# {} = ...", name));
     }
-    std::size_t width = 0;  // comments align, but one long array does not push them all away
+    std::size_t width =
+        0;  // comments are aligned, but a single long array does not move all of them
     for (const std::string& assignment : assignments)
       if (assignment.size() <= 40) width = std::max(width, assignment.size());
     for (std::size_t i = 0; i < assignments.size(); ++i)

@@ -10,7 +10,7 @@
 namespace gnomon {
 
 std::vector<KeyGroup> group_keys(const std::vector<Key>& table) {
-  std::vector<KeyGroup> groups(1);  // the nameless one
+  std::vector<KeyGroup> groups(1);  // the group without a name
   for (const Key& key : table) {
     const std::size_t dot = key.name.rfind('.');
     const std::string name = dot == std::string::npos ? "" : key.name.substr(0, dot);

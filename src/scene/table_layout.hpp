@@ -1,4 +1,4 @@
-// How a table of keys is laid out for people: grouped by TOML table, one comment a key.
+// How a table of keys is printed: grouped by TOML table, with one comment per key.
 #pragma once
 
 #include <gnomon/scene/scene.hpp>

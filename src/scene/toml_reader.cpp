@@ -116,7 +116,7 @@ RawDocument read_toml_document(const std::string& text, const std::string& name)
 }
 
 std::optional<RawValue> read_toml_value(const std::string& text) {
-  // A line break would let the text smuggle in more than one value.
+  // With a line break the text could contain more than one value.
   if (text.find_first_of("\r\n") != std::string::npos) return std::nullopt;
   if (find_deep_nesting(text)) return std::nullopt;
   const UntrappedArithmetic untrapped;

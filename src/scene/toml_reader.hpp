@@ -1,4 +1,4 @@
-// Reads TOML text. The only file of the project that sees the TOML library is its source.
+// Reads TOML text. Only its source file includes the TOML library.
 #pragma once
 
 #include <optional>

@@ -14,7 +14,7 @@ std::string toml_text(double value) {
   const std::size_t exponent = text.find('e');
   if (exponent == std::string::npos)
     return text.find('.') == std::string::npos ? text + ".0" : text;
-  std::size_t digit = exponent + 2;  // behind the sign
+  std::size_t digit = exponent + 2;  // after the sign
   while (text[digit] == '0' && digit + 1 < text.size()) text.erase(digit, 1);
   return text;
 }

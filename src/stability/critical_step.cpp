@@ -40,7 +40,8 @@ double stability_boundary(const ButcherTable& table, double angle) {
     const double middle = (inside + outside) / 2;
     (stable(middle) ? inside : outside) = middle;
   }
-  // Along the imaginary axis |R| may leave one as slowly as 1 + y^4 / 8, behind rounding at first.
+  // Along the imaginary axis |R| may exceed one as slowly as 1 + y^4 / 8, at first by less than
+  // rounding errors.
   return inside < 2 * std::pow(rounding, 0.25) ? 0 : inside;
 }
 

@@ -1,6 +1,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-// GCC 12 takes a temporary in Spectra's Hessenberg solver for freed (a false alarm).
+// GCC 12 warns that a temporary in Spectra's Hessenberg solver was freed (a false alarm).
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
 #pragma GCC diagnostic ignored "-Wuse-after-free"
 #endif
@@ -13,7 +13,7 @@ namespace gnomon {
 
 namespace {
 
-/// What Spectra asks of a matrix.
+/// The interface that Spectra requires of a matrix.
 class Operation {
 public:
   using Scalar = double;

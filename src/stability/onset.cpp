@@ -12,7 +12,7 @@ namespace gnomon {
 
 namespace {
 
-/// The state, made consistent to the tolerance of the steppers' own solves, with its rates.
+/// The state, made consistent within the tolerance of the steppers' own solves, with its rates.
 State consistent(const System& system, State state) {
   Counters counters;
   AlgebraicSolver stages(system, counters);
@@ -37,7 +37,7 @@ public:
     perturb(direction);
   }
 
-  /// Does the perturbation grow over steps of this size? What cannot be stepped over does.
+  /// Whether the perturbation grows over steps of this size. If a step cannot be taken, it does.
   bool grows(double step) const;
 
 private:
@@ -52,7 +52,7 @@ private:
   std::vector<int> components_;
 };
 
-/// By the real part of the direction, as long as asked for in its largest entry.
+/// Perturbs by the real part of the direction; its largest entry has the prescribed size.
 void OnsetSearch::perturb(const Eigen::VectorXcd& direction) {
   const Eigen::VectorXd real = direction.real();
   const double length = options_.perturbation * model_.differential_scale();
@@ -69,8 +69,9 @@ double OnsetSearch::distance(const State& state) const {
   return std::sqrt(sum);
 }
 
-/// Steps of exactly this size; false when one of them had to be cut. Fixed steps end on the
-/// multiples of their size, so time is shifted onto one, by half a step at most.
+/// Takes steps of exactly this size; returns false if one of them had to be shortened. Fixed steps
+/// end on the multiples of their size, so time is shifted to such a multiple, by at most half a
+/// step.
 bool OnsetSearch::take(State& state, double step) const {
   const double first = std::round(state.t / step);
   IntegratorSettings settings;

@@ -16,7 +16,7 @@ ReducedJacobian::ReducedJacobian(const System& system, const State& state)
   const ActiveSet branch = active_set(system, state.t, state.y);
   std::vector<double> values(pattern_.nonzeros());
   system.jacobian({state.t, state.y, state.ydot, &branch}, 0, values);
-  // The differential rows are kept for the products and give way to those of the identity.
+  // The differential rows are kept for the products and replaced by those of the identity.
   for (int column = 0; column < pattern_.size(); ++column)
     for (int k = pattern_.column_start[column]; k < pattern_.column_start[column + 1]; ++k) {
       const int row = pattern_.row_index[k];
@@ -31,7 +31,7 @@ ReducedJacobian::ReducedJacobian(const System& system, const State& state)
 void ReducedJacobian::multiply(std::span<const double> v, std::span<double> Gv) const {
   std::fill(right_side_.begin(), right_side_.end(), 0.0);
   for (int i = 0; i < size(); ++i) right_side_[components_[i]] = v[i];
-  lu_.solve(right_side_, change_);  // of all components: v, and what follows from it
+  lu_.solve(right_side_, change_);  // change of all components: v and the algebraic ones
   std::fill(right_side_.begin(), right_side_.end(), 0.0);
   for (int column = 0; column < pattern_.size(); ++column)
     for (int k = pattern_.column_start[column]; k < pattern_.column_start[column + 1]; ++k)

@@ -1,5 +1,5 @@
-// A model in which a given state rests: its rate there is taken off the equations, and time stands
-// still.
+// A model in which a given state is at rest: its rate there is subtracted from the equations, and
+// time is frozen.
 #pragma once
 
 #include <gnomon/model/model.hpp>
@@ -7,7 +7,7 @@
 
 namespace gnomon {
 
-/// Differential rows ydot + f(t_0, y) - f(t_0, y_0), all others as they are.
+/// Differential rows ydot + f(t_0, y) - f(t_0, y_0); all other rows are unchanged.
 class RestingSystem : public System {
 public:
   /// `state`: with its rates. Both must outlive the object.
@@ -42,7 +42,7 @@ private:
   Structure structure_;
 };
 
-/// What integrators see of such a system.
+/// The model of such a system, for integrators.
 class RestingModel : public Model {
 public:
   RestingModel(const Model& model, const State& state)

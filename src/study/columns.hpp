@@ -1,4 +1,4 @@
-// The columns of a study's table: a contract with everything that reads study.csv and study.h5.
+// The columns of a study's table: the interface to all programs that read study.csv and study.h5.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace gnomon::study {
 
-/// Of one row; nothing where there is no value.
+/// The value of one cell of a row; monostate if there is none.
 using CellValue = std::variant<std::monostate, std::int64_t, double, std::string>;
 
 struct Column {

@@ -88,17 +88,17 @@ public:
   }
 
 private:
-  /// One bracket too few, and the table's keys would merely seem unknown.
+  /// With a missing bracket the table's keys would only be reported as unknown.
   void check_brackets() const {
     for (const RawEntry& entry : document_.entries)
       for (const char* name : {"sweep", "method", "reference"})
         if (entry.name == name || entry.name.starts_with(fmt::format("{}.", name)))
-          throw InputError(fmt::format("{}: there may be several, write [[{}]]",
+          throw InputError(fmt::format("{}: there may be several of these tables, expected [[{}]]",
                                        message_about(declaration_.file, entry.line, entry.name),
                                        name));
   }
 
-  /// The scene comes first: it says which keys there are to set.
+  /// The scene is read first, because it determines which keys can be set.
   void read_scene() {
     const std::vector<Key> keys = top_keys();
     std::vector<RawEntry> entries;
@@ -204,7 +204,7 @@ private:
     for (const double value : keyed.reals(key)) {
       for (const StudySetting& earlier : method.ladder)
         if (earlier.kind == kind && earlier.value == value)
-          throw InputError(fmt::format("{}: {} is there twice, expected once", keyed.where(key),
+          throw InputError(fmt::format("{}: {} is given twice, expected once", keyed.where(key),
                                        number_text(value)));
       method.ladder.push_back({kind, value});
     }
@@ -225,7 +225,7 @@ private:
     auto& references = declaration_.references;
     if (references.empty()) {
       const std::string origin = declaration_.file + ": default reference";
-      // On the pin, the first is good to 1e-10 mm and the second to 1e-9 mm.
+      // On the pin, the error of the first is 1e-10 mm and that of the second 1e-9 mm.
       references = {{"esdirk-5",
                      "esdirk-5",
                      {{Kind::tolerance, 1e-8}},
@@ -249,12 +249,12 @@ private:
     if (!top.has("self_reference.method")) {
       if (step || rtol)
         throw InputError(top.where(step ? "self_reference.step" : "self_reference.tolerance") +
-                         ": expected self_reference.method beside it");
+                         ": expected self_reference.method too");
       return;
     }
     if (step == rtol)
       throw InputError(top.where("self_reference.method") +
-                       ": expected one of self_reference.step and .tolerance beside it");
+                       ": expected one of self_reference.step and .tolerance too");
     SelfReference self{
         method_called(top.text("self_reference.method"), top.where("self_reference.method")), {}};
     self.setting = step ? StudySetting{Kind::step, top.real("self_reference.step")}

@@ -1,4 +1,4 @@
-// What a study file says, before it is spread out into runs.
+// The contents of a study file, before it is expanded into runs.
 #pragma once
 
 #include <filesystem>

@@ -24,7 +24,7 @@ Key name_key() {
           .kind = KeyKind::text,
           .presence = optional,
           .absent_meaning = "that of its integrator",
-          .help = "what tables and figures call it"};
+          .help = "its name in tables and figures"};
 }
 
 }  // namespace
@@ -41,23 +41,23 @@ std::vector<Key> top_keys() {
        .presence = optional,
        .absent_meaning = "five equal parts of time.end",
        .range = positive,
-       .help = "when errors are measured, beside time.end; steps end there exactly"},
+       .help = "times at which errors are measured, besides time.end; steps end there exactly"},
       {.name = "self_reference.method",
        .kind = KeyKind::text,
        .presence = optional,
        .absent_meaning = "no errors against a run of the study itself",
-       .help = "the method whose run is a second reference, as the paper's was"},
+       .help = "the method whose run is a second reference, as in the paper"},
       {.name = "self_reference.step",
        .unit = "s",
        .presence = optional,
        .absent_meaning = "self_reference.tolerance is given",
        .range = positive,
-       .help = "its step"},
+       .help = "fixed step of this run"},
       {.name = "self_reference.tolerance",
        .presence = optional,
        .absent_meaning = "self_reference.step is given",
        .range = relative_tolerance,
-       .help = "its tolerance"},
+       .help = "relative tolerance of this run"},
   };
 }
 

@@ -44,7 +44,7 @@ std::optional<double> error_control(const StudyPoint& point) {
   return point.setting.value;
 }
 
-/// What a finished case is held to.
+/// The result of comparing a finished case with its references.
 struct Judgement {
   Verdict verdict = Verdict::wrong;
   std::string reason{};
@@ -75,7 +75,7 @@ public:
 
   const StudyRow& row(std::size_t index) const { return table_.rows[index]; }
 
-  /// None where nothing presses.
+  /// None if there is no pressure.
   std::optional<double> pressure_difference(std::size_t index) const {
     const StudyRow& row = table_.rows[index];
     const StudyReference& reference = table_.references[row.point.sweep];
@@ -110,7 +110,7 @@ private:
     return false;
   }
 
-  /// The references share it, so that it does not keep them from agreeing.
+  /// The references have this error too, so that they agree in spite of it.
   bool lost_wear(const StudyRow& row) const try {
     return has_lost_wear(observation_of(ResultReader(files(row).result).history().back().scalars));
   } catch (const Error&) {
@@ -139,7 +139,7 @@ private:
     return fixed ? with_fixed_steps(index, reference) : with_error_control(row, reference);
   }
 
-  /// Where nothing wears, nothing must differ.
+  /// Without wear there must be no difference.
   static double relative(double error, const StudyReference& reference) {
     return error == 0 ? 0 : error / reference.wear;
   }
@@ -153,7 +153,7 @@ private:
     return std::ranges::find(runs, row.point.run) != runs.end();
   }
 
-  /// A reference is confirmed by the other one.
+  /// A reference is compared with the other one.
   std::optional<double> difference(const StudyRow& row, const StudyReference& reference) const {
     const bool confirms = is_reference(row);
     if (confirms && !reference.error) return std::nullopt;
@@ -177,8 +177,8 @@ private:
     return result;
   }
 
-  /// No accuracy was asked for: the step has to be on the way to the solution, or so near that the
-  /// kinks of the solution hide the way.
+  /// No accuracy was requested: the error has to decrease with the step, or to be so small that the
+  /// kinks of the solution hide this.
   Judgement with_fixed_steps(std::size_t index, const StudyReference& reference) const {
     const StudyRow& row = table_.rows[index];
     const StudyRow& half = table_.rows[*extreme_.halved[index]];

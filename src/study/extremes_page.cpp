@@ -45,7 +45,7 @@ std::string row_of(const ExtremeCase& c) {
       numeric(maybe(c.wall_seconds, "{:.2f}")), escaped(c.reason));
 }
 
-/// Studies in the order of their first case, with what became of theirs.
+/// Studies in the order of their first case, with the number of cases of each verdict.
 std::string counts_table(const std::vector<ExtremeCase>& cases) {
   std::map<std::string, std::map<Verdict, int>> counts;
   for (const ExtremeCase& c : cases) ++counts[c.study][c.verdict], ++counts[""][c.verdict];
@@ -107,7 +107,7 @@ std::string extremes_page(const std::vector<ExtremeCase>& cases,
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>gnomon at the extremes</title>\n<style>{}</style>\n</head>\n<body>\n"
       "<h1>gnomon at the extremes</h1>\n<p>{} cases; gnomon {}. A case <b>agrees</b> when a run "
-      "by another method confirms its worn surface to the accuracy that was asked for, is "
+      "by another method confirms its worn surface with the required accuracy, is "
       "<b>refused</b> before it starts, or is <b>stopped</b> with a diagnosis and its last good "
       "state saved. <b>wrong</b>, <b>hung</b> and <b>crashed</b> are faults of gnomon. The "
       "difference is relative to the norm of the wear; that of the pressure, of the largest at any "

@@ -12,7 +12,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-/// Removes every element `name` with what it holds.
+/// Removes every element `name` with its contents.
 void remove_elements(std::string& text, const std::string& name) {
   const std::string end = "</" + name + ">";
   for (std::size_t at = text.find("<" + name); at != std::string::npos;

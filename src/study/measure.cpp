@@ -27,7 +27,7 @@ Errors errors_between(const Surfaces& surfaces, const Surfaces& reference) {
   Errors errors;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     errors.shape = shape_error(surfaces[i], reference[i]);
-    // Keeps what is not a number.
+    // A NaN in shape_max stays.
     if (!(errors.shape <= errors.shape_max) && !std::isnan(errors.shape_max))
       errors.shape_max = errors.shape;
   }
@@ -61,7 +61,8 @@ public:
 private:
   RunFiles files(std::size_t run) const { return {folder_, study_.runs[run].name}; }
 
-  /// Record and surfaces; a result that cannot be read is a failure with its reason.
+  /// Reads the record and the surfaces of a run; a result that cannot be read is a failure with its
+  /// reason.
   RunRecord record_of(std::size_t run, const SweepPoint& sweep, Surfaces& surfaces) const {
     auto found = read_record(files(run), study_.runs[run]);
     if (!found) {
@@ -80,7 +81,7 @@ private:
     return *found;
   }
 
-  /// Two references that agree; or one and no idea of its error; or none.
+  /// Adds two references and their difference; or one whose error is unknown; or none.
   void add_reference(const SweepPoint& sweep) {
     StudyReference& reference = table_.references.emplace_back();
     Surfaces& chosen = surfaces_.emplace_back(sweep.exact);
@@ -175,7 +176,7 @@ private:
   const Study& study_;
   const std::filesystem::path folder_;
   StudyTable table_;
-  std::vector<Surfaces> surfaces_, self_surfaces_;  // of the references, one a sweep point
+  std::vector<Surfaces> surfaces_, self_surfaces_;  // of the references, one per sweep point
 };
 
 }  // namespace

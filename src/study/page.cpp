@@ -1,4 +1,4 @@
-// index.html: figures and tables of a study on one page that needs nothing but itself.
+// index.html: figures and tables of a study on one self-contained page.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -129,14 +129,15 @@ private:
         "<em>largest</em>: the largest of the measured times.</dd>\n";
     if (has_self())
       text += fmt::format(
-          "<dt>self error</dt><dd>The same at the end, against the run {} of this study in place "
-          "of the reference. It hides the error that the two have in common.</dd>\n",
+          "<dt>self error</dt><dd>The same at the end, against the run {} of this study instead "
+          "of the reference. It does not contain the error that both have in common.</dd>\n",
           escaped(study_.self_reference));
     text += fmt::format(
         "<dt>pressure error</dt><dd>Largest difference of a nodal contact pressure at the "
         "end.</dd>\n"
         "<dt>wall time, CPU time, memory</dt><dd>Wall time of the integration; CPU time (user and "
-        "system) and peak resident memory of the whole process. Runs side by side slow each other "
+        "system) and peak resident memory of the whole process. Runs at the same time slow each "
+        "other "
         "down.</dd>\n{}</dl>\n<p>Measured at t = {:g} s{}.</p>\n",
         mark_legend(), fmt::join(study_.sweep.front().times, ", "),
         same_times() ? "" : " in the first sweep point");
@@ -150,7 +151,7 @@ private:
     if (!any) return {};
     return fmt::format(
         "<dt class=\"marked\">marked cells: {}</dt><dd>The error is less than ten times that of "
-        "its reference, or that is unknown: its digits mean little.</dd>\n",
+        "its reference, or the latter is unknown: the digits of the error mean little.</dd>\n",
         mark);
   }
 

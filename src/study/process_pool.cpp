@@ -33,10 +33,10 @@ ProcessEnd end_of(int status, const rusage& usage) {
   return end;
 }
 
-/// In the child, between fork and exec: only what is safe there.
+/// Runs in the child, between fork and exec, and does only what is safe there.
 [[noreturn]] void become(pid_t parent, const char* log, char* const* argv, char* const* envp) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(127);  // it died before the line above
+  if (getppid() != parent) _exit(127);  // the parent died before the line above
   signal(SIGINT, SIG_DFL);
   signal(SIGTERM, SIG_DFL);
   const int nothing = open("/dev/null", O_RDWR);
@@ -50,8 +50,9 @@ ProcessEnd end_of(int status, const rusage& usage) {
   _exit(127);
 }
 
-/// Ours, with one thread for each process where the user has not said otherwise: side by side they
-/// would share the cores with each other's threads.
+/// The environment of this process, with one thread per process unless the user has chosen another
+/// number: processes that run at the same time would compete with each other's threads for the
+/// cores.
 std::vector<char*> environment() {
   static char one_thread[] = "OMP_NUM_THREADS=1";
   std::vector<char*> result;

@@ -1,4 +1,4 @@
-// Runs commands side by side, and tells what each has used.
+// Runs commands at the same time and reports the time and memory that each has used.
 #pragma once
 
 #include <sys/types.h>
@@ -16,10 +16,11 @@ namespace gnomon::study {
 struct Command {
   std::vector<std::string> arguments;  ///< the program first
   std::filesystem::path log;           ///< takes standard error; standard output is dropped
-  double limit = 0;                    ///< of the wall time [s], killed then; 0: none
+  double limit = 0;                    ///< wall time after which it is killed [s]; 0: no limit
 };
 
-/// The processes of a pool end with it, and with the process that made it, however that ends.
+/// The processes of a pool end with the pool, and with the process that made it, however that
+/// process ends.
 class ProcessPool {
 public:
   using Clock = std::chrono::steady_clock;
@@ -33,9 +34,9 @@ public:
   std::size_t running() const { return children_.size(); }
   /// Starts a command; `index` names it in wait(). Throws Error.
   void start(std::size_t index, const Command& command);
-  /// Reports those that have ended; waits a moment when none has.
+  /// Reports the processes that have ended; waits a short time if there are none.
   void wait(const Ended& ended);
-  /// Asks all to end, and kills after a few seconds.
+  /// Asks all processes to end, and kills them after a few seconds.
   void stop();
 
 private:

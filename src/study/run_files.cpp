@@ -25,7 +25,7 @@ std::string read_text(const fs::path& file) {
   return text.str();
 }
 
-/// Nothing for a file that is missing or cut short.
+/// An empty value for a file that is missing or truncated.
 Json read_json(const fs::path& file) {
   Json json = Json::parse(read_text(file), nullptr, false);
   return json.is_object() ? json : Json();
@@ -45,7 +45,7 @@ Counters counters_of(const Json& json) {
           .preconditioner_setups = get("preconditioner_setups")};
 }
 
-/// Why a process that left no summary has failed: its last words.
+/// Why a process that wrote no summary has failed: the last line of its messages.
 std::string reason_of(const RunFiles& files, const Json& process) {
   if (process.value("timed_out", false)) return "took longer than allowed";
   if (const int signal = process.value("signal", 0); signal != 0)
@@ -79,7 +79,8 @@ RunFiles::RunFiles(const fs::path& folder, const std::string& name)
       log(folder / "runs" / (name + ".log")) {}
 
 void remove_files(const RunFiles& files) {
-  std::error_code ignored;  // what cannot be removed cannot be written either, which is reported
+  std::error_code
+      ignored;  // a file that cannot be removed cannot be written either, and that is reported
   for (const fs::path* file :
        {&files.process, &files.summary, &files.result, &files.sidecar, &files.log})
     fs::remove(*file, ignored);
@@ -119,7 +120,7 @@ std::optional<RunRecord> read_record(const RunFiles& files, const StudyRun& run)
                           .peak_memory_mb = process.value("peak_memory_mb", 0.0)};
   return record;
 } catch (const Json::exception&) {
-  return std::nullopt;  // damaged: as good as none
+  return std::nullopt;  // a damaged record counts as none
 }
 
 std::vector<ContactSurface> read_surfaces(const RunFiles& files, const std::vector<double>& times) {

@@ -1,4 +1,4 @@
-// The files of one run in FOLDER/runs, and whether they are those of a run that is done.
+// The files of one run in FOLDER/runs, and whether they belong to a finished run.
 #pragma once
 
 #include <filesystem>
@@ -19,11 +19,11 @@ struct RunFiles {
   std::filesystem::path result;   ///< NAME.h5
   std::filesystem::path sidecar;  ///< NAME.xdmf
   std::filesystem::path summary;  ///< NAME.json
-  std::filesystem::path process;  ///< NAME.process.json: what wait4 told, and of which scene
-  std::filesystem::path log;      ///< NAME.log: what went to standard error
+  std::filesystem::path process;  ///< NAME.process.json: results of wait4, and of which scene
+  std::filesystem::path log;      ///< NAME.log: its standard error
 };
 
-/// What is known of a run that is over.
+/// The data of a run that has ended.
 struct RunRecord {
   bool complete = false;  ///< the run ended by itself and wrote its summary
   std::string status;     ///< "finished", "failed"
@@ -37,7 +37,7 @@ struct RunRecord {
 void remove_files(const RunFiles& files);
 /// Notes how the process of a run ended.
 void write_process_end(const RunFiles& files, const StudyRun& run, const ProcessEnd& end);
-/// The record of this very run by this very version of gnomon; none when there is none.
+/// The record of exactly this run by exactly this version of gnomon, if there is one.
 std::optional<RunRecord> read_record(const RunFiles& files, const StudyRun& run);
 
 /// The contact surface of a result at these times. Throws InputError when one cannot be read.

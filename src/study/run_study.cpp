@@ -1,4 +1,4 @@
-// Runs the processes of a study, and picks up where an earlier one stopped.
+// Runs the processes of a study, and continues where an earlier call stopped.
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -23,10 +23,10 @@ namespace {
 namespace fs = std::filesystem;
 using namespace study;
 
-constexpr const char* marker = "study.toml";     // what makes a folder a study's
-constexpr const char* name_file = "study.name";  // which one's
+constexpr const char* marker = "study.toml";  // its presence shows that a folder is that of a study
+constexpr const char* name_file = "study.name";  // holds the name of the study
 
-/// Keeps a second study out of the folder while it lives, and dies with the process.
+/// Locks the folder against a second study while it exists; the lock ends with the process.
 class FolderLock {
 public:
   explicit FolderLock(const fs::path& folder)
@@ -64,10 +64,10 @@ void check_folder(const StudyOptions& options) {
                                  options.folder.string()));
   if (fs::is_empty(options.folder, error)) return;
   if (!holds_study(options.folder))
-    throw InputError(fmt::format("{}: is no study's folder, expected one or a new name",
+    throw InputError(fmt::format("{}: is not the folder of a study, expected one or a new name",
                                  options.folder.string()));
   if (!options.resume)
-    throw InputError(fmt::format("{}: exists already, expected a new name, or --resume to go on",
+    throw InputError(fmt::format("{}: exists already, expected a new name, or --resume to continue",
                                  options.folder.string()));
 }
 
@@ -81,8 +81,8 @@ void prepare_folder(const StudyOptions& options, const Study& study) {
   if (!holds_study(options.folder)) write_in_place(options.folder / marker, study.text);
 }
 
-/// Keeps the tables of one study from those of another. A folder without a name was left before it
-/// had one.
+/// Prevents that one study replaces the tables of another. A folder without a name is one whose
+/// study stopped before it wrote its name.
 void claim_folder(const fs::path& folder, const std::string& name) {
   const fs::path file = folder / name_file;
   std::string holder;
@@ -98,7 +98,7 @@ public:
       : study_(study), options_(options), hooks_(hooks) {}
 
   StudyProgress operator()() {
-    look_what_is_done();
+    find_done_runs();
     hooks_.on_progress(progress_);
     std::size_t next = 0;
     while (next < waiting_.size() || pool_.running() > 0) {
@@ -112,8 +112,8 @@ public:
   }
 
 private:
-  /// References first, as they take longest.
-  void look_what_is_done() {
+  /// References come first, because they take longest.
+  void find_done_runs() {
     progress_.total = study_.runs.size();
     std::set<std::size_t> seen;
     const auto look = [&](std::size_t run, const SweepPoint& sweep) {
@@ -132,7 +132,7 @@ private:
     for (const StudyPoint& point : study_.points) look(point.run, study_.sweep[point.sweep]);
   }
 
-  /// A finished run whose surfaces cannot be read is of no use; a failed one may have left none.
+  /// A finished run whose surfaces cannot be read is useless; a failed run may have none.
   bool is_done(std::size_t run, const RunRecord& record, const SweepPoint& sweep) const try {
     if (record.status == "finished") read_surfaces(files(run), sweep.times);
     return record.complete;
@@ -158,7 +158,7 @@ private:
 
   void finish(std::size_t run, const ProcessEnd& end) {
     const RunFiles files = this->files(run);
-    if (hooks_.interrupted()) return;  // it may have been ended by the same signal
+    if (hooks_.interrupted()) return;  // the same signal may have ended the run
     write_process_end(files, study_.runs[run], end);
     const auto record = read_record(files, study_.runs[run]);
     std::error_code ignored;

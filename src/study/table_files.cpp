@@ -32,7 +32,7 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-/// A column in HDF5: where it lies in a row, and of what type it is.
+/// A column in HDF5: its position in a row and its type.
 struct Placed {
   const Column* column;
   std::size_t offset;
@@ -71,7 +71,7 @@ Handle row_type(const std::vector<Placed>& placed, std::size_t row_size) {
   return type;
 }
 
-/// What is missing is NaN, or -1 for counts.
+/// A missing value is written as NaN, or as -1 for counts.
 void put(char* target, const Placed& place, const CellValue& value) {
   if (place.column->kind == Column::Kind::text) {
     const std::string text = cell_text(value);

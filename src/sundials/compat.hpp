@@ -1,5 +1,5 @@
-// What differs between the SUNDIALS versions that gnomon builds with, 6.4 (Debian 12) to 7.x, in
-// one place. The code is written as for 7.1 and later; docs/building.md tells how this was checked.
+// The differences between the SUNDIALS versions that gnomon builds with, 6.4 (Debian 12) to 7.x, in
+// one place. The code is written as for 7.1 and later; docs/building.md says how this was checked.
 //
 //   since  change (LLNL/sundials, CHANGELOG.md and headers)               here
 //   7.0    realtype, booleantype are gone                                 6.x has sunrealtype, too
@@ -15,7 +15,8 @@
 //   7.3    other default tables and step size control                     all are set by gnomon
 //   7.3    a controller begins as an I controller, its first two steps    -
 //
-// Unchanged are the tables that gnomon names and what it calls of KINSOL, IDA and SPFGMR.
+// The tables that gnomon names, and its calls of KINSOL, IDA and SPFGMR, are the same in all
+// versions.
 #pragma once
 
 #include <arkode/arkode_erkstep.h>
@@ -94,7 +95,7 @@ struct PiController {
   double proportional, integral, bias, safety, keep_from, keep_to;
 };
 
-/// It as the SUNDIALS in use takes it. To be made before what it is given to, and to outlive it.
+/// This controller in the form of the SUNDIALS in use. It must outlive the integrator that uses it.
 class StepControl {
 public:
 #if GNOMON_SUNDIALS >= 607

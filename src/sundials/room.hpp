@@ -1,7 +1,7 @@
-// The room that sees SUNDIALS: owners of its handles, views of its vectors, and the one way in
-// which errors and exceptions cross its C frames. It decides nothing; newton and integrators do.
+// The interface to SUNDIALS: owners of its handles, views of its vectors, and the only way in which
+// errors and exceptions cross its C frames. Decisions are made in newton and integrators.
 //
-// Version differences (6.4 and 7.x) belong here and in compat.hpp alone.
+// Only this room contains version differences (6.4 and 7.x), most of them in compat.hpp.
 #pragma once
 
 #include <sundials/sundials_matrix.h>
@@ -44,8 +44,8 @@ void check(const void* handle, const char* what);
 VectorOwner make_vector(long n, SUNContext context);
 std::span<double> view(N_Vector v);
 
-/// Runs a callback body inside a C frame: 0, +1 after a RecoverableError (SUNDIALS may cut its
-/// step), -1 after anything else, which is kept for rethrow().
+/// Runs a callback body inside a C frame: 0, +1 after a RecoverableError (SUNDIALS may shorten its
+/// step), -1 after any other exception, which is kept for rethrow().
 class Guard {
 public:
   template <class Body>
@@ -65,11 +65,11 @@ public:
       return -1;
     }
   }
-  /// Rethrows what a callback threw, once.
+  /// Rethrows the exception of a callback, once.
   void rethrow() {
     if (pending_) std::rethrow_exception(std::exchange(pending_, nullptr));
   }
-  /// The last recoverable error's message; forgotten by clear().
+  /// The message of the last recoverable error; cleared by clear().
   const std::string& recoverable() const { return recoverable_; }
   void clear() { recoverable_.clear(); }
 
@@ -79,7 +79,7 @@ private:
 };
 
 /// Values on a fixed pattern, which must outlive it, as a SUNMatrix. SUNMatZero does nothing:
-/// whoever makes a Jacobian overwrites every value, and one that is kept stays.
+/// every new Jacobian overwrites all values, and a kept one must not change.
 MatrixOwner make_matrix(const SparsePattern& pattern, SUNContext context);
 std::span<double> values(SUNMatrix matrix);
 

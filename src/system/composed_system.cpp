@@ -45,7 +45,7 @@ void ComposedSystem<dim>::build_structure() {
   structure_.block = numbering_.block();
   structure_.component = numbering_.component();
   structure_.position = composition_->position;
-  structure_.position.resize(composition_->fields->nodes + 1);  // the last: nowhere
+  structure_.position.resize(composition_->fields->nodes + 1);  // the last: at no node
   for (int block : structure_.block)
     structure_.differential.push_back(structure_.blocks[block].role == Role::evolution);
 }

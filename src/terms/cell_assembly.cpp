@@ -24,7 +24,7 @@ CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const Material& material,
         cells_.push_back(cell);
         break;
       }
-  // A frozen shape has no columns at all: then its derivative is not computed either.
+  // A frozen shape has no columns; then its derivative is not computed.
   if (shape_columns_ && (shape_columns_->size() == 0 || shape_columns_->maxCoeff() < 0))
     shape_columns_ = nullptr;
 }
@@ -113,9 +113,9 @@ struct Range {
 };
 
 /// work(cell, range) for ascending cells by every thread, each with its own range of the numbers
-/// below `size`: cells between ranges are computed more than once, but nothing is waited for, and
-/// sums do not depend on the number of threads. Returns the first cell whose work() is false, else
-/// their number.
+/// below `size`: cells between ranges are computed more than once, but no thread has to wait, and
+/// sums do not depend on the number of threads. Returns the first cell whose work() is false,
+/// otherwise the number of cells.
 template <class Work>
 int for_cells(int cells, int entries, std::size_t size, const Work& work) {
   const int most = long(cells) * entries < worth_threads ? 1 : omp_get_max_threads();
@@ -128,7 +128,7 @@ int for_cells(int cells, int entries, std::size_t size, const Work& work) {
     bool good = true;
     for (int c = 0; c < cells && good; ++c) {
       good = work(c, own);
-      if (!good) failed = c;  // each thread's own here; the least remains
+      if (!good) failed = c;  // separate in each thread; the reduction keeps the least
     }
   }
   return failed;

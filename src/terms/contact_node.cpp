@@ -43,7 +43,7 @@ struct SurfaceDerivative {
   }
 
 private:
-  /// Of N = A a/|a|^2: dN = a/|a|^2 dA + A/|a|^2 (1 - 2 a a'/|a|^2) da.
+  /// For N = A a/|a|^2: dN = a/|a|^2 dA + A/|a|^2 (1 - 2 a a'/|a|^2) da.
   void conserve(const ContactPatch<dim>& patch, const PatchNodal<dim>& X, double total) {
     const Vector<dim> a = free_volume_gradient<dim, double>(patch, X);
     const double square = a.squaredNorm();
@@ -61,9 +61,9 @@ private:
   }
 };
 
-/// The traction per nominal area, tau = lambda_eff (n - friction s), and the sliding speed, as
-/// changes of the node's position as seen from the counter-body, of its relative velocity and of
-/// lambda_eff.
+/// Derivatives of the traction per nominal area, tau = lambda_eff (n - friction s), and of the
+/// sliding speed, with respect to the node's position relative to the counter-body, its relative
+/// velocity and lambda_eff.
 template <int dim>
 struct TractionDerivative {
   Vector<dim> direction;    // tau / lambda_eff
@@ -101,7 +101,8 @@ private:
   double friction_traction = 0;
 };
 
-/// Wdot and its derivatives by what a contact node depends on; q = mu p v is seen through.
+/// Wdot and its derivatives with respect to the variables of a contact node; q = mu p v is resolved
+/// by the chain rule.
 struct NodalWear {
   double rate = 0, by_traction = 0, by_speed = 0, by_depth = 0;
 };
@@ -135,8 +136,8 @@ template <int dim>
 void require_direction(const ContactPatch<dim>& patch, const Vector<dim>& normal) {
   if (normal.isZero(0) && patch.may_move())
     throw RecoverableError(fmt::format(
-        "wear.normal = \"conservative\": contact node {} cannot wear, for what its supports leave "
-        "free does not change the volume of the body",
+        "wear.normal = \"conservative\": contact node {} cannot wear, because the motion that its "
+        "supports allow does not change the volume of the body",
         patch.node));
 }
 
@@ -181,8 +182,8 @@ ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parame
   const NodalWear wear = nodal_wear(parameters, patch, at, contact, sliding.speed, branch);
   if (contact.active) require_normal(patch, distance), require_direction(patch, surface.normal);
 
-  // What depends on the node's own position, as seen from the counter-body, whose surface may move
-  // differently there.
+  // The part that depends on the node's position relative to the counter-body, whose surface
+  // velocity may vary with the position.
   const Tensor<dim> force_by_v = surface.area * traction.by_velocity;
   const Tensor<dim> force_by_seen =
       surface.area *

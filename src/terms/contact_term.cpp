@@ -50,7 +50,7 @@ std::vector<int> ContactTerm<dim>::row_numbers(int c) const {
   return result;
 }
 
-/// The displacement of the other nodes of the patch enters by streaming alone.
+/// The displacement of the other nodes of the patch enters only through streaming.
 template <int dim>
 std::vector<int> ContactTerm<dim>::column_numbers(int c) const {
   const ContactPatch<dim>& patch = state_.patches[c];
@@ -161,7 +161,7 @@ typename ContactTerm<dim>::Local ContactTerm<dim>::tangent(const Evaluation<dim>
     K.template block<dim, dim>(wear_0, d) =
         -weight(c) * (node.velocity_by_x[p] + node.velocity_by_X[p]);
   }
-  // The gap depends on the node's own position alone.
+  // The gap depends only on the node's own position.
   const int own_u = patch_column, own_d = patch_column + dim * size;
   K.template block<1, dim>(lambda_0, own_u) = node.constraint_by_x.transpose();
   K.template block<1, dim>(lambda_0, own_d) = node.constraint_by_x.transpose();

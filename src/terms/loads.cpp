@@ -19,7 +19,7 @@ void Loads<dim>::declare(TermStructure& structure) const {
                                history_.times().end());
 }
 
-/// Throws where the load is continued past its breakpoint to where it would pull.
+/// Throws if the load, continued past its breakpoint, is no longer positive.
 template <int dim>
 void Loads<dim>::add_residual(const Evaluation<dim>& at, std::span<double> F) const {
   if (entries_.empty()) return;

@@ -5,7 +5,8 @@ namespace gnomon {
 
 namespace {
 
-/// Factors of the law that let small cells move as if rigid, one for each; 1 on the mean volume.
+/// Factors of the law with which small cells move almost rigidly, one per cell; 1 for the mean
+/// volume.
 template <int dim>
 std::vector<double> stiffness_by_volume(const Mesh<dim>& mesh, double exponent) {
   if (exponent == 0) return {};
@@ -21,7 +22,7 @@ std::vector<double> stiffness_by_volume(const Mesh<dim>& mesh, double exponent) 
 }
 
 /// Row of the auxiliary equilibrium of each shape value: its own number off the worn surface, that
-/// of mu on it, else -1.
+/// of mu on it, otherwise -1.
 template <int dim>
 NodalNumbers<dim> auxiliary_rows(const Numbering& numbering, FieldId d, FieldId mu) {
   NodalNumbers<dim> rows = numbering.nodal<dim>(d);

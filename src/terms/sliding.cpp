@@ -14,7 +14,7 @@ StreamingVelocityDerivative<dim>::StreamingVelocityDerivative(const ContactPatch
     const auto t = corner_edges<dim, double>(corner, x);
     const Eigen::Matrix<double, dim - 1, dim - 1> G = (T.transpose() * T).inverse();
     const Eigen::Matrix<double, dim - 1, 1> c = G * (T.transpose() * streaming);
-    const Vector<dim> off = streaming - T * c;  // what is not along the facet
+    const Vector<dim> off = streaming - T * c;  // the part that is not along the facet
     const Eigen::Matrix<double, dim, dim - 1> t_G = t * G;
     for (int j = 1; j < dim; ++j) {
       // dc = -G T' dT_j c_j + G e_j (dT_j . off)

@@ -18,7 +18,7 @@ using testing::IsEmpty;
 
 class BadInput : public test::ProgramTest {
 protected:
-  /// Expects refusal with a line that holds all of `parts`.
+  /// Expects refusal with a line that contains all of `parts`.
   void expect_refused(const std::vector<std::string>& arguments,
                       const std::vector<std::string>& parts) {
     const auto before = files();
@@ -146,7 +146,7 @@ TEST_F(BadInput, NumbersBeyondReason) {
        {"integrator.rtol=1e-300", "integrator.atol=1e-300", "time.end=1e-300", "time.end=1e300",
         "integrator.step=1e-300", "wear.velocity=1e-300", "wear.velocity=1e308", "pin.radius=1e31"})
     expect_refused({"run", pin, "--set", value}, {"expected a number in [1e-"});
-  // The load and the wear drowned in the rounding of such a stiffness.
+  // Load and wear would be smaller than the rounding errors of such a stiffness.
   expect_refused({"run", pin, "--set", "pin.height=1e20"}, {"expected elements at most 10000"});
 }
 

@@ -1,4 +1,4 @@
-// Runs the real program in a folder of its own and catches what it prints.
+// Runs the real program in its own folder and captures its output.
 #pragma once
 
 #include <fcntl.h>
@@ -27,7 +27,7 @@ inline std::string read_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// A test with an empty folder to run the program in; its output goes beside the folder.
+/// A test with an empty folder in which the program runs; its output is stored beside the folder.
 class ProgramTest : public testing::Test {
 protected:
   ProgramTest() {
@@ -89,7 +89,7 @@ private:
   std::filesystem::path root_;
 };
 
-/// The shipped pin, so coarse that it runs in no time.
+/// The shipped pin, so coarse that it runs very fast.
 inline const std::string pin =
     std::string(GNOMON_SOURCE_DIR) + "/problems/pin_on_flat/small_deformation.toml";
 inline const std::string coarse = "mesh.elements=[8,8]";

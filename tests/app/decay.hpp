@@ -11,7 +11,7 @@
 
 namespace gnomon::test {
 
-/// Has a structure, for the run loop asks for it, and no equations, for the stepper is exact.
+/// Has a structure, because the run loop needs it, but no equations, because the stepper is exact.
 class NoSystem : public System {
 public:
   const Structure& structure() const override { return structure_; }
@@ -67,7 +67,7 @@ private:
   NoSystem system_;
 };
 
-/// Exact steps of the size it is told, with exact integrals of what is linear in y; fails at
+/// Exact steps of a given size, with exact integrals of functions that are linear in y; fails at
 /// `fail_at`.
 class ExactDecay : public Stepper {
 public:

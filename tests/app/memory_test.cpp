@@ -1,4 +1,5 @@
-// The memory of a run is told beforehand, and a run that would need more than there is is refused.
+// The memory of a run is estimated beforehand, and a run that would need more than is available is
+// refused.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -64,7 +65,7 @@ TEST_F(Memory, TooLargeAMeshIsRefusedWithTheFigures) {
   getrlimit(RLIMIT_AS, &old);
   rlimit small = old;
   small.rlim_cur = 2'000'000'000;
-  setrlimit(RLIMIT_AS, &small);  // the child has it from us
+  setrlimit(RLIMIT_AS, &small);  // the child inherits it
   for (const char* command : {"run", "check", "stability"}) {
     const Outcome outcome = gnomon({command, test::pin, "--set", "mesh.elements=[1000,1000]"});
     EXPECT_EQ(outcome.exit_code, 2) << command;

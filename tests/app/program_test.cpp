@@ -1,4 +1,4 @@
-// The real program as its users meet it: commands, files, signals, exit codes.
+// The real program as users see it: commands, files, signals, exit codes.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ using testing::IsEmpty;
 
 class Program : public test::ProgramTest {
 protected:
-  /// A short run of the coarse pin; further arguments behind.
+  /// A short run of the coarse pin, with further arguments.
   Outcome run(std::vector<std::string> further) const {
     std::vector<std::string> arguments = {"run", pin, "--set", coarse, "--set", "time.end=100"};
     arguments.insert(arguments.end(), further.begin(), further.end());
@@ -103,11 +103,13 @@ TEST_F(Program, CheckPrintsASceneAndWritesNothing) {
 TEST_F(Program, CheckSaysWhatTheSizeDecides) {
   const std::string groove =
       GNOMON_SOURCE_DIR "/problems/ball_on_half_space/small_deformation.toml";
-  const auto check = [&](const std::string& solver) {  // of a mesh whose memory there is everywhere
-    return gnomon({"check", groove, "--set", "mesh.elements=[10, 20, 6]", "--set",
-                   "mesh.size=[0.06, 0.06, 0.06]", "--set", "mesh.fine=[0, 0, 0]", "--set", solver})
-        .out;
-  };
+  const auto check =
+      [&](const std::string& solver) {  // for a mesh that fits into the memory of every machine
+        return gnomon({"check", groove, "--set", "mesh.elements=[10, 20, 6]", "--set",
+                       "mesh.size=[0.06, 0.06, 0.06]", "--set", "mesh.fine=[0, 0, 0]", "--set",
+                       solver})
+            .out;
+      };
   EXPECT_THAT(check("solver.method=block"), HasSubstr("\npreconditioner = \"factor\""));
   EXPECT_THAT(check("solver.method=direct"), HasSubstr("\n# preconditioner = ..."));
 }
@@ -189,11 +191,11 @@ TEST_F(Program, WarnsWhenAnAcceptedContactChatters) {
     for (const std::string text : json["warnings"]) EXPECT_THAT(outcome.err, HasSubstr(text));
     return warned;
   };
-  EXPECT_FALSE(warning("20"));  // the critical step is some 46 s
+  EXPECT_FALSE(warning("20"));  // the critical step is about 46 s
   EXPECT_TRUE(warning("100"));
 }
 
-// Whatever it is seen by: at the start, by chattering, or at the end of a run in one step.
+// For every way of detection: at the start, by chattering, or at the end of a run in one step.
 TEST_F(Program, StopsBeyondTheCriticalStep) {
   const auto run = [&](const std::string& integrator, const std::string& step) {
     return gnomon({"run", pin, "--set", coarse, "--integrator", integrator, "--set",
@@ -210,8 +212,8 @@ TEST_F(Program, StopsBeyondTheCriticalStep) {
   EXPECT_EQ(run("backward-euler", "1000").exit_code, 0);
 }
 
-// Contact at one node, where there is no fast mode, at the start and at the end. Where it is wider
-// in between hangs on rounding: behind the first step or the second.
+// Contact at one node, which has no fast mode, at the start and at the end. In between it is wider,
+// after the first or the second step, depending on rounding.
 TEST_F(Program, StopsWhereWiderContactInBetweenIsUnstable) {
   const Outcome outcome =
       gnomon({"run", pin, "--set", "mesh.elements=[8,8]", "--set", "body.young_modulus=1e4",
@@ -225,7 +227,7 @@ TEST_F(Program, WarnsWhenNoStateTellsOfStability) {
   const Outcome outcome = gnomon({"run", pin, "--set", "mesh.elements=[4,4]", "--integrator",
                                   "erk-2", "--set", "integrator.step=1000", "-o", "a.h5"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("after no step was there a decaying mode"));
+  EXPECT_THAT(outcome.err, HasSubstr("no step ended with a decaying mode"));
 }
 
 TEST_F(Program, WarnsOfLargeStrainsOfSmallKinematics) {
@@ -240,7 +242,7 @@ TEST_F(Program, WarnsOfLargeStrainsOfSmallKinematics) {
   EXPECT_TRUE(warned("0.5"));
 }
 
-// A step of 1e-10 s, in which the change of the shape drowns in rounding, is not made.
+// A step of 1e-10 s, in which the change of the shape is smaller than rounding errors, is not made.
 TEST_F(Program, TimesBesideTheGridOfStepsMoveIt) {
   for (const char* integrator : {"backward-euler", "erk-3"})
     for (const char* time : {"20.0000000001", "19.9999999999"}) {
@@ -258,7 +260,7 @@ TEST_F(Program, StopsWhenThePinIsWornAway) {
   const Outcome outcome = gnomon({"run", pin, "--set", coarse, "--integrator", "bdf", "--set",
                                   "wear.coefficient=1e-5", "-o", "a.h5"});
   EXPECT_EQ(outcome.exit_code, 3);
-  // Warned of once, long before.
+  // One warning, long before.
   const std::string warning = "gnomon: warning: at t = ";
   const std::size_t at = outcome.err.find(warning),
                     end = outcome.err.find("of its volume: the body");
@@ -266,7 +268,7 @@ TEST_F(Program, StopsWhenThePinIsWornAway) {
   EXPECT_EQ(outcome.err.find(warning, at + 1), std::string::npos) << outcome.err;
   EXPECT_LT(at, end) << outcome.err;
   EXPECT_LT(end, outcome.err.size()) << outcome.err;
-  // What is kept is the state before, whose mesh is sound.
+  // The state before is kept; its mesh is usable.
   const HistoryRow last = ResultReader(folder() / "a.h5").history().back();
   EXPECT_GE(observation_of(last.scalars).element_volume.value(), 0.01);
 }
@@ -386,7 +388,7 @@ TEST_F(Program, UnwritableStandardErrorEndsNoRun) {
   const std::string run = "run " + pin + " --set " + coarse + " --set time.end=100 -o ";
   EXPECT_EQ(status(run + "full.h5 >/dev/null 2>/dev/full"), 0);
   EXPECT_EQ(status(run + "closed.h5 >/dev/null 2>&-"), 0);
-  EXPECT_EQ(status(run + "both.h5 >&- 2>&-"), 1);  // what it says at its end is lost
+  EXPECT_EQ(status(run + "both.h5 >&- 2>&-"), 1);  // its final message is lost
   EXPECT_EQ(status("info none.h5 2>/dev/full"), 2);
   for (const char* name : {"full.h5", "closed.h5", "both.h5"})
     EXPECT_EQ(ResultReader(folder() / name).status(), "finished") << name;

@@ -1,4 +1,4 @@
-// What the progress of a run looks like, and the tables on the terminal.
+// The format of the progress of a run and of tables on the terminal.
 
 #include "app/progress.hpp"
 

@@ -1,4 +1,4 @@
-// The run loop: what is recorded, what is stored, and how a run may end.
+// The run loop: which data are recorded and stored, and how a run may end.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ RunHeader header(const Integrator& integrator) {
   return result;
 }
 
-/// A result file that is gone after the test.
+/// A result file that is removed after the test.
 class RunTest : public testing::Test {
 protected:
   RunTest() {
@@ -132,7 +132,8 @@ TEST_F(RunTest, FailureStoresTheLastGoodState) {
   EXPECT_THAT(result.stored_times(), ElementsAre(0, 1));
 }
 
-// Steps that succeed, each a tenth of what is left to t = 1, for a hundred Newton iterations.
+// Steps that succeed; each is a tenth of the remaining time to t = 1 and takes a hundred Newton
+// iterations.
 TEST_F(RunTest, ARunThatNoLongerGetsAnywhereEnds) {
   struct Vanishing : Stepper {
     Counters& counters;
@@ -191,7 +192,7 @@ TEST(Settings, AbsentToleranceFollowsTheWearDepth) {
   const Decay model;
   const auto given = integrator_settings(pin_scene({"integrator.rtol=1e-3"}), model);
   EXPECT_DOUBLE_EQ(given.atol, 0.25e-3);
-  EXPECT_EQ(given.step, 0);  // steps follow the error
+  EXPECT_EQ(given.step, 0);  // error control chooses the steps
   EXPECT_EQ(given.end, 1000);
   EXPECT_EQ(given.max_step, 0);
   EXPECT_EQ(integrator_settings(pin_scene({"integrator.atol=1e-9"}), model).atol, 1e-9);

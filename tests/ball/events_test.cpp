@@ -1,4 +1,4 @@
-// Located events where they come thick and in near-symmetric pairs.
+// Located events that follow each other closely, in nearly symmetric pairs.
 
 #include "ball/coarse.hpp"
 
@@ -7,8 +7,9 @@ namespace {
 
 using namespace testing;
 
-// A step that ends on an event starts the next one with a function that is zero up to rounding;
-// that must not end location. Every change of the set is reported by the step that switched the
+// After a step that ends on an event, the next one starts with a switching function that is zero up
+// to rounding; location must continue to work.
+// Every change of the set is reported by the step that switched the
 // nodes.
 TEST(Ball, EveryChangeOfTheActiveSetIsLocated) {
   const auto model = model_of(ball_small, ball_mesh(5, 2, 2));
@@ -19,8 +20,8 @@ TEST(Ball, EveryChangeOfTheActiveSetIsLocated) {
   for (std::size_t k = 0; k < run.reports.size(); ++k) {
     const ActiveSet& branch = run.states[k + 1].branch;
     ASSERT_FALSE(branch.empty()) << "a step over a kink, to t = " << run.states[k + 1].t;
-    // The state is of the branch that the step was taken on: its start's, or, where nodes switched,
-    // the next.
+    // The state belongs to the branch on which the step was taken: that of its start, or, if nodes
+    // switched, the next one.
     if (run.reports[k].switched == 0 && k > 0 && run.reports[k - 1].switched == 0) {
       EXPECT_EQ(branch, before) << run.states[k + 1].t;
     }
@@ -28,9 +29,9 @@ TEST(Ball, EveryChangeOfTheActiveSetIsLocated) {
   }
 }
 
-// After an event the next one is a moment away, in a step a thousand times as long as that: it is
-// found at its own scale, or the step is shortened. (The interpolation once looked at the far end:
-// two of six nodes wore through the flat, 84 % of the wear off.)
+// After an event the next one follows very soon, in a step that is a thousand times longer: it is
+// found at its own time scale, or the step is shortened. (The interpolation once searched at the
+// far end: two of six nodes penetrated the flat, with an error of 84 % of the wear.)
 TEST(Ball, AnEventAtTheBeginningOfALongStepIsFound) {
   const auto model =
       model_of(ball_small, ball_mesh(3, 1, 2) +

@@ -1,6 +1,6 @@
-// Two methods agree: the two-dimensional pin in plane strain, and the same pin as a body of three
-// dimensions whose points do not move along its axis, with a shape of its own at every node or one
-// for its cross-section.
+// Two methods agree: the two-dimensional pin in plane strain, and the same pin as a
+// three-dimensional body whose points do not move along its axis, with a separate shape at every
+// node or with the shape of its cross-section.
 
 #include <gnomon/mesh/extrusion.hpp>
 #include <gnomon/model/wear_model.hpp>
@@ -14,7 +14,7 @@ using namespace testing;
 
 constexpr double thickness = 0.7;
 
-/// The pin, carried along x through `thickness`; (x, y) of the plane becomes (y, z).
+/// The pin, extruded along x by `thickness`; (x, y) of the plane becomes (y, z).
 std::shared_ptr<WornBody<3>> extruded(const WornBody<2>& pin, bool as_section) {
   const Extrusion extrusion = extrude(pin.mesh, {0, 0.3 * thickness, thickness});
   const std::vector<int>& of = extrusion.section_node;

@@ -1,4 +1,4 @@
-// The ball under a load that breathes, with friction: contact lost and regained.
+// The ball under an oscillating load, with friction: contact is lost and regained.
 
 #include <cmath>
 
@@ -9,8 +9,8 @@ namespace {
 
 using namespace testing;
 
-const Overrides breathing = {"load.times=[0, 100, 200, 300, 400]",
-                             "load.factors=[1, 1e-3, 1, 1e-3, 1]"};
+const Overrides oscillating = {"load.times=[0, 100, 200, 300, 400]",
+                               "load.factors=[1, 1e-3, 1, 1e-3, 1]"};
 double breath(double t) {
   const double phase = std::fmod(t, 200) / 100;
   return phase < 1 ? 1 - 0.999 * phase : 0.001 + 0.999 * (phase - 1);
@@ -24,7 +24,7 @@ Eigen::VectorXd wear(const Model& model, const State& state) {
 TEST(BreathingBall, WearsByTheForceAndAgreesWithBdf) {
   for (const char* scene : {ball_small, ball_finite}) {
     SCOPED_TRACE(scene);
-    const auto model = model_of(scene, ball_mesh(4, 2, 1) + breathing);
+    const auto model = model_of(scene, ball_mesh(4, 2, 1) + oscillating);
     const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-4, 400);
     double least = 1e9, most = 0;
     for (const State& state : run.states) {

@@ -1,4 +1,4 @@
-// The scenes in space as shipped, against the data of the paper's secs. 4.2 and 4.3.
+// The shipped scenes in space against the data of the paper's secs. 4.2 and 4.3.
 
 #include <gnomon/mesh/quarter_ball.hpp>
 
@@ -14,7 +14,7 @@ struct PaperData {
   double young_modulus, poisson_ratio, force;  // MPa, -, N
   double coefficient;                          // K [1/MPa]
   double cycle;                                // L [mm]; 0: the ball on the flat
-  double elements, nearly;                     // how many, and by how much the mesh may differ
+  double elements, nearly;                     // number, and allowed difference of the mesh
 };
 
 double elements_of(const Scene& scene, bool groove) {

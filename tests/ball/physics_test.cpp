@@ -14,7 +14,7 @@ namespace {
 using namespace testing;
 
 // On a plane, wear by frictional dissipation is K mu F v at every step, on every mesh; and the
-// error of the geometric volume is the mesh's: it falls with refinement.
+// error of the geometric volume comes from the mesh: it decreases with refinement.
 TEST(Ball, WearFluxIsThatOfTheFrictionalDissipation) {
   for (const char* scene : {ball_small, ball_finite})
     for (const char* integrator : {"backward-euler", "esdirk-3", "bdf"}) {
@@ -27,7 +27,8 @@ TEST(Ball, WearFluxIsThatOfTheFrictionalDissipation) {
 }
 
 // A stiff ball wears like a rigid one: the pressure is F/(pi a^2) where pi a^4/(4R) = K mu F v t,
-// here a = 2.38 mm; on a mesh with h = a/5 the ring of nodes at the edge decides about 2 h/a of it.
+// here a = 2.38 mm; on a mesh with h = a/5 the ring of nodes at the edge determines about 2 h/a of
+// it.
 TEST(Ball, TendsToTheUniformPressureOfARigidBall) {
   const auto model = model_of(ball_small, ball_mesh(7, 2, 2));
   const ModelRun run = run_model(*model, "bdf", 0, 1e-2, 1000);
@@ -45,8 +46,8 @@ TEST(Ball, TendsToTheUniformPressureOfARigidBall) {
   EXPECT_NEAR(observed(*model, run.last(), "worn_volume"), 5, 0.05);
 }
 
-/// How far friction has carried nodes in contact along x from the worn to the deformed
-/// configuration, and how far the resultant of their pressures lies from their middle (both [mm]).
+/// The displacement of nodes in contact along x by friction, and the distance of the resultant of
+/// their pressures from their middle (both [mm]).
 /// All nodes of the patch have the same area but those in the plane of symmetry, which have half.
 std::array<double, 2> drag_and_lean(const ContactSurface& surface) {
   double drag = 0, middle = 0, moment = 0, force = 0, area = 0;

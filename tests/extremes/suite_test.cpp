@@ -25,7 +25,7 @@ protected:
     return test::parse_csv(test::read_text(folder() / "out/extremes.csv"));
   }
   std::string verdict(std::size_t row = 0) const { return cases().at(row).at("verdict"); }
-  /// Quick and crude.
+  /// Fast references with low accuracy.
   static std::string references(const std::string& first, const std::string& second) {
     return "[[reference]]\nintegrator = \"esdirk-4\"\ntolerance = " + first +
            "\n[[reference]]\nintegrator = \"bdf\"\ntolerance = " + second + "\n";
@@ -46,11 +46,11 @@ TEST_F(Extremes, WhatTheReferencesConfirmAgrees) {
   const std::string page = test::read_text(folder() / "out/index.html");
   EXPECT_THAT(page, HasSubstr("<td>agrees</td>"));
   EXPECT_THAT(page, AnyOf(HasSubstr("<figure>"), HasSubstr("No figures")));  // without matplotlib
-  EXPECT_EQ(extremes().exit_code, 2);                                        // the folder is taken
+  EXPECT_EQ(extremes().exit_code, 2);  // the folder exists already
   EXPECT_EQ(extremes({"--resume"}).exit_code, 0);
 }
 
-// One step for all the wear of a stiff pin: the shape is nearly right.
+// One step for the whole wear of a stiff pin: the shape is nearly right.
 TEST_F(Extremes, APressureThatDiffersIsSaid) {
   write("study.toml", head() + references("1e-5", "1e-5") +
                           "[[sweep]]\nkey = \"wear.coefficient\"\nvalues = [1e-8, 1e-6]\n" +
@@ -102,8 +102,10 @@ TEST_F(Extremes, TimesBeyondTheEndOrTooNearAreAMistakeInTheFile) {
   EXPECT_THAT(outcome.err,
               HasSubstr("key `times`: expected times up to time.end = 100 s, got 200"));
   write("study.toml", "times = [50, 50.0000001]\n" + head() + method("bdf", "tolerances = [1e-3]"));
-  EXPECT_THAT(extremes().err,
-              HasSubstr("key `times`: expected times that are 1e-05 of them apart"));
+  EXPECT_THAT(
+      extremes().err,
+      HasSubstr(
+          "key `times`: expected times (including time.end) at least 1e-05 of their value apart"));
 }
 
 TEST_F(Extremes, OneReferenceConfirmsAloneAndIsNamed) {
@@ -161,7 +163,7 @@ TEST_F(Extremes, AFolderOfSomethingElseIsRefused) {
   EXPECT_FALSE(std::filesystem::exists(folder() / "out/index.html"));
 }
 
-// No fault, and every verdict as often as docs/extremes.md says.
+// No fault, and the numbers of verdicts as in docs/extremes.md.
 TEST_F(Extremes, TheCoarseSubsetHasNoFaults) {
   const Outcome outcome =
       gnomon({"extremes", GNOMON_SOURCE_DIR "/problems/pin_on_flat/extremes/coarse.toml",

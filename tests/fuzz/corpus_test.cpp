@@ -1,4 +1,4 @@
-// The targets of the fuzzers over their corpus, and over a bounded number of mutations of it.
+// Runs the targets of the fuzzers on their corpus, and on a limited number of mutations of it.
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <sys/resource.h>
@@ -30,7 +30,7 @@ void PrintTo(const Target& target, std::ostream* stream) {
   *stream << target.name;
 }
 
-/// Changes as files suffer them from editors, disks and tired people; the same with every library.
+/// Changes such as editors, disks and users cause; they do not depend on the standard library.
 class Mutator {
 public:
   Mutator(const std::vector<std::string>& corpus, unsigned seed) : corpus_(corpus), random_(seed) {}
@@ -45,7 +45,7 @@ private:
   std::size_t below(std::size_t limit) { return limit == 0 ? 0 : random_() % limit; }
   const std::string& other() { return corpus_[below(corpus_.size())]; }
 
-  /// Some bytes in a row, seldom many.
+  /// Length of a run of bytes, usually short.
   std::string part_of(const std::string& bytes) {
     const std::size_t begin = below(bytes.size());
     return bytes.substr(begin, 1 + below(std::size_t{1} << below(8)));
@@ -100,7 +100,7 @@ protected:
       corpus_.push_back(fuzz::read_file(std::string("corpus/") + GetParam().name + "/" + name));
   }
 
-  /// Whether the target took the bytes; it may refuse them, and nothing else.
+  /// Whether the target accepted the bytes; it may refuse them, but must not fail in another way.
   static bool accepts(const std::string& bytes) {
 #ifdef __SANITIZE_ADDRESS__  // HDF5 itself leaks memory when it refuses a damaged structure
     std::optional<__lsan::ScopedDisabler> leaks_of_hdf5;
@@ -108,7 +108,7 @@ protected:
 #endif
     testing::internal::CaptureStdout();
     bool accepted = true;
-    std::string fault;  // told when standard output is back
+    std::string fault;  // reported when standard output is restored
     try {
       GetParam().function(bytes);
     } catch (const InputError& error) {

@@ -35,7 +35,8 @@ void expect_sound(const Expression& expression, const Numbers& x, const Branches
   expression.switching(x, values, branches);
 }
 
-/// Where all switching functions are finite, the branch by their signs is that of no branch.
+/// Where all switching functions are finite, the branch from their signs gives the same result as
+/// no prescribed branch.
 void expect_branch_by_signs(const Expression& expression, const Numbers& x) {
   Numbers values(expression.kinks()), again(expression.kinks());
   expression.switching(x, values);

@@ -9,7 +9,7 @@ namespace gnomon::fuzz {
 
 namespace {
 
-/// Takes choices from bytes; 0 when there are no more.
+/// Takes choices from bytes; 0 if there are no more bytes.
 class Choices {
 public:
   explicit Choices(std::string_view bytes) : rest_(bytes) {}
@@ -110,13 +110,13 @@ hid_t space_of(Choices& choices) {
   return rank == 0 ? H5Screate(H5S_SCALAR) : H5Screate_simple(rank, extents, nullptr);
 }
 
-/// An attribute lies in the file whether it is written or not.
+/// An attribute takes space in the file even if it is not written.
 bool is_storable(hid_t type, hid_t space) {
   constexpr double most = 1 << 18;  // bytes
   return double(H5Tget_size(type)) * double(H5Sget_simple_extent_npoints(space)) <= most;
 }
 
-/// Bytes for all of a small value; nothing, and so an unwritten one, for a large one.
+/// Bytes for a whole small value; none for a large one, which is then not written.
 std::vector<unsigned char> values_of(hid_t type, hid_t space, Choices& choices) {
   const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
   const std::size_t size = H5Tget_size(type);
@@ -131,7 +131,7 @@ std::vector<unsigned char> values_of(hid_t type, hid_t space, Choices& choices) 
 void put_dataset(hid_t file, const char* name, Choices& choices) {
   const hid_t type = type_of(choices), space = space_of(choices);
   const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
-  if (choices.byte() % 2 == 0) {  // in chunks, which need not be there
+  if (choices.byte() % 2 == 0) {  // in chunks, which may be missing
     hsize_t chunk[3] = {1, 1, 1};
     const int rank = H5Sget_simple_extent_ndims(space);
     if (rank > 0) H5Pset_chunk(properties, rank, chunk);
@@ -157,7 +157,7 @@ void put_attribute(hid_t object, const char* name, Choices& choices) {
   H5Tclose(type);
 }
 
-/// One change; what HDF5 does not let be done stays undone.
+/// Makes one change; if HDF5 refuses it, nothing changes.
 void change(hid_t file, Choices& choices) {
   const char* const name = choices.of(objects);
   switch (choices.byte() % 5) {

@@ -10,8 +10,8 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
   return std::freopen("/dev/null", "w", stdout) == nullptr;  // libFuzzer writes to stderr
 }
 
-/// What is neither a return nor an InputError in one line ends the process, which libFuzzer
-/// reports.
+/// Everything else than a return or an InputError in one line ends the process, and libFuzzer
+/// reports it.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     gnomon::fuzz::GNOMON_FUZZ_TARGET({reinterpret_cast<const char*>(data), size});

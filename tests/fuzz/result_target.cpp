@@ -13,7 +13,7 @@ namespace gnomon::fuzz {
 
 namespace {
 
-/// What `gnomon resume` makes of a result before it integrates.
+/// The part of `gnomon resume` before the integration.
 void read_for_resuming(const std::filesystem::path& file) {
   const ResultReader result(file);
   const std::vector<HistoryRow> history = result.history();
@@ -51,7 +51,7 @@ void read_result(const std::filesystem::path& file) {
       [&] { read_all_steps(file); }, [&] { read_for_resuming(file); }};
   is_result(file);
   std::optional<InputError> refusal;
-  for (const auto& reading : readings) {  // what one refuses, another may read
+  for (const auto& reading : readings) {  // one may refuse what another can read
     try {
       reading();
     } catch (const InputError& error) {

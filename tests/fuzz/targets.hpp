@@ -1,7 +1,8 @@
-// What users and damaged disks may hand to gnomon, as functions of bytes. Whatever the bytes, each
-// returns or throws InputError in one line. Anything else is a fault of gnomon: another exception,
-// a signal, a report of a sanitizer, memory or time without bounds. What the functions print, as
-// the commands that they call do, goes to standard output. docs/building.md tells how to run them.
+// Input that users and damaged disks may give to gnomon, as functions of bytes. For all bytes each
+// function returns or throws InputError with one line. Everything else is a fault of gnomon:
+// another exception, a signal, a report of a sanitizer, unlimited memory or time. The functions,
+// like the commands that they call, print to standard output. docs/building.md says how to run
+// them.
 #pragma once
 
 #include <filesystem>
@@ -11,30 +12,30 @@
 
 namespace gnomon::fuzz {
 
-/// A scene, as `gnomon check` reads it; a line "#--set KEY=VALUE" stands for that option. A model
-/// is made where it is small.
+/// A scene, as `gnomon check` reads it; a line "#--set KEY=VALUE" represents that option. A model
+/// is made if it is small.
 void scene(std::string_view bytes);
 
 /// A study file beside the scenes of tests/fuzz/scenes, as `gnomon study` and `gnomon extremes`
-/// read it. It is expanded where it has few runs.
+/// read it. It is expanded if it has few runs.
 void study(std::string_view bytes);
 
 /// A result file, as `info`, `contact`, `compare` and `resume` read it.
 void result(std::string_view bytes);
 
-/// A sound HDF5 file that is not quite a result: `bytes` say what is changed in one.
+/// A valid HDF5 file that differs from a result: `bytes` say which parts of a result are changed.
 void layout(std::string_view bytes);
 
 /// The text of an expression: parsed, and evaluated on many of its branches.
 void expression(std::string_view bytes);
 
-/// Whether the model of a scene takes next to no time and memory.
+/// Whether the model of a scene needs very little time and memory.
 bool is_small(const Scene& scene);
 
-/// What result() does with a file.
+/// The work of result() on a file.
 void read_result(const std::filesystem::path& file);
 
-/// A folder for this process and target, removed when the process ends as it should.
+/// A folder for this process and target, removed when the process ends normally.
 class Folder {
 public:
   explicit Folder(const std::string& target);
@@ -53,7 +54,7 @@ private:
 /// The bytes of a file below tests/fuzz.
 std::string read_file(const std::string& name);
 
-/// Throws std::logic_error with what did not hold.
+/// Throws std::logic_error with the condition that was violated.
 void demand(bool holds, const char* what);
 
 }  // namespace gnomon::fuzz

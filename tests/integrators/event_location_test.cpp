@@ -14,8 +14,8 @@ namespace {
 
 using namespace testing;
 
-/// A method without error: the motion x(t) by its formula. Its dense output is a straight line, to
-/// leave something to be found.
+/// A method without error: the motion x(t) by its formula. Its dense output is a straight line, so
+/// that the event has to be searched.
 class ExactPath : public OneStepMethod {
 public:
   explicit ExactPath(std::function<double(double, const ActiveSet*)> x) : x_(std::move(x)) {}
@@ -59,7 +59,7 @@ struct Step {
     from.t = t;
     locator.begin(from);
   }
-  /// The whole step, and where it left the branch, the landing.
+  /// Takes the whole step and, if it left the branch, the landing.
   std::optional<Landing> take(double h) {
     const ActiveSet branch = locator.branch();
     EXPECT_TRUE(method.attempt(from, h, {.branch = &branch}, to).success);
@@ -108,7 +108,8 @@ TEST(EventLocation, TakesTheEventsOfOneStepInTheirOrder) {
     EXPECT_EQ(step.locator.branch(), branch);
     step.go_on();
   }
-  EXPECT_FALSE(step.take(1.2 - step.from.t));  // none is left, and none goes back by rounding
+  EXPECT_FALSE(
+      step.take(1.2 - step.from.t));  // no event is left, and none is repeated because of rounding
 }
 
 TEST(EventLocation, SwitchesNodesTogetherThatCannotBeToldApart) {
@@ -132,7 +133,8 @@ TEST(EventLocation, FindsTheLossOfContact) {
   EXPECT_EQ(step.locator.branch(), (ActiveSet{0}));
 }
 
-// Contact that lasts 2.8e-3 at the crest: seen if a step ends in it, however flat the crossing.
+// Contact that lasts 2.8e-3 at the crest: it is found if a step ends in it, even if the crossing is
+// flat.
 TEST(EventLocation, FindsTheFirstTouchOfAGrazingContact) {
   const double border = 1 - 1e-6;
   Step step({border}, sine);
@@ -169,7 +171,7 @@ TEST(EventLocation, SwitchesAtTheStartWhatIsOffTheBranchThere) {
   EXPECT_EQ(step.locator.branch(), (ActiveSet{1, 0}));
 }
 
-/// At an event with the sign that rounding left on the wrong side: 1e-9 short of the border.
+/// At an event, but on the wrong side because of rounding: 1e-9 before the border.
 struct JustSwitched : Step {
   JustSwitched() : Step({0.5, 0.8}, sine) {
     EXPECT_TRUE(take(1));
@@ -216,13 +218,13 @@ TEST(EventLocation, FailsWhereTheMethodDoes) {
   EXPECT_EQ(landing.attempt.reason, "too short");
 }
 
-// No polynomial finds the zero of a jump, and bisection takes its time.
+// No polynomial finds the zero of a jump, and bisection is slow.
 TEST(EventLocation, GivesUpOnAJump) {
   Step step({0.5}, [](double t) { return t < 0.123 ? 0.0 : 100.0; });
   const auto landing = step.take(1);
   ASSERT_TRUE(landing);
   EXPECT_FALSE(landing->attempt.success);  // not to 1e-7 in sixteen attempts: the step is shortened
-  EXPECT_EQ(landing->attempt.reason, "an event was not found in the step");
+  EXPECT_EQ(landing->attempt.reason, "an event in the step was not found");
   EXPECT_EQ(step.method.attempts, 16);
 }
 

@@ -1,4 +1,5 @@
-// A solution that ends: the drivers of SUNDIALS approach its end, then say where it is and why.
+// A solution that ends: the drivers of SUNDIALS approach its end, then report its time and the
+// reason.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -76,7 +77,7 @@ TEST_P(Failure, ComesWhereTheSolutionEndsAndNamesTheReason) {
   EXPECT_GT(counters.rejected_steps, 0);
 }
 
-/// Fails after a thousand Newton iterations, whatever the step.
+/// Fails after a thousand Newton iterations at every step size.
 class Laborious : public OneStepMethod {
 public:
   Laborious(Counters& counters, int& attempts) : counters_(counters), attempts_(attempts) {}
@@ -93,7 +94,7 @@ private:
   int& attempts_;
 };
 
-// Sixteen attempts are made where they cost little.
+// Sixteen attempts are made if they cost little.
 TEST(OneStep, IsGivenUpAfterFiveThousandNewtonIterations) {
   const auto model = testing::model_of("dahlquist/decay.toml");
   Counters counters;

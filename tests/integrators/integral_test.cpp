@@ -103,7 +103,7 @@ std::function<double(const Point&)> wear_rate(const SprungPoints& system, int j)
   return [&system, j](const Point& at) { return system.options().wear * at.y[system.pressure(j)]; };
 }
 
-// Worn depth and integrated wear rate are the same number, whatever the error of the method.
+// Worn depth and integrated wear rate are the same number, independent of the error of the method.
 TEST_P(Integral, OfTheRateOfAComponentIsItsChange) {
   const SprungPoints system = springs();
   for (const double step : {0.0, 0.15})
@@ -136,7 +136,7 @@ TEST_P(Integral, ChangesNoStep) {
   EXPECT_EQ(with.counters.newton_iterations, without.counters.newton_iterations);
   EXPECT_EQ(with.counters.rejected_steps, without.counters.rejected_steps);
   ASSERT_EQ(with.states.size(), without.states.size());
-  // ERKStep measures errors with one component more, of weight zero: the same but for rounding.
+  // ERKStep measures errors with an additional component of weight zero: the same up to rounding.
   for (std::size_t k = 0; k < with.states.size(); ++k) {
     EXPECT_NEAR(with.states[k].t, without.states[k].t, 1e-12);
     for (std::size_t i = 0; i < with.states[k].y.size(); ++i)
@@ -160,7 +160,8 @@ TEST_P(Integral, GoesOnAfterAResume) {
   EXPECT_NEAR(integral, state.y[SprungPoints::depth(0)] - depth, 1e-10);
 }
 
-/// Ends where a rate has no value: errors of the integrand are those of a residual.
+/// The run ends where a rate has no value: errors of the integrand are treated like those of a
+/// residual.
 TEST_P(Integral, LetsErrorsOfTheIntegrandThrough) {
   const SprungPoints system = springs();
   IntegratorSettings settings = settings_of(0, 1e-4, 1);

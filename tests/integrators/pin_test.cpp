@@ -50,7 +50,8 @@ TEST(LocatedEvents, EndStepsOnSymmetricPairs) {
   EXPECT_EQ(run.counters.rejected_steps, 0);
 }
 
-// Steps follow the error: the same tolerance means the same for all, within two orders.
+// With error control the same tolerance gives similar errors for all methods, within two orders of
+// magnitude.
 TEST(Adaptive, EveryMethodKeepsTheTolerance) {
   const Eigen::VectorXd exact = located("esdirk-5", 0, 1e-8, 200).worn_surface();
   for (const Integrator& integrator : Integrators::all()) {
@@ -66,7 +67,7 @@ TEST(Adaptive, ModifiedNewtonFactorizesSeldom) {
   EXPECT_LT(3 * run.counters.factorizations, run.counters.newton_iterations);
 }
 
-/// A one-step "method" that fails above a size, to see what drives it do.
+/// A one-step "method" that fails above a step size, to test its driver.
 class Fragile : public OneStepMethod {
 public:
   explicit Fragile(double largest) : largest_(largest) {}
@@ -151,7 +152,7 @@ struct FirstStep {
   }
 };
 
-// 20000 s wear the pin by 4 mm of its 10 in one step.
+// 20000 s remove 4 mm of the 10 mm of the pin in one step.
 TEST(Continuation, RescuesAStepThatNewtonCannotTake) {
   const FirstStep plain(20000, false), continued(20000, true);
   EXPECT_FALSE(plain.attempt.success);
@@ -168,7 +169,7 @@ TEST(Continuation, RescuesAStepThatNewtonCannotTake) {
     ASSERT_LE(std::abs(F[i]), 1e-8 * structure.row_scale[i]) << "row " << i;
 }
 
-// 100000 s would wear it by 20 mm: there is no such step.
+// 100000 s would remove 20 mm: this step does not exist.
 TEST(Continuation, SaysHowFarItCameAndWhy) {
   const FirstStep step(100000, true);
   EXPECT_FALSE(step.attempt.success);
@@ -177,7 +178,8 @@ TEST(Continuation, SaysHowFarItCameAndWhy) {
                                       "continuation in the step reached 0\\.[0-9]+ of it\\)"));
 }
 
-// Worn through: halving and continuation fail as well, and the run ends with time and reason.
+// More wear than the height: halving and continuation fail as well, and the run ends with time and
+// reason.
 TEST(Continuation, ARunThatWearsItsBodyThroughEndsWithTheReason) {
   try {
     run_pin("backward-euler", 5000, 1e-4, 1e5, {elements(4), "pin.height=3.5"});
@@ -189,8 +191,8 @@ TEST(Continuation, ARunThatWearsItsBodyThroughEndsWithTheReason) {
   }
 }
 
-// A located event is a change of the active set, and no set changes otherwise: nodes do not flip
-// back and forth behind it by rounding. By symmetry two nodes switch at a time.
+// A located event is a change of the active set, and no set changes otherwise: nodes do not switch
+// back and forth after it because of rounding. By symmetry two nodes switch at a time.
 TEST(Pin, LocatedEventsAreTheChangesOfTheActiveSet) {
   for (const char* integrator : {"esdirk-3", "bdf"}) {
     SCOPED_TRACE(integrator);

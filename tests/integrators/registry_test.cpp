@@ -1,4 +1,4 @@
-// Every integrator of the registry, by real steps on problems with exact solutions.
+// Real steps of every integrator of the registry on problems with exact solutions.
 
 #include <fmt/format.h>
 

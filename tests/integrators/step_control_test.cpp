@@ -1,5 +1,5 @@
-// How steps are chosen: the controller, the points that steps end on, and what happens to those
-// that fail; by the smallest method that can show it.
+// The choice of steps: the controller, the times at which steps end, and the treatment of failures;
+// with minimal methods.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ TEST(StepSizeControl, BoundsGrowthAndShrinking) {
   EXPECT_DOUBLE_EQ(control.after_success(3, 0), 15);
   EXPECT_DOUBLE_EQ(control.after_success(3, 1e9), 0.6);
   EXPECT_DOUBLE_EQ(control.after_rejection(3, 1e9), 0.6);
-  EXPECT_LT(control.after_rejection(3, 1.0001), 2.7);  // a tenth shorter at least
+  EXPECT_LT(control.after_rejection(3, 1.0001), 2.7);  // at least a tenth shorter
 }
 
 TEST(StepSizeControl, DoesNotGrowRightAfterARejectionOrAFailure) {
@@ -70,7 +70,7 @@ TEST(FirstStep, MovesTheSurfaceByWhatTheToleranceAllowsOfItsDepth) {
   settings.end = 52;
   EXPECT_DOUBLE_EQ(first_step(start, structure, settings, 2), 0.01 * 10 / 4);
   settings.scale = 1e6;
-  EXPECT_DOUBLE_EQ(first_step(start, structure, settings, 2), 50);  // to the end at most
+  EXPECT_DOUBLE_EQ(first_step(start, structure, settings, 2), 50);  // at most to the end
   start.ydot = {0, 100, 0};
   EXPECT_DOUBLE_EQ(first_step(start, structure, settings, 2), 0.5);
 }
@@ -85,11 +85,11 @@ TEST(StopTimes, OfFixedStepsAreOnTheGridByCount) {
   }
 }
 
-TEST(StopTimes, OfFixedStepsLeaveNoSlivers) {
-  EXPECT_EQ(end_of_fixed_step(0.9, 0.1, 1.00005), 1.00005);  // a sliver later: the same step
+TEST(StopTimes, OfFixedStepsLeaveNoShortRemainders) {
+  EXPECT_EQ(end_of_fixed_step(0.9, 0.1, 1.00005), 1.00005);  // merged with the grid
   EXPECT_EQ(end_of_fixed_step(0.9, 0.1, 1.0002), 0.1 * 10);
   EXPECT_EQ(end_of_fixed_step(0.9, 0.1, 0.95), 0.95);
-  EXPECT_EQ(end_of_fixed_step(0.99995, 0.1, 2), 0.1 * 11);  // within a sliver of the grid is on it
+  EXPECT_EQ(end_of_fixed_step(0.99995, 0.1, 2), 0.1 * 11);  // too near to the grid for a step
   EXPECT_EQ(end_of_fixed_step(0.9998, 0.1, 2), 0.1 * 10);
 }
 
@@ -164,7 +164,7 @@ TEST(DenseOutput, HoldsOneStatePerTimeAndForgetsTheOldest) {
   output.evaluate(3, y);
   EXPECT_EQ(y[0], 7);
   for (int k = 0; k < 14; ++k) output.add(10 + k, std::vector<double>{1});
-  output.evaluate(1, y);  // 7 is forgotten
+  output.evaluate(1, y);  // 7 has been dropped
   EXPECT_NEAR(y[0], 1, 1e-12);
   output.clear();
   output.evaluate(1, y);
@@ -173,7 +173,7 @@ TEST(DenseOutput, HoldsOneStatePerTimeAndForgetsTheOldest) {
 
 // ---- stepper
 
-/// Notes what it is asked for, and does what it is told to.
+/// Records its calls and returns prescribed results.
 class Obedient : public OneStepMethod {
 public:
   struct Asked {
@@ -256,7 +256,7 @@ TEST(OneStepStepper, EndsChosenStepsOnBreakpointsExactly) {
 
 TEST(OneStepStepper, TakesTwoEqualStepsRatherThanALongOneAndASliver) {
   Driven run(adaptive());
-  run.stepper->advance(run.state, 1.1);  // wants 1
+  run.stepper->advance(run.state, 1.1);  // would step by 1
   EXPECT_DOUBLE_EQ(run.state.t, 0.55);
   run.stepper->advance(run.state, 1.1);
   EXPECT_EQ(run.state.t, 1.1);

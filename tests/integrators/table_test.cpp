@@ -1,4 +1,5 @@
-// Every Runge-Kutta method of the registry: order conditions, stability and what its entry claims.
+// Every Runge-Kutta method of the registry: order conditions, stability and the statements of its
+// entry.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -108,7 +109,7 @@ TEST_P(Tables, HasTheStabilityItClaims) {
   }
 }
 
-/// "z > -2.5": where an explicit method's interval on the negative axis ends.
+/// "z > -2.5": the end of an explicit method's interval on the negative axis.
 TEST_P(Tables, ExplicitOnesStateTheirInterval) {
   const std::size_t at = claims_.find("z > -");
   if (at == std::string::npos) GTEST_SKIP() << "states none";

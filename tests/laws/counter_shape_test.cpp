@@ -17,7 +17,7 @@ template <int dim>
 struct Named {
   std::string name;
   CounterShape<dim> shape;
-  /// A point of the surface by parameters in [0, 1], to project on without the distance.
+  /// A point of the surface by parameters in [0, 1], for projections that do not use the distance.
   std::function<Vector<dim>(const Vector<dim>& parameters)> point;
 };
 
@@ -108,8 +108,8 @@ std::vector<Named<3>> shapes_3d() {
            }}};
 }
 
-/// The distance from the surface by search on its points: a grid, then finer ones about the
-/// nearest.
+/// The distance from the surface by a search on its points: a grid, then finer grids around the
+/// nearest point.
 template <int dim>
 double projected_distance(const Named<dim>& named, const Vector<dim>& x) {
   Vector<dim> best = Vector<dim>::Constant(0.5);

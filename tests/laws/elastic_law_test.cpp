@@ -1,4 +1,4 @@
-// Elastic laws at one point, each against what defines it.
+// Elastic laws at one point, each against its definition.
 
 #include <gnomon/laws/blatz_ko.hpp>
 #include <gnomon/laws/linear_elastic.hpp>
@@ -29,7 +29,7 @@ struct Case {
   using Point = Law<dim, Scalar>;
   using InSpace = Law<3, double>;
 
-  /// Where the body is not strained.
+  /// The unstrained state.
   static T rest() { return small ? T(T::Zero()) : T(T::Identity()); }
   static T strained(unsigned seed) { return rest() + noise<T>(0.3, seed); }
 };
@@ -77,7 +77,7 @@ TYPED_TEST(ElasticLaw, StressIsTheDerivativeOfTheEnergy) {
   using C = TypeParam;
   const auto F = C::strained(3);
   const Eigen::VectorXd P = by_rows(typename C::template Point<>(moduli, F).stress());
-  EXPECT_GT(P.norm(), 0.1);  // nothing vacuous
+  EXPECT_GT(P.norm(), 0.1);  // not zero, so the test is meaningful
   const auto energy =
       typename C::template Point<Dual>(moduli, independent(F, 0, C::dim * C::dim)).energy();
   expect_same_matrix(P, energy.derivatives(), 1e-13);
@@ -170,7 +170,7 @@ Tensor<3> cauchy(const ElasticModuli& of, const Tensor<3>& F) {
 }
 
 // Simple shear g in an incompressible state: sigma = 2 C10 B - 2 C01 B^-1 - p I, thus
-// sigma_12 = mu g whatever the ratio, sigma_11 - sigma_22 = mu g^2 (Rivlin's universal relation:
+// sigma_12 = mu g for every ratio, sigma_11 - sigma_22 = mu g^2 (Rivlin's universal relation:
 // g sigma_12), and sigma_33 - sigma_22 = 2 C01 g^2, which eq. (38) does not have.
 TEST(MooneyRivlin, SimpleShear) {
   const double g = 0.6, C01 = 0.3 * moduli.mu / 2;

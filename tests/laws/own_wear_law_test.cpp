@@ -1,5 +1,5 @@
-// A wear law of one's own in C++, in one file and with nothing else touched: a scene chooses it by
-// wear.law, with a key that the registration brings.
+// A user's wear law in C++, in one file and without other changes: a scene chooses it by wear.law,
+// with a key that the registration adds.
 
 #include <gnomon/laws/catalogue.hpp>
 

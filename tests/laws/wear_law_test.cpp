@@ -64,14 +64,15 @@ TEST(WearLaw, ExpressionsAreTheirFormulaAndItsDerivatives) {
                    321.75);
 }
 
-// Below p = 0: twice the value at zero less that of the opposite input, with one value and slope.
+// Below p = 0: twice the value at zero minus that of the opposite input, with the same value and
+// slope at zero.
 TEST(WearLaw, ContinuesBelowNoPressure) {
   const WearLaw law = law_of("1e-3 * p^1.5 * v");
   EXPECT_DOUBLE_EQ(law.rate(input(-4, 5)).value, -law.rate(input(4, 5)).value);
   const WearLaw steep = law_of("1e-3 * p * v * (1 + p)");
   EXPECT_NEAR(steep.rate(input(-1e-9, 5)).by_pressure, steep.rate(input(1e-9, 5)).by_pressure,
               1e-10);
-  // A slope that is not finite is none where p = 0, and only there.
+  // An infinite slope is replaced by zero at p = 0, and only there.
   const WearLaw root = law_of("1e-3 * sqrt(p) * v");
   EXPECT_EQ(root.rate(input(0, 5)).by_pressure, 0);
   EXPECT_DOUBLE_EQ(root.rate(input(4, 5)).by_pressure, 1.25e-3);
@@ -88,7 +89,7 @@ TEST(WearLaw, KinksOfAnExpressionSwitch) {
   EXPECT_DOUBLE_EQ(std::abs(values[1]), 0.3);
   const std::array<char, 2> here = {values[0] <= 0, values[1] <= 0};
   EXPECT_DOUBLE_EQ(law.rate(input(25, 5)).value, 0.075);
-  // The branch that is taken above the threshold, below it and below no pressure.
+  // The active branch above the threshold, below it, and below zero pressure.
   EXPECT_EQ(law.rate(input(4, 5)).value, 0);
   EXPECT_DOUBLE_EQ(law.rate(input(4, 5), here).value, -0.03);
   EXPECT_DOUBLE_EQ(law.rate(input(-4, 5), here).value, -0.07);

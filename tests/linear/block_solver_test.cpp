@@ -1,4 +1,5 @@
-// The block solver on exact coupled Jacobians, against what it must do by its derivation.
+// The block solver on exact coupled Jacobians, against the properties that follow from its
+// derivation.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ namespace {
 using namespace testing;
 using Preconditioner = LinearSolverChoice::Preconditioner;
 
-/// A Jacobian, a right side, and a structure that asks for the block solver.
+/// A Jacobian, a right side, and a structure that chooses the block solver.
 struct Problem {
   Structure structure;
   std::vector<double> J, F;
@@ -61,7 +62,7 @@ struct Problem {
   long iterations() const { return solve().iterations; }
 };
 
-/// The pin at 50 s and the residual that a step of `step` meets there.
+/// The pin at 50 s and the residual of a step of size `step` there.
 Problem pin_problem(int n, double step, Preconditioner preconditioner, const Overrides& more = {}) {
   Overrides overrides = {elements(n)};
   overrides.insert(overrides.end(), more.begin(), more.end());
@@ -91,7 +92,8 @@ Problem block_problem(int n, double step, Preconditioner preconditioner,
   return {system, y, 1 / step, preconditioner, &branch};
 }
 
-/// Drops what the preconditioner drops: equilibrium by shape, and the shape of nodes beside.
+/// Drops the derivatives that the preconditioner drops: equilibrium by shape, and wear by the shape
+/// of neighbouring nodes.
 void decouple(Problem& problem) {
   const Structure& s = problem.structure;
   for (int j = 0; j < s.pattern.size(); ++j)
@@ -126,7 +128,7 @@ TEST(BlockPreconditioner, IsTheInverseOfWhatItKeeps) {
   }
 }
 
-// And then flexible GMRES has nothing left to do, whatever the scales of the rows.
+// Then flexible GMRES has nothing left to do, for all scales of the rows.
 TEST(BlockSolver, IsDoneAtOnceWhereNothingIsNeglected) {
   Problem problem = pin_problem(10, 200, Preconditioner::factor);
   decouple(problem);
@@ -149,7 +151,7 @@ TEST(BlockSolver, SolvesInThreeDimensions) {
   EXPECT_LE(fine, coarse + 3);
 }
 
-// On 16x16x16 elements there is an aggregate of one node, which leaves zero rows on the level
+// On 16x16x16 elements there is an aggregate of one node, which causes zero rows on the level
 // below.
 TEST(Multigrid, IterationsHardlyGrowWithTheMesh) {
   if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
@@ -174,7 +176,7 @@ TEST(Multigrid, AgreesWithFactors) {
     ASSERT_NEAR(factors.x[i], multigrid.x[i], 1e-6 * problem.structure.unknown_scale[i]) << i;
 }
 
-// What flexible GMRES does not need, but runs that repeat do.
+// Flexible GMRES does not need this, but reproducible runs do.
 TEST(Multigrid, IsOneLinearMap) {
   if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
   const Problem problem = block_problem(10, 5, Preconditioner::multigrid);

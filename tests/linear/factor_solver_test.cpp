@@ -51,7 +51,8 @@ TEST(FactorSolver, SolvesManyColumnsAtOnce) {
   const auto solver = make_factor_solver(chain.layout);
   ASSERT_TRUE(solver->set_up(chain.values));
   EXPECT_EQ(solver->factorizations(), 1);
-  const Eigen::MatrixXd B = Eigen::MatrixXd::Random(Chain::size, 70);  // more than it takes at once
+  const Eigen::MatrixXd B =
+      Eigen::MatrixXd::Random(Chain::size, 70);  // more columns than it solves at once
   Eigen::MatrixXd X(B.rows(), B.cols());
   solver->apply({B.data(), static_cast<std::size_t>(B.size())},
                 {X.data(), static_cast<std::size_t>(X.size())});
@@ -83,7 +84,7 @@ TEST(FactorSolver, DividesColumnsAmongThreads) {
   EXPECT_EQ((X - again).norm(), 0);
 }
 
-// By factors in single precision, whatever the units of stiffness and load.
+// With factors in single precision, for all units of stiffness and load.
 TEST(FactorSolver, SolvesForOneColumnByRoundedFactors) {
   for (const double unit : {1e-45, 1.0, 1e45}) {
     Chain chain;
@@ -167,7 +168,7 @@ TEST(LowRankUpdate, IsTheInverseOfTheChangedMatrix) {
   EXPECT_EQ(update.columns_to_solve(terms), 3);
   update.set(terms, *solver, Chain::size);
   terms.erase(terms.begin() +
-              1);  // one term goes, one turns far, one comes, one changes in k and v
+              1);  // one term goes, one changes direction, one is new, one changes in k and v
   terms[0].u = somewhere(50);
   terms[1].k = 2;
   terms[1].v = somewhere(70);

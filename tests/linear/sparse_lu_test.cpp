@@ -79,7 +79,7 @@ TEST(NestedDissection, IsAPermutationThatKeepsGroupsTogether) {
   for (int i = 0; i < 150; ++i) ASSERT_EQ(sorted[i], i);
   for (int k = 0; k < 150; k += 3) {
     EXPECT_EQ(chain.group[order[k]], chain.group[order[k + 2]]);
-    EXPECT_LT(order[k], order[k + 1]);  // the multiplier behind its node's displacements
+    EXPECT_LT(order[k], order[k + 1]);  // the multiplier after its node's displacements
   }
 }
 

@@ -45,14 +45,14 @@ Mesh<2> bent_section() {
 }
 
 TEST(Extrusion, IsSoundAndKeepsSectionAndStations) {
-  const std::vector<double> stations = {-1, 0.5, 1, 4};
-  const Extrusion extrusion = extrude(bent_section(), stations);
+  const std::vector<double> lines = {-1, 0.5, 1, 4};
+  const Extrusion extrusion = extrude(bent_section(), lines);
   expect_sound(extrusion.mesh);
   ASSERT_EQ(extrusion.section_node.size(), extrusion.mesh.nodes.size());
   for (std::size_t node = 0; node < extrusion.mesh.nodes.size(); ++node) {
     const Vector<3>& X = extrusion.mesh.nodes[node];
     EXPECT_EQ(X.tail<2>(), extrusion.section.nodes[extrusion.section_node[node]]);
-    EXPECT_EQ(X[0], stations[node % 4]);
+    EXPECT_EQ(X[0], lines[node % 4]);
   }
   double area = 0;
   for (const auto& cell : extrusion.section.cells) {

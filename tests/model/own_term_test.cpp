@@ -1,5 +1,5 @@
-// A term of one's own: a boundary part on elastic springs, in one file and with nothing else
-// touched. A scene switches it on by the keys that the registration brings.
+// A user's term: a boundary part on elastic springs, in one file and without other changes. A scene
+// switches it on by the keys that the registration adds.
 
 #include <gnomon/model/added_term.hpp>
 
@@ -87,7 +87,8 @@ double contact_force(const Overrides& overrides, double* top = nullptr) {
   return observed(*model, start, "contact_force");
 }
 
-// The springs carry what contact does not: force + k L (mean displacement of the top) = load.
+// The springs carry the part of the load that contact does not carry: force + k L (mean
+// displacement of the top) = load.
 TEST(OwnTerm, SpringsCarryTheirShareOfTheLoad) {
   constexpr double load = 20, stiffness = 3, width = 10;
   double free_top = 0, held_top = 0;

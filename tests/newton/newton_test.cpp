@@ -106,7 +106,8 @@ TEST(NewtonSolver, SingularJacobianIsAFailureNotACrash) {
   EXPECT_EQ(report.reason, "the Jacobian is singular");
 }
 
-// An exception that is not recoverable crosses KINSOL's C frames as a code and comes out as itself.
+// An exception that is not recoverable crosses KINSOL's C frames as a code and is rethrown
+// unchanged.
 TEST(NewtonSolver, LetsForeignExceptionsThrough) {
   const CircleAndHyperbola problem;
   Counters counters;
@@ -119,7 +120,7 @@ TEST(NewtonSolver, LetsForeignExceptionsThrough) {
   EXPECT_TRUE(newton.solve(problem.function(), y).converged);  // and the solver is still usable
 }
 
-/// alpha (y - 2) + e^y = 0, as a step of 1 / alpha from 2 leaves it, beside x y = 1.
+/// alpha (y - 2) + e^y = 0, the equation of a step of 1 / alpha from 2, together with x y = 1.
 struct ShortStep {
   CircleAndHyperbola structure;
   double alpha;
@@ -137,8 +138,8 @@ struct ShortStep {
   }
 };
 
-// The residual cannot fall below the rounding of alpha y, however short the step. The other rows
-// are held to what they were.
+// The residual cannot become smaller than the rounding error of alpha y, for every step size. The
+// tolerance of the other rows does not change.
 TEST(NewtonSolver, AsksOfRatesNoMoreThanRoundingLeaves) {
   for (const double alpha : {1e2, 1e6, 1e10, 1e13}) {
     SCOPED_TRACE(alpha);

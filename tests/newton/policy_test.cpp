@@ -46,7 +46,7 @@ TEST(NewtonPolicy, KeepsFactorsOverSolvesAsLongAsTheyContract) {
   EXPECT_FALSE(step(policy, 0.2));
   policy.begin();
   EXPECT_TRUE(policy.began_with_kept_factors());
-  EXPECT_FALSE(step(policy, 1));  // of another solve: no contraction to judge by
+  EXPECT_FALSE(step(policy, 1));  // another solve: its contraction is not known yet
   EXPECT_FALSE(step(policy, 0.19));
   EXPECT_TRUE(step(policy, 0.04));  // more than a fifth
   EXPECT_FALSE(step(policy, 0.001));
@@ -105,7 +105,7 @@ TEST(NewtonPolicy, AcceptsASmallResidualThatAFreshJacobianDoesNotHalve) {
   NewtonPolicy policy(modified_newton);
   policy.begin();
   EXPECT_TRUE(step(policy, 1));
-  EXPECT_FALSE(step(policy, 0.9e-9));  // kept: says nothing of rounding
+  EXPECT_FALSE(step(policy, 0.9e-9));  // kept factors: does not show rounding
   EXPECT_TRUE(step(policy, 0.6e-9));   // slow, so with a fresh one
   EXPECT_EQ(policy.judge(0.31e-9), Verdict::rounding);
 
@@ -139,7 +139,7 @@ TEST(NewtonPolicy, FailsWhenIterationsAreUsedUp) {
       NewtonPolicy policy(options);
       policy.begin();
       for (int k = 0; k < options.max_iterations; ++k) step(policy, k % 2 ? 1.0 : 2.0);
-      // Out of iterations, a small residual will do for KINSOL; IDA cuts its step.
+      // After the last iteration KINSOL accepts a small residual; IDA shortens its step.
       const bool accepted = last < 1e-9 && options.acceptable_at_the_end;
       EXPECT_EQ(policy.judge(last), accepted ? Verdict::rounding : Verdict::failed);
       EXPECT_EQ(policy.iterations(), options.max_iterations);
@@ -159,7 +159,7 @@ TEST(NewtonPolicy, AsksForLinearResidualsByTheContraction) {
   EXPECT_DOUBLE_EQ(reduction(1e8), 1e-4);   // no contraction yet: the loosest
   EXPECT_DOUBLE_EQ(reduction(1), 1e-9);     // kept factors: a tenth of the contraction
   EXPECT_DOUBLE_EQ(reduction(0.1), 1e-4);   // never looser
-  EXPECT_DOUBLE_EQ(reduction(1e-9), 1e-4);  // 1e-9, but a fifth of what ends the iteration will do
+  EXPECT_DOUBLE_EQ(reduction(1e-9), 1e-4);  // 1e-9, but a fifth of the final residual is enough
   policy.begin();
   reduction(1e10);
   EXPECT_DOUBLE_EQ(reduction(1), 1e-10);  // never tighter

@@ -1,4 +1,4 @@
-// The normal that conserves volume: what the shape has lost is what has worn, on every mesh.
+// The conservative normal: the lost volume is equal to the wear integral, on every mesh.
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ using namespace testing;
 
 constexpr double k_v_F = 2e-3, end = 400;
 
-/// What the pin of n x n elements has lost at `end`.
+/// The volume that the pin of n x n elements has lost at `end`.
 double worn_volume(int n, const Overrides& more, const char* integrator = "esdirk-4",
                    double rtol = 1e-5) {
   Overrides overrides = {elements(n)};
@@ -40,7 +40,8 @@ TEST(ConservativeNormal, HoldsOnDistortedMeshesAndHeldSides) {
   }
 }
 
-/// Heights of the centre of the surface at times while contact grows over facet after facet.
+/// Heights of the centre of the surface at times at which contact grows over one facet after the
+/// other.
 std::vector<double> heights(int n, const char* normal) {
   const auto model = pin_model({elements(n), std::string("wear.normal=") + normal});
   IntegratorSettings settings{.rtol = 1e-5, .scale = model->differential_scale(), .end = 1000};
@@ -59,8 +60,8 @@ std::vector<double> heights(int n, const char* normal) {
 }
 
 // While the edge of contact crosses a facet, the depth of a coarse mesh goes up and down by a
-// fraction of h^2/R around that of a fine one; in the mean it is right, and with the paper's normal
-// too small by the volume that is lost.
+// fraction of h^2/R around that of a fine one; its mean is right; with the paper's normal it is too
+// small by the missing volume.
 TEST(ConservativeNormal, WearsAsDeepAsAFineMeshInTheMean) {
   const std::vector<double> fine = heights(40, "conservative");
   const auto mean_difference = [&](const char* normal) {

@@ -16,7 +16,7 @@ constexpr double E_star = 640 / (1 - 0.3 * 0.3);
 
 /// The start, relative to Hertz. F R is kept, so the half width of Hertz is 0.4255 mm for every R.
 struct Start {
-  double pressure;     ///< largest pressure by that of Hertz
+  double pressure;     ///< largest pressure divided by that of Hertz
   double width_error;  ///< of the half width, in facet lengths
 
   explicit Start(int n, double R = 5) {
@@ -35,7 +35,8 @@ TEST(Hertz, HalfWidthIsKnownToAFacet) {
   for (int n : {20, 40, 60, 80}) EXPECT_LT(std::abs(Start(n).width_error), 1) << n;
 }
 
-// The mesh error falls towards the limit at this a / R, which is not one: the pressure is nominal.
+// With refinement the ratio tends to the limit at this a / R, which is not one because the pressure
+// is nominal.
 TEST(Hertz, PressureTendsToItsNominalLimit) {
   constexpr double limit = 0.988;  // 0.9874 at 320x320
   std::vector<double> error;
@@ -50,7 +51,7 @@ TEST(Hertz, PressureTendsToItsNominalLimit) {
   EXPECT_LT(error[2], error[1] / 2);
 }
 
-// Hertz holds for small a / R: what is missing at the same mesh is proportional to it.
+// Hertz holds for small a / R: on the same mesh the difference is proportional to it.
 TEST(Hertz, PressureApproachesHertzAsTheContactFlattens) {
   const double flat = Start(40, 2000).pressure;
   const double round = 1 - Start(40, 5).pressure / flat;     // a / R = 0.085

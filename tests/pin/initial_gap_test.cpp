@@ -1,4 +1,4 @@
-// Where the bodies are before they are loaded does not matter to what the force does to them.
+// The effect of the force does not depend on the positions of the bodies before they are loaded.
 
 #include <fmt/format.h>
 

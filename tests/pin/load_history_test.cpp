@@ -1,5 +1,4 @@
-// The worn pin under a load that changes: what it wears, where steps end, contact lost and
-// regained.
+// The worn pin under a varying load: wear, ends of steps, contact lost and regained.
 
 #include <cmath>
 #include <gnomon/run/run.hpp>
@@ -16,21 +15,21 @@ using ::testing::HasSubstr;
 constexpr double F = 20, k_v = 1e-4;
 
 /// Down to a thousandth and up again, three times in 120 s.
-const Overrides breathing = {elements(10), "load.times=[0, 20, 40, 60, 80, 100, 120]",
-                             "load.factors=[1, 1e-3, 1, 1e-3, 1, 1e-3, 1]"};
+const Overrides oscillating = {elements(10), "load.times=[0, 20, 40, 60, 80, 100, 120]",
+                               "load.factors=[1, 1e-3, 1, 1e-3, 1, 1e-3, 1]"};
 double breath(double t) {
   const double phase = std::fmod(t, 40) / 20;
   return phase < 1 ? 1 - 0.999 * phase : 0.001 + 0.999 * (phase - 1);
 }
 
 // Wear is k v F at every instant, and so its integral k v times that of F, without an error: the
-// trapezoidal rule is exact, because steps end on the corners.
+// trapezoidal rule is exact, because steps end on the breakpoints.
 TEST(LoadHistoryOfThePin, WearFollowsTheForceByEveryMethod) {
   for (const Integrator& integrator : Integrators::all())
     for (const bool locate : {false, true}) {
       if (locate && !integrator.locates_events) continue;
       SCOPED_TRACE(integrator.name + (locate ? ", events located" : ""));
-      const PinRun run = run_pin(integrator.name, 0, 1e-2, 60, breathing, locate);
+      const PinRun run = run_pin(integrator.name, 0, 1e-2, 60, oscillating, locate);
       double integral = 0, flux = 0, t = 0;
       std::vector<double> times;
       for (const State& state : run.states) {
@@ -40,15 +39,15 @@ TEST(LoadHistoryOfThePin, WearFollowsTheForceByEveryMethod) {
         flux = now, t = state.t;
         times.push_back(t);
       }
-      for (const double corner : {20.0, 40.0, 60.0}) EXPECT_THAT(times, Contains(corner));
+      for (const double breakpoint : {20.0, 40.0, 60.0}) EXPECT_THAT(times, Contains(breakpoint));
       EXPECT_NEAR(integral, k_v * F * 60 * 1.001 / 2, 1e-9);
     }
 }
 
 // One node carries the load and wears by k v F(t) / A, with A constant to 1e-6 at so little wear.
 // The integral of a load that is linear within a step is exact for every method of order two or
-// more, and for the adaptive ones no larger an error than they were allowed: also where the load
-// turns at the end of a step and falls to a thousandth in the next.
+// more, and adaptive methods integrate it within their tolerance, also if the load changes its
+// slope at the end of a step and falls to a thousandth in the next.
 TEST(LoadHistoryOfThePin, WornDepthFollowsALoadThatTurnsAndFalls) {
   const Overrides turning = {"mesh.elements=[4, 4]", "body.young_modulus=1e6",
                              "wear.coefficient=1e-11", "load.times=[0, 100, 101, 200]",
@@ -66,8 +65,8 @@ TEST(LoadHistoryOfThePin, WornDepthFollowsALoadThatTurnsAndFalls) {
   }
 }
 
-// A difference of two shapes over so short a step is rounding: the rates that the next step starts
-// with are those of the pressures.
+// A difference of two shapes over so short a step is only rounding: the next step starts with the
+// rates that follow from the pressures.
 TEST(LoadHistoryOfThePin, AStepOfRoundingBehindACornerCostsNoAccuracy) {
   const Overrides turning = {elements(8), "wear.coefficient=2e-5", "load.times=[0, 0.3, 0.6]",
                              "load.factors=[1, 0.5, 1]", "time.end=1"};
@@ -102,17 +101,17 @@ TEST(LoadHistoryOfThePin, ItsTimesAreThoseToLandOnButForRounding) {
 
 TEST(LoadHistoryOfThePin, FixedStepsReturnToTheirGrid) {
   for (const char* integrator : {"backward-euler", "forward-euler", "erk-2", "esdirk-3"}) {
-    const PinRun run = run_pin(integrator, 15, 0, 60, breathing);
+    const PinRun run = run_pin(integrator, 15, 0, 60, oscillating);
     std::vector<double> times;
     for (const State& state : run.states) times.push_back(state.t);
     EXPECT_EQ(times, (std::vector<double>{0, 15, 20, 30, 40, 45, 60})) << integrator;
   }
 }
 
-// Most of the contact strip opens and closes in every cycle. Two families of methods agree on what
-// that leaves.
+// Most of the contact strip opens and closes in every cycle. Two families of methods agree on the
+// worn shape.
 TEST(LoadHistoryOfThePin, ContactIsLostAndRegained) {
-  Overrides fine = breathing;
+  Overrides fine = oscillating;
   fine.front() = "mesh.elements=[30, 8]";
   const PinRun esdirk = run_pin("esdirk-4", 0, 1e-5, 120, fine, true);
   const PinRun bdf = run_pin("bdf", 0, 1e-5, 120, fine);
@@ -133,9 +132,10 @@ TEST(LoadHistoryOfThePin, ContactIsLostAndRegained) {
   EXPECT_GE(esdirk.counters.events, 3);
 }
 
-// A run of an explicit method with fixed steps does not take the breathing for an instability.
+// A run of an explicit method with fixed steps does not treat the oscillation of the load as an
+// instability.
 TEST(LoadHistoryOfThePin, LosingContactAtEveryTurnIsNoChattering) {
-  const auto model = pin_model(breathing);
+  const auto model = pin_model(oscillating);
   IntegratorSettings settings;
   settings.step = 1;
   settings.scale = model->differential_scale();
@@ -166,7 +166,7 @@ TEST(LoadHistoryOfThePin, RefusesWhatIsNoHistory) {
   EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1, -1]"}), HasSubstr("got -1"));
   EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1, 1e-6]", "load.force=1e-8"}),
               HasSubstr("strains the body by 1e-14 or more"));
-  // What is beyond the end of the run (1000 s) is never carried.
+  // Loads beyond the end of the run (1000 s) are never applied.
   EXPECT_EQ(refusal({"load.times=[0, 2000]", "load.factors=[1, 1e-6]", "load.force=2e-8"}),
             "accepted");
   EXPECT_THAT(refusal({"load.times=[-1, 1]", "load.factors=[1, 1]"}), HasSubstr("load.times"));

@@ -1,4 +1,5 @@
-// The load ramp at the start: its control on made-up solvers, and what it reaches on the pin.
+// The load ramp at the start: its control on artificial solvers, and the load that it reaches on
+// the pin.
 
 #include "model/load_ramp.hpp"
 
@@ -67,7 +68,7 @@ TEST(LoadRamp, GrowsByAtMostAHalfAndShrinksWhenNewtonToils) {
   y = {0};
   const RampReport report = ramp_load(slow.solve(), {.first = 0.4, .smallest = 0.05}, y);
   EXPECT_NEAR(slow.fractions[1], 0.6, 1e-15);
-  EXPECT_EQ(report.reached, 1);  // shrinking after every success must not go on for ever
+  EXPECT_EQ(report.reached, 1);  // shrinking after every success must not continue without end
   EXPECT_LT(report.increments, 12);
 }
 
@@ -153,7 +154,7 @@ TEST(LoadRampOfThePin, SoftAndNearlyIncompressibleStaysCheap) {
 }
 
 TEST(LoadRampOfThePin, RefusalNamesTheElementTheFractionAndTheInvertedCell) {
-  // On finer meshes rounding decides what ends the ramp, and so the kernels of the BLAS.
+  // On finer meshes rounding, and thus the BLAS, decides which limit ends the ramp.
   const Overrides too_soft = {elements(6), "body.young_modulus=0.5"};
   ContactProblem pin(too_soft);
   const RampReport report = pin.ramp(ramp_options(pin.body));

@@ -1,5 +1,5 @@
-// What the worn pin owes to its mesh, and to how the mesh moves: nothing but what the size of the
-// elements explains.
+// The worn pin depends on its mesh, and on the motion of the mesh, only as the size of the elements
+// explains.
 
 #include <gnomon/base/error.hpp>
 

@@ -1,4 +1,4 @@
-// The worn pin against theory: conservation of wear and the rigid limit; locking. Why the figures
+// The worn pin against theory: conservation of wear and the rigid limit; locking. Why the numbers
 // differ from theory: docs/equations.md, Accuracy.
 
 #include <algorithm>
@@ -30,7 +30,7 @@ TEST(Pin, WearFluxIsThatOfTheLoadAtEveryStep) {
     }
 }
 
-// The worn volume falls short of k v F t = 2, because the averaged normal is shorter than one where
+// The worn volume is less than k v F t = 2, because the averaged normal is shorter than one where
 // the contact ends in a kink: half as much on half the mesh size, and half as much with the unit
 // normal.
 TEST(Pin, WornVolumeDeficitIsOfFirstOrderInTheMesh) {
@@ -44,8 +44,8 @@ TEST(Pin, WornVolumeDeficitIsOfFirstOrderInTheMesh) {
   EXPECT_NEAR(deficit(20, "normalised") / coarse, 0.5, 0.07);
 }
 
-// A rigid pin would be worn to the half width cbrt(3 R k v F t / 2). What is left of the difference
-// on a given mesh is elastic, proportional to 1/E, but for a part of the mesh.
+// A rigid pin would be worn to the half width cbrt(3 R k v F t / 2). The difference on a given mesh
+// is elastic, proportional to 1/E, except for a part that comes from the mesh.
 TEST(Pin, TendsToTheRigidLimitWithStiffness) {
   const double rigid = std::cbrt(3 * R * k_v * F * 1000 / 2);
   std::vector<double> width;
@@ -105,7 +105,7 @@ TEST(Pin, WearsDownToItsCorners) {
   EXPECT_EQ(run.observed("contact_nodes"), 13);
   EXPECT_NEAR(run.observed("max_pressure"), 2, 1e-3);  // F / L
   EXPECT_NEAR(run.observed("worn_volume"), 20, 0.3);
-  // With sides that are held the corners go on carrying load.
+  // With sides that are held the corner nodes continue to carry load.
   const PinRun held =
       run_pin("bdf", 0, 1e-4, 1000, {elements(12), "wear.coefficient=1e-6", "pin.sides=held"});
   EXPECT_GT(held.observed("max_pressure"), 10);

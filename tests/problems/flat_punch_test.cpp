@@ -44,8 +44,8 @@ Eigen::MatrixXd reduced_jacobian(const System& system, const State& state, doubl
   return alpha * Eigen::MatrixXd::Identity(n, n) - inverse.inverse();
 }
 
-/// The slowest decay rates in units of E* k v/a, ascending; those that are zero (the mean depth and
-/// the lateral shape, which the rate does not depend on) left out.
+/// The slowest decay rates in units of E* k v/a, ascending; without those that are zero (the mean
+/// depth and the lateral shape, on which the rate does not depend).
 std::vector<double> decay_rates(const Model& model) {
   Counters counters;
   const State state = model.start(counters);
@@ -59,7 +59,7 @@ std::vector<double> decay_rates(const Model& model) {
 }
 
 /// c_n of the integral equation (flat_punch.cpp), with piecewise constant pressure on a mesh graded
-/// towards the edges: a reference that shares nothing with the finite elements.
+/// towards the edges: a reference that is independent of the finite elements.
 std::vector<double> half_plane_rates() {
   constexpr int n = 600;
   Eigen::VectorXd edge(n + 1), x(n), w(n);
@@ -90,7 +90,8 @@ double deviation(const std::vector<double>& rates, int n) {
   return rates.at(n) / c[n] - 1;
 }
 
-// The block's width spoils the first mode most, the mesh the higher ones; both errors go away.
+// The finite width of the block changes the first mode most, the mesh changes the higher ones; both
+// errors tend to zero.
 TEST(FlatPunch, DecayRatesTendToTheHalfPlane) {
   const auto with_width = [](double width) { return decay_rates(*block(width, 20)); };
   const auto narrow = with_width(10), wide = with_width(20), wider = with_width(40);
@@ -144,7 +145,7 @@ TEST(FlatPunch, NothingSwitchesAndForceAndFluxHold) {
   }
 }
 
-// The pressure of a run decays as the reduced Jacobian says: the slowest symmetric mode is the
+// The pressure of a run decays as the reduced Jacobian predicts: the slowest symmetric mode is the
 // second.
 TEST(FlatPunch, ARunDecaysAtTheRateOfTheReducedJacobian) {
   const auto model = block(20, 10);
@@ -186,9 +187,9 @@ TEST(FlatPunch, FixedStepsShowTheOrder) {
   expect_orders(*model_of("flat_punch/small_block.toml"), 0.3);
 }
 
-// The load enters at the times of the stages, and no step goes over its corners, which are not on
-// the grid of the steps: over a corner they would show two. (Under a falling load the edges, worn
-// the most, would lose contact.)
+// The load enters at the times of the stages, and no step crosses its breakpoints, which are not on
+// the grid of the steps; a step across a breakpoint would reduce the order to two. (Under a falling
+// load the edges, which are worn most, would lose contact.)
 TEST(FlatPunch, FixedStepsShowTheOrderUnderARisingLoad) {
   expect_orders(*model_of("flat_punch/small_block.toml",
                           {"load.times=[0.6, 1.9, 2.8]", "load.factors=[1, 1.8, 2.1]"}),

@@ -25,7 +25,7 @@ std::vector<std::string> scenes() {
   return result;
 }
 
-/// Meshes that take no time.
+/// Meshes for fast runs.
 Overrides coarse(const std::string& scene) {
   if (scene.starts_with("pin_on_flat/")) return {"mesh.elements=[8, 8]"};
   if (scene == "flat_punch/half_plane.toml") return {"mesh.punch_elements=4"};

@@ -38,7 +38,8 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return largest;
 }
 
-/// The same springs, written anew: depths after `end` by the classical Runge-Kutta method.
+/// An independent implementation of the springs: depths after `end` by the classical Runge-Kutta
+/// method.
 class IndependentSprings {
 public:
   using Law = std::function<double(double p, double h, double t)>;
@@ -128,7 +129,8 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-/// Error, of the largest depth, that each integrator is asked for; steps where it has no estimate.
+/// Required error of each integrator, relative to the largest depth; fixed steps if it has no
+/// estimate.
 struct Setting {
   double step, rtol, allowed;
 };
@@ -159,8 +161,8 @@ INSTANTIATE_TEST_SUITE_P(WearLaw, LawByEveryIntegrator,
                          ::testing::Range<std::size_t>(0, cases().size()),
                          [](const auto& info) { return cases()[info.param].name; });
 
-// k(t) only stretches time: after t the springs are where constant k has them after the integral of
-// k(t)/k. So Archard's closed form holds, at that time.
+// k(t) only stretches time: the state of the springs after t is that with constant k after the
+// integral of k(t)/k. So Archard's closed form holds at that time.
 TEST(WearLaw, AFactorOfTimeStretchesTimeInTheClosedForm) {
   const Overrides fine = {"wear.constants.a=3", "wear.constants.t0=40"};
   const auto varying = springs("k * (1 + a * exp(-t / t0)) * p * v", fine);
@@ -178,8 +180,8 @@ TEST(WearLaw, AFactorOfTimeStretchesTimeInTheClosedForm) {
   }
 }
 
-// A table's corners are breakpoints, on which steps end; a threshold switches nodes, on which
-// located steps end. Order 4 survives both.
+// The breakpoints of a table in time are breakpoints of the system, on which steps end; a threshold
+// switches nodes, and located steps end there. The method keeps order 4 in both cases.
 TEST(WearLaw, StepsEndOnItsKinks) {
   const auto table = springs("k * factor(t) * p * v", {"wear.tables.factor.x=[0, 50, 100]",
                                                        "wear.tables.factor.y=[3, 1, 2]"});

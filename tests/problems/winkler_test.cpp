@@ -23,7 +23,7 @@ struct Errors {
   double pressure = 0;  ///< [MPa]
 };
 
-/// Largest differences to the closed form over a whole run.
+/// Largest differences from the closed form over a whole run.
 Errors errors(int points) {
   const auto model = winkler(points);
   Errors worst;
@@ -52,7 +52,7 @@ TEST(Winkler, JacobiansEqualCentralDifferences) {
   for (int unknown : stages[0].unknowns) part.push_back(state.y[unknown]);
   stages[0].freeze(0, state.y);
   check_jacobian(*stages[0].system, 0, part, 0);
-  // And on the smooth extension of another branch.
+  // The same on another smooth branch, continued beyond its border.
   for (char& point : active) point = !point;
   check_jacobian(system, 0, state.y, 0.2, &active);
   check_jacobian(*stages[0].system, 0, part, 0, &active);
@@ -102,8 +102,9 @@ TEST(Winkler, ForceAndWearFluxHoldAtEveryStep) {
   }
 }
 
-// The discrete solution tends to the continuum's. The force of the trapezoidal rule errs by O(h^2)
-// times (1 - 6 theta (1 - theta)), theta being where between two points the edge of the contact
+// The discrete solution tends to the continuum's. The error of the force by the trapezoidal rule is
+// O(h^2) times
+// (1 - 6 theta (1 - theta)), theta being where between two points the edge of the contact
 // lies; its mean is zero, so that the depth, the pressure's integral over time, gains an order.
 TEST(Winkler, ConvergesToTheClosedFormWithThePoints) {
   const int points[] = {26, 51, 101, 201};
@@ -135,7 +136,7 @@ TEST(Winkler, TightRunsOfTwoMethodsAgree) {
   for (int i = 0; i < 201; ++i)
     difference = std::max(difference, std::abs(a.y[2 * i] - b.y[2 * i]));
   EXPECT_LT(difference, 1e-6);
-  EXPECT_GT(error_of(*model, a), difference);  // what is left is the discretization
+  EXPECT_GT(error_of(*model, a), difference);  // the remaining difference is the discretization
 }
 
 // The branch is smooth: a method that ends its steps on the events keeps its order across them.

@@ -1,5 +1,5 @@
-// The result survives its writer: killed anywhere, or out of disk space. A plain HDF5 reader opens
-// it and finds every step whose call had returned.
+// The result remains readable if its writer is killed at any point, or if the disk is full. A plain
+// HDF5 reader opens it and finds every step whose call had returned.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
@@ -17,8 +17,8 @@
 
 namespace {
 
-// Every write to a result goes through pwrite; this one, linked before the C library's, lets a test
-// act after each, or refuse it.
+// Every write to a result goes through pwrite; with this one, which is linked before that of the C
+// library, a test can act after each write, or refuse it.
 std::function<bool()> on_write;  // returns false to refuse: no space left
 
 }  // namespace
@@ -39,14 +39,14 @@ using testing::ThrowsMessage;
 
 constexpr int kStoreEvery = 3;
 
-// How far a writer came: calls that have returned.
+// Progress of a writer: number of calls that have returned.
 struct Progress {
   int appended = 0;
   int stored = 0;
   int checkpoints = 0;
 };
 
-// Over several pages, and different in every number.
+// Several pages long, all numbers different.
 Checkpoint checkpoint(int step) {
   Checkpoint result{step, step + 1, step / kStoreEvery + 1, std::vector<double>(1500)};
   for (std::size_t i = 0; i < result.numbers.size(); ++i)
@@ -101,7 +101,7 @@ void expect_whole_for_plain_hdf5(const std::filesystem::path& file) {
   H5Fclose(id);
 }
 
-// Everything up to `done` is there and right; at most the call under way is there in addition.
+// Everything up to `done` is present and right; in addition at most the data of the current call.
 void expect_holds(const std::filesystem::path& file, const Progress& done, const Grid& grid) {
   expect_whole_for_plain_hdf5(file);
   const ResultReader reader(file);
@@ -128,8 +128,8 @@ void expect_holds(const std::filesystem::path& file, const Progress& done, const
   ASSERT_EQ(reader.contact({}).pressure, synthetic::contact(times.back()).pressure);
 }
 
-// What a kill between any two writes to the disk would leave: a copy of the file after each write
-// made by the given steps.
+// A copy of the file after each write of the given steps, as a kill between two writes would leave
+// it.
 void check_after_every_write(const std::string& name, int first, int last) {
   const auto folder = synthetic::folder(name);
   const Grid grid = synthetic::grid(4, 3);
@@ -238,8 +238,8 @@ TEST(Crash, KilledAtRandomInstantsLosesNothing) {
   }
 }
 
-/// Refuses the writes of a run from every one on: all later ones, or that one alone, as where pages
-/// that the file has already can still be written.
+/// Refuses each write of a run in turn: either this write and all later ones, or only this one, as
+/// if existing pages of the file could still be written.
 void expect_refused_writes_to_lose_nothing(bool alone) {
   const Grid grid = synthetic::grid(4, 3);
   int refused = 0;
@@ -255,7 +255,7 @@ void expect_refused_writes_to_lose_nothing(bool alone) {
     } catch (const Error& error) {
       EXPECT_THAT(error.what(), HasSubstr("No space left on device"));
       EXPECT_THAT(error.what(), HasSubstr(file.string()));
-      EXPECT_THAT(error.what(), HasSubstr(progress.appended > 0 ? "up to the step before"
+      EXPECT_THAT(error.what(), HasSubstr(progress.appended > 0 ? "up to the previous step"
                                                                 : "the result holds no step"));
       EXPECT_THAT([&] { writer.close("failed", 1); },
                   ThrowsMessage<Error>(HasSubstr("an earlier write failed")));

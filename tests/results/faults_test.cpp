@@ -19,7 +19,8 @@
 namespace gnomon {
 namespace {
 
-// HDF5 itself leaks memory when it refuses a damaged structure: not looked for where this lives.
+// HDF5 itself leaks memory when it refuses a damaged structure: while this object exists, leaks are
+// not reported.
 struct LeaksOfHdf5 {
 #ifdef __SANITIZE_ADDRESS__
   __lsan::ScopedDisabler disabler;
@@ -121,11 +122,11 @@ TEST(Reading, SurvivesDamagedFiles) {
   EXPECT_GT(refused, 100);
 }
 
-/// Gives an attribute of an object another value behind gnomon's back.
+/// Changes the value of an attribute of an object without gnomon.
 void put_attribute(const std::filesystem::path& file, const char* object, const char* name,
                    hid_t type, const void* value) {
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-  H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);  // which lets attributes be large
+  H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);  // allows large attributes
   const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDWR, access);
   const hid_t owner = H5Oopen(opened, object, H5P_DEFAULT), space = H5Screate(H5S_SCALAR);
   H5Adelete(owner, name);
@@ -240,7 +241,7 @@ TEST(Writing, KeepsAnEarlierFileWhenNothingIsAppended) {
   EXPECT_FALSE(std::filesystem::exists(folder / "r.h5.part"));
 }
 
-// As when memory runs out before a finished result, resumed, has got beyond its end.
+// As if memory were exhausted before a resumed, finished result has gone beyond its end.
 TEST(Writing, ReplacesAnEarlierFileByOneThatEndsThereUnlessAbandoned) {
   const auto folder = synthetic::folder("as-far");
   const std::string earlier = bytes_of(write(folder / "r.h5"));
@@ -291,13 +292,13 @@ TEST(Writing, TakesOverWhatADeadWriterLeft) {
   }
 }
 
-// What no run can have left is somebody's: a download, another name of a file, the target of a
-// link.
+// A file that cannot come from a run belongs to someone: a download, another name of a file, the
+// target of a link.
 TEST(Writing, LeavesForeignPartsAlone) {
   for (const char* name : {"r.h5.part", "r.xdmf.part"}) {
     const auto folder = synthetic::folder("foreign");
     const auto refused = [&] {
-      // Before anything is solved.
+      // It is refused before anything is solved.
       EXPECT_THAT([&] { write(folder / "r.h5"); }, Throws<InputError>());
       EXPECT_EQ(bytes_of(folder / "precious"), "precious");
     };

@@ -1,4 +1,4 @@
-// Readers that nobody here wrote find the right times, points and fields: h5py, meshio, ParaView.
+// Independent readers find the right times, points and fields: h5py, meshio, ParaView.
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// What the writer was given comes back from the reader, from finished and unfinished files.
+// The reader returns the data that were given to the writer, from finished and unfinished files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -23,7 +23,7 @@ struct Scratch {
       std::filesystem::path(testing::TempDir()) / ("gnomon_results_" + std::to_string(getpid()));
 };
 
-/// A folder of its own for a test, empty at first.
+/// A separate folder for a test, empty at first.
 inline std::filesystem::path folder(const std::string& name) {
   static const Scratch scratch;
   const auto path = scratch.path / name;

@@ -1,5 +1,5 @@
-// What the commands make of results that are cut short, damaged or foreign: one line, never a
-// crash. What damage leaves intact is read or resumed as if nothing had been.
+// How the commands treat results that are truncated, damaged or foreign: one line, never a crash.
+// Intact parts are read or resumed as usual.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ protected:
     } catch (const InputError& error) {
       thrown = true;
       EXPECT_THAT(error.what(), Not(HasSubstr("\n")));
-    } catch (const SolutionError&) {  // the damage is in numbers: another problem, soundly stated
+    } catch (const SolutionError&) {  // the damage is in numbers: a different but valid problem
     }
     testing::internal::GetCapturedStdout();
     return thrown;

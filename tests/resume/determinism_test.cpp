@@ -1,5 +1,5 @@
-// The same build, scene and number of threads give the same bytes, but for `wall_seconds`; so does
-// another number of threads, since no sum depends on it.
+// The same build, scene and number of threads give the same bytes, except for `wall_seconds`;
+// another number of threads gives them too, because no sum depends on it.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST_F(Determinism, EqualRunsGiveEqualBytes) {
   }
 }
 
-// As many elements as are assembled by several threads.
+// Enough elements for assembly by several threads.
 TEST_F(Determinism, TheNumberOfThreadsChangesNoByte) {
   const std::vector<std::string> flat = {test::pin,        "--set",       "mesh.elements=[70,60]",
                                          "--set",          "time.end=10", "--integrator",

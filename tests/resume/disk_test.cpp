@@ -1,5 +1,5 @@
-// A disk that fills up or is read-only: a clear error, and nothing lost that was there. On a small
-// tmpfs, which only root may mount.
+// A disk that becomes full or is read-only: a clear error, and no loss of existing data. The test
+// uses a small tmpfs, which only root may mount.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
-// Killed at random instants, writing and resuming included, and resumed: the result is that of the
-// uninterrupted run. GNOMON_KILLS sets how many instants (default 10 a method).
+// Runs that are killed at random instants, also while writing and resuming, and then resumed: the
+// result is that of the uninterrupted run.
+// GNOMON_KILLS sets how many instants (default 10 per method).
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,7 +52,7 @@ protected:
     EXPECT_TRUE(code == -SIGKILL || code == 0 || code == 2) << code;  // 2: nothing to resume yet
   }
 
-  /// A run that is killed, resumed, killed in that every other time, and resumed to its end.
+  /// A run that is killed, resumed, in every second case killed again, and resumed to its end.
   void interrupted_run(const std::vector<std::string>& run, double seconds, int i) {
     const std::vector<std::string> resume = {"resume", "killed/r.h5", "--quiet"};
     std::uniform_real_distribution<double> instant(0, seconds);

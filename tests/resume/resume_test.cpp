@@ -1,4 +1,4 @@
-// A run that goes on from a checkpoint is the run that was never interrupted.
+// A run that continues from a checkpoint gives the result of the uninterrupted run.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
                coarse({"integrator.name=forward-euler", "integrator.rtol=1e-2",
                        "integrator.events=locate"})},
         Method{
-            "esdirk_4_with_events_under_a_breathing_load", pin,
+            "esdirk_4_with_events_under_an_oscillating_load", pin,
             coarse({"integrator.name=esdirk-4", "integrator.rtol=1e-3", "integrator.events=locate",
                     "load.times=[0, 50, 100, 150]", "load.factors=[1, 0.01, 1, 0.01]"})},
         Method{"erk_3", pin, coarse({"integrator.name=erk-3", "integrator.rtol=1e-3"})},
@@ -125,7 +125,8 @@ TEST_F(Resume, GoesOnToALaterEnd) {
         << row.scalars[i].name;
 }
 
-// Times of the load and to store are taken for the end that they lie beside, which may change.
+// Times of the load and output times that differ only by rounding from the end are replaced by it;
+// the end may change.
 TEST_F(Resume, GoesOnToAMomentBehindWhatWasReached) {
   const Overrides bdf = {"mesh.elements=[6,6]", "integrator.name=bdf", "time.end=0.3"};
   Overrides corner = bdf;
@@ -141,7 +142,7 @@ TEST_F(Resume, GoesOnToAMomentBehindWhatWasReached) {
   }
 }
 
-// A method that gives up at a step is a run that ends with exit code 3.
+// A run whose method fails at a step ends with exit code 3.
 TEST_F(Resume, GoesOnFromBeforeAFailureWithAnotherTolerance) {
   const Overrides overrides = coarse({"integrator.name=esdirk-3", "integrator.rtol=1e-3"});
   {
@@ -183,7 +184,7 @@ TEST_F(Resume, AnEarlierEndOfTheContinuationLosesNothing) {
   run_scene(pin, overrides, file("r"), 20);
   const auto rows = static_cast<long>(ResultReader(file("r")).history().size());
   ASSERT_LT(ResultReader(file("r")).checkpoints().back().rows, rows);
-  // As if it were killed before its first step.
+  // As if it had been killed before its first step.
   const std::string before = bytes_of(file("r")), sidecar = bytes_of(sidecar_of(file("r")));
   {
     const ResultReader earlier(file("r"));
@@ -216,7 +217,7 @@ TEST_F(Resume, DoesNotReplaceAnEarlierSummary) {
   options.quiet = true;
   std::ofstream(options.summary) << "mine";
   EXPECT_THROW(app::resume_command(options), InputError);
-  options.force = true;  // does not help with what is no summary
+  options.force = true;  // does not help if the file is not a summary
   EXPECT_THROW(app::resume_command(options), InputError);
   EXPECT_EQ(bytes_of(options.summary), "mine");
   std::filesystem::remove(options.summary);
@@ -271,7 +272,7 @@ TEST_F(Resume, ARunThatIsStillGoingIsRefused) {
   EXPECT_EQ(ResultReader(file("r")).status(), "finished");
 }
 
-// The place that was written last does not count unless it is whole.
+// The row that was written last is not used unless it is complete.
 TEST_F(Resume, ADamagedCheckpointFallsBackToTheOneBefore) {
   const Overrides be = coarse({"integrator.name=backward-euler", "integrator.step=5"});
   run_scene(pin, be, file("whole"));
@@ -300,8 +301,8 @@ TEST_F(Resume, ADamagedCheckpointFallsBackToTheOneBefore) {
             ResultReader(file("whole")).history().back().scalars[3].value);
 }
 
-// What the continuation copies is read before the earlier file goes: the last stored step here, of
-// which the history tells nothing.
+// The continuation reads the data that it copies before it replaces the earlier file: here the last
+// stored step, which the history does not mention.
 TEST_F(Resume, ADamagedResultIsRefusedAndStays) {
   run_scene(pin, coarse({"integrator.name=backward-euler", "integrator.step=20"}), file("r"));
   const std::size_t last = ResultReader(file("r")).stored_times().size() - 1;

@@ -1,4 +1,5 @@
-// Runs of shipped scenes into result files, some cut short, and what makes two results the same.
+// Runs of shipped scenes that write result files, some of them interrupted, and the comparison of
+// two results.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ private:
        std::to_string(getpid()));
 };
 
-/// Runs a scene below problems/, at most so many steps: then it ends as by Ctrl-C.
+/// Runs a scene in problems/ for a limited number of steps; then it ends as by Ctrl-C.
 inline RunOutcome run_scene(const std::string& scene, const Overrides& overrides,
                             const std::filesystem::path& file,
                             long most_steps = std::numeric_limits<long>::max()) {
@@ -72,7 +73,7 @@ inline std::string bytes_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Changes an attribute of a result behind gnomon's back.
+/// Changes an attribute of a result without gnomon.
 inline void write_attribute(const std::filesystem::path& file, const char* name, hid_t type,
                             const void* value) {
   const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);

@@ -1,4 +1,4 @@
-// What the end of a run says of its numbers.
+// Warnings at the end of a run about its numbers.
 #include "run/end_warnings.hpp"
 
 #include <gmock/gmock.h>
@@ -34,7 +34,7 @@ TEST(EndWarnings, TellOfNodesThatAnExplicitMethodMakesLeaveContact) {
 
 TEST(EndWarnings, TellOfWearThatTheShapeHasNotLost) {
   EXPECT_THAT(end_warnings(worn(1.7, 2), 0, integrator("bdf")),
-              ElementsAre(HasSubstr("the shape has lost 1.7, the wear rate integrates to 2:")));
+              ElementsAre(HasSubstr("the worn volume is 1.7, the wear integral is 2:")));
   EXPECT_THAT(end_warnings(worn(1.9, 2), 0, integrator("bdf")), IsEmpty());
 }
 

@@ -1,4 +1,4 @@
-// What ends a run whose numbers are worthless, or that no longer progresses.
+// The checks that end a run whose numbers are worthless, or that makes no progress.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 
 TEST(ProgressWatch, EndsARunThatGoesNowhereFor5000Iterations) {
   Counters counters;
-  counters.newton_iterations = 700;  // of the start: not counted
+  counters.newton_iterations = 700;  // those of the start are not counted
   ProgressWatch watch(10, counters, 1000);
   counters.newton_iterations = 5699;
   EXPECT_NO_THROW(watch.require(10.001, counters));
@@ -108,7 +108,7 @@ TEST(DampingWatch, LooksAgainWhereContactHasBecomeWiderByAFifth) {
     watch.require_damping_in_wider_contact(watched.state, observed);
   };
   EXPECT_THROW(look(10), SolutionError);
-  EXPECT_NO_THROW(look(12));  // has been looked at
+  EXPECT_NO_THROW(look(12));  // has been checked already
   EXPECT_THROW(look(12.1), SolutionError);
 }
 
@@ -133,9 +133,9 @@ TEST(Chattering, IsToLeaveContactTwiceBetweenBreakpoints) {
                SolutionError);
 
   chattering.begin_anew();
-  EXPECT_EQ(chattering.nodes(), 1);  // stays known
+  EXPECT_EQ(chattering.nodes(), 1);  // is remembered
   chattering.add(surface({0, 1, 0}));
-  chattering.add(surface({0, 0, 0}));  // the second: once before the breakpoint and once behind it
+  chattering.add(surface({0, 0, 0}));  // the second: once before and once after the breakpoint
   EXPECT_EQ(chattering.nodes(), 1);
 }
 

@@ -1,4 +1,4 @@
-// When a worn mesh ends a run, and when it is warned of.
+// When a worn mesh ends a run, and when a run warns of it.
 #include "run/mesh_watch.hpp"
 
 #include <gmock/gmock.h>

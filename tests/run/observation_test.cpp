@@ -1,4 +1,4 @@
-// Observations: the columns that files hold of them, and what the models of the scenes tell.
+// Observations: their columns in files, and the observations of the scenes' models.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ std::vector<std::string> headings(const std::vector<Scalar>& columns) {
   return texts;
 }
 
-/// Of a model at rest, which need not be in equilibrium.
+/// The observation of a model at rest, which may not be in equilibrium.
 Observation at_rest(const Model& model) {
   State state;
   state.y.assign(model.system().structure().size, 0.0);
@@ -130,7 +130,7 @@ void check_flux(const Model& model) {
   const double flux = model.wear_flux()({.t = 0, .y = state.y, .branch = state.own_branch()});
   EXPECT_GT(flux, 0);
   EXPECT_EQ(flux, model.observe(state).wear_flux);
-  // Nothing wears on the branch where all nodes are open.
+  // There is no wear on the branch on which all nodes are open.
   const ActiveSet open(model.system().structure().switch_node.size(), 0);
   EXPECT_EQ(model.wear_flux()({.t = 0, .y = state.y, .branch = &open}), 0);
 }

@@ -34,7 +34,7 @@ TEST(StoreSchedule, StoresTheLastStateIfAsked) {
   EXPECT_TRUE(schedule.wants(10, 8));
 }
 
-// A run that goes on asks for where it is, and drops the answer.
+// A resumed run asks for its present time and ignores the answer.
 TEST(StoreSchedule, GoesOnBehindTimesThatHaveGoneBy) {
   StoreSchedule schedule({.every = 0, .times = {2, 5, 7}, .last = true}, 10);
   EXPECT_TRUE(schedule.wants(6, 12));

@@ -1,4 +1,4 @@
-// The integral of the wear flux, and the ledger that it makes with the worn volume.
+// The integral of the wear flux, and the ledger: its comparison with the worn volume.
 #include "run/wear_integral.hpp"
 
 #include <gmock/gmock.h>
@@ -114,7 +114,8 @@ TEST(Ledger, OfAPinBalancesToTheTolerance) {
   }
 }
 
-// The depth of a spring wears by its rate alone, so that a method integrates both alike.
+// The depth of a spring changes only by its wear rate, so that a method integrates both in the same
+// way.
 TEST(Ledger, OfSpringsBalances) {
   const auto model = model_of("winkler/pin.toml", {"foundation.points=41"});
   for (const char* name : {"backward-euler", "esdirk-3"}) {

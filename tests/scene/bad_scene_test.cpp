@@ -12,7 +12,7 @@ namespace {
 
 using test::complaint;
 
-/// A scene that is right but for its line 4.
+/// A scene that is right except for its line 4.
 std::string with_line_4(const std::string& line) {
   return "problem = \"example\"\n[body]\nyoung_modulus = 1\n" + line + "\n";
 }

@@ -133,14 +133,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"p * temperature", "column 5: unknown name \"temperature\", " + known_names},
         Mistake{"nan", "column 1: unknown name \"nan\", " + known_names},
         Mistake{"p(2)",
-                "column 1: \"p\" is no function or table, expected an operator behind it, "
+                "column 1: \"p\" is not a function or table, expected an operator after it, "
                 "got \"(\" (a product is written a * b)"},
         Mistake{"k (p + v)",
-                "column 1: \"k\" is no function or table, expected an operator behind "
-                "it, got \"(\" (a product is written a * b)"},
-        Mistake{"exp + 1", "column 5: expected \"(\" behind \"exp\", got \"+\""},
-        Mistake{"k / hardness", "column 13: expected \"(\" behind \"hardness\"" + end_of_text},
-        Mistake{"if", "column 3: expected \"(\" behind \"if\"" + end_of_text}));
+                "column 1: \"k\" is not a function or table, expected an operator after it, got "
+                "\"(\" (a product is written a * b)"},
+        Mistake{"exp + 1", "column 5: expected \"(\" after \"exp\", got \"+\""},
+        Mistake{"k / hardness", "column 13: expected \"(\" after \"hardness\"" + end_of_text},
+        Mistake{"if", "column 3: expected \"(\" after \"if\"" + end_of_text}));
 
 INSTANTIATE_TEST_SUITE_P(
     Arguments, BadExpression,
@@ -164,31 +164,31 @@ INSTANTIATE_TEST_SUITE_P(
     Conditions, BadExpression,
     testing::Values(
         Mistake{"p < 1",
-                "column 1: \"p < 1\" is a condition, expected a number (conditions stand "
-                "in if(condition, a, b) only)"},
+                "column 1: \"p < 1\" is a condition, expected a number (conditions occur in "
+                "if(condition, a, b) only)"},
         Mistake{"2 * (p < 1)",
-                "column 5: \"(p < 1)\" is a condition, expected a number (conditions "
-                "stand in if(condition, a, b) only)"},
+                "column 5: \"(p < 1)\" is a condition, expected a number (conditions occur in "
+                "if(condition, a, b) only)"},
         Mistake{"(p < 1) * 2",
-                "column 1: \"(p < 1)\" is a condition, expected a number (conditions "
-                "stand in if(condition, a, b) only)"},
+                "column 1: \"(p < 1)\" is a condition, expected a number (conditions occur in "
+                "if(condition, a, b) only)"},
         Mistake{"-(p < 1)",
-                "column 2: \"(p < 1)\" is a condition, expected a number (conditions "
-                "stand in if(condition, a, b) only)"},
+                "column 2: \"(p < 1)\" is a condition, expected a number (conditions occur in "
+                "if(condition, a, b) only)"},
         Mistake{"exp(p < 1)",
-                "column 5: \"p < 1\" is a condition, expected a number (conditions "
-                "stand in if(condition, a, b) only)"},
+                "column 5: \"p < 1\" is a condition, expected a number (conditions occur in "
+                "if(condition, a, b) only)"},
         Mistake{"if(p, 1, 2)", "column 4: \"p\" is a number, expected a condition such as a < b"},
         Mistake{"if(p < 1 and v, 1, 2)",
                 "column 14: \"v\" is a number, expected a condition such as a < b"},
         Mistake{"if(p < 1, v < 1, 2)",
                 "column 11: \"v < 1\" is a condition, expected a number "
-                "(conditions stand in if(condition, a, b) only)"},
+                "(conditions occur in if(condition, a, b) only)"},
         Mistake{"if(0 < p < 1, 1, 2)",
                 "column 10: comparisons cannot be chained, expected \"and\" "
                 "as in a < b and b < c, got \"<\""},
         Mistake{"if((p < 1) < v, 1, 2)",
-                "column 4: \"(p < 1)\" is a condition, expected a number (conditions stand in "
+                "column 4: \"(p < 1)\" is a condition, expected a number (conditions occur in "
                 "if(condition, a, b) only)"},
         Mistake{"if(p < 1 or 2 or v < 1, 1, 2)",
                 "column 13: \"2\" is a number, expected a condition such as a < b"}));
@@ -221,7 +221,7 @@ std::string repeated(const std::string& part, int count) {
 struct Nest {
   const char* name;
   std::string open, inside, close;
-  int most;  // of them that are accepted
+  int most;  // largest accepted number of them
 };
 
 void PrintTo(const Nest& nest, std::ostream* stream) {
@@ -290,7 +290,7 @@ TEST(BadExpressionNames, AreRefused) {
                 HasSubstr("cannot stand in an expression"))
         << name;
   for (const char* name : {"exp", "log", "sqrt", "abs", "pow", "min", "max", "if", "and", "or"})
-    EXPECT_THAT(complaint_of_names({{}, {{name, 1}}, {}}), HasSubstr("has a meaning of its own"));
+    EXPECT_THAT(complaint_of_names({{}, {{name, 1}}, {}}), HasSubstr("is reserved in expressions"));
   EXPECT_EQ(complaint_of_names({{"p", "v", "p"}, {}, {}}),
             "the name \"p\" is declared twice, expected distinct names");
   EXPECT_THAT(complaint_of_names({{"p"}, {{"p", 1}}, {}}), HasSubstr("twice"));

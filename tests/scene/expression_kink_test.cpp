@@ -158,7 +158,7 @@ const char* const kinked[] = {
     "if(x < 1, if(y < 1, x, y), if(z < 1, z, x*y)) * max(x, y, z)",
 };
 
-/// At random points, the branch that a point lies in gives the same as no branch.
+/// At random points, the branch that a point lies in gives the same result as no prescribed branch.
 TEST(ExpressionBranches, AgreeWithTheSigns) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> number(-1, 5);
@@ -205,7 +205,7 @@ TEST(ExpressionBranches, AreSmoothAcrossBorders) {
   EXPECT_GT(borders, 1000);
 }
 
-/// Where a switching function changes its sign, what is taken changes.
+/// Where a switching function changes its sign, the chosen part changes.
 TEST(ExpressionSwitching, ChangesItsSignWhereTheValueHasAKink) {
   const Expression expression = parsed("max(x, 2) + abs(x - 3) + ramp(x)");  // at 2, 3, 1, 2, 4
   const Numbers places = {2, 3, 1, 2, 4};
@@ -277,8 +277,8 @@ TEST_F(UndefinedExpression, HidesBehindAGivenBranch) {
 TEST(PiecewiseLinearTable, GoesThroughItsPoints) {
   const Numbers x = {-2, 0, 0.5, 3}, y = {1, 4, 4, -1};
   const PiecewiseLinear table(x, y);
-  const auto corners = table.corners();
-  EXPECT_EQ(Numbers(corners.begin(), corners.end()), x);
+  const auto breakpoints = table.breakpoints();
+  EXPECT_EQ(Numbers(breakpoints.begin(), breakpoints.end()), x);
   const auto value = [&](double at) { return table.value(table.piece_at(at), at); };
   for (std::size_t i = 0; i < x.size(); ++i) EXPECT_DOUBLE_EQ(value(x[i]), y[i]);
   EXPECT_DOUBLE_EQ(value(-1), 2.5);

@@ -47,7 +47,7 @@ T hardness(T x) {
 }
 
 struct Formula {
-  std::string name, text, variables;  // those that occur
+  std::string name, text, variables;  // variables that occur
   std::function<double(double, double, double, double)> real;
   std::function<Complex(Complex, Complex, Complex, Complex)> complex;
 };
@@ -180,7 +180,7 @@ TEST_P(ExpressionPrecedence, OfConstants) {
   EXPECT_EQ(expression.kinks(), 0u);  // evaluated already
 }
 
-/// The same with each number in a variable, as far as there are different ones.
+/// The same with each different number replaced by a variable.
 TEST_P(ExpressionPrecedence, OfVariables) {
   std::string text = GetParam().text;
   for (char& c : text)

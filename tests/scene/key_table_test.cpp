@@ -1,4 +1,4 @@
-// The tables of keys hold together, whatever problems are registered.
+// The tables of keys are consistent for all registered problems.
 
 #include <gtest/gtest.h>
 

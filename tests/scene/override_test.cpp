@@ -1,4 +1,4 @@
-// KEY=VALUE overrides: TOML syntax, bare words as texts, and the mistakes they can hold.
+// KEY=VALUE overrides: TOML syntax, bare words as texts, and possible mistakes.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The resolved dump is a scene: loading it gives an equal one.
+// The resolved dump is a scene: loading it gives an equal scene.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

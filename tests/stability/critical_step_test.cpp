@@ -50,7 +50,7 @@ TEST(StabilityFunction, IsTheTruncatedExponentialWhereStagesEqualOrder) {
 TEST(StabilityBoundary, IsThatOfKnownMethods) {
   EXPECT_NEAR(stability_boundary(table_of("forward-euler"), real_axis), 2, 1e-9);
   EXPECT_NEAR(stability_boundary(table_of("erk-2"), real_axis), 2, 1e-9);
-  // Three stages of order three; the fourth of Bogacki and Shampine's is for the estimate alone.
+  // Three stages of order three; the fourth stage of Bogacki and Shampine is only for the estimate.
   EXPECT_NEAR(stability_boundary(table_of("erk-3"), real_axis), 2.512745, 1e-6);
   EXPECT_NEAR(stability_boundary(classical(), real_axis), 2.785294, 1e-6);
   EXPECT_NEAR(stability_boundary(classical(), imaginary_axis), 2 * std::sqrt(2.0), 1e-9);
@@ -60,7 +60,7 @@ TEST(StabilityBoundary, IsThatOfKnownMethods) {
   EXPECT_TRUE(std::isinf(stability_boundary(table_of("backward-euler"), real_axis)));
 }
 
-// Five stages of order four, the fifth for the estimate alone: the boundary is that of the
+// Five stages of order four, the fifth only for the estimate: the boundary is that of the
 // polynomial with coefficients b^T A^k 1, which is the classical one.
 TEST(StabilityBoundary, OfZonneveldIsThatOfItsPolynomial) {
   const ButcherTable table = table_of("erk-4");
@@ -98,7 +98,7 @@ TEST(CriticalStep, IsSetByTheModeThatBearsLeast) {
   const CriticalStep real = critical_step(euler, modes({-0.5, -0.4, -0.1}));
   EXPECT_NEAR(real.step, 4, 1e-9);
   EXPECT_EQ(real.mode, 0);
-  // -2 Re / |lambda|^2: a smaller but oscillating mode bears less.
+  // -2 Re / |lambda|^2: a smaller but oscillating mode has a smaller critical step.
   const CriticalStep complex = critical_step(euler, modes({-0.5, {-0.1, 0.4}, {-0.1, -0.4}}));
   EXPECT_NEAR(complex.step, 0.2 / 0.17, 1e-9);
   EXPECT_EQ(complex.mode, 1);

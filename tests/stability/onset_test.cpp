@@ -1,5 +1,5 @@
-// The step at which real, nonlinear steps become unstable against the one that the spectrum
-// predicts.
+// The step size at which actual, nonlinear steps become unstable, compared with the prediction of
+// the spectrum.
 
 #include <cmath>
 #include <gnomon/stability/stability.hpp>
@@ -16,7 +16,7 @@ double agreement(const Model& model, const Integrator& integrator, const State& 
   const std::vector<Mode> modes = all_modes(ReducedJacobian(model.system(), state).dense());
   const CriticalStep critical = critical_step(integrator.table({}).value(), modes);
   EXPECT_GE(critical.mode, 0);
-  // From a poor guess, so that the search is the test's and not the prediction's.
+  // From a poor guess, so that the result does not depend on the prediction.
   const double onset = empirical_onset(model, integrator, state, modes[critical.mode].direction,
                                        0.6 * critical.step);
   ::testing::Test::RecordProperty("onset_over_prediction " + integrator.name,

@@ -1,5 +1,5 @@
 // The reduced Jacobian against finite differences of the reduced rate, with the contact problem and
-// the mesh motion really solved, and its largest eigenvalues against all of them.
+// the mesh motion solved, and its largest eigenvalues against all of them.
 
 #include <Eigen/Eigenvalues>
 #include <gnomon/integrators/stepper.hpp>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing;
 
-/// A worn state, of which the accuracy does not matter.
+/// A worn state, whose accuracy does not matter.
 PinRun worn_pin(int n, const Overrides& overrides = {}) {
   Overrides all = overrides;
   all.push_back(elements(n));
@@ -60,7 +60,7 @@ void expect_derivative_of_the_rate(const Overrides& overrides) {
     differences.col(j) =
         (rate(i, change, G.components()) - rate(i, -change, G.components())) / (2 * change);
   }
-  // Not vacuous: several nodes wear, and their neighbours take part.
+  // Not trivial: several nodes wear, and they are coupled with their neighbours.
   const Eigen::ArrayXXd size = differences.cwiseAbs().array() / differences.cwiseAbs().maxCoeff();
   ASSERT_GE((size.matrix().diagonal().array() > 0.1).count(), 3);
   ASSERT_GE((size > 0.01).count() - (size.matrix().diagonal().array() > 0.01).count(), 6);

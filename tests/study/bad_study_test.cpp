@@ -14,7 +14,7 @@ using testing::IsEmpty;
 
 struct Case {
   const char* name;
-  std::string text;  // behind the head, whose last line is the fourth
+  std::string text;  // after the head, whose last line is the fourth
   std::vector<std::string> parts;
 };
 
@@ -57,11 +57,15 @@ const Case cases[] = {
      {"study.toml:7: key `method.qqqqqqqq`: unknown key, expected one of `gnomon help studies`"}},
     {"OneBracketMethod",
      "[method]\nintegrator = \"bdf\"\n",
-     {"study.toml:6: key `method.integrator`: there may be several, write [[method]]"}},
+     {"study.toml:6: key `method.integrator`: there may be several of these tables, expected "
+      "[[method]]"}},
     {"OneBracketReference",
      "[reference]\ntolerance = 1e-6\n",
-     {"study.toml:6: key `reference.tolerance`: there may be several, write [[reference]]"}},
-    {"OneBracketSweep", "[sweep]\n", {"key `sweep`: there may be several, write [[sweep]]"}},
+     {"study.toml:6: key `reference.tolerance`: there may be several of these tables, expected "
+      "[[reference]]"}},
+    {"OneBracketSweep",
+     "[sweep]\n",
+     {"key `sweep`: there may be several of these tables, expected [[sweep]]"}},
     {"WrongType",
      "[[method]]\nintegrator = \"bdf\"\ntolerances = 1e-3\n",
      {"study.toml:7: key `method.tolerances`: expected an array of numbers in [1e-13, 0.1]"}},
@@ -105,10 +109,10 @@ const Case cases[] = {
      {"study.toml:7: key `sweep.values`: expected an array of 2 integers", "got 8"}},
     {"SweptTwice",
      "[[sweep]]\nkey = \"body.young_modulus\"\nvalues = [10, 20, 10.0]\n",
-     {"study.toml:7: key `sweep.values`: 10", "is there twice, expected once"}},
+     {"study.toml:7: key `sweep.values`: 10", "is given twice, expected once"}},
     {"SweptArrayTwice",
      "[[sweep]]\nkey = \"mesh.elements\"\nvalues = [[8, 8], [8, 8]]\n",
-     {"study.toml:7: key `sweep.values`: [8, 8] is there twice, expected once"}},
+     {"study.toml:7: key `sweep.values`: [8, 8] is given twice, expected once"}},
     {"SweptKey",
      "[[sweep]]\nkey = \"mesh.elemnts\"\nvalues = [8]\n",
      {"study.toml:6: key `sweep.key`: unknown key, did you mean `mesh.elements`?"}},
@@ -146,7 +150,7 @@ const Case cases[] = {
     {"SelfReferenceWithoutMethod",
      "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
      "[self_reference]\ntolerance = 1e-6\n",
-     {"study.toml:9: key `self_reference.tolerance`: expected self_reference.method beside it"}},
+     {"study.toml:9: key `self_reference.tolerance`: expected self_reference.method too"}},
     {"SelfReferenceWithoutSetting",
      "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
      "[self_reference]\nmethod = \"bdf\"\n",
@@ -203,7 +207,7 @@ TEST_F(BadStudyFiles, FolderOfSomethingElse) {
   write("study.toml", head() + method("bdf", "tolerances = [0.1]"));
   std::filesystem::create_directory(folder() / "out");
   write("out/precious.txt", "mine");
-  expect_refused("out: is no study's folder");
+  expect_refused("out: is not the folder of a study");
 }
 
 }  // namespace

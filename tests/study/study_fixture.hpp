@@ -1,4 +1,4 @@
-// A folder with a scene that runs in no time and studies of it.
+// A folder with a fast scene and studies of it.
 #pragma once
 
 #include <gnomon/results/results.hpp>

@@ -76,7 +76,7 @@ TEST_F(StudyRuns, MeasuresErrorsAgainstTheReference) {
   EXPECT_EQ(errors[3], std::stod(row.at("shape_error")));
 }
 
-/// References so loose that nothing can be said.
+/// References with such loose tolerances that all errors are marked.
 const std::string loose =
     "[[reference]]\nintegrator = \"sdirk-2\"\ntolerance = 0.1\n"
     "[[reference]]\nintegrator = \"bdf\"\ntolerance = 0.1\n";
@@ -246,7 +246,7 @@ TEST_P(Ended, AStudyGoesOnWhereItWas) {
   EXPECT_EQ(outcome.exit_code, GetParam() == SIGKILL ? -SIGKILL : 1) << outcome.err;
   EXPECT_FALSE(std::filesystem::exists(folder() / "out/study.csv"));
 
-  // The run has ended as well: nobody writes its result any more.
+  // The run has ended as well: no process writes its result any more.
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   const auto size = std::filesystem::file_size(last);
   std::this_thread::sleep_for(std::chrono::milliseconds(200));

@@ -1,5 +1,5 @@
 // Helpers for derivative tests: central differences and automatic differentiation of a residual
-// that is a template on its scalar, and a comparison that refuses to pass on a zero matrix.
+// that is a template on its scalar, and a comparison that fails for a zero matrix.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ Eigen::MatrixXd derivative_matrix(const Matrix& R, int total) {
   return K;
 }
 
-/// Relative agreement in the largest entry; a zero reference fails.
+/// Expects relative agreement in the largest entry; fails for a zero reference.
 inline void expect_same_matrix(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected,
                                double tolerance) {
   ASSERT_EQ(actual.rows(), expected.rows());

@@ -1,4 +1,4 @@
-// What every mesh of hexahedra must fulfil, whatever its shape.
+// Conditions that every mesh of hexahedra must fulfil.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -78,8 +78,8 @@ inline std::map<std::set<int>, int> faces(const Mesh<3>& mesh, int dimension) {
   return result;
 }
 
-/// Right-handed cells, every inner facet between two of them, every outer one in one boundary part,
-/// with outer normal, and no hole (Euler characteristic of a ball).
+/// Expects right-handed cells, every inner facet between two of them, every outer facet in one
+/// boundary part with outer normal, and no hole (Euler characteristic of a ball).
 inline void expect_sound(const Mesh<3>& mesh) {
   EXPECT_GT(least_scaled_jacobian(mesh), 0);
   std::map<std::set<int>, int> facets = faces(mesh, 2);

@@ -1,4 +1,4 @@
-// The worn pin for tests: built from its own scene file, as a user would.
+// The worn pin for tests, made from its scene file, as by a user.
 #pragma once
 
 #include <algorithm>

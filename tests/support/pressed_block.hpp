@@ -1,5 +1,5 @@
-// A three-dimensional body by hand: a block whose bottom is a paraboloid, pressed on a plane that
-// slides past, frictionless. Quarter symmetry, load on the top.
+// A three-dimensional body made without a scene: a block whose bottom is a paraboloid, pressed on a
+// plane that slides past, without friction. Quarter symmetry, load on the top.
 #pragma once
 
 #include <gnomon/model/wear_model.hpp>

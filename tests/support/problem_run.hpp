@@ -36,7 +36,8 @@ struct ModelRun {
   const State& last() const { return states.back(); }
 };
 
-/// `step` 0: steps follow the error. `tolerance` is rtol; atol = tolerance * differential_scale().
+/// `step` 0: error control chooses the steps. `tolerance` is rtol; atol = tolerance *
+/// differential_scale().
 inline ModelRun run_model(const Model& model, const std::string& integrator, double step,
                           double tolerance, double end, bool locate_events = false) {
   ModelRun run;
@@ -77,7 +78,7 @@ inline Eigen::MatrixXd dense(const SparsePattern& pattern, const std::vector<dou
 }
 
 /// J = dF/dy + alpha dF/dydot against central differences of F(y + e, ydot + alpha e), with steps
-/// of `relative` times the typical size of each unknown. Refuses rows that are zero.
+/// of `relative` times the typical size of each unknown. Fails for rows that are zero.
 inline void check_jacobian(const System& system, double t, const std::vector<double>& y,
                            double alpha, const ActiveSet* branch = nullptr,
                            double relative = 1e-5) {
@@ -98,7 +99,7 @@ inline void check_jacobian(const System& system, double t, const std::vector<dou
     system.residual({t, down, down_dot, branch}, F_down);
     for (long i = 0; i < n; ++i) differences(i, j) = (F_up[i] - F_down[i]) / (2 * h);
   }
-  // Row by row, since rows have different units.
+  // Row by row, because rows have different units.
   for (long i = 0; i < n; ++i) {
     const double size = differences.row(i).cwiseAbs().maxCoeff();
     ASSERT_GT(size, 0) << "row " << i << " of the Jacobian is zero";

@@ -1,4 +1,4 @@
-// The smallest system that switches: points that come into contact with springs and wear them.
+// A minimal system with events: points that come into contact with springs and wear them.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The load over time: its values, and where they enter the equations.
+// The load over time: its values, and their effect on the equations.
 
 #include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/laws/load_history.hpp>
@@ -50,8 +50,8 @@ TEST(LoadHistory, StepsEndOnItsPoints) {
   EXPECT_FALSE(is_breakpoint(structure, 15));
 }
 
-// With the shape given, what is solved for at t is the start under the force at t, however the load
-// came there: nodes that have lost contact regain it as if nothing had been.
+// For a given shape the algebraic solution at t is the start under the force at t, independent of
+// earlier loads: nodes that have lost contact regain it.
 TEST(LoadHistory, EquilibriaDoNotDependOnThePath) {
   const auto model =
       pin_model({elements(16), "load.times=[0, 1, 2, 3, 4]", "load.factors=[1, 1e-3, 5, 1e-2, 1]"});

@@ -1,6 +1,7 @@
-// The auxiliary problem by itself, on columns whose solution is known; and behind a deep step.
+// The auxiliary problem alone, on columns whose solution is known; and beside a deep step of the
+// surface.
 
-#include <gnomon/mesh/stations.hpp>
+#include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
 #include <gnomon/terms/material_law.hpp>
 
@@ -17,7 +18,7 @@ const ElasticModuli moduli = ElasticModuli::from_young_poisson(2, 0.3);
 /// A column of n cells that grow with the height t.
 template <int dim>
 Mesh<dim> column_mesh(int n) {
-  const std::vector<double> heights = graded_stations(0.05, 0, 1, n);
+  const std::vector<double> heights = graded_grid_lines(0.05, 0, 1, n);
   const auto height = [&](double t) { return heights[std::lround(t * n)]; };
   if constexpr (dim == 2)
     return structured_quadrilaterals(1, n,
@@ -77,7 +78,7 @@ class MeshMotionOf : public ::testing::Test {};
 using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(MeshMotionOf, Dimensions);
 
-// The stress is that of every cell, whatever the energy.
+// All cells have the same stress, with every energy.
 TYPED_TEST(MeshMotionOf, AColumnShrinksUniformly) {
   constexpr int dim = TypeParam::value;
   WornBody<dim> body = column<dim>(5);

@@ -41,7 +41,7 @@ double patch_error(const std::string& law, const Element& element) {
   for (Eigen::Index k = 0; k < u.size(); ++k) {
     if (numbers.data()[k] < 0) continue;
     numbers.data()[k] = size++;
-    u.data()[k] = 0;  // to be found
+    u.data()[k] = 0;  // unknown
   }
 
   const Material material = make_material(law, ElasticModuli::from_young_poisson(7, 0.3));

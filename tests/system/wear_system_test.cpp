@@ -41,7 +41,8 @@ TEST(WearSystem, JacobianEqualsCentralDifferences) {
         ASSERT_GT(closed, 0);
         ASSERT_LT(closed, static_cast<long>(active.size()));
         check_jacobian(system, 0, y, 0.2);
-        // And on the smooth extension of another branch: every node on its wrong side.
+        // The same on another smooth branch, continued beyond its border: every node is on its
+        // wrong side.
         for (char& closed_node : active) closed_node = !closed_node;
         check_jacobian(system, 0, y, 0.2, &active);
       }
@@ -56,7 +57,7 @@ TEST(WearSystem, JacobianEqualsCentralDifferencesWithEveryAuxiliaryEnergy) {
     }
 }
 
-// A branch that is given agrees with the one chosen by sign where the two are the same.
+// A prescribed branch gives the same result as the choice by sign where both are the same branch.
 TEST(WearSystem, TheGivenPieceOfAStateIsItsResidual) {
   const auto model = pin_model({elements(4)});
   const System& system = model->system();

@@ -1,4 +1,4 @@
-// The conservative rule: what nodes wear is what the volume loses, on any mesh.
+// The conservative rule: the wear of the nodes is equal to the loss of volume, on any mesh.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace testing;
 
-/// A closed, distorted surface with outer normals: a polygon, or a cube of 3 x 3 facets a side.
+/// A closed, distorted surface with outer normals: a polygon, or a cube with 3 x 3 facets per side.
 template <int dim>
 struct Closed {
   Mesh<dim> mesh;
@@ -36,8 +36,8 @@ struct Closed {
   }
 };
 
-/// The volume inside, without shape functions: a bilinear facet holds the mean of what its two
-/// divisions into triangles hold.
+/// The volume inside, without shape functions: the volume under a bilinear facet is the mean of the
+/// volumes under its two divisions into triangles.
 double volume(const std::vector<Vector<2>>& x, const std::vector<Mesh<2>::Facet>& facets) {
   double twice = 0;
   for (const auto& [a, b] : facets) twice += x[a][0] * x[b][1] - x[a][1] * x[b][0];
@@ -153,7 +153,7 @@ TEST(ConservativeNormal, IsTheUnitNormalOfAPlane) {
   EXPECT_EQ(patches[1].corners_beyond.size(), 0);
 }
 
-/// The derivatives where facets beyond the contact count.
+/// The derivatives if facets outside the contact surface contribute.
 template <int dim>
 void check_tangent_at_border() {
   const Closed<dim> body(7);
@@ -185,7 +185,7 @@ TEST(ConservativeNormal, TangentAtTheBorderOfTheContact) {
   check_tangent_at_border<3>();
 }
 
-// What is left free runs along the surface: there is no direction to wear in, and that is said.
+// The free direction is along the surface: there is no direction of wear, and the message says so.
 TEST(ConservativeNormal, RefusesNodesThatCannotWear) {
   Mesh<2> mesh;
   mesh.nodes = {{-1, 0}, {0, 0}, {1, 0}};

@@ -12,7 +12,7 @@ namespace {
 
 using namespace testing;
 
-/// Three nodes of a wavy line, or nine of a wavy sheet, whose inner node is looked at.
+/// Three nodes of a wavy line, or nine of a wavy sheet, whose inner node is tested.
 template <int dim>
 Mesh<dim> wavy_surface() {
   Mesh<dim> mesh;
@@ -32,7 +32,7 @@ Mesh<dim> wavy_surface() {
   return mesh;
 }
 
-/// What the node meets: a frictionless plane that slides past (sec. 4.1), the same with friction
+/// The counter-bodies: a frictionless plane that slides past (sec. 4.1), the same with friction
 /// (4.2), a ball past which the body streams (4.3), a ball that turns without friction, a cylinder
 /// that turns, with friction (2D: a disk), a conical seat (2D: a groove), the groove of a ring
 /// (2D: a socket), a rail of which the shape turns, and a ball that slides out of the plane, faster
@@ -250,7 +250,7 @@ void check_tangent(const Fixture<dim>& f, const NodeBranch& branch, bool active,
   expect_same_matrix(m.constraint, row(node.constraint), 1e-13);
   if (active) {
     expect_same_matrix(m.force, derivative_matrix(node.force, total), 1e-12);
-  } else {  // an open node exerts nothing, in every direction
+  } else {  // an open node exerts no force
     EXPECT_EQ(m.force.norm(), 0);
     EXPECT_EQ(node.force.squaredNorm(), Dual(0));  // the norm has no derivative there
   }
@@ -313,7 +313,7 @@ void check_every_tangent() {
     check_tangent<dim>(closed, {}, true, rates);
     check_tangent<dim>(closed, Branch::open, false, false);
     check_tangent<dim>(open, {}, false, false);
-    check_tangent<dim>(open, Branch::closed, true, rates);  // it pulls
+    check_tangent<dim>(open, Branch::closed, true, rates);  // tensile traction
     if (law != Law::threshold) return;
     for (const std::array<char, 2> wear : {std::array<char, 2>{1, 0}, {1, 1}})
       check_tangent<dim>(open, {Branch::closed, wear}, true, true);
@@ -344,8 +344,8 @@ TEST(ContactNode, TangentEqualsCentralDifferences) {
   check_every_difference<3>();
 }
 
-// A law of its own: lambda + rho g first, then the kinks of the law at p, which an open node does
-// not have.
+// With a law that has kinks: lambda + rho g first, then the kinks of the law at p, which an open
+// node does not have.
 TEST(ContactNode, SwitchesWithContactAndWithTheWearLaw) {
   Fixture<3> f(true, NormalRule::averaged, Meets::rough_ball, Law::threshold);
   ASSERT_EQ(switching_functions(f.parameters), 3);
@@ -364,7 +364,7 @@ TEST(ContactNode, SwitchesWithContactAndWithTheWearLaw) {
   contact_switching<3>(f.parameters, f.patch, f.at, {}, values);
   EXPECT_GT(values[0], 0);
   EXPECT_DOUBLE_EQ(values[1], threshold_pressure);
-  contact_switching<3>(f.parameters, f.patch, f.at, Branch::closed, values);  // it pulls
+  contact_switching<3>(f.parameters, f.patch, f.at, Branch::closed, values);  // tensile traction
   EXPECT_NEAR(values[1], threshold_pressure + values[0], 1e-12);
 }
 
@@ -436,8 +436,8 @@ TEST(ContactNode, StreamingIsCarriedByTheDeformation) {
   EXPECT_NEAR(sliding.direction[2], 0, 1e-15);
 }
 
-// Complementarity, eq. (9) and (26): a closed node asks for g = 0 and transmits lambda + rho g; an
-// open one asks for lambda = 0 and transmits nothing.
+// Complementarity, eq. (9) and (26): a closed node requires g = 0 and transmits lambda + rho g; an
+// open node requires lambda = 0 and transmits nothing.
 TEST(UnilateralContact, HasTheTwoBranchesOfEquation26) {
   const UnilateralContact<double> closed(-2.0, 0.1, 10.0);
   EXPECT_TRUE(closed.active);
@@ -449,8 +449,8 @@ TEST(UnilateralContact, HasTheTwoBranchesOfEquation26) {
   EXPECT_DOUBLE_EQ(open.constraint, 0.2);
 }
 
-// Nodal quadrature shares out exactly the area of a flat surface, and the normal of a flat surface
-// is the unit normal.
+// Nodal areas of a flat surface add up exactly to its area, and its nodal normal is the unit
+// normal.
 TEST(NodalSurface, SharesOutAFlatSurface) {
   Mesh<3> mesh = wavy_surface<3>();
   for (auto& X : mesh.nodes) X[2] = 0;
@@ -484,9 +484,9 @@ TEST(NodalSurface, NormalRulesAtAKink) {
               0, 1e-15);
 }
 
-// Eq. (35) weighs the facets with their initial lengths, 1 and 3, whatever they are now, 5 and 1.
-// By hand: N = 1/4 (-0.6, -0.8) + 3/4 (0, -1); weights of the current lengths would give (-0.5,
-// -0.8333). The area is the current one.
+// Eq. (35) weighs the facets with their initial lengths, 1 and 3, not with the present ones, 5
+// and 1. By hand: N = 1/4 (-0.6, -0.8) + 3/4 (0, -1); weights of the current lengths would give
+// (-0.5, -0.8333). The area is the current one.
 TEST(NodalSurface, WeighsNormalsWithInitialAndSumsCurrentAreas) {
   Mesh<2> mesh;
   mesh.nodes = {{-1, 0}, {0, 0}, {3, 0}};

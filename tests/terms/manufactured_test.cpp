@@ -73,7 +73,7 @@ Vector<dim> body_force(const Vector<dim>& X) {
   return force;
 }
 
-/// Three Gauss points in every direction: exact enough that quadrature does not show.
+/// Three Gauss points in every direction: the quadrature error is negligible.
 template <int dim, class Visit>
 void at_quadrature_points(const CellNodal<dim>& X, const Visit& visit) {
   constexpr double place[] = {-0.7745966692414834, 0, 0.7745966692414834};
@@ -109,8 +109,8 @@ struct Errors {
   double displacement, gradient;
 };
 
-/// Of the discrete solution on n^dim elements, with the exact displacement at the boundary.
-/// `law` is the name of Law; with small strains, of any.
+/// Errors of the discrete solution on n^dim elements, with the exact displacement at the boundary.
+/// `law` is the name of Law; with small strains, the name of any law.
 template <template <int, class> class Law, int dim>
 Errors errors(const std::string& law, ElementTechnology technology, int n, bool distorted) {
   constexpr Kinematics kinematics = Law<dim, double>::kinematics;
@@ -178,7 +178,7 @@ Errors errors(const std::string& law, ElementTechnology technology, int n, bool 
   return {std::sqrt(sum.displacement), std::sqrt(sum.gradient)};
 }
 
-/// Checks both orders between two meshes, and that there is an error to speak of.
+/// Checks both orders between two meshes, and that the error is not negligible.
 template <template <int, class> class Law, int dim>
 void check_orders(const std::string& law, int coarse, int fine) {
   for (const bool distorted : {false, true})

@@ -14,7 +14,7 @@ namespace {
 using namespace testing;
 using ::testing::HasSubstr;
 
-/// Every law, technology and kinematics; say, those that a test registers.
+/// Every law, technology and kinematics, including laws that a test registers.
 struct Combination {
   std::string law;
   Element element;
@@ -90,7 +90,7 @@ TEST_P(MaterialInElement, TangentsEqualCentralDifferences) {
   check_tangents<3>(GetParam());
 }
 
-// Whatever its law, a material has the elements of its linearisation with small strains.
+// With small strains every material uses the elements of its linearisation.
 TEST(Material, SmallStrainsAreThoseOfTheLinearLaw) {
   const ElasticModuli moduli = test_moduli();
   for (const std::string& law : MaterialLaws::names()) {

@@ -1,6 +1,5 @@
-// A material of one's own: a law at a point and a registration, in one file and with nothing else
-// touched. It can be chosen in a scene, and is tested as all registered ones are
-// (material_test.cpp).
+// A user's material: a law at a point and a registration, in one file and without other changes. It
+// can be chosen in a scene, and is tested like all registered ones (material_test.cpp).
 
 #include <gnomon/terms/material_law.hpp>
 #include <gnomon/terms/solid_kernels.hpp>

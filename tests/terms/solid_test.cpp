@@ -126,7 +126,7 @@ TYPED_TEST(SolidTangent, ResidualAgreesWithTheOneOfTheTangent) {
   expect_same_matrix(this->R, R, 1e-13);
 }
 
-// A rotation; with small strains an infinitesimal one, which is exact there however large.
+// A rotation; with small strains an infinitesimal one, which is exact there for every size.
 TYPED_TEST(SolidTangent, ARotationCausesNoForce) {
   constexpr int dim = TypeParam::dim;
   Tensor<dim> Q = Tensor<dim>::Identity();
@@ -155,7 +155,7 @@ TYPED_TEST(SolidTangent, HomogeneousDeformationIsThatOfThePlainCell) {
   expect_same_matrix(R, plain, 1e-12);
 }
 
-/// A material of every law that the library brings.
+/// A material of every law of the library.
 std::vector<Material> materials() {
   std::vector<Material> result;
   for (const char* law : {"neo-hookean", "blatz-ko", "mooney-rivlin"})
@@ -244,7 +244,7 @@ TEST(Solid, RefusesInvertedCells) {
       u(0, 0) = 5;
       EXPECT_FALSE(finite.residual(moduli, X, u, R));
       EXPECT_FALSE(finite.tangent_ud(moduli, X, u, R, K_u, K_d));
-      EXPECT_TRUE(small.residual(moduli, X, u, R));  // its deformation plays no part
+      EXPECT_TRUE(small.residual(moduli, X, u, R));  // its deformation does not matter
       u.setZero();
       X(0, 0) = 5;
       EXPECT_FALSE(finite.residual(moduli, X, u, R));

@@ -53,7 +53,7 @@ def options():
 def main():
     chosen = options()
     for target in chosen.targets:
-        if not os.path.exists(target):  # false for what cannot be a name, too
+        if not os.path.exists(target):  # also false for an invalid name
             return complain(f"there is no file or folder {target}", 2)
     find_packages()
     from figures import run
@@ -65,7 +65,7 @@ def main():
     except OSError as error:
         target = error.filename or "the figures or what is printed"
         return complain(f"cannot read or write {target}: {error.strerror}", 1)
-    except RuntimeError as error:  # links in a circle
+    except RuntimeError as error:  # circular links
         return complain(error, 2)
     return 0
 

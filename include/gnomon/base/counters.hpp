@@ -5,7 +5,7 @@ namespace gnomon {
 
 struct Counters {
   long steps = 0;           ///< accepted steps
-  long rejected_steps = 0;  ///< attempts thrown away: error test, or nonlinear solve failed
+  long rejected_steps = 0;  ///< rejected attempts: error test, or nonlinear solve failed
   long events = 0;          ///< located changes of the active set on which a step was ended
   long newton_iterations = 0;
   long residual_evaluations = 0;

@@ -7,7 +7,7 @@
 
 namespace gnomon {
 
-/// Root of everything gnomon throws on purpose. Exit code 1 when nothing more special applies.
+/// Base of all exceptions that gnomon throws itself. Exit code 1 unless a derived type applies.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -24,7 +24,8 @@ struct SolutionError : Error {
 };
 
 /// A state at which the residual has no value (inverted element, NaN). The solver that proposed the
-/// state may cut its step and try again, so it returns +1 to SUNDIALS for this and only this type.
+/// state may shorten its step and try again,
+/// so it returns +1 to SUNDIALS for this and only this type.
 struct RecoverableError : Error {
   using Error::Error;
 };

@@ -1,5 +1,5 @@
-// Functions of numbers, known by their values and derivatives, as functions of a Scalar that may
-// carry derivatives itself (automatic differentiation).
+// Functions of numbers, given by their values and derivatives, as functions of a Scalar that may
+// itself carry derivatives (automatic differentiation).
 #pragma once
 
 #include <gnomon/base/tensor.hpp>
@@ -7,7 +7,7 @@
 
 namespace gnomon {
 
-/// The number without what it carries.
+/// The value of the number, without its derivatives.
 template <class Scalar>
 double plain(const Scalar& x) {
   if constexpr (std::is_same_v<Scalar, double>)
@@ -24,7 +24,7 @@ Vector<n> plain(const Vector<n, Scalar>& x) {
     return x.unaryExpr([](const Scalar& entry) { return entry.value(); });
 }
 
-/// A function of x by its value and gradient there: exact in value and first derivatives.
+/// A function of x, given by its value and gradient at x; exact in value and first derivatives.
 template <int n, class Scalar>
 Scalar lift(double value, const Vector<n>& gradient, const Vector<n, Scalar>& x) {
   if constexpr (std::is_same_v<Scalar, double>) {
@@ -36,7 +36,7 @@ Scalar lift(double value, const Vector<n>& gradient, const Vector<n, Scalar>& x)
   }
 }
 
-/// The same of a vector, with the matrix dvalue/dx.
+/// The same for a vector, with the matrix dvalue/dx.
 template <int n, class Scalar>
 Vector<n, Scalar> lift(const Vector<n>& value, const Tensor<n>& by_x, const Vector<n, Scalar>& x) {
   if constexpr (std::is_same_v<Scalar, double>) {

@@ -1,4 +1,4 @@
-// Values of several kinds as one list of numbers, exactly: how checkpoints hold them.
+// Values of several kinds as one list of numbers, without rounding, for checkpoints.
 #pragma once
 
 #include <gnomon/base/error.hpp>

@@ -1,11 +1,11 @@
-// The one place where what a process knows of its own rows is combined over all processes that share
-// a run. A run has one process so far; a run distributed over several changes these functions, and
-// none of their callers (docs/architecture.md).
+// The only place where values that a process computes from its own rows are combined over all
+// processes of a run. At present a run has one process; for a distributed run these functions
+// change, but not their callers (docs/architecture.md).
 #pragma once
 
 namespace gnomon {
 
-/// The sum of what each process has summed over the rows that it owns.
+/// The sum of the sums of all processes, each over the rows that the process owns.
 inline double sum_over_processes(double own) {
   return own;
 }
@@ -15,7 +15,7 @@ inline double largest_over_processes(double own) {
   return own;
 }
 
-/// Whether it is so on every process: decisions that all take must be the same.
+/// Whether the condition holds on every process: common decisions must be the same on all.
 inline bool on_all_processes(bool own) {
   return own;
 }

@@ -11,7 +11,7 @@ using Vector = Eigen::Matrix<Scalar, dim, 1>;
 template <int dim, class Scalar = double>
 using Tensor = Eigen::Matrix<Scalar, dim, dim>;
 
-/// One row a node of a 4-node (2D) or 8-node (3D) cell.
+/// One row per node of a 4-node (2D) or 8-node (3D) cell.
 template <int dim, class Scalar = double>
 using CellNodal = Eigen::Matrix<Scalar, 1 << dim, dim>;
 

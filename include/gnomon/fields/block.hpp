@@ -1,14 +1,14 @@
-// What solvers know of unknowns: the block that each belongs to, and the role of the block.
+// The information that solvers have about unknowns: their blocks, and the roles of the blocks.
 #pragma once
 
 #include <string>
 
 namespace gnomon {
 
-/// What a block of unknowns is to a solver that treats the blocks of J apart (docs/linear.md). What
-/// it is to physics, its name says.
+/// The meaning of a block of unknowns for a solver that treats the blocks of J separately
+/// (docs/linear.md). Its physical meaning is given by its name.
 enum class Role : char {
-  stiffness,   ///< nodal components with an elliptic, nearly symmetric block of their own
+  stiffness,   ///< nodal components whose diagonal block is elliptic and nearly symmetric
   multiplier,  ///< one condition for each node of the `stiffness` block with the same owner
   evolution,   ///< differential rows, coupled node by node; a compliance of the multipliers
   extension,   ///< elliptic like `stiffness`, driven by `evolution` alone
@@ -16,7 +16,7 @@ enum class Role : char {
   rigid        ///< a scalar that is coupled with many unknowns
 };
 
-/// A set of unknowns with one role: what `gnomon check` lists.
+/// A set of unknowns with one role, as listed by `gnomon check`.
 struct Block {
   std::string name;    ///< "displacement", "contact_multiplier", ...
   std::string symbol;  ///< "u", "lambda", ...

@@ -1,4 +1,4 @@
-// Fields: what is unknown, where it lives and how large it is; and values of all fields.
+// Fields: which values are unknown, on which entities and of which size; and values of all fields.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,12 +23,12 @@ struct Field {
   using Indices = Eigen::Matrix<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   std::string name;
-  std::vector<int> node;  ///< mesh node of each entity; behind all nodes: it lives nowhere, once
+  std::vector<int> node;  ///< mesh node of each entity; the number of nodes: an entity at no node
   Indices block;          ///< entities x components: FieldSet::blocks of each value, -1: held
-  Values row_scale;       ///< entities x components: |F_i| that matters, in the unit of its row
+  Values row_scale;       ///< entities x components: magnitude of F_i, in the unit of its row
   Values unknown_scale;   ///< entities x components: typical |y_i|
-  /// Entity whose unknowns each entity shares (the shape of a groove is that of one section);
-  /// empty: its own.
+  /// The entity whose unknowns each entity shares (the shape of a groove is that of one section);
+  /// empty: each entity has its own.
   std::vector<int> carrier;
 
   Field(std::string field_name, std::vector<int> nodes, int components)
@@ -43,11 +43,11 @@ struct Field {
   int carrier_of(int entity) const { return carrier.empty() ? entity : carrier[entity]; }
 };
 
-/// Position of a field in a FieldSet; none: the scene does not have it.
+/// Position of a field in a FieldSet; none: the scene does not have the field.
 enum class FieldId : int { none = -1 };
 
-/// All that a problem may solve for. Unknowns are numbered node by node, the fields of a node in
-/// this order, and last what lives nowhere.
+/// All fields of a problem. Unknowns are numbered node by node, the fields of a node in this order,
+/// and last the values at no node.
 struct FieldSet {
   std::vector<Block> blocks;
   std::vector<Field> fields;
@@ -65,12 +65,12 @@ struct FieldSet {
   Field& operator[](FieldId id) { return fields[static_cast<std::size_t>(id)]; }
 };
 
-/// Values of all fields of a set, held and frozen ones included.
+/// Values of all fields of a set, including held and frozen ones.
 template <int dim>
 class FieldValues {
 public:
   FieldValues() = default;
-  /// Zero.
+  /// All values are zero.
   explicit FieldValues(const FieldSet& set) {
     for (const Field& field : set.fields) {
       const bool vector = field.components() == dim;

@@ -12,7 +12,7 @@ namespace gnomon {
 using BlockSelection = std::vector<char>;
 
 /// Numbers are -1 where a value is held, frozen or absent. Node by node, the fields of a node in
-/// the order of the set, components ascending; then what lives nowhere. Entities that share the
+/// the order of the set, components ascending; then the values at no node. Entities that share the
 /// unknowns of a carrier share its numbers.
 class Numbering {
 public:
@@ -20,22 +20,24 @@ public:
 
   const FieldSet& set() const { return *set_; }
   int size() const { return static_cast<int>(node_.size()); }
-  /// Entities x components; of a field that is not there: empty.
+  /// Entities x components; empty for an absent field.
   const Field::Indices& numbers(FieldId id) const {
     return id == FieldId::none ? absent_ : numbers_[static_cast<std::size_t>(id)];
   }
-  /// The same of a vector field.
+  /// The same for a vector field.
   template <int dim>
   NodalNumbers<dim> nodal(FieldId id) const {
     return numbers(id);
   }
-  /// Number of a value, -1 where it has none or the field is not there.
+  /// Number of a value, -1 if it has none or the field is absent.
   int number(FieldId id, Eigen::Index entity, int component = 0) const {
     return id == FieldId::none ? -1 : numbers(id)(entity, component);
   }
 
   // One entry for each unknown:
-  const std::vector<int>& node() const { return node_; }    ///< mesh node; behind all: nowhere
+  const std::vector<int>& node() const {
+    return node_;
+  }  ///< mesh node; the number of nodes: at no node
   const std::vector<int>& block() const { return block_; }  ///< in set().blocks
   const std::vector<char>& component() const { return component_; }
   const std::vector<double>& row_scale() const { return row_scale_; }

@@ -6,8 +6,8 @@
 
 namespace gnomon {
 
-/// IDA on the DAE of a model. The error test sees the differential components only (weighted root
-/// mean square over them; what that leaves uncontrolled: docs/integrators.md).
+/// IDA on the DAE of a model. The error test contains only the differential components (weighted
+/// root mean square over them; docs/integrators.md says which errors this does not control).
 class BdfSolver : public Stepper {
 public:
   BdfSolver(const System& system, const IntegratorSettings& settings, Counters& counters);

@@ -8,7 +8,7 @@ namespace gnomon {
 
 /// k_i = f(t + c_i h, y + h sum_j A_ij k_j),  y_new = y + h sum_i b_i k_i. A is lower triangular.
 struct ButcherTable {
-  std::string name;            ///< where the coefficients come from
+  std::string name;            ///< source of the coefficients
   int order = 0;               ///< p
   Eigen::MatrixXd A;           ///< stages x stages
   Eigen::VectorXd b, c;        ///< stages

@@ -8,7 +8,7 @@
 namespace gnomon {
 
 /// Holds the last few states (stages and ends of steps), newest last. Gives first guesses for
-/// solves and for the times of events, which are then made exact; no result depends on it.
+/// solves and for the times of events, which are then computed exactly; no result depends on it.
 class DenseOutput {
 public:
   /// Adds a state, replacing one at the same time.

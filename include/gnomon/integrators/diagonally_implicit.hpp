@@ -1,5 +1,5 @@
-// Diagonally implicit Runge-Kutta methods on the DAE, the implicit Euler and theta methods
-// included.
+// Diagonally implicit Runge-Kutta methods on the DAE, including the implicit Euler and theta
+// methods.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,7 @@ namespace gnomon {
 /// k_i, and the algebraic components are solved for.
 ///
 /// Error: h sum (b_i - b^_i) k_i of the embedded method; for the theta family, which has none, the
-/// difference to the quadrature of the rates by the parabola through the last three of them:
+/// difference from the quadrature of the rates by the parabola through the last three of them:
 /// (1/2 - alpha) h (k_{n+1} - k_n) - h^3/6 k[t_{n-1}, t_n, t_{n+1}], with alpha of eq. (21).
 ///
 /// Integral: h sum b_i g_i, where g_i is the integrand at stage i.

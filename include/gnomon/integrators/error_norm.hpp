@@ -1,4 +1,4 @@
-// How large an error of a step is, by the tolerances of the scene.
+// The size of the error of a step, relative to the tolerances of the scene.
 #pragma once
 
 #include <cmath>
@@ -10,8 +10,8 @@
 namespace gnomon {
 
 /// Weighted root mean square over the differential components (the positions of the contact
-/// surface): weights rtol |y_i| + atol. 1 is as large as the tolerance. Fixed steps may go without
-/// tolerances; errors are then not scaled.
+/// surface): weights rtol |y_i| + atol. The value 1 means an error equal to the tolerance. With
+/// fixed steps there may be no tolerances; errors are then not scaled.
 class ErrorNorm {
 public:
   ErrorNorm(const Structure& structure, const IntegratorSettings& settings);
@@ -22,7 +22,7 @@ public:
     const double tolerance = rtol_ * std::abs(y) + atol_;
     return tolerance > 0 ? 1 / tolerance : 1;
   }
-  /// Of an error with one entry a component, at y (whole).
+  /// Norm of an error with one entry per component, at y (the whole vector).
   double operator()(std::span<const double> error, std::span<const double> y) const;
 
 private:

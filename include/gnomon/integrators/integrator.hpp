@@ -26,22 +26,23 @@ struct IntegratorSettings {
   bool stop_unstable = false;  ///< end runs whose fixed steps do not damp
   int max_order = 5;           ///< upper bound on the order of a variable-order method
   double end = 0;              ///< time at which the run ends [time]
-  /// What StepReport::integral integrates, at a consistent point of the system, ydot included [any
-  /// unit]. Empty: nothing. It has a value wherever the residual has one; its exceptions pass
-  /// through. Changes no step.
+  /// The integrand of StepReport::integral, at a consistent point of the system including ydot [any
+  /// unit]. Empty: nothing is integrated. It has a value wherever the residual has one; its
+  /// exceptions pass through. It does not change the steps.
   std::function<double(const Point&)> integrand{};
 };
 
-/// What one accepted step was.
+/// Report on one accepted step.
 struct StepReport {
   double step = 0;             ///< its size [time]
   int order = 0;               ///< order of the method that took it
-  long newton_iterations = 0;  ///< spent on it, rejected attempts included
-  bool restarted = false;      ///< a step or more was rejected before this one was accepted
+  long newton_iterations = 0;  ///< spent on it, including rejected attempts
+  bool restarted = false;      ///< one or more attempts were rejected before this one was accepted
   int switched = 0;            ///< contact nodes whose change of state was located at its end
-  /// Of the integrand over the step, by the formula that the method applies to the rates of the
-  /// differential components [unit of the integrand x time]. So where a component has the rate f,
-  /// its change is the integral of f up to the tolerance of the solves, whatever the step.
+  /// Integral of the integrand over the step, by the formula that the method applies to the rates
+  /// of the differential components [unit of the integrand x time]. So if a component has the rate
+  /// f, its change is equal to the integral of f up to the tolerance of the solves, for every step
+  /// size.
   double integral = 0;
 };
 
@@ -49,17 +50,17 @@ struct StepReport {
 class Stepper {
 public:
   virtual ~Stepper() = default;
-  /// Takes one accepted step from `state`, ending at t_stop at the latest (exactly at t_stop when
-  /// the step would pass it), and so on the breakpoints of the system (Structure). Updates `state`
+  /// Takes one accepted step from `state`, ending at t_stop at the latest (exactly at t_stop if the
+  /// step would pass it), and also on the breakpoints of the system (Structure). Updates `state`
   /// to a consistent state. Throws SolutionError when no step can be taken; `state` is then
   /// unchanged (the last good one).
   virtual StepReport advance(State& state, double t_stop) = 0;
 
-  /// What the next step takes over from earlier ones beside the state, where it is to be kept:
-  /// always equally many numbers.
+  /// The data of earlier steps, besides the state, that the next step uses, as numbers for a
+  /// checkpoint; their count is always the same.
   virtual std::vector<double> memory() const { return {}; }
-  /// Before the first step: goes on from a state that a stepper of the same method reached, with
-  /// the memory it had there.
+  /// Called before the first step: continues from a state that a stepper of the same method
+  /// reached, with the memory that it had there.
   virtual void restore(const State&, std::span<const double> /*memory*/) {}
 };
 
@@ -67,13 +68,14 @@ struct Integrator {
   std::string name;            ///< "backward-euler"
   std::string family;          ///< "explicit, decoupled", "implicit one-step", "multistep"
   std::string order;           ///< "1", "1-5"
-  std::string error_estimate;  ///< order of the embedded method, or what else estimates the error
+  std::string error_estimate;  ///< order of the embedded method, or another source of the estimate
   std::string stability;       ///< "A, L, stiffly accurate", "conditional", ...
   std::string driver;          ///< "KINSOL", "IDA"
   std::string help;            ///< one line, with the source (equation or reference)
-  bool fixed_steps = true;     ///< takes integrator.step
-  bool locates_events = true;  ///< takes integrator.events = "locate"
-  /// A new stepper, restored, goes on as well as the old one; else it begins at order one.
+  bool fixed_steps = true;     ///< accepts integrator.step
+  bool locates_events = true;  ///< accepts integrator.events = "locate"
+  /// A new, restored stepper continues exactly as the old one would; otherwise it begins at order
+  /// one.
   bool one_step = true;
   /// The coefficients, for Runge-Kutta methods (the Euler schemes and theta included).
   std::function<std::optional<ButcherTable>(const IntegratorSettings&)> table;

@@ -1,24 +1,24 @@
-// The account of one step: what it reports, and what it adds to the counters of the run.
+// The account of one step: its report, and its share in the counters of the run.
 #pragma once
 
 #include <gnomon/integrators/integrator.hpp>
 
 namespace gnomon {
 
-/// Made where a step begins; every driver counts its attempts by one.
+/// Made when a step begins; every driver counts its attempts with such an object.
 class StepAccount {
 public:
   explicit StepAccount(Counters& counters)
       : counters_(counters), newton_before_(counters.newton_iterations) {}
 
-  /// So many attempts were thrown away.
+  /// This number of attempts was rejected.
   void reject(long attempts = 1) {
     counters_.rejected_steps += attempts;
     rejected_ = rejected_ || attempts > 0;
   }
-  /// Since the step began.
+  /// Newton iterations since the step began.
   long newton_iterations() const { return counters_.newton_iterations - newton_before_; }
-  /// The step is made.
+  /// The step is accepted.
   StepReport accept(double step, int order) {
     ++counters_.steps;
     return {.step = step,

@@ -1,4 +1,4 @@
-// How long the next step is, from the errors of the last ones.
+// The size of the next step, from the errors of the last ones.
 #pragma once
 
 #include <gnomon/base/packed_numbers.hpp>
@@ -14,14 +14,16 @@ namespace gnomon {
 /// Errors are measured by ErrorNorm, 1 being the tolerance.
 class StepSizeControl {
 public:
-  /// `order`: of the step as a function of its size, error ~ h^(order + 1).
+  /// `order`: the error of a step of size h is proportional to h^(order + 1).
   explicit StepSizeControl(int order) : exponent_(1.0 / (order + 1)) {}
 
   /// Step after one of size h whose estimated error was accepted.
   double after_success(double h, double error);
-  /// Step to repeat one of size h whose error was too large. The next does not grow.
+  /// Size with which to repeat a step of size h whose error was too large. The step after it does
+  /// not grow.
   double after_rejection(double h, double error);
-  /// A step that failed for another reason is half as long, and the next does not grow.
+  /// Size after a step of size h that failed for another reason: the half. The step after it does
+  /// not grow.
   double after_failure(double h);
 
   std::vector<double> memory() const { return {last_error_, double(may_grow_)}; }
@@ -36,9 +38,9 @@ private:
   bool may_grow_ = true;
 };
 
-/// First step: the one in which the surface would move, at its present rate, by as much of its
-/// final wear depth as a step of this order can at the tolerance. Rejections correct what this
-/// misses.
+/// Size of the first step: the surface moves in it, at its present rate, by the part of its final
+/// wear depth that a step of this order can resolve at the tolerance. If it is too large,
+/// rejections correct it.
 double first_step(const State& start, const Structure& structure,
                   const IntegratorSettings& settings, int order);
 

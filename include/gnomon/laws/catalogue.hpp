@@ -1,5 +1,5 @@
-// Laws that scenes may name. A new one is one file in src/laws/catalogue with a Registration;
-// nothing else has to know of it.
+// Laws that scenes may name. A new law is one file in src/laws/catalogue with a Registration;
+// nothing else has to change.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct CounterShapeKind {
   std::function<CounterShape<dim>(const Scene&, Section)> make;
 };
 
-/// The vector that a key of `dim` reals gives. Throws InputError where it is zero.
+/// The vector that a key of `dim` reals gives. Throws InputError if it is zero.
 template <int dim>
 Vector<dim> read_direction(const Scene& scene, const std::string& key);
 template <int dim>
@@ -39,8 +39,8 @@ Vector<dim> read_point(const Scene& scene, const std::string& key);
 struct WearLawKind {
   std::string name;
   std::string help;  ///< one line
-  /// wear.*, beside those that every scene of wear has. Optional or with a default, for they are in
-  /// the tables of all scenes.
+  /// wear.*, in addition to those of every scene with wear. They are optional or have a default,
+  /// because they are in the tables of all scenes.
   std::vector<Key> keys;
   std::function<WearLaw(const Scene&)> make;
 };
@@ -49,11 +49,12 @@ struct WearLawKind {
 const std::vector<std::string>& wear_law_variables();
 
 /// The wear rate as an expression of wear_law_variables(), in this order. Its kinks that depend on
-/// t and s alone become breakpoints, looked for in (0, end]; two changes of one condition within
+/// t and s alone become breakpoints, which are searched in (0, end]; two changes of one condition
+/// within
 /// a thousandth of `end` may be missed. s = nominal_speed t there.
 WearLaw expression_wear_law(const Expression& rate, double end, double nominal_speed);
 
-/// The inputs that a run may meet, largest values, for checks of a law.
+/// Largest values of the inputs that may occur in a run, for checks of a law.
 struct WearRange {
   double pressure = 1, speed = 1, depth = 1, duration = 1;
   double friction = 0;       ///< q = friction p v
@@ -61,9 +62,9 @@ struct WearRange {
   std::vector<std::array<double, 3>> initial = {{}};
 };
 
-/// Refuses a law that on a grid of inputs wears without pressure, or at a new surface, h = 0, lets
-/// material grow or has no finite rate: throws InputError in one line that begins with `where`, the
-/// key that gave it, and says at which values what was expected.
+/// Refuses a law that wears without pressure, adds material, or has no finite rate somewhere on a
+/// grid of inputs: throws InputError with one line that begins with `where`, the key that gave the
+/// law, and says what was expected at which values.
 void check_wear_law(const WearLaw& law, const WearRange& range, const std::string& where);
 
 }  // namespace gnomon

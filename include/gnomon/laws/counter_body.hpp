@@ -1,4 +1,4 @@
-// The rigid counter-body: what shape it has, where it stands, how its surface moves.
+// The rigid counter-body: its shape, its position, and the motion of its surface.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What every elastic law has in common: its moduli, and what it offers at one point.
+// The common part of all elastic laws: moduli, and the interface of a law at one point.
 #pragma once
 
 #include <array>
@@ -10,12 +10,12 @@ namespace gnomon {
 /// Finite strains, or the law and the balance of forces linearised in the displacement.
 enum class Kinematics { finite, small };
 
-/// The numbers of an elastic law. Whatever a law needs beside its linearisation has no unit, so
-/// that lambda and mu alone make it stiff.
+/// The parameters of an elastic law. Parameters other than those of the linearisation have no unit,
+/// so that only lambda and mu determine the stiffness.
 struct ElasticModuli {
   double lambda = 0;               ///< first Lame parameter of the linearisation [stress]
   double mu = 0;                   ///< shear modulus of the linearisation [stress]
-  std::array<double, 2> ratios{};  ///< further numbers, each law has its own, without unit
+  std::array<double, 2> ratios{};  ///< further parameters, different for each law, without unit
 
   static ElasticModuli from_young_poisson(double young, double poisson) {
     const double mu = young / (2 * (1 + poisson));
@@ -26,7 +26,7 @@ struct ElasticModuli {
   ElasticModuli scaled(double factor) const { return {factor * lambda, factor * mu, ratios}; }
 };
 
-/// A law evaluated at one strain: what a class template `Law<dim, Scalar>` is, constructed from
+/// A law evaluated at one strain: a class template `Law<dim, Scalar>`, constructed from
 /// ElasticModuli and a Tensor<dim, Scalar>. The strain is the deformation gradient F with
 /// det F > 0, or, if its `kinematics` are small, the displacement gradient H. In 2D the state is
 /// plane strain (F_33 = 1). `stress` is P = d energy / dF (sigma of H), `stress_change(dF)` is

@@ -1,4 +1,4 @@
-// Hertzian point contact: what problems expect of a ball before it wears.
+// Hertzian point contact: typical values of a ball before it wears.
 #pragma once
 
 #include <cmath>

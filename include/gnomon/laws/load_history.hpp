@@ -1,4 +1,4 @@
-// How the load of a run, or a given motion, changes with time.
+// The load of a run as a function of time.
 #pragma once
 
 #include <vector>
@@ -9,19 +9,19 @@ namespace gnomon {
 /// first of them and after the last.
 class LoadHistory {
 public:
-  /// The whole load at all times.
+  /// Factor one at all times.
   LoadHistory() = default;
-  /// Equally many, one or more; `times` ascending, without equal ones.
+  /// As many times as factors, at least one; `times` strictly ascending.
   LoadHistory(std::vector<double> times, std::vector<double> factors);
 
   double factor(double t) const { return factor(t, t); }
-  /// At t on the straight line that holds at the time `within`, and a moment later.
+  /// The factor at t on the straight line that is valid immediately after the time `within`.
   double factor(double t, double within) const;
-  /// The least factor from t = 0 to `end` [time].
+  /// The smallest factor from t = 0 to `end` [time].
   double least(double end) const;
-  /// Of the factor, from t = 0 to `end` [time].
+  /// Integral of the factor from t = 0 to `end` [time].
   double integral(double end) const;
-  /// Where the factor may have a kink.
+  /// The breakpoints: times at which the factor may have a kink.
   const std::vector<double>& times() const { return times_; }
 
 private:

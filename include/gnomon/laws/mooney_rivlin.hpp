@@ -54,7 +54,7 @@ public:
   }
 
 private:
-  double barrier() const { return 2 * (C10_ + 2 * C01_); }  // what stands against J = 0
+  double barrier() const { return 2 * (C10_ + 2 * C01_); }  // factor of the term that resists J = 0
 
   double C10_, C01_, c_;
   T F_, C_;

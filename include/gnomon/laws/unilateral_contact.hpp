@@ -3,12 +3,12 @@
 
 namespace gnomon {
 
-/// Which branch of a complementarity condition is meant.
+/// The branch of a complementarity condition.
 enum class Branch { by_sign, closed, open };
 
 /// Augmented-Lagrangian treatment of unilateral contact, eq. (26), with its derivatives.
 /// lambda <= 0 is the nominal normal traction [stress], g the normal gap [length], rho > 0 the
-/// regularization [stress / length]. A branch that is given instead of chosen by the sign is
+/// regularization [stress / length]. A prescribed branch, which is not chosen by the sign, is
 /// continued smoothly beyond its border.
 template <class Scalar = double>
 struct UnilateralContact {

@@ -1,5 +1,5 @@
-// Wear laws: how fast a contact node wears, as a function of what it meets. How scenes name them:
-// catalogue.hpp.
+// Wear laws: the wear rate of a contact node as a function of its state. catalogue.hpp says how
+// scenes name them.
 #pragma once
 
 #include <array>
@@ -10,20 +10,21 @@
 
 namespace gnomon {
 
-/// When a wear law is evaluated.
+/// The time at which a wear law is evaluated.
 struct WearMoment {
   double time = 0;  ///< t
   double slid = 0;  ///< s, sliding distance up to t [length]
-  /// A time whose smooth part, up to the law's next breakpoint, the law is continued from to t.
+  /// The law is taken from the smooth part in time that follows this time (up to the law's next
+  /// breakpoint), continued to t.
   double within = 0;
 };
 
-/// What a wear law may depend on.
+/// The variables of a wear law.
 struct WearInput {
   double pressure = 0;        ///< p = -lambda_eff, nominal [stress]
   double speed = 0;           ///< v = |v_T| [length / time]
   double depth = 0;           ///< h, of the material worn off, along the initial normal [length]
-  double friction_power = 0;  ///< q = mu p v, by nominal area [stress length / time]
+  double friction_power = 0;  ///< q = mu p v, per nominal area [stress length / time]
   WearMoment moment;
   std::array<double, 3> initial{};  ///< initial position of the node [length]
 };
@@ -36,18 +37,17 @@ struct WearRate {
 
 /// A wear law. A value; copies share what they hold, and may be used by several threads at once.
 ///
-/// It is smooth but for kinks, of two sorts. Those that depend on p, v, h, q or the initial
-/// position each have a switching function, negative or zero where the kink is *active*;
-/// `branches`, one entry per kink, not 0 where it is active, choose a smooth branch, continued
-/// beyond its border. Empty branches mean the one that the input lies in. Kinks that depend on t
-/// and s alone are breakpoints in time, where steps end.
-///
-/// A law is asked for p >= 0 alone. Below p = 0, where a closed node is continued to when it pulls,
-/// rate and switching functions f are continued by the point reflection
+/// It is smooth except for kinks, of which there are two kinds. Those that depend on p, v, h, q or
+/// the initial position each have a switching function, negative or zero where the kink is
+/// *active*; `branches`, one entry per kink, not 0 where it is active, choose a smooth branch,
+/// continued beyond its border. Empty branches mean the one that the input lies in. Kinks that
+/// depend on t and s alone are breakpoints in time, where steps end. A law is evaluated only for p
+/// >= 0. Below p = 0, which a closed node on a continued branch may reach, rate and switching
+/// functions f are continued by the point reflection
 ///
 ///     f(p, q) = 2 f(0, 0) - f(-p, -q)     at the same v, h, t, s
 ///
-/// which has one value and slope with f at p = 0, and derivatives that follow from those of f.
+/// which has the value and slope of f at p = 0, and derivatives that follow from those of f.
 class WearLaw {
 public:
   struct Definition {
@@ -62,8 +62,7 @@ public:
   WearLaw();  ///< no wear
   explicit WearLaw(Definition definition);
 
-  /// Throws RecoverableError where the law has no finite value or derivative, and without branches
-  /// where it adds material, but for rounding.
+  /// Throws RecoverableError if the law has no finite value or derivative.
   WearRate rate(const WearInput& at, std::span<const char> branches = {}) const;
   std::size_t kinks() const { return definition_->kinks; }
   void switching(const WearInput& at, std::span<double> values,

@@ -10,8 +10,8 @@ namespace gnomon {
 /// Solves J z = r approximately, block by block: the rows of worn surface and contact turn the
 /// contact nodes into springs on K_uu (the wear of a step is a compliance), K_uu with springs is
 /// solved, the scalar rigid motion is bordered, then multipliers, worn surface, mesh motion and
-/// shape multipliers follow. The derivative of equilibrium by shape is left out. Blocks that a
-/// system lacks are skipped, so the stages of a system are solved by the same code.
+/// shape multipliers follow. The derivative of equilibrium with respect to the shape is neglected.
+/// Blocks that a system lacks are skipped, so the stages of a system are solved by the same code.
 class BlockPreconditioner {
 public:
   /// Blocks by the roles of `structure.blocks`, inner solvers by `structure.solver`. Throws
@@ -22,15 +22,15 @@ public:
 
   /// Takes the values of a new Jacobian, which must outlive their use. The inner solvers stay.
   void refresh(std::span<const double> J);
-  /// What update() would cost, in applications.
+  /// The cost of update(), in applications.
   double update_cost() const;
-  /// Accounts for the springs that have moved since the last set-up, without a new one.
+  /// Includes the springs that have changed since the last set-up, without a new set-up.
   void update();
   /// Sets up the inner solvers for the Jacobian of refresh(); that of the mesh motion only if it is
   /// new or `whole`. Throws RecoverableError where a block is singular. Returns how many numeric
   /// factorizations were made.
   int set_up(bool whole);
-  /// What setting up K_uu costs, in applications.
+  /// The cost of setting up K_uu, in applications.
   double set_up_cost() const;
 
   /// z = approximately J^-1 r [size]; z must not be r.

@@ -8,7 +8,7 @@
 
 namespace gnomon {
 
-/// Order of elimination: METIS on the graph of groups (mesh nodes), members of a group kept
+/// Order of elimination: METIS on the graph of groups (mesh nodes), where members of a group stay
 /// together in ascending order. Entry k is the unknown eliminated k-th.
 std::vector<int> nested_dissection(const SparsePattern& pattern, const std::vector<int>& group);
 

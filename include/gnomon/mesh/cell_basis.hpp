@@ -17,7 +17,7 @@ Vector<dim> reference_corner(int node) {
   return corner;
 }
 
-/// Gradients dN_a/dxi at a reference point; one row a node.
+/// Gradients dN_a/dxi at a reference point; one row per node.
 template <int dim>
 CellNodal<dim> basis_gradients(const Vector<dim>& xi) {
   CellNodal<dim> gradients;

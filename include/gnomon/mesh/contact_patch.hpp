@@ -25,8 +25,8 @@ struct ContactPatch {
     double initial_area;  ///< A^_f [length^(dim-1)]
   };
   std::vector<Corner> corners;
-  /// Of facets at this node that belong to the rest of the body's boundary: no contact and no wear
-  /// is there, but the node moves them when it moves.
+  /// Corners of facets at this node that belong to the rest of the body's boundary: they have no
+  /// contact and no wear, but the node moves them when it moves.
   std::vector<Corner> corners_beyond;
   double initial_area = 0;              ///< sum of A^_f
   Vector<dim> initial_position;         ///< X^ of the node [length]
@@ -39,8 +39,8 @@ struct ContactPatch {
 };
 
 /// Patches of all nodes of a surface, in ascending order of nodes (2D: along the surface when its
-/// nodes are numbered so). Of the facets of `boundary` those that are none of the surface's and
-/// touch it become corners_beyond. Throws Error beyond the bounds above.
+/// nodes are numbered so). Facets of `boundary` that touch the surface but do not belong to it
+/// become corners_beyond. Throws Error if the bounds above are exceeded.
 template <int dim>
 std::vector<ContactPatch<dim>> contact_patches(
     const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
@@ -49,7 +49,7 @@ std::vector<ContactPatch<dim>> contact_patches(
 template <int dim, class Scalar = double>
 using PatchNodal = Eigen::Matrix<Scalar, Eigen::Dynamic, dim, 0, max_patch_nodes, dim>;
 
-/// Edges of a facet at a corner, from `Y`, the positions of the patch; a column an edge.
+/// Edges of a facet at a corner, from the positions `Y` of the patch; one column per edge.
 template <int dim, class Scalar>
 Eigen::Matrix<Scalar, dim, dim - 1> corner_edges(const typename ContactPatch<dim>::Corner& corner,
                                                  const PatchNodal<dim, Scalar>& Y) {
@@ -73,7 +73,7 @@ Vector<dim, Scalar> corner_area_vector(const typename ContactPatch<dim>::Corner&
   }
 }
 
-/// Of a bilinear facet: 2 (X1 - X0) + X2 - X3 and 2 (X3 - X0) + X2 - X1, from corner 0.
+/// For a bilinear facet: 2 (X1 - X0) + X2 - X3 and 2 (X3 - X0) + X2 - X1, from corner 0.
 template <class Scalar>
 std::array<Vector<3, Scalar>, 2> corner_volume_edges(const ContactPatch<3>::Corner& corner,
                                                      const PatchNodal<3, Scalar>& X) {
@@ -82,9 +82,9 @@ std::array<Vector<3, Scalar>, 2> corner_volume_edges(const ContactPatch<3>::Corn
           Scalar(2) * (X.row(previous) - X.row(own)) + X.row(opposite) - X.row(next)};
 }
 
-/// Derivative of the body's volume by the position of a corner, as far as its facet goes: the
-/// integral of the corner's shape function times the area vector. That of a segment is the area
-/// vector of the corner; a bilinear facet with the corners 0 to 3 has
+/// The part of a facet in the derivative of the body's volume with respect to the position of a
+/// corner: the integral of the corner's shape function times the area vector. For a segment it is
+/// the area vector of the corner; for a bilinear facet with the corners 0 to 3 it is
 /// (2 (X1 - X0) + X2 - X3) x (2 (X3 - X0) + X2 - X1) / 36.
 template <int dim, class Scalar>
 Vector<dim, Scalar> corner_volume_gradient(const typename ContactPatch<dim>::Corner& corner,

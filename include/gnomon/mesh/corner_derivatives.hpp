@@ -1,5 +1,5 @@
-// Derivatives of the area vectors and volume gradients of contact_patch.hpp by the positions of the
-// corner's nodes.
+// Derivatives of the area vectors and volume gradients of contact_patch.hpp with respect to the
+// positions of the corner's nodes.
 #pragma once
 
 #include <gnomon/mesh/contact_patch.hpp>
@@ -27,7 +27,8 @@ std::array<Tensor<dim>, dim> area_vector_derivative(
   }
 }
 
-/// The derivative of corner_volume_gradient by the corner's nodes, in the order of corner.nodes.
+/// The derivative of corner_volume_gradient with respect to the corner's nodes, in the order of
+/// corner.nodes.
 template <int dim>
 std::array<Tensor<dim>, (1 << (dim - 1))> volume_gradient_derivative(
     const typename ContactPatch<dim>::Corner& corner, const PatchNodal<dim>& X) {

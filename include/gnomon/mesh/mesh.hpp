@@ -23,7 +23,7 @@ struct Mesh {
   std::vector<Cell> cells;
   std::map<std::string, std::vector<Facet>> boundary;  ///< facets of each named boundary part
 
-  /// Initial positions of the nodes of a cell, a row each [length].
+  /// Initial positions of the nodes of a cell, one row per node [length].
   CellNodal<dim> positions(const Cell& cell) const {
     CellNodal<dim> X;
     for (int a = 0; a < cell_nodes; ++a) X.row(a) = nodes[cell[a]].transpose();
@@ -48,8 +48,8 @@ Mesh<3> structured_hexahedra(int nx, int ny, int nz,
 /// All facets that belong to one cell only, with outer normal, in the order of the cells.
 std::vector<Mesh<3>::Facet> exterior_facets(const Mesh<3>& mesh);
 
-/// Nodes whose initial position fulfils the condition, ascending: say, those near the contact,
-/// which alone need shape unknowns (Remark 2).
+/// Nodes whose initial position fulfils the condition, ascending; for example those near the
+/// contact, the only ones that need shape unknowns (Remark 2).
 template <int dim>
 std::vector<int> nodes_where(const Mesh<dim>& mesh,
                              const std::function<bool(const Vector<dim>&)>& condition);

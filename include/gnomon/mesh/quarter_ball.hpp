@@ -5,8 +5,8 @@
 
 namespace gnomon {
 
-/// A core block below the mid-plane, wrapped at the bottom and at three sides by layers that follow
-/// the sphere. The elements of the contact zone have one size, patch_half_width / across.
+/// A core block below the mid-plane, surrounded at the bottom and at three sides by layers that
+/// follow the sphere. The elements of the contact zone have one size, patch_half_width / across.
 struct QuarterBall {
   double radius = 1;            ///< R [length]
   double patch_half_width = 0;  ///< arc from the pole to the edge of the bottom patch [length]
@@ -20,11 +20,11 @@ struct QuarterBall {
   int elements() const { return 2 * across * (across * (height + layers) + 2 * height * layers); }
 };
 
-/// The ball touches z = 0 at the origin; its centre is (0, 0, R). Kept are y >= 0 and z <= R.
-/// Boundary parts: "contact" (the sphere, facets with a corner within `contact_radius`), "free"
-/// (the rest of the sphere, which may be none), "symmetry" (y = 0, exactly), "top" (z = R,
-/// exactly). Throws InputError when the patch does not leave room for the sides (its half width
-/// must lie between 0 and R) or a count is not positive.
+/// The ball touches z = 0 at the origin; its centre is (0, 0, R). The mesh is the part y >= 0, z <=
+/// R. Boundary parts: "contact" (the sphere, facets with a corner within `contact_radius`), "free"
+/// (the rest of the sphere, which may be empty), "symmetry" (y = 0, exactly), "top" (z = R,
+/// exactly). Throws InputError if the half width of the patch is not between 0 and R, so that there
+/// is no room for the sides, or if a count is not positive.
 Mesh<3> quarter_ball(const QuarterBall& ball);
 
 }  // namespace gnomon

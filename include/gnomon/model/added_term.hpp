@@ -1,5 +1,5 @@
-// Terms that scenes may add to a worn body. A new one is one file with a Registration; nothing else
-// has to know of it.
+// Terms that scenes may add to a worn body. A new term is one file with a Registration; nothing
+// else has to change.
 #pragma once
 
 #include <functional>
@@ -13,17 +13,18 @@ namespace gnomon {
 struct AddedTerm {
   std::string name;  ///< "springs"
   std::string help;  ///< one line
-  /// Keys of scenes with a worn body; optional or with a default, for they are in all their tables.
+  /// Keys that are added to all scenes with a worn body; therefore they are optional or have a
+  /// default.
   std::vector<Key> keys;
-  /// The term that a scene asks for; an empty function where it asks for none. Throws InputError
-  /// where its keys contradict each other.
+  /// The term that a scene requests; an empty function if it requests none. Throws InputError if
+  /// its keys contradict each other.
   std::function<AddedTermFactory<2>(const Scene&)> in_the_plane;
   std::function<AddedTermFactory<3>(const Scene&)> in_space;
 };
 
 using AddedTerms = Registry<AddedTerm>;
 
-/// The terms that the scene asks for.
+/// The terms that the scene requests.
 template <int dim>
 std::vector<AddedTermFactory<dim>> added_terms(const Scene& scene) {
   std::vector<AddedTermFactory<dim>> result;

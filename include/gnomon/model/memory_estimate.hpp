@@ -1,4 +1,4 @@
-// How much memory a run will take, told before any of it is allocated.
+// Estimate of the memory of a run, before any of it is allocated.
 #pragma once
 
 #include <gnomon/system/linear_solver_choice.hpp>
@@ -6,20 +6,21 @@
 
 namespace gnomon {
 
-/// Size of a body's mesh, told from the keys of its scene alone.
+/// Size of a body's mesh, computed only from the keys of its scene.
 struct MeshSize {
   int dim = 2;
   double nodes = 0;
 };
 
-/// Peak memory of a run [bytes]: what grows with the nodes (mesh, patterns, Jacobians), and the
-/// factors, whose entries grow as n log n in the plane and n^(4/3) in space under nested
-/// dissection. The constants are measured (docs/linear.md); within a factor of two on the scenes
-/// that come with gnomon.
+/// Peak memory of a run [bytes]: a part proportional to the nodes (mesh, patterns, Jacobians), and
+/// the factors, whose entries grow as n log n in the plane and n^(4/3) in space under nested
+/// dissection. The constants are measured (docs/linear.md); the error is less than a factor of two
+/// on the scenes that come with gnomon.
 double estimated_memory(const MeshSize& mesh, const LinearSolverChoice& solver);
 
-/// What this process can still have without swapping [bytes]: by the system's account, the limit of
-/// its control group and that of its address space. Infinite where none is known.
+/// The memory that this process can still get without swapping [bytes]: the least of the system's
+/// available memory and the limits of its control group and of its address space. Infinite if none
+/// is known.
 double available_memory();
 
 /// "3.2 GB".

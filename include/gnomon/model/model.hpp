@@ -1,5 +1,5 @@
-// What a problem makes of a scene: the differential-algebraic system to integrate, how to start it,
-// and what can be observed of a state. Integrators, results and the run loop see only this.
+// What a problem builds from a scene: the differential-algebraic system to integrate, its start,
+// and the observations of a state. Integrators, results and the run loop use only this interface.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@
 
 namespace gnomon {
 
-/// The mesh in its initial configuration, as files need it. In 2D, z is zero.
+/// The mesh in its initial configuration, in the form for files. In 2D, z is zero.
 struct Grid {
   enum class Cell { quadrilateral, hexahedron };
   Cell cell = Cell::quadrilateral;
   std::vector<std::array<double, 3>> points;  ///< [length]
-  std::vector<int> cells;                     ///< node indices, 4 or 8 a cell, VTK order
+  std::vector<int> cells;                     ///< node indices, 4 or 8 per cell, VTK order
 };
 
-/// A field over the grid. `values` is row-major, components a point (or cell).
+/// A field over the grid. `values` is row-major, with `components` values per point (or cell).
 struct GridField {
   enum class On { nodes, cells };
   std::string name;
@@ -31,7 +31,7 @@ struct GridField {
   std::vector<double> values;
 };
 
-/// The potential contact surface; all arrays have one entry a contact node, in surface order.
+/// The potential contact surface; all arrays have one entry per contact node, in surface order.
 struct ContactSurface {
   int dim = 2;
   std::vector<int> node;                       ///< index of the node in the grid
@@ -59,13 +59,13 @@ public:
   virtual const System& system() const = 0;
   /// The unknown blocks; their sizes sum to system().structure().size.
   virtual std::vector<BlockSize> blocks() const = 0;
-  /// Consistent state at t = 0. Throws SolutionError when there is none, with the reason.
+  /// Consistent state at t = 0. Throws SolutionError with the reason if there is none.
   virtual State start(Counters& counters) const = 0;
-  /// What is told of a state: always the same members and others.
+  /// The observation of a state; its members and `others` are always the same.
   virtual Observation observe(const State& state) const = 0;
-  /// Observation::wear_flux as a function of a consistent point of system(), on its branch, which
-  /// the run loop has integrated over time as wear_integral. Empty: nothing wears. Keeps a
-  /// reference to the model. Throws where residual() does.
+  /// Observation::wear_flux as a function of a consistent point of system(), on its branch; its
+  /// integral over time is wear_integral. Empty: there is no wear. Keeps a reference to the model.
+  /// Throws like residual().
   virtual std::function<double(const Point&)> wear_flux() const { return {}; }
   /// Typical size of the differential components over the run, for absolute tolerances: the mean
   /// wear depth.
@@ -76,8 +76,8 @@ public:
   virtual std::vector<GridField> fields(const State& state) const = 0;
   /// The contact surface, if the problem has one.
   virtual std::optional<ContactSurface> contact(const State& state) const = 0;
-  /// The exact solution at time t in closed form, where there is one: y of the differential
-  /// components (zero elsewhere), and the state's time.
+  /// The exact solution at time t in closed form, if there is one: y of the differential components
+  /// (zero elsewhere), and the state's time.
   virtual std::optional<State> exact(double t) const = 0;
 };
 

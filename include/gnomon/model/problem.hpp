@@ -1,4 +1,5 @@
-// A problem is a declaration: its name, its scene keys and how to make a model of a scene.
+// A problem is a declaration: its name, its scene keys and a function that makes a model from a
+// scene.
 #pragma once
 
 #include <functional>
@@ -15,10 +16,10 @@ namespace gnomon {
 struct Problem {
   std::string name;       ///< "pin_on_flat"
   std::string help;       ///< one line
-  std::vector<Key> keys;  ///< all keys but run_keys()
-  /// Throws InputError (using Scene::where) when keys contradict each other.
+  std::vector<Key> keys;  ///< all keys except run_keys()
+  /// Throws InputError (using Scene::where) if keys contradict each other.
   std::function<std::unique_ptr<Model>(const Scene&)> make;
-  /// For problems with a mesh: its size, told without making it.
+  /// For problems with a mesh: its size, computed without making it.
   std::function<MeshSize(const Scene&)> mesh_size = nullptr;
 };
 
@@ -27,8 +28,8 @@ using Problems = Registry<Problem>;
 /// Memory that a run of the scene will take [bytes]; 0 for a problem without a mesh.
 double estimated_memory(const Scene& scene);
 
-/// The model of a scene. Throws InputError where make() does, and before anything is allocated when
-/// a run would need more memory than there is.
+/// The model of a scene. Throws InputError like make(), and, before anything is allocated, if a run
+/// would need more memory than is available.
 std::unique_ptr<Model> make_model(const Scene& scene);
 
 /// The problem's keys, with the choice of registered materials and their keys filled in.

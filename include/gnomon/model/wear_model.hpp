@@ -15,14 +15,13 @@ public:
   const ComposedSystem<dim>& system() const override { return system_; }
   std::vector<BlockSize> blocks() const override;
   /// Equilibrium at the initial shape by a load ramp (rows 1-2 of the system, shape frozen). The
-  /// SolutionError names the fraction of the load that was in equilibrium.
+  /// SolutionError names the largest fraction of the load with an equilibrium.
   State start(Counters& counters) const override;
-  /// All members but those that a body may not have: groove_section (of a groove), approach (w,
-  /// where the counter-body moves), displacement_gradient (small strains), contact_half_width (2D).
-  /// Forces and volumes are those of the whole body, of which symmetry may leave a part to be
-  /// modelled.
+  /// All members; only some bodies have groove_section (a groove), approach (w, if the counter-body
+  /// moves), displacement_gradient (small strains) and contact_half_width (2D). Forces and volumes
+  /// are those of the whole body, of which only a part may be modelled because of symmetry.
   Observation observe(const State& state) const override;
-  /// Costs a pass over the contact nodes, none over the cells.
+  /// Costs one pass over the contact nodes and no pass over the cells.
   std::function<double(const Point&)> wear_flux() const override;
   double differential_scale() const override { return body().scales.wear_depth; }
   std::optional<Grid> grid() const override;

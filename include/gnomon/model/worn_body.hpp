@@ -1,5 +1,5 @@
-// Everything constant about one worn body in contact with a rigid counter-body: what a problem
-// declares, and what its fields and terms are made of.
+// All constants of one worn body in contact with a rigid counter-body: a problem declares them, and
+// fields and terms are made from them.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,13 @@
 
 namespace gnomon {
 
-/// How the auxiliary problem meets the worn surface: contact shape rows replace the auxiliary
-/// equilibrium there, or the paper's augmented multiplier mu carries the reaction (eq. 22, 29).
+/// How the auxiliary problem is connected to the worn surface: the rows of wear replace the
+/// auxiliary equilibrium there, or the paper's augmented multiplier mu carries the reaction (eq.
+/// 22, 29).
 enum class ConstraintForm { eliminated, multiplier };
 
-/// Typical magnitudes over a run; they scale residuals and unknowns, and never change a solution.
+/// Typical magnitudes over a run; they scale residuals and unknowns, and do not change the
+/// solution.
 struct Scales {
   double force = 1;            ///< applied load, as in the rows of u
   double displacement = 1;     ///< elastic approach of the bodies [length]
@@ -28,28 +30,29 @@ struct Scales {
   double auxiliary_force = 1;  ///< of the mesh-motion rows
 };
 
-/// Unit of rho [stress / length]: Young's modulus by facet length, or, under a light load, what
-/// tractions and gaps that occur suggest. A rho that is hundreds of times their ratio lets gaps
-/// alone choose the active set, and Newton cycles; a small one does no harm.
+/// Unit of rho [stress / length]: Young's modulus divided by facet length, or, under a light load,
+/// a limit from the tractions and gaps that occur. If rho is hundreds of times their ratio, gaps
+/// alone determine the active set, and Newton's method cycles; a small rho does no harm.
 inline double regularization_unit(double young, double facet, const Scales& scales) {
   constexpr double far_above = 1000;  // times the default of contact.regularization: 10
   const double occurring = scales.stress / (scales.displacement + scales.wear_depth);
   return std::min(young / facet, far_above * occurring);
 }
 
-/// Where the fields of a worn body stand in its FieldSet.
+/// The positions of the fields of a worn body in its FieldSet.
 struct WornBodyFields {
   FieldId u = FieldId::none;       ///< displacement, all nodes
   FieldId d = FieldId::none;       ///< shape, all nodes; differential on the contact surface
   FieldId lambda = FieldId::none;  ///< contact multiplier, contact nodes
   FieldId mu = FieldId::none;      ///< shape multiplier, contact nodes; only in that form
-  FieldId w = FieldId::none;       ///< rigid motion of the counter-body, once; only under a force
+  FieldId w =
+      FieldId::none;  ///< rigid motion of the counter-body, a single value; only under a force
 };
 
 template <int dim>
 struct WornBody;
 
-/// Makes a term beside the usual ones (added_term.hpp). The body outlives the term.
+/// Makes an additional term (added_term.hpp). The body outlives the term.
 template <int dim>
 using AddedTermFactory = std::function<std::unique_ptr<Term<dim>>(
     const WornBody<dim>&, const WornBodyFields&, const Numbering&)>;
@@ -71,14 +74,14 @@ struct WornBody {
   std::vector<WearLaw> further_wear;
   std::vector<int> wear_surface;  ///< that each contact node belongs to; empty: 0
   /// The force that presses the counter-body along its `approach`, at factor one; without it the
-  /// counter-body stays.
+  /// counter-body does not move.
   std::optional<double> counter_force;
   LoadHistory load_history;             ///< factor of `load` and of `counter_force`
   std::optional<CrossSection> section;  ///< 3D only: uniform along x
-  /// One a contact node: its part in the wear rate of its shape unknowns, by default 1; with a
-  /// section, the length that it stands for by that of the path.
+  /// One entry per contact node: its part in the wear rate of its shape unknowns, by default 1;
+  /// with a section, the length that it represents divided by the length of the path.
   std::vector<double> wear_weight;
-  double copies = 1;  ///< of the modelled part that make the whole (symmetry)
+  double copies = 1;  ///< number of modelled parts in the whole body (symmetry)
   ConstraintForm constraint = ConstraintForm::eliminated;
   double augmentation = 0;  ///< of mu: mu^ = mu + augmentation (ddot + Wdot N) [stress time/length]
   std::vector<AddedTermFactory<dim>> added_terms;

@@ -1,4 +1,4 @@
-// The fields and terms of a worn body: what its system is composed of (docs/equations.md).
+// The fields and terms of a worn body, of which its system is composed (docs/equations.md).
 #pragma once
 
 #include <gnomon/model/worn_body.hpp>
@@ -12,7 +12,7 @@ namespace gnomon {
 /// Rows, in the order of their unknowns:
 ///   u                equilibrium, eq. 23-25: internal + contact force - load            [force]
 ///   lambda           C_N, eq. 26                                                        [length]
-///   w                contact force on the counter-body - what presses it                [force]
+///   w                contact force on the counter-body - applied force                  [force]
 ///   d (interior)     auxiliary equilibrium, eq. 20                                      [force]
 ///   d (contact)      ddot + Wdot N, eq. 14                                        [length/time]
 ///   mu               auxiliary equilibrium minus A^ mu^, eq. 29 (multiplier form)       [force]

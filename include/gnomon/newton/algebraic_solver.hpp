@@ -13,8 +13,8 @@ namespace gnomon {
 class AlgebraicSolver {
 public:
   AlgebraicSolver(const System& system, Counters& counters);
-  /// Makes y consistent at t with its differential components, which stay, on a smooth branch
-  /// (Point::branch). On failure returns the reason (empty on success) and leaves y unspecified.
+  /// Makes y consistent at t on a smooth branch (Point::branch); its differential components do not
+  /// change. On failure returns the reason (empty on success) and leaves y unspecified.
   std::string solve(double t, std::span<double> y, const ActiveSet* branch = nullptr);
 
 private:

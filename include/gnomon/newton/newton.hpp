@@ -12,17 +12,17 @@
 
 namespace gnomon {
 
-/// G(y) = 0 on the pattern of `structure`.
+/// The equations G(y) = 0; the Jacobian has the pattern of `structure`.
 struct NonlinearFunction {
   std::function<void(std::span<const double> y, std::span<double> G)> residual;
   std::function<void(std::span<const double> y, std::span<double> values)> jacobian;
-  /// The smooth branch that y lies in. Kept factors serve one branch only.
+  /// The smooth branch that y lies in. Kept factors are used on one branch only.
   std::function<ActiveSet(std::span<const double> y)> branch{};
-  double rate_weight = 0;          ///< of the rates in J; kept factors serve nearby weights
+  double rate_weight = 0;  ///< weight of the rates in J; kept factors are used for similar weights
   std::vector<int> switch_node{};  ///< mesh nodes of the entries of `branch`, for the diagnosis
 };
 
-/// How a solve went.
+/// Report on a solve.
 struct NewtonReport {
   bool converged = false;
   int iterations = 0;
@@ -31,9 +31,9 @@ struct NewtonReport {
 };
 
 /// Newton steps with the exact Jacobian, or with kept factors as long as they contract; a step into
-/// a state without residual (inverted element) is halved by KINSOL. What is decided on the way is
-/// in src/newton/newton_policy.hpp. Holds the analysed factorization, so make one per system and
-/// use it often.
+/// a state without residual (inverted element) is halved by KINSOL. The decisions are made in
+/// src/newton/newton_policy.hpp. It holds the analysed factorization, so make one solver per system
+/// and use it many times.
 class NewtonSolver {
 public:
   /// `structure` must outlive the solver.

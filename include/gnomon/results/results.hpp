@@ -33,25 +33,26 @@ struct HistoryRow {
   std::vector<Scalar> scalars;  ///< Model::observe and wear_integral; same names in every row
 };
 
-/// What a run can go on from: where it stood in the result, and all that its next steps depend on.
+/// The data from which a run can continue: its position in the result, and everything on which its
+/// next steps depend.
 struct Checkpoint {
   long number = 0;              ///< 0, 1, ... within the run
-  long rows = 0;                ///< of the history up to here
+  long rows = 0;                ///< rows of the history up to here
   long stored = 0;              ///< steps stored up to here
-  std::vector<double> numbers;  ///< made and read by the run loop; always equally many
+  std::vector<double> numbers;  ///< made and read by the run loop; their count is constant
 };
 
-/// Writes a result step by step. When a call has returned, what it was given is in the file, which
-/// every HDF5 reader opens even if this process is killed at any later instant, a write included
-/// (docs/results.md says what that rests on). A call that cannot write throws Error; the file then
-/// keeps everything up to the call before, and later calls throw as well.
+/// Writes a result step by step. When a call has returned, its data are in the file, and every HDF5
+/// reader can open the file even if this process is killed at any later instant, also during a
+/// write (docs/results.md explains why). A call that cannot write throws Error; the file then keeps
+/// everything up to the previous call, and later calls throw as well.
 class ResultWriter {
 public:
   /// Creates the file and its sidecar (same name, .xdmf). Earlier ones are refused, or replaced by
   /// the first append() of a row later than `from` [time], or by close() when one at `from` has
-  /// been the last: until then the new file is FILE.part, which goes if that does not come. Throws
-  /// InputError when the file cannot be created there, when an earlier one is refused, and while
-  /// another run is writing it; an earlier file is then untouched.
+  /// been the last: until then the new file is FILE.part, which is removed if this does not happen.
+  /// Throws InputError when the file cannot be created there, when an earlier one is refused, and
+  /// while another run is writing it; an earlier file is then untouched.
   ResultWriter(const std::filesystem::path& file, const RunHeader& header,
                const std::optional<Grid>& grid, Earlier earlier = Earlier::refused,
                double from = -std::numeric_limits<double>::infinity());
@@ -62,15 +63,15 @@ public:
   /// Appends a history row (every step).
   void append(const HistoryRow& row);
   /// Stores fields (nodal or cell values of the grid, 1 or 3 components) and contact surface of a
-  /// state: the steps that the scene asks for, in order of time.
+  /// state: the steps that the scene requests, in order of time.
   void store(double t, const std::vector<GridField>& fields,
              const std::optional<ContactSurface>& contact);
-  /// Keeps a checkpoint in place of the one before the last.
+  /// Stores a checkpoint; it replaces the one before the last.
   void checkpoint(const Checkpoint& checkpoint);
   /// Records how the run ended: "finished", "interrupted", "failed: ..." (the first 1024 bytes),
   /// with wall seconds, and brings the file to the medium (fsync).
   void close(const std::string& status, double wall_seconds);
-  /// The same on the way out with an exception: never in place of an earlier result.
+  /// The same after an exception: it never replaces an earlier result.
   void abandon(const std::string& status, double wall_seconds);
 
 private:
@@ -88,14 +89,14 @@ public:
   const RunHeader& header() const;
   std::string status() const;   ///< as given to close(), or "running or crashed"
   double wall_seconds() const;  ///< 0 when not closed
-  /// The history, one row a step, the start first.
+  /// The history, one row per step, the start first.
   std::vector<HistoryRow> history() const;
   std::vector<double> stored_times() const;
-  /// The checkpoints that are whole, the last one last: two, one or none.
+  /// The complete checkpoints, in ascending order: two, one or none.
   std::vector<Checkpoint> checkpoints() const;
-  /// Contact surface of the stored step at `t`, or of the last one. Throws InputError naming the
-  /// stored times next to `t` when there is none within 1e-9 of the run's length, and not just one
-  /// within 1e-5 of itself (times are printed with six digits).
+  /// Contact surface of the stored step at `t`, or of the last one. The step must be within 1e-9 of
+  /// the run's length, or be the only one within 1e-5 of its own time (times are printed with six
+  /// digits); otherwise throws InputError that names the stored times next to `t`.
   ContactSurface contact(std::optional<double> t) const;
   /// A field of the stored step with index `step`.
   GridField field(std::size_t step, const std::string& name) const;
@@ -108,9 +109,9 @@ private:
   std::unique_ptr<File> file_;
 };
 
-/// Gives `to` what a result held at its last checkpoint, in the order in which it was written, and
-/// its checkpoints. `fields`: their names in the order in which they are written. Errors as those
-/// of the two.
+/// Writes to `to` the contents that a result had at its last checkpoint, in their original order,
+/// and its checkpoints. `fields`: the names in the order in which fields are written. Throws like
+/// the reader and the writer.
 void copy_to_last_checkpoint(const ResultReader& from, const std::vector<std::string>& fields,
                              ResultWriter& to);
 

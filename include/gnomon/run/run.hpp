@@ -12,30 +12,30 @@
 
 namespace gnomon {
 
-/// Which steps have their fields stored, beside the start.
+/// The steps whose fields are stored, in addition to the start.
 struct StorePolicy {
   long every = 0;             ///< every n-th step; 0: none
   std::vector<double> times;  ///< at these times, ascending, in (0, end]
   bool last = true;           ///< at the end of the run
   /// A checkpoint (Checkpoint) is written at the start, at the end, and after the step with which
-  /// this many steps and Newton iterations have been made since the last; 0: none. There a one-step
-  /// method is started anew, so that a run that goes on from it takes the same steps.
+  /// this many steps and Newton iterations have been made since the last; 0: none. A one-step
+  /// method restarts there, so that a run that continues from it takes the same steps.
   long checkpoint_work = 0;
 };
 
 /// The `output.*` keys. Throws InputError for a time beyond time.end.
 StorePolicy store_policy(const Scene& scene);
 
-/// Throws InputError when two of the ascending times, on which a run is to land, are nearer than
-/// 1e-5 of themselves: in a step that short the change of the shape drowns in rounding. `where`
-/// they were given.
+/// Throws InputError if two of the ascending times, at which steps have to end, are closer than
+/// 1e-5 of their value: in so short a step the change of the shape is smaller than rounding errors.
+/// `where`: where the times were given.
 void require_apart(const std::vector<double>& times, const std::string& where);
 
 /// The integrator that the scene names. Throws InputError for an unknown one, and for keys that it
-/// does not take.
+/// does not accept.
 const Integrator& chosen_integrator(const Scene& scene);
 
-/// The `integrator.*` keys, with what absent ones mean.
+/// The `integrator.*` keys, with the meaning of absent ones filled in.
 IntegratorSettings integrator_settings(const Scene& scene, const Model& model);
 
 /// How a run ended.
@@ -43,40 +43,41 @@ struct RunOutcome {
   enum class Status { finished, interrupted, failed };
   Status status = Status::finished;
   std::string diagnosis;           ///< when failed
-  std::optional<HistoryRow> last;  ///< of the last good state; none when the start itself failed
-  Counters counters;               ///< work of the whole run, failed attempts included
+  std::optional<HistoryRow> last;  ///< of the last good state; absent if the start failed
+  Counters counters;               ///< work of the whole run, including failed attempts
   double wall_seconds = 0;
-  /// Contact nodes that left contact twice or more between two breakpoints of the load: an oscillation.
+  /// Contact nodes that left contact twice or more between two breakpoints of the load: an
+  /// oscillation.
   long chattering_nodes = 0;
-  /// What the run has warned of, a line each: why its numbers may be worthless.
+  /// The warnings of the run, one line each: reasons why its numbers may be worthless.
   std::vector<std::string> warnings;
 
-  /// "finished", "interrupted", "failed: DIAGNOSIS"; what the result file and the summary say.
+  /// "finished", "interrupted", "failed: DIAGNOSIS", as in the result file and the summary.
   std::string text() const;
 };
 
 struct RunHooks {
   /// Called after the start and after every step.
   std::function<void(const HistoryRow&)> on_step = [](const HistoryRow&) {};
-  /// Called with every one of RunOutcome::warnings, when there is a reason for it.
+  /// Called with each of RunOutcome::warnings when it arises.
   std::function<void(const std::string&)> on_warning = [](const std::string&) {};
-  /// Asked after the start and after every step; true ends the run there.
+  /// Called after the start and after every step; true ends the run there.
   std::function<bool()> interrupted = [] { return false; };
 };
 
-/// Where an earlier run stopped, for one that goes on from there.
+/// The point at which an earlier run stopped, for a run that continues from there.
 struct Resumption {
   Checkpoint checkpoint;
   HistoryRow row;                ///< of the history at the checkpoint
-  std::optional<double> stored;  ///< time of the last step stored by then
+  std::optional<double> stored;  ///< time of the last stored step up to the checkpoint
   double wall_seconds = 0;       ///< spent so far
 };
 
-/// The state that a checkpoint was made at. Throws InputError when it is not one of the model.
+/// The state of a checkpoint. Throws InputError if it is not a state of the model.
 State state_at(const Checkpoint& checkpoint, const Model& model);
 
-/// Integrates, from the start or from a checkpoint. Everything goes to `writer` (null: nowhere) as
-/// it is computed, and its close() is called whatever happens. A SolutionError ends the run with
+/// Integrates, from the start or from a checkpoint. Everything is given to `writer` (may be null)
+/// as it is computed, and its close() is called in every case. A SolutionError ends the run with
 /// status failed, the last good state stored; other exceptions pass through, InputError for a
 /// checkpoint of another model among them.
 RunOutcome run(const Model& model, const Integrator& integrator, const IntegratorSettings& settings,

@@ -1,4 +1,4 @@
-// The summary of a run: as JSON, for scripts, and what people read of it.
+// The summary of a run: as JSON for scripts, and as text for users.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ namespace gnomon {
 /// JSON text, indented, with the same keys however the run ended. `step` and `rtol` are the
 /// settings that the integrator was given; the columns of the last state appear under their names
 /// (null when the start itself failed) and with them the ledger: worn_volume, wear_integral and
-/// wear_difference, the first less the second; counters under the names of Counters, unknowns per
+/// wear_difference, the first minus the second; counters under the names of Counters, unknowns per
 /// block. `diagnosis` is empty unless the run failed.
 std::string summary_json(const Scene& scene, const RunHeader& header,
                          const IntegratorSettings& settings, const RunOutcome& outcome);
@@ -19,7 +19,7 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
 /// -2.9e-03 mm^2 (-0.14 %)". Empty for an observation without one.
 std::string ledger_text(const Observation& observed);
 
-/// Whether the file holds such a text.
+/// Whether the file contains a summary.
 bool is_summary(const std::filesystem::path& file);
 
 }  // namespace gnomon

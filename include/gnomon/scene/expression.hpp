@@ -23,17 +23,18 @@ struct ExpressionError : InputError {
   using InputError::InputError;
 };
 
-/// The polygon through given points, constant beyond its ends. Pieces are numbered from the left;
-/// there is one more of them than corners, the places where the slope changes.
+/// The piecewise linear function through given points, constant beyond its ends. Breakpoints are
+/// the places where its slope changes; pieces are numbered from the left, and there is one more
+/// piece than there are breakpoints.
 class PiecewiseLinear {
 public:
   /// Throws ExpressionError unless there are as many x as y, at least one, all finite, with x
-  /// ascending and no slope beyond the numbers.
+  /// ascending and finite slopes.
   PiecewiseLinear(const std::vector<double>& x, const std::vector<double>& y);
 
-  std::span<const double> corners() const { return corners_; }  ///< ascending
-  std::size_t piece_at(double x) const;  ///< a corner belongs to the piece on its left
-  /// Of one piece, continued beyond its ends.
+  std::span<const double> breakpoints() const { return breakpoints_; }  ///< ascending
+  std::size_t piece_at(double x) const;  ///< a breakpoint belongs to the piece on its left
+  /// The value of one piece, continued beyond its ends.
   double value(std::size_t piece, double x) const {
     return pieces_[piece].y + pieces_[piece].slope * (x - pieces_[piece].x);
   }
@@ -43,7 +44,7 @@ private:
   struct Piece {
     double x, y, slope;  // through the point (x, y)
   };
-  std::vector<double> corners_;
+  std::vector<double> breakpoints_;
   std::vector<Piece> pieces_;
 };
 
@@ -66,25 +67,26 @@ struct ExpressionProgram;
 /// A parsed expression. It never changes, may be used by several threads at once, and copies share
 /// what they hold.
 ///
-/// It is smooth but for its kinks. Each kink has a switching function of x, and is *active* where
+/// It is smooth except at its kinks. Each kink has a switching function of x, and is *active* where
 /// that is <= 0:
 ///
 ///     max(a, b)   b - a     active: a           min(a, b)   a - b     active: a
-///     abs(a)      -a        active: a           table(a)    a - x_i   active: left of corner i
+///     abs(a)      -a        active: a           table(a)    a - x_i   active: left of x_i
 ///     a <= b      a - b     active: true        a < b       b - a     active: false
 ///
 /// and >=, > likewise with a and b exchanged. max and min of n arguments have n - 1 kinks, where a
 /// stands for the result so far. Parts without variables are evaluated when the text is parsed, and
-/// have none. Kinks are numbered as the parts they belong to end in the text, the corners of a
+/// have none. Kinks are numbered as the parts they belong to end in the text, the breakpoints of a
 /// table from the left.
 ///
 /// `branches` of the functions below chooses a smooth branch of the expression: one entry per kink,
 /// not 0 where it is active. That branch is evaluated wherever x lies, continued beyond its border:
-/// max(a, b) stays with a, a table on its piece. (Where entries of a table contradict each other,
-/// their number counts.) An empty span means the branch that x lies in.
-///
-/// Nothing is thrown where the expression has no finite value or derivative, log(-1) or the slope
-/// of sqrt at 0: the results are not finite then. An undefined comparison makes the value NaN.
+/// max(a, b) stays with a, a table stays on its piece. (If the entries of a table contradict each
+/// other, the number of active ones determines the piece.)
+/// An empty span means the branch that x lies in.
+/// No exception is thrown where the expression has no finite value or derivative, as log(-1) or the
+/// slope of sqrt at 0: the results are then not finite.
+/// An undefined comparison makes the value NaN.
 class Expression {
 public:
   /// Most bytes of a text.
@@ -92,13 +94,13 @@ public:
   /// Most levels of parentheses, calls, signs and exponents within each other.
   static constexpr int max_nesting = 64;
 
-  /// Throws ExpressionError for a text that is no expression of these names, and for names that
-  /// are not as described there.
+  /// Throws ExpressionError for a text that is not an expression of these names, and for names that
+  /// are not as described at ExpressionNames.
   Expression(std::string text, const ExpressionNames& names);
 
   const std::string& text() const { return text_; }
-  std::size_t variables() const { return variables_; }  ///< of the names that it was parsed with
-  /// Whether the variable occurs in it, be it in a condition.
+  std::size_t variables() const { return variables_; }  ///< number of names that it was parsed with
+  /// Whether the variable occurs in it, also in a condition.
   bool depends_on(std::size_t variable) const;
   std::size_t kinks() const;
   /// Whether the variable occurs in the switching function of the kink.
@@ -106,14 +108,15 @@ public:
 
   double value(std::span<const double> x, std::span<const char> branches = {}) const;
 
-  /// Also writes the derivatives by all variables, 0 by those that do not occur.
+  /// Also writes the derivatives with respect to all variables; they are 0 for those that do not
+  /// occur.
   double value_and_gradient(std::span<const double> x, std::span<double> gradient,
                             std::span<const char> branches = {}) const;
 
   /// Writes the switching function of every kink, evaluated on the given branch and so smooth
-  /// across 0. A kink that the value does not see, because it stands in a part of `if`, `and` or
-  /// `or` that is not taken, may have none that is finite: then 1, or -1 where `branches` has it
-  /// active, so that it does not seem to switch.
+  /// across 0. A kink that does not influence the value, because it is in a part of `if`, `and` or
+  /// `or` that is not taken, may have no finite switching function. Its value is then 1, or -1 if
+  /// it is active in `branches`, so that it does not appear to switch.
   void switching(std::span<const double> x, std::span<double> values,
                  std::span<const char> branches = {}) const;
 

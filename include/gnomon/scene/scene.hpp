@@ -28,10 +28,11 @@ struct Range {
   bool max_open = false;
 };
 
-/// Of physical quantities, in whatever units: wide enough for all of them, and products of several
-/// stay far from the ends of double.
+/// Range of physical quantities: wide enough for all sets of units, and products of several
+/// quantities stay far from the limits of double.
 inline constexpr Range positive_quantity{.min = 1e-30, .max = 1e30};
-/// Of relative tolerances: below it stands rounding, above it steps are not controlled.
+/// Range of relative tolerances: smaller ones are below rounding errors, larger ones do not control
+/// the steps.
 inline constexpr Range relative_tolerance{.min = 1e-13, .max = 0.1};
 
 /// Specification of one scene key.
@@ -53,7 +54,7 @@ struct Key {
   std::string help{};                  ///< one line
 };
 
-/// Keys that every scene has whatever its problem: `problem`, `time.*`, `integrator.*`, `output.*`.
+/// Keys that every scene has, for every problem: `problem`, `time.*`, `integrator.*`, `output.*`.
 const std::vector<Key>& run_keys();
 
 /// Keys shared by problems of a worn hyperelastic body: `body.*`, `load.*`, `wear.*`, `shape.*`,
@@ -75,27 +76,28 @@ public:
   bool knows(const std::string& key) const;  ///< whether the key is in the table of the scene
   std::optional<double> real_if(const std::string& key) const;
   bool is_default(const std::string& key) const;  ///< whether a key has its default value
-  /// What the scene gives in the place of "*" in a key of the table, ascending.
+  /// The names that the scene gives in place of the "*" in a key of the table, ascending.
   std::vector<std::string> chosen_names(const std::string& key) const;
 
   /// The file it came from, for messages.
   const std::filesystem::path& path() const { return path_; }
-  /// Beginning of a message about a key's value: "FILE:LINE: key `KEY`", "FILE: key `KEY`" when the
-  /// file does not give it, "--set KEY" when overridden. For checks that involve several keys.
+  /// Beginning of a message about a key's value: "FILE:LINE: key `KEY`", or "FILE: key `KEY`" if
+  /// the file does not contain the key, or "--set KEY" if it is overridden. For checks that involve
+  /// several keys.
   std::string where(const std::string& key) const;
-  /// The complete scene as TOML text, one `key = value  # [unit] help` a line, grouped in tables,
-  /// defaults filled in. Loading this text gives an equal scene.
+  /// The complete scene as TOML text, with one `key = value  # [unit] help` per line, grouped in
+  /// tables, including defaults. Loading this text gives an equal scene.
   std::string resolved() const;
   /// The same scene with an optional key given a value.
   Scene with(const std::string& key, SceneValue value) const;
   /// The same scene with an optional key absent.
   Scene without(const std::string& key) const;
 
-  /// The keys, in the order of the tables, whose values are not the same in both scenes; an absent
+  /// The keys, in the order of the tables, whose values differ between the scenes; an absent
   /// key differs from one with a value.
   static std::vector<std::string> differing_keys(const Scene& a, const Scene& b);
 
-  /// Same keys with the same values, wherever they came from.
+  /// Same keys with the same values, independent of their origin.
   friend bool operator==(const Scene& a, const Scene& b);
 
 private:
@@ -112,12 +114,14 @@ private:
   std::vector<Entry> entries_;
 };
 
-/// Gives the key table of a problem by its name; throws InputError (naming the nearest problem)
-/// when there is no such problem. The message is prefixed by the loader with file, line and key.
+/// Returns the key table of the problem with this name; throws InputError (naming the nearest
+/// problem) when there is no such problem. The message is prefixed by the loader with file, line
+/// and key.
 using KeyTableOf = std::function<std::vector<Key>(const std::string& problem)>;
 
 /// Reads and validates `file`, with `overrides` ("key=value", value in TOML syntax; a bare word is
-/// taken as a text) applied on top. Throws InputError with one line naming file, line, key, and
+/// taken as a text) replacing values of the file.
+/// Throws InputError with one line naming file, line, key, and
 /// what was expected, with the nearest known key for an unknown one.
 Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                  const KeyTableOf& table_of);
@@ -129,11 +133,11 @@ Scene parse_scene(const std::string& text, const std::string& name,
 /// The help text of a key table, aligned for a terminal.
 std::string describe_keys(const std::vector<Key>& table);
 
-/// The candidate closest to `word` by edit distance, or empty when none is near.
+/// The candidate closest to `word` by edit distance, or empty if none is near.
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);
 
-/// What to say, in one line whatever the name, of one that is none of the candidates. `what` is the
-/// noun for them ("integrator").
+/// The message, always one line, about a name that is not among the candidates. `what` is the noun
+/// for them ("integrator").
 std::string unknown_name(const std::string& name, const std::string& what,
                          const std::vector<std::string>& candidates);
 

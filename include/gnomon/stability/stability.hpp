@@ -2,7 +2,7 @@
 //
 //   G = d(rate)/d(differential components),
 //
-// the algebraic components following (eq. 17), and the steps that it allows. docs/stability.md.
+// where the algebraic components follow (eq. 17), and the steps that it allows. docs/stability.md.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,13 +17,13 @@
 
 namespace gnomon {
 
-/// Consistent states at ascending times in [0, ...) [time], by an accurate adaptive method whatever
-/// the scene asks for. Throws SolutionError.
+/// Consistent states at ascending times in [0, ...) [time], by an accurate adaptive method,
+/// independent of the scene's method. Throws SolutionError.
 std::vector<State> accurate_states(const Model& model, std::span<const double> times,
                                    Counters& counters);
 
 /// G at a consistent state on the smooth branch (active set) that the state lies in, as products
-/// with vectors: one factorization, then one solve a product.
+/// with vectors: one factorization, then one solve per product.
 ///
 /// With J = dF/dy in blocks of differential (d) and algebraic (a) rows and columns, and
 /// differential rows ydot + f = 0:   a = -J_aa^-1 J_ad v,   G v = -(J_dd v + J_da a).
@@ -38,7 +38,7 @@ public:
   const std::vector<int>& components() const { return components_; }
   /// G v [1/time times the unit of v]; both have size() entries. Not safe for concurrent calls.
   void multiply(std::span<const double> v, std::span<double> Gv) const;
-  /// G whole, by size() products.
+  /// The whole matrix G, by size() products.
   Eigen::MatrixXd dense() const;
 
 private:
@@ -55,15 +55,17 @@ struct Mode {
   Eigen::VectorXcd direction;
 };
 
-/// The `count` modes of largest magnitude, that first, by Arnoldi iteration with implicit restarts
-/// (all modes where G is too small for that). Throws SolutionError when it does not converge.
+/// The `count` modes of largest magnitude, in descending order, by Arnoldi iteration with implicit
+/// restarts (all modes where G is too small for that). Throws SolutionError when it does not
+/// converge.
 std::vector<Mode> leading_modes(const ReducedJacobian& G, int count);
 /// Every mode, largest magnitude first, by the dense QR algorithm.
 std::vector<Mode> all_modes(const Eigen::MatrixXd& G);
 
-/// No stage depends on itself or on a later one.
+/// True if no stage depends on itself or on a later one.
 bool is_explicit(const ButcherTable& table);
-/// R(z) = 1 + z b^T (I - z A)^-1 1: what a step of size h makes of ydot = (z/h) y.
+/// R(z) = 1 + z b^T (I - z A)^-1 1: the factor by which a step of size h multiplies the solution of
+/// ydot = (z/h) y.
 std::complex<double> stability_function(const ButcherTable& table, std::complex<double> z);
 /// Largest r such that |R(x e^(i angle))| <= 1, to rounding, for all x up to r. Infinite where that
 /// holds up to 2 s^2 for s stages: no explicit method reaches further.
@@ -75,23 +77,22 @@ struct CriticalStep {
   int mode;     ///< position in the modes; -1 when no mode bounds it
 };
 
-/// Nothing is asked of modes that grow by themselves (Re > 0), which a method has to follow, nor
-/// of those a hundred times slower than the fastest one, which any step near the critical one
-/// resolves.
+/// Modes that grow (Re > 0), which a method has to follow, do not limit the step, nor do modes a
+/// hundred times slower than the fastest one, which every step near the critical one resolves.
 CriticalStep critical_step(const ButcherTable& table, std::span<const Mode> modes);
 
-/// How the empirical onset of instability is looked for.
+/// How the empirical onset of instability is searched.
 struct OnsetOptions {
-  int steps = 10;              ///< after which the growth is read
+  int steps = 10;              ///< number of steps over which growth is measured
   double perturbation = 1e-6;  ///< in units of Model::differential_scale()
-  double accuracy = 0.01;      ///< of the onset, relative
+  double accuracy = 0.01;      ///< relative accuracy of the onset
 };
 
-/// The step above which a small perturbation grows over some real, nonlinear steps of the method,
-/// from a consistent state: found by bisection from `guess` [time]. So that the state rests and
-/// everything else about it stays as it is, its own rate is taken off the equations and time stands
-/// still: ydot = r(t_0, y) - r(t_0, y_0). Throws SolutionError when steps of a tenth or ten times
-/// the guess say nothing.
+/// The step size above which a small perturbation of a consistent state grows over several
+/// nonlinear steps of the method, found by bisection from `guess` [time]. So that the state is at
+/// rest and otherwise unchanged, its own rate is subtracted from the equations and time is frozen:
+/// ydot = r(t_0, y) - r(t_0, y_0). Throws SolutionError if there is no onset between a tenth of the
+/// guess and ten times the guess.
 double empirical_onset(const Model& model, const Integrator& integrator, const State& state,
                        const Eigen::VectorXcd& direction, double guess,
                        const OnsetOptions& options = {});

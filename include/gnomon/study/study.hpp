@@ -1,5 +1,5 @@
-// A study: many runs of one scene, with errors against a reference and what they cost.
-// docs/studies.md describes the file that declares one, and what comes out.
+// A study: many runs of one scene, with their errors against a reference and their costs.
+// docs/studies.md describes the study file and the results.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace gnomon {
 
-/// What the accuracy of a run is asked for with.
+/// The setting that determines the accuracy of a run.
 struct StudySetting {
   enum class Kind { step, tolerance };
   Kind kind = Kind::step;
@@ -25,7 +25,8 @@ struct StudyRun {
   std::string name;   ///< stem of its files in runs/
   std::string title;  ///< "bdf rtol 1e-09"
   Scene scene;
-  /// "key=value", given to the program beside the scene: what no scene can hold (Impossible::kept).
+  /// "key=value", given to the program in addition to the scene: values that no valid scene can
+  /// contain (Impossible::kept).
   std::vector<std::string> overrides{};
 };
 
@@ -33,7 +34,7 @@ struct StudyRun {
 struct SweepPoint {
   std::string label;                    ///< "body.young_modulus=20"; empty without a sweep
   std::vector<double> times;            ///< at which errors are measured; the last: time.end
-  std::vector<ContactSurface> exact;    ///< in closed form at these times, if there is one
+  std::vector<ContactSurface> exact;    ///< closed form at these times, if there is one
   std::vector<std::size_t> references;  ///< runs; empty with a closed form
   bool has_closed_form() const { return !exact.empty(); }
   std::optional<std::size_t> self_reference;
@@ -54,20 +55,20 @@ struct Study {
   std::filesystem::path file;
   std::filesystem::path scene;
   std::string text;            ///< of the file
-  std::string self_reference;  ///< "backward-euler step 0.78125"; empty when none is asked for
+  std::string self_reference;  ///< "backward-euler step 0.78125"; empty if there is none
   std::vector<SweepPoint> sweep;
   std::vector<StudyPoint> points;
   std::vector<StudyRun> runs;  ///< of points and references; equal scenes are one run
 };
 
-/// What becomes of runs whose scene cannot be: the study is refused, or they stay, for the program
-/// to refuse them one by one.
+/// Treatment of runs with impossible scenes: the study is refused, or the runs are kept and the
+/// program refuses them one by one.
 enum class Impossible { refused, kept };
 
 /// Reads a study and checks all of it: every scene resolves and has a model. Throws InputError with
-/// one line naming file, line, key and what was expected; where impossible scenes are kept, only
-/// for what is wrong with the file itself, names of keys included. Then errors are measured at
-/// time.end alone, unless the file names times.
+/// one line naming file, line, key and what was expected. If impossible scenes are kept, it throws
+/// only for mistakes of the file itself, including names of keys; errors are then measured only at
+/// time.end, unless the file names times.
 Study load_study(const std::filesystem::path& file, Impossible impossible = Impossible::refused);
 
 /// The help text of a study file's keys.
@@ -76,9 +77,9 @@ std::string describe_study_keys();
 struct StudyOptions {
   std::filesystem::path folder;   ///< of the results
   std::filesystem::path program;  ///< gnomon itself
-  int jobs = 1;                   ///< processes at a time
-  bool resume = false;            ///< keep what is done in an existing folder
-  double limit = 0;               ///< of the wall time of a run [s], which is killed then; 0: none
+  int jobs = 1;                   ///< processes at the same time
+  bool resume = false;            ///< keep finished runs in an existing folder
+  double limit = 0;               ///< wall time after which a run is killed [s]; 0: no limit
 };
 
 /// How a process ended.
@@ -92,28 +93,29 @@ struct ProcessEnd {
 
 struct StudyProgress {
   std::size_t total = 0;   ///< runs
-  std::size_t kept = 0;    ///< done before
-  std::size_t done = 0;    ///< kept ones included
-  std::size_t failed = 0;  ///< of the done ones
-  std::string ended;       ///< name of the run that ended just now, if one did
-  std::string reason;      ///< why it failed, if it did
+  std::size_t kept = 0;    ///< done by an earlier call
+  std::size_t done = 0;    ///< including kept ones
+  std::size_t failed = 0;  ///< part of the done ones
+  std::string ended;       ///< name of the run that has just ended, if any
+  std::string reason;      ///< why it failed, if it failed
 };
 
 struct StudyHooks {
   std::function<void(const StudyProgress&)> on_progress = [](const StudyProgress&) {};
-  /// Asked all the time; true stops the running processes and ends the study.
+  /// Called repeatedly; true stops the running processes and ends the study.
   std::function<bool()> interrupted = [] { return false; };
 };
 
-/// Runs what is not done yet; every run leaves its files in FOLDER/runs. Throws InputError for a
-/// folder that exists (unless resuming), is not a study's, holds a study of another name, or is in
-/// use. What of it was done when it returned; less than all after an interruption.
+/// Does the runs that are not done yet; every run writes its files to FOLDER/runs. Throws
+/// InputError for a folder that exists (unless resuming), is not that of a study, holds a study of
+/// another name, or is in use. Returns the progress at the end, which is incomplete after an
+/// interruption.
 StudyProgress run_study(const Study& study, const StudyOptions& options, const StudyHooks& hooks);
 
-/// Whether a study has its results there.
+/// Whether the folder contains the results of a study.
 bool holds_study(const std::filesystem::path& folder);
 
-/// One row of the results. Errors are absent when a run or its reference has failed.
+/// One row of the results. Errors are absent if a run or its reference has failed.
 struct StudyRow {
   StudyPoint point;
   std::string sweep;
@@ -123,7 +125,8 @@ struct StudyRow {
   std::optional<double> shape_error_max;   ///< largest at the measured times [length]
   std::optional<double> shape_error_self;  ///< at the end, against the self-reference [length]
   std::optional<double> pressure_error;    ///< at the end, largest of a node [stress]
-  bool marked_shape = false;  ///< below ten times the reference's own error, or that is unknown
+  bool marked_shape =
+      false;  ///< below ten times the error of the reference, or the latter is unknown
   bool marked_max = false;
   bool marked_pressure = false;
   std::optional<Counters> counters;
@@ -131,10 +134,10 @@ struct StudyRow {
   std::optional<double> cpu_seconds;     ///< of its process, user and system
   std::optional<double> peak_memory_mb;  ///< of its process [10^6 bytes]
   std::optional<double> reached;         ///< time of the last good state, finished or not
-  std::optional<ProcessEnd> end;         ///< none when it was not run
+  std::optional<ProcessEnd> end;         ///< absent if it was not run
 };
 
-/// What the errors of one sweep point refer to, and how far that can be trusted.
+/// The reference of the errors of one sweep point, and its own error.
 struct StudyReference {
   std::string text;  ///< "esdirk-5 rtol 1e-09, checked by bdf rtol 1e-09"; "closed form"
   bool usable = false;
@@ -147,7 +150,7 @@ struct StudyReference {
 
 struct StudyTable {
   std::vector<StudyRow> rows;
-  std::vector<StudyReference> references;  ///< one a sweep point
+  std::vector<StudyReference> references;  ///< one per sweep point
 };
 
 /// Measures the errors of the runs in `folder`.
@@ -158,8 +161,8 @@ std::string study_csv(const Study& study, const StudyTable& table);
 /// The table and the study's text as HDF5. Throws Error.
 void write_study_hdf5(const std::filesystem::path& file, const Study& study,
                       const StudyTable& table);
-/// A self-contained page: `figures` are SVG texts to inline; `note` stands in their place if there
-/// are none.
+/// A self-contained page: `figures` are SVG texts to inline; `note` replaces them if there are
+/// none.
 std::string study_page(const Study& study, const StudyTable& table,
                        const std::vector<std::string>& figures, const std::string& note);
 

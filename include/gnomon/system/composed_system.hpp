@@ -15,12 +15,12 @@ struct PrescribedValues {
     int entity, component;
     double value;
   };
-  FieldId field = FieldId::none;  ///< of vectors
+  FieldId field = FieldId::none;  ///< a vector field
   std::vector<Entry> entries;
   LoadHistory history;
 };
 
-/// What systems are composed of; shared by a system and its algebraic stages.
+/// The parts of a system; shared by a system and its algebraic stages.
 template <int dim>
 struct Composition {
   std::shared_ptr<const FieldSet> fields;
@@ -33,13 +33,13 @@ struct Composition {
 };
 
 /// F is the sum of the terms; the rows are those of the unknowns of the selected blocks. Not safe
-/// for concurrent calls on one object (a workspace of its own).
+/// for concurrent calls on one object, because it has a workspace.
 template <int dim>
 class ComposedSystem : public System {
 public:
   ComposedSystem(std::shared_ptr<const Composition<dim>> composition,
                  const BlockSelection& selected);
-  /// Of all blocks.
+  /// The system of all blocks.
   explicit ComposedSystem(std::shared_ptr<const Composition<dim>> composition);
 
   const Structure& structure() const override { return structure_; }
@@ -52,12 +52,13 @@ public:
   /// Values of all fields at y and t; those of frozen blocks as last given to freeze() (zero
   /// before).
   FieldValues<dim> values(double t, std::span<const double> y) const;
-  /// Gives the blocks that this system does not solve for, and the time that stands still.
+  /// Sets the values of the blocks that this system does not solve for, and the frozen time.
   void freeze(FieldValues<dim> values, double t);
   /// The term of the k-th factory, and where it is evaluated at a point with these values.
   const Term<dim>& term(std::size_t k) const { return *terms_[k]; }
   Evaluation<dim> evaluation(const Point& at, const FieldValues<dim>& values, std::size_t k) const;
-  /// Fraction of every load and prescribed value that acts: less than one in a load ramp.
+  /// Fraction by which all loads and prescribed values are multiplied: less than one in a load
+  /// ramp.
   void set_load_fraction(double fraction) { load_fraction_ = fraction; }
 
 private:
@@ -70,7 +71,7 @@ private:
   std::shared_ptr<const Composition<dim>> composition_;
   Numbering numbering_;
   std::vector<std::unique_ptr<Term<dim>>> terms_;
-  std::vector<std::size_t> first_switch_;  // of each term, and their number
+  std::vector<std::size_t> first_switch_;  // of each term, and last their total number
   Structure structure_;
   std::optional<double> frozen_time_;
   double load_fraction_ = 1;

@@ -1,4 +1,4 @@
-// What a problem asks of the linear solvers.
+// The choice of linear solvers of a problem.
 #pragma once
 
 namespace gnomon {
@@ -14,7 +14,7 @@ struct LinearSolverChoice {
     multigrid  ///< smoothed aggregation
   };
   Method method = Method::direct;
-  Preconditioner preconditioner = Preconditioner::factor;  ///< what `block` solves with
+  Preconditioner preconditioner = Preconditioner::factor;  ///< used by `block`
 };
 
 }  // namespace gnomon

@@ -12,11 +12,11 @@ struct State {
   double t = 0;
   std::vector<double> y;
   std::vector<double> ydot;
-  /// The smooth branch that it was solved on, where events are located: at an event a node may be
-  /// on the other side by rounding. Empty: the one that y lies in.
+  /// The smooth branch on which it was solved, if events are located: at an event a node may be on
+  /// the other side because of rounding. Empty: the branch that y lies in.
   ActiveSet branch = {};
 
-  /// As Point::branch wants it.
+  /// In the form of Point::branch.
   const ActiveSet* own_branch() const { return branch.empty() ? nullptr : &branch; }
 };
 

@@ -1,8 +1,8 @@
-// The operator contract that carries every time integration method (docs/equations.md):
+// The interface of all systems to time integration methods (docs/equations.md):
 //
 //   F(t, y, ydot) = 0,   J = dF/dy + alpha dF/dydot,
 //
-// whose differential rows read ydot_i + f_i(t, y) = 0 (row i belongs to unknown i) and whose other
+// whose differential rows are ydot_i + f_i(t, y) = 0 (row i belongs to unknown i) and whose other
 // rows do not contain ydot. An index-1 differential-algebraic system, semismooth in y.
 #pragma once
 
@@ -24,10 +24,10 @@ struct Structure {
   SparsePattern pattern;              ///< of J, the union over all states
   std::vector<int> group;             ///< size entries: rows of one node share a number (ordering)
   std::vector<char> differential;     ///< size entries: 1 where ydot enters F
-  std::vector<double> row_scale;      ///< size entries: |F_i| that matters, in the unit of the row
+  std::vector<double> row_scale;      ///< size entries: magnitude of F_i, in the unit of the row
   std::vector<double> unknown_scale;  ///< size entries: typical |y_i|
-  std::vector<int> switch_node;  ///< one for each switching function: the mesh node it belongs to
-  std::vector<double> breakpoints;  ///< ascending times at which F may have a kink in t
+  std::vector<int> switch_node;       ///< one per switching function: the mesh node it belongs to
+  std::vector<double> breakpoints;    ///< ascending times at which F may have a kink in t
   LinearSolverChoice solver;
   // For solvers by blocks; empty where a system has no such blocks.
   std::vector<Block> blocks;
@@ -35,14 +35,14 @@ struct Structure {
   std::vector<char> component;                  ///< size entries: 0, 1, 2 of a vector, else 0
   std::vector<std::array<double, 3>> position;  ///< of a `group`, initial configuration [length]
 
-  /// Of an unknown, where there are blocks.
+  /// Role of an unknown, if there are blocks.
   Role role(std::size_t unknown) const { return blocks[block[unknown]].role; }
 };
 
-/// One entry for each switching function (of a contact node: 1 where it is closed).
+/// One entry per switching function (for contact: 1 where the node is closed).
 using ActiveSet = std::vector<char>;
 
-/// Where a system is evaluated.
+/// The point at which a system is evaluated.
 struct Point {
   double t = 0;
   std::span<const double> y;
@@ -50,8 +50,8 @@ struct Point {
   /// The smooth branch to evaluate, continued beyond its border (gaps of open nodes may be
   /// negative, multipliers of closed ones positive). Null: the branch that y lies in.
   const ActiveSet* branch = nullptr;
-  /// A time whose smooth part, up to the next breakpoint, F is continued from to t: the start of a
-  /// step with a stage past its end. Absent: t itself.
+  /// F is taken from the smooth part in time that follows this time (up to the next breakpoint),
+  /// continued to t: the start of a step that has a stage past its end. Absent: t itself.
   std::optional<double> within = {};
 };
 
@@ -70,7 +70,7 @@ public:
   /// Values of J on structure().pattern, overwritten. Same errors as residual().
   virtual void jacobian(const Point& at, double alpha, std::span<double> values) const = 0;
 
-  /// One value for each switching function, smooth in y, negative or zero where it is active (the
+  /// One value per switching function, smooth in y, negative or zero where it is active (the
   /// augmented multiplier). Two states whose values have equal signs share one smooth residual.
   virtual void switching(double t, std::span<const double> y, std::span<double> values) const = 0;
 
@@ -79,12 +79,12 @@ public:
   virtual std::vector<AlgebraicStage> algebraic_stages() const = 0;
 };
 
-/// An algebraic stage: some unknowns of a parent system, solved for with the others and the time
+/// An algebraic stage: a system for some unknowns of a parent system, with the others and the time
 /// frozen.
 struct AlgebraicStage {
   std::vector<int> unknowns;       ///< position in the parent's y of each unknown of `system`
   std::unique_ptr<System> system;  ///< purely algebraic; t and ydot do not enter
-  /// Fixes time and the others at the parent's t and y.
+  /// Freezes time and the other unknowns at the parent's t and y.
   std::function<void(double t, std::span<const double> y)> freeze;
 };
 

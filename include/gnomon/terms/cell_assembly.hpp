@@ -1,6 +1,7 @@
 // Gather and scatter of a solid term over the cells of a mesh, written once for the body (rows of
-// u, derivatives by u and d) and for the mesh motion (rows and derivatives of d alone). On large
-// meshes by all threads (OMP_NUM_THREADS); results do not depend on their number.
+// u, derivatives with respect to u and d) and for the mesh motion (rows and derivatives of d only).
+// Large meshes are assembled by all threads (OMP_NUM_THREADS); results do not depend on their
+// number.
 #pragma once
 
 #include <gnomon/fields/field.hpp>
@@ -17,8 +18,8 @@ class CellAssembly {
 public:
   using Numbers = NodalNumbers<dim>;
 
-  /// `rows`, `columns`: numbers of the residual rows and of the unknown that plays the
-  /// displacement. `shape_columns`: numbers of the shape unknowns that move the reference
+  /// `rows`, `columns`: numbers of the residual rows and of the unknown that is the displacement
+  /// here. `shape_columns`: numbers of the shape unknowns that move the reference
   /// configuration, or null when it does not move. `stiffness`: factors of the moduli, one per
   /// cell; none: 1. Cells without a row are left out. References must outlive the object.
   CellAssembly(const Mesh<dim>& mesh, const Material& material, const Element& element,
@@ -37,7 +38,7 @@ public:
                     std::span<double> values) const;
 
 private:
-  static constexpr int local = dim * (1 << dim);  // values a cell
+  static constexpr int local = dim * (1 << dim);  // values per cell
 
   ElasticModuli moduli_of(int cell) const;
   void cell_numbers(int cell, const Numbers& numbers, std::vector<int>& result) const;
@@ -55,7 +56,7 @@ private:
   const Numbers* shape_columns_;
   std::vector<int> cells_;            // cells with at least one row
   std::size_t size_ = 0;              // of the matrix
-  std::vector<int> map_, shape_map_;  // local*local positions a cell, column by column; -1: none
+  std::vector<int> map_, shape_map_;  // local*local positions per cell, column by column; -1: none
 };
 
 }  // namespace gnomon

@@ -19,13 +19,15 @@ struct CellPoint {
     const Tensor<dim, Scalar> A = X.transpose() * dN.template cast<Scalar>();
     volume = A.determinant();
     n = dN.template cast<Scalar>() * A.inverse();
-    // F from the displacement gradient: rounding then scales with the strain, not the position.
+    // F from the displacement gradient: rounding errors are then proportional to the strain, not to
+    // the position.
     H = u.transpose() * n;
     F = Tensor<dim, Scalar>::Identity() + H;
     J = F.determinant();
   }
 
-  /// Whether the cell is not inverted here; with small strains only its reference can be.
+  /// Whether the cell is not inverted at this point; with small strains only its reference can be
+  /// inverted.
   bool valid(Kinematics kinematics) const {
     return volume > Scalar(0) && (kinematics == Kinematics::small || J > Scalar(0));
   }

@@ -1,4 +1,4 @@
-// One contact node with the facets that meet there: eq. (25), (26) and (14) by nodal quadrature.
+// One contact node with its facets: eq. (25), (26) and (14) by nodal quadrature.
 //
 // Each facet gives its corner an area vector S_f (normal times the corner's share of undeformed
 // area: half a segment, a quarter of |a x b| of a bilinear facet). Then
@@ -8,8 +8,8 @@
 //   constraint = C_N                              row of lambda
 //   velocity   = -Wdot N                          row of d: ddot - velocity = 0, eq. (14)
 //
-// v_T is the tangential part of F V - v^2 (sliding.hpp), n the normal of the counter-body, Wdot
-// that of the wear law, N a normal by one of the rules below.
+// v_T is the tangential part of F V - v^2 (sliding.hpp), n the normal of the counter-body, Wdot the
+// rate of the wear law, N a normal by one of the rules below.
 #pragma once
 
 #include <algorithm>
@@ -27,11 +27,10 @@ namespace gnomon {
 /// The direction and length of N, by which a wear rate moves the shape.
 ///
 ///   averaged      sum_f A^_f S_f/|S_f| / sum_f A^_f    (A^_f: initial shares, eq. 35)
-///   normalised    the same made unit
-///   conservative  A a/|a|^2, where a is the derivative of the body's volume by the node's
-///   position,
-///                 without the components of the shape that are held. The body then loses volume
-///                 at the rate sum A Wdot, whatever the mesh.
+///   normalised    the same, normalised to length one
+///   conservative  A a/|a|^2; a is the derivative of the body's volume with respect to the
+///                 position of the node, without the components of the shape that are held. The
+///                 body then loses volume at the rate sum A Wdot, on every mesh.
 enum class NormalRule { averaged, normalised, conservative };
 
 /// Constants of all contact nodes.
@@ -49,12 +48,12 @@ struct ContactParameters {
 template <int dim, class Scalar = double>
 struct NodalSurface {
   Scalar area;
-  Vector<dim, Scalar> normal;  ///< N; zero where conservative has none
+  Vector<dim, Scalar> normal;  ///< N; zero if the conservative rule has none
 
   NodalSurface(const ContactPatch<dim>& patch, const PatchNodal<dim, Scalar>& X, NormalRule rule);
 };
 
-/// Where a contact node is: what its residual depends on.
+/// The state of a contact node: everything that its residual depends on.
 template <int dim, class Scalar = double>
 struct ContactInput {
   PatchNodal<dim, Scalar> X;  ///< undeformed positions of patch.nodes [length]
@@ -64,10 +63,10 @@ struct ContactInput {
   WearMoment moment = {};     ///< read by the wear law, and by a counter-body that turns
 };
 
-/// Which smooth branch of a contact node is meant.
+/// The smooth branch of a contact node.
 struct NodeBranch {
   Branch contact = Branch::by_sign;
-  std::span<const char> wear = {};  ///< as of WearLaw
+  std::span<const char> wear = {};  ///< branches of the WearLaw
 
   NodeBranch(Branch branch = Branch::by_sign, std::span<const char> wear_branches = {})
       : contact(branch), wear(wear_branches) {}
@@ -89,7 +88,7 @@ struct ContactNode {
               const ContactInput<dim, Scalar>& at, const NodeBranch& branch = {});
 };
 
-/// How many switching functions a contact node has: that of contact, and those of the wear law.
+/// Number of switching functions of a contact node: that of contact, and those of the wear law.
 template <int dim>
 std::size_t switching_functions(const ContactParameters<dim>& parameters) {
   return 1 + parameters.wear.kinks();
@@ -102,8 +101,8 @@ void contact_switching(const ContactParameters<dim>& parameters, const ContactPa
                        const ContactInput<dim>& at, const NodeBranch& branch,
                        std::span<double> values);
 
-/// Derivatives of ContactNode. The positions x = X + u enter through u and d alike, the undeformed
-/// ones X through area, normal and streaming.
+/// Derivatives of ContactNode. The positions x = X + u depend on u and d in the same way; the
+/// undeformed positions X enter through area, normal and streaming.
 template <int dim>
 struct ContactNodeTangent {
   template <class T>
@@ -136,7 +135,7 @@ Vector<dim, Scalar> free_volume_gradient(const ContactPatch<dim>& patch,
   return a;
 }
 
-/// Whether the volume that a node sweeps, by |a|^2, determines how far it moves.
+/// Whether the volume that a node removes determines how far it moves, from |a|^2.
 inline bool determines_motion(double square, double area) {
   return square > 1e-8 * area * area;
 }
@@ -145,7 +144,7 @@ inline bool determines_motion(double square, double area) {
 template <int dim>
 void require_normal(const ContactPatch<dim>& patch, const SignedDistance<dim>& distance);
 
-/// Throws RecoverableError where a node that may move has no direction to wear in.
+/// Throws RecoverableError if a node that may move has no direction of wear.
 template <int dim>
 void require_direction(const ContactPatch<dim>& patch, const Vector<dim>& normal);
 

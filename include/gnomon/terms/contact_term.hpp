@@ -9,17 +9,17 @@
 
 namespace gnomon {
 
-/// One contact state: its fields and what it is made of. References must outlive the term.
+/// One contact state: its fields and constants. The referenced objects must outlive the term.
 template <int dim>
 struct ContactState {
   FieldId u = FieldId::none;       ///< displacement, at all nodes of the mesh
   FieldId lambda = FieldId::none;  ///< contact multiplier, at the contact nodes
-  FieldId w = FieldId::none;       ///< rigid motion along `approach`, once; none: it stays
+  FieldId w = FieldId::none;  ///< rigid motion along `approach`, a single value; none: no motion
   const Mesh<dim>& mesh;
   const ContactParameters<dim>& parameters;
   const std::vector<ContactPatch<dim>>& patches;
   /// Part of each contact node in the wear rate of its shape unknowns; empty: 1. With a section,
-  /// the length that the node stands for by that of the path.
+  /// the length that the node represents divided by the length of the path.
   const std::vector<double>& wear_weight;
   /// Laws of the wearing surfaces after the first, whose law is in `parameters`, and the surface of
   /// each contact node; empty: all nodes belong to the first.
@@ -38,7 +38,7 @@ public:
   void add_residual(const Evaluation<dim>& at, std::span<double> F) const override;
   void add_jacobian(const Evaluation<dim>& at, double rate_weight,
                     std::span<double> values) const override;
-  /// Of every contact node lambda + rho g [stress], then the kinks of the wear law.
+  /// For every contact node lambda + rho g [stress], then the kinks of the wear law.
   void switching(const Evaluation<dim>& at, std::span<double> values) const override;
 
   /// The contact law at every contact node.

@@ -1,5 +1,5 @@
-// Sums over the Gauss points from which the tangent of a cell is made. All terms are collected
-// first and multiplied then: products of small matrices, with the nodes along memory.
+// Sums over the Gauss points from which the tangent of a cell is made. All terms are first
+// collected and then multiplied: products of small matrices, with the nodes contiguous in memory.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ void combine(int terms, const double* runs, int run_stride, const double* factor
   Eigen::Map<Run, Eigen::AlignedMax>{result} = sum;
 }
 
-/// Sum of dyads x_a[i] y_b[j] of nodal fields x and y, `per_point` a Gauss point.
+/// Sum of dyads x_a[i] y_b[j] of nodal fields x and y, `per_point` of them per Gauss point.
 template <int dim, int per_point>
 class DyadSum {
 public:
@@ -31,7 +31,7 @@ public:
     x_[count_] = x;
     y_[count_++] = y;
   }
-  /// Sum of x y_b[j], one value a node and component.
+  /// Sum of x y_b[j], one value per node and component.
   CellNodal<dim> column(int b, int j) const {
     CellNodal<dim> sum;
     combine<local>(count_, x_[0].data(), local, &y_[0](b, j), local, sum.data());
@@ -43,11 +43,11 @@ private:
   int count_ = 0;
 };
 
-/// One value a pair of nodes.
+/// One value per pair of nodes.
 template <int dim>
 using NodePairs = Eigen::Matrix<double, (1 << dim), (1 << dim)>;
 
-/// Sum of (n_a . n_b) D over the Gauss points, D any tensor.
+/// Sum of (n_a . n_b) D over the Gauss points for any tensors D.
 template <int dim>
 class PairSum {
 public:
@@ -71,8 +71,7 @@ private:
   int count_ = 0;
 };
 
-/// Sum of [A : (v (x) n_b)] n_a over the Gauss points for linear A, whatever their form: a matrix
-/// each of its own.
+/// Sum of [A : (v (x) n_b)] n_a over the Gauss points for any linear A, one per point.
 template <int dim>
 class StressChangeSum {
 public:
@@ -85,11 +84,10 @@ public:
       for (int J = 0; J < dim; ++J) changes_[j][dim * count_ + J] = changes[j][J];
     n_[count_++] = n;
   }
-  /// Of v = e_j, one value a node and component.
+  /// For v = e_j, one value per node and component.
   CellNodal<dim> column(int b, int j) const {
     CellNodal<dim> sum;
-    // Entry (b, J) of the n of a point stands J * (1 << dim) behind (b, 0), and the next point
-    // follows.
+    // Entry (b, J) of the n of a point is J * (1 << dim) after (b, 0), and the next point follows.
     combine<local>(dim * count_, changes_[j][0].data(), local, n_[0].data() + b, 1 << dim,
                    sum.data());
     return sum;
@@ -101,12 +99,12 @@ private:
   int count_ = 0;
 };
 
-/// How the tangent of a law is summed: (n_a . n_b) D where its other parts are dyads, else as it
-/// is.
+/// The sum for the tangent of a law: (n_a . n_b) D if its other parts are dyads, otherwise the
+/// general sum.
 template <int dim, bool dyadic>
 using LawSum = std::conditional_t<dyadic, PairSum<dim>, StressChangeSum<dim>>;
 
-/// K(ab) = sum of direct dyads x_a (x) y_b, crossed ones y_b (x) x_a, and what the law gives.
+/// K(ab) = sum of direct dyads x_a (x) y_b, crossed dyads y_b (x) x_a, and the part of the law.
 template <int dim, int direct_dyads, int crossed_dyads, bool dyadic>
 struct TangentSum {
   static constexpr int nodes = 1 << dim;

@@ -1,4 +1,4 @@
-// What a body is made of: moduli, and the kernels of an elastic law.
+// The material of a body: moduli, and the kernels of an elastic law.
 #pragma once
 
 #include <gnomon/terms/solid.hpp>
@@ -6,11 +6,11 @@
 
 namespace gnomon {
 
-/// A value.
+/// A value type.
 struct Material {
   ElasticModuli moduli;
   const LawKernels* finite_kernels = nullptr;  ///< of its law; static, never freed
-  double collapse_force = 1;                   ///< of its law
+  double collapse_force = 1;                   ///< that of its law
 
   template <int dim>
   const CellKernel<dim>& kernel(const Element& element) const {

@@ -23,26 +23,26 @@ struct MaterialLaw {
   std::string help;           ///< one line
   const LawKernels* kernels;  ///< &law_kernels<Law>, solid_kernels.hpp
   /// Keys of the law's ratios, named without their table: "mooney_ratio". They must be optional;
-  /// scenes may give them only where they choose this law.
+  /// scenes may give them only if they choose this law.
   std::vector<Key> keys{};
   /// ElasticModuli::ratios of keys `table`.*; lambda and mu are given. Throws InputError (using
   /// Scene::where). None: all zero.
   std::function<std::array<double, 2>(const Scene&, const std::string& table, const ElasticModuli&)>
       ratios = nullptr;
-  /// About how much larger the forces of nearly collapsed elements become than those of eq. (38);
-  /// rounding grows with them.
+  /// Approximate factor by which the forces of nearly collapsed elements exceed those of eq. (38);
+  /// rounding errors grow with them.
   double collapse_force = 1;
 };
 
 using MaterialLaws = Registry<MaterialLaw>;
 
 /// The material that the key `choice` ("body.material") names, from the keys of the same table:
-/// "body.young_modulus", "body.poisson_ratio" and those of the law. Throws InputError where the law
-/// does, and where there are keys of another law.
+/// "body.young_modulus", "body.poisson_ratio" and those of the law. Throws InputError like the law,
+/// and if there are keys of another law.
 Material read_material(const Scene& scene, const std::string& choice);
 
-/// Fills in the key `choice` ("body.material") of a key table, where it is: its choices become the
-/// registered laws, and their keys are inserted behind it.
+/// Completes the key `choice` ("body.material") of a key table, if the table has it: its choices
+/// become the registered laws, and their keys are inserted after it.
 void add_material_keys(std::vector<Key>& table, const std::string& choice);
 
 }  // namespace gnomon

@@ -1,5 +1,5 @@
 // The auxiliary elasticity problem that moves the mesh behind the worn surface, eq. (20): over the
-// cells of the body, or over those of its cross-section where the shape is uniform along x.
+// cells of the body, or over those of its cross-section if the shape is uniform along x.
 #pragma once
 
 #include <gnomon/mesh/cross_section.hpp>
@@ -16,12 +16,12 @@ struct MeshMotionLaw {
   double stiffening = 0;  ///< chi: a cell is (mean volume / its volume)^chi as stiff
 };
 
-/// Off the worn surface in the rows of d; on it in those of the shape multiplier `mu`, where the
-/// form of the constraint has one: so both rows there have a nonzero diagonal.
+/// Adds to the rows of d off the worn surface; on it to the rows of the shape multiplier `mu`, if
+/// the constraint has the multiplier form, so that both rows there have a nonzero diagonal.
 template <int dim>
 class MeshMotion : public Term<dim> {
 public:
-  /// `section`: null where the shape is that of the whole mesh. Mesh and section must outlive the
+  /// `section`: null if the shape is that of the whole mesh. Mesh and section must outlive the
   /// term.
   MeshMotion(const Mesh<dim>& mesh, const CrossSection* section, const MeshMotionLaw& law,
              const Numbering& numbering, FieldId d, FieldId mu);

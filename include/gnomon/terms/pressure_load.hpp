@@ -1,4 +1,4 @@
-// A pressure on a part of the boundary that follows the deformed surface, as of a fluid.
+// A pressure on a part of the boundary that follows the deformed surface, like that of a fluid.
 #pragma once
 
 #include <gnomon/laws/load_history.hpp>
@@ -7,13 +7,14 @@
 
 namespace gnomon {
 
-/// factor(t) p dV/dx in the rows of u, where dV/dx, the derivative of the body's volume by the
-/// current position of a node, is the integral of its shape function times the outward area vector.
+/// factor(t) p dV/dx in the rows of u, where dV/dx, the derivative of the body's volume with
+/// respect to the current position of a node,
+/// is the integral of its shape function times the outward area vector.
 template <int dim>
 class PressureLoad : public Term<dim> {
 public:
-  /// Of the displacement and the shape at all nodes of the mesh. `pressure` at factor one [stress],
-  /// positive: it pushes on the body. The mesh must outlive the term.
+  /// The fields are displacement and shape at all nodes of the mesh. `pressure`: at factor one
+  /// [stress], positive if it pushes on the body. The mesh must outlive the term.
   PressureLoad(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
                double pressure, LoadHistory history, const Numbering& numbering, FieldId u,
                FieldId d);

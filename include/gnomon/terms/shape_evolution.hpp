@@ -16,8 +16,8 @@ struct WornSurface {
   double augmentation = 0;  ///< of mu: mu^ = mu + augmentation x row of d [stress time / length]
 };
 
-/// Where a source of wear adds its share: what it adds to a row of d stands, by eq. (29), also in
-/// that of mu, times -A^ and the augmentation.
+/// The rows to which a source of wear adds its share. By eq. (29) every share in a row of d is also
+/// added to the row of mu, times -A^ and the augmentation.
 template <int dim>
 class EvolutionRows {
 public:
@@ -25,9 +25,9 @@ public:
 
   /// Number of the row of d at worn node c, -1: none.
   int row(int c, int i) const { return rows_(c, i); }
-  /// Of the row of mu, -1: none.
+  /// Number of the row of mu, -1: none.
   int reaction(int c, int i) const { return reactions_(c, i); }
-  /// What an entry of the row of d is multiplied by in that of mu; zero where one is missing.
+  /// Factor of an entry of the row of d in the row of mu; zero if one of the rows is missing.
   double factor(int c) const { return factor_[static_cast<std::size_t>(c)]; }
   /// F += share in both rows.
   void add(int c, const Vector<dim>& share, std::span<double> F) const;
@@ -53,7 +53,7 @@ public:
 private:
   struct Row {
     int row, reaction;      // numbers, -1: none
-    double factor, area;    // of the share in the reaction; A^
+    double factor, area;    // factor of the share in the reaction; A^
     int entity, component;  // of mu
     int by_rate = -1, reaction_by_rate = -1, reaction_by_mu = -1;  // positions in J
   };

@@ -2,8 +2,8 @@
 // bodies.
 //
 // The worn body streams with V through its undeformed configuration, so that its points move with
-// F V in the current one. V is tangent to the surface, and each facet that meets at the node gives
-// F V by its own edges there, T_j = X_j - X_0 undeformed and t_j = x_j - x_0 current:
+// F V in the current one. V is tangent to the surface, and each facet of the node gives F V from
+// its edges at the node, T_j = X_j - X_0 undeformed and t_j = x_j - x_0 current:
 //
 //   V = sum_j c_j T_j   (least squares: c = (T'T)^-1 T'V),   F V = sum_j c_j t_j,
 //
@@ -36,8 +36,7 @@ Vector<dim, Scalar> streaming_velocity(const ContactPatch<dim>& patch,
   return result;
 }
 
-/// Tangential part of a relative velocity: its length and its direction in space (2D: in the plane,
-/// shorter than one where it has a part `across` the plane), zero where nothing slides.
+/// Tangential part of a relative velocity: |v_T| and v_T/|v_T|, zero if there is no sliding.
 template <int dim, class Scalar = double>
 struct Sliding {
   Scalar speed;
@@ -58,7 +57,8 @@ struct Sliding {
   }
 };
 
-/// Derivatives of streaming_velocity by the undeformed (X) and current (x) positions of the patch.
+/// Derivatives of streaming_velocity with respect to the undeformed (X) and current (x) positions
+/// of the patch.
 template <int dim>
 struct StreamingVelocityDerivative {
   std::array<Tensor<dim>, max_patch_nodes> by_X, by_x;

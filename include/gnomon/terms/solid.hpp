@@ -12,18 +12,18 @@ namespace gnomon {
 
 /// How an element treats its change of volume (solid_kernels.hpp states the forces).
 enum class ElementTechnology {
-  plain,             ///< as the displacement says
+  plain,             ///< that of the displacement
   f_bar,             ///< that of the centroid, E. A. de Souza Neto et al. (1996)
   f_bar_variational  ///< the same strain, forces from its energy, eq. (32)
 };
 
-/// As in a scene, in the order of the enumeration.
+/// Names in scenes, in the order of the enumeration.
 inline constexpr std::array<const char*, 3> technology_names = {"plain", "f-bar",
                                                                 "f-bar-variational"};
 /// Throws InputError that names the nearest one.
 ElementTechnology technology_of(const std::string& name);
 
-/// Whether the change of volume is that of the centroid.
+/// Whether the element uses the change of volume of the centroid.
 constexpr bool averaged(ElementTechnology technology) {
   return technology != ElementTechnology::plain;
 }
@@ -31,7 +31,7 @@ constexpr bool variational(ElementTechnology technology) {
   return technology == ElementTechnology::f_bar_variational;
 }
 
-/// What an element does, whatever its material.
+/// The properties of an element that do not depend on its material.
 struct Element {
   ElementTechnology technology = ElementTechnology::f_bar;
   Kinematics kinematics = Kinematics::finite;
@@ -44,7 +44,7 @@ template <int dim>
 struct CellKernel {
   bool (*residual)(const ElasticModuli&, const CellNodal<dim>& X, const CellNodal<dim>& u,
                    CellNodal<dim>& R);
-  /// K_u = dR/du; K_d is left alone.
+  /// K_u = dR/du; K_d is not computed.
   bool (*tangent_u)(const ElasticModuli&, const CellNodal<dim>& X, const CellNodal<dim>& u,
                     CellNodal<dim>& R, CellMatrix<dim>& K_u, CellMatrix<dim>& K_d);
   /// K_u = dR/du and K_d = dR/dd.
@@ -56,11 +56,11 @@ struct CellKernel {
                               const CellNodal<dim>& u);
 };
 
-/// Of one law, by element technology.
+/// Kernels of one law, by element technology.
 template <int dim>
 using CellKernels = std::array<CellKernel<dim>, technology_names.size()>;
 
-/// Of one law, in both dimensions.
+/// Kernels of one law, in both dimensions.
 struct LawKernels {
   CellKernels<2> plane;
   CellKernels<3> space;
@@ -74,15 +74,15 @@ struct LawKernels {
   }
 };
 
-/// Of the linear law, which every material has with small strains.
+/// Kernels of the linear law, which all materials use with small strains.
 extern const LawKernels small_strain_kernels;
 
 /// Volume (area in 2D) of a cell [length^dim].
 template <int dim>
 double cell_volume(const CellNodal<dim>& X);
 
-/// Scaled Jacobian: the least, over the corners, of det(dX/dxi) by the product of the edge lengths
-/// that meet there; 1 for a rectangle, <= 0 when inverted.
+/// Scaled Jacobian: the least, over the corners, of det(dX/dxi) divided by the product of the
+/// lengths of the edges at that corner; 1 for a rectangle, <= 0 when inverted.
 template <int dim>
 double scaled_jacobian(const CellNodal<dim>& X);
 

@@ -1,4 +1,4 @@
-// The kernels of elastic cells, for those who register a law (material.hpp) or differentiate one.
+// The kernels of elastic cells, for files that register a law (material.hpp) or differentiate one.
 // With
 //
 //   H = (du/dxi)(dX/dxi)^-1,   F = I + H,   n_a = (dX/dxi)^-T dN_a/dxi,
@@ -12,7 +12,7 @@
 //   g_a;
 //                      E. A. de Souza Neto et al., Int. J. Solids Struct. 33 (1996) 3277, in 2D the
 //                      in-plane form)
-//   f_bar_variational  R_a = sum_g det(dX/dxi) d phi(Fbar)/du_a, the literal reading of eq. (32):
+//   f_bar_variational  R_a = sum_g det(dX/dxi) d phi(Fbar)/du_a, as eq. (32) says literally:
 //                      r^(1/dim) [P(Fbar) n_a + q (g0_a - g_a)],  q = P(Fbar) : F / dim
 //
 // With small strains they are these linearised in u at u = 0, over the same X: with
@@ -34,7 +34,7 @@
 
 namespace gnomon {
 
-/// A law at a Gauss point, whose change of volume may be that of the centroid.
+/// A law at a Gauss point, with its own change of volume or that of the centroid.
 template <ElementTechnology technology, template <int, class> class Law, int dim,
           class Scalar = double>
 struct LawInCell {
@@ -45,7 +45,7 @@ struct LawInCell {
   static constexpr bool small = Point::kinematics == Kinematics::small;
 
   Scalar c;  ///< r^(1/dim), 1 with small strains
-  T strain;  ///< what the law is evaluated at: F, Fbar, H or Hbar
+  T strain;  ///< strain at which the law is evaluated: F, Fbar, H or Hbar
   Point law;
   Scalar weight;  ///< factor of P n_a in R_a
 
@@ -105,7 +105,7 @@ bool solid_residual(const ElasticModuli& moduli, const CellNodal<dim, Scalar>& X
   return true;
 }
 
-/// Gradients that the variation of a change of volume takes.
+/// Gradients for the variation of a change of volume.
 template <int dim>
 struct VolumeGradients {
   CellNodal<dim> g;  ///< rows g_a; n_a with small strains
@@ -158,10 +158,10 @@ void CellTangent<technology, Law, with_shape, dim>::add(const CellPoint<dim>& po
   const Nodal &n = point.n, &g = here.g, &p = here.p, &g0 = at_centre_.g, &p0 = at_centre_.p;
   const Tensor<dim> P = at.law.stress();
   const Nodal Pn = m * n * P.transpose();
-  double crossed = 0;  // factor of g_b (x) g_a in K_u, beside what the law gives
+  double crossed = 0;  // factor of g_b (x) g_a in K_u, in addition to the law
   Nodal S = Pn;
   if constexpr (averaged(technology)) {
-    Tensor<dim> B = Tensor<dim>::Identity();  // what a change of volume adds to the strain
+    Tensor<dim> B = Tensor<dim>::Identity();  // change of the strain by a change of volume
     if constexpr (!At::small) B = at.strain;
     const Tensor<dim> Z = at.law.stress_change(B);
     const Nodal Zn = m * n * Z.transpose();
@@ -193,7 +193,7 @@ void CellTangent<technology, Law, with_shape, dim>::add(const CellPoint<dim>& po
   }
 }
 
-/// What a change of strain at constant volume of reference gives, and `crossed` g_b (x) g_a.
+/// Adds the effect of a change of strain at constant reference volume, and `crossed` g_b (x) g_a.
 template <ElementTechnology technology, template <int, class> class Law, bool with_shape, int dim>
 void CellTangent<technology, Law, with_shape, dim>::add_law(const At& at,
                                                             const CellPoint<dim>& point,
@@ -234,7 +234,7 @@ void CellTangent<technology, Law, with_shape, dim>::add_law(const At& at,
 }
 
 /// Derivatives of the cell residual: K_u = dR/du, and K_d = dR/dd if `with_shape`. Same return
-/// value as solid_residual; R is computed along.
+/// value as solid_residual; R is computed too.
 template <ElementTechnology technology, template <int, class> class Law, bool with_shape, int dim>
 bool solid_tangent(const ElasticModuli& moduli, const CellNodal<dim>& X, const CellNodal<dim>& u,
                    CellNodal<dim>& R, CellMatrix<dim>& K_u, CellMatrix<dim>& K_d) {
@@ -310,7 +310,7 @@ inline constexpr CellKernels<dim> cell_kernels = {
     cell_kernel<ElementTechnology::f_bar, Law, dim>,
     cell_kernel<ElementTechnology::f_bar_variational, Law, dim>};
 
-/// All kernels of a law. Whoever takes the address compiles them.
+/// All kernels of a law. They are compiled in the file that takes the address.
 template <template <int, class> class Law>
 inline constexpr LawKernels law_kernels = {cell_kernels<Law, 2>, cell_kernels<Law, 3>};
 

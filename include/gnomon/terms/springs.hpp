@@ -11,8 +11,8 @@ namespace gnomon {
 template <int dim>
 class Springs : public Term<dim> {
 public:
-  /// `stiffness`: traction for each unit of displacement, of each component; zero: no spring
-  /// [stress / length]. Of the displacement at all nodes of the mesh.
+  /// `stiffness`: traction per unit of displacement, for each component; zero: no spring [stress /
+  /// length]. The field is the displacement at all nodes of the mesh.
   Springs(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
           const Vector<dim>& stiffness, const Numbering& numbering, FieldId u);
 

@@ -1,4 +1,5 @@
-// What a term is: a part of the equations that adds to the rows of some fields and reads others.
+// The interface of a term: a part of the equations that adds to the rows of some fields and reads
+// others.
 #pragma once
 
 #include <functional>
@@ -10,25 +11,25 @@
 
 namespace gnomon {
 
-/// What terms add to the structure of a system.
+/// The contributions of terms to the structure of a system.
 struct TermStructure {
   PatternBuilder& pattern;               ///< of J
   std::vector<int> switch_node = {};     ///< mesh node of each switching function of the term
   std::vector<double> breakpoints = {};  ///< times at which the term may have a kink in t
 };
 
-/// Where a term is evaluated.
+/// The point at which a term is evaluated.
 template <int dim>
 struct Evaluation {
   const FieldValues<dim>& values;  ///< of all fields
-  std::span<const double> ydot;    ///< of the system; may be empty where nothing is differential
+  std::span<const double> ydot;    ///< of the system; may be empty if nothing is differential
   double t = 0;                    ///< [time]
-  double within = 0;               ///< the time whose smooth part in t is meant [time]
+  double within = 0;               ///< time whose smooth part in t is continued to t [time]
   double load_fraction = 1;        ///< of all loads: less than one in a load ramp
   std::span<const char> branch{};  ///< of the term's switching functions, 1: active; empty: by sign
 };
 
-/// Made for one numbering. Five members, no defaults: one virtual call for each term and sweep.
+/// Made for one numbering. Five members, no defaults: one virtual call per term and sweep.
 template <int dim>
 class Term {
 public:
@@ -36,14 +37,15 @@ public:
 
   /// Adds rows x columns of J to the pattern, switching functions and breakpoints to their lists.
   virtual void declare(TermStructure& structure) const = 0;
-  /// Computes where in the values of J its entries lie; once, after the pattern is built.
+  /// Computes the positions of its entries in the values of J; called once, after the pattern is
+  /// built.
   virtual void map_to(const SparsePattern& pattern) = 0;
-  /// F += residual. Throws RecoverableError where there is none (inverted element).
+  /// F += residual. Throws RecoverableError if there is none (inverted element).
   virtual void add_residual(const Evaluation<dim>& at, std::span<double> F) const = 0;
   /// values += dF/dy + rate_weight dF/dydot. Same errors.
   virtual void add_jacobian(const Evaluation<dim>& at, double rate_weight,
                             std::span<double> values) const = 0;
-  /// One value for each entry of TermStructure::switch_node, <= 0 where it is active.
+  /// One value per entry of TermStructure::switch_node, <= 0 where it is active.
   virtual void switching(const Evaluation<dim>& at, std::span<double> values) const = 0;
 };
 

@@ -5,11 +5,11 @@
 namespace gnomon {
 namespace {
 
-// Its forces grow without bound where a body is nearly worn away.
+// Its forces grow without bound if a body is nearly worn away.
 const Registration<MaterialLaw> registration{
     {.name = "blatz-ko",
-     .help = "Blatz and Ko, which keeps elements from collapsing, the more the larger Poisson's "
-             "ratio",
+     .help = "Blatz and Ko, which keeps elements from collapsing; a larger Poisson's ratio "
+             "strengthens this",
      .kernels = &law_kernels<BlatzKoPoint>,
      .collapse_force = 1e3}};
 

@@ -24,7 +24,7 @@ std::array<double, 2> ratios(const Scene& scene, const std::string& table,
 
 const Registration<MaterialLaw> registration{
     {.name = "mooney-rivlin",
-     .help = "Mooney and Rivlin, compressible: the second invariant beside eq. (38)",
+     .help = "Mooney and Rivlin, compressible: eq. (38) with a term of the second invariant",
      .kernels = &law_kernels<MooneyRivlinPoint>,
      .keys = {{.name = "mooney_ratio",
                .presence = Key::Presence::optional,

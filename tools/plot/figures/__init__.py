@@ -1,1 +1,1 @@
-"""Figures of gnomon's results, studies and spectra: one file a kind of figure."""
+"""Figures of gnomon's results, studies and spectra: one file per kind of figure."""

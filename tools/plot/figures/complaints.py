@@ -1,4 +1,4 @@
-"""What goes wrong on the user's side. The program turns it into one line and exit code 2."""
+"""Errors of the user. The program reports them with one line and exit code 2."""
 
 
 class BadInput(Exception):
@@ -6,7 +6,7 @@ class BadInput(Exception):
 
 
 class Unsuitable(Exception):
-    """A figure that makes no sense for these data; the others are drawn all the same."""
+    """A figure that makes no sense for these data; the other figures are drawn nevertheless."""
 
 
 def reason_of(error):

@@ -26,7 +26,7 @@ def draw(rows):
         own = numpy.array([(t, step, found) for t, name, step, found in rows if name == method])
         own = own[own[:, 0].argsort()]
         look = {"color": style.COLOURS[i % 8], "marker": style.MARKERS[i % 8]}
-        line = {"linestyle": LINES[i % len(LINES)]}  # equal ones show through one another
+        line = {"linestyle": LINES[i % len(LINES)]}  # so that coinciding lines stay visible
         axes.plot(own[:, 0], own[:, 1], **line, **look)
         axes.plot(own[:, 0], own[:, 2], linestyle="", markerfacecolor="none", markersize=6, **look)
         handles.append(Line2D([], [], label=method, **line, **look))
@@ -41,7 +41,7 @@ def draw(rows):
 
 
 def set_scale(axes, steps):
-    """From zero, or logarithmic where that would crush the small ones."""
+    """From zero, or logarithmic if the small values would not be visible."""
     steps = [step for step in steps if 0 < step < numpy.inf]
     if steps and max(steps) > 20 * min(steps):
         axes.set_yscale("log")

@@ -10,7 +10,7 @@ from . import style
 from .complaints import Unsuitable
 from .study import distinct
 
-ROOM_ABOVE = 1e3  # times the largest error of a sound run; what exploded further sits at the edge
+ROOM_ABOVE = 1e3  # times the median error; larger errors are drawn at the edge
 
 SELF = {"marker": "", "linestyle": (0, (1, 1)), "linewidth": 0.9}  # against a run of the study
 
@@ -27,7 +27,8 @@ def draw_tolerances(runs):
 
 
 def draw(runs, across, otherwise):
-    """Several sweep values: a panel a method, a colour a value. One value: a colour a method."""
+    """Several sweep values: a panel for each method, a colour for each value. One value: a colour
+    for each method."""
     if not any(0 < run.shape_error < math.inf for run in runs):
         raise Unsuitable("no run has an error" if runs else otherwise)
     swept = len(distinct(run.sweep for run in runs)) > 1
@@ -55,7 +56,7 @@ def looks_of(names, ordered):
 
 
 def panels_for(count):
-    """Two or fewer stand in one column, more fill the page's width."""
+    """Up to two panels are in one column, more fill the page's width."""
     columns = 1 if count <= 2 else 2 if count == 4 else 3
     rows = math.ceil(count / columns)
     width = style.SINGLE if columns == 1 else style.DOUBLE
@@ -71,7 +72,7 @@ def error_limits(runs):
     sound = [run.shape_error for run in runs if run.finished and run.shape_error > 0] or errors
     typical = numpy.median(sound)
     top = min(max(errors), ROOM_ABOVE * typical)
-    # Errors of references far below what was measured would take the room from it.
+    # Errors of references that are far below the measured errors would take too much space.
     low = min(errors)
     references = [run.reference_error for run in runs if run.reference_error > 0.1 * low]
     return 0.5 * min([low, *references]), 4 * top
@@ -79,7 +80,7 @@ def error_limits(runs):
 
 def draw_panel(axes, runs, looks, key, limits):
     """True if there are lines of slope."""
-    axes.set_xmargin(0.1)  # room for the numbers of the slopes
+    axes.set_xmargin(0.1)  # space for the numbers of the slopes
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.tick_params(which="both", top=False, right=False)
@@ -91,7 +92,7 @@ def draw_panel(axes, runs, looks, key, limits):
 
 
 def draw_reference(axes, runs, limits):
-    """The band in which a difference from the reference says nothing."""
+    """The band in which a difference from the reference has no meaning."""
     axes.set_ylim(limits)
     if has_band(runs, limits):
         highest = max(run.reference_error for run in runs if run.reference_error > 0)
@@ -103,7 +104,7 @@ def has_band(runs, limits):
 
 
 def draw_series(axes, runs, look, limits):
-    """Beyond the limits, or without an error at all: a cross at the upper edge."""
+    """A cross at the upper edge for errors beyond the limits and for runs without an error."""
     edge = limits[1] / 1.5
     x = numpy.array([run.setting for run in runs])
     errors = numpy.array([run.shape_error for run in runs])
@@ -120,8 +121,8 @@ def draw_series(axes, runs, look, limits):
 
 
 def draw_guides(axes, runs, key):
-    """Lines of slope 1 and of the highest order that is seen, each below its lowest series; false
-    where no series is long enough to have a slope."""
+    """Lines of slope 1 and of the highest observed order, each below its lowest series; returns
+    false if no series is long enough to have a slope."""
     series = [[run for run in runs if key(run) == name and run.finished and run.shape_error > 0]
               for name in distinct(key(run) for run in runs)]
     series = {order: [runs for runs in series if order_of(runs) == order]
@@ -145,7 +146,7 @@ def draw_guide(axes, settings, order, factor):
 
 
 def order_of(runs):
-    """The slope of most of the series, rounded; 0 when there is none."""
+    """The slope of most of the series, rounded; 0 if there is none."""
     if len(runs) < 3:
         return 0
     runs = sorted(runs, key=lambda run: run.setting)
@@ -155,7 +156,7 @@ def order_of(runs):
 
 
 def notes_of(runs, limits, guides):
-    """What the signs mean, those that occur."""
+    """The meaning of the signs that occur."""
     notes = []
     if any(not run.shape_error < limits[1] / 1.5 for run in runs):
         notes.append(Line2D([], [], color="black", linestyle="", marker="x", markersize=5,

@@ -1,4 +1,4 @@
-"""How accurate error control is: differences at the extremes (DIR/extremes.csv) by the tolerance."""
+"""Accuracy of error control: differences of DIR/extremes.csv against the tolerance."""
 
 from dataclasses import dataclass
 
@@ -15,8 +15,8 @@ from .study import distinct
 TEXTS = ("study", "sweep", "method", "integrator", "marked")
 NUMBERS = ("rtol", "difference")
 USUAL = (0.1, 100)  # of rtol, docs/extremes.md
-SHORTEST = 3  # cases that make a line
-VARIANT = style.DASHES  # a method with settings of its own, as its name says
+SHORTEST = 3  # least number of cases of a line
+VARIANT = style.DASHES  # a method with additional settings, as its name says
 
 
 @dataclass
@@ -44,7 +44,7 @@ def read(folder):
 
 
 def draw(cases):
-    """A panel an integrator: lines where a case was run with several tolerances, points elsewhere."""
+    """One panel per integrator: lines for cases with several tolerances, otherwise points."""
     if not cases:
         raise Unsuitable("no case with error control has a difference")
     names = distinct(case.integrator for case in cases)
@@ -100,7 +100,7 @@ def finish(panels):
 
 
 def notes_of(cases):
-    """What the signs mean, those that occur."""
+    """The meaning of the signs that occur."""
     line = {"color": style.COLOURS[0], "marker": "o"}
     point = {"color": style.COLOURS[5], "marker": "o", "linestyle": "", "markersize": 2.5}
     series = series_of(cases)

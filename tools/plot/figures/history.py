@@ -1,4 +1,4 @@
-"""What the integrator did: sizes and orders of its steps, events, rejections, Newton iterations."""
+"""The work of the integrator: sizes and orders of steps, events, rejections, Newton iterations."""
 
 import numpy
 

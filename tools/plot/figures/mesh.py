@@ -9,7 +9,7 @@ from matplotlib.colors import Normalize
 from . import space, style
 from .complaints import Unsuitable
 
-MANY_CELLS = 1000  # from here on an SVG holds the mesh as a picture
+MANY_CELLS = 1000  # above this number an SVG contains the mesh as a bitmap
 
 
 def draw(result):
@@ -30,7 +30,7 @@ def draw(result):
 
 
 def views(result):
-    """How the mesh is projected, the width of the figure, and how many times it has room for."""
+    """The projection of the mesh, the width of the figure, and how many times it can show."""
     nodes = {2: 4, 3: 8}[result.dim]
     if result.cells.shape[1] != nodes:
         raise Unsuitable(f"cells of {result.cells.shape[1]} nodes")
@@ -63,7 +63,7 @@ def draw_state(figure, column, view, result, step):
 
 
 def shaded(colours, light):
-    """Darker where a face turns away, but not so much that colours could be taken for others."""
+    """Darker where a face is turned away, but not so much that colours could be confused."""
     colours = colours.copy()
     colours[:, :3] *= (0.75 + 0.25 * light)[:, None]
     return colours
@@ -83,8 +83,8 @@ def finish_plane(panels):
 
 
 def finish_space(panels, view):
-    """Instead of scales, which a projection has not: the axes, with arms of a known length, in a
-    strip below the bodies."""
+    """A projection has no scales; instead the axes are drawn, with arms of known length, in a strip
+    below the bodies."""
     for axes in panels.flat:
         axes.set(xticks=[], yticks=[])
         axes.spines[:].set_visible(False)
@@ -109,6 +109,6 @@ def add_arms(axes, screen, arm):
 
 
 def height(axes, panel):
-    """Of the figure, for panels of this width."""
+    """The height of the figure for panels of this width."""
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     return min(2 * 0.86 * panel * (high - low) / (right - left) + 0.9, 2.4 * style.SINGLE)

@@ -29,7 +29,7 @@ def draw(result):
 
 
 def draw_two(first, second):
-    """At the times that both have stored: colour is time, dashes are the second result."""
+    """At the times that both have stored: colours show time, dashes the second result."""
     if first.attribute("problem") != second.attribute("problem"):
         raise Unsuitable("the results are of different problems")
     pairs = [(i, j) for i in first.some_steps(MOST_TIMES) for j, t in enumerate(second.times)
@@ -59,7 +59,7 @@ def title(result):
 
 
 def panels_for(lines):
-    """A panel a curve."""
+    """One panel per curve."""
     width = style.SINGLE if len(lines) == 1 else style.DOUBLE
     figure = style.figure(width=width, height=0.62 * style.SINGLE)
     panels = figure.subplots(1, len(lines), sharey=True, squeeze=False)[0]
@@ -70,12 +70,12 @@ def panels_for(lines):
 
 
 def profile(axes, line, table, **look):
-    """Over the current position: where the pressure acts."""
+    """Over the current position, where the pressure acts."""
     axes.plot(table[line.axis], table["pressure"], marker=".", markersize=2.2, **look)
 
 
 def frame(axes, tables, axis):
-    """What was ever in contact, down to the first node that is not, and a margin; no more than the
+    """The range that was ever in contact, to the first node that was not, and a margin; at most the
     surface."""
     seen = numpy.concatenate([table[axis][with_neighbours(table["pressure"] > 0)]
                               for table in tables])
@@ -93,7 +93,7 @@ def with_neighbours(chosen):
 
 
 def limit(axes, tables):
-    """Cuts a peak at the start off that would leave the later pressures flat, and says so."""
+    """Cuts off a peak at the start if the later pressures would look flat, and says so."""
     start = max(start["pressure"].max() for start, *_ in tables)
     later = max((table["pressure"].max() for _, *rest in tables for table in rest), default=0)
     if 0 < 4 * later < start:

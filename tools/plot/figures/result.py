@@ -12,14 +12,14 @@ from .complaints import BadInput, Unsuitable, reason_of
 
 
 class Item(NamedTuple):
-    """What stands at a path of the file; a group has no data."""
+    """The object at a path of the file; a group has no data."""
 
     data: object
     attributes: dict
 
 
 class Result:
-    """One result; arrays are read when asked for."""
+    """One result; arrays are read when they are needed."""
 
     def __init__(self, path):
         self.path = Path(path)
@@ -41,7 +41,7 @@ class Result:
 
     @contextmanager
     def _reading(self, where):
-        """Which exception h5py raises depends on which bytes are damaged: all are bad input."""
+        """The exception of h5py depends on the damaged bytes: all exceptions mean bad input."""
         try:
             yield
         except Exception as error:
@@ -52,8 +52,8 @@ class Result:
                         "of gnomon")
 
     def _read(self, where):
-        """None where there is nothing. The only way into the file: h5py's own get() takes what
-        is damaged for absent."""
+        """None if there is nothing. All access to the file is here, because h5py's own get() treats
+        damaged objects as absent."""
         with self._reading(where):
             if where not in self._file:
                 return None
@@ -84,7 +84,7 @@ class Result:
         return path.removeprefix("steps/")
 
     def _array(self, where, absent):
-        """What may be absent makes a figure unsuitable, no more."""
+        """If an optional object is absent, only the figure is unsuitable."""
         item = self._read(where)
         if item is None:
             raise Unsuitable(absent)
@@ -115,11 +115,11 @@ class Result:
     def dim(self):
         if not self._groups:
             raise Unsuitable("nothing is stored")
-        self.contact(0)  # says why there is none
+        self.contact(0)  # its message says why there is none
         return int(self._read(f"gnomon/contact/{self._groups[0]}").attributes.get("dim", 2))
 
     def contact(self, step):
-        """The contact surface at a stored step, one row a node."""
+        """The contact surface at a stored step, one row per node."""
         where = f"gnomon/contact/{self._groups[step]}"
         table = self._table(where, "no contact surface is stored")
         self._check_nodes(where, table["node"])
@@ -139,7 +139,7 @@ class Result:
         return cells
 
     def _check_nodes(self, where, nodes):
-        """Negative numbers, too: Python would count them from the end."""
+        """Refuses negative numbers too, because Python would count them from the end."""
         count = len(self.points)
         wrong = nodes[(nodes < 0) | (nodes >= count)]
         if len(wrong):

@@ -21,7 +21,7 @@ RESULT_FIGURES = {
 }
 
 
-# What comes of drawing numbers that are damaged, or not those of the format.
+# Exceptions that occur when numbers are damaged or do not have the right format.
 NONSENSE = (ArithmeticError, LookupError, MemoryError, OSError, RuntimeError, TypeError, ValueError,
             numpy.linalg.LinAlgError)
 
@@ -38,10 +38,10 @@ def draw(kind, targets, folder, svg_folder):
 
 
 def perform(drawer, targets, sink):
-    """Writes the figures when all are made: of a target that is refused there are none."""
+    """Writes the figures when all are made: for a refused target no figure is written."""
     try:
         with warnings.catch_warnings(), numpy.errstate(all="ignore"):
-            warnings.simplefilter("ignore")  # of damaged numbers; one line is said about them
+            warnings.simplefilter("ignore")  # from damaged numbers, which are reported in one line
             drawer(*targets, sink)
             reports = sink.render()
     except NONSENSE as error:
@@ -52,7 +52,7 @@ def perform(drawer, targets, sink):
 
 
 class Sink:
-    """Where the figures of a target go. `owners` tells which target has drawn what so far."""
+    """The folder of the figures of a target. `owners`: the target of each figure so far."""
 
     def __init__(self, target, folder, svg_folder, owners):
         self.target, self.owners = target, owners
@@ -62,14 +62,14 @@ class Sink:
         self.figures = {}
 
     def draw(self, name, drawer, *arguments):
-        """Keeps a figure, or why there is none."""
+        """Keeps a figure, or the reason why there is none."""
         try:
             self.figures[name] = drawer(*arguments)
         except Unsuitable as reason:
             self.figures[name] = reason
 
     def render(self):
-        """By name the contents of a figure's files, or why there are none."""
+        """By name, the contents of a figure's files, or the reason why there are none."""
         return {name: made if isinstance(made, Unsuitable)
                 else output.render(made, name, self.kinds) for name, made in self.figures.items()}
 

@@ -38,7 +38,7 @@ def draw_initial(axes, table):
 
 
 def frame(axes, table):
-    """The part that is worn at last and a margin; all of the surface when nothing is."""
+    """The part that is worn at the end and a margin; the whole surface if there is no wear."""
     worn = worn_part(table)
     left, right = table["X0"][worn].min(), table["X0"][worn].max()
     margin = 0.12 * (right - left)
@@ -59,8 +59,8 @@ def worn_part(table):
 
 
 def scale(axes, lowest=0.22):
-    """Equal scales where that gives a picture, else the least round stretch of the height.
-    Returns the stretch, and height by width of the panel."""
+    """Equal scales if that gives a useful picture, otherwise the least round magnification of the
+    height. Returns the magnification, and height divided by width of the panel."""
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     ratio = (high - low) / (right - left)
     stretch = next((s for s in STRETCHES if s * ratio >= lowest), STRETCHES[-1])

@@ -25,12 +25,12 @@ class Overlay:
     tables: tuple
 
     def times(self):
-        """What both have stored after the start."""
+        """The times after the start that both have stored."""
         return [t for t in self.tables[0] if t > 0 and t in self.tables[1]]
 
 
 def draw(folder, runs):
-    """Of one value of the sweep: a panel a method, a colour a stored time."""
+    """For one value of the sweep: one panel per method, one colour per stored time."""
     overlays = overlays_of(folder, runs)
     times = sorted({t for overlay in overlays for t in overlay.times()})
     if not times:
@@ -83,7 +83,7 @@ def draw_panel(axes, overlay, colours):
     for t in overlay.times():
         if t in colours:
             axes.plot(longest[t]["X"], longest[t]["Y"], color=colours[t], linewidth=1.3)
-            axes.plot(shortest[t]["X"], shortest[t]["Y"], **SHORTEST)  # seen where they coincide
+            axes.plot(shortest[t]["X"], shortest[t]["Y"], **SHORTEST)  # visible where they coincide
 
 
 def handles_of(colours):
@@ -92,7 +92,7 @@ def handles_of(colours):
 
 
 def steps_of(overlays):
-    """What solid and dashed lines are; the methods' steps may differ."""
+    """The meaning of solid and dashed lines; the methods' steps may differ."""
     notes = [Line2D([], [], color="black", linestyle=":", linewidth=0.8, label="initial")]
     for i, look in enumerate(({"color": style.GREY, "linewidth": 1.3}, SHORTEST)):
         steps = sorted({overlay.steps[i] for overlay in overlays})

@@ -41,13 +41,13 @@ def is_half(result):
 
 
 def normals(corners):
-    """Of faces, F x 4 x 3: half their vector area."""
+    """Normals of faces, F x 4 x 3, with twice their areas as lengths."""
     return numpy.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
 
 
 class View:
     """A parallel projection: x to the right, z up; the plane y = 0 in front, the contact surface
-    seen from where it faces, above or below."""
+    seen from the side to which it faces, above or below."""
 
     def __init__(self, result):
         self.faces, self.owners = boundary_faces(result.cells)
@@ -58,7 +58,7 @@ class View:
         self.screen = numpy.stack([right, numpy.cross(self.eye, right)], axis=1)
 
     def polygons(self, points):
-        """Faces turned to the eye, the farthest first: corners on the screen, cells, and brightness
+        """Visible faces, the farthest first: corners on the screen, cells, and brightness
         from 0 to 1."""
         corners = points[self.faces]
         towards = unit(normals(corners)) @ self.eye

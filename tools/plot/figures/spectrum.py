@@ -53,7 +53,7 @@ def some_times(spectra):
 
 
 def critical_step(eigenvalues):
-    """|1 + h lambda| <= 1 for all eigenvalues that decay; those at rest set no limit."""
+    """|1 + h lambda| <= 1 for all eigenvalues that decay; those that are zero set no limit."""
     decaying = eigenvalues[eigenvalues.real < -1e-12 * numpy.abs(eigenvalues).max()]
     if not len(decaying):
         raise BadInput("no eigenvalue of the spectrum has a negative real part")
@@ -69,7 +69,7 @@ def amplification(z, stages):
 
 
 def draw_region(plane, line, name, stages, colour):
-    """Its boundary |R(z)| = 1, and where that meets the real axis."""
+    """Its boundary |R(z)| = 1, and the intersection with the real axis."""
     x, y = numpy.meshgrid(numpy.linspace(LEFT, RIGHT, 160), numpy.linspace(-0.15, TOP, 160))
     plane.contour(x, y, amplification(x + 1j * y, stages), levels=[1], colors=[colour],
                   linewidths=1.0)
@@ -80,7 +80,7 @@ def draw_region(plane, line, name, stages, colour):
 
 
 def draw_eigenvalues(plane, line, spectra, step):
-    """In the plane, and their real parts once more, a row a time."""
+    """In the complex plane, and their real parts again, one row per time."""
     handles = []
     for i, ((t, values), colour) in enumerate(zip(spectra.items(), style.sequence(len(spectra)))):
         z = step * values

@@ -1,4 +1,4 @@
-"""Reads a study's table, DIR/study.csv: one row a run."""
+"""Reads a study's table, DIR/study.csv: one row per run."""
 
 import math
 from dataclasses import dataclass

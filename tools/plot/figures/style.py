@@ -1,4 +1,4 @@
-"""The look that all figures share: sizes, fonts, colours, labels, legends."""
+"""The style of all figures: sizes, fonts, colours, labels, legends."""
 
 import matplotlib
 import numpy
@@ -9,7 +9,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 SINGLE = 85 / 25.4  # inch: width of a column
 DOUBLE = 175 / 25.4  # and of a page
 
-# Okabe and Ito's palette: told apart by colour-blind readers, dark to light in print.
+# Okabe and Ito's palette: distinguishable for colour-blind readers, from dark to light in print.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000", "#8C6D31"]
 DASHES = (0, (5, 2))
 MARKERS = ["o", "s", "^", "D", "v", "p", ">", "<"]
@@ -51,7 +51,7 @@ SETTINGS = {
 
 
 def apply():
-    """Sets the style, whatever the user's own settings are."""
+    """Sets the style, independent of the user's settings."""
     matplotlib.rcdefaults()
     matplotlib.rcParams.update(SETTINGS)
 
@@ -63,7 +63,7 @@ def figure(width=SINGLE, height=0.75 * SINGLE):
 
 
 def sequence(count):
-    """Colours of something ordered, dark to light, the palest left out."""
+    """Colours of ordered values, from dark to light, without the palest."""
     return [matplotlib.colormaps["viridis"](0.85 * i / max(count - 1, 1)) for i in range(count)]
 
 
@@ -82,7 +82,7 @@ def label(axes, letter):
 
 
 def number(value):
-    """Short, and exact enough for a legend."""
+    """A short number, exact enough for a legend."""
     return numpy.format_float_positional(float(f"{value:.4g}"), trim="-") \
         if 1e-3 <= abs(value) < 1e6 or value == 0 else f"{value:.3g}"
 
@@ -94,7 +94,7 @@ def round_number(bound):
 
 
 def legend_above_all(figure, *groups):
-    """Legends for all panels, a group below the other, in a strip of their own above the panels."""
+    """Legends for all panels, one group below the other, in a separate strip above the panels."""
     width, height = figure.get_size_inches()
     groups = [group for group in groups if group]
     columns = [legend_columns(group, width) for group in groups]
@@ -121,7 +121,7 @@ def legend_columns(handles, width):
 
 
 def log_ticks(axis):
-    """Powers of ten; over less than two decades also 2 and 5, as plain numbers where they are."""
+    """Powers of ten; for less than two decades also 2 and 5, written as plain numbers."""
     low, high = axis.get_view_interval()
     axis.set_minor_formatter(NullFormatter())
     if high < 100 * low:

@@ -38,7 +38,7 @@ def draw(result):
 
 
 def seen_axes(result, faces):
-    """The two coordinates that are left when one looks along the mean normal."""
+    """The two coordinates that are visible when looking along the mean normal."""
     table = result.contact(0)
     points = numpy.stack([table["X0"], table["Y0"], table["Z0"]], axis=1)
     normal = space.normals(points[faces]).sum(axis=0)
@@ -71,7 +71,7 @@ def paint(figure, axes, points, faces, pressure):
 
 
 def triangles(points, faces, pressure):
-    """Four a face, meeting at its centre: no diagonal is preferred."""
+    """Four triangles per face, meeting at its centre, so that no diagonal is preferred."""
     centres = len(points) + numpy.arange(len(faces))
     corners = [numpy.stack([faces[:, i], faces[:, (i + 1) % 4], centres], axis=1) for i in range(4)]
     everywhere = numpy.concatenate([points, points[faces].mean(axis=1)])
@@ -80,7 +80,8 @@ def triangles(points, faces, pressure):
 
 
 def frame(axes, maps):
-    """All contact there ever was and a margin, within the surface; returns height by width."""
+    """The range that was ever in contact and a margin, within the surface; returns height by
+    width."""
     loaded = numpy.concatenate([points[faces[(pressure[faces] > 0).any(axis=1)]].reshape(-1, 2)
                                 for points, faces, pressure in maps])
     whole = numpy.concatenate([points for points, _, _ in maps])

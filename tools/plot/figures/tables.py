@@ -26,7 +26,7 @@ def read(path, needed):
 
 
 def number(path, row, name):
-    """Not a number when the cell is empty."""
+    """NaN if the cell is empty."""
     text = (row[name] or "").strip()
     try:
         return float(text) if text else math.nan

@@ -15,7 +15,7 @@ FIXED = (0, (1.2, 1.2))  # dashes of series with fixed steps
 
 
 def draw(runs):
-    """Of one value of the sweep. Runs that failed have no place here."""
+    """For one value of the sweep, without failed runs."""
     every = len(runs)
     runs = sound(runs)
     if not runs:
@@ -35,7 +35,7 @@ def draw(runs):
 
 
 def sound(runs):
-    """Finished, and not far beyond the others."""
+    """Finished runs whose errors are not far above the others."""
     runs = [run for run in runs if run.finished and run.shape_error > 0]
     typical = numpy.median([run.shape_error for run in runs]) if runs else 0
     return [run for run in runs if run.shape_error < ROOM_ABOVE * typical]

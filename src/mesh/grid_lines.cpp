@@ -2,7 +2,7 @@
 
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <gnomon/mesh/stations.hpp>
+#include <gnomon/mesh/grid_lines.hpp>
 #include <limits>
 
 namespace gnomon {
@@ -18,7 +18,7 @@ double geometric_sum(double q, int elements) {
   return sum;
 }
 
-/// The ratio at which that sum is `sum`, which it is at one q > 0 since it ascends.
+/// The ratio q > 0 at which that sum is `sum`; it is unique because the sum increases with q.
 double ratio(double sum, int elements) {
   double low = 0, high = 1;
   while (geometric_sum(high, elements) < sum) high *= 2;
@@ -49,7 +49,7 @@ FineZone fine_zone(double size, double fine, double end) {
 
 }  // namespace
 
-std::vector<double> graded_stations(double size, double fine, double end, int elements) {
+std::vector<double> graded_grid_lines(double size, double fine, double end, int elements) {
   const FineZone zone = fine_zone(size, fine, end);
   const int growing = elements - zone.elements;
   if (growing < 0 || (growing == 0) != (fine == end))
@@ -57,21 +57,22 @@ std::vector<double> graded_stations(double size, double fine, double end, int el
         fmt::format("graded mesh: {} elements do not fit a fine length of {} in elements of {} and "
                     "a length of {}",
                     elements, fine, zone.size, end));
-  std::vector<double> stations;
-  for (int k = 0; k < zone.elements; ++k) stations.push_back(fine * k / zone.elements);
-  stations.push_back(fine);
-  if (growing == 0) return stations;
+  std::vector<double> lines;
+  for (int k = 0; k < zone.elements; ++k) lines.push_back(fine * k / zone.elements);
+  lines.push_back(fine);
+  if (growing == 0) return lines;
   const double q = ratio((end - fine) / zone.size, growing);
   double sum = 0;  // geometric_sum(q, k)
   for (int k = 1; k < growing; ++k) {
     sum = (sum + 1) * q;
-    stations.push_back(fine + zone.size * sum);
+    lines.push_back(fine + zone.size * sum);
   }
-  stations.push_back(end);
-  return stations;
+  lines.push_back(end);
+  return lines;
 }
 
-std::vector<double> graded_stations_by_growth(double size, double fine, double end, double growth) {
+std::vector<double> graded_grid_lines_by_growth(double size, double fine, double end,
+                                                double growth) {
   if (!(growth > 1)) throw InputError(fmt::format("graded mesh: growth {} is not above 1", growth));
   const FineZone zone = fine_zone(size, fine, end);
   const double needed = (1 - 1e-12) * (end - fine) / zone.size;
@@ -82,11 +83,11 @@ std::vector<double> graded_stations_by_growth(double size, double fine, double e
           fmt::format("graded mesh: growth {} from elements of {} to a length of {} takes more "
                       "than {} elements",
                       growth, zone.size, end, most_elements));
-  return graded_stations(size, fine, end, zone.elements + growing);
+  return graded_grid_lines(size, fine, end, zone.elements + growing);
 }
 
-std::vector<double> two_sided_stations(const std::vector<double>& left,
-                                       const std::vector<double>& right) {
+std::vector<double> two_sided_grid_lines(const std::vector<double>& left,
+                                         const std::vector<double>& right) {
   std::vector<double> result;
   for (std::size_t k = left.size(); k-- > 1;) result.push_back(-left[k]);
   result.insert(result.end(), right.begin(), right.end());
