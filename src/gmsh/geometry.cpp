@@ -71,10 +71,10 @@ void mesh_geometry(double size, double factor, std::vector<std::string>& remarks
   set("Mesh.SubdivisionAlgorithm", dimension == 2 ? 1 : 2);
   gmsh::model::mesh::generate(dimension);
   remarks.push_back(dimension == 2
-                        ? "not all triangles could be paired, so the mesh is one of half the "
-                          "fineness with each cell subdivided into quadrilaterals"
-                        : "meshed with tetrahedra of twice the size, each subdivided into four "
-                          "hexahedra");
+                        ? "not all triangles could be paired, so the mesh is one of twice the "
+                          "size with each cell subdivided into quadrilaterals"
+                        : "not of hexahedra by itself, so the mesh is one of twice the size "
+                          "with each cell subdivided into hexahedra");
 }
 
 }  // namespace gnomon::gmsh_reader

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iterator>
 #include <limits>
 
 #include "mesh/import_cells.hpp"
@@ -13,13 +12,14 @@ using Facet = Mesh<2>::Facet;
 /// The boundary of a plane body, facet by facet along each of its closed curves.
 class BoundaryOrder {
 public:
-  explicit BoundaryOrder(const ImportedBody<2>& body)
+  BoundaryOrder(const ImportedBody<2>& body, const std::vector<std::string>& first)
       : body_(body), facet_at_(body.mesh.nodes.size(), -1), parts_of_(body.exterior.size()) {
     for (std::size_t facet = 0; facet < body.exterior.size(); ++facet)
       facet_at_[body.exterior[facet][0]] = static_cast<int>(facet);
     int part = 0;
     for (const auto& [name, facets] : body.mesh.boundary) {
       for (const Facet& facet : facets) parts_of_[facet_at_[facet[0]]].push_back(part);
+      weight_.push_back(std::find(first.begin(), first.end(), name) == first.end() ? 1 : 1000);
       ++part;
     }
   }
@@ -41,18 +41,19 @@ public:
   }
 
 private:
-  /// Where as few parts as possible go on from the facet before, so that none is cut in two.
+  /// Where the numbers of as few parts as possible cease to ascend. They do in each part that the
+  /// facet before belongs to, whose last node is the first of all; and worse where a part goes on.
   std::ptrdiff_t begin_of(const std::vector<int>& loop) const {
     std::ptrdiff_t best = 0;
     long least = std::numeric_limits<long>::max();
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const auto& before = parts_of_[loop[(k + loop.size() - 1) % loop.size()]];
       const auto& here = parts_of_[loop[k]];
-      std::vector<int> common;
-      std::set_intersection(before.begin(), before.end(), here.begin(), here.end(),
-                            std::back_inserter(common));
-      if (std::ssize(common) >= least) continue;
-      least = std::ssize(common);
+      long cost = 0;
+      for (int part : before)
+        cost += weight_[part] * (std::find(here.begin(), here.end(), part) == here.end() ? 1 : 2);
+      if (cost >= least) continue;
+      least = cost;
       best = static_cast<std::ptrdiff_t>(k);
     }
     return best;
@@ -60,6 +61,7 @@ private:
 
   const ImportedBody<2>& body_;
   std::vector<int> facet_at_;               // that begins at each node
+  std::vector<long> weight_;                // of each part
   std::vector<std::vector<int>> parts_of_;  // of each facet, ascending
 };
 
@@ -82,9 +84,9 @@ std::vector<T> moved(const std::vector<T>& old, const std::vector<int>& now) {
 
 }  // namespace
 
-void order_along_boundary(ImportedBody<2>& body) {
+void order_along_boundary(ImportedBody<2>& body, const std::vector<std::string>& first) {
   std::vector<Facet> ordered;
-  for (int facet : BoundaryOrder(body)()) ordered.push_back(body.exterior[facet]);
+  for (int facet : BoundaryOrder(body, first)()) ordered.push_back(body.exterior[facet]);
   body.exterior = std::move(ordered);
   const std::vector<int> now = numbers_along(body.exterior, body.mesh.nodes.size());
   body.mesh.nodes = moved(body.mesh.nodes, now);

@@ -33,7 +33,8 @@ void check_hanging_nodes(const ImportedBody<dim>& body);
 template <int dim>
 void take_groups(ImportedBody<dim>& body, const FacetTable<dim>& facets, const ImportedMesh& mesh);
 
-/// (boundary_order.cpp) Numbers the nodes of the boundary along it and sorts all facets so.
-void order_along_boundary(ImportedBody<2>& body);
+/// (boundary_order.cpp) Numbers the nodes of the boundary along it and sorts all facets so;
+/// numbers ascend in the parts named `first`, if in any.
+void order_along_boundary(ImportedBody<2>& body, const std::vector<std::string>& first);
 
 }  // namespace gnomon

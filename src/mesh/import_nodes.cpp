@@ -8,6 +8,8 @@
 #include <gnomon/base/error.hpp>
 #include <limits>
 
+#include "scene/toml_text.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -19,18 +21,18 @@ void sort_once(std::vector<int>& numbers) {
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
-struct Range {
+struct Extent {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   double length() const { return most - least; }
 };
 
-Range range_of(const ImportedMesh& mesh, int axis) {
-  Range range;
+Extent extent_of(const ImportedMesh& mesh, int axis) {
+  Extent extent;
   for (const auto& place : mesh.nodes) {
-    range.least = std::min(range.least, place[axis]);
-    range.most = std::max(range.most, place[axis]);
+    extent.least = std::min(extent.least, place[axis]);
+    extent.most = std::max(extent.most, place[axis]);
   }
-  return range;
+  return extent;
 }
 
 /// Elements that stand in for themselves stay, in the list and in the groups; the others give their
@@ -52,6 +54,30 @@ void keep_elements(ElementList& list, std::vector<MeshGroup>& groups, int dimens
   }
 }
 
+void check_elements(const ImportedMesh& mesh, const ElementList& list, int dimension) {
+  for (int e = 0; e < list.size(); ++e) {
+    if (dimension_of(list.kinds[e]) != dimension ||
+        std::ssize(list.at(e)) != node_count(list.kinds[e]))
+      refuse_mesh(mesh, fmt::format("element {} is no {}", list.tags[e], name_of(list.kinds[e])));
+    for (int node : list.at(e))
+      if (node < 0 || node >= std::ssize(mesh.nodes))
+        refuse_mesh(mesh,
+                    fmt::format("element {} has a node that is not in the file", list.tags[e]));
+  }
+}
+
+void check_members(const ImportedMesh& mesh) {
+  for (const MeshGroup& group : mesh.groups) {
+    const std::ptrdiff_t count = group.dimension == mesh.dimension       ? mesh.cells.size()
+                                 : group.dimension == mesh.dimension - 1 ? mesh.facets.size()
+                                                                         : std::ssize(mesh.nodes);
+    for (int member : group.members)
+      if (member < 0 || member >= count)
+        refuse_mesh(
+            mesh, fmt::format("{} has an element that is not in the file", toml_text(group.name)));
+  }
+}
+
 }  // namespace
 
 void refuse_mesh(const ImportedMesh& mesh, const std::string& why) {
@@ -67,8 +93,8 @@ std::string place_text(std::span<const double> place) {
 }
 
 double diagonal(const ImportedMesh& mesh) {
-  return std::hypot(range_of(mesh, 0).length(), range_of(mesh, 1).length(),
-                    range_of(mesh, 2).length());
+  return std::hypot(extent_of(mesh, 0).length(), extent_of(mesh, 1).length(),
+                    extent_of(mesh, 2).length());
 }
 
 void check_content(const ImportedMesh& mesh, int dim) {
@@ -86,21 +112,16 @@ void check_content(const ImportedMesh& mesh, int dim) {
                                             "they are in a {})",
                                             physical)
                               : ""));
-  const int nodes = static_cast<int>(mesh.nodes.size());
-  for (const ElementList* list : {&mesh.cells, &mesh.facets})
-    for (int e = 0; e < list->size(); ++e)
-      for (int node : list->at(e))
-        if (node < 0 || node >= nodes)
-          refuse_mesh(mesh,
-                      fmt::format("element {} has a node that is not in the file", list->tags[e]));
-  for (int node = 1; node < nodes && mesh.nodes[node] == mesh.nodes[0]; ++node)
-    if (node == nodes - 1) refuse_mesh(mesh, "has all its nodes at one place");
+  check_elements(mesh, mesh.cells, dim);
+  check_elements(mesh, mesh.facets, dim - 1);
+  check_members(mesh);
   constexpr double far = 1e100;  // whose products are numbers still
-  for (int node = 0; node < nodes; ++node)
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
     for (double x : mesh.nodes[node])
       if (!(std::abs(x) < far))
         refuse_mesh(mesh, fmt::format("node {} lies at {}, expected finite coordinates",
                                       mesh.node_tags[node], place_text(mesh.nodes[node])));
+  if (!(diagonal(mesh) > 1 / far)) refuse_mesh(mesh, "has all its nodes at one place");
 }
 
 void renumber_nodes(ImportedMesh& mesh, const std::vector<int>& now) {
@@ -115,7 +136,7 @@ void renumber_nodes(ImportedMesh& mesh, const std::vector<int>& now) {
 
 void lay_in_plane(ImportedMesh& mesh) {
   const double tolerance = same_plane * diagonal(mesh);
-  const Range x = range_of(mesh, 0), y = range_of(mesh, 1), z = range_of(mesh, 2);
+  const Extent x = extent_of(mesh, 0), y = extent_of(mesh, 1), z = extent_of(mesh, 2);
   if (z.length() > tolerance) {
     if (y.length() <= tolerance)
       refuse_mesh(mesh,

@@ -12,6 +12,14 @@ namespace gnomon {
 
 namespace {
 
+/// "1 hexahedron", "3 tetrahedra".
+std::string kind_text(long count, ElementKind kind) {
+  std::string name = name_of(kind);
+  const bool greek = name.ends_with("hedron");
+  if (count != 1 && greek) name.replace(name.size() - 2, 2, "a");
+  return fmt::format("{} {}{}", count, name, count != 1 && !greek ? "s" : "");
+}
+
 /// "3 triangles and 2 quadrilaterals".
 std::string kinds_text(const ElementList& cells) {
   std::array<long, element_kinds> count{};
@@ -19,7 +27,7 @@ std::string kinds_text(const ElementList& cells) {
   std::string text;
   for (int kind = 0; kind < element_kinds; ++kind)
     if (count[kind] > 0)
-      text += (text.empty() ? "" : " and ") + counted(count[kind], name_of(ElementKind(kind)));
+      text += (text.empty() ? "" : " and ") + kind_text(count[kind], ElementKind(kind));
   return text;
 }
 
@@ -52,7 +60,7 @@ ImportedBody<dim> body_of(ImportedMesh& mesh) {
 }  // namespace
 
 template <int dim>
-ImportedBody<dim> check_mesh(ImportedMesh mesh) {
+ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& ascending) {
   check_content(mesh, dim);
   if (dim == 2) lay_in_plane(mesh);
   merge_equal_nodes(mesh);
@@ -66,11 +74,11 @@ ImportedBody<dim> check_mesh(ImportedMesh mesh) {
     if (facets.neighbour(slot) == facets.exterior) body.exterior.push_back(facets.facet(slot));
   check_connection(body, facets);
   take_groups(body, facets, mesh);
-  if constexpr (dim == 2) order_along_boundary(body);
+  if constexpr (dim == 2) order_along_boundary(body, ascending);
   return body;
 }
 
-template ImportedBody<2> check_mesh(ImportedMesh);
-template ImportedBody<3> check_mesh(ImportedMesh);
+template ImportedBody<2> check_mesh(ImportedMesh, const std::vector<std::string>&);
+template ImportedBody<3> check_mesh(ImportedMesh, const std::vector<std::string>&);
 
 }  // namespace gnomon

@@ -57,6 +57,25 @@ void check_beginning(const std::filesystem::path& file) {
     refuse(file, "does not begin with $MeshFormat, expected a mesh of Gmsh, version 4.1 or 2.2");
 }
 
+/// Gmsh leaves out the last line of a script that does not end with a new line, and says nothing.
+void check_last_line(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  stream.seekg(-1, std::ios::end);
+  if (stream.get() != '\n')
+    refuse(file, "expected an end of its last line, which Gmsh leaves out without one");
+}
+
+/// Gmsh takes what there is of a file that was cut off. Every section ends with its $End.
+void check_end(const std::filesystem::path& file) {
+  constexpr std::streamoff longest = 200;  // of a word and of spaces behind it
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  const std::streamoff size = stream.tellg();
+  stream.seekg(std::max<std::streamoff>(0, size - longest));
+  std::string word, last;
+  while (stream >> word) last = word;
+  if (last.find("$End") == last.npos) refuse(file, "is cut off: its last section has no end");
+}
+
 /// Gmsh's complaint of versions that it does not know is not one that helps.
 void check_version(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -101,7 +120,11 @@ ImportedMesh read_mesh_file(const std::filesystem::path& file, const MeshFileOpt
   check_there(file);
   check_options(file, options);
   check_beginning(file);
-  if (!is_geometry(file)) check_version(file);
+  if (!is_geometry(file)) {
+    check_end(file);
+    check_version(file);
+  }
+  if (extension(file) == ".geo") check_last_line(file);
   return mesh_from_process(file, options);
 }
 

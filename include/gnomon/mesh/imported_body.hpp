@@ -16,8 +16,7 @@ struct ImportedBody {
   /// Cells of positive volume, connected by facets, no node hanging. In `boundary` are the groups
   /// of facets that lie on the boundary as a whole, oriented outwards and each facet once. In 2D
   /// the nodes of the boundary come first, numbered along it with the body to the left, and the
-  /// facets of each part follow in that order; where a part is not closed, and does not overlap
-  /// others, its numbers ascend along each of its pieces.
+  /// facets of each part follow in that order.
   Mesh<dim> mesh;
   std::vector<Facet> exterior;                           ///< the whole boundary, in the order above
   std::map<std::string, std::vector<int>> cell_groups;   ///< cells of each named volume (2D: area)
@@ -32,9 +31,11 @@ struct ImportedBody {
 /// cells and facets of either orientation, nodes of no cell, nodes at the same place, cells and
 /// facets that are listed twice, a plane at constant z, cells that are to be subdivided
 /// (subdivision.hpp). Refused by InputError with the element and its place: everything else that
-/// is not sound. A group that is no part of the boundary becomes `unusable`.
+/// is not sound. A group that is no part of the boundary becomes `unusable`. In 2D the numbers of
+/// the nodes ascend along the parts named `ascending` (contact surfaces) as far as that is
+/// possible: they cannot along all of a closed curve.
 template <int dim>
-ImportedBody<dim> check_mesh(ImportedMesh mesh);
+ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& ascending = {});
 
 /// The facets of a boundary part. Throws InputError that says why there is none, with the nearest
 /// name, or all names.
