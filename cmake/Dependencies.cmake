@@ -81,6 +81,22 @@ if(GNOMON_MULTIGRID AND PKG_CONFIG_FOUND)
   endif()
 endif()
 
+# Gmsh's library, for meshes and geometries of users alone: a program of its own that is started on first use.
+if(GNOMON_GMSH)
+  find_path(gmsh_INCLUDE_DIR gmsh.h)
+  find_library(gmsh_LIBRARY gmsh)
+  mark_as_advanced(gmsh_INCLUDE_DIR gmsh_LIBRARY)
+  if(gmsh_INCLUDE_DIR AND gmsh_LIBRARY)
+    add_library(gnomon::gmsh UNKNOWN IMPORTED)
+    set_target_properties(gnomon::gmsh PROPERTIES
+      IMPORTED_LOCATION ${gmsh_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${gmsh_INCLUDE_DIR})
+  else()
+    message(WARNING "No meshes from files: Gmsh's library is missing (Debian: libgmsh-dev; "
+                    "-DGNOMON_GMSH=OFF builds without).")
+    set(GNOMON_GMSH OFF)
+  endif()
+endif()
+
 # BLAS: OpenBLAS if it exists, otherwise any other; -DBLA_VENDOR=... chooses another one.
 if(NOT BLA_VENDOR)
   set(BLA_VENDOR OpenBLAS)

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <gnomon/mesh/mesh.hpp>
 
+#include "mesh/facet_table.hpp"
+
 namespace gnomon {
 
 template <int dim>
@@ -22,31 +24,17 @@ std::vector<int> nodes_where(const Mesh<dim>& mesh,
   return result;
 }
 
-namespace {
-
-/// Corners of the facets of a hexahedron in VTK order, counter-clockwise seen from outside.
-constexpr int hexahedron_facets[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
-                                         {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
-
-}  // namespace
-
-std::vector<Mesh<3>::Facet> exterior_facets(const Mesh<3>& mesh) {
-  using Facet = Mesh<3>::Facet;
-  const auto sorted = [](Facet facet) {
-    std::sort(facet.begin(), facet.end());
-    return facet;
-  };
-  std::map<Facet, int> cells;
-  std::vector<Facet> all;
-  for (const auto& cell : mesh.cells)
-    for (const auto& corners : hexahedron_facets) {
-      all.push_back({cell[corners[0]], cell[corners[1]], cell[corners[2]], cell[corners[3]]});
-      ++cells[sorted(all.back())];
-    }
-  std::erase_if(all, [&](const Facet& facet) { return cells.at(sorted(facet)) > 1; });
-  return all;
+template <int dim>
+std::vector<typename Mesh<dim>::Facet> exterior_facets(const Mesh<dim>& mesh) {
+  const FacetTable<dim> table(mesh);
+  std::vector<typename Mesh<dim>::Facet> result;
+  for (int slot = 0; slot < table.slots(); ++slot)
+    if (table.neighbour(slot) == table.exterior) result.push_back(table.facet(slot));
+  return result;
 }
 
+template std::vector<Mesh<2>::Facet> exterior_facets(const Mesh<2>&);
+template std::vector<Mesh<3>::Facet> exterior_facets(const Mesh<3>&);
 template std::vector<int> Mesh<2>::boundary_nodes(const std::string&) const;
 template std::vector<int> Mesh<3>::boundary_nodes(const std::string&) const;
 template std::vector<int> nodes_where(const Mesh<2>&, const std::function<bool(const Vector<2>&)>&);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cfenv>
 #include <gnomon/base/error.hpp>
+#include <gnomon/mesh/mesh_file.hpp>
 #include <optional>
 #include <random>
 #include <vector>
@@ -91,6 +92,8 @@ protected:
   ~Fuzz() override { std::fesetenv(&before_); }
 
   void SetUp() override {
+    if (GetParam().name == std::string("mesh") && !reads_mesh_files())
+      GTEST_SKIP() << "built without Gmsh's library";
     const std::filesystem::path folder =
         std::filesystem::path(GNOMON_SOURCE_DIR "/tests/fuzz/corpus") / GetParam().name;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -160,7 +163,9 @@ INSTANTIATE_TEST_SUITE_P(All, Fuzz,
                                          Target{"study", fuzz::study, 300},
                                          Target{"result", fuzz::result, 200, true},
                                          Target{"layout", fuzz::layout, 100, true},
-                                         Target{"expression", fuzz::expression, 3000}),
+                                         Target{"expression", fuzz::expression, 3000},
+                                         Target{"mesh", fuzz::mesh, 50},
+                                         Target{"body", fuzz::body, 5000}),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace

@@ -29,6 +29,13 @@ void layout(std::string_view bytes);
 /// The text of an expression: parsed, and evaluated on many of its branches.
 void expression(std::string_view bytes);
 
+/// A mesh of Gmsh (.msh), read by its library in a process of its own, and checked.
+void mesh(std::string_view bytes);
+
+/// The checks alone, of a mesh in lines: "node X Y Z", "cell KIND NODES", "facet KIND NODES",
+/// "group NAME DIMENSION MEMBERS"; nodes, elements and members are numbered from 0.
+void body(std::string_view bytes);
+
 /// Whether the model of a scene needs very little time and memory.
 bool is_small(const Scene& scene);
 

@@ -46,7 +46,8 @@ Mesh<3> structured_hexahedra(int nx, int ny, int nz,
                              const std::function<Vector<3>(double r, double s, double t)>& place);
 
 /// All facets that belong to one cell only, with outer normal, in the order of the cells.
-std::vector<Mesh<3>::Facet> exterior_facets(const Mesh<3>& mesh);
+template <int dim>
+std::vector<typename Mesh<dim>::Facet> exterior_facets(const Mesh<dim>& mesh);
 
 /// Nodes whose initial position fulfils the condition, ascending; for example those near the
 /// contact, the only ones that need shape unknowns (Remark 2).

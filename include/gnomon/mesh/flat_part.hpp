@@ -1,0 +1,21 @@
+// Whether a part of the boundary is flat: supports of the shape follow from that.
+#pragma once
+
+#include <gnomon/mesh/mesh.hpp>
+
+namespace gnomon {
+
+template <int dim>
+struct FlatPart {
+  bool flat = false;
+  Vector<dim> normal = Vector<dim>::Zero();  ///< outer unit normal, the mean one where not flat
+  double deviation = 0;  ///< of a node from the mean plane, at most, by the size of the part
+};
+
+/// A part is flat when its nodes deviate by less than `tolerance` times its size from one plane
+/// (2D: line) and all facets look the same way. No facets are not flat.
+template <int dim>
+FlatPart<dim> flat_part(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
+                        double tolerance = 1e-6);
+
+}  // namespace gnomon

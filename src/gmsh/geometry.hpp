@@ -1,0 +1,13 @@
+// Meshes of geometries.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gnomon::gmsh_reader {
+
+/// Meshes the current model with quadrilaterals (hexahedra) of first order. `size` as
+/// MeshFileOptions has it. Says in `remarks` what the user may not expect.
+void mesh_geometry(double size, double factor, std::vector<std::string>& remarks);
+
+}  // namespace gnomon::gmsh_reader

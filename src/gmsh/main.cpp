@@ -1,0 +1,132 @@
+// The program that sees Gmsh's library: gnomon_gmsh FILE SIZE FACTOR. It reads or meshes a file and
+// hands the mesh to gnomon (src/mesh/mesh_process.cpp), which starts it. A process of its own
+// because a damaged file, a script that says Exit or a failed algorithm may end it; gnomon has its
+// signals, its terminal and its memory for itself.
+#include <gmsh.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+
+#include "gmsh/geometry.hpp"
+#include "gmsh/model_mesh.hpp"
+#include "mesh/mesh_stream.hpp"
+
+namespace gnomon::gmsh_reader {
+
+namespace {
+
+void put(const void* bytes, std::size_t count) {
+  const auto* place = static_cast<const char*>(bytes);
+  while (count > 0) {
+    const ssize_t now = write(mesh_stream::descriptor, place, count);
+    if (now < 0 && errno == EINTR) continue;
+    if (now <= 0) _exit(3);
+    place += now;
+    count -= static_cast<std::size_t>(now);
+  }
+}
+
+void limit(int resource, double most) {
+  rlimit limits{};
+  getrlimit(static_cast<__rlimit_resource_t>(resource), &limits);
+  limits.rlim_cur = std::min(limits.rlim_max, static_cast<rlim_t>(most));
+  setrlimit(static_cast<__rlimit_resource_t>(resource), &limits);
+}
+
+/// Counts in a damaged file may ask for any memory, and for as much time.
+void limit_resources(const std::string& file) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody would take the mesh
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_AS, static_cast<double>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE));
+  struct stat facts {};
+  constexpr double seconds_at_least = 20, bytes_per_second = 1e6;  // measured: 2e7 and more
+  if (file.ends_with(".msh") && stat(file.c_str(), &facts) == 0)
+    limit(RLIMIT_CPU, seconds_at_least + static_cast<double>(facts.st_size) / bytes_per_second);
+}
+
+/// Nothing of the user's settings, no terminal, one thread: the same mesh every time.
+void start_gmsh() {
+  gmsh::initialize(0, nullptr, false);
+  for (const char* name : {"General.NumThreads", "Mesh.MaxNumThreads1D", "Mesh.MaxNumThreads2D",
+                           "Mesh.MaxNumThreads3D"})
+    gmsh::option::setNumber(name, 1);
+  gmsh::option::setNumber("General.Terminal", 0);
+  gmsh::logger::start();
+}
+
+std::string first_error() {
+  std::vector<std::string> lines;
+  gmsh::logger::get(lines);
+  for (const std::string& line : lines)
+    if (line.starts_with("Error: ")) return line.substr(7);
+  return {};
+}
+
+/// One line of letters that every terminal can show.
+std::string tidy(std::string text) {
+  for (char& letter : text)
+    if (static_cast<unsigned char>(letter) < ' ' || letter == 127) letter = ' ';
+  constexpr std::size_t most = 300;
+  if (text.size() > most) text = text.substr(0, most) + " ...";
+  return text;
+}
+
+void open(const std::string& file) {
+  try {
+    gmsh::open(file);
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error("it asks for more memory than there is");
+  } catch (...) {  // Gmsh throws texts and numbers; what it says stands in its log
+    const std::string error = first_error();
+    throw std::runtime_error(error.empty() ? "Gmsh cannot read it" : error);
+  }
+  if (const std::string error = first_error(); !error.empty()) throw std::runtime_error(error);
+}
+
+ImportedMesh read(const std::string& file, double size, double factor, bool geometry) {
+  open(file);
+  ImportedMesh mesh;
+  if (geometry) mesh_geometry(size, factor, mesh.remarks);
+  if (const std::string error = first_error(); !error.empty()) throw std::runtime_error(error);
+  copy_model(mesh, geometry);
+  return mesh;
+}
+
+int run(const std::string& file, double size, double factor) {
+  limit_resources(file);
+  mesh_stream::Writer<decltype(&put)> writer{&put};
+  std::string complaint;
+  try {
+    start_gmsh();
+    ImportedMesh mesh = read(file, size, factor, !file.ends_with(".msh"));
+    writer(mesh_stream::sound);
+    mesh_stream::visit(mesh, writer);
+    return 0;
+  } catch (const Refusal& refusal) {
+    complaint = refusal.what();
+  } catch (const std::exception& error) {
+    complaint = std::string("Gmsh complains: ") + error.what();
+  } catch (...) {
+    const std::string error = first_error();
+    complaint = "Gmsh complains: " + (error.empty() ? "it failed" : error);
+  }
+  writer(mesh_stream::complaint);
+  writer(tidy(complaint));
+  return 0;
+}
+
+}  // namespace
+
+}  // namespace gnomon::gmsh_reader
+
+int main(int count, char** arguments) {
+  if (count != 4) return 2;
+  // Without the ends of Gmsh's and OpenCASCADE's many static objects.
+  _exit(gnomon::gmsh_reader::run(arguments[1], std::atof(arguments[2]), std::atof(arguments[3])));
+}

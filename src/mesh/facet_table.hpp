@@ -1,0 +1,41 @@
+// Which cells share which facets.
+#pragma once
+
+#include <gnomon/mesh/mesh.hpp>
+#include <span>
+
+namespace gnomon {
+
+/// Facets of all cells by slots, facets_per_cell * cell + number in the cell. In linear time and
+/// with two integers per slot: the facets are listed by their least node, of which there are few.
+template <int dim>
+class FacetTable {
+public:
+  using Facet = typename Mesh<dim>::Facet;
+  static constexpr int facets_per_cell = 2 * dim;
+  static constexpr int exterior = -1;  ///< no neighbour
+  static constexpr int crowded = -2;   ///< more than one
+
+  /// The mesh has to live as long as the table.
+  explicit FacetTable(const Mesh<dim>& mesh);
+
+  int slots() const { return static_cast<int>(neighbour_.size()); }
+  Facet facet(int slot) const;
+  /// The slot of the same facet in the neighbouring cell, or one of the numbers above.
+  int neighbour(int slot) const { return neighbour_[slot]; }
+  /// A slot with these nodes in any order; -1 where there is none.
+  int find(std::span<const int> nodes) const;
+
+private:
+  std::span<const int> slots_at(int node) const {
+    return {slots_.data() + start_[node],
+            static_cast<std::size_t>(start_[node + 1] - start_[node])};
+  }
+  void connect(int slot, std::span<const int> candidates);
+
+  const Mesh<dim>& mesh_;
+  std::vector<int> start_, slots_;  // slots by the least node of their facets
+  std::vector<int> neighbour_;
+};
+
+}  // namespace gnomon

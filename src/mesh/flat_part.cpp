@@ -1,0 +1,60 @@
+#include <algorithm>
+#include <cmath>
+#include <gnomon/mesh/flat_part.hpp>
+
+namespace gnomon {
+
+namespace {
+
+Vector<2> area_vector(const Mesh<2>& mesh, const Mesh<2>::Facet& facet) {
+  const Vector<2> along = mesh.nodes[facet[1]] - mesh.nodes[facet[0]];
+  return {along[1], -along[0]};
+}
+
+Vector<3> area_vector(const Mesh<3>& mesh, const Mesh<3>::Facet& facet) {
+  const auto& X = mesh.nodes;
+  return (X[facet[2]] - X[facet[0]]).cross(X[facet[3]] - X[facet[1]]) / 2;
+}
+
+}  // namespace
+
+template <int dim>
+FlatPart<dim> flat_part(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
+                        double tolerance) {
+  FlatPart<dim> part;
+  if (facets.empty()) return part;
+  const Vector<dim> origin = mesh.nodes[facets[0][0]];
+  Vector<dim> middle = Vector<dim>::Zero(), total = Vector<dim>::Zero();
+  Vector<dim> low = origin, high = origin;
+  double area = 0;
+  for (const auto& facet : facets) {
+    const Vector<dim> own = area_vector(mesh, facet);
+    Vector<dim> centre = Vector<dim>::Zero();
+    for (int node : facet) {
+      centre += (mesh.nodes[node] - origin) / static_cast<double>(facet.size());
+      low = low.cwiseMin(mesh.nodes[node]);
+      high = high.cwiseMax(mesh.nodes[node]);
+    }
+    total += own;
+    middle += own.norm() * centre;
+    area += own.norm();
+  }
+  if (!(total.norm() > 1e-12 * area)) return part;  // closed
+  middle = origin + middle / area;
+  part.normal = total.normalized();
+  const double size = (high - low).norm();
+  bool same_way = true;
+  for (const auto& facet : facets) {
+    same_way = same_way && area_vector(mesh, facet).dot(part.normal) > 0;
+    for (int node : facet)
+      part.deviation =
+          std::max(part.deviation, std::abs((mesh.nodes[node] - middle).dot(part.normal)) / size);
+  }
+  part.flat = same_way && part.deviation < tolerance;
+  return part;
+}
+
+template FlatPart<2> flat_part(const Mesh<2>&, const std::vector<Mesh<2>::Facet>&, double);
+template FlatPart<3> flat_part(const Mesh<3>&, const std::vector<Mesh<3>::Facet>&, double);
+
+}  // namespace gnomon

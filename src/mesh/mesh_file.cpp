@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <gnomon/base/error.hpp>
+#include <gnomon/mesh/mesh_file.hpp>
+
+#include "mesh/mesh_process.hpp"
+#include "scene/toml_text.hpp"
+
+namespace gnomon {
+
+namespace {
+
+constexpr const char* expected = "expected .msh (Gmsh 4.1 or 2.2), .geo, .step or .stp";
+
+std::string extension(const std::filesystem::path& file) {
+  std::string result = file.extension().string();
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return result;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
+  throw InputError(fmt::format("{}: {}", file.string(), why));
+}
+
+void check_kind(const std::filesystem::path& file) {
+  const std::string kind = extension(file);
+  if (kind == ".inp")
+    refuse(file,
+           "Gmsh's library writes Abaqus files but does not read them; "
+           "convert it, say with: meshio convert part.inp part.msh");
+  if (kind == ".msh" || is_geometry(file)) return;
+  refuse(file, kind.empty() ? fmt::format("has no ending, {}", expected)
+                            : fmt::format("files that end in {} are not read, {}", kind, expected));
+}
+
+void check_there(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored))
+    refuse(file, "is a folder, expected a mesh or a geometry");
+  if (!std::filesystem::exists(file, ignored)) refuse(file, "no such file");
+  if (!std::ifstream(file)) refuse(file, "cannot be read");
+}
+
+/// Gmsh takes a file without a known beginning for a script, and runs it.
+void check_beginning(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string word;
+  stream >> word;
+  if (word.empty()) refuse(file, "is empty");
+  if (extension(file) != ".msh") return;
+  // A section of comments may stand before; nothing else does.
+  if (!word.starts_with("$MeshFormat") && !word.starts_with("$Comments"))
+    refuse(file, "does not begin with $MeshFormat, expected a mesh of Gmsh, version 4.1 or 2.2");
+}
+
+/// Gmsh leaves out the last line of a script that does not end with a new line, and says nothing.
+void check_last_line(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  stream.seekg(-1, std::ios::end);
+  if (stream.get() != '\n')
+    refuse(file, "expected an end of its last line, which Gmsh leaves out without one");
+}
+
+/// Gmsh takes what there is of a file that was cut off. Every section ends with its $End.
+void check_end(const std::filesystem::path& file) {
+  constexpr std::streamoff longest = 200;  // of a word and of spaces behind it
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  const std::streamoff size = stream.tellg();
+  stream.seekg(std::max<std::streamoff>(0, size - longest));
+  std::string word, last;
+  while (stream >> word) last = word;
+  if (last.find("$End") == last.npos) refuse(file, "is cut off: its last section has no end");
+}
+
+/// Gmsh's complaint of versions that it does not know is not one that helps.
+void check_version(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string word;
+  // The section stands at the beginning; a comment before it is short.
+  for (int words = 0; words < 10'000 && stream >> word && !word.starts_with("$MeshFormat");)
+    ++words;
+  stream >> word;
+  for (const char* known : {"4.1", "2.2", "4", "4.0", "2", "2.0", "2.1"})
+    if (stream && word == known) return;
+  refuse(file, fmt::format("format {} of Gmsh is not read, expected 4.1 or 2.2; in Gmsh: "
+                           "Mesh.MshFileVersion = 4.1",
+                           stream ? toml_text(word.substr(0, 20)) : "without a number"));
+}
+
+void check_options(const std::filesystem::path& file, const MeshFileOptions& options) {
+  if (!(options.size >= 0 && std::isfinite(options.size)))
+    refuse(file, fmt::format("size {}: expected a positive length", options.size));
+  if (!(options.factor > 0 && std::isfinite(options.factor)))
+    refuse(file, fmt::format("factor {}: expected a positive number", options.factor));
+  if (!is_geometry(file) && (options.size != 0 || options.factor != 1))
+    refuse(file, "is meshed already, so it takes no size, expected one with .geo, .step or .stp");
+}
+
+}  // namespace
+
+bool reads_mesh_files() {
+#ifdef GNOMON_GMSH_READER
+  return true;
+#else
+  return false;
+#endif
+}
+
+bool is_geometry(const std::filesystem::path& file) {
+  const std::string kind = extension(file);
+  return kind == ".geo" || kind == ".step" || kind == ".stp";
+}
+
+ImportedMesh read_mesh_file(const std::filesystem::path& file, const MeshFileOptions& options) {
+  check_kind(file);
+  check_there(file);
+  check_options(file, options);
+  check_beginning(file);
+  if (!is_geometry(file)) {
+    check_end(file);
+    check_version(file);
+  }
+  if (extension(file) == ".geo") check_last_line(file);
+  return mesh_from_process(file, options);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,262 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <gnomon/base/error.hpp>
+#include <gnomon/mesh/subdivision.hpp>
+
+namespace gnomon {
+
+namespace {
+
+/// A corner of a cell in space and its three neighbours, in a right-handed order.
+using Corner = std::array<int, 4>;
+/// Local nodes of a face; -1 where there are three.
+using Face = std::array<int, 4>;
+
+struct Shape {
+  std::vector<Corner> corners;
+  std::vector<Face> faces;
+};
+
+const Shape& shape_of(ElementKind kind) {
+  static const Shape tetrahedron = {{{0, 1, 2, 3}, {1, 2, 0, 3}, {2, 0, 1, 3}, {3, 0, 2, 1}},
+                                    {{0, 1, 2, -1}, {0, 1, 3, -1}, {0, 2, 3, -1}, {1, 2, 3, -1}}};
+  static const Shape wedge = {
+      {{0, 1, 2, 3}, {1, 2, 0, 4}, {2, 0, 1, 5}, {3, 5, 4, 0}, {4, 3, 5, 1}, {5, 4, 3, 2}},
+      {{0, 1, 2, -1}, {3, 4, 5, -1}, {0, 1, 4, 3}, {1, 2, 5, 4}, {0, 2, 5, 3}}};
+  static const Shape hexahedron = {
+      {{0, 1, 3, 4},
+       {1, 2, 0, 5},
+       {2, 3, 1, 6},
+       {3, 0, 2, 7},
+       {4, 7, 5, 0},
+       {5, 4, 6, 1},
+       {6, 5, 7, 2},
+       {7, 6, 4, 3}},
+      {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
+  return kind == ElementKind::tetrahedron ? tetrahedron
+         : kind == ElementKind::wedge     ? wedge
+                                          : hexahedron;
+}
+
+bool contains(const Face& face, int node) {
+  return std::find(face.begin(), face.end(), node) != face.end();
+}
+
+using EdgeKey = std::array<int, 2>;
+using FaceKey = std::array<int, 4>;
+
+EdgeKey edge_key(int a, int b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+template <class Key>
+void sort_once(std::vector<Key>& keys) {
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+}
+
+/// Position among the sorted keys; -1 where there is none.
+template <class Key>
+int place_of(const std::vector<Key>& keys, const Key& key) {
+  const auto found = std::lower_bound(keys.begin(), keys.end(), key);
+  return found != keys.end() && *found == key ? static_cast<int>(found - keys.begin()) : -1;
+}
+
+class Subdivision {
+public:
+  explicit Subdivision(const ImportedMesh& mesh);
+  ImportedMesh operator()();
+
+private:
+  void collect(int cell);
+  void add_nodes();
+  void add_node(std::span<const int> around);
+  int edge_node(int a, int b) const;
+  int face_node(FaceKey nodes) const;
+  void split_in_plane(std::span<const int> nodes, std::int64_t tag, int centre, ElementList& to);
+  void split_in_space(int cell);
+  void split_cells();
+  void split_facets();
+  void follow_groups();
+
+  const ImportedMesh& old_;
+  ImportedMesh result_;
+  std::vector<EdgeKey> edges_;
+  std::vector<FaceKey> faces_;                 // in space, sorted nodes, -1 first
+  std::vector<int> cell_start_, facet_start_;  // of the children of each
+};
+
+Subdivision::Subdivision(const ImportedMesh& mesh) : old_(mesh) {
+  result_.file = mesh.file;
+  result_.dimension = mesh.dimension;
+  result_.nodes = mesh.nodes;
+  result_.node_tags = mesh.node_tags;
+  result_.remarks = mesh.remarks;
+}
+
+void Subdivision::collect(int cell) {
+  const std::span<const int> nodes = old_.cells.at(cell);
+  if (old_.dimension == 2) {
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      edges_.push_back(edge_key(nodes[a], nodes[(a + 1) % nodes.size()]));
+    return;
+  }
+  const Shape& shape = shape_of(old_.cells.kinds[cell]);
+  for (const Corner& corner : shape.corners)
+    for (int k = 1; k < 4; ++k)
+      if (corner[0] < corner[k]) edges_.push_back(edge_key(nodes[corner[0]], nodes[corner[k]]));
+  for (const Face& face : shape.faces) {
+    FaceKey key;
+    for (int a = 0; a < 4; ++a) key[a] = face[a] < 0 ? -1 : nodes[face[a]];
+    std::sort(key.begin(), key.end());
+    faces_.push_back(key);
+  }
+}
+
+void Subdivision::add_node(std::span<const int> around) {
+  std::array<double, 3> middle{};
+  for (int node : around)
+    for (int i = 0; i < 3; ++i)
+      middle[i] += old_.nodes[node][i] / static_cast<double>(around.size());
+  result_.nodes.push_back(middle);
+  result_.node_tags.push_back(0);
+}
+
+void Subdivision::add_nodes() {
+  for (const EdgeKey& edge : edges_) add_node(edge);
+  for (const FaceKey& face : faces_) add_node(std::span(face).subspan(face[0] < 0 ? 1 : 0));
+  for (int cell = 0; cell < old_.cells.size(); ++cell) add_node(old_.cells.at(cell));
+}
+
+int Subdivision::edge_node(int a, int b) const {
+  const int place = place_of(edges_, edge_key(a, b));
+  return place < 0 ? -1 : static_cast<int>(old_.nodes.size()) + place;
+}
+
+int Subdivision::face_node(FaceKey nodes) const {
+  std::sort(nodes.begin(), nodes.end());
+  const int place = place_of(faces_, nodes);
+  return place < 0 ? -1 : static_cast<int>(old_.nodes.size() + edges_.size()) + place;
+}
+
+/// A polygon around the node `centre`.
+void Subdivision::split_in_plane(std::span<const int> nodes, std::int64_t tag, int centre,
+                                 ElementList& to) {
+  const std::size_t count = nodes.size();
+  for (std::size_t a = 0; a < count; ++a) {
+    const int next = nodes[(a + 1) % count], previous = nodes[(a + count - 1) % count];
+    const int child[] = {nodes[a], edge_node(nodes[a], next), centre,
+                         edge_node(nodes[a], previous)};
+    to.add(ElementKind::quadrilateral, tag, child);
+  }
+}
+
+void Subdivision::split_in_space(int cell) {
+  const std::span<const int> nodes = old_.cells.at(cell);
+  const Shape& shape = shape_of(old_.cells.kinds[cell]);
+  const int centre = static_cast<int>(old_.nodes.size() + edges_.size() + faces_.size()) + cell;
+  const auto face = [&](int a, int b, int c) {
+    for (const Face& one : shape.faces)
+      if (contains(one, a) && contains(one, b) && contains(one, c)) {
+        FaceKey key;
+        for (int k = 0; k < 4; ++k) key[k] = one[k] < 0 ? -1 : nodes[one[k]];
+        return face_node(key);
+      }
+    return -1;
+  };
+  for (const auto& [v, a, b, c] : shape.corners) {
+    const int child[] = {nodes[v],
+                         edge_node(nodes[v], nodes[a]),
+                         face(v, a, b),
+                         edge_node(nodes[v], nodes[b]),
+                         edge_node(nodes[v], nodes[c]),
+                         face(v, a, c),
+                         centre,
+                         face(v, b, c)};
+    result_.cells.add(ElementKind::hexahedron, old_.cells.tags[cell], child);
+  }
+}
+
+void Subdivision::split_cells() {
+  const int centres = static_cast<int>(old_.nodes.size() + edges_.size() + faces_.size());
+  for (int cell = 0; cell < old_.cells.size(); ++cell) {
+    cell_start_.push_back(result_.cells.size());
+    if (old_.dimension == 2)
+      split_in_plane(old_.cells.at(cell), old_.cells.tags[cell], centres + cell, result_.cells);
+    else
+      split_in_space(cell);
+  }
+  cell_start_.push_back(result_.cells.size());
+}
+
+void Subdivision::split_facets() {
+  const ElementList& facets = old_.facets;
+  for (int facet = 0; facet < facets.size(); ++facet) {
+    facet_start_.push_back(result_.facets.size());
+    const std::span<const int> nodes = facets.at(facet);
+    int centre = -1;
+    if (old_.dimension == 2) {
+      centre = edge_node(nodes[0], nodes[1]);
+    } else {
+      FaceKey key = {-1, -1, -1, -1};
+      std::copy(nodes.begin(), nodes.end(), key.begin());
+      centre = face_node(key);
+    }
+    if (centre < 0) {
+      result_.facets.add(facets.kinds[facet], facets.tags[facet], nodes);
+    } else if (old_.dimension == 2) {
+      const int halves[2][2] = {{nodes[0], centre}, {centre, nodes[1]}};
+      for (const auto& half : halves)
+        result_.facets.add(ElementKind::line, facets.tags[facet], half);
+    } else {
+      split_in_plane(nodes, facets.tags[facet], centre, result_.facets);
+    }
+  }
+  facet_start_.push_back(result_.facets.size());
+}
+
+void Subdivision::follow_groups() {
+  for (const MeshGroup& group : old_.groups) {
+    MeshGroup& after = result_.groups.emplace_back(group);
+    if (group.dimension < old_.dimension - 1) continue;
+    const auto& start = group.dimension == old_.dimension ? cell_start_ : facet_start_;
+    after.members.clear();
+    for (int member : group.members)
+      for (int child = start[member]; child < start[member + 1]; ++child)
+        after.members.push_back(child);
+  }
+}
+
+ImportedMesh Subdivision::operator()() {
+  for (int cell = 0; cell < old_.cells.size(); ++cell) {
+    if (old_.cells.kinds[cell] == ElementKind::pyramid)
+      throw InputError(fmt::format(
+          "{}: element {} is a pyramid, which cannot be subdivided into hexahedra; expected "
+          "hexahedra, tetrahedra or wedges (in Gmsh: no Recombine Surface between tetrahedra)",
+          old_.file, old_.cells.tags[cell]));
+    collect(cell);
+  }
+  sort_once(edges_);
+  sort_once(faces_);
+  add_nodes();
+  split_cells();
+  split_facets();
+  follow_groups();
+  return std::move(result_);
+}
+
+}  // namespace
+
+bool needs_subdivision(const ImportedMesh& mesh) {
+  const ElementKind wanted =
+      mesh.dimension == 2 ? ElementKind::quadrilateral : ElementKind::hexahedron;
+  return std::any_of(mesh.cells.kinds.begin(), mesh.cells.kinds.end(),
+                     [wanted](ElementKind kind) { return kind != wanted; });
+}
+
+ImportedMesh subdivide(const ImportedMesh& mesh) {
+  return Subdivision(mesh)();
+}
+
+}  // namespace gnomon
