@@ -21,8 +21,10 @@ namespace {
 
 /// The scene with the choices that follow from the size of the model, for the resolved scene.
 Scene with_choices(const Scene& scene, const LinearSolverChoice& solver) {
-  if (solver.method != LinearSolverChoice::Method::block || scene.has("solver.preconditioner"))
-    return scene;
+  const bool block = solver.method == LinearSolverChoice::Method::block;
+  if (scene.knows("solver.method") && !scene.has("solver.method"))
+    return with_choices(scene.with("solver.method", block ? "block" : "direct"), solver);
+  if (!block || scene.has("solver.preconditioner")) return scene;
   const bool factor = solver.preconditioner == LinearSolverChoice::Preconditioner::factor;
   return scene.with("solver.preconditioner", factor ? "factor" : "multigrid");
 }

@@ -47,6 +47,10 @@ void add_wear_laws(std::vector<Key>& table) {
 
 std::vector<Key> own_keys(const Problem& problem) {
   std::vector<Key> keys = problem.keys;
+  if (problem.registered_keys) {
+    const std::vector<Key> more = problem.registered_keys();
+    keys.insert(keys.end(), more.begin(), more.end());
+  }
   for (const char* material : {"body.material", "shape.energy"}) add_material_keys(keys, material);
   add_wear_laws(keys);
   if (has_key(keys, "body.young_modulus"))

@@ -73,7 +73,7 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
                                                                    : ConstraintForm::multiplier;
   CounterBody<dim>& counter_body = body.contact.counter_body;
   counter_body.position -= scene.real("contact.initial_gap") * counter_body.approach;
-  body.load_history = read_load_history(scene);
+  if (scene.knows("load.times")) body.load_history = read_load_history(scene);
   body.added_terms = added_terms<dim>(scene);
   body.augmentation = scene.real("shape.augmentation") * shape_young / facet * body.scales.duration;
 }
@@ -117,7 +117,8 @@ double load_impulse(const Scene& scene) {
 }
 
 LinearSolverChoice linear_solver_of(const Scene& scene, const MeshSize& mesh) {
-  const bool direct = scene.text("solver.method") == "direct";
+  const bool direct =
+      scene.has("solver.method") ? scene.text("solver.method") == "direct" : mesh.dim == 2;
   Preconditioner preconditioner = preconditioner_by_size(mesh);
   if (scene.has("solver.preconditioner"))
     preconditioner = scene.text("solver.preconditioner") == "factor" ? Preconditioner::factor

@@ -6,8 +6,9 @@
 
 namespace gnomon {
 
-/// The part of `name` in place of the "*" of a key; nothing if the name does not match the key.
-/// Chosen names are identifiers: letters, digits and underscores, not beginning with a digit.
+/// The part of `name` in place of the "*" or "#" of a key; nothing if the name does not match the
+/// key. Chosen names ("*") are identifiers: letters, digits and underscores, not beginning with a
+/// digit. Numbers ("#") are those of the tables of an array, from 1.
 std::optional<std::string> chosen_name(const std::string& key, const std::string& name);
 
 /// Whether the name would be one of the key if what stands for "*" were an identifier.

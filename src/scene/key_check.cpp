@@ -16,7 +16,7 @@ namespace gnomon {
 namespace {
 
 bool is_array(KeyKind kind) {
-  return kind == KeyKind::integers || kind == KeyKind::reals;
+  return kind == KeyKind::integers || kind == KeyKind::reals;  // of numbers
 }
 bool is_integral(KeyKind kind) {
   return kind == KeyKind::integer || kind == KeyKind::integers;
@@ -95,6 +95,18 @@ std::variant<SceneValue, Complaint> check_text(const Key& key, const RawValue& r
   return complaint;
 }
 
+std::variant<SceneValue, Complaint> check_texts(const Key& key, const RawValue& raw) {
+  const auto* array = std::get_if<RawArray>(&raw.content);
+  if (!array) return complain(key, describe(raw));
+  std::vector<std::string> values;
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    const auto* text = std::get_if<std::string>(&(*array)[i]);
+    if (!text) return complain(key, fmt::format("{} at place {}", describe((*array)[i]), i + 1));
+    values.push_back(*text);
+  }
+  return SceneValue(values);
+}
+
 std::variant<SceneValue, Complaint> check_flag(const Key& key, const RawValue& raw) {
   if (const auto* scalar = std::get_if<RawScalar>(&raw.content))
     if (const auto* flag = std::get_if<bool>(scalar)) return SceneValue(*flag);
@@ -105,6 +117,7 @@ std::variant<SceneValue, Complaint> check_flag(const Key& key, const RawValue& r
 
 std::string expectation(const Key& key) {
   if (key.kind == KeyKind::flag) return "true or false";
+  if (key.kind == KeyKind::texts) return "an array of texts";
   if (key.kind != KeyKind::text) return number_expectation(key);
   if (key.choices.empty()) return "a text";
   std::vector<std::string> quoted;
@@ -122,6 +135,8 @@ std::variant<SceneValue, Complaint> check_value(const Key& key, const RawValue& 
       return check_number<double>(key, raw);
     case KeyKind::text:
       return check_text(key, raw);
+    case KeyKind::texts:
+      return check_texts(key, raw);
     case KeyKind::integers:
       return check_numbers<long>(key, raw);
     case KeyKind::reals:
@@ -146,7 +161,8 @@ RawValue raw_value(const SceneValue& value) {
   return std::visit(
       []<class T>(const T& content) -> RawValue {
         if constexpr (std::is_same_v<T, std::vector<long>> ||
-                      std::is_same_v<T, std::vector<double>>)
+                      std::is_same_v<T, std::vector<double>> ||
+                      std::is_same_v<T, std::vector<std::string>>)
           return {RawArray(content.begin(), content.end())};
         else
           return {RawScalar(content)};

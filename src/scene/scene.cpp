@@ -51,6 +51,10 @@ const std::vector<double>& Scene::reals(const std::string& key) const {
   return value_as<std::vector<double>>(key, entry(key).value);
 }
 
+const std::vector<std::string>& Scene::texts(const std::string& key) const {
+  return value_as<std::vector<std::string>>(key, entry(key).value);
+}
+
 bool Scene::has(const std::string& key) const {
   return entry(key).value.has_value();
 }
@@ -79,9 +83,8 @@ std::string Scene::where(const std::string& key) const {
   return entry(key).origin;
 }
 
-std::optional<SceneValue>& Scene::optional_value(const std::string& key) {
-  if (entry(key).key.presence != Key::Presence::optional)
-    throw std::logic_error("scene key `" + key + "` is not optional");
+std::optional<SceneValue>& Scene::value(const std::string& key) {
+  entry(key);  // for its error
   return std::find_if(entries_.begin(), entries_.end(),
                       [&](const Entry& entry) { return entry.key.name == key; })
       ->value;
@@ -89,13 +92,15 @@ std::optional<SceneValue>& Scene::optional_value(const std::string& key) {
 
 Scene Scene::with(const std::string& key, SceneValue value) const {
   Scene result = *this;
-  result.optional_value(key) = std::move(value);
+  result.value(key) = std::move(value);
   return result;
 }
 
 Scene Scene::without(const std::string& key) const {
+  if (entry(key).key.presence != Key::Presence::optional)
+    throw std::logic_error("scene key `" + key + "` is not optional");
   Scene result = *this;
-  result.optional_value(key).reset();
+  result.value(key).reset();
   return result;
 }
 

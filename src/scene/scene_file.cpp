@@ -77,7 +77,7 @@ public:
     Scene scene;
     scene.path_ = name_;
     for (const Key& key : table)
-      if (key.name.find('*') == std::string::npos)
+      if (key.name.find_first_of("*#") == std::string::npos)
         scene.entries_.push_back(resolve(key));
       else
         for (const std::string& name : given_names_of(key))
@@ -109,7 +109,7 @@ private:
     checked_value(*key, given.value, given.origin);
   }
 
-  /// The names, ascending, that file and overrides give keys of a name with "*".
+  /// The names, ascending, that file and overrides give keys of a name with "*" or "#".
   std::set<std::string> given_names_of(const Key& key) const {
     std::set<std::string> names;
     for (const auto* values : {&overrides_, &in_file_})

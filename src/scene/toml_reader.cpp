@@ -44,12 +44,23 @@ RawEntry entry_of(const std::string& name, const toml::node& node) {
   return entry;
 }
 
+void flatten(const toml::table& table, const std::string& prefix, std::vector<RawEntry>& entries);
+
+/// An array of tables: their numbers, from 1, are parts of the names.
+void flatten_array(const toml::array& tables, const std::string& prefix,
+                   std::vector<RawEntry>& entries) {
+  for (std::size_t k = 0; k < tables.size(); ++k)
+    flatten(*tables[k].as_table(), fmt::format("{}{}.", prefix, k + 1), entries);
+}
+
 void flatten(const toml::table& table, const std::string& prefix, std::vector<RawEntry>& entries) {
   for (const auto& [key, node] : table) {
     const std::string name = prefix + toml_key(std::string(key.str()));
     const toml::table* inner = node.as_table();
     if (inner && !inner->empty())
       flatten(*inner, name + ".", entries);
+    else if (node.is_array_of_tables())
+      flatten_array(*node.as_array(), name + ".", entries);
     else
       entries.push_back(entry_of(name, node));
   }

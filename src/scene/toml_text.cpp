@@ -38,7 +38,7 @@ template <class T>
 std::string array_text(const std::vector<T>& values) {
   std::vector<std::string> texts;
   for (const T& value : values) {
-    if constexpr (std::is_same_v<T, double>)
+    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::string>)
       texts.push_back(toml_text(value));
     else
       texts.push_back(fmt::format("{}", value));
@@ -53,6 +53,7 @@ struct TextOf {
   std::string operator()(const std::string& value) const { return toml_text(value); }
   std::string operator()(const std::vector<long>& value) const { return array_text(value); }
   std::string operator()(const std::vector<double>& value) const { return array_text(value); }
+  std::string operator()(const std::vector<std::string>& value) const { return array_text(value); }
 };
 
 }  // namespace

@@ -21,6 +21,8 @@ struct Problem {
   std::function<std::unique_ptr<Model>(const Scene&)> make;
   /// For problems with a mesh: its size, computed without making it.
   std::function<MeshSize(const Scene&)> mesh_size = nullptr;
+  /// Further keys, those of other registered things; asked for when all are registered.
+  std::function<std::vector<Key>()> registered_keys = nullptr;
 };
 
 using Problems = Registry<Problem>;

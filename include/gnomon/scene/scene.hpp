@@ -15,10 +15,10 @@
 namespace gnomon {
 
 /// A value of a scene key. Integers widen to reals where a real is expected, never the reverse.
-using SceneValue =
-    std::variant<bool, long, double, std::string, std::vector<long>, std::vector<double>>;
+using SceneValue = std::variant<bool, long, double, std::string, std::vector<long>,
+                                std::vector<double>, std::vector<std::string>>;
 
-enum class KeyKind { flag, integer, real, text, integers, reals };
+enum class KeyKind { flag, integer, real, text, integers, reals, texts };
 
 /// Closed or half-open interval of admissible numbers; applies to each entry of an array.
 struct Range {
@@ -40,8 +40,9 @@ struct Key {
   enum class Presence { required, defaulted, optional };
 
   /// Dotted, for example "body.young_modulus". A part "*" stands for any name that the scene
-  /// chooses: "wear.constants.*" is a table of numbers with names of its own; such keys are
-  /// optional.
+  /// chooses: "wear.constants.*" is a table of numbers with names of its own. A part "#" stands for
+  /// the number, from 1, of a table of an array: "load.#.on" is the key `on` of every [[load]].
+  /// Both kinds of keys are optional.
   std::string name{};
   KeyKind kind = KeyKind::real;
   std::string unit{};  ///< "MPa"; empty when dimensionless
@@ -72,11 +73,12 @@ public:
   const std::string& text(const std::string& key) const;
   const std::vector<long>& integers(const std::string& key) const;
   const std::vector<double>& reals(const std::string& key) const;
+  const std::vector<std::string>& texts(const std::string& key) const;
   bool has(const std::string& key) const;    ///< false for an absent optional key
   bool knows(const std::string& key) const;  ///< whether the key is in the table of the scene
   std::optional<double> real_if(const std::string& key) const;
   bool is_default(const std::string& key) const;  ///< whether a key has its default value
-  /// The names that the scene gives in place of the "*" in a key of the table, ascending.
+  /// The names that the scene gives in place of the "*" or "#" in a key of the table, ascending.
   std::vector<std::string> chosen_names(const std::string& key) const;
 
   /// The file it came from, for messages.
@@ -88,7 +90,7 @@ public:
   /// The complete scene as TOML text, with one `key = value  # [unit] help` per line, grouped in
   /// tables, including defaults. Loading this text gives an equal scene.
   std::string resolved() const;
-  /// The same scene with an optional key given a value.
+  /// The same scene with another value of a key.
   Scene with(const std::string& key, SceneValue value) const;
   /// The same scene with an optional key absent.
   Scene without(const std::string& key) const;
@@ -108,7 +110,7 @@ private:
     std::string origin;
   };
   const Entry& entry(const std::string& key) const;
-  std::optional<SceneValue>& optional_value(const std::string& key);
+  std::optional<SceneValue>& value(const std::string& key);
 
   std::filesystem::path path_;
   std::vector<Entry> entries_;

@@ -1,0 +1,33 @@
+// What supports and loads of a part share: entries of arrays of tables, directions, histories.
+#pragma once
+
+#include <gnomon/laws/load_history.hpp>
+#include <gnomon/scene/scene.hpp>
+#include <string>
+#include <vector>
+
+namespace gnomon::part {
+
+/// Whether a key that may be absent is there.
+inline bool given(const Scene& scene, const std::string& key) {
+  return scene.knows(key) && scene.has(key);
+}
+
+/// The entries of `[[table]]`, which has these keys: "load.1" and so on. Throws InputError where
+/// one lacks a needed key.
+std::vector<std::string> entries_of(const Scene& scene, const std::string& table,
+                                    const std::vector<Key>& keys,
+                                    const std::vector<std::string>& needed);
+
+/// "x", "y", "z", or "r", "z" of an axisymmetric scene.
+template <int dim>
+std::vector<std::string> direction_names(const Scene& scene);
+
+/// PREFIX.times and PREFIX.factors, the history of a quantity.
+Key times_key(const std::string& prefix, const std::string& quantity);
+Key factors_key(const std::string& prefix, const std::string& quantity);
+
+/// That history; without the keys the factor is one. Throws InputError.
+LoadHistory read_history(const Scene& scene, const std::string& prefix);
+
+}  // namespace gnomon::part

@@ -1,0 +1,161 @@
+#include "loads.hpp"
+
+#include <fmt/format.h>
+
+#include <gnomon/base/error.hpp>
+#include <gnomon/mesh/contact_patch.hpp>
+#include <gnomon/terms/loads.hpp>
+#include <gnomon/terms/pressure_load.hpp>
+#include <gnomon/terms/solid.hpp>
+
+#include "histories.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+constexpr Range any_quantity{.min = -positive_quantity.max, .max = positive_quantity.max};
+
+Key vector_key(const std::string& name, const std::string& unit, const std::string& help) {
+  return {.name = name,
+          .kind = KeyKind::reals,
+          .unit = unit,
+          .presence = Key::Presence::optional,
+          .absent_meaning = "none",
+          .range = any_quantity,
+          .help = help};
+}
+
+}  // namespace
+
+std::vector<Key> load_keys() {
+  return {
+      {.name = "load.#.on",
+       .kind = KeyKind::text,
+       .presence = Key::Presence::optional,
+       .absent_meaning = "the whole body, for an acceleration",
+       .help = "group of the mesh that the load acts on"},
+      vector_key("load.#.force", "N/mm in the plane, N in space",
+                 "resultant, distributed evenly over the initial area; its direction stays"),
+      vector_key("load.#.traction", "MPa", "force by initial area; its direction stays"),
+      {.name = "load.#.pressure",
+       .unit = "MPa",
+       .presence = Key::Presence::optional,
+       .absent_meaning = "none",
+       .range = any_quantity,
+       .help = "pressure, positive pushes on the body; follows the deformed surface"},
+      vector_key("load.#.acceleration", "mm/s^2", "of gravity, say; needs body.density"),
+      times_key("load.#", "the load"),
+      factors_key("load.#", "the load"),
+  };
+}
+
+namespace {
+
+template <int dim>
+Vector<dim> read_vector(const Scene& scene, const std::string& key) {
+  const std::vector<double>& values = scene.reals(key);
+  if (values.size() != dim)
+    throw InputError(
+        fmt::format("{}: expected {} numbers, got {}", scene.where(key), dim, values.size()));
+  return Eigen::Map<const Vector<dim>>(values.data());
+}
+
+/// Nodal forces of a traction that is constant over the facets.
+template <int dim>
+Field::Values nodal_forces(const ImportedBody<dim>& part, const std::string& name,
+                           const Vector<dim>& load, bool is_resultant) {
+  const auto patches = contact_patches<dim>(part.mesh, boundary_part(part, name));
+  double area = 0;
+  for (const auto& patch : patches) area += patch.initial_area;
+  Field::Values forces =
+      Field::Values::Zero(static_cast<Eigen::Index>(part.mesh.nodes.size()), dim);
+  for (const auto& patch : patches)
+    forces.row(patch.node) = (patch.initial_area / (is_resultant ? area : 1)) * load.transpose();
+  return forces;
+}
+
+/// Nodal forces of a force by volume, in equal shares of each cell's.
+template <int dim>
+Field::Values body_forces(const ImportedBody<dim>& part, const Vector<dim>& by_volume) {
+  Field::Values forces =
+      Field::Values::Zero(static_cast<Eigen::Index>(part.mesh.nodes.size()), dim);
+  for (const auto& cell : part.mesh.cells) {
+    const double share = cell_volume<dim>(part.mesh.positions(cell)) / Mesh<dim>::cell_nodes;
+    for (int node : cell) forces.row(node) += share * by_volume.transpose();
+  }
+  return forces;
+}
+
+template <int dim>
+void add_dead_load(Field::Values forces, LoadHistory history, WornBody<dim>& body) {
+  body.added_terms.push_back(
+      [forces = std::move(forces), history = std::move(history)](
+          const WornBody<dim>&, const WornBodyFields& fields, const Numbering& numbering) {
+        return std::make_unique<Loads<dim>>(numbering, fields.u, forces, history,
+                                            Loads<dim>::Purpose::acts);
+      });
+}
+
+/// The key of the load that is given. Throws unless it is one.
+std::string kind_of(const Scene& scene, const std::string& load) {
+  std::string kind;
+  for (const char* name : {"force", "traction", "pressure", "acceleration"}) {
+    if (!given(scene, load + "." + name)) continue;
+    if (!kind.empty())
+      throw InputError(fmt::format("{}: expected one kind of load, got also {}",
+                                   scene.where(load + "." + name), kind));
+    kind = name;
+  }
+  if (kind.empty())
+    throw InputError(
+        fmt::format("{}: {}: expected one of force, traction, pressure and acceleration",
+                    scene.path().string(), load));
+  if ((kind == "acceleration") == given(scene, load + ".on"))
+    throw InputError(kind == "acceleration"
+                         ? scene.where(load + ".on") +
+                               ": expected none, for an acceleration acts "
+                               "on the whole body"
+                         : fmt::format("{}: expected also `on`, the group that it acts on",
+                                       scene.where(load + "." + kind)));
+  return kind;
+}
+
+}  // namespace
+
+template <int dim>
+Vector<dim> read_loads(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>& body) {
+  body.load = NodalField<dim>::Zero(static_cast<Eigen::Index>(part.mesh.nodes.size()), dim);
+  Vector<dim> sum = Vector<dim>::Zero();
+  for (const std::string& load : entries_of(scene, "load", load_keys(), {})) {
+    const std::string kind = kind_of(scene, load), key = load + "." + kind;
+    const LoadHistory history = read_history(scene, load);
+    if (kind == "pressure") {
+      const auto facets = boundary_part(part, scene.text(load + ".on"));
+      const double pressure = scene.real(key);
+      for (const auto& patch : contact_patches<dim>(part.mesh, facets))
+        sum -= pressure * patch.initial_area * patch.initial_normal;
+      body.added_terms.push_back([=](const WornBody<dim>& whole, const WornBodyFields& fields,
+                                     const Numbering& numbering) {
+        return std::make_unique<PressureLoad<dim>>(whole.mesh, facets, pressure, history, numbering,
+                                                   fields.u, fields.d);
+      });
+      continue;
+    }
+    const Vector<dim> vector = read_vector<dim>(scene, key);
+    if (kind == "acceleration" && !given(scene, "body.density"))
+      throw InputError(scene.where(key) + ": expected also body.density");
+    Field::Values forces =
+        kind == "acceleration"
+            ? body_forces<dim>(part, Vector<dim>(scene.real("body.density") * vector))
+            : nodal_forces<dim>(part, scene.text(load + ".on"), vector, kind == "force");
+    sum += forces.colwise().sum().transpose();
+    add_dead_load<dim>(std::move(forces), history, body);
+  }
+  return sum;
+}
+
+template Vector<2> read_loads(const Scene&, const ImportedBody<2>&, WornBody<2>&);
+template Vector<3> read_loads(const Scene&, const ImportedBody<3>&, WornBody<3>&);
+
+}  // namespace gnomon::part

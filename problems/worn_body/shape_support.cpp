@@ -1,0 +1,205 @@
+#include "shape_support.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/mesh/flat_part.hpp>
+#include <limits>
+#include <set>
+#include <unordered_map>
+
+namespace gnomon::part {
+
+std::vector<Key> shape_support_keys() {
+  return {{.name = "shape.reach",
+           .unit = "mm",
+           .presence = Key::Presence::optional,
+           .absent_meaning = "the whole body, or, where it is large, what the wear is expected to "
+                             "move (gnomon check tells)",
+           .range = positive_quantity,
+           .help = "distance from the wearing surfaces up to which the mesh moves (Remark 2)"},
+          {.name = "shape.hold",
+           .kind = KeyKind::texts,
+           .presence = Key::Presence::defaulted,
+           .default_value = std::vector<std::string>{},
+           .help = "groups of the mesh whose shape is held altogether"},
+          {.name = "shape.slide",
+           .kind = KeyKind::texts,
+           .presence = Key::Presence::defaulted,
+           .default_value = std::vector<std::string>{},
+           .help = "planar groups, across a coordinate direction, whose shape slides in their "
+                   "plane; without being named all planar sides do"}};
+}
+
+namespace {
+
+/// The coordinate direction that a unit normal has, -1: none.
+template <int dim>
+int direction_of(const Vector<dim>& normal) {
+  for (int i = 0; i < dim; ++i)
+    if (std::abs(normal[i]) > 1 - 1e-9) return i;
+  return -1;
+}
+
+template <int dim>
+Vector<dim> facet_normal(const Mesh<dim>& mesh, const typename Mesh<dim>::Facet& facet) {
+  if constexpr (dim == 2) {
+    const Vector<2> edge = mesh.nodes[facet[1]] - mesh.nodes[facet[0]];
+    return Vector<2>(edge[1], -edge[0]).normalized();
+  } else {
+    const Vector<3> a = mesh.nodes[facet[2]] - mesh.nodes[facet[0]];
+    const Vector<3> b = mesh.nodes[facet[3]] - mesh.nodes[facet[1]];
+    return a.cross(b).normalized();
+  }
+}
+
+template <int dim>
+void hold(WornBody<dim>& body, int node, int direction) {
+  if (direction < 0)
+    body.shape_fixed.row(node).setOnes();
+  else
+    body.shape_fixed(node, direction) = 1;
+}
+
+template <int dim>
+typename Mesh<dim>::Facet sorted(typename Mesh<dim>::Facet facet) {
+  std::sort(facet.begin(), facet.end());
+  return facet;
+}
+
+/// Sides by their facets: those that lie across a coordinate direction slide, others are held.
+template <int dim>
+void hold_sides(const ImportedBody<dim>& part,
+                const std::vector<typename Mesh<dim>::Facet>& wearing, WornBody<dim>& body) {
+  std::set<typename Mesh<dim>::Facet> worn;
+  for (const auto& facet : wearing) worn.insert(sorted<dim>(facet));
+  for (const auto& facet : part.exterior) {
+    if (worn.contains(sorted<dim>(facet))) continue;
+    const int direction = direction_of<dim>(facet_normal(part.mesh, facet));
+    for (int node : facet) hold(body, node, direction);
+  }
+}
+
+template <int dim>
+void hold_named(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>& body) {
+  for (const std::string& name : scene.texts("shape.hold"))
+    for (const auto& facet : boundary_part(part, name))
+      for (int node : facet) hold(body, node, -1);
+}
+
+/// Sides that slide although a neighbouring side would hold their edge.
+template <int dim>
+void slide_named(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>& body) {
+  for (const std::string& name : scene.texts("shape.slide")) {
+    const auto& facets = boundary_part(part, name);
+    const FlatPart<dim> side = flat_part<dim>(part.mesh, facets);
+    const int direction = side.flat ? direction_of<dim>(side.normal) : -1;
+    if (direction < 0)
+      throw InputError(fmt::format(
+          "{}: expected planar sides across a coordinate direction, \"{}\" is none; name it in "
+          "shape.hold, or nowhere",
+          scene.where("shape.slide"), name));
+    for (const auto& facet : facets)
+      for (int node : facet) {
+        body.shape_fixed.row(node).setZero();
+        hold(body, node, direction);
+      }
+  }
+}
+
+/// Nodes in boxes as large as the reach, so that only neighbouring boxes are searched.
+template <int dim>
+class NearNodes {
+public:
+  NearNodes(const Mesh<dim>& mesh, const std::vector<char>& chosen, double reach)
+      : mesh_(mesh), reach_(reach) {
+    for (std::size_t node = 0; node < chosen.size(); ++node)
+      if (chosen[node]) boxes_[key(box_of(mesh.nodes[node]))].push_back(static_cast<int>(node));
+  }
+  bool contains(const Vector<dim>& x) const {
+    const Box centre = box_of(x);
+    Box box = centre;
+    return search(x, centre, box, 0);
+  }
+
+private:
+  using Box = std::array<long, dim>;
+  Box box_of(const Vector<dim>& x) const {
+    Box box;
+    for (int i = 0; i < dim; ++i) box[i] = static_cast<long>(std::floor(x[i] / reach_));
+    return box;
+  }
+  static std::size_t key(const Box& box) {
+    std::size_t hash = 0;
+    for (long i : box) hash = hash * 1000003 + static_cast<std::size_t>(i);
+    return hash;
+  }
+  bool search(const Vector<dim>& x, const Box& centre, Box& box, int axis) const {
+    if (axis < dim) {
+      for (long step = -1; step <= 1; ++step) {
+        box[axis] = centre[axis] + step;
+        if (search(x, centre, box, axis + 1)) return true;
+      }
+      return false;
+    }
+    const auto found = boxes_.find(key(box));
+    if (found == boxes_.end()) return false;
+    return std::any_of(found->second.begin(), found->second.end(), [&](int node) {
+      return (mesh_.nodes[node] - x).squaredNorm() <= reach_ * reach_;
+    });
+  }
+  const Mesh<dim>& mesh_;
+  double reach_;
+  std::unordered_map<std::size_t, std::vector<int>> boxes_;
+};
+
+template <int dim>
+double longest_edge(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets) {
+  double size = 0;
+  for (const auto& facet : facets)
+    for (std::size_t k = 1; k < facet.size(); ++k)
+      size = std::max(size, (mesh.nodes[facet[k]] - mesh.nodes[facet[k - 1]]).norm());
+  return size;
+}
+
+/// A small body moves as a whole. In a large one elements strain by no more than a twentieth where
+/// the mesh moves over twenty depths, and over four facets at least.
+template <int dim>
+double default_reach(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& wearing,
+                     double expected_depth) {
+  constexpr std::size_t small = 20'000;  // nodes
+  if (mesh.nodes.size() < small) return std::numeric_limits<double>::infinity();
+  return std::max(20 * expected_depth, 4 * longest_edge(mesh, wearing));
+}
+
+}  // namespace
+
+template <int dim>
+double read_shape_support(const Scene& scene, const ImportedBody<dim>& part,
+                          const std::vector<typename Mesh<dim>::Facet>& wearing,
+                          double expected_depth, WornBody<dim>& body) {
+  const auto nodes = static_cast<Eigen::Index>(part.mesh.nodes.size());
+  body.shape_fixed = NodalFlags<dim>::Zero(nodes, dim);
+  hold_sides(part, wearing, body);
+  slide_named(scene, part, body);
+  hold_named(scene, part, body);
+  const double reach =
+      scene.real_if("shape.reach").value_or(default_reach(part.mesh, wearing, expected_depth));
+  if (!std::isfinite(reach)) return reach;
+  std::vector<char> worn(part.mesh.nodes.size());
+  for (const auto& facet : wearing)
+    for (int node : facet) worn[node] = 1;
+  const NearNodes<dim> near(part.mesh, worn, reach);
+  for (Eigen::Index node = 0; node < nodes; ++node)
+    if (!near.contains(part.mesh.nodes[node])) body.shape_fixed.row(node).setOnes();
+  return reach;
+}
+
+template double read_shape_support(const Scene&, const ImportedBody<2>&,
+                                   const std::vector<Mesh<2>::Facet>&, double, WornBody<2>&);
+template double read_shape_support(const Scene&, const ImportedBody<3>&,
+                                   const std::vector<Mesh<3>::Facet>&, double, WornBody<3>&);
+
+}  // namespace gnomon::part

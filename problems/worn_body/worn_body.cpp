@@ -1,0 +1,176 @@
+// worn_body: a part of one's own, from a mesh with named surfaces, against a rigid counter-body of
+// any shape.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/laws/counter_body_scene.hpp>
+#include <gnomon/mesh/imported_body.hpp>
+#include <gnomon/mesh/mesh_file.hpp>
+#include <gnomon/model/problem.hpp>
+#include <gnomon/model/wear_model.hpp>
+#include <gnomon/model/wear_scene.hpp>
+#include <gnomon/model/worn_body_scene.hpp>
+#include <limits>
+
+#include "histories.hpp"
+#include "keys.hpp"
+#include "loads.hpp"
+#include "magnitudes.hpp"
+#include "shape_support.hpp"
+#include "supports.hpp"
+
+namespace gnomon {
+
+namespace {
+
+using namespace part;
+
+/// The file that a key names: beside the scene, unless its path is absolute.
+std::filesystem::path file_of(const Scene& scene, const std::string& key) {
+  return scene.path().parent_path() / scene.text(key);
+}
+
+ImportedMesh read_mesh(const Scene& scene) {
+  const bool file = scene.has("mesh.file"), geometry = scene.has("mesh.geometry");
+  if (file == geometry)
+    throw InputError(fmt::format("{}: expected either mesh.file or mesh.geometry, got {}",
+                                 scene.path().string(), file ? "both" : "neither"));
+  const std::string key = file ? "mesh.file" : "mesh.geometry";
+  return read_mesh_file(file_of(scene, key), {.size = scene.real_if("mesh.size").value_or(0),
+                                              .factor = scene.real("mesh.factor")});
+}
+
+template <int dim>
+using Facets = std::vector<typename Mesh<dim>::Facet>;
+
+/// Facets of all wearing surfaces. Throws where two of them share one.
+template <int dim>
+Facets<dim> wearing_facets(const Scene& scene, const ImportedBody<dim>& part) {
+  Facets<dim> facets;
+  for (const std::string& name : scene.texts("wear.on")) {
+    const auto& own = boundary_part(part, name);
+    facets.insert(facets.end(), own.begin(), own.end());
+  }
+  if (facets.empty())
+    throw InputError(scene.where("wear.on") + ": expected one group of the mesh or more");
+  Facets<dim> sorted = facets;
+  for (auto& facet : sorted) std::sort(facet.begin(), facet.end());
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+    throw InputError(scene.where("wear.on") + ": expected groups that share no facet");
+  return facets;
+}
+
+/// Laws of surfaces that have their own, and who wears by which. A node of two surfaces wears by
+/// the law of the one named first.
+template <int dim>
+void read_wear_laws(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>& body) {
+  body.contact.wear = read_wear_law(scene);
+  const std::vector<std::string>& surfaces = scene.texts("wear.on");
+  std::vector<int> law_of_node(part.mesh.nodes.size(), -1);
+  std::vector<std::string> named = scene.chosen_names("wear.surfaces.*.rate");
+  for (const std::string& name : named)
+    if (std::find(surfaces.begin(), surfaces.end(), name) == surfaces.end())
+      throw InputError(fmt::format("{}: expected one of wear.on, got \"{}\"",
+                                   scene.where("wear.surfaces." + name + ".rate"), name));
+  for (const std::string& surface : surfaces) {
+    int law = 0;
+    const std::string key = "wear.surfaces." + surface + ".rate";
+    if (given(scene, key)) {
+      body.further_wear.push_back(read_wear_law(scene.with("wear.rate", scene.text(key))));
+      law = static_cast<int>(body.further_wear.size());
+    }
+    for (int node : part.mesh.boundary_nodes(surface))
+      if (law_of_node[node] < 0) law_of_node[node] = law;
+  }
+  if (body.further_wear.empty()) return;
+  for (const auto& patch : body.contact_nodes) body.wear_surface.push_back(law_of_node[patch.node]);
+}
+
+/// The middle of the nodes that touch first.
+template <int dim>
+Vector<dim> first_touch(const WornBody<dim>& body) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& patch : body.contact_nodes)
+    least = std::min(least, body.contact.counter_body.travel_to(patch.initial_position));
+  Vector<dim> sum = Vector<dim>::Zero();
+  int count = 0;
+  for (const auto& patch : body.contact_nodes)
+    if (body.contact.counter_body.travel_to(patch.initial_position) <= least) {
+      sum += patch.initial_position;
+      ++count;
+    }
+  if (!std::isfinite(least))
+    throw InputError(
+        "counter_body: expected a counter-body that meets the surfaces of wear.on when "
+        "it comes along counter_body.press.direction, but it passes by");
+  return sum / count;
+}
+
+/// The speed of the counter-body's surface where it first touches.
+template <int dim>
+Scene with_speed(const Scene& scene, WornBody<dim>& body) {
+  auto& motion = body.contact.counter_body.motion;
+  motion.reference = first_touch(body) - body.contact.counter_body.position;
+  if (scene.has("wear.velocity")) return scene;
+  return scene.with("wear.velocity", motion.nominal_speed(Vector<dim>::Zero()));
+}
+
+/// How far the bodies are brought into each other where no force presses them.
+template <int dim>
+double given_overlap(const WornBody<dim>& body) {
+  double most = 0;
+  const auto take = [&](const LoadHistory& history, double value) {
+    for (double t : history.times()) most = std::max(most, std::abs(value * history.factor(t)));
+  };
+  for (const PrescribedValues& held : body.prescribed_displacement)
+    for (const auto& entry : held.entries) take(held.history, entry.value);
+  if (body.contact.counter_body.travel) take(*body.contact.counter_body.travel, 1);
+  return most;
+}
+
+template <int dim>
+std::unique_ptr<Model> make_part(Scene scene, ImportedMesh mesh) {
+  const ImportedBody<dim> part = check_mesh<dim>(std::move(mesh), scene.texts("wear.on"));
+  auto body = std::make_shared<WornBody<dim>>();
+  body->mesh = part.mesh;
+  const Facets<dim> wearing = wearing_facets(scene, part);
+  body->contact_nodes = contact_patches<dim>(body->mesh, wearing, part.exterior);
+  const PressedCounterBody<dim> other = read_counter_body<dim>(scene);
+  body->contact.counter_body = other.body;
+  body->counter_force = other.force;
+  scene = with_speed(scene, *body);
+  read_supports(scene, part, *body);
+  const Vector<dim> load = read_loads(scene, part, *body);
+  read_wear_laws(scene, part, *body);
+  const double force =
+      other.force.value_or(std::abs(load.dot(body->contact.counter_body.approach)));
+  const Magnitudes magnitudes =
+      find_magnitudes(scene, force, given_overlap(*body), force * scene.real("time.end"), *body);
+  body->scales = magnitudes.scales;
+  read_shape_support(scene, part, wearing, magnitudes.deepest, *body);
+  read_worn_body(scene, magnitudes.facet, *body);
+  require_held(scene, part, *body);
+  return std::make_unique<WearModel<dim>>(std::move(body));
+}
+
+std::unique_ptr<Model> make(const Scene& scene) {
+  ImportedMesh mesh = read_mesh(scene);
+  return mesh.dimension == 2 ? make_part<2>(scene, std::move(mesh))
+                             : make_part<3>(scene, std::move(mesh));
+}
+
+const Registration<Problem> registration({
+    .name = "worn_body",
+    .help = "a part from a mesh with named surfaces (Gmsh), against a rigid counter-body",
+    .keys = part_keys(),
+    .make = make,
+    .registered_keys = [] { return counter_body_keys(); },
+});
+
+}  // namespace
+
+}  // namespace gnomon

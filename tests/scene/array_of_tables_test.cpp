@@ -1,0 +1,76 @@
+// Arrays of tables in a scene, [[load]], and arrays of texts.
+
+#include <gtest/gtest.h>
+
+#include <gnomon/base/error.hpp>
+#include <gnomon/scene/scene.hpp>
+
+namespace gnomon {
+namespace {
+
+std::vector<Key> table(const std::string&) {
+  constexpr auto optional = Key::Presence::optional;
+  return {{.name = "problem", .kind = KeyKind::text},
+          {.name = "load.#.on", .kind = KeyKind::text, .presence = optional},
+          {.name = "load.#.force", .kind = KeyKind::reals, .presence = optional},
+          {.name = "names",
+           .kind = KeyKind::texts,
+           .presence = Key::Presence::defaulted,
+           .default_value = std::vector<std::string>{}}};
+}
+
+Scene scene(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return parse_scene("problem = \"p\"\n" + text, "s.toml", overrides, table);
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    scene(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+constexpr const char* two_loads =
+    "names = [\"a\", \"b c\"]\n"
+    "[[load]]\non = \"top\"\nforce = [1, 2.5]\n"
+    "[[load]]\non = \"side\"\n";
+
+TEST(ArraysOfTables, HaveNumbersFromOne) {
+  const Scene s = scene(two_loads);
+  EXPECT_EQ(s.chosen_names("load.#.on"), (std::vector<std::string>{"1", "2"}));
+  EXPECT_EQ(s.text("load.1.on"), "top");
+  EXPECT_EQ(s.text("load.2.on"), "side");
+  EXPECT_EQ(s.reals("load.1.force"), (std::vector<double>{1, 2.5}));
+  EXPECT_FALSE(s.knows("load.2.force"));
+  EXPECT_EQ(s.where("load.2.on"), "s.toml:7: key `load.2.on`");
+}
+
+TEST(ArraysOfTables, AreOverriddenByNumber) {
+  EXPECT_EQ(scene(two_loads, {"load.2.on=back"}).text("load.2.on"), "back");
+  EXPECT_EQ(scene(two_loads, {"load.2.force=[3.0]"}).reals("load.2.force"), std::vector<double>{3});
+}
+
+TEST(ArraysOfTables, SurviveTheResolvedScene) {
+  const Scene s = scene(two_loads);
+  EXPECT_EQ(parse_scene(s.resolved(), "r.toml", {}, table), s);
+}
+
+TEST(ArraysOfTables, OfUnknownKeysAreRefusedAtTheirLine) {
+  EXPECT_EQ(refusal("[[load]]\nonn = \"top\"\n"),
+            "s.toml:3: key `load.1.onn`: unknown key, did you mean `load.1.on`?");
+  EXPECT_EQ(refusal("[load.first]\non = \"top\"\n").substr(0, 50),
+            "s.toml:3: key `load.first.on`: unknown key, did yo");
+}
+
+TEST(ArraysOfTexts, AreReadAndChecked) {
+  EXPECT_EQ(scene(two_loads).texts("names"), (std::vector<std::string>{"a", "b c"}));
+  EXPECT_EQ(refusal("names = [\"a\", 3]\n"),
+            "s.toml:2: key `names`: expected an array of texts, got 3 at place 2");
+  EXPECT_EQ(refusal("names = \"a\"\n"),
+            "s.toml:2: key `names`: expected an array of texts, got \"a\"");
+}
+
+}  // namespace
+}  // namespace gnomon
