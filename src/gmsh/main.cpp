@@ -45,7 +45,7 @@ void limit_resources(const std::string& file) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_AS, static_cast<double>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE));
   struct stat facts {};
-  constexpr double seconds_at_least = 20, bytes_per_second = 1e6;  // measured: 2e7 and more
+  constexpr double seconds_at_least = 5, bytes_per_second = 1e6;  // measured: 2e7 and more
   if (file.ends_with(".msh") && stat(file.c_str(), &facts) == 0)
     limit(RLIMIT_CPU, seconds_at_least + static_cast<double>(facts.st_size) / bytes_per_second);
 }

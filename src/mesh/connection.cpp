@@ -17,13 +17,26 @@ std::string node_text(const ImportedBody<dim>& body, int node) {
   return fmt::format("node {} at {}", body.node_tags[node], place);
 }
 
+/// Neighbours on either side of a facet run through its nodes in opposite directions.
+template <class Facet>
+bool same_direction(const Facet& one, const Facet& other) {
+  const auto at = std::find(other.begin(), other.end(), one[0]) - other.begin();
+  return other.size() == 2 ? at == 0 : other[(at + 1) % other.size()] == one[1];
+}
+
 template <int dim>
 void check_overlaps(const ImportedBody<dim>& body, const FacetTable<dim>& facets) {
-  for (int slot = 0; slot < facets.slots(); ++slot)
-    if (facets.neighbour(slot) == facets.crowded)
+  for (int slot = 0; slot < facets.slots(); ++slot) {
+    const int other = facets.neighbour(slot), cell = slot / facets.facets_per_cell;
+    if (other == facets.crowded)
       refuse_body(body, fmt::format("more than two cells meet at a side of {}, expected cells that "
                                     "do not overlap",
-                                    cell_text(body, slot / facets.facets_per_cell)));
+                                    cell_text(body, cell)));
+    if (other > slot && same_direction(facets.facet(slot), facets.facet(other)))
+      refuse_body(
+          body, fmt::format("{} and {} overlap, expected cells side by side", cell_text(body, cell),
+                            cell_text(body, other / facets.facets_per_cell)));
+  }
 }
 
 /// Number of the part that each cell belongs to, found through facets.

@@ -73,6 +73,7 @@ int FacetTable<dim>::find(std::span<const int> nodes) const {
   if (nodes.size() != wanted.size()) return -1;
   std::copy(nodes.begin(), nodes.end(), wanted.begin());
   wanted = sorted(wanted);
+  if (wanted[0] < 0) return -1;
   for (int slot : slots_at(wanted[0]))
     if (sorted(facet(slot)) == wanted) return slot;
   return -1;

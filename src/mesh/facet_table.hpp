@@ -23,7 +23,7 @@ public:
   Facet facet(int slot) const;
   /// The slot of the same facet in the neighbouring cell, or one of the numbers above.
   int neighbour(int slot) const { return neighbour_[slot]; }
-  /// A slot with these nodes in any order; -1 where there is none.
+  /// A slot with these nodes in any order; -1 where there is none, as with a node that is -1.
   int find(std::span<const int> nodes) const;
 
 private:

@@ -68,9 +68,13 @@ void check_elements(const ImportedMesh& mesh, const ElementList& list, int dimen
 
 void check_members(const ImportedMesh& mesh) {
   for (const MeshGroup& group : mesh.groups) {
-    const std::ptrdiff_t count = group.dimension == mesh.dimension       ? mesh.cells.size()
-                                 : group.dimension == mesh.dimension - 1 ? mesh.facets.size()
-                                                                         : std::ssize(mesh.nodes);
+    std::ptrdiff_t count = 0;  // there are none of a higher dimension
+    if (group.dimension == mesh.dimension)
+      count = mesh.cells.size();
+    else if (group.dimension == mesh.dimension - 1)
+      count = mesh.facets.size();
+    else if (group.dimension < mesh.dimension)
+      count = std::ssize(mesh.nodes);
     for (int member : group.members)
       if (member < 0 || member >= count)
         refuse_mesh(

@@ -30,7 +30,7 @@ void lay_in_plane(ImportedMesh& mesh);
 /// least index.
 void merge_equal_nodes(ImportedMesh& mesh);
 
-/// Nodes of no cell go; facets and groups of points that need them are cut down to what is left.
+/// Nodes of no cell go, also from groups of points; in facets they become -1.
 void drop_unused_nodes(ImportedMesh& mesh);
 
 /// Of cells with the same nodes the first stays. Refuses cells that have a node twice.

@@ -17,6 +17,8 @@ extern char** environ;
 
 namespace gnomon {
 
+#ifdef GNOMON_GMSH_READER
+
 namespace {
 
 /// Closed when it goes out of scope.
@@ -112,7 +114,6 @@ std::string how_it_ended(int status, bool geometry) {
 }  // namespace
 
 ImportedMesh mesh_from_process(const std::filesystem::path& file, const MeshFileOptions& options) {
-#ifdef GNOMON_GMSH_READER
   int ends[2];
   if (pipe2(ends, O_CLOEXEC)) demand(errno, "pipe");
   Descriptor input, output;
@@ -131,12 +132,16 @@ ImportedMesh mesh_from_process(const std::filesystem::path& file, const MeshFile
     throw InputError(fmt::format("{}: {}", file.string(), handed->complaint));
   handed->mesh.file = file.string();
   return std::move(handed->mesh);
+}
+
 #else
-  (void)options;
+
+ImportedMesh mesh_from_process(const std::filesystem::path& file, const MeshFileOptions&) {
   throw InputError(fmt::format(
       "{}: needs Gmsh's library, which this gnomon was built without (Debian: libgmsh-dev)",
       file.string()));
-#endif
 }
+
+#endif
 
 }  // namespace gnomon

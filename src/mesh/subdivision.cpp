@@ -196,7 +196,9 @@ void Subdivision::split_facets() {
     facet_start_.push_back(result_.facets.size());
     const std::span<const int> nodes = facets.at(facet);
     int centre = -1;
-    if (old_.dimension == 2) {
+    if (*std::min_element(nodes.begin(), nodes.end()) < 0) {
+      // of a node that no cell has
+    } else if (old_.dimension == 2) {
       centre = edge_node(nodes[0], nodes[1]);
     } else {
       FaceKey key = {-1, -1, -1, -1};
@@ -219,7 +221,7 @@ void Subdivision::split_facets() {
 void Subdivision::follow_groups() {
   for (const MeshGroup& group : old_.groups) {
     MeshGroup& after = result_.groups.emplace_back(group);
-    if (group.dimension < old_.dimension - 1) continue;
+    if (group.dimension < old_.dimension - 1 || group.dimension > old_.dimension) continue;
     const auto& start = group.dimension == old_.dimension ? cell_start_ : facet_start_;
     after.members.clear();
     for (int member : group.members)

@@ -90,6 +90,16 @@ ImportedMesh pyramid() {
   return b.mesh;
 }
 
+/// Triangles upon a quadrilateral.
+ImportedMesh covered_twice() {
+  Builder b(2);
+  for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) b.node(x, y);
+  b.cell(Kind::quadrilateral, {0, 1, 2, 3});
+  b.cell(Kind::triangle, {0, 1, 2});
+  b.cell(Kind::triangle, {0, 2, 3});
+  return b.mesh;
+}
+
 /// One quadrilateral.
 std::function<ImportedMesh()> quadrilateral(std::array<std::array<double, 2>, 4> corners) {
   return [corners] {
@@ -206,6 +216,10 @@ const BadMesh bad_meshes[] = {
                       m.cells.add(Kind::quadrilateral, 900, std::array{1, 5, 8, 4});
                     }),
      {"more than two cells meet at a side of element"}},
+    {"CoveredTwice",
+     2,
+     covered_twice,
+     {"element 501 at (0.25, 0.25) and element 502 at", "overlap, expected cells side by side"}},
     {"HangingNode", 2, hanging_in_the_plane, {"node 7 hangs", "(1, 0.5)", "Coherence"}},
     {"HangingNodeInSpace", 3, hanging_in_space, {"hangs", "side of a cell"}},
     {"TwoParts",

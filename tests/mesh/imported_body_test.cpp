@@ -125,6 +125,18 @@ TEST(ImportedBody, LeavesOutNodesOfNoCell) {
   EXPECT_THAT(body.remarks, ElementsAre(HasSubstr("1 node of no cell was left out")));
 }
 
+TEST(ImportedBody, SaysWhichFacetsAreOfNodesOfNoCell) {
+  ImportedMesh plane = square(2), space = cube(1);
+  plane.nodes.push_back({2, 2, 0});
+  plane.node_tags.push_back(10);
+  plane.groups.push_back({"loose", 1, {add_facet(plane, {8, 9})}});
+  space.nodes.push_back({0, 0, 2});
+  space.node_tags.push_back(9);
+  space.groups.push_back({"loose", 2, {add_facet(space, {0, 1, 2, 8})}});
+  EXPECT_THAT(check_mesh<2>(plane).unusable.at("loose"), HasSubstr("no sides of cells"));
+  EXPECT_THAT(check_mesh<3>(space).unusable.at("loose"), HasSubstr("no sides of cells"));
+}
+
 TEST(ImportedBody, TakesCellsOnceThatAreListedInTwoGroups) {
   ImportedMesh mesh = square(2);
   mesh.cells.add(ElementKind::quadrilateral, 900,
