@@ -158,7 +158,8 @@ Observation WearModel<dim>::observe(const State& state) const {
 template <int dim>
 std::function<double(const Point&)> WearModel<dim>::wear_flux() const {
   return [this](const Point& at) {
-    return wear_flux_of(equations_.contact_nodes(system_, system_.values(at.t, at.y), at), body().copies);
+    return wear_flux_of(equations_.contact_nodes(system_, system_.values(at.t, at.y), at),
+                        body().copies);
   };
 }
 

@@ -18,7 +18,9 @@ std::shared_ptr<WornBody<2>> pin_body() {
   return std::make_shared<WornBody<2>>(dynamic_cast<const WearModel<2>&>(*pin).body());
 }
 
-WearLaw law(const char* rate) { return read_wear_law(pin_scene({rate})); }
+WearLaw law(const char* rate) {
+  return read_wear_law(pin_scene({rate}));
+}
 
 /// No node is on the axis of symmetry.
 std::shared_ptr<WornBody<2>> halves(const char* left, const char* right) {
@@ -49,8 +51,8 @@ TEST(TwoWearingSurfaces, WearByTheirOwnLaws) {
   const WearModel<2> model(halves(plain_law, threshold_law));
   Counters counters;
   const State start = model.start(counters);
-  const auto nodes = model.equations().contact_nodes(model.system(), model.system().values(0, start.y),
-                                                     {.t = 0, .y = start.y});
+  const auto nodes = model.equations().contact_nodes(
+      model.system(), model.system().values(0, start.y), {.t = 0, .y = start.y});
   const Scene scene = pin_scene();
   const double k_v = scene.real("wear.coefficient") * scene.real("wear.velocity");
   int worn_left = 0, worn_right = 0;

@@ -35,7 +35,7 @@ public:
   /// The branch on which steps are taken now.
   ActiveSet branch() const { return branch_; }
   /// Has the state left the branch?
-  bool left(const State& at) const { 
+  bool left(const State& at) const {
     return !on_all_processes(active_set(system_, at.t, at.y) == branch_);
   }
 

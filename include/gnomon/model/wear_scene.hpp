@@ -26,7 +26,8 @@ struct WearCircumstances {
 /// zero where none does.
 double wear_by_pressure(const Scene& scene, const WearLaw& law, const WearCircumstances& at);
 
-/// Throws InputError, in one line, where check_wear_law() does for the values that the run may meet.
+/// Throws InputError, in one line, where check_wear_law() does for the values that the run may
+/// meet.
 void require_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at);
 
 /// The constants and tables of the scene, "wear.constants.a", that wear.rate does not use.

@@ -65,12 +65,13 @@ struct WornBody {
   NodalFlags<dim> shape_fixed;                   ///< 1 where d is held at zero
   /// Where u is held at other values, among those that `displacement_fixed` holds.
   std::vector<PrescribedValues> prescribed_displacement;
-  NodalField<dim> load;                          ///< nodal dead loads at factor one
+  NodalField<dim> load;  ///< nodal dead loads at factor one
   Material material;
   Element element;
   MeshMotionLaw mesh_motion;  ///< eq. (20)
   ContactParameters<dim> contact;
-  /// Wearing surfaces: `contact.wear` is the law of surface 0, further_wear[k - 1] that of surface k.
+  /// Wearing surfaces: `contact.wear` is the law of surface 0, further_wear[k - 1] that of surface
+  /// k.
   std::vector<WearLaw> further_wear;
   std::vector<int> wear_surface;  ///< that each contact node belongs to; empty: 0
   /// The force that presses the counter-body along its `approach`, at factor one; without it the

@@ -82,7 +82,7 @@ private:
   std::vector<int> lambda_numbers_;
   int w_number_;
   std::vector<std::size_t> first_switch_ = {0};  // of each node; last: their number
-  double nominal_speed_;               // at which the bodies slide [length / time]
+  double nominal_speed_;                         // at which the bodies slide [length / time]
   double overlap_ = 0;                 // of the body at rest, by the given motion at t = 0 [length]
   std::vector<std::vector<int>> map_;  // of each node: positions, column by column; -1: none
 };
