@@ -20,6 +20,7 @@
 #include "loads.hpp"
 #include "magnitudes.hpp"
 #include "shape_support.hpp"
+#include "stored_part.hpp"
 #include "supports.hpp"
 
 namespace gnomon {
@@ -132,11 +133,25 @@ double given_overlap(const WornBody<dim>& body) {
   return most;
 }
 
+/// Contact of a few nodes says little about pressures.
 template <int dim>
-std::unique_ptr<Model> make_part(Scene scene, ImportedMesh mesh) {
-  const ImportedBody<dim> part = check_mesh<dim>(std::move(mesh), scene.texts("wear.on"));
+void warn_of_coarse_contact(const Magnitudes& magnitudes, WornBody<dim>& body) {
+  const double width = dim == 2 ? magnitudes.contact_nodes : std::sqrt(magnitudes.contact_nodes);
+  if (width < 4)
+    body.remarks.push_back(
+        fmt::format("contact is about {:.0f} nodes wide at the start: pressures there mean little "
+                    "before it has "
+                    "grown; a finer mesh near the contact helps",
+                    std::max(1.0, width)));
+}
+
+template <int dim>
+std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
+  require_memory(scene, {dim, double(part.mesh.nodes.size())});
   auto body = std::make_shared<WornBody<dim>>();
   body->mesh = part.mesh;
+  body->parts = stored_parts(part);
+  body->remarks = part.remarks;
   const Facets<dim> wearing = wearing_facets(scene, part);
   body->contact_nodes = contact_patches<dim>(body->mesh, wearing, part.exterior);
   const PressedCounterBody<dim> other = read_counter_body<dim>(scene);
@@ -151,16 +166,31 @@ std::unique_ptr<Model> make_part(Scene scene, ImportedMesh mesh) {
   const Magnitudes magnitudes =
       find_magnitudes(scene, force, given_overlap(*body), force * scene.real("time.end"), *body);
   body->scales = magnitudes.scales;
-  read_shape_support(scene, part, wearing, magnitudes.deepest, *body);
+  const double reach = read_shape_support(scene, part, wearing, magnitudes.deepest, *body);
+  if (std::isfinite(reach))
+    body->remarks.push_back(fmt::format(
+        "the mesh moves within {:.3g} mm of the wearing surfaces (shape.reach)", reach));
+  warn_of_coarse_contact(magnitudes, *body);
   read_worn_body(scene, magnitudes.facet, *body);
   require_held(scene, part, *body);
   return std::make_unique<WearModel<dim>>(std::move(body));
 }
 
+template <int dim>
+std::unique_ptr<Model> make_from_file(const Scene& scene, ImportedMesh mesh) {
+  return make_part<dim>(scene, check_mesh<dim>(std::move(mesh), scene.texts("wear.on")));
+}
+
 std::unique_ptr<Model> make(const Scene& scene) {
   ImportedMesh mesh = read_mesh(scene);
-  return mesh.dimension == 2 ? make_part<2>(scene, std::move(mesh))
-                             : make_part<3>(scene, std::move(mesh));
+  return mesh.dimension == 2 ? make_from_file<2>(scene, std::move(mesh))
+                             : make_from_file<3>(scene, std::move(mesh));
+}
+
+std::unique_ptr<Model> remake(const Scene& scene, const Grid& grid) {
+  if (grid.cell == Grid::Cell::quadrilateral)
+    return make_part<2>(scene, part_of_grid<2>(grid, scene.path().string()));
+  return make_part<3>(scene, part_of_grid<3>(grid, scene.path().string()));
 }
 
 const Registration<Problem> registration({
@@ -168,6 +198,7 @@ const Registration<Problem> registration({
     .help = "a part from a mesh with named surfaces (Gmsh), against a rigid counter-body",
     .keys = part_keys(),
     .make = make,
+    .remake = remake,
     .registered_keys = [] { return counter_body_keys(); },
 });
 

@@ -23,6 +23,7 @@ int check_command(const std::filesystem::path& scene, const std::vector<std::str
   fmt::print("{}\n{}", setup.scene.resolved(), table.text());
   if (const double memory = estimated_memory(setup.scene); memory > 0)
     fmt::print("# a run takes about {} of memory\n", memory_text(memory));
+  for (const std::string& remark : setup.model->remarks()) fmt::print("# {}\n", remark);
   for (const std::string& name : unused_wear_names(setup.scene))
     fmt::print("# {} is given, but wear.rate does not use it\n", name);
   return success;

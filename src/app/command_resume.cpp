@@ -135,7 +135,7 @@ int resume_command(const ResumeOptions& options) {
   check_outputs(files);
 
   if (!options.quiet) warn_of_slow_blas();
-  const Setup setup = set_up(std::move(scene));
+  const Setup setup = set_up_again(std::move(scene), earlier.grid());
   check_same(*setup.model, earlier, name);
   const RunHeader header = run_header(setup);
   const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);

@@ -1,5 +1,7 @@
 // gnomon run: integrates a scene, writes its result and summary, and reports how it ended.
 
+#include <fmt/format.h>
+
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/run.hpp>
@@ -24,6 +26,8 @@ int run_command(const RunOptions& given) {
 
   if (!options.quiet) warn_of_slow_blas();
   const Setup setup = set_up(std::move(scene));
+  if (!options.quiet)
+    for (const std::string& remark : setup.model->remarks()) fmt::print(stderr, "{}\n", remark);
   const RunHeader header = run_header(setup);
   const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
   const RunOutcome outcome = [&] {

@@ -1,5 +1,6 @@
 #include "app/setup.hpp"
 
+#include <gnomon/laws/profile.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/study/versions.hpp>
 #include <utility>
@@ -31,10 +32,24 @@ Scene with_choices(const Scene& scene, const LinearSolverChoice& solver) {
 
 }  // namespace
 
+namespace {
+
+Setup completed(Scene scene, std::unique_ptr<Model> model) {
+  Scene complete = with_choices(scene, model->system().structure().solver);
+  if (scene.knows("counter_body.file")) complete = with_profile_points(complete);
+  return {std::move(complete), std::move(model)};
+}
+
+}  // namespace
+
 Setup set_up(Scene scene) {
   auto model = make_model(scene);
-  Scene complete = with_choices(scene, model->system().structure().solver);
-  return {std::move(complete), std::move(model)};
+  return completed(std::move(scene), std::move(model));
+}
+
+Setup set_up_again(Scene scene, const std::optional<Grid>& grid) {
+  auto model = remake_model(scene, grid);
+  return completed(std::move(scene), std::move(model));
 }
 
 Setup set_up(const std::filesystem::path& file, const std::vector<std::string>& overrides) {

@@ -23,6 +23,8 @@ Scene checked_scene(const std::filesystem::path& scene, const std::vector<std::s
 
 /// Makes the model of a checked scene, which may take long.
 Setup set_up(Scene scene);
+/// The same from the mesh that a result keeps.
+Setup set_up_again(Scene scene, const std::optional<Grid>& grid);
 /// Both.
 Setup set_up(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 

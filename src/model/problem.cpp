@@ -17,13 +17,24 @@ double estimated_memory(const Scene& scene) {
   return estimated_memory(mesh, linear_solver_of(scene, mesh));
 }
 
-std::unique_ptr<Model> make_model(const Scene& scene) {
-  const double needed = estimated_memory(scene), available = available_memory();
+void require_memory(const Scene& scene, const MeshSize& mesh) {
+  const double needed = estimated_memory(mesh, linear_solver_of(scene, mesh)),
+               available = available_memory();
   if (needed > available)
     throw InputError(fmt::format(
         "{}: its mesh needs about {} of memory, {} are available; expected a coarser mesh",
         scene.path().string(), memory_text(needed), memory_text(available)));
-  return Problems::find(scene.text("problem"), "problem").make(scene);
+}
+
+std::unique_ptr<Model> make_model(const Scene& scene) {
+  const Problem& problem = Problems::find(scene.text("problem"), "problem");
+  if (problem.mesh_size) require_memory(scene, problem.mesh_size(scene));
+  return problem.make(scene);
+}
+
+std::unique_ptr<Model> remake_model(const Scene& scene, const std::optional<Grid>& grid) {
+  const Problem& problem = Problems::find(scene.text("problem"), "problem");
+  return problem.remake && grid ? problem.remake(scene, *grid) : make_model(scene);
 }
 
 namespace {

@@ -170,6 +170,7 @@ std::optional<Grid> WearModel<dim>::grid() const {
   grid.cell = dim == 2 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
   for (const Vector<dim>& X : mesh.nodes) grid.points.push_back(in_space<dim>(X));
   for (const auto& cell : mesh.cells) grid.cells.insert(grid.cells.end(), cell.begin(), cell.end());
+  grid.parts = body().parts;
   return grid;
 }
 

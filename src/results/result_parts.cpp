@@ -28,15 +28,6 @@ Handle create_file(hdf5::CrashSafeFile& disk, const std::filesystem::path& path)
              "create the file");
 }
 
-void write_mesh(hid_t file, const Grid& grid) {
-  const Handle mesh = create_group(file, "mesh", 2);
-  const hsize_t corners = grid.cell == Grid::Cell::quadrilateral ? 4 : 8;
-  hdf5::write_dataset(mesh.id(), "points", {grid.points.size(), 3},
-                      grid.points.empty() ? nullptr : grid.points.front().data());
-  hdf5::write_dataset(mesh.id(), "cells", {grid.cells.size() / corners, corners},
-                      grid.cells.data());
-}
-
 void write_header(hid_t gnomon, const RunHeader& header) {
   hdf5::write_attribute(gnomon, "format", std::string(kFormat));
   hdf5::write_attribute(gnomon, "format_version", kVersion);

@@ -19,7 +19,6 @@ hdf5::Handle create_file(hdf5::CrashSafeFile& disk, const std::filesystem::path&
 hdf5::Handle create_group(hid_t parent, const std::string& name, std::size_t links);
 
 void write_header(hid_t gnomon, const RunHeader& header);
-void write_mesh(hid_t file, const Grid& grid);
 void write_field(hid_t step, const GridField& field);
 void write_contact(hid_t group, const std::string& name, const ContactSurface& contact);
 

@@ -11,6 +11,7 @@
 #include "results/hdf5_values.hpp"
 #include "results/history_table.hpp"
 #include "results/layout.hpp"
+#include "results/stored_mesh.hpp"
 #include "results/write_claim.hpp"
 
 namespace gnomon {
@@ -112,24 +113,6 @@ GridField read_field(hid_t file, const std::string& step, const std::string& nam
   field.components = data.extents.size() == 2 ? static_cast<int>(data.extents[1]) : 1;
   field.values = std::move(data.values);
   return field;
-}
-
-std::optional<Grid> read_grid(hid_t file) {
-  if (!hdf5::exists(file, "mesh")) return std::nullopt;
-  Grid grid;
-  const auto points = hdf5::read_doubles(file, "mesh/points");
-  const Handle cells = open_dataset(file, "mesh/cells", "read the mesh");
-  const auto extents = hdf5::extents_of(cells.id());
-  const bool known = extents.size() == 2 && (extents[1] == 4 || extents[1] == 8);
-  if (!known || points.extents.size() != 2 || points.extents[1] != 3) {
-    throw Failure("cannot read the mesh: its extents are wrong");
-  }
-  grid.cell = extents[1] == 4 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
-  grid.cells = hdf5::read_ints(file, "mesh/cells");
-  for (std::size_t i = 0; i < points.values.size(); i += 3) {
-    grid.points.push_back({points.values[i], points.values[i + 1], points.values[i + 2]});
-  }
-  return grid;
 }
 
 // The stored step at t (without t, the last one): the nearest within 1e-9 of the run's length, or
@@ -306,7 +289,7 @@ std::vector<std::string> ResultReader::field_names() const {
 }
 
 std::optional<Grid> ResultReader::grid() const {
-  return file_->guarded([&] { return read_grid(file_->file()); });
+  return file_->guarded([&] { return layout::read_grid(file_->file()); });
 }
 
 }  // namespace gnomon

@@ -12,6 +12,7 @@
 #include "results/layout.hpp"
 #include "results/replaced_file.hpp"
 #include "results/result_parts.hpp"
+#include "results/stored_mesh.hpp"
 #include "results/write_claim.hpp"
 #include "results/xdmf_sidecar.hpp"
 

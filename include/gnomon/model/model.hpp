@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <gnomon/base/counters.hpp>
+#include <gnomon/mesh/mesh_part.hpp>
 #include <gnomon/model/observation.hpp>
 #include <gnomon/system/state.hpp>
 #include <optional>
@@ -19,6 +20,7 @@ struct Grid {
   Cell cell = Cell::quadrilateral;
   std::vector<std::array<double, 3>> points;  ///< [length]
   std::vector<int> cells;                     ///< node indices, 4 or 8 per cell, VTK order
+  std::vector<MeshPart> parts{};              ///< of a mesh from a file
 };
 
 /// A field over the grid. `values` is row-major, with `components` values per point (or cell).
@@ -59,6 +61,8 @@ public:
   virtual const System& system() const = 0;
   /// The unknown blocks; their sizes sum to system().structure().size.
   virtual std::vector<BlockSize> blocks() const = 0;
+  /// What was repaired, chosen or is doubtful in what the scene gives, in sentences for the user.
+  virtual std::vector<std::string> remarks() const { return {}; }
   /// Consistent state at t = 0. Throws SolutionError with the reason if there is none.
   virtual State start(Counters& counters) const = 0;
   /// The observation of a state; its members and `others` are always the same.

@@ -19,6 +19,8 @@ struct Problem {
   std::vector<Key> keys;  ///< all keys except run_keys()
   /// Throws InputError (using Scene::where) if keys contradict each other.
   std::function<std::unique_ptr<Model>(const Scene&)> make;
+  /// Where meshes come from files: the model made again from the mesh that a result keeps.
+  std::function<std::unique_ptr<Model>(const Scene&, const Grid&)> remake = nullptr;
   /// For problems with a mesh: its size, computed without making it.
   std::function<MeshSize(const Scene&)> mesh_size = nullptr;
   /// Further keys, those of other registered things; asked for when all are registered.
@@ -30,9 +32,15 @@ using Problems = Registry<Problem>;
 /// Memory that a run of the scene will take [bytes]; 0 for a problem without a mesh.
 double estimated_memory(const Scene& scene);
 
+/// Throws InputError where a run on such a mesh would need more memory than is available.
+void require_memory(const Scene& scene, const MeshSize& mesh);
+
 /// The model of a scene. Throws InputError like make(), and, before anything is allocated, if a run
 /// would need more memory than is available.
 std::unique_ptr<Model> make_model(const Scene& scene);
+
+/// The model of a scene and of the mesh that its result keeps.
+std::unique_ptr<Model> remake_model(const Scene& scene, const std::optional<Grid>& grid);
 
 /// The problem's keys, with the choice of registered materials and their keys filled in.
 std::vector<Key> own_keys(const Problem& problem);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <gnomon/laws/load_history.hpp>
+#include <gnomon/mesh/mesh_part.hpp>
 #include <gnomon/system/composed_system.hpp>
 #include <gnomon/system/linear_solver_choice.hpp>
 #include <gnomon/terms/contact_node.hpp>
@@ -82,7 +83,9 @@ struct WornBody {
   /// One entry per contact node: its part in the wear rate of its shape unknowns, by default 1;
   /// with a section, the length that it represents divided by the length of the path.
   std::vector<double> wear_weight;
-  double copies = 1;  ///< number of modelled parts in the whole body (symmetry)
+  std::vector<std::string> remarks;  ///< Model::remarks()
+  std::vector<MeshPart> parts;       ///< of a mesh from a file, for its result to keep
+  double copies = 1;                 ///< number of modelled parts in the whole body (symmetry)
   ConstraintForm constraint = ConstraintForm::eliminated;
   double augmentation = 0;  ///< of mu: mu^ = mu + augmentation (ddot + Wdot N) [stress time/length]
   std::vector<AddedTermFactory<dim>> added_terms;

@@ -1,0 +1,17 @@
+// The mesh of a part as its result keeps it.
+#pragma once
+
+#include <gnomon/mesh/imported_body.hpp>
+#include <gnomon/model/model.hpp>
+
+namespace gnomon::part {
+
+/// The parts of a mesh that the body is made of, beside its nodes and cells.
+template <int dim>
+std::vector<MeshPart> stored_parts(const ImportedBody<dim>& part);
+
+/// The part again. `file` is for messages, which InputError throws where the grid has no parts.
+template <int dim>
+ImportedBody<dim> part_of_grid(const Grid& grid, const std::string& file);
+
+}  // namespace gnomon::part
