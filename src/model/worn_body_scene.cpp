@@ -74,7 +74,7 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   CounterBody<dim>& counter_body = body.contact.counter_body;
   counter_body.position -= scene.real("contact.initial_gap") * counter_body.approach;
   if (scene.knows("load.times")) body.load_history = read_load_history(scene);
-  body.added_terms = added_terms<dim>(scene);
+  for (auto& term : added_terms<dim>(scene)) body.added_terms.push_back(std::move(term));
   body.augmentation = scene.real("shape.augmentation") * shape_young / facet * body.scales.duration;
 }
 
