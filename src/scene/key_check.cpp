@@ -182,6 +182,23 @@ std::optional<Key> find_key(const std::vector<Key>& table, const std::string& na
 
 namespace {
 
+bool names_table(const std::string& name, const std::vector<Key>& table);
+
+/// The table before a number in the name: "mesh" of "mesh.1.elements", if keys stand in it and it
+/// is no array.
+std::optional<std::string> table_given_as_array(const std::string& name,
+                                                const std::vector<Key>& table) {
+  for (std::size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1)) {
+    const std::string before = name.substr(0, dot);
+    const std::size_t next = std::min(name.find('.', dot + 1), name.size());
+    const std::string part = name.substr(dot + 1, next - dot - 1);
+    if (!part.empty() && part.find_first_not_of("0123456789") == std::string::npos &&
+        names_table(before, table) && !names_table(before + ".#", table))
+      return before;
+  }
+  return std::nullopt;
+}
+
 bool names_table(const std::string& name, const std::vector<Key>& table) {
   return std::any_of(table.begin(), table.end(),
                      [&](const Key& key) { return key.name.starts_with(name + "."); });
@@ -196,6 +213,10 @@ bool gives_table(const std::string& name, const RawValue& value, const std::vect
 void refuse_unknown_key(const std::string& origin, const std::string& name, const RawValue& value,
                         const std::vector<Key>& table, const std::string& help,
                         const std::string& prefix) {
+  if (const auto single = table_given_as_array(name, table))
+    throw InputError(
+        fmt::format("{}: expected a table of keys, [{}{}], got an array of tables, [[{}{}]]",
+                    origin, prefix, *single, prefix, *single));
   if (names_table(name, table))
     throw InputError(fmt::format("{}: expected a table of keys, [{}{}], got {}", origin, prefix,
                                  name, describe(value)));

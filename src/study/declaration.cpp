@@ -151,7 +151,7 @@ private:
       for (const SceneSetting& earlier : sweep.values)
         if (const std::string text = toml_text(setting.value); toml_text(earlier.value) == text)
           throw InputError(
-              fmt::format("{}: {} is there twice, expected once", setting.origin, text));
+              fmt::format("{}: {} is given twice, expected once", setting.origin, text));
       sweep.values.push_back(std::move(setting));
       sweep.labels.push_back(sweep.key + "=" + label_text(value));
     }

@@ -117,7 +117,7 @@ TEST(LoadRamp, EndsWhereItCreeps) {
   EXPECT_GT(report.reached, 0);
   EXPECT_LT(report.reached, 1);
   EXPECT_EQ(y[0], report.reached);
-  EXPECT_THAT(report.reason, HasSubstr("smaller"));
+  EXPECT_THAT(report.reason, HasSubstr("too small"));
 }
 
 TEST(LoadRampOfThePin, DoesNotDependOnTheIncrements) {

@@ -54,8 +54,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "example.toml:4: key `body.element.kind`: unknown key, did you mean "
                 "`body.element`?"},
         Mistake{"ArrayOfTables", with_line_4("[[mesh]]\nlevel = 2"),
-                "example.toml:4: key `mesh`: expected a table of keys, [mesh], got an array of 1 "
-                "value"},
+                "example.toml:5: key `mesh.1.level`: expected a table of keys, [mesh], got an array of "
+                "tables, [[mesh]]"},
         Mistake{"TextForNumber", with_line_4("poisson_ratio = \"soft\""),
                 "example.toml:4: key `body.poisson_ratio`: expected a number in [0, 0.5), got "
                 "\"soft\""},

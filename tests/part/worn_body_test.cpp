@@ -1,0 +1,99 @@
+// Parts from geometry files: the built-in pin again, the block on a ring against the rigid limit,
+// and the model that a result's mesh gives.
+
+#include <cmath>
+#include <numbers>
+
+#include "part/part_scene.hpp"
+#include "support/pin.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+
+class Parts : public ::testing::Test {
+protected:
+  void SetUp() override {
+    if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
+  }
+};
+
+Scene scene_of(const std::filesystem::path& file, const Overrides& overrides = {}) {
+  return load_scene(file, overrides, key_table);
+}
+
+std::unique_ptr<Model> part_of(const std::filesystem::path& file, const Overrides& overrides = {}) {
+  return make_model(scene_of(file, overrides));
+}
+
+// The same nodes, supports and loads give the same results, whatever file they come from.
+TEST_F(Parts, ThePinFromItsGeometryIsTheBuiltInOne) {
+  const SceneFolder folder;
+  folder.write("pin.geo", "n = 10;\n" + text_of(shipped("pin.geo")));
+  const auto scene = folder.write("pin.toml", text_of(shipped("pin.toml")));
+  const auto part = part_of(scene);
+  const auto pin = pin_model({elements(10)});
+  const ModelRun expected = run_model(*pin, "backward-euler", 50, 1e-4, 300),
+                 actual = run_model(*part, "backward-euler", 50, 1e-4, 300);
+  const ContactSurface built_in = pin->contact(expected.last()).value(),
+                       from_file = part->contact(actual.last()).value();
+  ASSERT_EQ(from_file.node.size(), built_in.node.size());
+  EXPECT_GT(observed(*pin, expected.last(), "worn_volume"), 0.5);
+  const double peak = std::ranges::max(built_in.pressure);
+  for (std::size_t c = 0; c < built_in.node.size(); ++c) {
+    for (int i = 0; i < 2; ++i)
+      EXPECT_NEAR(from_file.worn[c][i], built_in.worn[c][i], 1e-9) << "node " << c;
+    EXPECT_NEAR(from_file.pressure[c], built_in.pressure[c], 1e-9 * peak) << "node " << c;
+  }
+}
+
+// The published runs lose up to 1.25 % of the worn area (Cruzado 2010, by two other programs).
+TEST_F(Parts, BlockOnRingLosesWhatWearsAndFollowsTheRigidLimit) {
+  const auto block = part_of(shipped("block_on_ring.toml"), {"mesh.factor=2"});
+  const double end = 7200, worn = 2e-9 * 10.8333 * 500 * end, R = 20;
+  const ModelRun run = run_model(*block, "esdirk-3", 0, 1e-3, end);
+  EXPECT_NEAR(observed(*block, run.last(), "worn_volume") / worn, 1, 5e-6);
+  const double half_width = std::cbrt(1.5 * R * worn), depth = half_width * half_width / (2 * R);
+  double deepest = 0;
+  for (const auto& X : block->contact(run.last()).value().worn) deepest = std::max(deepest, -X[1]);
+  EXPECT_NEAR(deepest / depth, 1, 3e-3);
+  EXPECT_NEAR(observed(*block, run.last(), "contact_half_width") / half_width, 1, 1e-2);
+}
+
+// The surface of a turning ring moves with omega times the distance from its axis: what slides at
+// the bottom of the scar, nearer to the ring's level, is slower by its depth over the radius alone.
+TEST_F(Parts, ATurningRingWearsByTheSpeedOfItsSurface) {
+  const auto worn = [](const std::string& motion) {
+    const auto block = part_of(shipped("block_on_ring.toml"), {"mesh.factor=3", motion});
+    const ModelRun run = run_model(*block, "esdirk-3", 0, 1e-3, 720);
+    return observed(*block, run.last(), "worn_volume");
+  };
+  const double sliding = worn("counter_body.motion.velocity=[500.0, 0.0]");
+  const SceneFolder folder;
+  std::string text = text_of(shipped("block_on_ring.toml"));
+  const std::string straight = "motion = { velocity = [500.0, 0.0] }";
+  ASSERT_NE(text.find(straight), std::string::npos);
+  text.replace(text.find(straight), straight.size(), "motion = { rotation = 25.0 }");
+  folder.write("block_on_ring.geo", text_of(shipped("block_on_ring.geo")));
+  const auto block = part_of(folder.write("turning.toml", text), {"mesh.factor=3"});
+  const ModelRun run = run_model(*block, "esdirk-3", 0, 1e-3, 720);
+  EXPECT_NEAR(observed(*block, run.last(), "worn_volume") / sliding, 1, 1e-4);
+}
+
+// What a result keeps is enough to make the same equations again.
+TEST_F(Parts, AreMadeAgainFromTheMeshOfTheirResult) {
+  const Scene scene = scene_of(shipped("block_on_ring.toml"), {"mesh.factor=4"});
+  const auto first = make_model(scene);
+  const auto second = remake_model(scene, first->grid());
+  Counters counters;
+  const State start = first->start(counters);
+  std::vector<double> F(start.y.size()), again(start.y.size());
+  ASSERT_EQ(first->system().structure().size, second->system().structure().size);
+  first->system().residual({0, start.y, start.ydot}, F);
+  second->system().residual({0, start.y, start.ydot}, again);
+  EXPECT_EQ(F, again);
+}
+
+}  // namespace
+}  // namespace gnomon
