@@ -95,16 +95,18 @@ void ComposedSystem<dim>::jacobian(const Point& at, double alpha, std::span<doub
 template <int dim>
 void ComposedSystem<dim>::switching(double t, std::span<const double> y,
                                     std::span<double> values) const {
-  fill(y, time({.t = t}), within({.t = t}), values_);
+  const Point at{.t = t, .y = y};
+  fill(y, time(at), within(at), values_);
   for (std::size_t k = 0; k < terms_.size(); ++k)
-    terms_[k]->switching(evaluation({.t = t, .y = y}, values_, k),
+    terms_[k]->switching(evaluation(at, values_, k),
                          values.subspan(first_switch_[k], first_switch_[k + 1] - first_switch_[k]));
 }
 
 template <int dim>
 FieldValues<dim> ComposedSystem<dim>::values(double t, std::span<const double> y) const {
   FieldValues<dim> result = values_;
-  fill(y, time({.t = t}), within({.t = t}), result);
+  const Point at{.t = t, .y = y};
+  fill(y, time(at), within(at), result);
   return result;
 }
 
