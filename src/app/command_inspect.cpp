@@ -1,4 +1,4 @@
-// gnomon info and gnomon contact: the contents of a result file.
+// gnomon info, contact, scene and history: the contents of a result file.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -101,6 +101,29 @@ int info_command(const std::filesystem::path& file) {
   else
     print_history(history.back());
   fmt::print("\nscene:\n{}", header.scene);
+  return success;
+}
+
+int scene_command(const std::filesystem::path& file) {
+  fmt::print("{}", ResultReader(file).header().scene);
+  return success;
+}
+
+int history_command(const std::filesystem::path& file) {
+  const auto history = ResultReader(file).history();
+  if (history.empty())
+    throw InputError(file.string() + ": no state is recorded, not even the start");
+  fmt::print("t,step,order,newton_iterations,factorizations");
+  for (const Scalar& scalar : history.front().scalars)
+    fmt::print(",{}", scalar.unit.empty() ? scalar.name
+                                          : fmt::format("{} [{}]", scalar.name, scalar.unit));
+  fmt::print("\n");
+  for (const HistoryRow& row : history) {
+    fmt::print("{},{},{},{},{}", row.t, row.step.step, row.step.order, row.counters.newton_iterations,
+               row.counters.factorizations);
+    for (const Scalar& scalar : row.scalars) fmt::print(",{}", scalar.value);
+    fmt::print("\n");
+  }
   return success;
 }
 

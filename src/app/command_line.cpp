@@ -67,6 +67,7 @@ CommandLine::CommandLine()
   add_extremes();
   add_check();
   add_inspection();
+  add_meshes();
   add_compare();
   add_stability();
   add_plot();
@@ -160,26 +161,6 @@ void CommandLine::add_extremes() {
       ->check(CLI::Range(0.01, 1e6));
   add_flags_of_studies(command, extremes_.resume, extremes_.quiet);
   command->callback([this] { command_ = [this] { return extremes_command(extremes_); }; });
-}
-
-void CommandLine::add_inspection() {
-  CLI::App* list = app_.add_subcommand(
-      "list", "Lists integrators, wear laws, materials, problems, scenes or studies");
-  list->add_option("SUBJECT", subject_, "integrators, laws, materials, problems, scenes or studies")
-      ->required()
-      ->type_name("");
-  list->callback([this] { command_ = [this] { return list_command(subject_); }; });
-
-  CLI::App* info = app_.add_subcommand("info", "Shows the contents of a result file");
-  info->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
-  info->callback([this] { command_ = [this] { return info_command(result_); }; });
-
-  CLI::App* contact = app_.add_subcommand("contact", "Prints the contact surface as CSV");
-  contact->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
-  contact->add_option("--time", time_, "A stored time; default: the last one")
-      ->type_name("T")
-      ->check(check_number);
-  contact->callback([this] { command_ = [this] { return contact_command(result_, time_); }; });
 }
 
 void CommandLine::add_compare() {

@@ -29,6 +29,7 @@ private:
   void add_study();
   void add_extremes();
   void add_inspection();
+  void add_meshes();
   void add_compare();
   void add_stability();
   void add_plot();
@@ -49,6 +50,8 @@ private:
   std::string subject_;
   std::filesystem::path result_;
   std::optional<double> time_;
+  std::optional<double> size_;
+  std::filesystem::path scene_;
   std::vector<std::filesystem::path> results_;
   std::filesystem::path reference_;
   std::filesystem::path figures_;

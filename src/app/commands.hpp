@@ -63,6 +63,15 @@ int check_command(const std::filesystem::path& scene, const std::vector<std::str
 int list_command(const std::string& what);
 int info_command(const std::filesystem::path& result);
 int contact_command(const std::filesystem::path& result, std::optional<double> time);
+/// The scene of a result, as `check` prints it.
+int scene_command(const std::filesystem::path& result);
+/// One line for each step, the start first: time, step, counters, scalars.
+int history_command(const std::filesystem::path& result);
+/// What a mesh has: cells, named parts, remarks. `size`: longest edge for a geometry.
+int mesh_command(const std::filesystem::path& file, std::optional<double> size);
+/// Writes a scene for a mesh; `scene` empty: beside the mesh. Never replaces a file.
+int new_command(const std::filesystem::path& file, std::optional<double> size,
+                std::filesystem::path scene);
 /// `reference` empty: the last of the results.
 int compare_command(const std::vector<std::filesystem::path>& results,
                     const std::filesystem::path& reference);

@@ -1,0 +1,57 @@
+// The commands that show what a result or a mesh holds, and what gnomon knows.
+
+#include "app/command_line.hpp"
+#include "app/option_checks.hpp"
+
+namespace gnomon::app {
+
+void CommandLine::add_inspection() {
+  CLI::App* list = app_.add_subcommand(
+      "list", "Lists integrators, wear laws, materials, problems, scenes or studies");
+  list->add_option("SUBJECT", subject_, "integrators, laws, materials, problems, scenes or studies")
+      ->required()
+      ->type_name("");
+  list->callback([this] { command_ = [this] { return list_command(subject_); }; });
+
+  CLI::App* info = app_.add_subcommand("info", "Shows the contents of a result file");
+  info->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
+  info->callback([this] { command_ = [this] { return info_command(result_); }; });
+
+  CLI::App* contact = app_.add_subcommand("contact", "Prints the contact surface as CSV");
+  contact->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
+  contact->add_option("--time", time_, "A stored time; default: the last one")
+      ->type_name("T")
+      ->check(check_number);
+  contact->callback([this] { command_ = [this] { return contact_command(result_, time_); }; });
+
+  CLI::App* scene = app_.add_subcommand("scene", "Prints the scene of a result");
+  scene->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
+  scene->callback([this] { command_ = [this] { return scene_command(result_); }; });
+
+  CLI::App* history =
+      app_.add_subcommand("history", "Prints what was observed after every step as CSV");
+  history->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
+  history->callback([this] { command_ = [this] { return history_command(result_); }; });
+}
+
+void CommandLine::add_meshes() {
+  CLI::App* mesh = app_.add_subcommand(
+      "mesh", "Reads or makes a mesh (.msh, .geo, .step) and tells what it has");
+  CLI::App* part =
+      app_.add_subcommand("new", "Writes a commented scene for a mesh or geometry of one's own");
+  for (CLI::App* command : {mesh, part}) {
+    command->add_option("FILE", result_, "Mesh (.msh) or geometry (.geo, .step)")
+        ->required()
+        ->type_name("");
+    command->add_option("--size", size_, "Longest edge where the geometry asks for no smaller one")
+        ->type_name("LENGTH")
+        ->check(check_number);
+  }
+  part->add_option("-o,--output", scene_, "Scene file; default: FILE's name and .toml")
+      ->type_name("SCENE.toml")
+      ->check(check_file_name);
+  mesh->callback([this] { command_ = [this] { return mesh_command(result_, size_); }; });
+  part->callback([this] { command_ = [this] { return new_command(result_, size_, scene_); }; });
+}
+
+}  // namespace gnomon::app

@@ -1,0 +1,145 @@
+// gnomon mesh and gnomon new: what a mesh of one's own has, and a scene to begin with.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/mesh/contact_patch.hpp>
+#include <gnomon/mesh/flat_part.hpp>
+#include <gnomon/mesh/imported_body.hpp>
+#include <gnomon/mesh/mesh_file.hpp>
+#include <gnomon/results/result_files.hpp>
+#include <gnomon/terms/solid.hpp>
+
+#include "app/commands.hpp"
+#include "app/program.hpp"
+#include "app/text_table.hpp"
+
+namespace gnomon::app {
+
+namespace {
+
+using Align = TextTable::Align;
+
+ImportedMesh read(const std::filesystem::path& file, std::optional<double> size) {
+  return read_mesh_file(file, {.size = size.value_or(0)});
+}
+
+template <int dim>
+std::string direction_text(const FlatPart<dim>& part) {
+  if (!part.flat) return "curved";
+  std::vector<double> normal;
+  for (int i = 0; i < dim; ++i)
+    normal.push_back(std::abs(part.normal[i]) < 1e-9 ? 0 : part.normal[i]);
+  return fmt::format("flat, normal [{:.3g}]", fmt::join(normal, ", "));
+}
+
+template <int dim>
+void print_mesh(const ImportedBody<dim>& body) {
+  double volume = 0, quality = 1;
+  for (const auto& cell : body.mesh.cells) {
+    const CellNodal<dim> X = body.mesh.positions(cell);
+    volume += cell_volume<dim>(X);
+    quality = std::min(quality, scaled_jacobian<dim>(X));
+  }
+  fmt::print("{} nodes, {} {}, {} {:.6g} mm^{}, least quality {:.2g} (1: squares)\n",
+             body.mesh.nodes.size(), body.mesh.cells.size(),
+             dim == 2 ? "quadrilaterals" : "hexahedra", dim == 2 ? "area" : "volume", volume, dim,
+             quality);
+  TextTable table({{"part"},
+                   {"facets", Align::right},
+                   {dim == 2 ? "length" : "area", Align::right},
+                   {"shape"}});
+  for (const auto& [name, facets] : body.mesh.boundary) {
+    double area = 0;
+    for (const auto& patch : contact_patches<dim>(body.mesh, facets)) area += patch.initial_area;
+    table.add({name, fmt::format("{}", facets.size()), fmt::format("{:.6g}", area),
+               direction_text<dim>(flat_part<dim>(body.mesh, facets))});
+  }
+  fmt::print("{}", table.text());
+  for (const auto& [name, nodes] : body.point_groups)
+    fmt::print("points \"{}\": {}\n", name, nodes.size());
+  for (const auto& [name, reason] : body.unusable) fmt::print("\"{}\": {}\n", name, reason);
+  for (const std::string& remark : body.remarks) fmt::print("{}\n", remark);
+}
+
+/// The part that is first met when one looks for a flat one, and another.
+struct Suggestion {
+  std::string held, wearing;
+};
+
+template <int dim>
+Suggestion suggest(const ImportedBody<dim>& body) {
+  Suggestion suggestion;
+  for (const auto& [name, facets] : body.mesh.boundary) {
+    if (suggestion.held.empty() && flat_part<dim>(body.mesh, facets).flat)
+      suggestion.held = name;
+    else if (suggestion.wearing.empty())
+      suggestion.wearing = name;
+  }
+  if (suggestion.held.empty()) suggestion.held = "bottom";
+  if (suggestion.wearing.empty()) suggestion.wearing = "surface";
+  return suggestion;
+}
+
+template <int dim>
+std::string scene_text(const std::filesystem::path& file, std::optional<double> size,
+                       const ImportedBody<dim>& body) {
+  std::vector<std::string> names;
+  for (const auto& [name, facets] : body.mesh.boundary) names.push_back(name);
+  const Suggestion s = suggest(body);
+  const char* zero = dim == 2 ? "0.0" : "0.0, 0.0";
+  std::string text = fmt::format(
+      "# A part from {}. One consistent set of units: mm, N, MPa, s. All keys: gnomon help scene "
+      "worn_body\n\nproblem = \"worn_body\"\n\n[mesh]\n{} = \"{}\"  # parts: {}\n",
+      file.filename().string(), is_geometry(file) ? "geometry" : "file", file.filename().string(),
+      names.empty() ? "none: name some in Gmsh" : fmt::format("{}", fmt::join(names, ", ")));
+  if (size) text += fmt::format("size = {}  # mm\n", *size);
+  text += "\n[body]\nyoung_modulus = 210e3  # MPa\npoisson_ratio = 0.3\n";
+  if (dim == 2) text += "plane = \"strain\"         # or axisymmetric, about x = 0\n";
+  text += fmt::format("\n[[support]]  # may be several\non = \"{}\"\ndirections = [{}]\n", s.held,
+                      dim == 2 ? "\"x\", \"y\"" : "\"x\", \"y\", \"z\"");
+  text += "\n# [[load]]\n# on = \"...\"\n# force = [...]  # or traction, pressure\n";
+  text += fmt::format(
+      "\n[counter_body]  # plane, ball, cylinder, cone, torus, profile: docs/counter_bodies.md\n"
+      "shape = \"plane\"\npoint = [{0}, 0.0]\nnormal = [{0}, -1.0]\n"
+      "motion = {{ velocity = [1000.0, {1}] }}            # mm/s\n"
+      "press = {{ direction = [{0}, -1.0], force = 100.0 }}  # {2}\n",
+      zero, zero, dim == 2 ? "N per mm of thickness" : "N");
+  text += fmt::format(
+      "\n[wear]\non = [\"{}\"]\ncoefficient = 1e-8  # 1/MPa  k\nrate = \"k * p * v\"\n"
+      "\n[friction]\ncoefficient = 0.0\n"
+      "\n[time]\nend = 1000.0  # s\n"
+      "\n[integrator]\nname = \"esdirk-3\"\nrtol = 1e-3\n",
+      s.wearing);
+  return text;
+}
+
+}  // namespace
+
+int mesh_command(const std::filesystem::path& file, std::optional<double> size) {
+  ImportedMesh mesh = read(file, size);
+  if (mesh.dimension == 2)
+    print_mesh(check_mesh<2>(std::move(mesh)));
+  else
+    print_mesh(check_mesh<3>(std::move(mesh)));
+  return success;
+}
+
+int new_command(const std::filesystem::path& file, std::optional<double> size,
+                std::filesystem::path scene) {
+  if (scene.empty()) scene = std::filesystem::path(file).replace_extension(".toml");
+  if (is_taken(scene))
+    throw InputError(scene.string() + " exists; give another name with --output");
+  ImportedMesh mesh = read(file, size);
+  const std::string text = mesh.dimension == 2
+                               ? scene_text(file, size, check_mesh<2>(std::move(mesh)))
+                               : scene_text(file, size, check_mesh<3>(std::move(mesh)));
+  write_file(scene, text, Earlier::refused);
+  fmt::print("{}: fill in loads, counter-body and wear, then: gnomon check {}\n", scene.string(),
+             scene.string());
+  return success;
+}
+
+}  // namespace gnomon::app
