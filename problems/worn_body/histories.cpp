@@ -26,9 +26,8 @@ std::vector<std::string> entries_of(const Scene& scene, const std::string& table
 }
 
 template <int dim>
-std::vector<std::string> direction_names(const Scene& scene) {
+std::vector<std::string> direction_names() {
   if constexpr (dim == 3) return {"x", "y", "z"};
-  if (scene.text("body.plane") == "axisymmetric") return {"r", "z"};
   return {"x", "y"};
 }
 
@@ -71,7 +70,7 @@ LoadHistory read_history(const Scene& scene, const std::string& prefix) {
   return {times, factors};
 }
 
-template std::vector<std::string> direction_names<2>(const Scene&);
-template std::vector<std::string> direction_names<3>(const Scene&);
+template std::vector<std::string> direction_names<2>();
+template std::vector<std::string> direction_names<3>();
 
 }  // namespace gnomon::part

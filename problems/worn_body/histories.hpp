@@ -19,9 +19,9 @@ std::vector<std::string> entries_of(const Scene& scene, const std::string& table
                                     const std::vector<Key>& keys,
                                     const std::vector<std::string>& needed);
 
-/// "x", "y", "z", or "r", "z" of an axisymmetric scene.
+/// "x", "y", and in space "z".
 template <int dim>
-std::vector<std::string> direction_names(const Scene& scene);
+std::vector<std::string> direction_names();
 
 /// PREFIX.times and PREFIX.factors, the history of a quantity.
 Key times_key(const std::string& prefix, const std::string& quantity);

@@ -7,39 +7,41 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/flat_part.hpp>
 #include <limits>
+#include <map>
 #include <set>
 #include <unordered_map>
 
 namespace gnomon::part {
 
 std::vector<Key> shape_support_keys() {
-  return {{.name = "shape.reach",
-           .unit = "mm",
-           .presence = Key::Presence::optional,
-           .absent_meaning = "the whole body, or, where it is large, what the wear is expected to "
-                             "move (gnomon check tells)",
-           .range = positive_quantity,
-           .help = "distance from the wearing surfaces up to which the mesh moves (Remark 2)"},
-          {.name = "shape.hold",
-           .kind = KeyKind::texts,
-           .presence = Key::Presence::defaulted,
-           .default_value = std::vector<std::string>{},
-           .help = "groups of the mesh whose shape is held altogether"},
-          {.name = "shape.slide",
-           .kind = KeyKind::texts,
-           .presence = Key::Presence::defaulted,
-           .default_value = std::vector<std::string>{},
-           .help = "planar groups, across a coordinate direction, whose shape slides in their "
-                   "plane; without being named all planar sides do"}};
+  return {
+      {.name = "shape.reach",
+       .unit = "mm",
+       .presence = Key::Presence::optional,
+       .absent_meaning = "the whole body, or, where it is large, what the wear is expected to "
+                         "move (gnomon check tells)",
+       .range = positive_quantity,
+       .help = "distance from the wearing surfaces up to which the mesh moves (Remark 2)"},
+      {.name = "shape.hold",
+       .kind = KeyKind::texts,
+       .presence = Key::Presence::defaulted,
+       .default_value = std::vector<std::string>{},
+       .help = "groups of the mesh whose shape is held altogether"},
+      {.name = "shape.slide",
+       .kind = KeyKind::texts,
+       .presence = Key::Presence::defaulted,
+       .default_value = std::vector<std::string>{},
+       .help = "groups that are nearly planar, across a coordinate direction, whose shape slides "
+               "in their plane; exactly planar ones do so without being named"}};
 }
 
 namespace {
 
-/// The coordinate direction that a unit normal has, -1: none.
+/// The coordinate direction that a unit normal has, but for a part of its length; -1: none.
 template <int dim>
-int direction_of(const Vector<dim>& normal) {
+int direction_of(const Vector<dim>& normal, double tolerance) {
   for (int i = 0; i < dim; ++i)
-    if (std::abs(normal[i]) > 1 - 1e-9) return i;
+    if (std::abs(normal[i]) > 1 - tolerance) return i;
   return -1;
 }
 
@@ -69,15 +71,40 @@ typename Mesh<dim>::Facet sorted(typename Mesh<dim>::Facet facet) {
   return facet;
 }
 
+/// The direction across each facet of the sides that the scene names.
+template <int dim>
+std::map<typename Mesh<dim>::Facet, int> named_directions(const Scene& scene,
+                                                          const ImportedBody<dim>& part) {
+  std::map<typename Mesh<dim>::Facet, int> directions;
+  for (const std::string& name : scene.texts("shape.slide")) {
+    const auto& facets = boundary_part(part, name);
+    constexpr double nearly = 1e-2;  // of its size and of its direction
+    const FlatPart<dim> side = flat_part<dim>(part.mesh, facets, nearly);
+    const int direction = side.flat ? direction_of<dim>(side.normal, nearly * nearly) : -1;
+    if (direction < 0)
+      throw InputError(fmt::format(
+          "{}: expected sides that are planar, to a hundredth, and across a coordinate direction, "
+          "\"{}\" is none; name it in shape.hold, or nowhere",
+          scene.where("shape.slide"), name));
+    for (const auto& facet : facets) directions[sorted<dim>(facet)] = direction;
+  }
+  return directions;
+}
+
 /// Sides by their facets: those that lie across a coordinate direction slide, others are held.
 template <int dim>
-void hold_sides(const ImportedBody<dim>& part,
+void hold_sides(const Scene& scene, const ImportedBody<dim>& part,
                 const std::vector<typename Mesh<dim>::Facet>& wearing, WornBody<dim>& body) {
   std::set<typename Mesh<dim>::Facet> worn;
   for (const auto& facet : wearing) worn.insert(sorted<dim>(facet));
+  const auto named = named_directions(scene, part);
   for (const auto& facet : part.exterior) {
-    if (worn.contains(sorted<dim>(facet))) continue;
-    const int direction = direction_of<dim>(facet_normal(part.mesh, facet));
+    const auto key = sorted<dim>(facet);
+    if (worn.contains(key)) continue;
+    const auto found = named.find(key);
+    const int direction = found != named.end()
+                              ? found->second
+                              : direction_of<dim>(facet_normal(part.mesh, facet), 1e-9);
     for (int node : facet) hold(body, node, direction);
   }
 }
@@ -87,26 +114,6 @@ void hold_named(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>
   for (const std::string& name : scene.texts("shape.hold"))
     for (const auto& facet : boundary_part(part, name))
       for (int node : facet) hold(body, node, -1);
-}
-
-/// Sides that slide although a neighbouring side would hold their edge.
-template <int dim>
-void slide_named(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>& body) {
-  for (const std::string& name : scene.texts("shape.slide")) {
-    const auto& facets = boundary_part(part, name);
-    const FlatPart<dim> side = flat_part<dim>(part.mesh, facets);
-    const int direction = side.flat ? direction_of<dim>(side.normal) : -1;
-    if (direction < 0)
-      throw InputError(fmt::format(
-          "{}: expected planar sides across a coordinate direction, \"{}\" is none; name it in "
-          "shape.hold, or nowhere",
-          scene.where("shape.slide"), name));
-    for (const auto& facet : facets)
-      for (int node : facet) {
-        body.shape_fixed.row(node).setZero();
-        hold(body, node, direction);
-      }
-  }
 }
 
 /// Nodes in boxes as large as the reach, so that only neighbouring boxes are searched.
@@ -182,8 +189,7 @@ double read_shape_support(const Scene& scene, const ImportedBody<dim>& part,
                           double expected_depth, WornBody<dim>& body) {
   const auto nodes = static_cast<Eigen::Index>(part.mesh.nodes.size());
   body.shape_fixed = NodalFlags<dim>::Zero(nodes, dim);
-  hold_sides(part, wearing, body);
-  slide_named(scene, part, body);
+  hold_sides(scene, part, wearing, body);
   hold_named(scene, part, body);
   const double reach =
       scene.real_if("shape.reach").value_or(default_reach(part.mesh, wearing, expected_depth));

@@ -22,7 +22,7 @@ std::vector<Key> support_keys() {
        .kind = KeyKind::texts,
        .presence = optional,
        .absent_meaning = "all directions",
-       .help = "directions that are held: of \"x\", \"y\", \"z\" (axisymmetric: \"r\", \"z\")"},
+       .help = "directions that are held: of \"x\", \"y\", \"z\""},
       {.name = "support.#.value",
        .kind = KeyKind::reals,
        .unit = "mm",
@@ -60,7 +60,7 @@ std::vector<int> directions_of(const Scene& scene, const std::string& support) {
     for (int i = 0; i < dim; ++i) result.push_back(i);
     return result;
   }
-  const std::vector<std::string> names = direction_names<dim>(scene);
+  const std::vector<std::string> names = direction_names<dim>();
   for (const std::string& direction : scene.texts(key)) {
     const auto found = std::find(names.begin(), names.end(), direction);
     if (found == names.end())
@@ -174,11 +174,10 @@ void require_held(const Scene& scene, const ImportedBody<dim>& part, const WornB
     if (!body.counter_force) holds(patch.node, body.contact.counter_body.approach);
   const Eigen::SelfAdjointEigenSolver<decltype(held)> solver(held);
   if (solver.eigenvalues()[0] > 1e-9 * solver.eigenvalues()[modes - 1]) return;
-  throw InputError(
-      fmt::format("{}: expected supports that hold the part, but it can {}: name what "
-                  "is held there in a [[support]] with directions",
-                  scene.path().string(),
-                  describe<dim>(solver.eigenvectors().col(0), direction_names<dim>(scene))));
+  throw InputError(fmt::format(
+      "{}: expected supports that hold the part, but it can {}: name what "
+      "is held there in a [[support]] with directions",
+      scene.path().string(), describe<dim>(solver.eigenvectors().col(0), direction_names<dim>())));
 }
 
 template void read_supports(const Scene&, const ImportedBody<2>&, WornBody<2>&);

@@ -97,7 +97,6 @@ std::string scene_text(const std::filesystem::path& file, std::optional<double> 
       names.empty() ? "none: name some in Gmsh" : fmt::format("{}", fmt::join(names, ", ")));
   if (size) text += fmt::format("size = {}  # mm\n", *size);
   text += "\n[body]\nyoung_modulus = 210e3  # MPa\npoisson_ratio = 0.3\n";
-  if (dim == 2) text += "plane = \"strain\"         # or axisymmetric, about x = 0\n";
   text += fmt::format("\n[[support]]  # may be several\non = \"{}\"\ndirections = [{}]\n", s.held,
                       dim == 2 ? "\"x\", \"y\"" : "\"x\", \"y\", \"z\"");
   text += "\n# [[load]]\n# on = \"...\"\n# force = [...]  # or traction, pressure\n";

@@ -54,6 +54,7 @@ private:
   ErrorNorm norm_;
   bool begun_ = false;
   long rejected_ = 0;
+  double from_ = 0;                           // start of the step, on whose side of a jump it lies
   int vanishing_ = 0;                         // steps, one after the other
   double integrated_ = 0;                     // value of the quadrature at the start of the step
   ActiveSet branch_;                          // branch of the steps while events are located
@@ -141,7 +142,7 @@ int BdfSolver::Memory::residual(sunrealtype t, N_Vector y, N_Vector ydot, N_Vect
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
     ++self.counters_.residual_evaluations;
-    self.system_.residual({t, view(y), view(ydot), self.branch()}, view(F));
+    self.system_.residual({t, view(y), view(ydot), self.branch(), self.from_}, view(F));
     require_finite(view(F), "the residual");
   });
 }
@@ -151,7 +152,7 @@ int BdfSolver::Memory::jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
     ++self.counters_.jacobian_evaluations;
-    self.system_.jacobian({t, view(y), view(ydot), self.branch()}, alpha, values(J));
+    self.system_.jacobian({t, view(y), view(ydot), self.branch(), self.from_}, alpha, values(J));
   });
 }
 
@@ -178,7 +179,7 @@ int BdfSolver::Memory::integrand(sunrealtype t, N_Vector y, N_Vector ydot, N_Vec
                                  void* data) {
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
-    view(value)[0] = self.settings_.integrand({t, view(y), view(ydot), self.branch()});
+    view(value)[0] = self.settings_.integrand({t, view(y), view(ydot), self.branch(), self.from_});
   });
 }
 
@@ -283,6 +284,7 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   // Relative distance of two times that are meant to be equal. IDA refuses to begin with a step of
   // a few rounding errors.
   constexpr double nothing = 1e-12;
+  from_ = state.t;
   if (!begun_) begin(state);
   void* ida = ida_.get();
   guard_.clear();

@@ -12,6 +12,7 @@
 #include <gnomon/integrators/stop_rules.hpp>
 #include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
+#include <limits>
 #include <utility>
 
 #include "sundials/room.hpp"
@@ -83,11 +84,14 @@ private:
   static int weights(N_Vector d, N_Vector w, void* self);
   void begin(const State& state);
   void restart(const State& state, double h);
+  void begin_behind_jump(State& state);
   void set_step(const State& state, double t_stop);
   void evaluate(double t, std::span<const double> d);
   void gather(const std::vector<double>& y, std::span<double> d) const;
   void set_state(const State& state);
-  double integrand(const State& at) const { return settings_.integrand({at.t, at.y, at.ydot}); }
+  double integrand(const State& at) const {
+    return settings_.integrand({at.t, at.y, at.ydot, nullptr, from_});
+  }
   double integral(const State& start, double h) const;
 
   const System& system_;
@@ -97,6 +101,7 @@ private:
   ErrorNorm norm_;
   AlgebraicSolver algebraic_;
   State whole_;      // consistent state of the last evaluation, the guess for the next
+  double from_ = 0;  // start of the step, on whose side of a jump its stages lie
   double proposal_;  // size of the next attempt; 0 before the first adaptive step
   long rejected_ = 0;
   struct Evaluated {
@@ -142,7 +147,7 @@ void ErkSolver::Memory::evaluate(double t, std::span<const double> d) {
   for (std::size_t k = 0; k < components.size(); ++k) next.y[components[k]] = d[k];
   const std::string reason = algebraic_.solve(t, next.y);
   if (!reason.empty()) throw RecoverableError(reason);
-  set_rates(system_, nullptr, next);
+  set_rates(system_, nullptr, next, from_);
   whole_ = std::move(next);
 }
 
@@ -162,12 +167,12 @@ int ErkSolver::Memory::rate(sunrealtype t, N_Vector d, N_Vector ddot, void* data
 /// the table. The first stage is the start. The other stages were evaluated last, one after the
 /// other; after them there may be the end of the step, as a separate stage or for the next step.
 double ErkSolver::Memory::integral(const State& start, double h) const {
-  constexpr double rounding = 1e-9;  // in units of the step
+  const double rounding = 1e-9 * h + 8 * std::numeric_limits<double>::epsilon() * start.t;
   if (!settings_.integrand) return 0;
   const std::ptrdiff_t later = table_.stages() - 1;
   const std::ptrdiff_t behind = stages_with_end(table_) - table_.stages();
   const auto is_stage = [&](const Evaluated& point, int i) {
-    return std::abs(point.t - (start.t + table_.c[i] * h)) <= rounding * h;
+    return std::abs(point.t - (start.t + table_.c[i] * h)) <= rounding;
   };
   for (auto first = std::ssize(evaluated_) - behind - later; first >= 0; --first) {
     double sum = table_.b[0] * integrand(start);
@@ -176,7 +181,8 @@ double ErkSolver::Memory::integral(const State& start, double h) const {
       sum += table_.b[i] * evaluated_[first + i - 1].integrand;
     if (i == table_.stages()) return h * sum;
   }
-  throw Error("ERKStep has not evaluated the stages of " + table_.name + " in their order");
+  throw SolutionError("the stages of " + table_.name +
+                      " cannot be told apart: steps are too short");
 }
 
 int ErkSolver::Memory::weights(N_Vector d, N_Vector w, void* data) {
@@ -230,8 +236,25 @@ void ErkSolver::Memory::set_step(const State& state, double t_stop) {
         "ARKodeSetFixedStep");
 }
 
+/// ERKStep keeps the rate at the end of a step for the next one, which is that before a jump.
+void ErkSolver::Memory::begin_behind_jump(State& state) {
+  constexpr double rounding = 1e-8;  // of rates of equations that are solved
+  const std::vector<double> before = state.ydot;
+  set_rates(system_, nullptr, state);
+  double jump = 0, largest = 0;
+  for (const int i : norm_.components()) {
+    jump = std::max(jump, std::abs(state.ydot[i] - before[i]));
+    largest = std::max({largest, std::abs(state.ydot[i]), std::abs(before[i])});
+  }
+  if (jump > rounding * largest) restart(state, proposal_);
+}
+
 StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
-  if (!erk_) begin(state);
+  from_ = state.t;
+  if (!erk_)
+    begin(state);
+  else if (is_breakpoint(system_.structure(), state.t))
+    begin_behind_jump(state);
   void* erk = erk_.get();
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
   StepAccount account(counters_);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/packed_numbers.hpp>
+#include <gnomon/integrators/rates.hpp>
 #include <gnomon/integrators/step_account.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/integrators/stop_rules.hpp>
@@ -154,8 +155,15 @@ void OneStepStepper::accept(State& state, const Plan& plan, const Landing& landi
   if (landing.h == plan.h && plan.lands) state.t = plan.target;  // without the rounding of t + h
   const bool kink =
       landing.switched > 0 || landing.at_start || is_breakpoint(system_.structure(), state.t);
+  if (kink) begin_behind_kink(state, landing);
   method_->accept(state, kink);
   counters_.events += landing.switched > 0;
+}
+
+/// A rate may jump at a kink: the next step begins with that behind it.
+void OneStepStepper::begin_behind_kink(State& state, const Landing& landing) const {
+  if (locator_ && !landing.at_start) state.branch = locator_->branch();
+  set_rates(system_, state.own_branch(), state);
 }
 
 StepReport OneStepStepper::advance(State& state, double t_stop) {

@@ -64,7 +64,7 @@ double secant(const WearLaw& law, const WearCircumstances& at, double pressure, 
 }  // namespace
 
 double wear_by_pressure(const Scene& scene, const WearLaw& law, const WearCircumstances& at) try {
-  constexpr int moments = 16;  // middles of equal parts of the run
+  constexpr int moments = 4096;  // middles of equal parts of the run
   const double speed = scene.real("wear.velocity"), end = scene.real("time.end");
   for (const double multiple : {1.0, 3.0, 10.0, 30.0}) {
     const auto at_moment = [&](int k) {

@@ -241,8 +241,8 @@ TEST(CounterShape, IsMadeOfASceneByItsName) {
   };
   EXPECT_DOUBLE_EQ(make("[0.0, 2.0, 0.0]").at({6, -3, 5}).gap, 1);
   EXPECT_THROW(make("[0.0, 0.0, 0.0]"), InputError);
-  EXPECT_EQ(Registry<CounterShapeKind<2>>::names(),
-            (std::vector<std::string>{"ball", "cone", "cylinder", "plane", "profile", "torus"}));
+  EXPECT_THAT(Registry<CounterShapeKind<2>>::names(),
+              ::testing::IsSupersetOf({"ball", "cone", "cylinder", "plane", "profile", "torus"}));
   const auto& flat = Registry<CounterShapeKind<2>>::find("plane", "shape");
   EXPECT_DOUBLE_EQ(flat.make(scene_of("", flat.keys), Section::plane).at({4, 2}).gap, 2);
   const auto& disk = Registry<CounterShapeKind<2>>::find("ball", "shape");

@@ -327,5 +327,71 @@ TEST(WearLaw, WrongExpressionsAreRefusedInOneLine) {
   refuses({"wear.law=archar"}, "archard");
 }
 
+// The springs carry F at every instant, so that a factor c(t) of Archard's law wears k v F times
+// the integral of c, to rounding, by every method and step: also where the factor jumps within the
+// run.
+TEST(WearLawThatJumpsInTime, WearsByTheIntegralOfItsFactor) {
+  const auto model = springs("k * p * v * if(t < 43.7, 1, 3)");
+  const double worn = k * v * F * (43.7 + 3 * (end - 43.7));
+  for (const Integrator& integrator : Integrators::all()) {
+    SCOPED_TRACE(integrator.name);
+    const bool bdf = integrator.name == "bdf";
+    const ModelRun run = run_model(*model, integrator.name, bdf ? 0 : 9, 1e-6, end);
+    EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / worn, 1, bdf ? 1e-6 : 1e-10);
+  }
+}
+
+// By error control, too, where the last stage of a step lies on the jump.
+TEST(WearLawThatJumpsInTime, DoesNotSpoilErrorControl) {
+  const auto model = springs("k * p * v * if(t < 43.7, 1, 3)");
+  const double worn = k * v * F * (43.7 + 3 * (end - 43.7));
+  for (const char* integrator : {"esdirk-2", "esdirk-3", "esdirk-4", "erk-2", "erk-4", "theta"}) {
+    const ModelRun run = run_model(*model, integrator, 0, 1e-3, end);
+    EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / worn, 1, 1e-9) << integrator;
+  }
+}
+
+// A jump of the rate where a node has worn by a depth: the step behind the event begins with the
+// rate behind it, so that methods agree to their order.
+TEST(WearLawThatJumpsInDepth, KeepsItsOrderWithLocatedEvents) {
+  const auto model = springs("k * p * v * if(h > 0.1, 0.3, 1)");
+  const auto worn = [&](const char* integrator, double step) {
+    return depths(run_model(*model, integrator, step, 1e-4, end, true).last().y);
+  };
+  const std::vector<double> fine = worn("sdirk-4", 1.25);
+  const double coarse_error = distance(worn("esdirk-4", 10), fine),
+               error = distance(worn("esdirk-4", 5), fine);
+  std::printf("errors with steps of 10 and 5 s: %.1e, %.1e mm\n", coarse_error, error);
+  EXPECT_LT(error, 1e-6);
+  EXPECT_LT(error, coarse_error / 5);
+}
+
+// Windows that are short against the run are found, whatever the condition is.
+TEST(WearLawOfAShortWindow, IsFound) {
+  for (const char* factor : {"if((t - 20)^2 < 1e-4, 4000, 0)", "if(abs(t - 20) < 0.01, 4000, 0)",
+                             "if(t > 19.99 and t < 20.01, 4000, 0)"}) {
+    SCOPED_TRACE(factor);
+    const auto model = springs(std::string("k * p * v * (1 + ") + factor + ")");
+    const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-4, end);
+    EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / (k * v * F * (end + 80)), 1, 1e-9);
+  }
+  const auto pulse = springs("k * p * v * (1 + 2000 * max(1 - (t - 20.25)^2 / 0.04, 0))");
+  const ModelRun run = run_model(*pulse, "esdirk-4", 0, 1e-4, end);
+  const double integral = 2000 * 4.0 / 3 * 0.2;
+  EXPECT_NEAR(observed(*pulse, run.last(), "worn_volume") / (k * v * F * (end + integral)), 1,
+              1e-4);
+}
+
+// Jumps close to each other, and steps so short that times differ by little more than rounding.
+TEST(WearLawThatJumpsOften, IsTakenByExplicitMethods) {
+  const auto model =
+      springs("k * p * v * (1 + if(t * 0.7 < 70, 0, 1) * 0.5 + if(t * 0.1 < 10, 0, 1) * 0.5)");
+  for (const char* integrator : {"erk-2", "erk-3", "erk-4"}) {
+    const ModelRun run = run_model(*model, integrator, 0, 1e-6, end);
+    EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / (k * v * F * 300), 1, 1e-9)
+        << integrator;
+  }
+}
+
 }  // namespace
 }  // namespace gnomon

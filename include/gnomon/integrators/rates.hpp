@@ -2,11 +2,15 @@
 #pragma once
 
 #include <gnomon/system/state.hpp>
+#include <optional>
 
 namespace gnomon {
 
 /// Rates of the differential components on a smooth branch (Point::branch): every differential row
 /// is ydot + f(t, y) = 0, so they are minus the row at ydot = 0. Fills ydot, zero elsewhere.
-void set_rates(const System& system, const ActiveSet* branch, State& state);
+/// At a time where a rate jumps, `within` says from which side it is meant (Point::within); absent:
+/// from behind.
+void set_rates(const System& system, const ActiveSet* branch, State& state,
+               std::optional<double> within = {});
 
 }  // namespace gnomon

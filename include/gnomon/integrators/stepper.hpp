@@ -36,6 +36,7 @@ private:
   Landing step_over(const State& state, const Plan& plan, bool continuation);
   bool acceptable(const Attempt& attempt) const;
   void accept(State& state, const Plan& plan, const Landing& landing);
+  void begin_behind_kink(State& state, const Landing& landing) const;
   double after_success(const Plan& plan, const Landing& landing);
   bool fixed() const { return settings_.step > 0; }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/laws/catalogue.hpp>
+#include <gnomon/laws/sign_changes.hpp>
 #include <memory>
 
 namespace gnomon {
@@ -98,29 +99,9 @@ private:
       x[time_variable] = t, x[slid_variable] = nominal_speed_ * t;
       return x;
     };
-    const auto size = [&](std::size_t kink, double t) {
-      std::vector<double> values(rate_.kinks());
-      rate_.switching(at(t), values);
-      return std::abs(values[kink]);
-    };
-    constexpr int samples = 2000;
-    std::vector<char> before = active(at(0));
-    for (int k = 1; k <= samples && !timed_.empty(); ++k) {
-      const double from = end_ * (k - 1) / samples, to = end_ * k / samples;
-      const std::vector<char> after = active(at(to));
-      for (const std::size_t kink : timed_) {
-        if (before[kink] == after[kink]) continue;
-        double low = from, high = to;
-        for (double middle = (low + high) / 2; middle > low && middle < high;
-             middle = (low + high) / 2)
-          (active(at(middle))[kink] == before[kink] ? low : high) = middle;
-        const double time = size(kink, low) < size(kink, high) ? low : high;
-        if (time > 0) breakpoints_.push_back(time);
-      }
-      before = after;
-    }
-    std::sort(breakpoints_.begin(), breakpoints_.end());
-    breakpoints_.erase(std::unique(breakpoints_.begin(), breakpoints_.end()), breakpoints_.end());
+    breakpoints_ = sign_changes(
+        [&](double t, std::span<double> values) { rate_.switching(at(t), values); }, rate_.kinks(),
+        timed_, end_);
     for (std::size_t k = 0; k <= breakpoints_.size(); ++k) {
       const double from = k == 0 ? 0 : breakpoints_[k - 1];
       const double to = k == breakpoints_.size() ? end_ : breakpoints_[k];
