@@ -91,23 +91,39 @@ void read_wear_laws(const Scene& scene, const ImportedBody<dim>& part, WornBody<
   for (const auto& patch : body.contact_nodes) body.wear_surface.push_back(law_of_node[patch.node]);
 }
 
+/// Where the scene gives no direction, the counter-body is met along the mean normal of the contact
+/// surface.
+template <int dim>
+void choose_approach(const Scene& scene, WornBody<dim>& body) {
+  Vector<dim> outward = Vector<dim>::Zero();
+  for (const auto& patch : body.contact_nodes) outward += patch.initial_area * patch.initial_normal;
+  Vector<dim>& approach = body.contact.counter_body.approach;
+  if (!given(scene, "counter_body.press.direction") && outward.norm() > 0)
+    approach = -outward.normalized();
+}
+
 /// The middle of the nodes that touch first.
 template <int dim>
-Vector<dim> first_touch(const WornBody<dim>& body) {
+Vector<dim> first_touch(const Scene& scene, const WornBody<dim>& body) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& patch : body.contact_nodes)
     least = std::min(least, body.contact.counter_body.travel_to(patch.initial_position));
-  Vector<dim> sum = Vector<dim>::Zero();
+  Vector<dim> sum = Vector<dim>::Zero(), outward = Vector<dim>::Zero();
   int count = 0;
   for (const auto& patch : body.contact_nodes)
     if (body.contact.counter_body.travel_to(patch.initial_position) <= least) {
       sum += patch.initial_position;
+      outward += patch.initial_normal;
       ++count;
     }
   if (!std::isfinite(least))
-    throw InputError(
-        "counter_body: expected a counter-body that meets the surfaces of wear.on when "
-        "it comes along counter_body.press.direction, but it passes by");
+    throw InputError(scene.where("counter_body.shape") +
+                     ": expected a counter-body that meets the surfaces of wear.on when it comes "
+                     "along counter_body.press.direction, but it passes by");
+  if (!(outward.dot(body.contact.counter_body.approach) < 0))
+    throw InputError(scene.where("counter_body.press.direction") +
+                     ": expected a direction into the body, but the surfaces of wear.on look the "
+                     "same way");
   return sum / count;
 }
 
@@ -115,7 +131,7 @@ Vector<dim> first_touch(const WornBody<dim>& body) {
 template <int dim>
 Scene with_speed(const Scene& scene, WornBody<dim>& body) {
   auto& motion = body.contact.counter_body.motion;
-  motion.reference = first_touch(body) - body.contact.counter_body.position;
+  motion.reference = first_touch(scene, body) - body.contact.counter_body.position;
   if (scene.has("wear.velocity")) return scene;
   return scene.with("wear.velocity", motion.nominal_speed(Vector<dim>::Zero()));
 }
@@ -157,6 +173,7 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
   const PressedCounterBody<dim> other = read_counter_body<dim>(scene);
   body->contact.counter_body = other.body;
   body->counter_force = other.force;
+  choose_approach(scene, *body);
   scene = with_speed(scene, *body);
   read_supports(scene, part, *body);
   const Vector<dim> load = read_loads(scene, part, *body);

@@ -105,7 +105,7 @@ TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
   EXPECT_THAT(refusal("counter_body.center=[0.0, 20.0, 0.0]"), HasSubstr("2 numbers"));
   EXPECT_THAT(refusal("counter_body.major_radius=3.0"), HasSubstr("torus"));
   EXPECT_THAT(refusal("counter_body.press.direction=[0.0, 0.0]"), HasSubstr("length zero"));
-  EXPECT_THAT(refusal("counter_body.press.direction=[0.0, 1.0]"), HasSubstr("passes by"));
+  EXPECT_THAT(refusal("counter_body.press.direction=[0.0, 1.0]"), HasSubstr("a direction into the body"));
   EXPECT_THAT(refusal("shape.slide=[\"nowhere\"]"), HasSubstr("surface"));
   EXPECT_THAT(refusal("mesh.geometry=none.geo"), HasSubstr("none.geo"));
   EXPECT_THAT(refusal("mesh.file=a.msh"), HasSubstr("both"));
