@@ -174,10 +174,14 @@ void require_held(const Scene& scene, const ImportedBody<dim>& part, const WornB
     if (!body.counter_force) holds(patch.node, body.contact.counter_body.approach);
   const Eigen::SelfAdjointEigenSolver<decltype(held)> solver(held);
   if (solver.eigenvalues()[0] > 1e-9 * solver.eigenvalues()[modes - 1]) return;
-  throw InputError(fmt::format(
-      "{}: expected supports that hold the part, but it can {}: name what "
-      "is held there in a [[support]] with directions",
-      scene.path().string(), describe<dim>(solver.eigenvectors().col(0), direction_names<dim>())));
+  const auto free =
+      (solver.eigenvalues().array() <= 1e-9 * solver.eigenvalues()[modes - 1]).count();
+  throw InputError(
+      fmt::format("{}: expected supports that hold the part, but it can still move as a rigid body "
+                  "in {} {}, for "
+                  "example it can {}; name what is held in [[support]], with directions",
+                  scene.path().string(), free, free == 1 ? "way" : "ways",
+                  describe<dim>(solver.eigenvectors().col(0), direction_names<dim>())));
 }
 
 template void read_supports(const Scene&, const ImportedBody<2>&, WornBody<2>&);

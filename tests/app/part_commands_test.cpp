@@ -94,7 +94,7 @@ TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
   EXPECT_THAT(refusal("wear.surfaces.bottom.rate=\"k * p\""), HasSubstr("one of wear.on"));
   EXPECT_THAT(refusal("support.1.on=botom"), HasSubstr("bottom"));
   EXPECT_THAT(refusal("support.1.directions=[\"q\"]"), HasSubstr("\"x\", \"y\""));
-  EXPECT_THAT(refusal("support.1.directions=[\"x\"]"), HasSubstr("along y"));
+  EXPECT_THAT(refusal("support.1.directions=[\"x\"]"), HasSubstr("in 2 ways"));
   EXPECT_THAT(refusal("support.1.value=[0.1]"), HasSubstr("one number for each direction, 2"));
   EXPECT_THAT(refusal("support.1.times=[0.0]"), HasSubstr("support.1.factors"));
   EXPECT_THAT(refusal("support.2.directions=[\"x\"]"), HasSubstr("missing key `on`"));
