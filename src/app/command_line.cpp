@@ -247,7 +247,8 @@ int CommandLine::help() const {
       print(app_.get_subcommand(name), "gnomon " + name);
       fmt::print("\n");
     }
-  } else if (std::find(commands.begin(), commands.end(), *topic_) != commands.end()) {
+  } else if (*topic_ != "scene" &&  // a topic of its own, which is asked for more often
+             std::find(commands.begin(), commands.end(), *topic_) != commands.end()) {
     print(app_.get_subcommand(*topic_), "gnomon " + *topic_);
   } else {
     return help_command(*topic_, problem_, commands);

@@ -150,8 +150,9 @@ Attempt DiagonallyImplicit::attempt(const State& from, double h, const AttemptOp
     for (std::size_t k = 0; k < components.size(); ++k) k_[i][k] = rates[components[k]];
     if (!integrand_ || table_.b[i] == 0) continue;
     const Point stage =
-        is_state ? Point{from.t, from.y, from.ydot, from.own_branch()}
-                 : Point{from.t + table_.c[i] * h, to.y, to.ydot, options.branch, from.t};
+        is_state
+            ? Point{from.t, from.y, from.ydot, options.branch ? options.branch : from.own_branch()}
+            : Point{from.t + table_.c[i] * h, to.y, to.ydot, options.branch, from.t};
     integral += h * table_.b[i] * integrand_(stage);
   }
   if (!table_.stiffly_accurate()) {

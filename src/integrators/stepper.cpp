@@ -162,8 +162,9 @@ void OneStepStepper::accept(State& state, const Plan& plan, const Landing& landi
 
 /// A rate may jump at a kink: the next step begins with that behind it.
 void OneStepStepper::begin_behind_kink(State& state, const Landing& landing) const {
-  if (locator_ && !landing.at_start) state.branch = locator_->branch();
-  set_rates(system_, state.own_branch(), state);
+  const ActiveSet branch = locator_ ? locator_->branch() : ActiveSet{};
+  const bool located = locator_ && !landing.at_start;
+  set_rates(system_, located ? &branch : state.own_branch(), state);
 }
 
 StepReport OneStepStepper::advance(State& state, double t_stop) {
