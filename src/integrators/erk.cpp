@@ -84,7 +84,6 @@ private:
   static int weights(N_Vector d, N_Vector w, void* self);
   void begin(const State& state);
   void restart(const State& state, double h);
-  void begin_behind_jump(State& state);
   void set_step(const State& state, double t_stop);
   void evaluate(double t, std::span<const double> d);
   void gather(const std::vector<double>& y, std::span<double> d) const;
@@ -236,25 +235,13 @@ void ErkSolver::Memory::set_step(const State& state, double t_stop) {
         "ARKodeSetFixedStep");
 }
 
-/// ERKStep keeps the rate at the end of a step for the next one, which is that before a jump.
-void ErkSolver::Memory::begin_behind_jump(State& state) {
-  constexpr double rounding = 1e-8;  // of rates of equations that are solved
-  const std::vector<double> before = state.ydot;
-  set_rates(system_, nullptr, state);
-  double jump = 0, largest = 0;
-  for (const int i : norm_.components()) {
-    jump = std::max(jump, std::abs(state.ydot[i] - before[i]));
-    largest = std::max({largest, std::abs(state.ydot[i]), std::abs(before[i])});
-  }
-  if (jump > rounding * largest) restart(state, proposal_);
-}
-
 StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
   from_ = state.t;
   if (!erk_)
     begin(state);
-  else if (is_breakpoint(system_.structure(), state.t))
-    begin_behind_jump(state);
+  else if (is_breakpoint(system_.structure(), state.t) &&
+           set_rates_behind_jump(system_, nullptr, state))
+    restart(state, proposal_);  // ERKStep has kept the rate before the jump
   void* erk = erk_.get();
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
   StepAccount account(counters_);

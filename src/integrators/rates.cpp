@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/processes.hpp>
 #include <gnomon/integrators/rates.hpp>
+#include <utility>
 
 namespace gnomon {
 
@@ -10,6 +14,21 @@ void set_rates(const System& system, const ActiveSet* branch, State& state,
   const std::vector<char>& differential = system.structure().differential;
   for (std::size_t i = 0; i < F.size(); ++i)
     if (differential[i]) state.ydot[i] = -F[i];
+}
+
+bool set_rates_behind_jump(const System& system, const ActiveSet* branch, State& state) {
+  constexpr double solved =
+      1e-8;  // part of the largest rate, to which equations are solved at least
+  State behind = state;
+  set_rates(system, branch, behind);
+  double jump = 0, largest = 0;
+  for (std::size_t i = 0; i < state.ydot.size(); ++i) {
+    jump = std::max(jump, std::abs(behind.ydot[i] - state.ydot[i]));
+    largest = std::max({largest, std::abs(behind.ydot[i]), std::abs(state.ydot[i])});
+  }
+  if (largest_over_processes(jump) <= solved * largest_over_processes(largest)) return false;
+  state.ydot = std::move(behind.ydot);
+  return true;
 }
 
 }  // namespace gnomon

@@ -164,7 +164,7 @@ void OneStepStepper::accept(State& state, const Plan& plan, const Landing& landi
 void OneStepStepper::begin_behind_kink(State& state, const Landing& landing) const {
   const ActiveSet branch = locator_ ? locator_->branch() : ActiveSet{};
   const bool located = locator_ && !landing.at_start;
-  set_rates(system_, located ? &branch : state.own_branch(), state);
+  set_rates_behind_jump(system_, located ? &branch : state.own_branch(), state);
 }
 
 StepReport OneStepStepper::advance(State& state, double t_stop) {

@@ -13,4 +13,8 @@ namespace gnomon {
 void set_rates(const System& system, const ActiveSet* branch, State& state,
                std::optional<double> within = {});
 
+/// Gives the state the rates behind a jump at its time or at an event, and returns true. Where they
+/// do not jump, those of the step that ended there stay to the last digit.
+bool set_rates_behind_jump(const System& system, const ActiveSet* branch, State& state);
+
 }  // namespace gnomon
