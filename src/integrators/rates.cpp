@@ -17,8 +17,8 @@ void set_rates(const System& system, const ActiveSet* branch, State& state,
 }
 
 bool set_rates_behind_jump(const System& system, const ActiveSet* branch, State& state) {
-  constexpr double solved =
-      1e-8;  // part of the largest rate, to which equations are solved at least
+  // Part of the largest rate: a state that was found as an event is off by 1e-7 of a step.
+  constexpr double solved = 1e-6;
   State behind = state;
   set_rates(system, branch, behind);
   double jump = 0, largest = 0;
