@@ -5,6 +5,7 @@
 #include <gnomon/base/processes.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/model/wear_model.hpp>
+#include <gnomon/terms/meridian_point.hpp>
 
 namespace gnomon {
 
@@ -64,6 +65,20 @@ struct CellState {
   }
 };
 
+/// Its norm at the centroid, in a body of revolution its largest norm at a Gauss point.
+template <int dim>
+double displacement_gradient(const CellState<dim>& at, [[maybe_unused]] Section section) {
+  if constexpr (dim == 2)
+    if (section == Section::meridian) {
+      const MeridianCell<> cell(at.X, at.u);
+      double largest = 0;
+      for (const MeridianPoint<>& point : cell.points())
+        largest = std::max(largest, point.H.norm());
+      return largest;
+    }
+  return CellPoint<dim>(CellBasis<dim>::instance().centroid, at.X, at.u).H.norm();
+}
+
 /// The part of an observation that is a sum over contact nodes.
 template <int dim>
 void observe_contact(const std::vector<ContactNode<dim>>& nodes, double copies,
@@ -101,10 +116,8 @@ void observe_cells(const WornBody<dim>& body, const NodalField<dim>& d, const No
     worn += before - after;
     least = std::min(least, after / before);
     quality = std::min(quality, scaled_jacobian<dim>(at.X));
-    if (small_strains) {
-      const CellPoint<dim> centre(CellBasis<dim>::instance().centroid, at.X, at.u);
-      gradient = std::max(gradient, centre.H.norm());
-    }
+    if (small_strains)
+      gradient = std::max(gradient, displacement_gradient<dim>(at, body.element.section));
   }
   worn = sum_over_processes(worn) * body.copies;
   observed.worn_volume = worn;

@@ -145,6 +145,22 @@ TEST(Meridian, PlainAndVariationalForcesAreThoseOfTheEnergy) {
   check_energy<ElementTechnology::f_bar_variational, LinearElasticPoint>();
 }
 
+// With small strains the pressure of a cell is uniform, and its work on g0_a - g_a is zero because
+// g0_a is the mean: then both F-bar elements are one, and symmetric.
+TEST(Meridian, WithSmallStrainsBothFBarElementsAreOne) {
+  const CellNodal<2> X = cell_at(0), u = displacement_at(0);
+  CellNodal<2> R, R_variational;
+  CellMatrix<2> K, K_d, K_variational, K_d_variational;
+  ASSERT_TRUE((meridian_tangent<ElementTechnology::f_bar, LinearElasticPoint, true>(
+      test_moduli(), X, u, R, K, K_d)));
+  ASSERT_TRUE((meridian_tangent<ElementTechnology::f_bar_variational, LinearElasticPoint, true>(
+      test_moduli(), X, u, R_variational, K_variational, K_d_variational)));
+  expect_same_matrix(R, R_variational, 1e-13);
+  expect_same_matrix(K, K_variational, 1e-13);
+  expect_same_matrix(K_d, K_d_variational, 1e-13);
+  expect_same_matrix(K, K.transpose(), 1e-13);
+}
+
 // Far from the axis, per circumference, the plain element is that of plane strain.
 TEST(Meridian, FarFromTheAxisIsPlaneStrain) {
   const double far = 1e6;
