@@ -81,8 +81,8 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
 
 template <int dim>
 std::vector<ContactPatch<dim>> read_contact_patches(
-    const Scene& scene, const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& surface,
-    Section section) {
+    const Scene& scene, const Mesh<dim>& mesh,
+    const std::vector<typename Mesh<dim>::Facet>& surface, Section section) {
   std::vector<typename Mesh<dim>::Facet> boundary;
   if (scene.text("wear.normal") == "conservative")
     for (const auto& [name, part] : mesh.boundary)
@@ -135,8 +135,8 @@ LinearSolverChoice linear_solver_of(const Scene& scene, const MeshSize& mesh) {
           preconditioner};
 }
 
-NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part,
-                           const Vector<2>& resultant, Section section) {
+NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part, const Vector<2>& resultant,
+                           Section section) {
   NodalField<2> load = NodalField<2>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), 2);
   double total = 0;
   if (section == Section::meridian) {

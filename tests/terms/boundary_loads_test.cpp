@@ -164,8 +164,8 @@ TEST(PressureLoad, JacobianEqualsCentralDifferences) {
   const ComposedSystem<2> in_plane = under_pressure<2>(plane, plane.boundary.at("top"), {}, true);
   check_jacobian(in_plane, 0, rough(in_plane.structure().size), 0.2);
   const Mesh<2> section = ring();
-  const ComposedSystem<2> revolved = under_pressure<2>(section, section.boundary.at("top"), {},
-                                                       true, Section::meridian);
+  const ComposedSystem<2> revolved =
+      under_pressure<2>(section, section.boundary.at("top"), {}, true, Section::meridian);
   check_jacobian(revolved, 0, rough(revolved.structure().size), 0.2);
   const Mesh<3> solid = block<3>();
   const ComposedSystem<3> in_space = under_pressure<3>(solid, solid.boundary.at("top"), {}, true);

@@ -43,13 +43,12 @@ struct ContactPatch {
 
 /// Patches of all nodes of a surface, in ascending order of nodes (2D: along the surface when its
 /// nodes are numbered so). Facets of `boundary` that touch the surface but do not belong to it
-/// become corners_beyond. Throws Error if the bounds above are exceeded, or if a facet of the surface
-/// lies on the axis of a body of revolution.
+/// become corners_beyond. Throws Error if the bounds above are exceeded, or if a facet of the
+/// surface lies on the axis of a body of revolution.
 template <int dim>
 std::vector<ContactPatch<dim>> contact_patches(
     const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
-    const std::vector<typename Mesh<dim>::Facet>& boundary = {},
-    Section section = Section::plane);
+    const std::vector<typename Mesh<dim>::Facet>& boundary = {}, Section section = Section::plane);
 
 template <int dim, class Scalar = double>
 using PatchNodal = Eigen::Matrix<Scalar, Eigen::Dynamic, dim, 0, max_patch_nodes, dim>;
@@ -67,8 +66,7 @@ Eigen::Matrix<Scalar, dim, dim - 1> corner_edges(const typename ContactPatch<dim
 /// Per area vector of a corner in the plane, that of the whole circumference at the undeformed or
 /// current radii of its nodes: 2 pi times the mean radius, weighted by the corner's shape function.
 template <class Scalar>
-Scalar corner_circumference(const ContactPatch<2>::Corner& corner,
-                            const PatchNodal<2, Scalar>& X) {
+Scalar corner_circumference(const ContactPatch<2>::Corner& corner, const PatchNodal<2, Scalar>& X) {
   return Scalar(2 * M_PI / 3) * (Scalar(2) * X(corner.nodes[0], 0) + X(corner.nodes[1], 0));
 }
 
@@ -101,8 +99,8 @@ std::array<Vector<3, Scalar>, 2> corner_volume_edges(const ContactPatch<3>::Corn
 
 /// The part of a facet in the derivative of the body's volume with respect to the position of a
 /// corner: the integral of the corner's shape function times the area vector. For a segment it is
-/// the area vector of the corner, also on a body of revolution; for a bilinear facet with the corners 0 to 3 it is
-/// (2 (X1 - X0) + X2 - X3) x (2 (X3 - X0) + X2 - X1) / 36.
+/// the area vector of the corner, also on a body of revolution; for a bilinear facet with the
+/// corners 0 to 3 it is (2 (X1 - X0) + X2 - X3) x (2 (X3 - X0) + X2 - X1) / 36.
 template <int dim, class Scalar>
 Vector<dim, Scalar> corner_volume_gradient(const typename ContactPatch<dim>::Corner& corner,
                                            const PatchNodal<dim, Scalar>& X) {

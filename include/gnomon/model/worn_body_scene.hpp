@@ -19,8 +19,8 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body);
 /// facets outside the surface that they move when they wear.
 template <int dim>
 std::vector<ContactPatch<dim>> read_contact_patches(
-    const Scene& scene, const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& surface,
-    Section section = Section::plane);
+    const Scene& scene, const Mesh<dim>& mesh,
+    const std::vector<typename Mesh<dim>::Facet>& surface, Section section = Section::plane);
 
 /// Holds what a body of revolution cannot do: on the axis u_r = d_r = 0. To be called before
 /// read_worn_body(). Throws InputError like axis_nodes().
