@@ -20,7 +20,8 @@ int place_in_patch(ContactPatch<dim>& patch, int node) {
 
 template <int dim>
 typename ContactPatch<dim>::Corner make_corner(ContactPatch<dim>& patch,
-                                               const typename Mesh<dim>::Facet& facet, int local) {
+                                               const typename Mesh<dim>::Facet& facet, int local,
+                                               Section section) {
   typename ContactPatch<dim>::Corner corner{};
   const int count = static_cast<int>(facet.size());
   corner.nodes[0] = place_in_patch(patch, facet[local]);
@@ -30,6 +31,7 @@ typename ContactPatch<dim>::Corner make_corner(ContactPatch<dim>& patch,
     corner.nodes[3] = place_in_patch(patch, facet[(local + 2) % count]);
   }
   corner.sign = local == 0 ? 1 : -1;
+  corner.section = section;
   return corner;
 }
 
@@ -42,7 +44,7 @@ Facet sorted(Facet facet) {
 
 template <int dim>
 void add_corners_beyond(const std::vector<typename Mesh<dim>::Facet>& surface,
-                        const std::vector<typename Mesh<dim>::Facet>& boundary,
+                        const std::vector<typename Mesh<dim>::Facet>& boundary, Section section,
                         std::map<int, ContactPatch<dim>>& by_node) {
   std::set<typename Mesh<dim>::Facet> contact;
   for (const auto& facet : surface) contact.insert(sorted(facet));
@@ -51,7 +53,7 @@ void add_corners_beyond(const std::vector<typename Mesh<dim>::Facet>& surface,
     for (std::size_t local = 0; local < facet.size(); ++local)
       if (const auto at = by_node.find(facet[local]); at != by_node.end())
         at->second.corners_beyond.push_back(
-            make_corner<dim>(at->second, facet, static_cast<int>(local)));
+            make_corner<dim>(at->second, facet, static_cast<int>(local), section));
   }
 }
 
@@ -70,6 +72,9 @@ void measure(const Mesh<dim>& mesh, ContactPatch<dim>& patch) {
   for (auto& corner : patch.corners) {
     patch.initial_normal += area_vector(corner);
     patch.initial_area += corner.initial_area;
+    if (corner.section == Section::meridian && !(corner.initial_area > 0))
+      throw Error("contact surface: a facet at node " + std::to_string(patch.node) +
+                  " lies on the axis");
   }
   patch.initial_normal.normalize();
   for (auto& corner : patch.corners_beyond) area_vector(corner);
@@ -80,15 +85,15 @@ void measure(const Mesh<dim>& mesh, ContactPatch<dim>& patch) {
 template <int dim>
 std::vector<ContactPatch<dim>> contact_patches(
     const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
-    const std::vector<typename Mesh<dim>::Facet>& boundary) {
+    const std::vector<typename Mesh<dim>::Facet>& boundary, Section section) {
   std::map<int, ContactPatch<dim>> by_node;
   for (const auto& facet : facets)
     for (std::size_t local = 0; local < facet.size(); ++local) {
       ContactPatch<dim>& patch = by_node[facet[local]];
       patch.node = facet[local];
-      patch.corners.push_back(make_corner<dim>(patch, facet, static_cast<int>(local)));
+      patch.corners.push_back(make_corner<dim>(patch, facet, static_cast<int>(local), section));
     }
-  add_corners_beyond<dim>(facets, boundary, by_node);
+  add_corners_beyond<dim>(facets, boundary, section, by_node);
   std::vector<ContactPatch<dim>> patches;
   for (auto& [node, patch] : by_node) {
     if (patch.corners.size() + patch.corners_beyond.size() > max_patch_facets ||
@@ -103,9 +108,11 @@ std::vector<ContactPatch<dim>> contact_patches(
 
 template std::vector<ContactPatch<2>> contact_patches<2>(const Mesh<2>&,
                                                          const std::vector<Mesh<2>::Facet>&,
-                                                         const std::vector<Mesh<2>::Facet>&);
+                                                         const std::vector<Mesh<2>::Facet>&,
+                                                         Section);
 template std::vector<ContactPatch<3>> contact_patches<3>(const Mesh<3>&,
                                                          const std::vector<Mesh<3>::Facet>&,
-                                                         const std::vector<Mesh<3>::Facet>&);
+                                                         const std::vector<Mesh<3>::Facet>&,
+                                                         Section);
 
 }  // namespace gnomon

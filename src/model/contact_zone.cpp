@@ -32,6 +32,13 @@ double edge(const std::vector<SurfacePoint>& points, int last, int step) {
   return open->s - (std::abs(back) < std::abs(width) ? back : width);
 }
 
+/// Whether one of two contact nodes is on the axis of a body of revolution.
+bool reach_axis(const WornBody<2>& body, int first, int last) {
+  const double r = body.contact_nodes[first].initial_position[0],
+               s = body.contact_nodes[last].initial_position[0];
+  return body.element.section == Section::meridian && std::min(r, s) <= 1e-9 * std::max(r, s);
+}
+
 }  // namespace
 
 double contact_half_width(const WornBody<2>& body, const WornBodyFields& fields,
@@ -53,7 +60,8 @@ double contact_half_width(const WornBody<2>& body, const WornBodyFields& fields,
     last = c;
   }
   if (first < 0) return 0;
-  return std::abs(edge(points, last, 1) - edge(points, first, -1)) / 2;
+  const double extent = std::abs(edge(points, last, 1) - edge(points, first, -1));
+  return reach_axis(body, first, last) ? extent : extent / 2;
 }
 
 }  // namespace gnomon

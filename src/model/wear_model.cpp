@@ -5,6 +5,7 @@
 #include <gnomon/base/processes.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/model/wear_model.hpp>
+#include <gnomon/terms/meridian_point.hpp>
 
 namespace gnomon {
 
@@ -40,6 +41,15 @@ void require_compact_elements(const Mesh<dim>& mesh) {
   }
 }
 
+/// Its element and its contact nodes are sections of the same kind of body.
+template <int dim>
+void require_one_section(const WornBody<dim>& body) {
+  for (const ContactPatch<dim>& patch : body.contact_nodes)
+    for (const auto& corner : patch.corners)
+      if (dim == 2 && corner.section != body.element.section)
+        throw Error("a worn body: its contact nodes and its element are of different sections");
+}
+
 /// A cell with its nodal values, one row per node.
 template <int dim>
 struct CellState {
@@ -54,6 +64,20 @@ struct CellState {
     }
   }
 };
+
+/// Its norm at the centroid, in a body of revolution its largest norm at a Gauss point.
+template <int dim>
+double displacement_gradient(const CellState<dim>& at, [[maybe_unused]] Section section) {
+  if constexpr (dim == 2)
+    if (section == Section::meridian) {
+      const MeridianCell<> cell(at.X, at.u);
+      double largest = 0;
+      for (const MeridianPoint<>& point : cell.points())
+        largest = std::max(largest, point.H.norm());
+      return largest;
+    }
+  return CellPoint<dim>(CellBasis<dim>::instance().centroid, at.X, at.u).H.norm();
+}
 
 /// The part of an observation that is a sum over contact nodes.
 template <int dim>
@@ -87,14 +111,13 @@ void observe_cells(const WornBody<dim>& body, const NodalField<dim>& d, const No
   double worn = 0, quality = 1, least = 1, gradient = 0;
   for (const auto& cell : body.mesh.cells) {
     const CellState<dim> at(body.mesh, cell, d, u);
-    const double before = cell_volume<dim>(at.initial), after = cell_volume<dim>(at.X);
+    const double before = cell_volume<dim>(at.initial, body.element.section),
+                 after = cell_volume<dim>(at.X, body.element.section);
     worn += before - after;
     least = std::min(least, after / before);
     quality = std::min(quality, scaled_jacobian<dim>(at.X));
-    if (small_strains) {
-      const CellPoint<dim> centre(CellBasis<dim>::instance().centroid, at.X, at.u);
-      gradient = std::max(gradient, centre.H.norm());
-    }
+    if (small_strains)
+      gradient = std::max(gradient, displacement_gradient<dim>(at, body.element.section));
   }
   worn = sum_over_processes(worn) * body.copies;
   observed.worn_volume = worn;
@@ -119,6 +142,7 @@ std::array<double, 3> in_space(const Vector<dim>& v) {
 template <int dim>
 WearModel<dim>::WearModel(std::shared_ptr<const WornBody<dim>> body)
     : equations_(std::move(body)), system_(equations_.composition()) {
+  require_one_section(this->body());
   require_strain(this->body());
   require_compact_elements(this->body().mesh);
 }
@@ -145,7 +169,7 @@ Observation WearModel<dim>::observe(const State& state) const {
   const WornBodyFields& fields = equations_.fields();
   const FieldValues<dim> values = system_.values(state.t, state.y);
   const std::vector<ContactNode<dim>> nodes = contact_nodes(values, state);
-  Observation observed{.dim = dim};
+  Observation observed{.dim = body().element.section == Section::meridian ? 3 : dim};
   observe_contact(nodes, body().copies, observed);
   observed.wear_flux = wear_flux_of(nodes, body().copies);
   observe_cells(body(), values.vector(fields.d), values.vector(fields.u), observed);

@@ -16,7 +16,8 @@ Scales above_rounding(const WornBody<dim>& body) {
   Vector<dim> low = body.mesh.nodes.front(), high = low;
   for (const Vector<dim>& X : body.mesh.nodes) low = low.cwiseMin(X), high = high.cwiseMax(X);
   const double length = 1e-6 * (high - low).maxCoeff();
-  const double area = std::pow((high - low).maxCoeff(), dim - 1);
+  double area = std::pow((high - low).maxCoeff(), dim - 1);
+  if (body.element.section == Section::meridian) area *= 2 * M_PI * high[0];
   const double stiffness =
       1e-7 * (body.material.moduli.lambda + 2 * body.material.moduli.mu) * area;
   Scales scales = body.scales;

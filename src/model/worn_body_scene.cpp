@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/same_time.hpp>
 #include <gnomon/linear/inner_solver.hpp>
@@ -81,12 +82,19 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
 template <int dim>
 std::vector<ContactPatch<dim>> read_contact_patches(
     const Scene& scene, const Mesh<dim>& mesh,
-    const std::vector<typename Mesh<dim>::Facet>& surface) {
+    const std::vector<typename Mesh<dim>::Facet>& surface, Section section) {
   std::vector<typename Mesh<dim>::Facet> boundary;
   if (scene.text("wear.normal") == "conservative")
     for (const auto& [name, part] : mesh.boundary)
       boundary.insert(boundary.end(), part.begin(), part.end());
-  return contact_patches<dim>(mesh, surface, boundary);
+  return contact_patches<dim>(mesh, surface, boundary, section);
+}
+
+void hold_on_axis(WornBody<2>& body) {
+  for (int node : axis_nodes(body.mesh)) {
+    body.displacement_fixed(node, 0) = 1;
+    body.shape_fixed(node, 0) = 1;
+  }
 }
 
 LoadHistory read_load_history(const Scene& scene) {
@@ -127,10 +135,17 @@ LinearSolverChoice linear_solver_of(const Scene& scene, const MeshSize& mesh) {
           preconditioner};
 }
 
-NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part,
-                           const Vector<2>& resultant) {
+NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part, const Vector<2>& resultant,
+                           Section section) {
   NodalField<2> load = NodalField<2>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), 2);
   double total = 0;
+  if (section == Section::meridian) {
+    for (const auto& patch : contact_patches<2>(mesh, mesh.boundary.at(part), {}, section)) {
+      total += patch.initial_area;
+      load.row(patch.node) = patch.initial_area * resultant.transpose();
+    }
+    return load / total;
+  }
   for (const auto& facet : mesh.boundary.at(part)) {
     const double length = (mesh.nodes[facet[1]] - mesh.nodes[facet[0]]).norm();
     total += length;
@@ -139,10 +154,31 @@ NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part,
   return load / total;
 }
 
+template <int dim>
+NodalField<dim> volume_load(const Mesh<dim>& mesh, const Vector<dim>& density, Section section) {
+  const auto& basis = CellBasis<dim>::instance();
+  NodalField<dim> load = NodalField<dim>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), dim);
+  for (const auto& cell : mesh.cells) {
+    const CellNodal<dim> X = mesh.positions(cell);
+    for (int g = 0; g < CellBasis<dim>::points; ++g) {
+      const auto& N = basis.gauss_values[g];
+      double volume = (X.transpose() * basis.gauss[g]).determinant();
+      if (section == Section::meridian) volume *= 2 * M_PI * N.dot(X.col(0));
+      for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
+        load.row(cell[a]) += volume * N[a] * density.transpose();
+    }
+  }
+  return load;
+}
+
+template NodalField<2> volume_load(const Mesh<2>&, const Vector<2>&, Section);
+template NodalField<3> volume_load(const Mesh<3>&, const Vector<3>&, Section);
 template std::vector<ContactPatch<2>> read_contact_patches(const Scene&, const Mesh<2>&,
-                                                           const std::vector<Mesh<2>::Facet>&);
+                                                           const std::vector<Mesh<2>::Facet>&,
+                                                           Section);
 template std::vector<ContactPatch<3>> read_contact_patches(const Scene&, const Mesh<3>&,
-                                                           const std::vector<Mesh<3>::Facet>&);
+                                                           const std::vector<Mesh<3>::Facet>&,
+                                                           Section);
 template void read_worn_body(const Scene&, double, WornBody<2>&);
 template void read_worn_body(const Scene&, double, WornBody<3>&);
 

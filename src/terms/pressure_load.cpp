@@ -7,7 +7,7 @@ template <int dim>
 PressureLoad<dim>::PressureLoad(const Mesh<dim>& mesh,
                                 const std::vector<typename Mesh<dim>::Facet>& facets,
                                 double pressure, LoadHistory history, const Numbering& numbering,
-                                FieldId u, FieldId d)
+                                FieldId u, FieldId d, Section section)
     : mesh_(mesh),
       pressure_(pressure),
       history_(std::move(history)),
@@ -15,7 +15,7 @@ PressureLoad<dim>::PressureLoad(const Mesh<dim>& mesh,
       d_(d),
       u_numbers_(numbering.nodal<dim>(u)),
       d_numbers_(numbering.nodal<dim>(d)),
-      patches_(contact_patches<dim>(mesh, facets)) {}
+      patches_(contact_patches<dim>(mesh, facets, {}, section)) {}
 
 template <int dim>
 std::vector<int> PressureLoad<dim>::rows(const ContactPatch<dim>& patch) const {

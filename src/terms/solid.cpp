@@ -15,8 +15,13 @@ ElementTechnology technology_of(const std::string& name) {
 }
 
 template <int dim>
-double cell_volume(const CellNodal<dim>& X) {
+double cell_volume(const CellNodal<dim>& X, Section section) {
   double sum = 0;
+  if constexpr (dim == 2)
+    if (section == Section::meridian) {
+      for (int g = 0; g < 4; ++g) sum += MeridianPoint<>(g, X, CellNodal<2>::Zero()).volume;
+      return sum;
+    }
   for (const CellNodal<dim>& dN : CellBasis<dim>::instance().gauss)
     sum += (X.transpose() * dN).determinant();
   return sum;
@@ -32,8 +37,8 @@ double scaled_jacobian(const CellNodal<dim>& X) {
   return least;
 }
 
-template double cell_volume<2>(const CellNodal<2>&);
-template double cell_volume<3>(const CellNodal<3>&);
+template double cell_volume<2>(const CellNodal<2>&, Section);
+template double cell_volume<3>(const CellNodal<3>&, Section);
 template double scaled_jacobian<2>(const CellNodal<2>&);
 template double scaled_jacobian<3>(const CellNodal<3>&);
 

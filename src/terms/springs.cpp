@@ -4,9 +4,10 @@ namespace gnomon {
 
 template <int dim>
 Springs<dim>::Springs(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
-                      const Vector<dim>& stiffness, const Numbering& numbering, FieldId u)
+                      const Vector<dim>& stiffness, const Numbering& numbering, FieldId u,
+                      Section section)
     : u_(u) {
-  for (const ContactPatch<dim>& patch : contact_patches<dim>(mesh, facets))
+  for (const ContactPatch<dim>& patch : contact_patches<dim>(mesh, facets, {}, section))
     for (int i = 0; i < dim; ++i)
       if (const int row = numbering.number(u, patch.node, i); row >= 0 && stiffness[i] != 0)
         springs_.push_back({row, -1, patch.node, i, stiffness[i] * patch.initial_area});

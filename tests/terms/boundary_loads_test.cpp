@@ -78,6 +78,13 @@ Mesh<dim> block() {
     });
 }
 
+/// The section of a ring.
+Mesh<2> ring() {
+  Mesh<2> mesh = block<2>();
+  for (Vector<2>& X : mesh.nodes) X[0] += 0.5;
+  return mesh;
+}
+
 std::vector<double> rough(long size) {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-0.05, 0.05);
@@ -97,41 +104,43 @@ std::vector<typename Mesh<dim>::Facet> whole_boundary(const Mesh<dim>& mesh) {
 template <int dim>
 ComposedSystem<dim> under_pressure(const Mesh<dim>& mesh,
                                    const std::vector<typename Mesh<dim>::Facet>& facets,
-                                   LoadHistory history = {}, bool grounded = false) {
+                                   LoadHistory history = {}, bool grounded = false,
+                                   Section section = Section::plane) {
   auto composition = free_nodes(mesh);
   if (grounded) ground<dim>(*composition);
-  composition->terms.push_back([&mesh, facets, history](const Numbering& numbering) {
-    return std::make_unique<PressureLoad<dim>>(mesh, facets, 3.0, history, numbering, u, d);
+  composition->terms.push_back([&mesh, facets, history, section](const Numbering& numbering) {
+    return std::make_unique<PressureLoad<dim>>(mesh, facets, 3.0, history, numbering, u, d,
+                                               section);
   });
   return ComposedSystem<dim>(composition);
 }
 
 template <int dim>
-double volume(const Mesh<dim>& mesh, const FieldValues<dim>& values) {
+double volume(const Mesh<dim>& mesh, const FieldValues<dim>& values, Section section) {
   double sum = 0;
   for (const auto& cell : mesh.cells) {
     CellNodal<dim> x = mesh.positions(cell);
     for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
       x.row(a) += values.vector(u).row(cell[a]) + values.vector(d).row(cell[a]);
-    sum += cell_volume<dim>(x);
+    sum += cell_volume<dim>(x, section);
   }
   return sum;
 }
 
 // A uniform pressure all around does the work p dV, whatever the deformation.
 template <int dim>
-void check_work() {
-  const Mesh<dim> mesh = block<dim>();
-  const ComposedSystem<dim> system = under_pressure<dim>(mesh, whole_boundary(mesh));
+void check_work(const Mesh<dim>& mesh, Section section = Section::plane) {
+  const ComposedSystem<dim> system =
+      under_pressure<dim>(mesh, whole_boundary(mesh), {}, false, section);
   std::vector<double> y = rough(system.structure().size), F(y.size());
   system.residual({.y = y}, F);
   double largest = 0;
   for (std::size_t k = 0; k < y.size(); k += 5) {
     const double step = 1e-5, before = y[k];
     y[k] = before + step;
-    const double after = volume(mesh, system.values(0, y));
+    const double after = volume(mesh, system.values(0, y), section);
     y[k] = before - step;
-    const double change = (after - volume(mesh, system.values(0, y))) / (2 * step);
+    const double change = (after - volume(mesh, system.values(0, y), section)) / (2 * step);
     y[k] = before;
     // Rows of d have no equation here; u and d move the surface alike.
     const bool of_u = system.structure().block[k] == 0;
@@ -145,14 +154,19 @@ void check_work() {
 }
 
 TEST(PressureLoad, WorksOnTheVolume) {
-  check_work<2>();
-  check_work<3>();
+  check_work<2>(block<2>());
+  check_work<3>(block<3>());
+  check_work<2>(ring(), Section::meridian);
 }
 
 TEST(PressureLoad, JacobianEqualsCentralDifferences) {
   const Mesh<2> plane = block<2>();
   const ComposedSystem<2> in_plane = under_pressure<2>(plane, plane.boundary.at("top"), {}, true);
   check_jacobian(in_plane, 0, rough(in_plane.structure().size), 0.2);
+  const Mesh<2> section = ring();
+  const ComposedSystem<2> revolved =
+      under_pressure<2>(section, section.boundary.at("top"), {}, true, Section::meridian);
+  check_jacobian(revolved, 0, rough(revolved.structure().size), 0.2);
   const Mesh<3> solid = block<3>();
   const ComposedSystem<3> in_space = under_pressure<3>(solid, solid.boundary.at("top"), {}, true);
   check_jacobian(in_space, 0, rough(in_space.structure().size), 0.2);
@@ -190,6 +204,23 @@ TEST(Springs, CarryByTheirArea) {
   ground<3>(*composition);
   const ComposedSystem<3> grounded(composition);
   check_jacobian(grounded, 0, rough(grounded.structure().size), 0.2);
+}
+
+TEST(Springs, CarryByTheAreaOfTheRevolution) {
+  const Mesh<2> mesh = ring();
+  auto composition = free_nodes(mesh);
+  composition->terms.push_back([&mesh](const Numbering& numbering) {
+    return std::make_unique<Springs<2>>(mesh, mesh.boundary.at("right"), Vector<2>(0, 7), numbering,
+                                        u, Section::meridian);
+  });
+  const ComposedSystem<2> system(composition);
+  std::vector<double> y(static_cast<std::size_t>(system.structure().size)), F(y.size());
+  for (std::size_t k = 0; k < y.size(); ++k)
+    if (system.structure().block[k] == 0) y[k] = 0.1;
+  system.residual({.y = y}, F);
+  double force = 0;
+  for (double f : F) force += f;
+  EXPECT_NEAR(force, 7 * 0.1 * 2 * M_PI * 2.5, 1e-12);  // a cylinder of radius 2.5 and height 1
 }
 
 // Held values move with their history, at every evaluation and in the values of all fields.

@@ -6,16 +6,13 @@
 #include <functional>
 #include <gnomon/laws/counter_shape.hpp>
 #include <gnomon/laws/wear_law.hpp>
+#include <gnomon/mesh/section.hpp>
 #include <gnomon/scene/expression.hpp>
 #include <gnomon/scene/registry.hpp>
 #include <string>
 #include <vector>
 
 namespace gnomon {
-
-/// What a scene in 2D is a section of: bodies that are the same along the third direction, or
-/// bodies of revolution about r = 0, in coordinates (r, z).
-enum class Section { plane, meridian };
 
 /// A shape that scenes may name, in one dimension.
 template <int dim>

@@ -17,6 +17,15 @@ Vector<dim> reference_corner(int node) {
   return corner;
 }
 
+/// Values N_a at a reference point, one per node.
+template <int dim>
+Eigen::Matrix<double, 1 << dim, 1> basis_values(const Vector<dim>& xi) {
+  Eigen::Matrix<double, 1 << dim, 1> values;
+  for (int a = 0; a < (1 << dim); ++a)
+    values[a] = ((reference_corner<dim>(a).array() * xi.array() + 1) / 2).prod();
+  return values;
+}
+
 /// Gradients dN_a/dxi at a reference point; one row per node.
 template <int dim>
 CellNodal<dim> basis_gradients(const Vector<dim>& xi) {
@@ -33,11 +42,12 @@ CellNodal<dim> basis_gradients(const Vector<dim>& xi) {
   return gradients;
 }
 
-/// Basis gradients at the points where cells are evaluated, computed once.
+/// Basis gradients, and values, at the points where cells are evaluated, computed once.
 template <int dim>
 struct CellBasis {
   static constexpr int points = 1 << dim;  ///< 2^dim Gauss points, all of weight one
   std::array<CellNodal<dim>, points> gauss;
+  std::array<Eigen::Matrix<double, 1 << dim, 1>, points> gauss_values;
   std::array<CellNodal<dim>, points> corners;  ///< at the nodes
   CellNodal<dim> centroid;
 
@@ -50,6 +60,7 @@ private:
   CellBasis() {
     for (int g = 0; g < points; ++g) {
       gauss[g] = basis_gradients<dim>(reference_corner<dim>(g) / std::sqrt(3.0));
+      gauss_values[g] = basis_values<dim>(reference_corner<dim>(g) / std::sqrt(3.0));
       corners[g] = basis_gradients<dim>(reference_corner<dim>(g));
     }
     centroid = basis_gradients<dim>(Vector<dim>::Zero());

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <gnomon/mesh/mesh.hpp>
+#include <gnomon/mesh/section.hpp>
 #include <vector>
 
 namespace gnomon {
@@ -22,7 +24,8 @@ struct ContactPatch {
     /// the opposite corner.
     std::array<int, (1 << (dim - 1))> nodes;
     double sign;          ///< 2D: +1 when this node comes first in the facet
-    double initial_area;  ///< A^_f [length^(dim-1)]
+    double initial_area;  ///< A^_f [length^(dim-1); length^2 of a body of revolution]
+    Section section = Section::plane;  ///< 2D: of what the facet is a section
   };
   std::vector<Corner> corners;
   /// Corners of facets at this node that belong to the rest of the body's boundary: they have no
@@ -40,11 +43,12 @@ struct ContactPatch {
 
 /// Patches of all nodes of a surface, in ascending order of nodes (2D: along the surface when its
 /// nodes are numbered so). Facets of `boundary` that touch the surface but do not belong to it
-/// become corners_beyond. Throws Error if the bounds above are exceeded.
+/// become corners_beyond. Throws Error if the bounds above are exceeded, or if a facet of the
+/// surface lies on the axis of a body of revolution.
 template <int dim>
 std::vector<ContactPatch<dim>> contact_patches(
     const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
-    const std::vector<typename Mesh<dim>::Facet>& boundary = {});
+    const std::vector<typename Mesh<dim>::Facet>& boundary = {}, Section section = Section::plane);
 
 template <int dim, class Scalar = double>
 using PatchNodal = Eigen::Matrix<Scalar, Eigen::Dynamic, dim, 0, max_patch_nodes, dim>;
@@ -59,14 +63,25 @@ Eigen::Matrix<Scalar, dim, dim - 1> corner_edges(const typename ContactPatch<dim
   return edges;
 }
 
-/// Area vector of a corner, linear (2D) or bilinear (3D) in the positions.
+/// Per area vector of a corner in the plane, that of the whole circumference at the undeformed or
+/// current radii of its nodes: 2 pi times the mean radius, weighted by the corner's shape function.
+template <class Scalar>
+Scalar corner_circumference(const ContactPatch<2>::Corner& corner, const PatchNodal<2, Scalar>& X) {
+  return Scalar(2 * M_PI / 3) * (Scalar(2) * X(corner.nodes[0], 0) + X(corner.nodes[1], 0));
+}
+
+/// Area vector of a corner, linear (2D; quadratic for a body of revolution) or bilinear (3D) in the
+/// positions.
 template <int dim, class Scalar>
 Vector<dim, Scalar> corner_area_vector(const typename ContactPatch<dim>::Corner& corner,
                                        const PatchNodal<dim, Scalar>& X) {
   const auto edges = corner_edges<dim, Scalar>(corner, X);
   const Vector<dim, Scalar> a = edges.col(0);
   if constexpr (dim == 2) {
-    return Scalar(corner.sign / 2) * Vector<2, Scalar>(a[1], -a[0]);
+    Scalar factor(corner.sign / 2);
+    if (corner.section == Section::meridian)
+      factor = Scalar(factor * corner_circumference<Scalar>(corner, X));
+    return factor * Vector<2, Scalar>(a[1], -a[0]);
   } else {
     const Vector<dim, Scalar> b = edges.col(1);
     return a.cross(b) / Scalar(4);
@@ -84,8 +99,8 @@ std::array<Vector<3, Scalar>, 2> corner_volume_edges(const ContactPatch<3>::Corn
 
 /// The part of a facet in the derivative of the body's volume with respect to the position of a
 /// corner: the integral of the corner's shape function times the area vector. For a segment it is
-/// the area vector of the corner; for a bilinear facet with the corners 0 to 3 it is
-/// (2 (X1 - X0) + X2 - X3) x (2 (X3 - X0) + X2 - X1) / 36.
+/// the area vector of the corner, also on a body of revolution; for a bilinear facet with the
+/// corners 0 to 3 it is (2 (X1 - X0) + X2 - X3) x (2 (X3 - X0) + X2 - X1) / 36.
 template <int dim, class Scalar>
 Vector<dim, Scalar> corner_volume_gradient(const typename ContactPatch<dim>::Corner& corner,
                                            const PatchNodal<dim, Scalar>& X) {

@@ -16,8 +16,12 @@ template <int dim>
 std::array<Tensor<dim>, dim> area_vector_derivative(
     const typename ContactPatch<dim>::Corner& corner, const PatchNodal<dim>& X) {
   if constexpr (dim == 2) {
-    const Tensor<2> turn = corner.sign / 2 * Tensor<2>{{0, 1}, {-1, 0}};
-    return {Tensor<2>(-turn), turn};
+    Tensor<2> turn = corner.sign / 2 * Tensor<2>{{0, 1}, {-1, 0}};
+    if (corner.section == Section::plane) return {Tensor<2>(-turn), turn};
+    const Vector<2> flat = turn * corner_edges<2, double>(corner, X);
+    const Tensor<2> by_radius = 2 * M_PI / 3 * flat * Vector<2>::Unit(0).transpose();
+    turn *= corner_circumference<double>(corner, X);
+    return {Tensor<2>(2 * by_radius - turn), Tensor<2>(by_radius + turn)};
   } else {
     const Vector<3> a = (X.row(corner.nodes[1]) - X.row(corner.nodes[0])).transpose();
     const Vector<3> b = (X.row(corner.nodes[2]) - X.row(corner.nodes[0])).transpose();

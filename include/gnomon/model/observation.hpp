@@ -18,7 +18,7 @@ struct Scalar {
 /// The observations of a state; each member is present if the model has it. Forces and volumes are
 /// those of the whole body, and per unit thickness in 2D: their units depend on the dimension.
 struct Observation {
-  int dim = 2;  ///< 2 or 3
+  int dim = 2;  ///< 2 or 3; 3 for a body of revolution, too
 
   std::optional<double> contact_nodes{};          ///< number of nodes in contact
   std::optional<double> contact_force{};          ///< integral of the pressure [N/mm | N]

@@ -68,6 +68,9 @@ struct WornBody {
   std::vector<PrescribedValues> prescribed_displacement;
   NodalField<dim> load;  ///< nodal dead loads at factor one
   Material material;
+  /// Its `section` says whether the body is one of revolution about r = 0, in coordinates (r, z);
+  /// then forces, areas and volumes are those of the whole circumference, `contact_nodes` are made
+  /// for the same section, and the nodes on the axis are held (hold_on_axis).
   Element element;
   MeshMotionLaw mesh_motion;  ///< eq. (20)
   ContactParameters<dim> contact;

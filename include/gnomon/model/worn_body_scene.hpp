@@ -20,7 +20,11 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body);
 template <int dim>
 std::vector<ContactPatch<dim>> read_contact_patches(
     const Scene& scene, const Mesh<dim>& mesh,
-    const std::vector<typename Mesh<dim>::Facet>& surface);
+    const std::vector<typename Mesh<dim>::Facet>& surface, Section section = Section::plane);
+
+/// Holds what a body of revolution cannot do: on the axis u_r = d_r = 0. To be called before
+/// read_worn_body(). Throws InputError like axis_nodes().
+void hold_on_axis(WornBody<2>& body);
 
 /// `load.times` and `load.factors`. Throws InputError if they do not define a history.
 LoadHistory read_load_history(const Scene& scene);
@@ -31,8 +35,16 @@ double load_impulse(const Scene& scene);
 /// The choice by the `solver.*` keys and the size of the mesh.
 LinearSolverChoice linear_solver_of(const Scene& scene, const MeshSize& mesh);
 
-/// Nodal dead loads of a uniform traction on a boundary part, of the given resultant.
-NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part,
-                           const Vector<2>& resultant);
+/// Nodal dead loads of a uniform traction on a boundary part: its integral over the part is
+/// `resultant` [force; per thickness of a plane body; of a body of revolution the part's area is
+/// that of the whole circumference, so that the component r is no resultant].
+NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part, const Vector<2>& resultant,
+                           Section section = Section::plane);
+
+/// Nodal dead loads of a uniform force per initial volume, like gravity [force / length^dim; per
+/// length^3 in a body of revolution].
+template <int dim>
+NodalField<dim> volume_load(const Mesh<dim>& mesh, const Vector<dim>& density,
+                            Section section = Section::plane);
 
 }  // namespace gnomon

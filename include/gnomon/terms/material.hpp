@@ -15,7 +15,8 @@ struct Material {
   template <int dim>
   const CellKernel<dim>& kernel(const Element& element) const {
     const bool small = element.kinematics == Kinematics::small;
-    return (small ? small_strain_kernels : *finite_kernels).template of<dim>(element.technology);
+    return (small ? small_strain_kernels : *finite_kernels)
+        .template of<dim>(element.technology, element.section);
   }
 };
 

@@ -9,7 +9,8 @@ namespace gnomon {
 
 /// factor(t) p dV/dx in the rows of u, where dV/dx, the derivative of the body's volume with
 /// respect to the current position of a node,
-/// is the integral of its shape function times the outward area vector.
+/// is the integral of its shape function times the outward area vector (of a body of revolution:
+/// over the whole circumference).
 template <int dim>
 class PressureLoad : public Term<dim> {
 public:
@@ -17,7 +18,7 @@ public:
   /// [stress], positive if it pushes on the body. The mesh must outlive the term.
   PressureLoad(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
                double pressure, LoadHistory history, const Numbering& numbering, FieldId u,
-               FieldId d);
+               FieldId d, Section section = Section::plane);
 
   void declare(TermStructure& structure) const override;
   void map_to(const SparsePattern& pattern) override;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <gnomon/mesh/section.hpp>
 #include <gnomon/terms/cell_point.hpp>
 #include <string>
 
@@ -35,6 +36,7 @@ constexpr bool variational(ElementTechnology technology) {
 struct Element {
   ElementTechnology technology = ElementTechnology::f_bar;
   Kinematics kinematics = Kinematics::finite;
+  Section section = Section::plane;  ///< of a body of revolution: with hoop strains and 2 pi R
 };
 
 /// The functions of a cell [1 << dim nodes], by one law, technology and kinematics. X: undeformed
@@ -60,26 +62,28 @@ struct CellKernel {
 template <int dim>
 using CellKernels = std::array<CellKernel<dim>, technology_names.size()>;
 
-/// Kernels of one law, in both dimensions.
+/// Kernels of one law: plane strain, in space, and of bodies of revolution.
 struct LawKernels {
   CellKernels<2> plane;
   CellKernels<3> space;
+  CellKernels<2> meridian;
 
   template <int dim>
-  const CellKernel<dim>& of(ElementTechnology technology) const {
+  const CellKernel<dim>& of(ElementTechnology technology, Section section = Section::plane) const {
+    const auto k = static_cast<std::size_t>(technology);
     if constexpr (dim == 2)
-      return plane[static_cast<std::size_t>(technology)];
+      return section == Section::plane ? plane[k] : meridian[k];
     else
-      return space[static_cast<std::size_t>(technology)];
+      return space[k];
   }
 };
 
 /// Kernels of the linear law, which all materials use with small strains.
 extern const LawKernels small_strain_kernels;
 
-/// Volume (area in 2D) of a cell [length^dim].
+/// Volume of a cell [length^dim]: in 2D its area, or the volume of its whole revolution [length^3].
 template <int dim>
-double cell_volume(const CellNodal<dim>& X);
+double cell_volume(const CellNodal<dim>& X, Section section = Section::plane);
 
 /// Scaled Jacobian: the least, over the corners, of det(dX/dxi) divided by the product of the
 /// lengths of the edges at that corner; 1 for a rectangle, <= 0 when inverted.

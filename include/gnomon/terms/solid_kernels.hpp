@@ -30,6 +30,7 @@
 #include <cmath>
 #include <gnomon/laws/linear_elastic.hpp>
 #include <gnomon/terms/dyad_sums.hpp>
+#include <gnomon/terms/meridian_kernels.hpp>
 #include <gnomon/terms/solid.hpp>
 
 namespace gnomon {
@@ -312,6 +313,7 @@ inline constexpr CellKernels<dim> cell_kernels = {
 
 /// All kernels of a law. They are compiled in the file that takes the address.
 template <template <int, class> class Law>
-inline constexpr LawKernels law_kernels = {cell_kernels<Law, 2>, cell_kernels<Law, 3>};
+inline constexpr LawKernels law_kernels = {cell_kernels<Law, 2>, cell_kernels<Law, 3>,
+                                           meridian_kernels<Law>};
 
 }  // namespace gnomon

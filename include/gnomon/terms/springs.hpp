@@ -14,7 +14,8 @@ public:
   /// `stiffness`: traction per unit of displacement, for each component; zero: no spring [stress /
   /// length]. The field is the displacement at all nodes of the mesh.
   Springs(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
-          const Vector<dim>& stiffness, const Numbering& numbering, FieldId u);
+          const Vector<dim>& stiffness, const Numbering& numbering, FieldId u,
+          Section section = Section::plane);
 
   void declare(TermStructure& structure) const override;
   void map_to(const SparsePattern& pattern) override;
