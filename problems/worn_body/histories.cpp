@@ -25,9 +25,14 @@ std::vector<std::string> entries_of(const Scene& scene, const std::string& table
   return entries;
 }
 
+Section section_of(const Scene& scene) {
+  return scene.text("body.plane") == "axisymmetric" ? Section::meridian : Section::plane;
+}
+
 template <int dim>
-std::vector<std::string> direction_names() {
+std::vector<std::string> direction_names(const Scene& scene) {
   if constexpr (dim == 3) return {"x", "y", "z"};
+  if (section_of(scene) == Section::meridian) return {"r", "z"};
   return {"x", "y"};
 }
 
@@ -70,7 +75,7 @@ LoadHistory read_history(const Scene& scene, const std::string& prefix) {
   return {times, factors};
 }
 
-template std::vector<std::string> direction_names<2>();
-template std::vector<std::string> direction_names<3>();
+template std::vector<std::string> direction_names<2>(const Scene&);
+template std::vector<std::string> direction_names<3>(const Scene&);
 
 }  // namespace gnomon::part

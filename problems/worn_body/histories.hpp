@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gnomon/laws/load_history.hpp>
+#include <gnomon/mesh/section.hpp>
 #include <gnomon/scene/scene.hpp>
 #include <string>
 #include <vector>
@@ -19,9 +20,12 @@ std::vector<std::string> entries_of(const Scene& scene, const std::string& table
                                     const std::vector<Key>& keys,
                                     const std::vector<std::string>& needed);
 
-/// "x", "y", and in space "z".
+/// What a mesh in the plane is a section of; of no meaning in space.
+Section section_of(const Scene& scene);
+
+/// "x", "y", and in space "z", or "r", "z" of a body of revolution.
 template <int dim>
-std::vector<std::string> direction_names();
+std::vector<std::string> direction_names(const Scene& scene);
 
 /// PREFIX.times and PREFIX.factors, the history of a quantity.
 Key times_key(const std::string& prefix, const std::string& quantity);

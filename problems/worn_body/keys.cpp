@@ -36,28 +36,30 @@ std::vector<Key> mesh_keys() {
 }
 
 std::vector<Key> own_keys() {
-  return {{.name = "body.plane",
-           .kind = KeyKind::text,
-           .presence = defaulted,
-           .default_value = "strain",
-           .choices = {"strain"},
-           .help = "what a mesh in the plane is a section of"},
-          {.name = "body.density",
-           .unit = "t/mm^3",
-           .presence = optional,
-           .absent_meaning = "no load.#.acceleration",
-           .range = positive_quantity,
-           .help = "mass by volume"},
-          {.name = "wear.on",
-           .kind = KeyKind::texts,
-           .presence = Key::Presence::required,
-           .help = "groups of the mesh that touch the counter-body and wear"},
-          {.name = "wear.surfaces.*.rate",
-           .kind = KeyKind::text,
-           .unit = "mm/s",
-           .presence = optional,
-           .absent_meaning = "wear.rate",
-           .help = "wear rate of one of wear.on by its name, as wear.rate"}};
+  return {
+      {.name = "body.plane",
+       .kind = KeyKind::text,
+       .presence = defaulted,
+       .default_value = "strain",
+       .choices = {"strain", "axisymmetric"},
+       .help = "what a mesh in the plane is a section of: plane strain, or a body of revolution "
+               "about x = 0, in coordinates (r, z)"},
+      {.name = "body.density",
+       .unit = "t/mm^3",
+       .presence = optional,
+       .absent_meaning = "no load.#.acceleration",
+       .range = positive_quantity,
+       .help = "mass by volume"},
+      {.name = "wear.on",
+       .kind = KeyKind::texts,
+       .presence = Key::Presence::required,
+       .help = "groups of the mesh that touch the counter-body and wear"},
+      {.name = "wear.surfaces.*.rate",
+       .kind = KeyKind::text,
+       .unit = "mm/s",
+       .presence = optional,
+       .absent_meaning = "wear.rate",
+       .help = "wear rate of one of wear.on by its name, as wear.rate"}};
 }
 
 /// What a part does not have: its loads are an array, its counter-body moves.

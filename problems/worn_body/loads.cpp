@@ -4,9 +4,9 @@
 
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/contact_patch.hpp>
+#include <gnomon/model/worn_body_scene.hpp>
 #include <gnomon/terms/loads.hpp>
 #include <gnomon/terms/pressure_load.hpp>
-#include <gnomon/terms/solid.hpp>
 
 #include "histories.hpp"
 
@@ -35,7 +35,7 @@ std::vector<Key> load_keys() {
        .presence = Key::Presence::optional,
        .absent_meaning = "the whole body, for an acceleration",
        .help = "group of the mesh that the load acts on"},
-      vector_key("load.#.force", "N/mm in the plane, N in space",
+      vector_key("load.#.force", "N/mm in plane strain, else N",
                  "resultant, distributed evenly over the initial area; its direction stays"),
       vector_key("load.#.traction", "MPa", "force by initial area; its direction stays"),
       {.name = "load.#.pressure",
@@ -64,26 +64,14 @@ Vector<dim> read_vector(const Scene& scene, const std::string& key) {
 /// Nodal forces of a traction that is constant over the facets.
 template <int dim>
 Field::Values nodal_forces(const ImportedBody<dim>& part, const std::string& name,
-                           const Vector<dim>& load, bool is_resultant) {
-  const auto patches = contact_patches<dim>(part.mesh, boundary_part(part, name));
+                           const Vector<dim>& load, bool is_resultant, Section section) {
+  const auto patches = contact_patches<dim>(part.mesh, boundary_part(part, name), {}, section);
   double area = 0;
   for (const auto& patch : patches) area += patch.initial_area;
   Field::Values forces =
       Field::Values::Zero(static_cast<Eigen::Index>(part.mesh.nodes.size()), dim);
   for (const auto& patch : patches)
     forces.row(patch.node) = (patch.initial_area / (is_resultant ? area : 1)) * load.transpose();
-  return forces;
-}
-
-/// Nodal forces of a force by volume, in equal shares of each cell's.
-template <int dim>
-Field::Values body_forces(const ImportedBody<dim>& part, const Vector<dim>& by_volume) {
-  Field::Values forces =
-      Field::Values::Zero(static_cast<Eigen::Index>(part.mesh.nodes.size()), dim);
-  for (const auto& cell : part.mesh.cells) {
-    const double share = cell_volume<dim>(part.mesh.positions(cell)) / Mesh<dim>::cell_nodes;
-    for (int node : cell) forces.row(node) += share * by_volume.transpose();
-  }
   return forces;
 }
 
@@ -127,18 +115,19 @@ template <int dim>
 Vector<dim> read_loads(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>& body) {
   body.load = NodalField<dim>::Zero(static_cast<Eigen::Index>(part.mesh.nodes.size()), dim);
   Vector<dim> sum = Vector<dim>::Zero();
+  const Section section = section_of(scene);
   for (const std::string& load : entries_of(scene, "load", load_keys(), {})) {
     const std::string kind = kind_of(scene, load), key = load + "." + kind;
     const LoadHistory history = read_history(scene, load);
     if (kind == "pressure") {
       const auto facets = boundary_part(part, scene.text(load + ".on"));
       const double pressure = scene.real(key);
-      for (const auto& patch : contact_patches<dim>(part.mesh, facets))
+      for (const auto& patch : contact_patches<dim>(part.mesh, facets, {}, section))
         sum -= pressure * patch.initial_area * patch.initial_normal;
       body.added_terms.push_back([=](const WornBody<dim>& whole, const WornBodyFields& fields,
                                      const Numbering& numbering) {
         return std::make_unique<PressureLoad<dim>>(whole.mesh, facets, pressure, history, numbering,
-                                                   fields.u, fields.d);
+                                                   fields.u, fields.d, section);
       });
       continue;
     }
@@ -147,8 +136,9 @@ Vector<dim> read_loads(const Scene& scene, const ImportedBody<dim>& part, WornBo
       throw InputError(scene.where(key) + ": expected also body.density");
     Field::Values forces =
         kind == "acceleration"
-            ? body_forces<dim>(part, Vector<dim>(scene.real("body.density") * vector))
-            : nodal_forces<dim>(part, scene.text(load + ".on"), vector, kind == "force");
+            ? Field::Values(volume_load<dim>(
+                  part.mesh, Vector<dim>(scene.real("body.density") * vector), section))
+            : nodal_forces<dim>(part, scene.text(load + ".on"), vector, kind == "force", section);
     sum += forces.colwise().sum().transpose();
     add_dead_load<dim>(std::move(forces), history, body);
   }

@@ -50,22 +50,23 @@ struct Indentation {
   double depth, area, force;
 };
 
-double width_of(double area, int dim) {
-  return dim == 2 ? area : std::sqrt(area);
+/// `solid`: areas are areas; else lengths, per unit of thickness.
+double width_of(double area, bool solid) {
+  return solid ? std::sqrt(area) : area;
 }
 
-Indentation by_force(const GapProfile& gaps, double force, double modulus, int dim) {
+Indentation by_force(const GapProfile& gaps, double force, double modulus, bool solid) {
   Indentation at{0, gaps.area(0), force};
   for (int k = 0; k < 30; ++k) {  // the width follows the depth
-    at.depth = gaps.depth_of(force * width_of(at.area, dim) / modulus);
+    at.depth = gaps.depth_of(force * width_of(at.area, solid) / modulus);
     at.area = std::max(gaps.area(at.depth), gaps.area(0));
   }
   return at;
 }
 
-Indentation by_overlap(const GapProfile& gaps, double depth, double modulus, int dim) {
+Indentation by_overlap(const GapProfile& gaps, double depth, double modulus, bool solid) {
   const double area = std::max(gaps.area(depth), gaps.area(0));
-  return {depth, area, modulus / width_of(area, dim) * gaps.volume(depth)};
+  return {depth, area, modulus / width_of(area, solid) * gaps.volume(depth)};
 }
 
 template <int dim>
@@ -88,13 +89,15 @@ Magnitudes find_magnitudes(const Scene& scene, double force, double overlap, dou
   const double young = scene.real("body.young_modulus"), nu = scene.real("body.poisson_ratio");
   const double modulus = young / (1 - nu * nu);
   const GapProfile gaps = gaps_of(body);
+  const bool solid = dim == 3 || body.element.section == Section::meridian;
   const Indentation start =
-      force > 0 ? by_force(gaps, force, modulus, dim) : by_overlap(gaps, overlap, modulus, dim);
+      force > 0 ? by_force(gaps, force, modulus, solid) : by_overlap(gaps, overlap, modulus, solid);
   Magnitudes result;
   Scales& scales = result.scales;
   scales.duration = scene.real("time.end");
   scales.force = start.force;
-  scales.displacement = std::max(start.depth, start.force / (modulus * width_of(start.area, dim)));
+  scales.displacement =
+      std::max(start.depth, start.force / (modulus * width_of(start.area, solid)));
   const double pressure = start.force / start.area;
   const double k_v =
       wear_by_pressure(scene, body.contact.wear, {pressure, scene.real("friction.coefficient")});
@@ -105,7 +108,7 @@ Magnitudes find_magnitudes(const Scene& scene, double force, double overlap, dou
   scales.wear_depth = worn > 0 ? worn / worn_area : scales.displacement;
   double area = 0, count = 0;
   for (const auto& patch : body.contact_nodes) area += patch.initial_area, ++count;
-  result.facet = width_of(area / count, dim);
+  result.facet = width_of(area / count, solid);
   result.contact_nodes = start.area / (area / count);
   scales.auxiliary_force =
       scene.real("shape.young_modulus") * scales.wear_depth * (dim == 2 ? 1 : result.facet);

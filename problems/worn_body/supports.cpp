@@ -22,7 +22,7 @@ std::vector<Key> support_keys() {
        .kind = KeyKind::texts,
        .presence = optional,
        .absent_meaning = "all directions",
-       .help = "directions that are held: of \"x\", \"y\", \"z\""},
+       .help = "directions that are held: of \"x\", \"y\", \"z\" (axisymmetric: \"r\", \"z\")"},
       {.name = "support.#.value",
        .kind = KeyKind::reals,
        .unit = "mm",
@@ -60,7 +60,7 @@ std::vector<int> directions_of(const Scene& scene, const std::string& support) {
     for (int i = 0; i < dim; ++i) result.push_back(i);
     return result;
   }
-  const std::vector<std::string> names = direction_names<dim>();
+  const std::vector<std::string> names = direction_names<dim>(scene);
   for (const std::string& direction : scene.texts(key)) {
     const auto found = std::find(names.begin(), names.end(), direction);
     if (found == names.end())
@@ -157,6 +157,8 @@ void require_held(const Scene& scene, const ImportedBody<dim>& part, const WornB
   for (const auto& X : part.mesh.nodes) size = std::max(size, (X - centre).norm());
   Eigen::Matrix<double, modes, modes> held;
   held.setZero();
+  if (dim == 2 && section_of(scene) == Section::meridian)  // it moves along the axis alone
+    held(0, 0) = held(modes - 1, modes - 1) = 1;
   const auto holds = [&](int node, const Vector<dim>& direction) {
     const Eigen::Matrix<double, modes, 1> row =
         rigid_motions<dim>((part.mesh.nodes[node] - centre) / size).transpose() * direction;
@@ -181,7 +183,7 @@ void require_held(const Scene& scene, const ImportedBody<dim>& part, const WornB
                   "in {} {}, for "
                   "example it can {}; name what is held in [[support]], with directions",
                   scene.path().string(), free, free == 1 ? "way" : "ways",
-                  describe<dim>(solver.eigenvectors().col(0), direction_names<dim>())));
+                  describe<dim>(solver.eigenvectors().col(0), direction_names<dim>(scene))));
 }
 
 template void read_supports(const Scene&, const ImportedBody<2>&, WornBody<2>&);

@@ -169,8 +169,10 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
   body->parts = stored_parts(part);
   body->remarks = part.remarks;
   const Facets<dim> wearing = wearing_facets(scene, part);
-  body->contact_nodes = contact_patches<dim>(body->mesh, wearing, part.exterior);
-  const PressedCounterBody<dim> other = read_counter_body<dim>(scene);
+  if (dim == 2) body->element.section = section_of(scene);
+  body->contact_nodes =
+      contact_patches<dim>(body->mesh, wearing, part.exterior, body->element.section);
+  const PressedCounterBody<dim> other = read_counter_body<dim>(scene, body->element.section);
   body->contact.counter_body = other.body;
   body->counter_force = other.force;
   choose_approach(scene, *body);
@@ -188,6 +190,8 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
     body->remarks.push_back(fmt::format(
         "the mesh moves within {:.3g} mm of the wearing surfaces (shape.reach)", reach));
   warn_of_coarse_contact(magnitudes, *body);
+  if constexpr (dim == 2)
+    if (body->element.section == Section::meridian) hold_on_axis(*body);
   read_worn_body(scene, magnitudes.facet, *body);
   require_held(scene, part, *body);
   return std::make_unique<WearModel<dim>>(std::move(body));
