@@ -43,6 +43,9 @@ TEST_F(PartCommands, MeshTellsWhatAGeometryHas) {
 TEST_F(PartCommands, NewWritesASceneThatChecksAndNeverReplacesOne) {
   const Outcome outcome = gnomon({"new", "block_on_ring.geo", "-o", "mine.toml"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  // A plane that meets the surface from above.
+  EXPECT_THAT(test::read_text(folder() / "mine.toml"),
+              HasSubstr("press = { direction = [0.0, -1.0]"));
   const Outcome check = gnomon({"check", "mine.toml", "--set", "mesh.factor=3"});
   EXPECT_EQ(check.exit_code, 0) << check.err;
   EXPECT_THAT(check.out, HasSubstr("rigid_motion"));
