@@ -129,7 +129,7 @@ std::string new_scene(const std::filesystem::path& mesh, std::optional<double> s
       "\n[wear]\non = [\"{}\"]\ncoefficient = 1e-8  # 1/MPa  k\nrate = \"k * p * v\"\n"
       "\n[friction]\ncoefficient = 0.0\n"
       "\n[time]\nend = 1000.0  # s\n"
-      "\n[integrator]\nname = \"esdirk-3\"\nrtol = 1e-3  # of the worn surface, per step\n",
+      "\n[integrator]\nname = \"esdirk-3\"\nrtol = 1e-4  # of the worn surface, per step\n",
       s.wearing);
   return text;
 }
