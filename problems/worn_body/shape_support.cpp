@@ -11,6 +11,8 @@
 #include <set>
 #include <unordered_map>
 
+#include "groups.hpp"
+
 namespace gnomon::part {
 
 std::vector<Key> shape_support_keys() {
@@ -77,7 +79,7 @@ std::map<typename Mesh<dim>::Facet, int> named_directions(const Scene& scene,
                                                           const ImportedBody<dim>& part) {
   std::map<typename Mesh<dim>::Facet, int> directions;
   for (const std::string& name : scene.texts("shape.slide")) {
-    const auto& facets = boundary_part(part, name);
+    const auto& facets = group_facets(scene, "shape.slide", name, part);
     constexpr double nearly = 1e-2;  // of its size and of its direction
     const FlatPart<dim> side = flat_part<dim>(part.mesh, facets, nearly);
     const int direction = side.flat ? direction_of<dim>(side.normal, nearly * nearly) : -1;
@@ -112,7 +114,7 @@ void hold_sides(const Scene& scene, const ImportedBody<dim>& part,
 template <int dim>
 void hold_named(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>& body) {
   for (const std::string& name : scene.texts("shape.hold"))
-    for (const auto& facet : boundary_part(part, name))
+    for (const auto& facet : group_facets(scene, "shape.hold", name, part))
       for (int node : facet) hold(body, node, -1);
 }
 

@@ -9,6 +9,7 @@
 #include <gnomon/mesh/flat_part.hpp>
 #include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
+#include <gnomon/mesh/mesh_writing.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/terms/solid.hpp>
 
@@ -67,12 +68,31 @@ void print_mesh(const ImportedBody<dim>& body) {
 
 }  // namespace
 
-int mesh_command(const std::filesystem::path& file, std::optional<double> size) {
+namespace {
+
+template <int dim>
+void show_mesh(ImportedMesh mesh, const std::filesystem::path& written) {
+  const ImportedBody<dim> body = check_mesh<dim>(std::move(mesh));
+  print_mesh(body);
+  if (written.empty()) return;
+  write_file(written, gmsh_text(body), Earlier::refused);
+  fmt::print("mesh: {}\n", written.string());
+}
+
+}  // namespace
+
+int mesh_command(const std::filesystem::path& file, std::optional<double> size,
+                 const std::filesystem::path& written) {
+  if (!written.empty() && written.extension() != ".msh")
+    throw InputError(
+        fmt::format("cannot write {}: expected a name that ends in .msh", written.string()));
+  if (is_taken(written))
+    throw InputError(written.string() + " exists; give another name with --output");
   ImportedMesh mesh = read(file, size);
   if (mesh.dimension == 2)
-    print_mesh(check_mesh<2>(std::move(mesh)));
+    show_mesh<2>(std::move(mesh), written);
   else
-    print_mesh(check_mesh<3>(std::move(mesh)));
+    show_mesh<3>(std::move(mesh), written);
   return success;
 }
 

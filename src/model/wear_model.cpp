@@ -229,12 +229,8 @@ std::vector<GridField> WearModel<dim>::fields(const State& state) const {
     stress.values.push_back(equivalent_stress<dim>(body.element, body.material, at.X, at.u));
     quality.values.push_back(scaled_jacobian<dim>(at.X));
   }
-  return {nodal_vector<dim>("displacement", nodal_u),
-          nodal_vector<dim>("shape", nodal_d),
-          nodal_vector<dim>("total_displacement", nodal_u + nodal_d),
-          pressure,
-          stress,
-          quality};
+  return {nodal_vector<dim>("displacement", nodal_u), nodal_vector<dim>("shape", nodal_d), pressure,
+          stress, quality};
 }
 
 template <int dim>

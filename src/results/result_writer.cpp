@@ -43,6 +43,8 @@ private:
   void check_earlier() const;
   void publish();
   void discard() noexcept;
+  void require_name();
+  void withdraw();
   const char* what_is_left() const;
   void flush();
   void check_field(const GridField& field) const;
@@ -152,8 +154,23 @@ void ResultWriter::File::guarded(const std::function<void()>& action) {
   } catch (const std::exception& error) {
     failed_ = true;
     disk_->abandon();
+    require_name();
     throw Error(fmt::format("{}: {} ({})", path_.string(), error.what(), what_is_left()));
   }
+  require_name();
+}
+
+// Without the file nobody will find what this run computes, and the sidecar refers to nothing.
+void ResultWriter::File::require_name() {
+  if (!published_ || disk_->has_name(path_)) return;
+  failed_ = true;
+  disk_->abandon();
+  std::error_code ignored;
+  if (is_sidecar(sidecar_of(path_))) std::filesystem::remove(sidecar_of(path_), ignored);
+  throw Error(
+      fmt::format("{}: somebody has deleted, moved or replaced it while this run wrote it; "
+                  "the run ends",
+                  path_.string()));
 }
 
 const char* ResultWriter::File::what_is_left() const {
@@ -235,7 +252,17 @@ void ResultWriter::File::checkpoint(const Checkpoint& checkpoint) {
   flush();
 }
 
+// A run that has failed at its start holds nothing, and would be in the way of the next one.
+void ResultWriter::File::withdraw() {
+  disk_->abandon();
+  published_ = false;
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+  if (sidecar_) std::filesystem::remove(sidecar_of(path_), ignored);
+}
+
 void ResultWriter::File::end(const std::string& status, double wall_seconds, bool whole) {
+  if (published_ && !has_rows_) return withdraw();
   hdf5::write_attribute(gnomon_.id(), "wall_seconds", wall_seconds);
   hdf5::rewrite_attribute(gnomon_.id(), "status", status);
   flush();

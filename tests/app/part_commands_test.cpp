@@ -82,6 +82,46 @@ TEST_F(PartCommands, SceneAndHistoryComeBackFromAResult) {
   EXPECT_EQ(lines, json["steps"].get<long>() + 2);  // with the header and the start
 }
 
+TEST_F(PartCommands, CheckTellsAllMistakesOfAPartAtOnce) {
+  const auto complaints = [&](const std::vector<std::string>& settings) {
+    std::vector<std::string> arguments = {"check", "block_on_ring.toml", "--set", "mesh.factor=5"};
+    for (const std::string& setting : settings) {
+      arguments.emplace_back("--set");
+      arguments.push_back(setting);
+    }
+    const Outcome outcome = gnomon(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+    return outcome.err;
+  };
+  // Keys are right, and their values wrong for this mesh.
+  const std::string values = complaints(
+      {"support.1.on=botom", "wear.on=[\"surfac\"]", "shape.hold=[\"here\"]", "load.1.on=top",
+       "load.1.force=[1.0]", "load.2.pressure=3.0", "counter_body.press.times=[1.0]"});
+  for (const char* part :
+       {"--set support.1.on: ", "--set wear.on: ", "--set shape.hold: ", "--set load.1.on: ",
+        "--set load.2.pressure: expected also `on`", "--set counter_body.press.times: "})
+    EXPECT_THAT(values, HasSubstr(std::string("gnomon: ") + part));
+  EXPECT_EQ(std::count(values.begin(), values.end(), '\n'), 6) << values;
+  // Keys are wrong, and so are names of groups.
+  const std::string keys =
+      complaints({"body.E=3.0", "time.end=-1", "support.1.on=botom", "wear.on=[\"surfac\"]"});
+  for (const char* part : {"body.E: unknown key, did you mean `body.young_modulus`?",
+                           "time.end: expected", "support.1.on: ", "wear.on: "})
+    EXPECT_THAT(keys, HasSubstr(std::string("gnomon: --set ") + part));
+  EXPECT_EQ(std::count(keys.begin(), keys.end(), '\n'), 4) << keys;
+}
+
+TEST_F(PartCommands, MeshWritesTheMeshThatARunUses) {
+  ASSERT_EQ(gnomon({"mesh", "block_on_ring.geo", "--size", "1", "-o", "b.msh"}).exit_code, 0);
+  std::filesystem::rename(folder() / "b.msh", folder() / "first.msh");
+  const Outcome again = gnomon({"mesh", "first.msh", "-o", "b.msh"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.out, testing::ContainsRegex("surface +[0-9]+ +3.2 +flat, normal \\[0, 1\\]"));
+  EXPECT_EQ(test::read_text(folder() / "b.msh"), test::read_text(folder() / "first.msh"));
+  EXPECT_EQ(gnomon({"mesh", "first.msh", "-o", "b.msh"}).exit_code, 2);
+  EXPECT_EQ(gnomon({"mesh", "first.msh", "-o", "c.txt"}).exit_code, 2);
+}
+
 // One line, exit code 2, with the names that the mesh does have.
 TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
   const auto refusal = [&](const std::string& setting) {
@@ -107,8 +147,11 @@ TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
   EXPECT_THAT(refusal("counter_body.shape=sphere"), HasSubstr("ball"));
   EXPECT_THAT(refusal("counter_body.center=[0.0, 20.0, 0.0]"), HasSubstr("2 numbers"));
   EXPECT_THAT(refusal("counter_body.major_radius=3.0"), HasSubstr("torus"));
+  EXPECT_THAT(refusal("counter_body.press.factors=[1.0]"),
+              HasSubstr("also counter_body.press.times"));
   EXPECT_THAT(refusal("counter_body.press.direction=[0.0, 0.0]"), HasSubstr("length zero"));
-  EXPECT_THAT(refusal("counter_body.press.direction=[0.0, 1.0]"), HasSubstr("a direction into the body"));
+  EXPECT_THAT(refusal("counter_body.press.direction=[0.0, 1.0]"),
+              HasSubstr("a direction into the body"));
   EXPECT_THAT(refusal("shape.slide=[\"nowhere\"]"), HasSubstr("surface"));
   EXPECT_THAT(refusal("mesh.geometry=none.geo"), HasSubstr("none.geo"));
   EXPECT_THAT(refusal("mesh.file=a.msh"), HasSubstr("both"));

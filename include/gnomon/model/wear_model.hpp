@@ -43,9 +43,9 @@ private:
 };
 
 /// Half the distance between the edges of the contact zone [length], across the approach, in the
-/// current configuration; 0 without contact. 2D, contact nodes in order along the surface. In a
-/// body of revolution a zone that begins on the axis goes on beyond it: then it is the distance of
-/// its edge from the axis.
+/// current configuration; 0 without contact. 2D, contact nodes ascending. In a body of revolution a
+/// zone that begins on the axis goes on beyond it: then it is the distance of its edge from the
+/// axis.
 ///
 /// An edge lies between the last active node and the next open one. If the pressure falls towards
 /// it like a Hertzian edge (p^2 linear in the position), the edge is where p^2 extrapolates to

@@ -51,6 +51,7 @@ public:
   /// Creates the file and its sidecar (same name, .xdmf). Earlier ones are refused, or replaced by
   /// the first append() of a row later than `from` [time], or by close() when one at `from` has
   /// been the last: until then the new file is FILE.part, which is removed if this does not happen.
+  /// Calls throw Error when somebody has deleted, moved or replaced the file.
   /// Throws InputError when the file cannot be created there, when an earlier one is refused, and
   /// while another run is writing it; an earlier file is then untouched.
   ResultWriter(const std::filesystem::path& file, const RunHeader& header,
@@ -69,7 +70,8 @@ public:
   /// Stores a checkpoint; it replaces the one before the last.
   void checkpoint(const Checkpoint& checkpoint);
   /// Records how the run ended: "finished", "interrupted", "failed: ..." (the first 1024 bytes),
-  /// with wall seconds, and brings the file to the medium (fsync).
+  /// with wall seconds, and brings the file to the medium (fsync). A file without any row is
+  /// removed.
   void close(const std::string& status, double wall_seconds);
   /// The same after an exception: it never replaces an earlier result.
   void abandon(const std::string& status, double wall_seconds);
