@@ -1,7 +1,7 @@
 // Half the meridian of a pin of 8 mm diameter with a spherical end of 50 mm radius, in coordinates (r, z). Lengths in
 // mm.
 R = 50; radius = 4; height = 5;
-fine = 0.01; coarse = 0.5;
+fine = 0.015; coarse = 0.5;
 zone = 0.6;  // radius of the surface that may wear
 
 Point(1) = {0, 0, 0, fine};

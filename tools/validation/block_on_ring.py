@@ -5,7 +5,7 @@ import math
 import pathlib
 import tempfile
 
-from program import SCENES, percent, run, table
+from program import SCENES, bisect, percent, run, table
 
 FORCE, WEAR, RADIUS, SPEED = 10.8333, 2e-9, 20.0, 500.0
 COMPLIANCE = FORCE * (1 - 0.3**2) / (math.pi * 105e3)  # mm, P (1 - nu^2)/(pi E)
@@ -16,13 +16,21 @@ def worn_area(time):
     return WEAR * FORCE * SPEED * time
 
 
-def closed_form(area, compliance=COMPLIANCE):
-    """Half width and depth of the worn half-plane: uniform pressure P/(2a) bends the surface in the contact, so that
-    2 a^3/(3 R) - 2 a q = area and depth = a^2/(2 R) - 2 ln 2 q; rigid where q = 0."""
+def parabola(area):
+    """Half width and depth of the rigid limit as published: a^3 = 1.5 R area, a^2/(2 R)."""
     a = (1.5 * RADIUS * area) ** (1 / 3)
-    for _ in range(100):
-        a = (1.5 * RADIUS * (area + 2 * a * compliance)) ** (1 / 3)
-    return a, a * a / (2 * RADIUS) - 2 * math.log(2) * compliance
+    return a, a * a / (2 * RADIUS)
+
+
+def closed_form(area, compliance=COMPLIANCE):
+    """Half width and depth where the ring is a circle and the block a half-plane that bends under the uniform pressure
+    P/(2a): segment(a) - 2 a q = area, depth = height(a) - 2 ln 2 q."""
+    def excess(angle):
+        segment = RADIUS**2 * (angle - math.sin(angle) * math.cos(angle))
+        return segment - 2 * RADIUS * math.sin(angle) * compliance - area
+    low = math.acos(1 - compliance / RADIUS)  # where the excess is least, or near it
+    angle = bisect(excess, low, 1)
+    return RADIUS * math.sin(angle), RADIUS * (1 - math.cos(angle)) - 2 * math.log(2) * compliance
 
 
 def deepest(nodes):
@@ -75,7 +83,7 @@ Physical Surface("block") = {{1, 2, 3, 4, 5, 6}};
 def row(name, done, time):
     area = worn_area(time)
     a, depth = closed_form(area)
-    rigid = closed_form(area, 0)[1]
+    rigid = parabola(area)[1]
     at = done.at(time)
     found = deepest(done.contact(time))
     return [name, f"{time / 2:.0f}", percent(at["worn_volume"] / area, 5), f"{1e3 * found:.3f}",
