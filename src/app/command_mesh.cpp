@@ -13,6 +13,7 @@
 #include <gnomon/terms/solid.hpp>
 
 #include "app/commands.hpp"
+#include "app/mesh_drawing.hpp"
 #include "app/new_scene.hpp"
 #include "app/program.hpp"
 #include "app/text_table.hpp"
@@ -67,12 +68,18 @@ void print_mesh(const ImportedBody<dim>& body) {
 
 }  // namespace
 
-int mesh_command(const std::filesystem::path& file, std::optional<double> size) {
+int mesh_command(const std::filesystem::path& file, std::optional<double> size,
+                 const std::filesystem::path& drawing) {
+  if (!drawing.empty()) check_drawing(drawing);
+  const auto show = [&](const auto& body) {
+    print_mesh(body);
+    if (!drawing.empty()) draw_mesh(body, drawing);
+  };
   ImportedMesh mesh = read(file, size);
   if (mesh.dimension == 2)
-    print_mesh(check_mesh<2>(std::move(mesh)));
+    show(check_mesh<2>(std::move(mesh)));
   else
-    print_mesh(check_mesh<3>(std::move(mesh)));
+    show(check_mesh<3>(std::move(mesh)));
   return success;
 }
 

@@ -67,8 +67,10 @@ int contact_command(const std::filesystem::path& result, std::optional<double> t
 int scene_command(const std::filesystem::path& result);
 /// One line for each step, the start first: time, step, counters, scalars.
 int history_command(const std::filesystem::path& result);
-/// What a mesh has: cells, named parts, remarks. `size`: longest edge for a geometry.
-int mesh_command(const std::filesystem::path& file, std::optional<double> size);
+/// What a mesh has: cells, named parts, remarks. `size`: longest edge for a geometry. `drawing`: a
+/// picture of it, or a file for ParaView; empty: none.
+int mesh_command(const std::filesystem::path& file, std::optional<double> size,
+                 const std::filesystem::path& drawing);
 /// Writes a scene for a mesh; `scene` empty: beside the mesh. Never replaces a file.
 int new_command(const std::filesystem::path& file, std::optional<double> size,
                 std::filesystem::path scene);
