@@ -130,5 +130,7 @@ upper = np.stack([top[1:], top[:-1]], axis=1)
 figure = groups.draw(body, [groups.Part("upper side", points, upper),
                             groups.Part("one point", points[:1], np.zeros((1, 1), int))])
 names = [text.get_text() for text in figure.legends[0].get_texts()]
-assert names == ["upper side: 16 facets, 8 mm", "one point: points, 1"], names
+assert names == ["upper side: 16 facets", "one point: points, 1"], names
 assert {"upper side", "one point"} <= {text.get_text() for text in figure.axes[0].texts}
+pieces = groups.chains(np.array([[0, 1], [1, 2], [7, 8], [8, 9], [9, 10]]))
+assert [list(piece) for piece in pieces] == [[0, 1], [2, 3, 4]], "each gets the name"

@@ -6,7 +6,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from . import space, style
 
 DEPTH = 0.03  # of the grey band on the side of the counter-body, of the width of the view
-SHOWN = 0.15  # of a body's longest side: its surroundings in which the counter-body is seen
+SHOWN = 0.07  # of a body's longest side: its surroundings in which the counter-body is seen
 DENSITY = 0.35  # of its facets in space
 
 

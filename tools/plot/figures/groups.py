@@ -56,7 +56,7 @@ def draw_plane(body, parts):
     low, high = plane.box(body.points, margin=0.12)
     ratio = (high[1] - low[1]) / (high[0] - low[0])
     width = WIDTH * min(1, TALLEST / ratio)
-    figure = style.figure(width=width, height=width * ratio + 0.5)
+    figure = style.figure(width=width, height=(width - 0.5) * ratio + 0.45)
     axes = figure.add_subplot()
     corners = body.points[body.cells][:, :, :2]
     scale = 72 * (width - 0.5) / (high[0] - low[0])
@@ -66,8 +66,8 @@ def draw_plane(body, parts):
         ends = part.points[part.cells][:, :, :2]
         handles.append(draw_points(axes, part, colour, ends[:, 0]) if ends.shape[1] == 1
                        else draw_lines(axes, part, colour, ends))
-        if len(parts) <= MANY:
-            note(axes, part.name, colour, *anchor(ends))
+        for chain in chains(part.cells) if len(parts) <= MANY else []:
+            note(axes, part.name, colour, *anchor(ends[chain]))
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal",
              xlabel="$x$ [mm]", ylabel="$y$ [mm]")
     finish(figure, handles)
@@ -77,9 +77,7 @@ def draw_plane(body, parts):
 def draw_lines(axes, part, colour, ends):
     axes.add_collection(LineCollection(ends, color=colour, linewidth=2.2, zorder=3,
                                        capstyle="round"))
-    length = numpy.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum()
-    return Line2D([], [], color=colour, linewidth=2.2,
-                  label=f"{part.name}: {len(ends)} facets, {style.number(length)} mm")
+    return Line2D([], [], color=colour, linewidth=2.2, label=f"{part.name}: {len(ends)} facets")
 
 
 def draw_points(axes, part, colour, places):
@@ -88,8 +86,14 @@ def draw_points(axes, part, colour, places):
                   label=f"{part.name}: points, {len(places)}")
 
 
+def chains(cells):
+    """The facets of a part where one goes on from the one before; of points, each."""
+    breaks = 1 + numpy.flatnonzero(cells[1:, 0] != cells[:-1, -1])
+    return numpy.split(numpy.arange(len(cells)), breaks)
+
+
 def anchor(ends):
-    """The middle of a part by its length, and the direction out of the body, which is to the left
+    """The middle of a chain by its length, and the direction out of the body, which is to the left
     of its facets."""
     if ends.shape[1] == 1:
         return ends[len(ends) // 2, 0], numpy.array([0.0, 1.0])
@@ -128,8 +132,7 @@ def draw_space(body, parts):
         space.finish(axes)
         space.add_arms(axes, view.screen)
     handles = [Patch(facecolor=of_part[part.name], edgecolor="black", linewidth=0.4,
-                     label=f"{part.name}: {len(part.cells)} facets, "
-                     f"{style.number(area(part.points[part.cells]))} mm²") for part in surfaces]
+                     label=f"{part.name}: {len(part.cells)} facets") for part in surfaces]
     handles += [Line2D([], [], color=of_part[part.name], marker="o", linestyle="",
                        label=f"{part.name}: points, {len(part.cells)}") for part in dots]
     ratio = max(space.ratio(axes) for axes in panels)
@@ -179,10 +182,6 @@ def label_faces(axes, view, surfaces, of_part):
                   va="center", fontsize=8, zorder=5,
                   bbox={"facecolor": "white", "edgecolor": of_part[part.name], "linewidth": 0.8,
                         "pad": 1.2, "alpha": 0.9})
-
-
-def area(corners):
-    return numpy.linalg.norm(space.normals(corners), axis=1).sum() / 2
 
 
 def finish(figure, handles):
