@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import matplotlib
 import numpy
-from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
@@ -157,12 +157,7 @@ def draw_faces(axes, view, body, faces, surfaces, of_part):
     flat = corners[order] @ view.screen
     tints = tints[order]
     tints[:, :3] *= (0.7 + 0.3 * towards[order])[:, None]
-    size = numpy.sqrt(numpy.ptp(flat.reshape(-1, 2), axis=0).prod() / max(len(flat), 1))
-    points = 72 * WIDTH / 2 / numpy.ptp(flat[..., 0]) * size
-    line = min(0.05 * points, 0.25) if points >= plane.LEAST_CELL else 0
-    axes.add_collection(PolyCollection(flat, facecolor=tints, linewidth=line or 0.1,
-                                       edgecolor="black" if line else tints,
-                                       rasterized=len(flat) > plane.MANY_CELLS))
+    plane.add_cells(axes, flat, tints, 72 * WIDTH / 2 / numpy.ptp(flat[..., 0]))
     axes.autoscale_view()
 
 

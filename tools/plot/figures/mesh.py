@@ -3,7 +3,6 @@ contact (figs. 1, 3; in space, seen obliquely, figs. 7, 9, 12, 14)."""
 
 import numpy
 from matplotlib.cm import ScalarMappable
-from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
 
@@ -12,7 +11,7 @@ from .complaints import Unsuitable
 
 WIDE = 1.25  # a body that is wider than this times its height gets a figure of a page's width
 ZOOM = 0.7  # part of the body's width: a larger contact needs no window of its own
-MANY_FACES = 1000  # in space, above which an SVG contains them as a bitmap
+MANY_FACES = 1000  # in space, above this number an SVG contains them as a bitmap
 
 
 def draw(result):
@@ -92,12 +91,14 @@ def draw_space(result):
     view = space.View(result)
     states = [State(result, step) for step in [0, *result.some_steps(2)]]
     figure = style.figure(width=style.DOUBLE)
+    panel = style.DOUBLE / len(states)
     panels = figure.subplots(2, len(states), sharex=True, sharey=True, squeeze=False)
     for column, state in zip(panels.T, states):
         corners, _, light = view.polygons(state.worn)
-        add_faces(column[0], corners, shaded(numpy.ones((len(corners), 4)), light))
+        add_faces(column[0], corners, shaded(numpy.ones((len(corners), 4)), light), panel)
         corners, cells, light = view.polygons(state.deformed)
-        add_faces(column[1], corners, shaded(state.scale.to_rgba(state.stress[cells]), light))
+        add_faces(column[1], corners, shaded(state.scale.to_rgba(state.stress[cells]), light),
+                  panel)
         counter.draw_patch(column[1], result, state.step, view, state.deformed)
         state.bar(figure, column)
         column[0].set_title(state.time)
@@ -108,7 +109,6 @@ def draw_space(result):
     for axes, what in zip(panels[:, 0], ("undeformed", "deformed")):
         space.add_arms(axes, view.screen)
         axes.set_ylabel(what)
-    panel = style.DOUBLE / len(states)
     tall = 2 * 0.86 * panel * space.ratio(panels[0, 0]) + 0.9
     figure.set_figheight(min(tall, 2.4 * style.SINGLE))
     return figure
@@ -121,9 +121,8 @@ def shaded(colours, light):
     return colours
 
 
-def add_faces(axes, corners, colours):
-    edge = 0.25 if len(corners) <= 4 * MANY_FACES else 0.1
-    axes.add_collection(PolyCollection(corners, facecolor=colours, edgecolor="black",
-                                       linewidth=edge, rasterized=len(corners) > MANY_FACES))
+def add_faces(axes, corners, colours, panel):
+    """`panel`: its width [inch]."""
+    plane.add_cells(axes, corners, colours, 72 * panel / numpy.ptp(corners[..., 0]), MANY_FACES)
     axes.autoscale_view()
     axes.set_aspect("equal")

@@ -11,17 +11,17 @@ LEAST_CELL = 0.8  # points: mesh lines that are closer are not drawn
 FLATNESS = 0.6  # height of the window around contact by its width
 
 
-def add_cells(axes, corners, colours, scale):
-    """Cells with the mesh lines that can be seen. `scale`: points of paper per mm."""
+def add_cells(axes, corners, colours, scale, many=MANY_CELLS):
+    """Cells, or faces on the screen, with the mesh lines that can be seen. `scale`: points of paper
+    per mm; `many`: above this number they are a bitmap in an SVG."""
     sides = numpy.linalg.norm(corners - numpy.roll(corners, -1, axis=1), axis=2)
-    size = scale * sides.min(axis=1)
+    size = scale * numpy.sort(sides, axis=1)[:, 1]  # a triangle has a side without length
     lines = numpy.where(size >= LEAST_CELL, numpy.minimum(0.05 * size, 0.25), 0)
-    many = len(corners) > MANY_CELLS
     # Cells without lines get hairlines of their own colour, so that no gaps show between them.
     edges = numpy.where((lines > 0)[:, None], [[0, 0, 0, 1]], colours)
     axes.add_collection(PolyCollection(corners, facecolor=colours, edgecolor=edges, zorder=1,
                                        linewidth=numpy.where(lines > 0, lines, 0.1),
-                                       rasterized=many))
+                                       rasterized=len(corners) > many))
 
 
 def add_outline(axes, cells, points):
