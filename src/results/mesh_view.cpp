@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <gnomon/results/mesh_view.hpp>
-#include <map>
 
 #include "results/xml_text.hpp"
 
@@ -27,15 +26,17 @@ void add_item(std::string& text, const std::vector<Number>& numbers, std::size_t
 /// A grid of elements of `corners` nodes each, with the nodes that they use, in ascending order.
 void add_grid(std::string& text, const Grid& grid, const std::string& name,
               const std::vector<int>& elements, std::size_t corners, const char* topology) {
-  std::map<int, int> number;
-  for (const int node : elements) number[node] = 0;
+  constexpr int unused = -1, used = 0;
+  std::vector<int> number(grid.points.size(), unused);
+  for (const int node : elements) number[node] = used;
   std::vector<double> points;
-  for (auto& [node, own] : number) {
-    own = static_cast<int>(points.size() / 3);
+  for (std::size_t node = 0; node < number.size(); ++node) {
+    if (number[node] == unused) continue;
+    number[node] = static_cast<int>(points.size() / 3);
     points.insert(points.end(), grid.points[node].begin(), grid.points[node].end());
   }
   std::vector<int> renumbered;
-  for (const int node : elements) renumbered.push_back(number.at(node));
+  for (const int node : elements) renumbered.push_back(number[node]);
   text += fmt::format(
       "      <Grid Name=\"{}\" GridType=\"Uniform\">\n"
       "        <Topology TopologyType=\"{}\" NumberOfElements=\"{}\">",

@@ -12,7 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 sys.path.insert(0, sys.argv[1])
 sys.dont_write_bytecode = True
 from figures import counter, groups, mesh, plane, pressure, style  # noqa: E402
-from figures.result import Surface  # noqa: E402
+from figures.result import Item, Result, Surface  # noqa: E402
 
 style.apply()
 N = (16, 4)
@@ -91,6 +91,18 @@ for axes in whole:
     assert len(axes.collections) == 4, "cells, outline, counter-body and its band"
 plain = mesh.draw(result(width=10.0))
 assert not [axes for axes in plain.axes if "contact" in axes.get_title()], "all is in contact"
+
+# The coordinates of a body of revolution have their own names.
+def axes_of(plane_key):
+    scene = f'problem = "worn_body"\n[body]\nplane = "{plane_key}"\n'.encode()
+    return Result.axes.func(types.SimpleNamespace(_read=lambda _: Item(scene, {})))
+
+
+assert axes_of("strain")[:2] == ("x", "y") and axes_of("axisymmetric") == ("r", "z")
+turned = result(surface=floor)
+turned.axes = ("r", "z")
+labels = {axes.get_ylabel() for axes in mesh.draw(turned).axes}
+assert "$z$ [mm]" in labels and "$y$ [mm]" not in labels, labels
 
 # Mesh lines only where they can be seen: a cell of half a point has none.
 axes = style.figure().add_subplot()
