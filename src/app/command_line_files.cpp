@@ -56,8 +56,11 @@ void CommandLine::add_meshes() {
   part->add_option("-o,--output", scene_, "Scene file; default: FILE's name and .toml")
       ->type_name("SCENE.toml")
       ->check(check_file_name);
-  mesh->add_option("-o,--output", scene_, "Writes the mesh that a run would use, for Gmsh (.msh)")
-      ->type_name("MESH.msh")
+  mesh->add_option(
+          "-o,--output", scene_,
+          "Also draws the mesh with its named parts (a picture, or a file for ParaView), or "
+          "writes the mesh that a run would use, for Gmsh (.msh)")
+      ->type_name("FILE.png|.svg|.xdmf|.msh")
       ->check(check_file_name);
   mesh->callback([this] { command_ = [this] { return mesh_command(result_, size_, scene_); }; });
   part->callback([this] { command_ = [this] { return new_command(result_, size_, scene_); }; });

@@ -14,6 +14,7 @@
 #include <gnomon/terms/solid.hpp>
 
 #include "app/commands.hpp"
+#include "app/mesh_drawing.hpp"
 #include "app/new_scene.hpp"
 #include "app/program.hpp"
 #include "app/text_table.hpp"
@@ -68,31 +69,23 @@ void print_mesh(const ImportedBody<dim>& body) {
 
 }  // namespace
 
-namespace {
-
-template <int dim>
-void show_mesh(ImportedMesh mesh, const std::filesystem::path& written) {
-  const ImportedBody<dim> body = check_mesh<dim>(std::move(mesh));
-  print_mesh(body);
-  if (written.empty()) return;
-  write_file(written, gmsh_text(body), Earlier::refused);
-  fmt::print("mesh: {}\n", written.string());
-}
-
-}  // namespace
-
 int mesh_command(const std::filesystem::path& file, std::optional<double> size,
                  const std::filesystem::path& written) {
-  if (!written.empty() && written.extension() != ".msh")
-    throw InputError(
-        fmt::format("cannot write {}: expected a name that ends in .msh", written.string()));
-  if (is_taken(written))
+  const bool for_gmsh = written.extension() == ".msh";
+  if (for_gmsh && is_taken(written))
     throw InputError(written.string() + " exists; give another name with --output");
+  if (!written.empty() && !for_gmsh) check_drawing(written);
+  const auto show = [&](const auto& body) {
+    print_mesh(body);
+    if (for_gmsh) write_file(written, gmsh_text(body), Earlier::refused);
+    if (for_gmsh) fmt::print("mesh: {}\n", written.string());
+    if (!written.empty() && !for_gmsh) draw_mesh(body, written);
+  };
   ImportedMesh mesh = read(file, size);
   if (mesh.dimension == 2)
-    show_mesh<2>(std::move(mesh), written);
+    show(check_mesh<2>(std::move(mesh)));
   else
-    show_mesh<3>(std::move(mesh), written);
+    show(check_mesh<3>(std::move(mesh)));
   return success;
 }
 

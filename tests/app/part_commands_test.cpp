@@ -40,6 +40,30 @@ TEST_F(PartCommands, MeshTellsWhatAGeometryHas) {
   EXPECT_THAT(outcome.out, testing::ContainsRegex("surface +[0-9]+ +3.2 +flat, normal \\[0, 1\\]"));
 }
 
+TEST_F(PartCommands, MeshDrawsTheNamedPartsAndWritesThemForParaView) {
+  for (const std::string picture : {"mesh.png", "mesh.svg", "mesh.xdmf", "mesh.xdmf"}) {
+    const Outcome outcome = gnomon({"mesh", "block_on_ring.geo", "--size", "1", "-o", picture});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("\n" + picture + "\n"));
+    EXPECT_THAT(outcome.err, testing::IsEmpty());
+  }
+  EXPECT_THAT(test::read_text(folder() / "mesh.svg"), HasSubstr("</svg>"));
+  EXPECT_EQ(test::read_text(folder() / "mesh.png").substr(1, 3), "PNG");
+  const std::string view = test::read_text(folder() / "mesh.xdmf");
+  for (const char* name : {"body", "bottom", "surface"})
+    EXPECT_THAT(view, HasSubstr(std::string("<Grid Name=\"") + name + "\""));
+}
+
+TEST_F(PartCommands, MeshRefusesOtherPicturesAndOtherFiles) {
+  write("mine.xdmf", "<Xdmf/>");
+  for (const char* picture : {"mesh.pdf", "mesh", "mine.xdmf"}) {
+    const Outcome outcome = gnomon({"mesh", "block_on_ring.geo", "-o", picture});
+    EXPECT_EQ(outcome.exit_code, 2) << picture;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+  EXPECT_EQ(test::read_text(folder() / "mine.xdmf"), "<Xdmf/>");
+}
+
 TEST_F(PartCommands, NewWritesASceneThatChecksAndNeverReplacesOne) {
   const Outcome outcome = gnomon({"new", "block_on_ring.geo", "-o", "mine.toml"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -63,10 +63,11 @@ public:
 
   /// Appends a history row (every step).
   void append(const HistoryRow& row);
-  /// Stores fields (nodal or cell values of the grid, 1 or 3 components) and contact surface of a
-  /// state: the steps that the scene requests, in order of time.
+  /// Stores fields (nodal or cell values of the grid, 1 or 3 components), contact surface and
+  /// counter-body of a state: the steps that the scene requests, in order of time.
   void store(double t, const std::vector<GridField>& fields,
-             const std::optional<ContactSurface>& contact);
+             const std::optional<ContactSurface>& contact,
+             const std::optional<CounterSurface>& counter_body = {});
   /// Stores a checkpoint; it replaces the one before the last.
   void checkpoint(const Checkpoint& checkpoint);
   /// Records how the run ended: "finished", "interrupted", "failed: ..." (the first 1024 bytes),
@@ -102,6 +103,8 @@ public:
   ContactSurface contact(std::optional<double> t) const;
   /// A field of the stored step with index `step`.
   GridField field(std::size_t step, const std::string& name) const;
+  /// The counter-body at that step; none in results of problems, or of versions, without one.
+  std::optional<CounterSurface> counter_surface(std::size_t step) const;
   bool has_contact() const;                      ///< whether the problem has a contact surface
   std::vector<std::string> field_names() const;  ///< of the first stored step, sorted
   std::optional<Grid> grid() const;
