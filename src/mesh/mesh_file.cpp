@@ -31,7 +31,8 @@ void check_kind(const std::filesystem::path& file) {
   if (kind == ".inp")
     refuse(file,
            "Gmsh's library writes Abaqus files but does not read them; "
-           "convert it, say with: meshio convert part.inp part.msh");
+           "convert it, say with: meshio convert part.inp part.msh (which drops its sets: name the "
+           "parts in Gmsh)");
   if (kind == ".msh" || is_geometry(file)) return;
   refuse(file, kind.empty() ? fmt::format("has no ending, {}", expected)
                             : fmt::format("files that end in {} are not read, {}", kind, expected));
