@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Draws docs/block_on_ring.png: the worn block after 3600 m, measured and computed (docs/validation.md)."""
+"""Draws docs/block_on_ring.png: the worn block after 3600 m, measured and computed
+(docs/validation.md)."""
 
 import csv
 import math
@@ -28,8 +29,8 @@ def simulated(name):
 
 
 def exact(x):
-    """The circle of the ring, and what the block bends under the uniform pressure (K. L. Johnson, Contact Mechanics,
-    eq. 2.30), above its middle."""
+    """The circle of the ring, and what the block bends under the uniform pressure (K. L.
+    Johnson, Contact Mechanics, eq. 2.30), above its middle."""
     a, depth = closed_form(worn_area(END))
     if abs(x) >= a:
         return 0.0
@@ -41,22 +42,25 @@ def profiles(axes, nodes):
     measured = published("measured_cruzado2010.csv")
     x = [float(row["x_mm"]) for row in measured]
     for k, marker in enumerate(style.MARKERS[:3], start=1):
-        axes.plot(x, [float(row[f"test{k}_um"]) for row in measured], marker, color=style.GREY, markersize=1.5,
-                  markeredgewidth=0, label=f"measured, test {k}")
-    axes.plot([n["X"] for n in nodes], [1e3 * n["Y"] for n in nodes], color=style.COLOURS[0], label="gnomon")
+        y = [float(row[f"test{k}_um"]) for row in measured]
+        axes.plot(x, y, marker, color=style.GREY, markersize=1.5, markeredgewidth=0,
+                  label=f"measured, test {k}")
+    axes.plot([n["X"] for n in nodes], [1e3 * n["Y"] for n in nodes], color=style.COLOURS[0],
+              label="gnomon")
     axes.set(xlabel="x [mm]", ylabel="surface of the block [µm]", xlim=(-2, 2))
     style.legend(axes, columns=2)
 
 
 def differences(axes, nodes):
-    for name, label, colour in (("mesh_motion_block_on_ring.csv", "mesh motion, 45,000 increments", 1),
-                                ("level_set_block_on_ring.csv", "level set", 2)):
-        x, y = simulated(name)
-        axes.plot(x, [b - exact(a) for a, b in zip(x, y)], color=style.COLOURS[colour], label=label)
+    others = (("mesh_motion", "mesh motion, 45,000 increments"), ("level_set", "level set"))
+    for (name, label), colour in zip(others, style.COLOURS[1:]):
+        x, y = simulated(f"{name}_block_on_ring.csv")
+        axes.plot(x, [b - exact(a) for a, b in zip(x, y)], color=colour, label=label)
     right = [n for n in nodes if n["X"] >= -1e-9]
-    axes.plot([n["X"] for n in right], [1e3 * n["Y"] - exact(n["X"]) for n in right], color=style.COLOURS[0],
-              label="gnomon")
-    axes.set(xlabel="x [mm]", ylabel="difference from the closed form [µm]", xlim=(0, 1.45), ylim=(-0.4, 0.5))
+    axes.plot([n["X"] for n in right], [1e3 * n["Y"] - exact(n["X"]) for n in right],
+              color=style.COLOURS[0], label="gnomon")
+    axes.set(xlabel="x [mm]", ylabel="difference from the closed form [µm]", xlim=(0, 1.45),
+             ylim=(-0.4, 0.5))
     style.legend(axes, columns=2)
 
 

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""What elements cost: Hertz's cylinder with quadrilaterals, subdivided triangles and linear triangles.
+"""What elements cost: Hertz's cylinder with quadrilaterals, subdivided triangles and linear
+triangles.
 
-A small linear finite element code of its own (SciPy), because gnomon has no linear triangles. A rigid cylinder presses
-a block as in problems/worn_body/hertz_cylinder.toml; contact at nodes, each with the length around it, as in gnomon.
-The volume change of an element is that of each point (plain) or the mean over a patch of elements (F-bar; for small
-strains both F-bar forms of gnomon, and the patches of de Souza Neto, Andrade Pires and Owen, 2005, are this)."""
+A small linear finite element code of its own (SciPy), because gnomon has no linear triangles. A
+rigid cylinder presses a block as in problems/worn_body/hertz_cylinder.toml; contact at nodes,
+each with the length around it, as in gnomon. The volume change of an element is that of each
+point (plain) or the mean over a patch of elements (F-bar; for small strains both F-bar forms of
+gnomon, and the patches of de Souza Neto, Andrade Pires and Owen, 2005, are this)."""
 
 import math
 import pathlib
@@ -42,7 +44,8 @@ def grid(h, growth):
 
 
 def from_gmsh(fine, kind):
-    """Nodes, and the "triangles" or "quadrilaterals", of the block of hertz_cylinder.geo with facets of this length."""
+    """Nodes, and the "triangles" or "quadrilaterals", of the block of hertz_cylinder.geo with
+    facets of this length."""
     text = (SCENES / "hertz_cylinder.geo").read_text()
     text = text.replace("fine = 0.02; coarse = 1.5;", f"fine = {fine}; coarse = {75 * fine};")
     if kind == "triangles":
@@ -83,7 +86,8 @@ def subdivided(nodes, triangles):
 
 
 def halves(quads):
-    """Two triangles from each quadrilateral, their diagonals like a Union Jack; the patches are the quadrilaterals."""
+    """Two triangles from each quadrilateral, their diagonals like a Union Jack; the patches are
+    the quadrilaterals."""
     triangles = [((q[0], q[1], q[2]), (q[0], q[2], q[3])) if (e + e // 2) % 2 else
                  ((q[0], q[1], q[3]), (q[1], q[2], q[3])) for e, q in enumerate(quads)]
     return np.array(triangles).reshape(-1, 3), np.repeat(np.arange(len(quads)), 2)
@@ -149,13 +153,17 @@ def stiffness(nodes, cells, poisson, patch=None):
                 volumes[patch[e]][0] = area + w
                 for i, value in zip(at, w * g.ravel()):
                     sums[i] = sums.get(i, 0) + value
-        rows.append(np.repeat(at, len(at))), columns.append(np.tile(at, len(at))), values.append(K.ravel())
+        rows.append(np.repeat(at, len(at)))
+        columns.append(np.tile(at, len(at)))
+        values.append(K.ravel())
     for area, sums in volumes.values():
         at, b = np.array(list(sums)), np.array(list(sums.values()))
-        rows.append(np.repeat(at, len(at))), columns.append(np.tile(at, len(at)))
+        rows.append(np.repeat(at, len(at)))
+        columns.append(np.tile(at, len(at)))
         values.append((bulk / area * np.outer(b, b)).ravel())
     size = 2 * len(nodes)
-    return sparse.csc_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), (size, size))
+    places = (np.concatenate(rows), np.concatenate(columns))
+    return sparse.csc_matrix((np.concatenate(values), places), (size, size))
 
 
 class Surface:
@@ -194,8 +202,9 @@ def mean_square(values):
 
 
 def errors(nodes, K, poisson):
-    """Root mean squares over contacts that end at eight places within a facet or two: of the pressure, all and inside
-    of 0.8 a, over p0; of the half width by the second moment. And the approach at a = 0.25 mm."""
+    """Root mean squares over contacts that end at eight places within a facet or two: of the
+    pressure, all and inside of 0.8 a, over p0; of the half width by the second moment. And
+    the approach at a = 0.25 mm."""
     surface, found = Surface(nodes, K), []
     modulus = YOUNG / (1 - poisson**2)
     x, length = surface.x, surface.length
@@ -204,7 +213,8 @@ def errors(nodes, K, poisson):
         p0 = 2 * load / (math.pi * a)
         p, _ = surface.contact(load)
         wrong = (p / p0 - np.sqrt(np.maximum(0, 1 - (x / a) ** 2))) ** 2 * length
-        rms = [math.sqrt(wrong[at].sum() / length[at].sum()) for at in (np.abs(x) < 1.2 * a, np.abs(x) < 0.8 * a)]
+        zones = (np.abs(x) < 1.2 * a, np.abs(x) < 0.8 * a)
+        rms = [math.sqrt(wrong[at].sum() / length[at].sum()) for at in zones]
         found.append([*rms, math.sqrt(4 * np.sum(length * p * x**2) / np.sum(length * p)) / a - 1])
     approach = surface.contact(math.pi * modulus * 0.25**2 / (4 * RADIUS))[1]
     return [*map(mean_square, np.array(found).T), approach]
@@ -235,7 +245,8 @@ def main():
         for h, growth in ((0.04, 1.3), (0.02, 1.15)):
             for name, nodes, cells, patch in variants(h, growth):
                 *rms, approach = errors(nodes, stiffness(nodes, cells, poisson, patch), poisson)
-                rows.append([name, len(nodes), *(f"{100 * r:.2f} %" for r in rms), percent(approach / exact)])
+                rows.append([name, len(nodes), *(f"{100 * r:.2f} %" for r in rms),
+                             percent(approach / exact)])
         table(["element", "nodes", "pressure", "inside of 0.8 a", "half width", "approach"], rows)
 
 
