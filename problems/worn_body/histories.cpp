@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <gnomon/base/error.hpp>
+#include <gnomon/base/mistakes.hpp>
 #include <set>
 
 namespace gnomon::part {
@@ -15,13 +15,15 @@ std::vector<std::string> entries_of(const Scene& scene, const std::string& table
   for (const Key& key : keys)
     for (const std::string& name : scene.chosen_names(key.name)) names.insert(name);
   std::vector<std::string> entries;
+  Mistakes mistakes;
   for (const std::string& name : names) {
     entries.push_back(table + "." + name);
     for (const std::string& key : needed)
       if (!given(scene, entries.back() + "." + key))
-        throw InputError(fmt::format("{}: [[{}]] number {}: missing key `{}`",
-                                     scene.path().string(), table, name, key));
+        mistakes.add(fmt::format("{}: [[{}]] number {}: missing key `{}`", scene.path().string(),
+                                 table, name, key));
   }
+  mistakes.require_none();
   return entries;
 }
 

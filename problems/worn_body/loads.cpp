@@ -8,6 +8,7 @@
 #include <gnomon/terms/loads.hpp>
 #include <gnomon/terms/pressure_load.hpp>
 
+#include "groups.hpp"
 #include "histories.hpp"
 
 namespace gnomon::part {
@@ -63,9 +64,10 @@ Vector<dim> read_vector(const Scene& scene, const std::string& key) {
 
 /// Nodal forces of a traction that is constant over the facets.
 template <int dim>
-Field::Values nodal_forces(const ImportedBody<dim>& part, const std::string& name,
+Field::Values nodal_forces(const ImportedBody<dim>& part,
+                           const std::vector<typename Mesh<dim>::Facet>& facets,
                            const Vector<dim>& load, bool is_resultant, Section section) {
-  const auto patches = contact_patches<dim>(part.mesh, boundary_part(part, name), {}, section);
+  const auto patches = contact_patches<dim>(part.mesh, facets, {}, section);
   double area = 0;
   for (const auto& patch : patches) area += patch.initial_area;
   Field::Values forces =
@@ -109,39 +111,50 @@ std::string kind_of(const Scene& scene, const std::string& load) {
   return kind;
 }
 
+/// Adds the term of a load and returns its resultant.
+template <int dim>
+Vector<dim> read_load(const Scene& scene, const std::string& load, const ImportedBody<dim>& part,
+                      WornBody<dim>& body) {
+  const std::string kind = kind_of(scene, load), key = load + "." + kind, on = load + ".on";
+  const LoadHistory history = read_history(scene, load);
+  const Section section = section_of(scene);
+  std::vector<typename Mesh<dim>::Facet> facets;
+  if (given(scene, on)) facets = group_facets(scene, on, scene.text(on), part);
+  if (kind == "pressure") {
+    const double pressure = scene.real(key);
+    Vector<dim> sum = Vector<dim>::Zero();
+    for (const auto& patch : contact_patches<dim>(part.mesh, facets, {}, section))
+      sum -= pressure * patch.initial_area * patch.initial_normal;
+    body.added_terms.push_back(
+        [=](const WornBody<dim>& whole, const WornBodyFields& fields, const Numbering& numbering) {
+          return std::make_unique<PressureLoad<dim>>(whole.mesh, facets, pressure, history,
+                                                     numbering, fields.u, fields.d, section);
+        });
+    return sum;
+  }
+  const Vector<dim> vector = read_vector<dim>(scene, key);
+  if (kind == "acceleration" && !given(scene, "body.density"))
+    throw InputError(scene.where(key) + ": expected also body.density");
+  Field::Values forces =
+      kind == "acceleration"
+          ? Field::Values(volume_load<dim>(
+                part.mesh, Vector<dim>(scene.real("body.density") * vector), section))
+          : nodal_forces<dim>(part, facets, vector, kind == "force", section);
+  const Vector<dim> sum = forces.colwise().sum().transpose();
+  add_dead_load<dim>(std::move(forces), history, body);
+  return sum;
+}
+
 }  // namespace
 
 template <int dim>
 Vector<dim> read_loads(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>& body) {
   body.load = NodalField<dim>::Zero(static_cast<Eigen::Index>(part.mesh.nodes.size()), dim);
   Vector<dim> sum = Vector<dim>::Zero();
-  const Section section = section_of(scene);
-  for (const std::string& load : entries_of(scene, "load", load_keys(), {})) {
-    const std::string kind = kind_of(scene, load), key = load + "." + kind;
-    const LoadHistory history = read_history(scene, load);
-    if (kind == "pressure") {
-      const auto facets = boundary_part(part, scene.text(load + ".on"));
-      const double pressure = scene.real(key);
-      for (const auto& patch : contact_patches<dim>(part.mesh, facets, {}, section))
-        sum -= pressure * patch.initial_area * patch.initial_normal;
-      body.added_terms.push_back([=](const WornBody<dim>& whole, const WornBodyFields& fields,
-                                     const Numbering& numbering) {
-        return std::make_unique<PressureLoad<dim>>(whole.mesh, facets, pressure, history, numbering,
-                                                   fields.u, fields.d, section);
-      });
-      continue;
-    }
-    const Vector<dim> vector = read_vector<dim>(scene, key);
-    if (kind == "acceleration" && !given(scene, "body.density"))
-      throw InputError(scene.where(key) + ": expected also body.density");
-    Field::Values forces =
-        kind == "acceleration"
-            ? Field::Values(volume_load<dim>(
-                  part.mesh, Vector<dim>(scene.real("body.density") * vector), section))
-            : nodal_forces<dim>(part, scene.text(load + ".on"), vector, kind == "force", section);
-    sum += forces.colwise().sum().transpose();
-    add_dead_load<dim>(std::move(forces), history, body);
-  }
+  Mistakes mistakes;
+  for (const std::string& load : entries_of(scene, "load", load_keys(), {}))
+    mistakes.collect([&] { sum += read_load(scene, load, part, body); });
+  mistakes.require_none();
   return sum;
 }
 

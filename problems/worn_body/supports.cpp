@@ -6,6 +6,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/terms/springs.hpp>
 
+#include "groups.hpp"
 #include "histories.hpp"
 
 namespace gnomon::part {
@@ -42,15 +43,6 @@ std::vector<Key> support_keys() {
 
 namespace {
 
-/// Nodes of a group of facets, or of points.
-template <int dim>
-std::vector<int> nodes_of(const ImportedBody<dim>& part, const std::string& name) {
-  if (const auto points = part.point_groups.find(name); points != part.point_groups.end())
-    return points->second;
-  boundary_part(part, name);  // for its message
-  return part.mesh.boundary_nodes(name);
-}
-
 /// Positions of the directions that a support names.
 template <int dim>
 std::vector<int> directions_of(const Scene& scene, const std::string& support) {
@@ -79,7 +71,8 @@ void add_springs(const Scene& scene, const ImportedBody<dim>& part, const std::s
                  const std::vector<int>& directions, WornBody<dim>& body) {
   Vector<dim> stiffness = Vector<dim>::Zero();
   for (int i : directions) stiffness[i] = scene.real(support + ".stiffness");
-  const auto facets = boundary_part(part, scene.text(support + ".on"));
+  const std::string on = support + ".on";
+  const auto facets = group_facets(scene, on, scene.text(on), part);
   body.added_terms.push_back(
       [=](const WornBody<dim>& whole, const WornBodyFields& fields, const Numbering& numbering) {
         return std::make_unique<Springs<dim>>(whole.mesh, facets, stiffness, numbering, fields.u);
@@ -112,13 +105,17 @@ template <int dim>
 void read_supports(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>& body) {
   const auto nodes = static_cast<Eigen::Index>(part.mesh.nodes.size());
   body.displacement_fixed = NodalFlags<dim>::Zero(nodes, dim);
-  for (const std::string& support : entries_of(scene, "support", support_keys(), {"on"})) {
-    const std::vector<int> directions = directions_of<dim>(scene, support);
-    if (given(scene, support + ".stiffness"))
-      add_springs(scene, part, support, directions, body);
-    else
-      hold(scene, support, nodes_of(part, scene.text(support + ".on")), directions, body);
-  }
+  Mistakes mistakes;
+  for (const std::string& support : entries_of(scene, "support", support_keys(), {"on"}))
+    mistakes.collect([&] {
+      const std::vector<int> directions = directions_of<dim>(scene, support);
+      const std::string on = support + ".on";
+      if (given(scene, support + ".stiffness"))
+        add_springs(scene, part, support, directions, body);
+      else
+        hold(scene, support, group_nodes(scene, on, scene.text(on), part), directions, body);
+    });
+  mistakes.require_none();
 }
 
 namespace {

@@ -15,6 +15,7 @@
 #include <gnomon/model/worn_body_scene.hpp>
 #include <limits>
 
+#include "groups.hpp"
 #include "histories.hpp"
 #include "keys.hpp"
 #include "loads.hpp"
@@ -52,7 +53,7 @@ template <int dim>
 Facets<dim> wearing_facets(const Scene& scene, const ImportedBody<dim>& part) {
   Facets<dim> facets;
   for (const std::string& name : scene.texts("wear.on")) {
-    const auto& own = boundary_part(part, name);
+    const auto& own = group_facets(scene, "wear.on", name, part);
     facets.insert(facets.end(), own.begin(), own.end());
   }
   if (facets.empty())
@@ -155,12 +156,21 @@ void warn_of_coarse_contact(const Magnitudes& magnitudes, WornBody<dim>& body) {
   const double width = dim == 2 ? magnitudes.contact_nodes : std::sqrt(magnitudes.contact_nodes);
   if (width < 4)
     body.remarks.push_back(
-        fmt::format("contact is about {:.0f} nodes wide at the start: pressures there mean little "
-                    "before it has "
-                    "grown; a finer mesh near the contact helps",
-                    std::max(1.0, width)));
+        fmt::format("contact is about {:.0f} {} wide at the start: pressures there mean little "
+                    "before it has grown; a finer mesh near the contact helps",
+                    std::max(1.0, width), width < 1.5 ? "node" : "nodes"));
 }
 
+template <int dim>
+void take_counter_body(const Scene& scene, WornBody<dim>& body) {
+  const PressedCounterBody<dim> other = read_counter_body<dim>(scene, body.element.section);
+  body.contact.counter_body = other.body;
+  body.counter_force = other.force;
+  if (other.force) body.load_history = read_load_history(scene, "counter_body.press");
+  choose_approach(scene, body);
+}
+
+/// The model, or all mistakes that can be found without solving anything.
 template <int dim>
 std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
   require_memory(scene, {dim, double(part.mesh.nodes.size())});
@@ -168,22 +178,28 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
   body->mesh = part.mesh;
   body->parts = stored_parts(part);
   body->remarks = part.remarks;
-  const Facets<dim> wearing = wearing_facets(scene, part);
+  Mistakes mistakes;
+  find_unknown_groups(scene, part, mistakes);
+  Facets<dim> wearing;
   if (dim == 2) body->element.section = section_of(scene);
-  body->contact_nodes =
-      contact_patches<dim>(body->mesh, wearing, part.exterior, body->element.section);
-  const PressedCounterBody<dim> other = read_counter_body<dim>(scene, body->element.section);
-  body->contact.counter_body = other.body;
-  body->counter_force = other.force;
-  choose_approach(scene, *body);
-  scene = with_speed(scene, *body);
-  read_supports(scene, part, *body);
-  const Vector<dim> load = read_loads(scene, part, *body);
-  read_wear_laws(scene, part, *body);
+  const bool wears = mistakes.collect([&] {
+    wearing = wearing_facets(scene, part);
+    body->contact_nodes =
+        contact_patches<dim>(body->mesh, wearing, part.exterior, body->element.section);
+  });
+  const bool presses = mistakes.collect([&] { take_counter_body(scene, *body); });
+  if (wears && presses) mistakes.collect([&] { scene = with_speed(scene, *body); });
+  if (!scene.has("wear.velocity")) scene = scene.with("wear.velocity", 1.0);  // after a mistake
+  mistakes.collect([&] { read_supports(scene, part, *body); });
+  Vector<dim> load = Vector<dim>::Zero();
+  mistakes.collect([&] { load = read_loads(scene, part, *body); });
+  if (wears) mistakes.collect([&] { read_wear_laws(scene, part, *body); });
+  mistakes.require_none();
   const double force =
-      other.force.value_or(std::abs(load.dot(body->contact.counter_body.approach)));
+      body->counter_force.value_or(std::abs(load.dot(body->contact.counter_body.approach)));
   const Magnitudes magnitudes =
-      find_magnitudes(scene, force, given_overlap(*body), force * scene.real("time.end"), *body);
+      find_magnitudes(scene, force, given_overlap(*body),
+                      force * body->load_history.integral(scene.real("time.end")), *body);
   body->scales = magnitudes.scales;
   const double reach = read_shape_support(scene, part, wearing, magnitudes.deepest, *body);
   if (std::isfinite(reach))
@@ -214,6 +230,18 @@ std::unique_ptr<Model> remake(const Scene& scene, const Grid& grid) {
   return make_part<3>(scene, part_of_grid<3>(grid, scene.path().string()));
 }
 
+/// Where keys are mistaken, names of groups can be looked up all the same.
+void find_unknown_groups_of_file(const Scene& scene, Mistakes& mistakes) {
+  if (scene.has("mesh.file") == scene.has("mesh.geometry")) return;
+  mistakes.collect([&] {
+    ImportedMesh mesh = read_mesh(scene);
+    if (mesh.dimension == 2)
+      find_unknown_groups(scene, check_mesh<2>(std::move(mesh)), mistakes);
+    else
+      find_unknown_groups(scene, check_mesh<3>(std::move(mesh)), mistakes);
+  });
+}
+
 const Registration<Problem> registration({
     .name = "worn_body",
     .help = "a part from a mesh with named surfaces (Gmsh), against a rigid counter-body",
@@ -221,6 +249,7 @@ const Registration<Problem> registration({
     .make = make,
     .remake = remake,
     .registered_keys = [] { return counter_body_keys(); },
+    .further_mistakes = find_unknown_groups_of_file,
 });
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <gnomon/model/wear_scene.hpp>
+#include <gnomon/run/run.hpp>
 
 #include "app/commands.hpp"
 #include "app/program.hpp"
@@ -24,6 +25,8 @@ int check_command(const std::filesystem::path& scene, const std::vector<std::str
   if (const double memory = estimated_memory(setup.scene); memory > 0)
     fmt::print("# a run takes about {} of memory\n", memory_text(memory));
   for (const std::string& remark : setup.model->remarks()) fmt::print("# {}\n", remark);
+  if (const std::string dropped = dropped_times_text(setup.scene); !dropped.empty())
+    fmt::print("# {}\n", dropped);
   for (const std::string& name : unused_wear_names(setup.scene))
     fmt::print("# {} is given, but wear.rate does not use it\n", name);
   return success;

@@ -106,7 +106,7 @@ int compare_command(const std::vector<std::filesystem::path>& results,
                    {"factors", Align::right},
                    {"wall [s]", Align::right},
                    {"worn volume", Align::right},
-                   {"shape error", Align::right},
+                   {"shape error [mm]", Align::right},
                    {"result"}});
   for (const auto& file : results) add_row(table, file, errors);
   fmt::print(

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/results.hpp>
 #include <gnomon/run/summary.hpp>
+#include <sstream>
 
 #include "app/commands.hpp"
 #include "app/program.hpp"
+#include "app/stored_time.hpp"
 #include "app/text_table.hpp"
 
 namespace gnomon::app {
@@ -36,6 +39,28 @@ std::string times_text(const std::vector<double>& times) {
   const std::vector<double> last(times.end() - most / 2, times.end());
   return fmt::format("{:g}, ..., {:g} ({} in total)", fmt::join(first, ", "), fmt::join(last, ", "),
                      times.size());
+}
+
+/// A line of a scene, where arrays of many numbers are shortened: "times = [50, 100, ..., 1000]  #
+/// 20 in total".
+std::string shortened(const std::string& line) {
+  constexpr std::size_t most = 12;  // numbers
+  const std::size_t open = line.find("= ["), close = line.find(']');
+  if (open == std::string::npos || close == std::string::npos) return line;
+  const std::string inside = line.substr(open + 3, close - open - 3);
+  const auto count = static_cast<std::size_t>(std::count(inside.begin(), inside.end(), ',')) + 1;
+  if (count <= most || inside.find('"') != std::string::npos) return line;
+  std::size_t second = inside.find(',', inside.find(',') + 1);
+  return fmt::format("{}{}, ...,{}]  # {} in total{}", line.substr(0, open + 3),
+                     inside.substr(0, second), inside.substr(inside.rfind(',') + 1), count,
+                     line.substr(close + 1));
+}
+
+std::string shortened_scene(const std::string& scene) {
+  std::string result, line;
+  for (std::istringstream lines(scene); std::getline(lines, line);)
+    result += shortened(line) + "\n";
+  return result;
 }
 
 void print_history(const HistoryRow& last) {
@@ -100,7 +125,7 @@ int info_command(const std::filesystem::path& file) {
     fmt::print("\nno state is recorded, not even the start\n");
   else
     print_history(history.back());
-  fmt::print("\nscene:\n{}", header.scene);
+  fmt::print("\nscene (gnomon scene prints it in full):\n{}", shortened_scene(header.scene));
   return success;
 }
 
@@ -119,16 +144,19 @@ int history_command(const std::filesystem::path& file) {
                                           : fmt::format("{} [{}]", scalar.name, scalar.unit));
   fmt::print("\n");
   for (const HistoryRow& row : history) {
-    fmt::print("{},{},{},{},{}", row.t, row.step.step, row.step.order, row.counters.newton_iterations,
-               row.counters.factorizations);
+    fmt::print("{},{},{},{},{}", row.t, row.step.step, row.step.order,
+               row.counters.newton_iterations, row.counters.factorizations);
     for (const Scalar& scalar : row.scalars) fmt::print(",{}", scalar.value);
     fmt::print("\n");
   }
   return success;
 }
 
-int contact_command(const std::filesystem::path& file, std::optional<double> time) {
-  const ContactSurface surface = ResultReader(file).contact(time);
+int contact_command(const std::filesystem::path& file, const std::string& time) {
+  const ResultReader result(file);
+  std::optional<double> stored;
+  if (!time.empty()) stored = stored_time(result.stored_times(), time, file.string());
+  const ContactSurface surface = result.contact(stored);
   const bool flat = surface.dim == 2;
   fmt::print("node,{},pressure,wear_depth,active\n",
              flat ? "X0,Y0,X,Y,x,y" : "X0,Y0,Z0,X,Y,Z,x,y,z");

@@ -49,7 +49,7 @@ private:
   std::optional<std::string> integrator_;
   std::string subject_;
   std::filesystem::path result_;
-  std::optional<double> time_;
+  std::string time_;
   std::optional<double> size_;
   std::filesystem::path scene_;
   std::vector<std::filesystem::path> results_;

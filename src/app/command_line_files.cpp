@@ -7,8 +7,10 @@ namespace gnomon::app {
 
 void CommandLine::add_inspection() {
   CLI::App* list = app_.add_subcommand(
-      "list", "Lists integrators, wear laws, materials, problems, scenes or studies");
-  list->add_option("SUBJECT", subject_, "integrators, laws, materials, problems, scenes or studies")
+      "list",
+      "Lists integrators, wear laws, materials, shapes, terms, problems, scenes or studies");
+  list->add_option("SUBJECT", subject_,
+                   "integrators, laws, materials, shapes, terms, problems, scenes or studies")
       ->required()
       ->type_name("");
   list->callback([this] { command_ = [this] { return list_command(subject_); }; });
@@ -19,9 +21,13 @@ void CommandLine::add_inspection() {
 
   CLI::App* contact = app_.add_subcommand("contact", "Prints the contact surface as CSV");
   contact->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
-  contact->add_option("--time", time_, "A stored time; default: the last one")
+  contact
+      ->add_option(
+          "--time", time_,
+          "A stored time, as it was printed or stands in a figure (350, \"350 s\"); default: "
+          "the last one")
       ->type_name("T")
-      ->check(check_number);
+      ->check(check_file_name);
   contact->callback([this] { command_ = [this] { return contact_command(result_, time_); }; });
 
   CLI::App* scene = app_.add_subcommand("scene", "Prints the scene of a result");
@@ -50,7 +56,13 @@ void CommandLine::add_meshes() {
   part->add_option("-o,--output", scene_, "Scene file; default: FILE's name and .toml")
       ->type_name("SCENE.toml")
       ->check(check_file_name);
-  mesh->callback([this] { command_ = [this] { return mesh_command(result_, size_); }; });
+  mesh->add_option(
+          "-o,--output", scene_,
+          "Also draws the mesh with its named parts (a picture, or a file for ParaView), or "
+          "writes the mesh that a run would use, for Gmsh (.msh)")
+      ->type_name("FILE.png|.svg|.xdmf|.msh")
+      ->check(check_file_name);
+  mesh->callback([this] { command_ = [this] { return mesh_command(result_, size_, scene_); }; });
   part->callback([this] { command_ = [this] { return new_command(result_, size_, scene_); }; });
 }
 

@@ -8,8 +8,10 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/laws/catalogue.hpp>
+#include <gnomon/model/added_term.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/terms/material_law.hpp>
+#include <map>
 
 #include "app/commands.hpp"
 #include "app/program.hpp"
@@ -34,6 +36,21 @@ template <class Entry>
 std::string list_entries() {
   TextTable table({{}, {}});
   for (const Entry& entry : Registry<Entry>::all()) table.add({entry.name, entry.help});
+  return table.text();
+}
+
+/// Shapes of counter-bodies, which are registered for each dimension.
+std::string list_shapes() {
+  std::map<std::string, std::pair<std::string, std::string>> shapes;  // where, help
+  for (const auto& kind : Registry<CounterShapeKind<2>>::all())
+    shapes[kind.name] = {"plane", kind.help};
+  for (const auto& kind : Registry<CounterShapeKind<3>>::all()) {
+    auto& [where, help] = shapes[kind.name];
+    where += where.empty() ? "space" : ", space";
+    if (help.empty()) help = kind.help;
+  }
+  TextTable table({{}, {}, {}});
+  for (const auto& [name, shape] : shapes) table.add({name, shape.first, shape.second});
   return table.text();
 }
 
@@ -74,8 +91,8 @@ std::string list_files(bool studies) {
 }  // namespace
 
 const std::vector<std::string>& list_subjects() {
-  static const std::vector<std::string> subjects = {"integrators", "laws",   "materials",
-                                                    "problems",    "scenes", "studies"};
+  static const std::vector<std::string> subjects = {
+      "integrators", "laws", "materials", "problems", "scenes", "shapes", "studies", "terms"};
   return subjects;
 }
 
@@ -88,6 +105,11 @@ int list_command(const std::string& what) {
     fmt::print("{}", list_entries<WearLawKind>());
   } else if (what == "materials") {
     fmt::print("{}", list_entries<MaterialLaw>());
+  } else if (what == "shapes") {
+    fmt::print("{}", list_shapes());
+  } else if (what == "terms") {
+    const std::string terms = list_entries<AddedTerm>();
+    fmt::print("{}", terms.empty() ? "none; how one is added: docs/architecture.md\n" : terms);
   } else if (what == "scenes") {
     fmt::print("{}", list_files(false));
   } else if (what == "studies") {

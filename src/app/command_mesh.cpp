@@ -9,10 +9,13 @@
 #include <gnomon/mesh/flat_part.hpp>
 #include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
+#include <gnomon/mesh/mesh_writing.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/terms/solid.hpp>
 
 #include "app/commands.hpp"
+#include "app/mesh_drawing.hpp"
+#include "app/new_scene.hpp"
 #include "app/program.hpp"
 #include "app/text_table.hpp"
 
@@ -64,65 +67,25 @@ void print_mesh(const ImportedBody<dim>& body) {
   for (const std::string& remark : body.remarks) fmt::print("{}\n", remark);
 }
 
-/// The part that is first met when one looks for a flat one, and another.
-struct Suggestion {
-  std::string held, wearing;
-};
-
-template <int dim>
-Suggestion suggest(const ImportedBody<dim>& body) {
-  Suggestion suggestion;
-  for (const auto& [name, facets] : body.mesh.boundary) {
-    if (suggestion.held.empty() && flat_part<dim>(body.mesh, facets).flat)
-      suggestion.held = name;
-    else if (suggestion.wearing.empty())
-      suggestion.wearing = name;
-  }
-  if (suggestion.held.empty()) suggestion.held = "bottom";
-  if (suggestion.wearing.empty()) suggestion.wearing = "surface";
-  return suggestion;
-}
-
-template <int dim>
-std::string scene_text(const std::filesystem::path& file, std::optional<double> size,
-                       const ImportedBody<dim>& body) {
-  std::vector<std::string> names;
-  for (const auto& [name, facets] : body.mesh.boundary) names.push_back(name);
-  const Suggestion s = suggest(body);
-  const char* zero = dim == 2 ? "0.0" : "0.0, 0.0";
-  std::string text = fmt::format(
-      "# A part from {}. One consistent set of units: mm, N, MPa, s. All keys: gnomon help scene "
-      "worn_body\n\nproblem = \"worn_body\"\n\n[mesh]\n{} = \"{}\"  # parts: {}\n",
-      file.filename().string(), is_geometry(file) ? "geometry" : "file", file.filename().string(),
-      names.empty() ? "none: name some in Gmsh" : fmt::format("{}", fmt::join(names, ", ")));
-  if (size) text += fmt::format("size = {}  # mm\n", *size);
-  text += "\n[body]\nyoung_modulus = 210e3  # MPa\npoisson_ratio = 0.3\n";
-  text += fmt::format("\n[[support]]  # may be several\non = \"{}\"\ndirections = [{}]\n", s.held,
-                      dim == 2 ? "\"x\", \"y\"" : "\"x\", \"y\", \"z\"");
-  text += "\n# [[load]]\n# on = \"...\"\n# force = [...]  # or traction, pressure\n";
-  text += fmt::format(
-      "\n[counter_body]  # plane, ball, cylinder, cone, torus, profile: docs/counter_bodies.md\n"
-      "shape = \"plane\"\npoint = [{0}, 0.0]\nnormal = [{0}, -1.0]\n"
-      "motion = {{ velocity = [1000.0, {1}] }}            # mm/s\n"
-      "press = {{ direction = [{0}, -1.0], force = 100.0 }}  # {2}\n",
-      zero, zero, dim == 2 ? "N per mm of thickness" : "N");
-  text += fmt::format(
-      "\n[wear]\non = [\"{}\"]\ncoefficient = 1e-8  # 1/MPa  k\nrate = \"k * p * v\"\n"
-      "\n[friction]\ncoefficient = 0.0\n"
-      "\n[time]\nend = 1000.0  # s\n"
-      "\n[integrator]\nname = \"esdirk-3\"\nrtol = 1e-3\n",
-      s.wearing);
-  return text;
-}
-
 }  // namespace
 
-int mesh_command(const std::filesystem::path& file, std::optional<double> size) {
+int mesh_command(const std::filesystem::path& file, std::optional<double> size,
+                 const std::filesystem::path& written) {
+  const bool for_gmsh = written.extension() == ".msh";
+  if (for_gmsh && is_taken(written))
+    throw InputError(written.string() + " exists; give another name with --output");
+  if (!written.empty() && !for_gmsh) check_drawing(written);
+  const auto show = [&](const auto& body) {
+    print_mesh(body);
+    if (for_gmsh) write_file(written, gmsh_text(body), Earlier::refused);
+    if (for_gmsh) fmt::print("mesh: {}\n", written.string());
+    if (!written.empty() && !for_gmsh) draw_mesh(body, written);
+  };
   ImportedMesh mesh = read(file, size);
   if (mesh.dimension == 2)
-    print_mesh(check_mesh<2>(std::move(mesh)));
+    show(check_mesh<2>(std::move(mesh)));
   else
-    print_mesh(check_mesh<3>(std::move(mesh)));
+    show(check_mesh<3>(std::move(mesh)));
   return success;
 }
 
@@ -133,8 +96,8 @@ int new_command(const std::filesystem::path& file, std::optional<double> size,
     throw InputError(scene.string() + " exists; give another name with --output");
   ImportedMesh mesh = read(file, size);
   const std::string text = mesh.dimension == 2
-                               ? scene_text(file, size, check_mesh<2>(std::move(mesh)))
-                               : scene_text(file, size, check_mesh<3>(std::move(mesh)));
+                               ? new_scene(file, size, check_mesh<2>(std::move(mesh)))
+                               : new_scene(file, size, check_mesh<3>(std::move(mesh)));
   write_file(scene, text, Earlier::refused);
   fmt::print("{}: fill in loads, counter-body and wear, then: gnomon check {}\n", scene.string(),
              scene.string());

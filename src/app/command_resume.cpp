@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
+#include <gnomon/base/same_time.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/summary.hpp>
@@ -26,9 +27,9 @@ namespace {
 /// memory of the method must not depend on them.
 const std::vector<std::string>& changeable_keys() {
   static const std::vector<std::string> keys = {
-      "time.end",           "integrator.rtol", "integrator.atol",      "integrator.max_step",
-      "integrator.step",    "output.every",    "output.times",         "output.last",
-      "output.checkpoints", "solver.method",   "solver.preconditioner"};
+      "time.end",        "integrator.rtol",    "integrator.atol", "integrator.max_step",
+      "integrator.step", "output.every",       "output.times",    "output.interval",
+      "output.last",     "output.checkpoints", "solver.method",   "solver.preconditioner"};
   return keys;
 }
 
@@ -78,8 +79,8 @@ void check_end(const Scene& scene, double reached, const std::string& name) {
 /// An output time that has already passed would be missing in the result without a message.
 void check_times(const Scene& scene, const ResultReader& earlier, double reached) {
   const std::vector<double> stored = earlier.stored_times();
-  for (const double t : store_policy(scene).times)
-    if (t <= reached && std::ranges::find(stored, t) == stored.end())
+  for (const double t : scene.reals("output.times"))
+    if (t <= reached && std::ranges::none_of(stored, [t](double s) { return same_time(s, t); }))
       throw InputError(fmt::format("{}: expected times after {} s, where the run continues, got {}",
                                    scene.where("output.times"), reached, t));
 }
@@ -135,6 +136,7 @@ int resume_command(const ResumeOptions& options) {
   check_outputs(files);
 
   if (!options.quiet) warn_of_slow_blas();
+  if (!options.quiet) print_remarks({dropped_times_text(scene)});
   const Setup setup = set_up_again(std::move(scene), earlier.grid());
   check_same(*setup.model, earlier, name);
   const RunHeader header = run_header(setup);
@@ -146,7 +148,8 @@ int resume_command(const ResumeOptions& options) {
     return integrate(setup, settings, writer, options.quiet, &from);
   }();
   const bool replaced = outcome.last->t >= reached;
-  write_summary(files, summary_json(setup.scene, header, settings, outcome), replaced);
+  write_summary(files, summary_json(setup.scene, header, settings, outcome, setup.model->remarks()),
+                replaced);
   return report_end(outcome, {.result = options.result,
                               .kept = !replaced,
                               .quiet = options.quiet,

@@ -26,8 +26,10 @@ int run_command(const RunOptions& given) {
 
   if (!options.quiet) warn_of_slow_blas();
   const Setup setup = set_up(std::move(scene));
-  if (!options.quiet)
-    for (const std::string& remark : setup.model->remarks()) fmt::print(stderr, "{}\n", remark);
+  if (!options.quiet) {
+    print_remarks({dropped_times_text(setup.scene)});
+    print_remarks(setup.model->remarks());
+  }
   const RunHeader header = run_header(setup);
   const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
   const RunOutcome outcome = [&] {
@@ -37,7 +39,8 @@ int run_command(const RunOptions& given) {
                         options.force ? Earlier::replaced : Earlier::refused);
     return integrate(setup, settings, writer, options.quiet);
   }();
-  write_summary(options, summary_json(setup.scene, header, settings, outcome),
+  write_summary(options,
+                summary_json(setup.scene, header, settings, outcome, setup.model->remarks()),
                 outcome.last.has_value());
   return report_end(outcome, {.result = options.result,
                               .kept = earlier && !outcome.last,

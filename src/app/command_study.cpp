@@ -60,7 +60,7 @@ void print_table(const Study& study, const StudyTable& table) {
   constexpr auto right = TextTable::Align::right;
   TextTable text({{"sweep"},
                   {"run"},
-                  {"shape error", right},
+                  {"shape error [mm]", right},
                   {"steps", right},
                   {"factors", right},
                   {"CPU [s]", right},

@@ -62,13 +62,17 @@ int extremes_command(const ExtremesOptions& options);
 int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 int list_command(const std::string& what);
 int info_command(const std::filesystem::path& result);
-int contact_command(const std::filesystem::path& result, std::optional<double> time);
+/// `time` as it was printed: "350", "350 s"; empty: the last one.
+int contact_command(const std::filesystem::path& result, const std::string& time);
 /// The scene of a result, as `check` prints it.
 int scene_command(const std::filesystem::path& result);
 /// One line for each step, the start first: time, step, counters, scalars.
 int history_command(const std::filesystem::path& result);
-/// What a mesh has: cells, named parts, remarks. `size`: longest edge for a geometry.
-int mesh_command(const std::filesystem::path& file, std::optional<double> size);
+/// What a mesh has: cells, named parts, remarks. `size`: longest edge for a geometry. `written`: a
+/// picture of it, a file for ParaView, or the mesh that a run would use (.msh, a new file); empty:
+/// none.
+int mesh_command(const std::filesystem::path& file, std::optional<double> size,
+                 const std::filesystem::path& written);
 /// Writes a scene for a mesh; `scene` empty: beside the mesh. Never replaces a file.
 int new_command(const std::filesystem::path& file, std::optional<double> size,
                 std::filesystem::path scene);

@@ -69,8 +69,8 @@ Existing files are not overwritten. --force replaces the files of an earlier run
 once the start is solved; if the start fails, they are not changed.
 
 In ParaView open the .xdmf file; Warp By Vector with `shape` shows the worn body, with
-`displacement` added the deformed one. Which steps are stored is set by output.every, output.times
-and output.last; the start is always stored. The file is readable during the run, and after
+`displacement` added the deformed one. Which steps are stored is set by output.every, output.times,
+output.interval and output.last; the start is always stored. The file is readable during the run, and after
 Ctrl-C, a failure or a crash it holds everything up to the last step. A resumed run takes the
 steps of a run that was not interrupted, bit for bit with one-step methods; bdf begins at order
 one and agrees within its tolerance. When a run is resumed, --set may change time.end, tolerances
@@ -88,7 +88,7 @@ reached the same time.
 inline constexpr const char* exit_codes_topic =
     R"(0  done
 1  every other failure, including a run ended by Ctrl-C or SIGTERM
-2  bad input (scene, command line, result file): one line on stderr, nothing written
+2  bad input (scene, command line, result file): one line on stderr for each mistake, nothing written
 3  the solution failed: a diagnosis on stderr, the last good state in the result
 )";
 

@@ -94,7 +94,7 @@ void check_outputs(const RunOptions& options) {
   check_writable(options.result);
   if (printed) return;
   check_writable(summary);
-  if (!is_stream(summary))
+  if (!is_stream(summary) && !is_summary_of_failed_start(summary))  // nothing to lose
     check_earlier(summary, {"--summary", "a summary", is_summary}, options.force);
 }
 
@@ -107,10 +107,11 @@ void write_summary(const RunOptions& options, const std::string& text, bool star
     std::ofstream stream(file, std::ios::binary);
     stream << text << std::flush;
     if (!stream) throw Error(fmt::format("cannot write {}", file.string()));
-  } else if (started || !is_taken(file)) {
+  } else if (const bool worthless = is_summary_of_failed_start(file);
+             started || worthless || !is_taken(file)) {
     // A link is followed, so that it stays one.
     write_file(is_taken(file) ? fs::canonical(file) : file, text,
-               options.force ? Earlier::replaced : Earlier::refused);
+               options.force || worthless ? Earlier::replaced : Earlier::refused);
   }
 }
 

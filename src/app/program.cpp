@@ -6,7 +6,7 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <gnomon/base/error.hpp>
+#include <gnomon/base/mistakes.hpp>
 #include <new>
 
 #include "app/command_line.hpp"
@@ -37,6 +37,9 @@ int guarded(CommandLine& command_line, int argc, char** argv) {
     return command_line(argc, argv);
   } catch (const CLI::ParseError& error) {
     complain(command_line.complaint(error));
+    return bad_input;
+  } catch (const InputErrors& errors) {
+    for (const std::string& line : errors.lines) complain(line);
     return bad_input;
   } catch (const InputError& error) {
     complain(error.what());

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 namespace gnomon::app {
 
@@ -33,19 +34,43 @@ std::string clock_text(double seconds) {
                : fmt::format("{}:{:02}", minutes, total % 60);
 }
 
-std::string progress_text(const HistoryRow& row, double end, double elapsed) {
-  // The most important values come first, because a narrow terminal cuts off the rest.
-  std::string text = fmt::format("t {:.5g} of {:g} s", row.t, end);
-  if (row.t > 0) text += "  left " + clock_text(elapsed * (end - row.t) / row.t);
-  if (row.counters.steps > 0)
-    text += fmt::format("  step {:.3g} s  order {}  Newton {}", row.step.step, row.step.order,
-                        row.step.newton_iterations);
+namespace {
+
+struct Item {
+  int importance;  // the item with the least is left out first
+  std::string text;
+};
+
+std::vector<Item> progress_items(const HistoryRow& row, double end, double elapsed) {
+  std::vector<Item> items = {{9, fmt::format("t {:.5g} of {:g} s", row.t, end)}};
+  if (row.t > 0) items.push_back({7, "left " + clock_text(elapsed * (end - row.t) / row.t)});
+  if (row.counters.steps > 0) {
+    items.push_back({6, fmt::format("step {:.3g} s", row.step.step)});
+    items.push_back({3, fmt::format("order {}", row.step.order)});
+    items.push_back({4, fmt::format("Newton {}", row.step.newton_iterations)});
+  }
   const Observation observed = observation_of(row.scalars);
-  if (observed.contact_nodes) text += fmt::format("  contact {:g}", *observed.contact_nodes);
+  if (observed.contact_nodes)
+    items.push_back({5, fmt::format("contact {:g}", *observed.contact_nodes)});
   if (observed.worn_volume)
-    text += fmt::format("  worn {:.3g} {}", *observed.worn_volume,
-                        unit_of(observed, &Observation::worn_volume));
+    items.push_back({8, fmt::format("worn {:.3g} {}", *observed.worn_volume,
+                                    unit_of(observed, &Observation::worn_volume))});
+  return items;
+}
+
+std::string joined(const std::vector<Item>& items) {
+  std::string text;
+  for (const Item& item : items) text += (text.empty() ? "" : "  ") + item.text;
   return text;
+}
+
+}  // namespace
+
+std::string progress_text(const HistoryRow& row, double end, double elapsed, std::size_t width) {
+  std::vector<Item> items = progress_items(row, end, elapsed);
+  while (items.size() > 1 && joined(items).size() > width)
+    items.erase(std::ranges::min_element(items, {}, &Item::importance));
+  return joined(items).substr(0, width);
 }
 
 Progress::Progress(Mode mode, double end) : mode_(mode), end_(end) {
@@ -68,11 +93,10 @@ void Progress::show(const HistoryRow& row) {
   const auto now = Clock::now();
   if (mode_ == Mode::none || !due(row, now)) return;
   const double elapsed = std::chrono::duration<double>(now - begin_).count();
-  const std::string text = progress_text(row, end_, elapsed);
   if (mode_ == Mode::live)  // a line that wraps could not be overwritten
-    put(fmt::format("\r{}\x1b[K", text.substr(0, terminal_width() - 1)));
+    put(fmt::format("\r{}\x1b[K", progress_text(row, end_, elapsed, terminal_width() - 1)));
   else
-    put(text + "\n");
+    put(progress_text(row, end_, elapsed) + "\n");
   shown_ = true;
   shown_at_ = now;
   shown_t_ = row.t;

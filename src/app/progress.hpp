@@ -8,10 +8,11 @@
 namespace gnomon::app {
 
 /// "t 250 of 1000 s  left 0:42  step 5 s  order 1  Newton 3  contact 13  worn 0.5 mm^2": time,
-/// remaining wall time, last step
-/// with its order and iterations, nodes in contact, worn volume. `elapsed` is
-/// in seconds.
-std::string progress_text(const HistoryRow& row, double end, double elapsed);
+/// remaining wall time, last step with its order and iterations, nodes in contact, worn volume.
+/// `elapsed` is in seconds. Of what does not fit into `width` whole items are left out, the least
+/// important first.
+std::string progress_text(const HistoryRow& row, double end, double elapsed,
+                          std::size_t width = std::string::npos);
 
 /// "0:42", "12:05", "3:00:10".
 std::string clock_text(double seconds);

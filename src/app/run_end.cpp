@@ -53,7 +53,7 @@ int exit_code(const RunOutcome& outcome) {
 std::string failure_message(const RunOutcome& outcome, const EndReport& report) {
   const std::string file = report.result.string();
   if (report.kept) return fmt::format("{} (the earlier {} is kept)", outcome.diagnosis, file);
-  if (!outcome.last) return fmt::format("{} ({} holds only the scene)", outcome.diagnosis, file);
+  if (!outcome.last) return fmt::format("{} ({} is not written)", outcome.diagnosis, file);
   return fmt::format("{} (everything up to t = {:g} s is in {})", outcome.diagnosis,
                      outcome.last->t, file);
 }
@@ -67,6 +67,11 @@ void warn_of_slow_blas() {
         "gnomon: warning: {} is the reference BLAS: factorizations take 4 to 6 times as long "
         "as with OpenBLAS (Debian: libopenblas0-pthread)\n",
         blas_name());
+}
+
+void print_remarks(const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks)
+    if (!remark.empty()) fmt::print(stderr, "{}\n", remark);
 }
 
 RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, ResultWriter& writer,

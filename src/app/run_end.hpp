@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <gnomon/run/run.hpp>
 #include <string>
+#include <vector>
 
 #include "app/setup.hpp"
 
@@ -11,6 +12,9 @@ namespace gnomon::app {
 
 /// Called before anything that takes time.
 void warn_of_slow_blas();
+
+/// One line each; empty ones are left out.
+void print_remarks(const std::vector<std::string>& remarks);
 
 /// Integrates, writes to `writer` and shows the progress.
 RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, ResultWriter& writer,

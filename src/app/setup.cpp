@@ -1,20 +1,57 @@
 #include "app/setup.hpp"
 
+#include <fmt/format.h>
+
+#include <gnomon/base/error.hpp>
 #include <gnomon/laws/profile.hpp>
+#include <gnomon/results/result_files.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/study/versions.hpp>
 #include <utility>
 
 namespace gnomon::app {
 
+namespace {
+
+/// In a scene with mistakes required keys may have no value.
+void find_mistakes_of_run(const Scene& scene, Mistakes& mistakes) {
+  if (scene.has("time.end")) mistakes.collect([&] { store_policy(scene); });
+  if (scene.has("integrator.name")) mistakes.collect([&] { chosen_integrator(scene); });
+}
+
+/// A result or a mesh instead of a scene is no bad TOML.
+void require_scene_file(const std::filesystem::path& file) {
+  const std::string name = file.string(), kind = file.extension().string();
+  if (is_result(file))
+    throw InputError(
+        fmt::format("{0}: is a result, expected a scene (TOML); gnomon info {0} shows "
+                    "it, gnomon resume {0} continues it, gnomon scene {0} prints its "
+                    "scene",
+                    name));
+  if (!std::filesystem::is_regular_file(file)) return;
+  for (const char* mesh : {".msh", ".geo", ".step", ".stp"})
+    if (kind == mesh)
+      throw InputError(
+          fmt::format("{0}: is a mesh or geometry, expected a scene (TOML); gnomon new "
+                      "{0} makes one for it",
+                      name));
+}
+
+}  // namespace
+
 void check_run(const Scene& scene) {
-  store_policy(scene);  // for their checks
-  chosen_integrator(scene);
+  Mistakes mistakes;
+  find_mistakes_of_run(scene, mistakes);
+  mistakes.require_none();
 }
 
 Scene checked_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  Scene scene = load_scene(file, overrides, key_table);
-  check_run(scene);
+  require_scene_file(file);
+  Mistakes mistakes;
+  Scene scene = load_scene(file, overrides, key_table, &mistakes);
+  find_mistakes_of_run(scene, mistakes);
+  if (!mistakes.empty()) find_further_mistakes(scene, mistakes);
+  mistakes.require_none();
   return scene;
 }
 

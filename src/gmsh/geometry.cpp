@@ -39,7 +39,8 @@ bool is_meshed(int dimension) {
 
 }  // namespace
 
-void mesh_geometry(double size, double factor, std::vector<std::string>& remarks) {
+void mesh_geometry(double size, double factor, bool has_options,
+                   std::vector<std::string>& remarks) {
   const int dimension = gmsh::model::getDimension();
   if (dimension < 2)
     throw Refusal("has no surface and no volume to be meshed (a Plane Surface is missing?)");
@@ -53,6 +54,9 @@ void mesh_geometry(double size, double factor, std::vector<std::string>& remarks
     set("Mesh.MeshSizeMax", std::min(size, get("Mesh.MeshSizeMax")));
     set("Mesh.MeshSizeMin", std::min(size, get("Mesh.MeshSizeMin")));
   }
+  // A STEP file cannot ask for small elements at small holes and edges, where large ones fold.
+  constexpr double by_turn = 24;
+  if (!has_options) set("Mesh.MeshSizeFromCurvature", by_turn);
   const double own_factor = get("Mesh.MeshSizeFactor") * factor;
   set("Mesh.MeshSizeFactor", own_factor);
   if (dimension == 2) {

@@ -7,7 +7,8 @@
 namespace gnomon::gmsh_reader {
 
 /// Meshes the current model with quadrilaterals (hexahedra) of first order. `size` as
-/// MeshFileOptions has it. Says in `remarks` what the user may not expect.
-void mesh_geometry(double size, double factor, std::vector<std::string>& remarks);
+/// MeshFileOptions has it. Without options of its own, as a script has them, a geometry gets
+/// elements that follow its curvature. Says in `remarks` what the user may not expect.
+void mesh_geometry(double size, double factor, bool has_options, std::vector<std::string>& remarks);
 
 }  // namespace gnomon::gmsh_reader

@@ -92,7 +92,7 @@ void open(const std::string& file) {
 ImportedMesh read(const std::string& file, double size, double factor, bool geometry) {
   open(file);
   ImportedMesh mesh;
-  if (geometry) mesh_geometry(size, factor, mesh.remarks);
+  if (geometry) mesh_geometry(size, factor, file.ends_with(".geo"), mesh.remarks);
   if (const std::string error = first_error(); !error.empty()) throw std::runtime_error(error);
   copy_model(mesh, geometry);
   return mesh;

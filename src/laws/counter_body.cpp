@@ -23,14 +23,31 @@ Tensor<dim> Turning<dim>::rotation(double t) const {
   return Tensor<dim>::Identity() + std::sin(rate * t) * W + 2 * half * half * W * W;
 }
 
-template <int dim>
-SignedDistance<dim> CounterBody<dim>::distance(const Vector<dim>& seen, double t) const {
-  if (!turning) return shape.at(seen);
+namespace {
+
+/// The signed distance of a shape that has turned, by that of the shape at rest.
+template <int dim, class Rest>
+SignedDistance<dim> turned(const std::optional<Turning<dim>>& turning, const Vector<dim>& seen,
+                           double t, const Rest& at_rest) {
+  if (!turning) return at_rest(seen);
   const Tensor<dim> R = turning->rotation(t);
-  SignedDistance<dim> at = shape.at(turning->centre + R.transpose() * (seen - turning->centre));
+  SignedDistance<dim> at =
+      at_rest(Vector<dim>(turning->centre + R.transpose() * (seen - turning->centre)));
   at.normal = R * at.normal;
   at.normal_by_x = R * at.normal_by_x * R.transpose();
   return at;
+}
+
+}  // namespace
+
+template <int dim>
+SignedDistance<dim> CounterBody<dim>::distance(const Vector<dim>& seen, double t) const {
+  return turned(turning, seen, t, [this](const Vector<dim>& x) { return shape.at(x); });
+}
+
+template <int dim>
+SignedDistance<dim> CounterBody<dim>::unchecked_distance(const Vector<dim>& seen, double t) const {
+  return turned(turning, seen, t, [this](const Vector<dim>& x) { return shape.unchecked(x); });
 }
 
 template struct Turning<2>;

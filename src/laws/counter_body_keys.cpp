@@ -52,20 +52,33 @@ std::vector<Key> motion_keys(std::size_t dim) {
 }
 
 std::vector<Key> press_keys(std::size_t dim) {
-  return {vector_key("counter_body.press.direction", dim, "", "needed by press.force and .approach",
-                     "direction in which the counter-body is pressed, of any length"),
-          {.name = "counter_body.press.force",
-           .unit = "N",
-           .presence = optional,
-           .absent_meaning = "it does not move, or as press.approach says",
-           .range = positive_quantity,
-           .help = "force along press.direction, in 2D per mm out of the plane; axisymmetric: the "
-                   "whole force"},
-          vector_key("counter_body.press.approach", 0, "mm", "it does not move",
-                     "how far it has moved along press.direction, at press.times, straight between "
-                     "them; or one number"),
-          vector_key("counter_body.press.times", 0, "s", "one approach, at all times",
-                     "times of press.approach, ascending")};
+  return {
+      vector_key("counter_body.press.direction", dim, "", "needed by press.force and .approach",
+                 "direction in which the counter-body is pressed, of any length"),
+      {.name = "counter_body.press.force",
+       .unit = "N",
+       .presence = optional,
+       .absent_meaning = "it does not move, or as press.approach says",
+       .range = positive_quantity,
+       .help = "force along press.direction, in 2D per mm out of the plane; axisymmetric: the "
+               "whole force"},
+      {.name = "counter_body.press.factors",
+       .kind = KeyKind::reals,
+       .presence = optional,
+       .absent_meaning = "press.force does not change with time",
+       .range = {.max = positive_quantity.max},
+       .help = "factors of press.force at press.times, 1e-6 or more: linear between them, "
+               "constant before the first and after the last"},
+      vector_key("counter_body.press.approach", 0, "mm", "it does not move",
+                 "how far it has moved along press.direction, at press.times, straight between "
+                 "them; or one number"),
+      {.name = "counter_body.press.times",
+       .kind = KeyKind::reals,
+       .unit = "s",
+       .presence = optional,
+       .absent_meaning = "one force, or one approach, at all times",
+       .range = {.min = 0},
+       .help = "ascending times of press.factors or press.approach; steps end on them exactly"}};
 }
 
 /// Adds a key of a shape, or the name of the shape to the help of one that is there.

@@ -142,9 +142,20 @@ void read_press(const Scene& scene, Section section, PressedCounterBody<dim>& re
   if (force && moves)
     throw InputError(scene.where("counter_body.press.approach") +
                      ": expected either press.approach or press.force, got both");
-  if (given(scene, "counter_body.press.times") && !moves)
+  const bool times = given(scene, "counter_body.press.times");
+  const bool factors = given(scene, "counter_body.press.factors");
+  if (factors && !force)
+    throw InputError(scene.where("counter_body.press.factors") +
+                     ": expected also counter_body.press.force, which they multiply");
+  if (force && times != factors)
+    throw InputError(
+        scene.where(times ? "counter_body.press.times" : "counter_body.press.factors") +
+        (times ? ": expected also counter_body.press.factors, at these times"
+               : ": expected also counter_body.press.times, of these factors"));
+  if (times && !moves && !force)
     throw InputError(scene.where("counter_body.press.times") +
-                     ": expected also counter_body.press.approach, at these times");
+                     ": expected also counter_body.press.approach, at these times, or .force and "
+                     ".factors");
   if ((force || moves) && !given(scene, direction))
     throw InputError(
         scene.where(force ? "counter_body.press.force" : "counter_body.press.approach") +

@@ -24,20 +24,25 @@ SignedDistance<dim> CounterShape<dim>::at(const Vector<dim>& x) const {
   return result;
 }
 
-/// From afar, or from within a cavity: among points of the ray the one with the most room.
+/// From afar, or from within a cavity: in the one nearest to where x is, the point with the most
+/// room.
 template <int dim>
 double CounterShape<dim>::start(const Vector<dim>& x, const Vector<dim>& approach) const {
-  constexpr int most_doublings = 60, samples = 512;
+  constexpr int most_doublings = 60, samples = 256;
   const double size = reach_ + x.norm();
   const auto gap = [&](double w) { return distance_(x - w * approach).gap; };
   double w = -2 * size;
   for (int k = 0; k <= most_doublings; ++k, w *= 2)
     if (gap(w) > 0) return w;
-  double best = never, room = 0;
-  for (int k = 0; k <= samples; ++k) {
-    w = 2 * size * (2.0 * k / samples - 1);
-    if (const double here = gap(w); here > room) room = here, best = w;
-  }
+  const auto sample = [size](int k) { return 2 * size * k / samples; };
+  int inside = 0;
+  while (inside <= samples && !(gap(sample(-inside)) > 0) && !(gap(sample(inside)) > 0)) ++inside;
+  if (inside > samples) return never;
+  if (gap(sample(-inside)) > 0) inside = -inside;
+  double best = sample(inside);
+  for (int step : {-1, 1})
+    for (int k = inside; std::abs(k) <= samples && gap(sample(k)) > 0; k += step)
+      if (gap(sample(k)) > gap(best)) best = sample(k);
   return best;
 }
 

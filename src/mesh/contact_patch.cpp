@@ -1,3 +1,5 @@
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/contact_patch.hpp>
@@ -98,8 +100,11 @@ std::vector<ContactPatch<dim>> contact_patches(
   for (auto& [node, patch] : by_node) {
     if (patch.corners.size() + patch.corners_beyond.size() > max_patch_facets ||
         patch.nodes.size() > max_patch_nodes)
-      throw Error("contact surface: more than " + std::to_string(max_patch_facets) +
-                  " facets meet at node " + std::to_string(node));
+      throw InputError(fmt::format(
+          "the mesh: {} facets meet at ({:.6g}), a node of the contact surface; expected "
+          "{} or fewer",
+          patch.corners.size() + patch.corners_beyond.size(), fmt::join(mesh.nodes[node], ", "),
+          max_patch_facets));
     measure(mesh, patch);
     patches.push_back(std::move(patch));
   }

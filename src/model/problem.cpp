@@ -37,6 +37,11 @@ std::unique_ptr<Model> remake_model(const Scene& scene, const std::optional<Grid
   return problem.remake && grid ? problem.remake(scene, *grid) : make_model(scene);
 }
 
+void find_further_mistakes(const Scene& scene, Mistakes& mistakes) {
+  const Problem& problem = Problems::find(scene.text("problem"), "problem");
+  if (problem.further_mistakes) problem.further_mistakes(scene, mistakes);
+}
+
 namespace {
 
 bool has_key(const std::vector<Key>& table, const std::string& name) {

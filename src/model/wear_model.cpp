@@ -129,6 +129,14 @@ void observe_cells(const WornBody<dim>& body, const NodalField<dim>& d, const No
   observed.groove_section = worn / body.section->length;
 }
 
+/// The box in which the counter-body is shown; that of a body of revolution ends at the axis.
+template <int dim>
+Box<dim> surroundings(const WornBody<dim>& body) {
+  Box<dim> box = Box<dim>::around(body.mesh.nodes).widened(0.25);
+  if (body.element.section == Section::meridian) box.low[0] = std::max(box.low[0], 0.0);
+  return box;
+}
+
 /// In 2D, z is zero.
 template <int dim>
 std::array<double, 3> in_space(const Vector<dim>& v) {
@@ -141,7 +149,9 @@ std::array<double, 3> in_space(const Vector<dim>& v) {
 
 template <int dim>
 WearModel<dim>::WearModel(std::shared_ptr<const WornBody<dim>> body)
-    : equations_(std::move(body)), system_(equations_.composition()) {
+    : surroundings_(surroundings(*body)),
+      equations_(std::move(body)),
+      system_(equations_.composition()) {
   require_one_section(this->body());
   require_strain(this->body());
   require_compact_elements(this->body().mesh);
@@ -229,12 +239,8 @@ std::vector<GridField> WearModel<dim>::fields(const State& state) const {
     stress.values.push_back(equivalent_stress<dim>(body.element, body.material, at.X, at.u));
     quality.values.push_back(scaled_jacobian<dim>(at.X));
   }
-  return {nodal_vector<dim>("displacement", nodal_u),
-          nodal_vector<dim>("shape", nodal_d),
-          nodal_vector<dim>("total_displacement", nodal_u + nodal_d),
-          pressure,
-          stress,
-          quality};
+  return {nodal_vector<dim>("displacement", nodal_u), nodal_vector<dim>("shape", nodal_d), pressure,
+          stress, quality};
 }
 
 template <int dim>
@@ -259,6 +265,23 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
     surface.wear_depth.push_back(d.norm());
     surface.active.push_back(contact.active);
   }
+  return surface;
+}
+
+template <int dim>
+std::optional<CounterSurface> WearModel<dim>::counter_surface(const State& state) const {
+  constexpr int cells_along = dim == 2 ? 128 : 32;
+  const CounterBody<dim>& other = body().contact.counter_body;
+  double w = other.travel ? other.travel->factor(state.t) : 0;
+  if (body().counter_force) w += system_.values(state.t, state.y).scalar(equations_.fields().w)[0];
+  const FacetedSurface<dim> within = zero_level<dim>(
+      [&](const Vector<dim>& x) { return other.unchecked_distance(other.seen(x, w), state.t); },
+      surroundings_, cells_along);
+  CounterSurface surface;
+  surface.dim = dim;
+  for (const Vector<dim>& x : within.points) surface.points.push_back(in_space<dim>(x));
+  for (const auto& facet : within.facets)
+    surface.facets.insert(surface.facets.end(), facet.begin(), facet.end());
   return surface;
 }
 

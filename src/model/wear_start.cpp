@@ -97,17 +97,32 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
   return report;
 }
 
+namespace {
+
+/// A part of the load has an equilibrium, so that the body is sound and the load too large for it;
+/// or none has.
+std::string failure_of(const RampReport& ramp, const Element& element) {
+  const char* technology = technology_names[static_cast<std::size_t>(element.technology)];
+  if (ramp.reached == 0)
+    return fmt::format(
+        "no equilibrium was found at the start, not even of a small part of the load "
+        "(element {}): {}",
+        technology, ramp.reason);
+  return fmt::format(
+      "the load or approach at the start is more than this body carries: the load ramp "
+      "found equilibria up to load fraction {:.4g}, and none beyond (element {}): {}",
+      ramp.reached, technology, ramp.reason);
+}
+
+}  // namespace
+
 template <int dim>
 State WearModel<dim>::start(Counters& counters) const {
   ComposedSystem<dim> contact(equations_.composition(), equations_.deformation());
   FieldValues<dim> values(*equations_.composition()->fields);
   const RampReport ramp =
       find_equilibrium(equations_, contact, ramp_options(body()), values, counters);
-  if (ramp.reached < 1)
-    throw SolutionError(fmt::format(
-        "the load ramp found no equilibrium beyond load fraction {:.4g} with element {}: {}",
-        ramp.reached, technology_names[static_cast<std::size_t>(body().element.technology)],
-        ramp.reason));
+  if (ramp.reached < 1) throw SolutionError(failure_of(ramp, body().element));
   State state;
   state.y.resize(system_.structure().size);
   system_.numbering().gather(values, state.y);

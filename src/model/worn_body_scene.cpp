@@ -35,6 +35,10 @@ constexpr double shortest_ramp = 1e-4;
 std::vector<double> on_landings(std::vector<double> times, const Scene& scene) {
   std::vector<double> landings = scene.reals("output.times");
   landings.push_back(scene.real("time.end"));
+  const double interval = scene.real_if("output.interval").value_or(0);
+  for (double& time : times)
+    if (interval > 0 && same_time(time, std::round(time / interval) * interval))
+      time = std::round(time / interval) * interval;
   for (double& time : times)
     for (const double landing : landings)
       if (same_time(time, landing)) time = landing;
@@ -97,26 +101,28 @@ void hold_on_axis(WornBody<2>& body) {
   }
 }
 
-LoadHistory read_load_history(const Scene& scene) {
+LoadHistory read_load_history(const Scene& scene, const std::string& prefix) {
+  const std::string times_key = prefix + ".times", factors_key = prefix + ".factors";
+  if (!scene.has(times_key) && !scene.has(factors_key)) return {};
   const double shortest = shortest_ramp * scene.real("time.end");
-  const std::vector<double>& times = scene.reals("load.times");
-  const std::vector<double>& factors = scene.reals("load.factors");
+  const std::vector<double>& times = scene.reals(times_key);
+  const std::vector<double>& factors = scene.reals(factors_key);
   if (times.size() != factors.size())
-    throw InputError(fmt::format("{}: expected as many as load.times, {}, got {}",
-                                 scene.where("load.factors"), times.size(), factors.size()));
+    throw InputError(fmt::format("{}: expected as many as {}, {}, got {}", scene.where(factors_key),
+                                 times_key, times.size(), factors.size()));
   if (times.empty()) return {};
   for (std::size_t k = 1; k < times.size(); ++k)
     if (!(times[k] - times[k - 1] >= 0.999 * shortest))
       throw InputError(
           fmt::format("{}: expected ascending times, at least {:g} of time.end = {:g} s apart, got "
                       "{} after {}",
-                      scene.where("load.times"), shortest_ramp, shortest, times[k], times[k - 1]));
+                      scene.where(times_key), shortest_ramp, shortest, times[k], times[k - 1]));
   for (const double factor : factors)
     if (!(factor >= least_load_factor))
       throw InputError(fmt::format(
           "{}: expected {:g} or more, got {:g}: only a force keeps the bodies together, and "
           "without it their distance is not determined",
-          scene.where("load.factors"), least_load_factor, factor));
+          scene.where(factors_key), least_load_factor, factor));
   return {on_landings(times, scene), factors};
 }
 

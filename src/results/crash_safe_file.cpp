@@ -40,7 +40,7 @@ int rank_of(H5FD_mem_t type, const unsigned char* bytes, size_t size) {
   }
 }
 
-bool has_name(int descriptor, const std::filesystem::path& path) {
+bool is_named(int descriptor, const std::filesystem::path& path) {
   struct stat here = {}, there = {};
   return fstat(descriptor, &here) == 0 && stat(path.c_str(), &there) == 0 &&
          here.st_dev == there.st_dev && here.st_ino == there.st_ino;
@@ -78,7 +78,7 @@ int write_all(int descriptor, haddr_t address, const unsigned char* bytes, size_
 CrashSafeFile::CrashSafeFile(const std::filesystem::path& path)
     : descriptor_(open_part(path, "\x89HDF\r\n\x1a\n")) {
   std::string trouble;
-  if (!claim_alone(descriptor_) || !has_name(descriptor_, path)) {
+  if (!claim_alone(descriptor_) || !is_named(descriptor_, path)) {
     trouble = "another run is writing it";
   } else if (ftruncate(descriptor_, 0) != 0) {
     trouble = std::strerror(errno);
@@ -90,6 +90,10 @@ CrashSafeFile::CrashSafeFile(const std::filesystem::path& path)
 
 CrashSafeFile::~CrashSafeFile() {
   ::close(descriptor_);
+}
+
+bool CrashSafeFile::has_name(const std::filesystem::path& path) const {
+  return is_named(descriptor_, path);
 }
 
 void CrashSafeFile::share() {

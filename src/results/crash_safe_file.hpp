@@ -51,6 +51,8 @@ public:
   void require_written() const;
   /// From here on the file is for readers too (write_claim.hpp).
   void share();
+  /// Whether the file is the one of this name.
+  bool has_name(const std::filesystem::path& path) const;
   /// Asks the system to bring the file to the medium itself. Throws Failure.
   void sync();
 

@@ -17,9 +17,10 @@ namespace gnomon::hdf5 {
 Handle text_type(std::size_t size);
 /// A dataspace of the given extents; none: a scalar.
 Handle space(const std::vector<hsize_t>& extents);
-/// Creates a dataset that is written once; properties may be H5P_DEFAULT.
+/// Creates a dataset that is written once, as a whole. It is compressed where that pays: in chunks,
+/// gzip after shuffle.
 Handle create_dataset(hid_t parent, const std::string& name, hid_t type,
-                      const std::vector<hsize_t>& extents, hid_t properties = H5P_DEFAULT);
+                      const std::vector<hsize_t>& extents);
 
 void write_attribute(hid_t object, const char* name, const std::string& text);
 void write_attribute(hid_t object, const char* name, const std::vector<std::string>& texts);

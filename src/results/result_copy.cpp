@@ -12,7 +12,8 @@ void copy_step(const ResultReader& from, std::size_t step, double t,
                const std::vector<std::string>& fields, ResultWriter& to) {
   std::vector<GridField> values;
   for (const std::string& field : fields) values.push_back(from.field(step, field));
-  to.store(t, values, from.has_contact() ? std::optional(from.contact(t)) : std::nullopt);
+  to.store(t, values, from.has_contact() ? std::optional(from.contact(t)) : std::nullopt,
+           from.counter_surface(step));
 }
 
 /// Called before anything is written: with a time that is too late the copy would replace the

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "results/checkpoint_table.hpp"
+#include "results/counter_surfaces.hpp"
 #include "results/hdf5_values.hpp"
 #include "results/history_table.hpp"
 #include "results/layout.hpp"
@@ -275,6 +276,15 @@ GridField ResultReader::field(std::size_t step, const std::string& name) const {
     if (step >= count)
       throw Failure(fmt::format("it has {} stored steps, not {}", count, step + 1));
     return read_field(file_->file(), "steps/" + layout::step_path(step), name);
+  });
+}
+
+std::optional<CounterSurface> ResultReader::counter_surface(std::size_t step) const {
+  return file_->guarded([&] {
+    const std::string path = "steps/" + layout::step_path(step);
+    const Handle group =
+        own(H5Gopen2(file_->file(), path.c_str(), H5P_DEFAULT), H5Gclose, "read a step");
+    return layout::read_surface(file_->file(), group.id());
   });
 }
 

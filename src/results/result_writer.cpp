@@ -5,6 +5,7 @@
 #include <gnomon/results/results.hpp>
 
 #include "results/checkpoint_table.hpp"
+#include "results/counter_surfaces.hpp"
 #include "results/crash_safe_file.hpp"
 #include "results/growing_table.hpp"
 #include "results/hdf5_values.hpp"
@@ -31,7 +32,8 @@ public:
 
   void append(const HistoryRow& row);
   void store(double t, const std::vector<GridField>& fields,
-             const std::optional<ContactSurface>& contact);
+             const std::optional<ContactSurface>& contact,
+             const std::optional<CounterSurface>& counter_body);
   void checkpoint(const Checkpoint& checkpoint);
   void end(const std::string& status, double wall_seconds, bool whole);
   // Runs an action of a public function: HDF5 prints nothing, and after a failure nothing more is
@@ -43,6 +45,8 @@ private:
   void check_earlier() const;
   void publish();
   void discard() noexcept;
+  void require_name();
+  void withdraw();
   const char* what_is_left() const;
   void flush();
   void check_field(const GridField& field) const;
@@ -55,9 +59,10 @@ private:
   bool has_rows_ = false;  // on the disk
   double reached_ = 0;
   std::optional<hdf5::CrashSafeFile> disk_;
-  Handle file_, gnomon_, steps_, contacts_;  // released in reverse order, the file last
+  Handle file_, gnomon_, steps_, contacts_, counters_;  // released in reverse order, the file last
   hdf5::GrowingTable history_, stored_;
   layout::CheckpointTable checkpoints_;
+  layout::CounterSurfaces surfaces_;
   std::vector<layout::Column> columns_;
   std::optional<XdmfSidecar> sidecar_;
   std::size_t points_ = 0, cells_ = 0;
@@ -102,6 +107,7 @@ void ResultWriter::File::create(const RunHeader& header, const std::optional<Gri
   stored_ = hdf5::GrowingTable::create(gnomon_.id(), "stored", layout::stored_type());
   contacts_ = create_group(gnomon_.id(), "contact", layout::kStepsPerGroup);
   steps_ = create_group(file_.id(), "steps", layout::kStepsPerGroup);
+  counters_ = create_group(file_.id(), "counter_body", layout::kStepsPerGroup);
   if (grid) {
     const std::size_t corners = grid->cell == Grid::Cell::quadrilateral ? 4 : 8;
     points_ = grid->points.size();
@@ -138,6 +144,7 @@ ResultWriter::File::~File() {
   checkpoints_ = {};
   stored_ = {};
   history_ = {};
+  counters_ = {};
   contacts_ = {};
   steps_ = {};
   gnomon_ = {};
@@ -152,8 +159,23 @@ void ResultWriter::File::guarded(const std::function<void()>& action) {
   } catch (const std::exception& error) {
     failed_ = true;
     disk_->abandon();
+    require_name();
     throw Error(fmt::format("{}: {} ({})", path_.string(), error.what(), what_is_left()));
   }
+  require_name();
+}
+
+// Without the file nobody will find what this run computes, and the sidecar refers to nothing.
+void ResultWriter::File::require_name() {
+  if (!published_ || disk_->has_name(path_)) return;
+  failed_ = true;
+  disk_->abandon();
+  std::error_code ignored;
+  if (is_sidecar(sidecar_of(path_))) std::filesystem::remove(sidecar_of(path_), ignored);
+  throw Error(
+      fmt::format("{}: somebody has deleted, moved or replaced it while this run wrote it; "
+                  "the run ends",
+                  path_.string()));
 }
 
 const char* ResultWriter::File::what_is_left() const {
@@ -206,10 +228,12 @@ Handle ResultWriter::File::open_steps(hid_t parent) {
 }
 
 void ResultWriter::File::store(double t, const std::vector<GridField>& fields,
-                               const std::optional<ContactSurface>& contact) {
+                               const std::optional<ContactSurface>& contact,
+                               const std::optional<CounterSurface>& counter_body) {
   for (const GridField& field : fields) check_field(field);
   const std::string path = layout::step_path(stored_.rows());
   const std::string name = path.substr(path.find('/') + 1);
+  std::optional<layout::StoredSurface> surface;
   {
     const Handle hundred = open_steps(steps_.id());
     const Handle step = create_group(hundred.id(), name, fields.size());
@@ -217,6 +241,9 @@ void ResultWriter::File::store(double t, const std::vector<GridField>& fields,
     for (const GridField& field : fields) layout::write_field(step.id(), field);
     const Handle contacts = open_steps(contacts_.id());
     if (contact) layout::write_contact(contacts.id(), name, *contact);
+    const Handle counters = open_steps(counters_.id());
+    surface = surfaces_.put(counters.id(), name, "/counter_body/" + path, counter_body);
+    if (surface) layout::write_surface_names(step.id(), *surface);
   }
   flush();
   // A separate commit: the step counts as stored when it is complete.
@@ -225,7 +252,7 @@ void ResultWriter::File::store(double t, const std::vector<GridField>& fields,
   layout::put(row.path, whole);
   stored_.append(&row);
   flush();
-  if (sidecar_) sidecar_->add_step(t, "/" + whole, fields);
+  if (sidecar_) sidecar_->add_step(t, "/" + whole, fields, surface);
 }
 
 void ResultWriter::File::checkpoint(const Checkpoint& checkpoint) {
@@ -235,7 +262,17 @@ void ResultWriter::File::checkpoint(const Checkpoint& checkpoint) {
   flush();
 }
 
+// A run that has failed at its start holds nothing, and would be in the way of the next one.
+void ResultWriter::File::withdraw() {
+  disk_->abandon();
+  published_ = false;
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+  if (sidecar_) std::filesystem::remove(sidecar_of(path_), ignored);
+}
+
 void ResultWriter::File::end(const std::string& status, double wall_seconds, bool whole) {
+  if (published_ && !has_rows_) return withdraw();
   hdf5::write_attribute(gnomon_.id(), "wall_seconds", wall_seconds);
   hdf5::rewrite_attribute(gnomon_.id(), "status", status);
   flush();
@@ -254,8 +291,9 @@ void ResultWriter::append(const HistoryRow& row) {
 }
 
 void ResultWriter::store(double t, const std::vector<GridField>& fields,
-                         const std::optional<ContactSurface>& contact) {
-  file_->guarded([&] { file_->store(t, fields, contact); });
+                         const std::optional<ContactSurface>& contact,
+                         const std::optional<CounterSurface>& counter_body) {
+  file_->guarded([&] { file_->store(t, fields, contact, counter_body); });
 }
 
 void ResultWriter::checkpoint(const Checkpoint& checkpoint) {

@@ -2,44 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
-#include <fstream>
-
 #include "results/replaced_file.hpp"
+#include "results/xml_text.hpp"
 
 namespace gnomon {
 
 namespace {
 
-// Every sidecar begins with this text: a file that begins differently does not come from gnomon.
-constexpr const char* head =
-    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-    "<Xdmf Version=\"3.0\">\n"
-    "  <Domain>\n"
+constexpr const char* body =
     "    <Grid Name=\"steps\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
+constexpr const char* counter_body =
+    "    <Grid Name=\"counter_body\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+constexpr const char* collection_end = "    </Grid>\n";
 
 }  // namespace
 
@@ -51,15 +25,15 @@ std::filesystem::path sidecar_of(const std::filesystem::path& result) {
   return file.replace_extension(".xdmf");
 }
 
+// Every sidecar begins so: a file that begins differently does not come from gnomon.
 bool is_sidecar(const std::filesystem::path& file) {
-  std::string start(std::strlen(head), '\0');
-  std::ifstream stream(file, std::ios::binary);
-  return stream.read(start.data(), static_cast<std::streamsize>(start.size())) && start == head;
+  return begins_with(file, std::string(xdmf_head) + body) ||
+         begins_with(file, std::string(xdmf_head) + counter_body);
 }
 
 XdmfSidecar::XdmfSidecar(const std::filesystem::path& result, const Grid& grid)
     : path_(sidecar_of(result)), result_name_(escaped(result.filename().string())) {
-  require_own_part(path_, head);
+  require_own_part(path_, xdmf_head);
   const bool flat = grid.cell == Grid::Cell::quadrilateral;
   const std::size_t corners = flat ? 4 : 8;
   points_ = grid.points.size();
@@ -85,8 +59,9 @@ std::string XdmfSidecar::item(const std::string& dataset, const std::string& ext
       extents, result_name_, escaped(dataset));
 }
 
-void XdmfSidecar::add_step(double t, const std::string& group,
-                           const std::vector<GridField>& fields) {
+void XdmfSidecar::add_step(double t, const std::string& group, const std::vector<GridField>& fields,
+                           const std::optional<layout::StoredSurface>& surface) {
+  if (surface) add_counter_body(t, *surface);
   steps_ += fmt::format(
       "      <Grid Name=\"{}\" GridType=\"Uniform\">\n        <Time Value=\"{:.17g}\"/>\n{}", group,
       t, mesh_);
@@ -103,8 +78,24 @@ void XdmfSidecar::add_step(double t, const std::string& group,
   if (published_) write(Earlier::replaced);
 }
 
+void XdmfSidecar::add_counter_body(double t, const layout::StoredSurface& surface) {
+  const bool flat = surface.dim == 2;
+  counter_steps_ += fmt::format(
+      "      <Grid Name=\"counter_body\" GridType=\"Uniform\">\n"
+      "        <Time Value=\"{:.17g}\"/>\n"
+      "        <Topology TopologyType=\"{}\" NumberOfElements=\"{}\">{}</Topology>\n"
+      "        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n"
+      "      </Grid>\n",
+      t, flat ? "Polyline\" NodesPerElement=\"2" : "Quadrilateral", surface.facet_count,
+      item(surface.facets, fmt::format("{} {}", surface.facet_count, flat ? 2 : 4), true),
+      item(surface.points, fmt::format("{} 3", surface.point_count), false));
+}
+
+// The body is last, because meshio reads the last collection alone.
 void XdmfSidecar::write(Earlier earlier) const {
-  write_file(path_, head + steps_ + "    </Grid>\n  </Domain>\n</Xdmf>\n", earlier);
+  std::string text = xdmf_head;
+  if (!counter_steps_.empty()) text += counter_body + counter_steps_ + collection_end;
+  write_file(path_, text + body + steps_ + collection_end + xdmf_end, earlier);
 }
 
 }  // namespace gnomon

@@ -4,8 +4,11 @@
 #include <filesystem>
 #include <gnomon/model/model.hpp>
 #include <gnomon/results/result_files.hpp>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "results/counter_surfaces.hpp"
 
 namespace gnomon {
 
@@ -18,12 +21,15 @@ public:
   /// Gives the file its name. Throws Error.
   void publish(Earlier earlier);
 
-  /// Adds a step whose fields are datasets below `group` ("/steps/0000/000012"). A published
+  /// Adds a step whose fields are datasets below `group` ("/steps/0000/000012"), and the
+  /// counter-body beside it. A published
   /// sidecar is replaced as a whole, so it is valid XML at every moment. Throws Error.
-  void add_step(double t, const std::string& group, const std::vector<GridField>& fields);
+  void add_step(double t, const std::string& group, const std::vector<GridField>& fields,
+                const std::optional<layout::StoredSurface>& counter_body = {});
 
 private:
   void write(Earlier earlier) const;
+  void add_counter_body(double t, const layout::StoredSurface& surface);
   std::string item(const std::string& dataset, const std::string& extents, bool integer) const;
 
   std::filesystem::path path_;
@@ -32,6 +38,7 @@ private:
   std::size_t cells_ = 0;
   std::string mesh_;   ///< topology and geometry, the same in every step
   std::string steps_;  ///< one Grid element per stored step
+  std::string counter_steps_;
   bool published_ = false;
 };
 

@@ -153,7 +153,9 @@ private:
 
   void store() {
     if (stored_at_ == state().t) return;
-    if (writer_) writer_->store(state().t, model_.fields(state()), model_.contact(state()));
+    if (writer_)
+      writer_->store(state().t, model_.fields(state()), model_.contact(state()),
+                     model_.counter_surface(state()));
     ++last_checkpoint_.stored;
     stored_at_ = state().t;
   }

@@ -19,26 +19,60 @@ void require_apart(const std::vector<double>& times, const std::string& where) {
                       where, least, times[k - 1], times[k]));
 }
 
+namespace {
+
+/// The multiples of output.interval up to the end. Near to a time that is there, it is not
+/// repeated: with interval = 0.1 and times = [0.3], 3 * 0.1 is another number.
+void add_multiples(const Scene& scene, double end, std::vector<double>& times) {
+  constexpr double most = 1e5;
+  if (!scene.has("output.interval")) return;
+  const double interval = scene.real("output.interval");
+  if (end / interval > most)
+    throw InputError(
+        fmt::format("{}: expected {:g} s or more, which stores {:g} times up to "
+                    "time.end, got {:g}",
+                    scene.where("output.interval"), end / most, most, interval));
+  const std::vector<double> given = times;
+  for (long k = 1; k * interval <= end * (1 + 1e-12); ++k) {
+    const double time = k * interval;
+    if (std::none_of(given.begin(), given.end(), [&](double t) { return same_time(t, time); }))
+      times.push_back(time);
+  }
+}
+
+}  // namespace
+
 StorePolicy store_policy(const Scene& scene) {
   const double end = scene.real("time.end");
   StorePolicy policy;
   policy.every = scene.integer("output.every");
   policy.times = scene.reals("output.times");
+  add_multiples(scene, end, policy.times);
   for (double& time : policy.times)
     if (same_time(time, end)) time = end;
   policy.last = scene.flag("output.last");
   policy.checkpoint_work = scene.integer("output.checkpoints");
   std::sort(policy.times.begin(), policy.times.end());
   policy.times.erase(std::unique(policy.times.begin(), policy.times.end()), policy.times.end());
-  if (!policy.times.empty() && policy.times.back() > end)
-    throw InputError(fmt::format("{}: expected times up to time.end = {} s, got {}",
-                                 scene.where("output.times"), end, policy.times.back()));
+  const auto behind = std::upper_bound(policy.times.begin(), policy.times.end(), end);
+  policy.beyond.assign(behind, policy.times.end());
+  policy.times.erase(behind, policy.times.end());
   std::vector<double> landings = policy.times;
   if (landings.empty() || landings.back() != end) landings.push_back(end);
-  require_apart(landings, scene.where("output.times"));
+  require_apart(landings,
+                scene.where(scene.has("output.interval") ? "output.interval" : "output.times"));
   // The start is always stored.
   if (!policy.times.empty() && policy.times.front() == 0) policy.times.erase(policy.times.begin());
   return policy;
+}
+
+std::string dropped_times_text(const Scene& scene) {
+  const std::vector<double> beyond = store_policy(scene).beyond;
+  if (beyond.empty()) return {};
+  return fmt::format(
+      "{} of output.times, from {:g} s on, {} behind time.end = {:g} s and {} not stored",
+      beyond.size(), beyond.front(), beyond.size() == 1 ? "lies" : "lie", scene.real("time.end"),
+      beyond.size() == 1 ? "is" : "are");
 }
 
 const Integrator& chosen_integrator(const Scene& scene) {

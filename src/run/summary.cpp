@@ -4,6 +4,7 @@
 #include <fstream>
 #include <gnomon/run/summary.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace gnomon {
 
@@ -50,17 +51,33 @@ void add_scalars(Json& json, const RunOutcome& outcome) {
 
 }  // namespace
 
-bool is_summary(const std::filesystem::path& file) {
+namespace {
+
+/// None unless the file contains a summary.
+std::optional<Json> read_summary(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  const Json json = Json::parse(stream, nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object()) return false;
+  Json json = Json::parse(stream, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object()) return std::nullopt;
   for (const char* key : {"problem", "integrator", "status", "t_end", "unknowns", "versions"})
-    if (!json.contains(key)) return false;
-  return true;
+    if (!json.contains(key)) return std::nullopt;
+  return json;
+}
+
+}  // namespace
+
+bool is_summary(const std::filesystem::path& file) {
+  return read_summary(file).has_value();
+}
+
+bool is_summary_of_failed_start(const std::filesystem::path& file) {
+  const auto json = read_summary(file);
+  return json && json->value("status", "") == "failed" && json->contains("t") &&
+         json->at("t").is_null();
 }
 
 std::string summary_json(const Scene& scene, const RunHeader& header,
-                         const IntegratorSettings& settings, const RunOutcome& outcome) {
+                         const IntegratorSettings& settings, const RunOutcome& outcome,
+                         const std::vector<std::string>& remarks) {
   Json json;
   json["scene"] = scene.path().string();
   json["problem"] = header.problem;
@@ -73,6 +90,7 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
   json["t"] = outcome.last ? Json(outcome.last->t) : Json(nullptr);
   json["t_end"] = settings.end;
   add_counters(json, outcome.counters);
+  json["remarks"] = remarks;
   json["warnings"] = outcome.warnings;
   json["chattering_nodes"] = outcome.chattering_nodes;
   json["wall_seconds"] = outcome.wall_seconds;

@@ -210,6 +210,12 @@ bool gives_table(const std::string& name, const RawValue& value, const std::vect
   return is_table(value) && names_table(name, table);
 }
 
+std::string key_meant(const std::string& name, const std::vector<Key>& table) {
+  std::vector<std::string> names;
+  for (const Key& key : table) names.push_back(key_like(key.name, name));
+  return nearest_name(name, names);
+}
+
 void refuse_unknown_key(const std::string& origin, const std::string& name, const RawValue& value,
                         const std::vector<Key>& table, const std::string& help,
                         const std::string& prefix) {
@@ -220,16 +226,13 @@ void refuse_unknown_key(const std::string& origin, const std::string& name, cons
   if (names_table(name, table))
     throw InputError(fmt::format("{}: expected a table of keys, [{}{}], got {}", origin, prefix,
                                  name, describe(value)));
-  std::vector<std::string> names;
-  for (const Key& key : table) {
+  for (const Key& key : table)
     if (is_misnamed(key.name, name))
       throw InputError(
           fmt::format("{}: expected letters, digits and underscores, no digit first, "
                       "in the place of * in `{}{}`",
                       origin, prefix, key.name));
-    names.push_back(key_like(key.name, name));
-  }
-  const std::string near = nearest_name(name, names);
+  const std::string near = key_meant(name, table);
   throw InputError(fmt::format("{}: unknown key, {}", origin,
                                near.empty() ? fmt::format("expected one of `{}`", help)
                                             : fmt::format("did you mean `{}{}`?", prefix, near)));

@@ -41,6 +41,9 @@ std::optional<Key> find_key(const std::vector<Key>& table, const std::string& na
 /// are the keys.
 bool gives_table(const std::string& name, const RawValue& value, const std::vector<Key>& table);
 
+/// The key of the table that an unknown name most likely means; empty if none is near.
+std::string key_meant(const std::string& name, const std::vector<Key>& table);
+
 /// Throws InputError for a name that no key has, with the nearest one or the command that lists
 /// them all (`help`). `prefix` is put before names.
 [[noreturn]] void refuse_unknown_key(const std::string& origin, const std::string& name,

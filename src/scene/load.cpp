@@ -72,8 +72,8 @@ Scene parse_scene(const std::string& text, const std::string& name,
 }
 
 Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                 const KeyTableOf& table_of) {
-  return SceneFile(file).scene(parse_overrides(overrides), table_of);
+                 const KeyTableOf& table_of, Mistakes* mistakes) {
+  return SceneFile(file).scene(parse_overrides(overrides), table_of, mistakes);
 }
 
 }  // namespace gnomon

@@ -49,12 +49,71 @@ std::size_t distance(const std::string& word, const std::string& candidate) {
   return result;
 }
 
+/// What others call a key (by its last part, or in full) or an integrator: first the names that
+/// they use, then the candidates that may be meant, the best first.
+struct UsualName {
+  std::vector<std::string> usual, meant;
+};
+
+const std::vector<UsualName>& usual_names() {
+  static const std::vector<UsualName> names = {
+      {{"E", "youngs_modulus", "elastic_modulus"}, {"young_modulus"}},
+      {{"nu", "poisson", "poissons_ratio"}, {"poisson_ratio"}},
+      {{"mu", "f", "cof", "friction_coefficient"}, {"friction.coefficient"}},
+      {{"k", "wear_coefficient"}, {"wear.coefficient"}},
+      {{"F", "P", "normal_force"}, {"press.force", "force"}},
+      {{"p"}, {"pressure"}},
+      {{"v", "speed"}, {"motion.velocity", "velocity"}},
+      {{"omega"}, {"rotation"}},
+      {{"R", "r"}, {"radius"}},
+      {{"rho"}, {"density"}},
+      {{"g", "gravity"}, {"acceleration"}},
+      {{"dt", "time_step", "step_size"}, {"integrator.step"}},
+      {{"tol", "tolerance", "reltol"}, {"integrator.rtol"}},
+      {{"abstol"}, {"integrator.atol"}},
+      {{"t_end", "tend", "end_time", "duration"}, {"time.end"}},
+      {{"method", "integrator"}, {"integrator.name"}},
+      {{"rk1", "euler", "explicit-euler"}, {"forward-euler"}},
+      {{"implicit-euler", "euler-implicit", "be"}, {"backward-euler"}},
+      {{"rk2", "heun", "midpoint"}, {"erk-2"}},
+      {{"rk3"}, {"erk-3"}},
+      {{"rk4", "runge-kutta", "runge-kutta-4"}, {"erk-4"}},
+      {{"rk5", "rk45", "dopri5", "ode45"}, {"erk-5", "erk-4"}},
+      {{"ida", "gear", "ode15s"}, {"bdf"}},
+      {{"trapezoidal", "trapezoid", "crank-nicolson"}, {"theta"}},
+  };
+  return names;
+}
+
+bool is_called(const std::string& candidate, const std::string& name) {
+  return candidate == name || candidate.ends_with("." + name);
+}
+
+/// The candidate that a usual name means, preferably in the same table; empty if there is none.
+std::string usually_meant(const std::string& word, const std::vector<std::string>& candidates) {
+  const std::string table = word.substr(0, word.size() - last_part(word).size());
+  for (const UsualName& entry : usual_names()) {
+    if (std::find(entry.usual.begin(), entry.usual.end(), last_part(word)) == entry.usual.end())
+      continue;
+    std::string first;
+    for (const std::string& meant : entry.meant)
+      for (const std::string& candidate : candidates) {
+        if (!is_called(candidate, meant)) continue;
+        if (!table.empty() && candidate.starts_with(table)) return candidate;
+        if (first.empty()) first = candidate;
+      }
+    if (!first.empty()) return first;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates) {
   constexpr std::size_t longest =
       200;  // longer words are no typing mistakes; the limit bounds the cost
   if (word.size() > longest) return {};
+  if (std::string meant = usually_meant(word, candidates); !meant.empty()) return meant;
   std::string nearest;
   std::size_t best = std::max<std::size_t>(2, word.size() / 3) + 1;
   if (word.size() <= 3) best = 2;

@@ -53,7 +53,7 @@ public:
               const std::vector<GivenValue>& overrides)
       : name_(name), in_file_(in_file), overrides_(overrides) {}
 
-  Scene load(const KeyTableOf& table_of) const {
+  Scene load(const KeyTableOf& table_of, Mistakes& mistakes) const {
     const GivenValue& given = problem();
     const std::string problem =
         std::get<std::string>(checked_value(run_keys().front(), given.value, given.origin));
@@ -63,25 +63,22 @@ public:
     } catch (const InputError& error) {
       throw InputError(given.origin + ": " + error.what());
     }
-    // In the order of the file, so that its first mistake is the one that is reported.
+    // In the order of the file, so that its first mistake is the first that is reported.
     for (const GivenValue& value : in_file_)
-      if (!gives_table(value.name, value.value, table)) check(value, table, problem);
-    for (const GivenValue& value : overrides_) {
-      if (gives_table(value.name, value.value, table))
-        throw InputError(
-            fmt::format("{}: expected one value, as in --set {}.KEY=VALUE, got a table",
-                        value.origin, value.name));
-      check(value, table, problem);
-    }
+      if (!gives_table(value.name, value.value, table))
+        mistakes.collect([&] { check(value, table, problem); });
+    for (const GivenValue& value : overrides_)
+      mistakes.collect([&] { check_override(value, table, problem); });
+    const std::set<std::string> meant = keys_meant(table);
 
     Scene scene;
     scene.path_ = name_;
     for (const Key& key : table)
       if (key.name.find_first_of("*#") == std::string::npos)
-        scene.entries_.push_back(resolve(key));
+        scene.entries_.push_back(resolve(key, meant, mistakes));
       else
         for (const std::string& name : given_names_of(key))
-          scene.entries_.push_back(resolve(*find_key({key}, name)));
+          scene.entries_.push_back(resolve(*find_key({key}, name), meant, mistakes));
     return scene;
   }
 
@@ -109,6 +106,23 @@ private:
     checked_value(*key, given.value, given.origin);
   }
 
+  static void check_override(const GivenValue& given, const std::vector<Key>& table,
+                             const std::string& problem) {
+    if (gives_table(given.name, given.value, table))
+      throw InputError(fmt::format("{}: expected one value, as in --set {}.KEY=VALUE, got a table",
+                                   given.origin, given.name));
+    check(given, table, problem);
+  }
+
+  /// The keys that unknown ones seem to mean: they are not told to be missing as well.
+  std::set<std::string> keys_meant(const std::vector<Key>& table) const {
+    std::set<std::string> meant;
+    for (const auto* values : {&overrides_, &in_file_})
+      for (const GivenValue& given : *values)
+        if (!find_key(table, given.name)) meant.insert(key_meant(given.name, table));
+    return meant;
+  }
+
   /// The names, ascending, that file and overrides give keys of a name with "*" or "#".
   std::set<std::string> given_names_of(const Key& key) const {
     std::set<std::string> names;
@@ -118,14 +132,21 @@ private:
     return names;
   }
 
-  Scene::Entry resolve(const Key& key) const {
-    const std::string origin = message_about(name_, 0, key.name);
+  /// Values that the key does not accept are told by check() and left out.
+  Scene::Entry resolve(const Key& key, const std::set<std::string>& meant,
+                       Mistakes& mistakes) const {
+    Scene::Entry entry{key, std::nullopt, message_about(name_, 0, key.name)};
+    if (key.presence == Key::Presence::defaulted) entry.value = key.default_value;
     for (const auto* values : {&overrides_, &in_file_})
-      if (const GivenValue* given = find(*values, key.name))
-        return {key, checked_value(key, given->value, given->origin), given->origin};
-    if (key.presence == Key::Presence::required) refuse_missing_key(origin, key);
-    if (key.presence == Key::Presence::defaulted) return {key, key.default_value, origin};
-    return {key, std::nullopt, origin};
+      if (const GivenValue* given = find(*values, key.name)) {
+        entry.origin = given->origin;
+        const auto checked = check_value(key, given->value);
+        if (const auto* value = std::get_if<SceneValue>(&checked)) entry.value = *value;
+        return entry;
+      }
+    if (key.presence == Key::Presence::required && !meant.contains(key.name))
+      mistakes.collect([&] { refuse_missing_key(entry.origin, key); });
+    return entry;
   }
 
   const std::string& name_;
@@ -142,8 +163,12 @@ SceneFile::SceneFile(const std::string& text, const std::string& name) : name_(n
         {entry.name, message_about(name, entry.line, entry.name), std::move(entry.value)});
 }
 
-Scene SceneFile::scene(const std::vector<GivenValue>& overrides, const KeyTableOf& table_of) const {
-  return SceneLoader(name_, values_, overrides).load(table_of);
+Scene SceneFile::scene(const std::vector<GivenValue>& overrides, const KeyTableOf& table_of,
+                       Mistakes* mistakes) const {
+  Mistakes own;
+  Scene scene = SceneLoader(name_, values_, overrides).load(table_of, mistakes ? *mistakes : own);
+  own.require_none();
+  return scene;
 }
 
 }  // namespace gnomon

@@ -26,9 +26,11 @@ public:
   explicit SceneFile(const std::filesystem::path& file);
   SceneFile(const std::string& text, const std::string& name);
 
-  /// The scene with these values in the place of those of the file. Throws InputError for the first
-  /// value of the file, else of the overrides, that its key does not accept.
-  Scene scene(const std::vector<GivenValue>& overrides, const KeyTableOf& table_of) const;
+  /// The scene with these values in the place of those of the file. Throws InputError for values
+  /// that their keys do not accept, first those of the file, then those of the overrides, and for
+  /// missing ones; with `mistakes` as load_scene().
+  Scene scene(const std::vector<GivenValue>& overrides, const KeyTableOf& table_of,
+              Mistakes* mistakes = nullptr) const;
 
 private:
   std::string name_;

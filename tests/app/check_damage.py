@@ -18,7 +18,8 @@ COPY = WHOLE.with_name("damaged.h5")
 FIGURES = WHOLE.with_name("damaged-figures")
 OBJECTS = ("gnomon", "gnomon/stored", "gnomon/history", "gnomon/contact", "gnomon/contact/0000",
            "gnomon/contact/0000/000001", "steps", "steps/0000/000001",
-           "steps/0000/000000/equivalent_stress", "mesh", "mesh/points", "mesh/cells")
+           "steps/0000/000000/equivalent_stress", "mesh", "mesh/points", "mesh/cells",
+           "counter_body", "counter_body/0000/000000/points", "counter_body/0000/000000/facets")
 
 
 def damage_header(name):
@@ -34,6 +35,11 @@ def number_nodes(first):
     """Of a cell: in numbers, which no checksum covers."""
     with h5py.File(COPY, "r+") as file:
         file["mesh/cells"][3, 1] = first
+
+
+def number_points(first):
+    with h5py.File(COPY, "r+") as file:
+        file["counter_body/0000/000000/facets"][3, 1] = first
 
 
 def name_step(path):
@@ -60,6 +66,7 @@ for name in OBJECTS:
     check("expected an undamaged result", damage_header, name)
 for node in (-1, 1000000):
     check(f"mesh/cells: it names node {node}", number_nodes, node)
+    check("counter_body: a facet has points that it does not have", number_points, node)
 for path in (b"steps/0000/000009", b"\xff"):
     check("which is not there", name_step, path)
 check("truncated file", lambda: COPY.write_bytes(WHOLE.read_bytes()[:-1000]))

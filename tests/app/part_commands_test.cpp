@@ -40,9 +40,36 @@ TEST_F(PartCommands, MeshTellsWhatAGeometryHas) {
   EXPECT_THAT(outcome.out, testing::ContainsRegex("surface +[0-9]+ +3.2 +flat, normal \\[0, 1\\]"));
 }
 
+TEST_F(PartCommands, MeshDrawsTheNamedPartsAndWritesThemForParaView) {
+  for (const std::string picture : {"mesh.png", "mesh.svg", "mesh.xdmf", "mesh.xdmf"}) {
+    const Outcome outcome = gnomon({"mesh", "block_on_ring.geo", "--size", "1", "-o", picture});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("\n" + picture + "\n"));
+    EXPECT_THAT(outcome.err, testing::IsEmpty());
+  }
+  EXPECT_THAT(test::read_text(folder() / "mesh.svg"), HasSubstr("</svg>"));
+  EXPECT_EQ(test::read_text(folder() / "mesh.png").substr(1, 3), "PNG");
+  const std::string view = test::read_text(folder() / "mesh.xdmf");
+  for (const char* name : {"body", "bottom", "surface"})
+    EXPECT_THAT(view, HasSubstr(std::string("<Grid Name=\"") + name + "\""));
+}
+
+TEST_F(PartCommands, MeshRefusesOtherPicturesAndOtherFiles) {
+  write("mine.xdmf", "<Xdmf/>");
+  for (const char* picture : {"mesh.pdf", "mesh", "mine.xdmf"}) {
+    const Outcome outcome = gnomon({"mesh", "block_on_ring.geo", "-o", picture});
+    EXPECT_EQ(outcome.exit_code, 2) << picture;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+  EXPECT_EQ(test::read_text(folder() / "mine.xdmf"), "<Xdmf/>");
+}
+
 TEST_F(PartCommands, NewWritesASceneThatChecksAndNeverReplacesOne) {
   const Outcome outcome = gnomon({"new", "block_on_ring.geo", "-o", "mine.toml"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  // A plane that meets the surface from above.
+  EXPECT_THAT(test::read_text(folder() / "mine.toml"),
+              HasSubstr("press = { direction = [0.0, -1.0]"));
   const Outcome check = gnomon({"check", "mine.toml", "--set", "mesh.factor=3"});
   EXPECT_EQ(check.exit_code, 0) << check.err;
   EXPECT_THAT(check.out, HasSubstr("rigid_motion"));
@@ -79,6 +106,46 @@ TEST_F(PartCommands, SceneAndHistoryComeBackFromAResult) {
   EXPECT_EQ(lines, json["steps"].get<long>() + 2);  // with the header and the start
 }
 
+TEST_F(PartCommands, CheckTellsAllMistakesOfAPartAtOnce) {
+  const auto complaints = [&](const std::vector<std::string>& settings) {
+    std::vector<std::string> arguments = {"check", "block_on_ring.toml", "--set", "mesh.factor=5"};
+    for (const std::string& setting : settings) {
+      arguments.emplace_back("--set");
+      arguments.push_back(setting);
+    }
+    const Outcome outcome = gnomon(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+    return outcome.err;
+  };
+  // Keys are right, and their values wrong for this mesh.
+  const std::string values = complaints(
+      {"support.1.on=botom", "wear.on=[\"surfac\"]", "shape.hold=[\"here\"]", "load.1.on=top",
+       "load.1.force=[1.0]", "load.2.pressure=3.0", "counter_body.press.times=[1.0]"});
+  for (const char* part :
+       {"--set support.1.on: ", "--set wear.on: ", "--set shape.hold: ", "--set load.1.on: ",
+        "--set load.2.pressure: expected also `on`", "--set counter_body.press.times: "})
+    EXPECT_THAT(values, HasSubstr(std::string("gnomon: ") + part));
+  EXPECT_EQ(std::count(values.begin(), values.end(), '\n'), 6) << values;
+  // Keys are wrong, and so are names of groups.
+  const std::string keys =
+      complaints({"body.E=3.0", "time.end=-1", "support.1.on=botom", "wear.on=[\"surfac\"]"});
+  for (const char* part : {"body.E: unknown key, did you mean `body.young_modulus`?",
+                           "time.end: expected", "support.1.on: ", "wear.on: "})
+    EXPECT_THAT(keys, HasSubstr(std::string("gnomon: --set ") + part));
+  EXPECT_EQ(std::count(keys.begin(), keys.end(), '\n'), 4) << keys;
+}
+
+TEST_F(PartCommands, MeshWritesTheMeshThatARunUses) {
+  ASSERT_EQ(gnomon({"mesh", "block_on_ring.geo", "--size", "1", "-o", "b.msh"}).exit_code, 0);
+  std::filesystem::rename(folder() / "b.msh", folder() / "first.msh");
+  const Outcome again = gnomon({"mesh", "first.msh", "-o", "b.msh"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.out, testing::ContainsRegex("surface +[0-9]+ +3.2 +flat, normal \\[0, 1\\]"));
+  EXPECT_EQ(test::read_text(folder() / "b.msh"), test::read_text(folder() / "first.msh"));
+  EXPECT_EQ(gnomon({"mesh", "first.msh", "-o", "b.msh"}).exit_code, 2);
+  EXPECT_EQ(gnomon({"mesh", "first.msh", "-o", "c.txt"}).exit_code, 2);
+}
+
 // One line, exit code 2, with the names that the mesh does have.
 TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
   const auto refusal = [&](const std::string& setting) {
@@ -104,8 +171,11 @@ TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
   EXPECT_THAT(refusal("counter_body.shape=sphere"), HasSubstr("ball"));
   EXPECT_THAT(refusal("counter_body.center=[0.0, 20.0, 0.0]"), HasSubstr("2 numbers"));
   EXPECT_THAT(refusal("counter_body.major_radius=3.0"), HasSubstr("torus"));
+  EXPECT_THAT(refusal("counter_body.press.factors=[1.0]"),
+              HasSubstr("also counter_body.press.times"));
   EXPECT_THAT(refusal("counter_body.press.direction=[0.0, 0.0]"), HasSubstr("length zero"));
-  EXPECT_THAT(refusal("counter_body.press.direction=[0.0, 1.0]"), HasSubstr("a direction into the body"));
+  EXPECT_THAT(refusal("counter_body.press.direction=[0.0, 1.0]"),
+              HasSubstr("a direction into the body"));
   EXPECT_THAT(refusal("shape.slide=[\"nowhere\"]"), HasSubstr("surface"));
   EXPECT_THAT(refusal("mesh.geometry=none.geo"), HasSubstr("none.geo"));
   EXPECT_THAT(refusal("mesh.file=a.msh"), HasSubstr("both"));

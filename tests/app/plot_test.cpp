@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <gnomon/results/results.hpp>
 #include <regex>
 #include <set>
 
@@ -103,6 +104,48 @@ TEST_F(Plot, GeometryInSpace) {
   const std::string tests = GNOMON_SOURCE_DIR "/tests/app/check_space.py";
   const std::string tools = GNOMON_SOURCE_DIR "/tools/plot";
   EXPECT_EQ(std::system(("/usr/bin/python3 '" + tests + "' '" + tools + "'").c_str()), 0);
+}
+
+TEST_F(Plot, GeometryInThePlane) {
+  const std::string tests = GNOMON_SOURCE_DIR "/tests/app/check_plane.py";
+  const std::string tools = GNOMON_SOURCE_DIR "/tools/plot";
+  EXPECT_EQ(std::system(("/usr/bin/python3 '" + tests + "' '" + tools + "'").c_str()), 0);
+}
+
+// The pin's flat is in its result, where the pin touches it.
+TEST_F(Plot, TheCounterBodyIsInTheResult) {
+  make_result("a.h5");
+  const ResultReader reader(folder() / "a.h5");
+  const auto flat = reader.counter_surface(0);
+  ASSERT_TRUE(flat);
+  EXPECT_EQ(flat->dim, 2);
+  double left = 0, right = 0;
+  for (const auto& point : flat->points) {
+    EXPECT_NEAR(point[1], 0, 1e-12);
+    left = std::min(left, point[0]);
+    right = std::max(right, point[0]);
+  }
+  EXPECT_LT(left, -6);  // the pin is 10 mm wide
+  EXPECT_GT(right, 6);
+}
+
+TEST_F(Plot, ASceneIsNoResultAndSaysSo) {
+  fs::copy_file(test::pin, folder() / "pin.toml");
+  const Outcome outcome = gnomon({"plot", "pin.toml"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err,
+            "gnomon: pin.toml is a scene or a study, not a result: `gnomon run pin.toml` makes a "
+            "result, which can be drawn\n");
+}
+
+// Matplotlib's own messages about its folders, and about fonts that it looks for again.
+TEST_F(Plot, AnUnwritableHomeIsNobodysConcern) {
+  make_result("a.h5");
+  for (const char* name : {"HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+    setenv(name, "/proc/nowhere", 1);
+  const Outcome outcome = gnomon({"plot", "a.h5"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
 }
 
 TEST_F(Plot, DrawsAStudyASpectrumAndExtremes) {

@@ -19,6 +19,28 @@ TEST(ProgressText, TellsTimeStepNewtonContactAndWhatIsLeft) {
             "t 250 of 1000 s  left 0:30  step 5 s  order 2  Newton 3  contact 13  worn 0.5 mm^2");
 }
 
+// A cut number is another number: "worn 1." of 1.99.
+TEST(ProgressText, LeavesOutWholeItemsOnANarrowTerminal) {
+  HistoryRow row;
+  row.t = 987.65;
+  row.step = {12.345, 5, 13, false};
+  row.counters.steps = 1;
+  row.scalars = {{"contact_nodes", "", 12345}, {"worn_volume", "mm^2", 1.99}};
+  const auto at = [&](std::size_t width) { return progress_text(row, 1000, 1e4, width); };
+  const std::string whole = at(200);
+  EXPECT_EQ(whole,
+            "t 987.65 of 1000 s  left 2:05  step 12.3 s  order 5  Newton 13  contact 12345  worn "
+            "1.99 mm^2");
+  EXPECT_EQ(at(79), "t 987.65 of 1000 s  left 2:05  step 12.3 s  contact 12345  worn 1.99 mm^2");
+  EXPECT_EQ(at(60), "t 987.65 of 1000 s  left 2:05  step 12.3 s  worn 1.99 mm^2");
+  EXPECT_EQ(at(40), "t 987.65 of 1000 s  worn 1.99 mm^2");
+  for (std::size_t width = 20; width <= whole.size(); ++width) {
+    EXPECT_LE(at(width).size(), width);
+    if (at(width).find("worn") != std::string::npos)
+      EXPECT_NE(at(width).find("worn 1.99 mm^2"), std::string::npos);
+  }
+}
+
 TEST(ProgressText, StartHasNoStepYet) {
   EXPECT_EQ(progress_text({}, 1000, 10), "t 0 of 1000 s");
 }

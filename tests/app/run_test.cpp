@@ -201,7 +201,28 @@ TEST(Settings, AbsentToleranceFollowsTheWearDepth) {
 TEST(Settings, StoreTimesAreSortedAndChecked) {
   const StorePolicy policy = store_policy(pin_scene({"output.times=[30,0,10,30,1000]"}));
   EXPECT_THAT(policy.times, ElementsAre(10, 30, 1000));
-  EXPECT_THROW(store_policy(pin_scene({"output.times=[1001]"})), InputError);
+  EXPECT_THROW(store_policy(pin_scene({"output.times=[5, 5.00000001]"})), InputError);
+}
+
+TEST(Settings, TimesBehindTheEndAreDroppedWithAWord) {
+  const Scene scene = pin_scene({"output.times=[30, 1001, 5000]"});
+  EXPECT_THAT(store_policy(scene).times, ElementsAre(30));
+  EXPECT_THAT(store_policy(scene).beyond, ElementsAre(1001, 5000));
+  EXPECT_EQ(dropped_times_text(scene),
+            "2 of output.times, from 1001 s on, lie behind time.end = 1000 s and are not stored");
+  EXPECT_EQ(dropped_times_text(pin_scene({"output.times=[1000]"})), "");
+}
+
+TEST(Settings, AnIntervalStoresAtItsMultiplesBesideTheTimes) {
+  EXPECT_THAT(store_policy(pin_scene({"output.interval=400"})).times, ElementsAre(400, 800));
+  EXPECT_THAT(store_policy(pin_scene({"output.interval=500"})).times, ElementsAre(500, 1000));
+  EXPECT_THAT(store_policy(pin_scene({"output.interval=400", "output.times=[30]"})).times,
+              ElementsAre(30, 400, 800));
+  // 3 * 0.1 is not 0.3, but the same time.
+  const StorePolicy tenths =
+      store_policy(pin_scene({"time.end=0.35", "output.interval=0.1", "output.times=[0.3]"}));
+  EXPECT_THAT(tenths.times, ElementsAre(0.1, 0.2, 0.3));
+  EXPECT_THROW(store_policy(pin_scene({"output.interval=0.001"})), InputError);
 }
 
 TEST(Summary, HoldsCountersScalarsUnknownsAndVersions) {
@@ -210,9 +231,10 @@ TEST(Summary, HoldsCountersScalarsUnknownsAndVersions) {
   RunHeader facts = header(exact_decay());
   facts.versions = {{"gnomon", "1.2.3"}};
   facts.blocks = model.blocks();
-  const auto json =
-      nlohmann::json::parse(summary_json(pin_scene({}), facts, settings(0.5, 2), outcome));
+  const auto json = nlohmann::json::parse(
+      summary_json(pin_scene({}), facts, settings(0.5, 2), outcome, {"contact is narrow"}));
   EXPECT_EQ(json["status"], "finished");
+  EXPECT_EQ(json["remarks"], nlohmann::json::array({"contact is narrow"}));
   EXPECT_EQ(json["steps"], 4);
   EXPECT_EQ(json["t"], 2.0);
   EXPECT_EQ(json["unknowns"]["amount"], 1);
@@ -229,7 +251,7 @@ TEST(Summary, HoldsCountersScalarsUnknownsAndVersions) {
 TEST(Summary, HasTheSameKeysHoweverTheRunEnded) {
   const auto keys_of = [](const RunOutcome& outcome) {
     const auto json = nlohmann::json::parse(
-        summary_json(pin_scene({}), header(exact_decay()), settings(0.5, 2), outcome));
+        summary_json(pin_scene({}), header(exact_decay()), settings(0.5, 2), outcome, {}));
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items()) keys.push_back(key);
     return keys;

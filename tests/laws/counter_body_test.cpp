@@ -74,6 +74,12 @@ TEST(CounterBody, TravelsIntoCavities) {
   EXPECT_NEAR(seat.travel_to({3, 0, 2}), 3 - 3 / std::sqrt(3.0), 1e-12);
   groove.shape = complement(torus({0, 0, 0}, {0, 0, 1}, 5, 2));
   EXPECT_NEAR(groove.travel_to({3, 4, -1.5}), 0.5, 1e-12);
+  // Of two cavities along the way it is the one that x is in, touches or is nearest to.
+  CounterBody<3> ring;
+  ring.shape = complement(torus({0, 0, 21}, {0, 1, 0}, 15, 6));
+  ring.approach = Vector<3>(0, 0, 1);
+  for (const double z : {-0.4, 0.0, 0.4, 11.0}) EXPECT_NEAR(ring.travel_to({0, 0, z}), z, 1e-12);
+  for (const double z : {29.5, 30.0, 41.0}) EXPECT_NEAR(ring.travel_to({0, 0, z}), z - 30, 1e-12);
   CounterBody<2> rail;
   rail.shape = profile(SplineCurve({{0, 0}, {1, 0.5}, {2, 0}}, false).reversed());
   EXPECT_NEAR(rail.travel_to({1, 2}), 1.5, 1e-12);

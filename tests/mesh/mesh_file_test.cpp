@@ -10,7 +10,9 @@
 #include <gnomon/mesh/flat_part.hpp>
 #include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
+#include <gnomon/mesh/mesh_writing.hpp>
 #include <numbers>
+#include <set>
 
 #include "support/hexahedra.hpp"
 #include "support/imported.hpp"
@@ -284,6 +286,43 @@ TEST_F(MeshFile, LeavesSignalsAndStreamsAlone) {
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
   sigaction(SIGINT, nullptr, &after);
   EXPECT_EQ(before.sa_handler, after.sa_handler);
+}
+
+template <int dim>
+void expect_comes_back(const ImportedBody<dim>& body, const fs::path& file) {
+  const ImportedBody<dim> again = check_mesh<dim>(read_mesh_file(file));
+  ASSERT_EQ(again.mesh.nodes.size(), body.mesh.nodes.size());
+  const auto places = [](const ImportedBody<dim>& b, const auto& facets) {
+    std::multiset<std::vector<double>> result;  // numbers of nodes may differ
+    for (const auto& facet : facets) {
+      std::vector<double> place;
+      for (int node : facet)
+        for (int i = 0; i < dim; ++i) place.push_back(b.mesh.nodes[node][i]);
+      result.insert(place);
+    }
+    return result;
+  };
+  EXPECT_EQ(places(again, again.mesh.cells), places(body, body.mesh.cells));
+  ASSERT_EQ(again.mesh.boundary.size(), body.mesh.boundary.size());
+  for (const auto& [name, facets] : body.mesh.boundary)
+    EXPECT_EQ(again.mesh.boundary.at(name).size(), facets.size()) << name;
+  ASSERT_EQ(again.point_groups.size(), body.point_groups.size());
+  EXPECT_EQ(again.cell_groups.size(), body.cell_groups.size());
+}
+
+TEST_F(MeshFile, AWrittenMeshComesBackToTheLastDigit) {
+  const ImportedBody<2> plane = check_mesh<2>(read_mesh_file(put(
+      "p.geo",
+      "SetFactory(\"OpenCASCADE\"); Disk(1) = {0.1, 0.2, 0, 1.3, 0.7}; Point(9) = {0.1, 0.2, 0};"
+      "Physical Surface(\"all\") = {1}; Physical Curve(\"rim\") = {1}; Mesh.MeshSizeMax = 0.3;")));
+  expect_comes_back(plane, put("p.msh", gmsh_text(plane)));
+  const ImportedBody<3> space = check_mesh<3>(read_mesh_file(put(
+      "s.geo",
+      "SetFactory(\"OpenCASCADE\"); Box(1) = {0, 0, 0, 1, 1.1, 0.7}; Physical Volume(\"all\") = "
+      "{1}; Physical Surface(\"one\") = {1}; Physical Surface(\"both\") = {1, 2}; "
+      "Physical Point(\"tip\") = {1}; Mesh.MeshSizeMax = 0.5;")));
+  ASSERT_EQ(space.point_groups.size(), 1u);
+  expect_comes_back(space, put("s.msh", gmsh_text(space)));
 }
 
 }  // namespace

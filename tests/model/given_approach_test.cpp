@@ -84,7 +84,7 @@ TEST(GivenApproach, ComesByTheLoadRamp) {
     start_at(1.5);  // of a height of 2
     FAIL() << "expected no equilibrium";
   } catch (const SolutionError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("beyond load fraction 0."));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("up to load fraction 0."));
   }
 }
 

@@ -1,6 +1,9 @@
 // A user's term: a boundary part on elastic springs, in one file and without other changes. A scene
 // switches it on by the keys that the registration adds.
 
+#include <gmock/gmock.h>
+
+#include <gnomon/mesh/named_part.hpp>
 #include <gnomon/model/added_term.hpp>
 
 #include "support/pin.hpp"
@@ -17,7 +20,7 @@ public:
   Springs(const Mesh<dim>& mesh, const std::string& part, double stiffness,
           const Numbering& numbering, FieldId u)
       : u_(u) {
-    for (const ContactPatch<dim>& patch : contact_patches<dim>(mesh, mesh.boundary.at(part)))
+    for (const ContactPatch<dim>& patch : contact_patches<dim>(mesh, named_part(mesh, part)))
       for (int i = 0; i < dim; ++i)
         if (const int row = numbering.number(u, patch.node, i); row >= 0)
           springs_.push_back({row, -1, patch.node, i, stiffness * patch.initial_area});
@@ -109,6 +112,16 @@ TEST(OwnTerm, KeepsTheJacobianExact) {
 TEST(OwnTerm, ItsKeysAreCheckedLikeAllOthers) {
   EXPECT_THROW(pin_scene({"springs.stiffness=-1"}), InputError);
   EXPECT_THROW(pin_scene({"springs.stifness=1"}), InputError);
+}
+
+TEST(OwnTerm, AnUnknownPartIsToldWithTheNamesThatThereAre) {
+  EXPECT_THAT(
+      [] {
+        pin_model({elements(3), "springs.stiffness=1", "springs.on=tpo"});
+      },
+      ::testing::ThrowsMessage<InputError>(
+          "the mesh has no boundary part called \"tpo\", it has bottom, left, right, "
+          "top"));
 }
 
 }  // namespace

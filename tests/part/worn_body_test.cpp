@@ -1,6 +1,8 @@
 // Parts from geometry files: the built-in pin again, the block on a ring against the rigid limit,
 // and the model that a result's mesh gives.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -79,6 +81,74 @@ TEST_F(Parts, ATurningRingWearsByTheSpeedOfItsSurface) {
   const auto block = part_of(folder.write("turning.toml", text), {"mesh.factor=3"});
   const ModelRun run = run_model(*block, "esdirk-3", 0, 1e-3, 720);
   EXPECT_NEAR(observed(*block, run.last(), "worn_volume") / sliding, 1, 1e-4);
+}
+
+// The counter-body's force has a history of its own: wear follows its integral.
+TEST_F(Parts, WearFollowsTheHistoryOfTheForce) {
+  const double end = 300;
+  const auto block =
+      part_of(shipped("block_on_ring.toml"), {"mesh.factor=3", "time.end=300", "output.times=[]",
+                                              "counter_body.press.times=[0.0, 100.0, 300.0]",
+                                              "counter_body.press.factors=[1.0, 1.0, 3.0]"});
+  const ModelRun run = run_model(*block, "esdirk-3", 0, 1e-3, end);
+  const double impulse = 10.8333 * (100 + 2 * 200);
+  EXPECT_NEAR(observed(*block, run.last(), "worn_volume") / (2e-9 * 500 * impulse), 1, 1e-5);
+  EXPECT_NEAR(observed(*block, run.last(), "contact_force") / (3 * 10.8333), 1, 1e-2);
+}
+
+// A ring on a plane from four sides: wherever the seams of its wearing surfaces are, and the node
+// with which their numbers begin, the contact is as wide.
+TEST_F(Parts, TheWidthOfContactDoesNotDependOnSeams) {
+  const SceneFolder folder;
+  folder.write("ring.geo", R"(n = 48; R = 10; r = 6;
+Point(1) = {0, 0, 0};
+For k In {0:3}
+  Point(10 + k) = {R * Cos(k * Pi / 2), R * Sin(k * Pi / 2), 0};
+  Point(20 + k) = {r * Cos(k * Pi / 2), r * Sin(k * Pi / 2), 0};
+EndFor
+For k In {0:3}
+  j = (k < 3) ? k + 1 : 0;
+  Circle(10 + k) = {10 + k, 1, 10 + j};
+  Circle(20 + k) = {20 + k, 1, 20 + j};
+  Line(30 + k) = {20 + k, 10 + k};
+EndFor
+For k In {0:3}
+  j = (k < 3) ? k + 1 : 0;
+  Curve Loop(k + 1) = {30 + k, 10 + k, -(30 + j), -(20 + k)};
+  Plane Surface(k + 1) = {k + 1};
+EndFor
+Transfinite Curve {10, 11, 12, 13, 20, 21, 22, 23} = n + 1;
+Transfinite Curve {30, 31, 32, 33} = 9;
+Transfinite Surface {1, 2, 3, 4};
+Recombine Surface {1, 2, 3, 4};
+Physical Curve("inner") = {20, 21, 22, 23};
+Physical Curve("a") = {10};
+Physical Curve("b") = {11};
+Physical Curve("c") = {12};
+Physical Curve("d") = {13};
+Physical Surface("ring") = {1, 2, 3, 4};
+)");
+  const auto half_width = [&](double x, double y, const std::string& surfaces) {
+    const auto scene = folder.write(
+        "ring.toml",
+        fmt::format("problem = \"worn_body\"\n[mesh]\ngeometry = \"ring.geo\"\n[body]\n"
+                    "young_modulus = 1000.0\npoisson_ratio = 0.3\n[[support]]\non = \"inner\"\n"
+                    "[counter_body]\nshape = \"plane\"\npoint = [{0}, {1}]\nnormal = [{2}, {3}]\n"
+                    "press = {{ direction = [{2}, {3}], force = 100.0 }}\n[wear]\non = [{4}]\n"
+                    "coefficient = 0.0\n[time]\nend = 1.0\n[integrator]\n"
+                    "name = \"backward-euler\"\n",
+                    10 * x, 10 * y, -x, -y, surfaces));
+    const auto model = part_of(scene);
+    Counters counters;
+    return observed(*model, model->start(counters), "contact_half_width");
+  };
+  const std::string all = R"("a", "b", "c", "d")";
+  const double at_seam = half_width(1, 0, all);
+  EXPECT_NEAR(at_seam, std::sqrt(4 * 100 * 10 * (1 - 0.09) / (std::numbers::pi * 1000)), 0.1);
+  for (const auto& [x, y] : {std::pair(0.0, 1.0), {-1.0, 0.0}, {0.0, -1.0}})
+    EXPECT_NEAR(half_width(x, y, all), at_seam, 1e-6) << x << ", " << y;
+  EXPECT_NEAR(half_width(1, 0, R"("d", "a")"), at_seam, 1e-6);
+  EXPECT_NEAR(half_width(1, 0, R"("a", "d")"), at_seam, 1e-6);
 }
 
 // What a result keeps is enough to make the same equations again.

@@ -167,8 +167,9 @@ TEST(LoadRampOfThePin, RefusalNamesTheElementTheFractionAndTheInvertedCell) {
     FAIL() << "expected the ramp to end before the whole load";
   } catch (const SolutionError& error) {
     EXPECT_EQ(std::string(error.what()),
-              fmt::format("the load ramp found no equilibrium beyond load fraction {:.4g} with "
-                          "element f-bar: {}",
+              fmt::format("the load or approach at the start is more than this body carries: the "
+                          "load ramp found equilibria up to load fraction {:.4g}, and none beyond "
+                          "(element f-bar): {}",
                           report.reached, report.reason));
   }
 }

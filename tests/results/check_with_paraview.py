@@ -12,12 +12,23 @@ from paraview.servermanager import Fetch
 from vtk.util.numpy_support import vtk_to_numpy
 
 
-def grid_of(source, t):
+def leaves(data):
+    if not data.IsA("vtkMultiBlockDataSet"):
+        return [data]
+    blocks = [data.GetBlock(k) for k in range(data.GetNumberOfBlocks())]
+    return [leaf for block in blocks if block is not None for leaf in leaves(block)]
+
+
+def grids_of(source, t):
+    """The body, which has fields, and the counter-body beside it, which has none."""
     source.UpdatePipeline(t)
-    data = Fetch(source)
-    while data.IsA("vtkMultiBlockDataSet"):
-        data = data.GetBlock(0)
-    return data
+    found = leaves(Fetch(source))
+    assert len(found) == 2, len(found)
+    return sorted(found, key=lambda grid: -grid.GetPointData().GetNumberOfArrays())
+
+
+def grid_of(source, t):
+    return grids_of(source, t)[0]
 
 
 def points_of(source, t):
@@ -42,6 +53,8 @@ for make in (simple.XDMFReader, simple.Xdmf3ReaderS, simple.Xdmf3ReaderT):
         stress = vtk_to_numpy(grid.GetCellData().GetArray("equivalent_stress"))
         assert np.array_equal(stress, np.arange(cells) * t), make
         initial = points_of(reader, t)
+        counter = vtk_to_numpy(grids_of(reader, t)[1].GetPoints().GetData())
+        assert np.allclose(counter[:, 1], -np.floor(t)), make
         worn = simple.WarpByVector(Input=reader, Vectors=["POINTS", "shape"])
         rise = points_of(worn, t) - initial
         wear = t * np.maximum(0, 1 - (initial[:, 0] / 5) ** 2)

@@ -58,7 +58,8 @@ void write_step(ResultWriter& writer, const Grid& grid, int step, Progress& prog
   writer.append(synthetic::row(step));
   progress.appended = step + 1;
   if (step % kStoreEvery == 0) {
-    writer.store(step, synthetic::fields(grid, step), synthetic::contact(step));
+    writer.store(step, synthetic::fields(grid, step), synthetic::contact(step),
+                 synthetic::counter_body(step / 2));
     progress.stored = step / kStoreEvery + 1;
   }
   writer.checkpoint(checkpoint(step));

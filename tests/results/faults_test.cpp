@@ -340,8 +340,36 @@ TEST(Writing, KnowsItsFiles) {
 
 TEST(Writing, CutsALongStatus) {
   const auto file = synthetic::folder("status") / "r.h5";
-  ResultWriter(file, synthetic::header(), std::nullopt).close(std::string(5000, 'x'), 2);
+  ResultWriter writer(file, synthetic::header(), std::nullopt);
+  writer.append(synthetic::row(0));
+  writer.close(std::string(5000, 'x'), 2);
   EXPECT_EQ(ResultReader(file).status(), std::string(1024, 'x'));
+}
+
+// A failed start must not be in the way of the next one.
+TEST(Writing, LeavesNoFileWithoutARow) {
+  const auto folder = synthetic::folder("nothing");
+  ResultWriter(folder / "r.h5", synthetic::header(), synthetic::grid(4, 3)).close("failed: so", 1);
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  ResultWriter(folder / "r.h5", synthetic::header(), synthetic::grid(4, 3)).abandon("so", 1);
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+TEST(Writing, TellsOfAFileThatHasGone) {
+  const auto folder = synthetic::folder("gone");
+  const auto gone = ThrowsMessage<Error>(one_line(folder / "r.h5", "deleted, moved or replaced"));
+  for (const bool moved : {false, true}) {
+    ResultWriter writer(folder / "r.h5", synthetic::header(), synthetic::grid(4, 3));
+    writer.append(synthetic::row(0));
+    if (moved)
+      std::filesystem::rename(folder / "r.h5", folder / "other.h5");
+    else
+      std::filesystem::remove(folder / "r.h5");
+    EXPECT_THAT([&] { writer.append(synthetic::row(1)); }, gone);
+    EXPECT_FALSE(std::filesystem::exists(folder / "r.xdmf"));
+    EXPECT_THROW(writer.close("finished", 1), Error);
+  }
+  EXPECT_EQ(ResultReader(folder / "other.h5").history().front().t, 0);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ std::filesystem::path write(const std::string& name, const Grid& grid) {
   ResultWriter writer(file, synthetic::header(), grid);
   for (int i = 0; i < 5; ++i) writer.append(synthetic::row(i));
   for (const double t : {0.0, 0.1, 1.0}) {
-    writer.store(t, synthetic::fields(grid, t), synthetic::contact(t));
+    writer.store(t, synthetic::fields(grid, t), synthetic::contact(t), synthetic::counter_body(t));
   }
   return file;
 }
@@ -57,6 +57,13 @@ TEST(Readers, MeshioReadsTheSidecar) {
   EXPECT_TRUE(python("check_with_meshio.py" + quoted(sidecar(flat)) + " quad 0 0.1 1"));
   const auto solid = write("meshio3", synthetic::hexahedra());
   EXPECT_TRUE(python("check_with_meshio.py" + quoted(sidecar(solid)) + " hexahedron 0 0.1 1"));
+}
+
+// A second collection beside the body, whose data are in the file as the sidecar says.
+TEST(Readers, SidecarHasTheCounterBodyBesideTheBody) {
+  const auto file = write("counter", synthetic::grid(4, 3));
+  EXPECT_TRUE(is_sidecar(sidecar(file)));
+  EXPECT_TRUE(python("check_counter_body.py" + quoted(sidecar(file)) + " 0 0.1 1"));
 }
 
 TEST(Readers, ParaViewWarpsTheResult) {

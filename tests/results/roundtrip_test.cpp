@@ -132,6 +132,36 @@ TEST(ResultFile, FindsTheContactSurfaceAtATime) {
               ThrowsMessage<InputError>(AllOf(HasSubstr("t = 2; next to it are t = 1"))));
 }
 
+// Points and facets that have not changed are those of an earlier step.
+TEST(ResultFile, ReturnsTheCounterBodyAndStoresNothingTwice) {
+  const auto folder = synthetic::folder("counter");
+  const Grid grid = synthetic::grid(4, 3);
+  const auto store = [&](const std::string& name, const std::vector<double>& places) {
+    ResultWriter writer(folder / name, synthetic::header(), grid);
+    writer.append(synthetic::row(0));
+    for (std::size_t step = 0; step < places.size(); ++step)
+      writer.store(double(step), {}, {}, synthetic::counter_body(places[step]));
+    writer.store(9, {}, {}, CounterSurface{});
+    writer.store(10, {}, {});
+    writer.close("finished", 1);
+    return std::filesystem::file_size(folder / name);
+  };
+  const std::vector<double> places = {0, 0.5, 1, 1, 0};
+  store("moves.h5", places);
+  const ResultReader reader(folder / "moves.h5");
+  for (std::size_t step = 0; step < places.size(); ++step) {
+    const CounterSurface expected = synthetic::counter_body(places[step]);
+    const auto surface = reader.counter_surface(step);
+    ASSERT_TRUE(surface) << step;
+    EXPECT_EQ(surface->dim, 2);
+    EXPECT_EQ(surface->points, expected.points) << step;
+    EXPECT_EQ(surface->facets, expected.facets) << step;
+  }
+  EXPECT_FALSE(reader.counter_surface(5));
+  EXPECT_FALSE(reader.counter_surface(6));
+  EXPECT_LT(store("rests.h5", {0, 0, 0, 0, 0}), store("other.h5", {0, 1, 0, 1, 0}));
+}
+
 TEST(ResultFile, IsReadableWhileItIsWritten) {
   const auto file = synthetic::folder("running") / "r.h5";
   const Grid grid = synthetic::grid(4, 3);

@@ -114,6 +114,12 @@ inline ContactSurface contact(double t) {
   return contact;
 }
 
+/// Two facets below the contact nodes that move down with every whole second.
+inline CounterSurface counter_body(double t) {
+  const double y = -std::floor(t);
+  return {2, {{0, y, 0}, {2, y, 0}, {4, y, 0}}, {0, 1, 1, 2}};
+}
+
 /// Row number `step` of a history with t = step / 4.
 inline HistoryRow row(int step) {
   HistoryRow row;

@@ -52,7 +52,7 @@ IntegratorSettings settings(double step, double end) {
 }
 
 nlohmann::json summary_of(const RunOutcome& outcome) {
-  return nlohmann::json::parse(summary_json(pin_scene(), {}, settings(0.5, 2), outcome));
+  return nlohmann::json::parse(summary_json(pin_scene(), {}, settings(0.5, 2), outcome, {}));
 }
 
 TEST(Ledger, StandsInTheSummaryAndBalances) {

@@ -102,6 +102,27 @@ TEST(NearestName, FindsWhatWasMeant) {
   EXPECT_EQ(nearest_name(std::string(100000, 'x'), names), "");
 }
 
+TEST(NearestName, KnowsWhatOthersCallIt) {
+  const std::vector<std::string> keys = {
+      "body.young_modulus",   "body.poisson_ratio",       "shape.young_modulus", "wear.coefficient",
+      "friction.coefficient", "counter_body.press.force", "load.1.force",        "integrator.step"};
+  EXPECT_EQ(nearest_name("body.E", keys), "body.young_modulus");
+  EXPECT_EQ(nearest_name("shape.E", keys), "shape.young_modulus");
+  EXPECT_EQ(nearest_name("E", keys), "body.young_modulus");
+  EXPECT_EQ(nearest_name("body.nu", keys), "body.poisson_ratio");
+  EXPECT_EQ(nearest_name("friction.mu", keys), "friction.coefficient");
+  EXPECT_EQ(nearest_name("wear.k", keys), "wear.coefficient");
+  EXPECT_EQ(nearest_name("load.1.F", keys), "load.1.force");
+  EXPECT_EQ(nearest_name("counter_body.F", keys), "counter_body.press.force");
+  EXPECT_EQ(nearest_name("time.dt", keys), "integrator.step");
+  EXPECT_EQ(nearest_name("E", {"mesh.level"}), "");  // only what there is
+  const std::vector<std::string> methods = {"backward-euler", "bdf", "erk-4", "theta"};
+  EXPECT_EQ(nearest_name("rk4", methods), "erk-4");
+  EXPECT_EQ(nearest_name("rk45", methods), "erk-4");
+  EXPECT_EQ(nearest_name("implicit-euler", methods), "backward-euler");
+  EXPECT_EQ(nearest_name("crank-nicolson", methods), "theta");
+}
+
 TEST(TomlText, RealsReadBackExactlyAndLookTidy) {
   EXPECT_EQ(toml_text(1e-7), "1e-7");
   EXPECT_EQ(toml_text(640.0), "640.0");

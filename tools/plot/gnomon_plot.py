@@ -7,11 +7,13 @@
     gnomon_plot.py spectrum DIR [-o DIR] [--svg-out DIR]
     gnomon_plot.py extremes DIR [-o DIR] [--svg-out DIR]
     gnomon_plot.py any RESULT.h5|DIR...      finds out which; what `gnomon plot` calls
+    gnomon_plot.py mesh MESH.xdmf -o FILE    one picture; what `gnomon mesh` calls
 
 Exit codes: 0 done, 1 a package is missing or a file cannot be written, 2 bad input.
 """
 
 import argparse
+import logging
 import os
 import sys
 from pathlib import Path
@@ -21,7 +23,9 @@ DEBIANS_OWN = "/usr/bin/python3"
 
 
 def find_packages():
-    """Another Python may come first in the path: the packages belong to Debian's."""
+    """Another Python may come first in the path: the packages belong to Debian's. Where Matplotlib
+    cannot write below HOME it uses a temporary folder, which is nobody's concern."""
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)
     try:
         import h5py  # noqa: F401
         import matplotlib  # noqa: F401
@@ -32,6 +36,9 @@ def find_packages():
             os.execv(DEBIANS_OWN, [DEBIANS_OWN, *sys.argv])
         raise SystemExit(complain(
             f"figures need Python's {error.name}: install the packages {PACKAGES}", 1))
+    except OSError:
+        raise SystemExit(complain("figures need a writable folder for temporary files (TMPDIR) or "
+                                  "settings (HOME)", 1))
 
 
 def complain(message, code):
@@ -42,7 +49,7 @@ def complain(message, code):
 def options():
     parser = argparse.ArgumentParser(prog="gnomon_plot.py", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("kind", choices=["any", "result", "study", "spectrum", "extremes"])
+    parser.add_argument("kind", choices=["any", "result", "study", "spectrum", "extremes", "mesh"])
     parser.add_argument("targets", nargs="+", type=Path, metavar="RESULT.h5|DIR")
     parser.add_argument("-o", "--output", type=Path, metavar="DIR",
                         help="folder of the figures; default: figures, beside or in the target")
@@ -59,7 +66,10 @@ def main():
     from figures import run
     from figures.complaints import BadInput
     try:
-        run.draw(chosen.kind, chosen.targets, chosen.output, chosen.svg_out)
+        if chosen.kind == "mesh":
+            run.draw_mesh(chosen.targets[0], chosen.output)
+        else:
+            run.draw(chosen.kind, chosen.targets, chosen.output, chosen.svg_out)
     except BadInput as error:
         return complain(error, 2)
     except OSError as error:

@@ -80,6 +80,8 @@ struct CounterBody {
   }
   /// The signed distance of a point as `seen` at the time t. Throws RecoverableError.
   SignedDistance<dim> distance(const Vector<dim>& seen, double t) const;
+  /// The same without exceptions: not finite or not unique where `distance` throws.
+  SignedDistance<dim> unchecked_distance(const Vector<dim>& seen, double t) const;
   /// The w at which it touches x at t = 0 when it comes from afar [length]; infinite where it
   /// passes by.
   double travel_to(const Vector<dim>& x) const { return shape.travel_to(x - position, approach); }

@@ -22,7 +22,9 @@ std::vector<Key> counter_body_keys();
 template <int dim>
 struct PressedCounterBody {
   CounterBody<dim> body;
-  std::optional<double> force;  ///< without it the counter-body stays, or moves as body.travel says
+  /// At factor one of press.times and press.factors, which the caller reads. Without it the
+  /// counter-body stays, or moves as body.travel says.
+  std::optional<double> force;
 };
 
 /// Reads a scene that has the keys of one of these tables. Throws InputError. `motion.reference` is

@@ -37,7 +37,7 @@ public:
 
   /// The w at which the shape, moved by w along the unit vector `approach`, touches x when it comes
   /// from afar [length]; infinite where it passes by. Where nothing can come from afar, because the
-  /// shape surrounds a cavity, it comes from where x has the most room.
+  /// shape surrounds a cavity, it comes from where x has the most room in the cavity nearest to it.
   double travel_to(const Vector<dim>& x, const Vector<dim>& approach) const;
 
   double reach() const { return reach_; }

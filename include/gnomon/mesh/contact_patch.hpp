@@ -11,8 +11,10 @@
 namespace gnomon {
 
 /// Upper bounds of a node's neighbourhood on the contact surface; meshes beyond them are refused.
-inline constexpr int max_patch_facets = 8;
-inline constexpr int max_patch_nodes = 17;
+/// Up to ten triangles meet at a node of an unstructured mesh, and as many of the quadrilaterals
+/// that they are subdivided into.
+inline constexpr int max_patch_facets = 16;
+inline constexpr int max_patch_nodes = 2 * max_patch_facets + 1;
 
 /// A contact node and its facets.
 template <int dim>
@@ -43,7 +45,7 @@ struct ContactPatch {
 
 /// Patches of all nodes of a surface, in ascending order of nodes (2D: along the surface when its
 /// nodes are numbered so). Facets of `boundary` that touch the surface but do not belong to it
-/// become corners_beyond. Throws Error if the bounds above are exceeded, or if a facet of the
+/// become corners_beyond. Throws InputError if the bounds above are exceeded or if a facet of the
 /// surface lies on the axis of a body of revolution.
 template <int dim>
 std::vector<ContactPatch<dim>> contact_patches(

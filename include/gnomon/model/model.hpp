@@ -45,6 +45,15 @@ struct ContactSurface {
   std::vector<int> active;                     ///< 1 where in contact
 };
 
+/// The surface of the counter-body near the body, for figures and viewers. A facet has the
+/// counter-body on its left (2D), or corners that are anticlockwise as seen from outside of it
+/// (3D).
+struct CounterSurface {
+  int dim = 2;
+  std::vector<std::array<double, 3>> points;  ///< current positions [length]; in 2D, z is zero
+  std::vector<int> facets;                    ///< indices of points, 2 (2D) or 4 (3D) per facet
+};
+
 /// Names and sizes of the unknown blocks, for `gnomon check` and the summary.
 struct BlockSize {
   std::string name;    ///< "displacement", "shape", "contact_multiplier", ...
@@ -80,6 +89,8 @@ public:
   virtual std::vector<GridField> fields(const State& state) const = 0;
   /// The contact surface, if the problem has one.
   virtual std::optional<ContactSurface> contact(const State& state) const = 0;
+  /// The counter-body, if the problem has one.
+  virtual std::optional<CounterSurface> counter_surface(const State&) const { return {}; }
   /// The exact solution at time t in closed form, if there is one: y of the differential components
   /// (zero elsewhere), and the state's time.
   virtual std::optional<State> exact(double t) const = 0;

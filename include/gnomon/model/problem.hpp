@@ -25,6 +25,9 @@ struct Problem {
   std::function<MeshSize(const Scene&)> mesh_size = nullptr;
   /// Further keys, those of other registered things; asked for when all are registered.
   std::function<std::vector<Key>()> registered_keys = nullptr;
+  /// For a scene with mistaken keys, of which no model is made: what else is wrong in the rest of
+  /// it, where required keys may have no value.
+  std::function<void(const Scene&, Mistakes&)> further_mistakes = nullptr;
 };
 
 using Problems = Registry<Problem>;
@@ -41,6 +44,9 @@ std::unique_ptr<Model> make_model(const Scene& scene);
 
 /// The model of a scene and of the mesh that its result keeps.
 std::unique_ptr<Model> remake_model(const Scene& scene, const std::optional<Grid>& grid);
+
+/// Adds what else is wrong in a scene with mistaken keys.
+void find_further_mistakes(const Scene& scene, Mistakes& mistakes);
 
 /// The problem's keys, with the choice of registered materials and their keys filled in.
 std::vector<Key> own_keys(const Problem& problem);

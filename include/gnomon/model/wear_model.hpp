@@ -1,6 +1,7 @@
 // The model of a worn body: consistent start, observations and fields.
 #pragma once
 
+#include <gnomon/laws/counter_surface.hpp>
 #include <gnomon/model/model.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
 #include <memory>
@@ -28,6 +29,8 @@ public:
   std::optional<Grid> grid() const override;
   std::vector<GridField> fields(const State& state) const override;
   std::optional<ContactSurface> contact(const State& state) const override;
+  /// Within the box of the initial body, widened by a quarter of its longest side.
+  std::optional<CounterSurface> counter_surface(const State& state) const override;
   std::optional<State> exact(double) const override { return std::nullopt; }
 
   const WornBody<dim>& body() const { return equations_.body(); }
@@ -38,14 +41,15 @@ private:
   std::vector<ContactNode<dim>> contact_nodes(const FieldValues<dim>& values,
                                               const State& state) const;
 
+  Box<dim> surroundings_;  ///< in which the counter-body is shown
   WornBodyEquations<dim> equations_;
   ComposedSystem<dim> system_;
 };
 
 /// Half the distance between the edges of the contact zone [length], across the approach, in the
-/// current configuration; 0 without contact. 2D, contact nodes in order along the surface. In a
-/// body of revolution a zone that begins on the axis goes on beyond it: then it is the distance of
-/// its edge from the axis.
+/// current configuration; 0 without contact. 2D, contact nodes ascending. In a body of revolution a
+/// zone that begins on the axis goes on beyond it: then it is the distance of its edge from the
+/// axis.
 ///
 /// An edge lies between the last active node and the next open one. If the pressure falls towards
 /// it like a Hertzian edge (p^2 linear in the position), the edge is where p^2 extrapolates to

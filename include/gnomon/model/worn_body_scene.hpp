@@ -26,8 +26,9 @@ std::vector<ContactPatch<dim>> read_contact_patches(
 /// read_worn_body(). Throws InputError like axis_nodes().
 void hold_on_axis(WornBody<2>& body);
 
-/// `load.times` and `load.factors`. Throws InputError if they do not define a history.
-LoadHistory read_load_history(const Scene& scene);
+/// The history of a force that keeps the bodies together, from `PREFIX.times` and `PREFIX.factors`.
+/// Throws InputError if they do not define one.
+LoadHistory read_load_history(const Scene& scene, const std::string& prefix = "load");
 
 /// The integral of the force over the run [force time]: wear is proportional to it.
 double load_impulse(const Scene& scene);

@@ -51,6 +51,7 @@ public:
   /// Creates the file and its sidecar (same name, .xdmf). Earlier ones are refused, or replaced by
   /// the first append() of a row later than `from` [time], or by close() when one at `from` has
   /// been the last: until then the new file is FILE.part, which is removed if this does not happen.
+  /// Calls throw Error when somebody has deleted, moved or replaced the file.
   /// Throws InputError when the file cannot be created there, when an earlier one is refused, and
   /// while another run is writing it; an earlier file is then untouched.
   ResultWriter(const std::filesystem::path& file, const RunHeader& header,
@@ -62,14 +63,16 @@ public:
 
   /// Appends a history row (every step).
   void append(const HistoryRow& row);
-  /// Stores fields (nodal or cell values of the grid, 1 or 3 components) and contact surface of a
-  /// state: the steps that the scene requests, in order of time.
+  /// Stores fields (nodal or cell values of the grid, 1 or 3 components), contact surface and
+  /// counter-body of a state: the steps that the scene requests, in order of time.
   void store(double t, const std::vector<GridField>& fields,
-             const std::optional<ContactSurface>& contact);
+             const std::optional<ContactSurface>& contact,
+             const std::optional<CounterSurface>& counter_body = {});
   /// Stores a checkpoint; it replaces the one before the last.
   void checkpoint(const Checkpoint& checkpoint);
   /// Records how the run ended: "finished", "interrupted", "failed: ..." (the first 1024 bytes),
-  /// with wall seconds, and brings the file to the medium (fsync).
+  /// with wall seconds, and brings the file to the medium (fsync). A file without any row is
+  /// removed.
   void close(const std::string& status, double wall_seconds);
   /// The same after an exception: it never replaces an earlier result.
   void abandon(const std::string& status, double wall_seconds);
@@ -100,6 +103,8 @@ public:
   ContactSurface contact(std::optional<double> t) const;
   /// A field of the stored step with index `step`.
   GridField field(std::size_t step, const std::string& name) const;
+  /// The counter-body at that step; none in results of problems, or of versions, without one.
+  std::optional<CounterSurface> counter_surface(std::size_t step) const;
   bool has_contact() const;                      ///< whether the problem has a contact surface
   std::vector<std::string> field_names() const;  ///< of the first stored step, sorted
   std::optional<Grid> grid() const;

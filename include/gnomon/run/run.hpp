@@ -14,17 +14,21 @@ namespace gnomon {
 
 /// The steps whose fields are stored, in addition to the start.
 struct StorePolicy {
-  long every = 0;             ///< every n-th step; 0: none
-  std::vector<double> times;  ///< at these times, ascending, in (0, end]
-  bool last = true;           ///< at the end of the run
+  long every = 0;              ///< every n-th step; 0: none
+  std::vector<double> times;   ///< at these times, ascending, in (0, end]
+  std::vector<double> beyond;  ///< times of the scene behind the end, ascending: not stored
+  bool last = true;            ///< at the end of the run
   /// A checkpoint (Checkpoint) is written at the start, at the end, and after the step with which
   /// this many steps and Newton iterations have been made since the last; 0: none. A one-step
   /// method restarts there, so that a run that continues from it takes the same steps.
   long checkpoint_work = 0;
 };
 
-/// The `output.*` keys. Throws InputError for a time beyond time.end.
+/// The `output.*` keys. Throws InputError for times that are too close or too many.
 StorePolicy store_policy(const Scene& scene);
+
+/// What the user should know of the times that the scene asks for: in one line, or empty.
+std::string dropped_times_text(const Scene& scene);
 
 /// Throws InputError if two of the ascending times, at which steps have to end, are closer than
 /// 1e-5 of their value: in so short a step the change of the shape is smaller than rounding errors.

@@ -12,8 +12,10 @@ namespace gnomon {
 /// (null when the start itself failed) and with them the ledger: worn_volume, wear_integral and
 /// wear_difference, the first minus the second; counters under the names of Counters, unknowns per
 /// block. `diagnosis` is empty unless the run failed.
+/// `remarks`: those of the model (Model::remarks()).
 std::string summary_json(const Scene& scene, const RunHeader& header,
-                         const IntegratorSettings& settings, const RunOutcome& outcome);
+                         const IntegratorSettings& settings, const RunOutcome& outcome,
+                         const std::vector<std::string>& remarks);
 
 /// The ledger in one line: "worn volume 1.99711 mm^2, wear integral 2.00000 mm^2, difference
 /// -2.9e-03 mm^2 (-0.14 %)". Empty for an observation without one.
@@ -21,5 +23,7 @@ std::string ledger_text(const Observation& observed);
 
 /// Whether the file contains a summary.
 bool is_summary(const std::filesystem::path& file);
+/// Whether it tells of a run that has no state, not even the start.
+bool is_summary_of_failed_start(const std::filesystem::path& file);
 
 }  // namespace gnomon

@@ -10,13 +10,15 @@ from .complaints import Unsuitable
 class Curve:
     """Rows of the contact table along a curve, by column and in the order of its `axis`."""
 
-    def __init__(self, axis, where, at):
+    def __init__(self, axis, where, at, axis_name=None):
         self.axis, self.where, self.at = axis, where, at
+        self.axis_name = axis_name or axis
 
 
 def of(result):
     if result.dim == 2:
-        return [Curve("x", "", lambda step: in_order(result.contact(step), "x"))]
+        return [Curve("x", "", lambda step: in_order(result.contact(step), "x"),
+                      result.axes[0])]
     edges = edges_of(space.contact_faces(result))
     return [Curve("x", "$y$ = 0", lambda step: cut(result.contact(step), edges, "y", "x")),
             Curve("y", "$x$ = 0", lambda step: cut(result.contact(step), edges, "x", "y"))]

@@ -1,65 +1,117 @@
-"""The worn mesh and, below, the equivalent stress in the deformed body (figs. 1, 3; in space, seen
-obliquely, figs. 7, 9, 12, 14)."""
+"""The worn mesh, the equivalent stress in the deformed body and, in the plane, a window around
+contact (figs. 1, 3; in space, seen obliquely, figs. 7, 9, 12, 14)."""
 
 import numpy
 from matplotlib.cm import ScalarMappable
-from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
+from matplotlib.ticker import MaxNLocator
 
-from . import space, style
+from . import counter, plane, space, style
 from .complaints import Unsuitable
 
-MANY_CELLS = 1000  # above this number an SVG contains the mesh as a bitmap
+WIDE = 1.25  # a body that is wider than this times its height gets a figure of a page's width
+ZOOM = 0.7  # part of the body's width: a larger contact needs no window of its own
+MANY_FACES = 1000  # in space, above this number an SVG contains them as a bitmap
 
 
 def draw(result):
-    view, width, columns = views(result)
-    steps = [0, *result.some_steps(columns - 1)]
-    figure = style.figure(width=width)
-    panels = figure.subplots(2, len(steps), sharex=True, sharey=True, squeeze=False)
-    for column, step in zip(panels.T, steps):
-        draw_state(figure, column, view, result, step)
-    if result.dim == 2:
-        finish_plane(panels)
-    else:
-        finish_space(panels, view)
-    for axes, what in zip(panels[:, 0], ("undeformed", "deformed")):
-        axes.set_ylabel(what + ("  [mm]" if result.dim == 2 else ""))
-    figure.set_figheight(height(panels[0, 0], width / len(steps)))
-    return figure
-
-
-def views(result):
-    """The projection of the mesh, the width of the figure, and how many times it can show."""
     nodes = {2: 4, 3: 8}[result.dim]
     if result.cells.shape[1] != nodes:
         raise Unsuitable(f"cells of {result.cells.shape[1]} nodes")
-    if result.dim == 3:
-        return space.View(result), style.DOUBLE, 3
-    return Plane(result.cells), style.SINGLE, 2
+    return draw_plane(result) if result.dim == 2 else draw_space(result)
 
 
-class Plane:
-    """The view of a body in the plane: every cell, with full brightness."""
+class State:
+    """A stored step: the worn body, the deformed one, its stress and where it is in contact."""
 
-    def __init__(self, cells):
-        self.cells = cells
+    def __init__(self, result, step):
+        self.step, self.time = step, f"$t$ = {style.number(result.times[step])} s"
+        self.worn = result.points + result.field(step, "shape")
+        self.deformed = self.worn + result.field(step, "displacement")
+        self.stress = result.field(step, "equivalent_stress")
+        self.scale = ScalarMappable(Normalize(0, self.stress.max()), style.STRESS_MAP)
 
-    def polygons(self, points):
-        return points[self.cells][:, :, :2], slice(None), numpy.ones(len(self.cells))
+    def bar(self, figure, panels):
+        figure.colorbar(self.scale, ax=list(panels), orientation="horizontal", aspect=18,
+                        ticks=MaxNLocator(4), label="equivalent stress [MPa]")
 
 
-def draw_state(figure, column, view, result, step):
-    worn = result.points + result.field(step, "shape")
-    corners, _, light = view.polygons(worn)
-    add_mesh(column[0], corners, shaded(numpy.ones((len(corners), 4)), light))
-    corners, cells, light = view.polygons(worn + result.field(step, "displacement"))
-    stress = result.field(step, "equivalent_stress")[cells]
-    scale = ScalarMappable(Normalize(0, stress.max()), style.STRESS_MAP)
-    add_mesh(column[1], corners, shaded(scale.to_rgba(stress), light))
-    figure.colorbar(scale, ax=list(column), orientation="horizontal", aspect=18,
-                    label="equivalent stress [MPa]")
-    column[0].set_title(f"$t$ = {style.number(result.times[step])} s")
+def draw_plane(result):
+    """Rows: the worn mesh, the deformed body, and contact; one column per time."""
+    states = [State(result, step) for step in [0, *result.some_steps(1)]]
+    whole = plane.box(numpy.concatenate([points for state in states
+                                         for points in (state.worn, state.deformed)]))
+    size = whole[1] - whole[0]
+    windows = [plane.window(result.contact(state.step), state.deformed) for state in states]
+    small = [window is not None and window[1][0] - window[0][0] < ZOOM * size[0]
+             for window in windows]
+    wide = size[0] > WIDE * size[1]
+    width = style.DOUBLE if wide else style.SINGLE
+    panel = width / len(states) - 0.5  # inch, within the axes
+    heights = [panel * size[1] / size[0]] * 2 + ([panel * plane.FLATNESS] if any(small) else [])
+    figure = style.figure(width=width, height=sum(heights) + 0.31 * len(heights) + 0.65)
+    panels = figure.subplots(len(heights), len(states), squeeze=False, height_ratios=heights)
+    for column, state, window, shown in zip(panels.T, states, windows, small):
+        draw_column(result, column, state, whole, window if shown else None, 72 * panel)
+        state.bar(figure, column)
+    label(result, panels, any(small))
+    return figure
+
+
+def draw_column(result, column, state, whole, window, paper):
+    white = numpy.ones((len(result.cells), 4))
+    colours = state.scale.to_rgba(state.stress)
+    plane.draw_body(column[0], result, state.worn, white, whole, paper)
+    column[0].set_title(f"undeformed, {state.time}")
+    for axes, frame, name in zip(column[1:], (whole, window), ("deformed", "contact")):
+        if frame is None:
+            axes.set_axis_off()
+            continue
+        plane.draw_body(axes, result, state.deformed, colours, frame, paper)
+        plane.draw_counter_body(axes, result, state.step, frame)
+        axes.set_title(f"{name}, {state.time}")
+    if window is not None:
+        plane.mark(column[1], window)
+
+
+def label(result, panels, zoomed):
+    for axes in panels[:, 0]:
+        axes.set_ylabel(f"${result.axes[1]}$ [mm]")
+    for axes in panels[-1]:
+        axes.set_xlabel(f"${result.axes[0]}$ [mm]")
+    for axes in panels.flat:
+        axes.xaxis.set_major_locator(MaxNLocator(4))
+        axes.yaxis.set_major_locator(MaxNLocator(4))
+    for column in panels.T:
+        for axes in column[:1]:
+            axes.tick_params(labelbottom=False)
+
+
+def draw_space(result):
+    view = space.View(result)
+    states = [State(result, step) for step in [0, *result.some_steps(2)]]
+    figure = style.figure(width=style.DOUBLE)
+    panel = style.DOUBLE / len(states)
+    panels = figure.subplots(2, len(states), sharex=True, sharey=True, squeeze=False)
+    for column, state in zip(panels.T, states):
+        corners, _, light = view.polygons(state.worn)
+        add_faces(column[0], corners, shaded(numpy.ones((len(corners), 4)), light), panel)
+        corners, cells, light = view.polygons(state.deformed)
+        add_faces(column[1], corners, shaded(state.scale.to_rgba(state.stress[cells]), light),
+                  panel)
+        counter.draw_patch(column[1], result, state.step, view, state.deformed)
+        state.bar(figure, column)
+        column[0].set_title(state.time)
+    for axes in panels.flat:
+        axes.set(xticks=[], yticks=[])
+        axes.spines[:].set_visible(False)
+    space.finish(panels[0, 0])
+    for axes, what in zip(panels[:, 0], ("undeformed", "deformed")):
+        space.add_arms(axes, view.screen)
+        axes.set_ylabel(what)
+    tall = 2 * 0.86 * panel * space.ratio(panels[0, 0]) + 0.9
+    figure.set_figheight(min(tall, 2.4 * style.SINGLE))
+    return figure
 
 
 def shaded(colours, light):
@@ -69,46 +121,8 @@ def shaded(colours, light):
     return colours
 
 
-def add_mesh(axes, corners, colours):
-    edge = 0.25 if len(corners) <= 4 * MANY_CELLS else 0.1
-    axes.add_collection(PolyCollection(corners, facecolor=colours, edgecolor="black",
-                                       linewidth=edge, rasterized=len(corners) > MANY_CELLS))
+def add_faces(axes, corners, colours, panel):
+    """`panel`: its width [inch]."""
+    plane.add_cells(axes, corners, colours, 72 * panel / numpy.ptp(corners[..., 0]), MANY_FACES)
     axes.autoscale_view()
     axes.set_aspect("equal")
-
-
-def finish_plane(panels):
-    for axes in panels[-1]:
-        axes.set_xlabel("[mm]")
-
-
-def finish_space(panels, view):
-    """A projection has no scales; instead the axes are drawn, with arms of known length, in a strip
-    below the bodies."""
-    for axes in panels.flat:
-        axes.set(xticks=[], yticks=[])
-        axes.spines[:].set_visible(False)
-    (left, right), (low, high) = panels[0, 0].get_xlim(), panels[0, 0].get_ylim()
-    arm = style.round_number(0.16 * (right - left))
-    panels[0, 0].set_ylim(low - arm, high)
-    for axes in panels[:, 0]:
-        add_arms(axes, view.screen, arm)
-
-
-def add_arms(axes, screen, arm):
-    """At the lower left."""
-    tips = arm * screen
-    corner = numpy.array([axes.get_xlim()[0], axes.get_ylim()[0]])
-    origin = corner - 1.5 * numpy.minimum(tips.min(axis=0), 0)
-    for name, tip in zip("xyz", tips):
-        axes.annotate("", origin + tip, origin,
-                      arrowprops={"arrowstyle": "-|>,head_width=0.1,head_length=0.2",
-                                  "linewidth": 0.6, "color": "black", "shrinkA": 0, "shrinkB": 0})
-        axes.text(*(origin + 1.35 * tip), f"${name}$", ha="center", va="center", fontsize=7)
-    axes.text(origin[0] + 1.7 * tips[0, 0], corner[1], f"arms: {style.number(arm)} mm", fontsize=7)
-
-
-def height(axes, panel):
-    """The height of the figure for panels of this width."""
-    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
-    return min(2 * 0.86 * panel * (high - low) / (right - left) + 0.9, 2.4 * style.SINGLE)

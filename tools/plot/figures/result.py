@@ -11,6 +11,13 @@ import numpy
 from .complaints import BadInput, Unsuitable, reason_of
 
 
+class Surface(NamedTuple):
+    """Of the counter-body: points, P x 3, and facets, F x 2 in the plane and F x 4 in space."""
+
+    points: object
+    facets: object
+
+
 class Item(NamedTuple):
     """The object at a path of the file; a group has no data."""
 
@@ -24,6 +31,8 @@ class Result:
     def __init__(self, path):
         self.path = Path(path)
         self.name = self.path.stem
+        if not h5py.is_hdf5(self.path):
+            raise BadInput(not_a_result(self.path))
         with self._reading("the file"):
             self._file = h5py.File(self.path, "r")
         self._check()
@@ -128,6 +137,24 @@ class Result:
     def field(self, step, name):
         return self._array(f"steps/{self._groups[step]}/{name}", f"{name} is not stored")
 
+    def counter_body(self, step):
+        """Its surface near the body at a stored step; None if the result has none."""
+        names = self._read(f"steps/{self._groups[step]}").attributes
+        if "counter_points" not in names:
+            return None
+        points, facets = (self._array(_text(names[name]), "it is not there")
+                          for name in ("counter_points", "counter_facets"))
+        if facets.min(initial=0) < 0 or facets.max(initial=0) >= len(points):
+            raise self._bad("counter_body", "a facet has points that it does not have")
+        return Surface(points, facets)
+
+    @cached_property
+    def axes(self):
+        """Names of the coordinates."""
+        scene = self._read("gnomon/scene")
+        turned = scene is not None and '\nplane = "axisymmetric"' in _text(scene.data)
+        return ("r", "z") if turned else ("x", "y", "z")
+
     @cached_property
     def points(self):
         return self._array("mesh/points", "no mesh is stored")
@@ -152,6 +179,14 @@ class Result:
             return list(after)
         wanted = numpy.linspace(self.times[0], self.times[-1], most + 1)[1:]
         return sorted({int(after[numpy.abs(self.times[after] - t).argmin()]) for t in wanted})
+
+
+def not_a_result(path):
+    """Why a file that is not HDF5 cannot be drawn."""
+    if path.suffix == ".toml":
+        return (f"{path} is a scene or a study, not a result: `gnomon run {path}` makes a result, "
+                "which can be drawn")
+    return f"{path} is not an HDF5 file; expected a result of gnomon"
 
 
 def _text(value):

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy
 
-from . import critical, errors, extremes, history, mesh, output, pressure, shape, shapes
+from . import critical, errors, extremes, groups, history, mesh, output, pressure, shape, shapes
 from . import spectrum, study, style, surface, wear, work
 from .complaints import BadInput, Unsuitable, reason_of
 from .result import Result
@@ -35,6 +35,15 @@ def draw(kind, targets, folder, svg_folder):
     if [drawer for drawer, _ in jobs] == [draw_result] * 2:
         both = [path for _, path in jobs]
         perform(draw_two_results, both, Sink(targets[0], folder, svg_folder, owners))
+
+
+def draw_mesh(target, file):
+    """A mesh and its named parts as FILE.png or FILE.svg."""
+    style.apply()
+    body, *parts = groups.read(target)
+    kind = file.suffix.removeprefix(".")
+    (picture,) = output.render(groups.draw(body, parts), file.stem, (kind,)).values()
+    file.write_bytes(picture)
 
 
 def perform(drawer, targets, sink):

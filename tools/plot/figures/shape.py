@@ -24,8 +24,8 @@ def draw(result):
         handles.append(Line2D([], [], color=colour, label=f"{style.number(result.times[step])} s"))
     frame(axes, result.contact(steps[-1] if steps else 0))
     stretch, ratio = scale(axes)
-    axes.set_xlabel(across(stretch))
-    axes.set_ylabel("$Y$ [mm]")
+    axes.set_xlabel(across(stretch, result.axes[0]))
+    axes.set_ylabel(f"${result.axes[1].upper()}$ [mm]")
     figure.set_figheight(ratio * 0.86 * style.SINGLE + 0.52 + 0.15 * -(-len(handles) // 4))
     style.legend(axes, handles, columns=4)
     return figure
@@ -68,5 +68,5 @@ def scale(axes, lowest=0.22):
     return stretch, stretch * ratio
 
 
-def across(stretch):
-    return "$X$ [mm]" + ("" if stretch == 1 else f"   (heights drawn {stretch}×)")
+def across(stretch, name="x"):
+    return f"${name.upper()}$ [mm]" + ("" if stretch == 1 else f"   (heights drawn {stretch}×)")

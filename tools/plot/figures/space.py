@@ -2,6 +2,7 @@
 
 import numpy
 
+from . import style
 from .complaints import Unsuitable
 
 # Nodes of a hexahedron's faces, counterclockwise as seen from outside.
@@ -45,17 +46,24 @@ def normals(corners):
     return numpy.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
 
 
-class View:
-    """A parallel projection: x to the right, z up; the plane y = 0 in front, the contact surface
-    seen from the side to which it faces, above or below."""
+class Eye:
+    """A parallel projection, seen from `eye`, a direction: z up on the screen."""
+
+    def __init__(self, eye):
+        self.eye = unit(numpy.array(eye))
+        right = unit(numpy.cross([0, 0, 1], self.eye))
+        self.screen = numpy.stack([right, numpy.cross(self.eye, right)], axis=1)
+
+
+class View(Eye):
+    """x to the right, z up; the plane y = 0 in front, the contact surface seen from the side to
+    which it faces, above or below."""
 
     def __init__(self, result):
         self.faces, self.owners = boundary_faces(result.cells)
         nodes = result.contact(0)["node"]
         facing = normals(result.points[nodes[contact_faces(result)]]).sum(axis=0)[2]
-        self.eye = unit(numpy.array([-0.45, -1.0, 0.9 if facing > 0 else -0.9]))
-        right = unit(numpy.cross([0, 0, 1], self.eye))
-        self.screen = numpy.stack([right, numpy.cross(self.eye, right)], axis=1)
+        super().__init__([-0.45, -1.0, 0.9 if facing > 0 else -0.9])
 
     def polygons(self, points):
         """Visible faces, the farthest first: corners on the screen, cells, and brightness
@@ -65,6 +73,40 @@ class View:
         order = numpy.argsort(corners.mean(axis=1) @ self.eye)
         order = order[towards[order] > 0]
         return corners[order] @ self.screen, self.owners[order], towards[order]
+
+
+def finish(axes):
+    """A projection has no scales: there are arms of known length instead, in a strip below."""
+    axes.set(xticks=[], yticks=[], aspect="equal")
+    axes.spines[:].set_visible(False)
+    low, high = axes.get_ylim()
+    axes.set_ylim(low - arm_length(axes), high)
+
+
+def arm_length(axes):
+    left, right = axes.get_xlim()
+    return style.round_number(0.16 * (right - left))
+
+
+def add_arms(axes, screen):
+    """The coordinate axes, at the lower left."""
+    arm = arm_length(axes)
+    tips = arm * screen
+    corner = numpy.array([axes.get_xlim()[0], axes.get_ylim()[0]])
+    origin = corner - 1.5 * numpy.minimum(tips.min(axis=0), 0)
+    for name, tip in zip("xyz", tips):
+        axes.annotate("", origin + tip, origin,
+                      arrowprops={"arrowstyle": "-|>,head_width=0.1,head_length=0.2",
+                                  "linewidth": 0.6, "color": "black", "shrinkA": 0, "shrinkB": 0})
+        axes.text(*(origin + 1.35 * tip), f"${name}$", ha="center", va="center", fontsize=7)
+    right = max(origin[0], *(origin + 1.7 * tips)[:, 0])
+    axes.text(right, corner[1], f"arms: {style.number(arm)} mm", fontsize=7)
+
+
+def ratio(axes):
+    """Height by width of what the axes show."""
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    return (high - low) / (right - left)
 
 
 def unit(vectors):

@@ -1,0 +1,100 @@
+#include "app/mesh_drawing.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <gnomon/base/error.hpp>
+#include <gnomon/results/mesh_view.hpp>
+
+#include "app/plotting_script.hpp"
+
+namespace gnomon::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+template <int dim>
+Grid grid_of(const ImportedBody<dim>& body) {
+  Grid grid;
+  grid.cell = dim == 2 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
+  for (const Vector<dim>& X : body.mesh.nodes)
+    std::copy(X.begin(), X.end(), grid.points.emplace_back().begin());
+  for (const auto& cell : body.mesh.cells)
+    grid.cells.insert(grid.cells.end(), cell.begin(), cell.end());
+  for (const auto& [name, facets] : body.mesh.boundary) {
+    MeshPart part{MeshPart::Kind::facets, name, {}};
+    for (const auto& facet : facets)
+      part.nodes.insert(part.nodes.end(), facet.begin(), facet.end());
+    grid.parts.push_back(std::move(part));
+  }
+  for (const auto& [name, nodes] : body.point_groups)
+    grid.parts.push_back({MeshPart::Kind::points, name, nodes});
+  return grid;
+}
+
+/// A folder that is removed with all its contents.
+class TemporaryFolder {
+public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "gnomon-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw Error(fmt::format("cannot make a temporary folder {}: {}", name, std::strerror(errno)));
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+private:
+  fs::path path_;
+};
+
+void draw(const std::string& view, const fs::path& file) {
+  const TemporaryFolder folder;
+  const fs::path mesh = folder.path() / "mesh.xdmf";
+  write_file(mesh, view, Earlier::refused);
+  const ScriptEnd end = run_plotting_script(
+      {"mesh", "--output=" + file.string(), "--", mesh.string()}, folder.path() / "log");
+  if (end.exit_code == 0) return;
+  std::string complaint = end.complaint;
+  if (complaint.starts_with("gnomon: ")) complaint.erase(0, std::strlen("gnomon: "));
+  throw Error("no picture: " + complaint);
+}
+
+}  // namespace
+
+void check_drawing(const fs::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending != ".png" && ending != ".svg" && ending != ".xdmf")
+    throw InputError(
+        fmt::format("--output: expected a name that ends in .png, .svg (pictures), .xdmf (for "
+                    "ParaView) or .msh "
+                    "(for Gmsh), got {}",
+                    file.string()));
+  if (ending == ".xdmf" && is_taken(file) && !is_mesh_view(file))
+    throw InputError(fmt::format("{} exists and is not a mesh that gnomon wrote; give another name",
+                                 file.string()));
+}
+
+template <int dim>
+void draw_mesh(const ImportedBody<dim>& body, const fs::path& file) {
+  const std::string view = mesh_view(grid_of(body));
+  if (file.extension() == ".xdmf") {
+    write_file(file, view, Earlier::replaced);
+  } else {
+    draw(view, file);
+  }
+  fmt::print("{}\n", file.string());
+}
+
+template void draw_mesh(const ImportedBody<2>&, const fs::path&);
+template void draw_mesh(const ImportedBody<3>&, const fs::path&);
+
+}  // namespace gnomon::app

@@ -1,0 +1,18 @@
+// What `gnomon mesh -o` writes.
+#pragma once
+
+#include <filesystem>
+#include <gnomon/mesh/imported_body.hpp>
+
+namespace gnomon::app {
+
+/// Throws InputError for another ending than .png, .svg or .xdmf, and where a file that is not one
+/// of these by gnomon would be replaced.
+void check_drawing(const std::filesystem::path& file);
+
+/// A picture of the mesh and its named parts, or the same for ParaView. Throws InputError, and
+/// Error without Python or its packages.
+template <int dim>
+void draw_mesh(const ImportedBody<dim>& body, const std::filesystem::path& file);
+
+}  // namespace gnomon::app

@@ -1,0 +1,65 @@
+#include "app/plotting_script.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+
+namespace gnomon::app {
+
+namespace {
+
+/// Exit code of `python3 ARGUMENTS`.
+int python(const std::vector<std::string>& arguments, const std::string& log) {
+  std::vector<char*> argv = {const_cast<char*>("python3")};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  const pid_t process = fork();
+  if (process < 0) return -1;
+  if (process == 0) {
+    const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    dup2(out, STDOUT_FILENO);
+    dup2(out, STDERR_FILENO);
+    execvp(argv[0], argv.data());
+    _exit(127);
+  }
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0)
+    if (errno != EINTR) return -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// The last line that a failed program printed.
+std::string last_line(const std::filesystem::path& log) {
+  std::ifstream stream(log, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const std::size_t start = text.rfind('\n');
+  if (text.empty()) return "they need Python 3 with Matplotlib (Debian: python3-matplotlib)";
+  return start == std::string::npos ? text : text.substr(start + 1);
+}
+
+}  // namespace
+
+ScriptEnd run_plotting_script(const std::vector<std::string>& arguments,
+                              const std::filesystem::path& log) {
+  const std::filesystem::path script = GNOMON_PLOT_SCRIPT;
+  std::error_code error;
+  if (!std::filesystem::exists(script, error))
+    return {1, fmt::format("there is no {}", script.string())};
+  std::vector<std::string> words = {script.string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  ScriptEnd end{python(words, log.string()), {}};
+  if (end.exit_code != 0) {
+    end.complaint = last_line(log);
+  } else {
+    std::filesystem::remove(log, error);
+  }
+  return end;
+}
+
+}  // namespace gnomon::app

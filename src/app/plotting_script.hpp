@@ -1,0 +1,20 @@
+// Runs the drawing program, which is Python (tools/plot), for commands that draw on their way.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gnomon::app {
+
+/// How the script ended; `complaint`: why, if its exit code is not zero.
+struct ScriptEnd {
+  int exit_code = 0;
+  std::string complaint;
+};
+
+/// Waits for it. What it prints goes to the file `log`, which stays only after a failure.
+ScriptEnd run_plotting_script(const std::vector<std::string>& arguments,
+                              const std::filesystem::path& log);
+
+}  // namespace gnomon::app

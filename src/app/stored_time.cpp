@@ -1,0 +1,81 @@
+#include "app/stored_time.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <optional>
+
+namespace gnomon::app {
+
+namespace {
+
+struct PrintedNumber {
+  double value;
+  double half_digit;  // half of one in its last digit
+};
+
+/// Without "t =" before it and "s" behind it.
+std::string number_in(std::string text) {
+  const auto drop_spaces = [&] {
+    const std::size_t first = text.find_first_not_of(' ');
+    text = first == std::string::npos ? ""
+                                      : text.substr(first, text.find_last_not_of(' ') + 1 - first);
+  };
+  drop_spaces();
+  if (text.starts_with("t")) text.erase(0, 1), drop_spaces();
+  if (text.starts_with("=")) text.erase(0, 1), drop_spaces();
+  if (text.ends_with("s")) text.pop_back(), drop_spaces();
+  if (text.starts_with("+")) text.erase(0, 1);
+  return text;
+}
+
+/// The power of ten of its last digit.
+int last_digit(const std::string& number) {
+  const std::size_t exponent = std::min(number.find_first_of("eE"), number.size());
+  int power = 0;
+  if (exponent < number.size()) {
+    const std::size_t sign = number[exponent + 1] == '+' ? 1 : 0;
+    std::from_chars(number.data() + exponent + 1 + sign, number.data() + number.size(), power);
+  }
+  const std::size_t point = number.find('.');
+  return point < exponent ? power - static_cast<int>(exponent - point - 1) : power;
+}
+
+std::optional<PrintedNumber> read(const std::string& number) {
+  double value = 0;
+  const char* const end = number.data() + number.size();
+  const auto [parsed, error] = std::from_chars(number.data(), end, value);
+  if (parsed != end || error != std::errc() || !std::isfinite(value)) return std::nullopt;
+  return PrintedNumber{value, 0.5 * std::pow(10.0, last_digit(number))};
+}
+
+std::string neighbours(const std::vector<double>& times, double t) {
+  const auto above = std::lower_bound(times.begin(), times.end(), t);
+  std::string next;
+  if (above != times.begin()) next += fmt::format("{:.9g}", *(above - 1));
+  if (above != times.begin() && above != times.end()) next += " and ";
+  if (above != times.end()) next += fmt::format("{:.9g}", *above);
+  return next;
+}
+
+}  // namespace
+
+double stored_time(const std::vector<double>& times, const std::string& text,
+                   const std::string& file) {
+  const auto printed = read(number_in(text));
+  if (!printed)
+    throw InputError(
+        fmt::format("--time: expected a time in seconds, as 350 or \"350 s\", got `{}`", text));
+  if (times.empty()) throw InputError(file + ": it has no stored step");
+  const double nearest = *std::ranges::min_element(
+      times, {}, [&](double time) { return std::abs(time - printed->value); });
+  const double rounding = 1e-9 * std::abs(printed->value);
+  if (std::abs(nearest - printed->value) <= printed->half_digit + rounding) return nearest;
+  throw InputError(fmt::format("{}: it has no stored step at t = {}; next to it are t = {}", file,
+                               number_in(text), neighbours(times, printed->value)));
+}
+
+}  // namespace gnomon::app

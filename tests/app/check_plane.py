@@ -1,0 +1,148 @@
+"""Geometry behind the figures of bodies in the plane, and of the drawing of meshes.
+
+usage: check_plane.py FOLDER_OF_THE_PLOTS
+"""
+
+import sys
+import types
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+sys.path.insert(0, sys.argv[1])
+sys.dont_write_bytecode = True
+from figures import counter, groups, mesh, plane, pressure, style  # noqa: E402
+from figures.result import Item, Result, Surface  # noqa: E402
+
+style.apply()
+N = (16, 4)
+HALF, DEPTH = 4.0, 2.0
+
+
+def block():
+    """A block of 8 x 2 below y = 0, twice as wide as tall and more."""
+    x, y = (g.ravel(order="F") for g in np.meshgrid(np.linspace(-HALF, HALF, N[0] + 1),
+                                                    np.linspace(-DEPTH, 0, N[1] + 1),
+                                                    indexing="ij"))
+    number = np.arange(len(x)).reshape([n + 1 for n in N], order="F")
+    cells = [number[i:i + N[0], j:j + N[1]].ravel() for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    return np.stack([x, y, 0 * x], axis=1), np.stack(cells, axis=1), number[:, -1]
+
+
+points, cells, top = block()
+
+
+def table(width):
+    """The pressure is positive on nodes within `width` of x = 0."""
+    x, y, _ = points[top].T
+    load = np.where(np.abs(x) <= width, 5.0, 0.0)
+    columns = {"node": top, "X0": x, "Y0": y, "Z0": 0 * x, "x": x, "y": y, "pressure": load}
+    return np.rec.fromarrays(list(columns.values()), names=list(columns))
+
+
+sides = plane.outline(cells)
+assert len(sides) == 2 * sum(N) and len(np.unique(sides)) == 2 * sum(N)
+
+low, high = plane.window(table(1.0), points)
+assert low[0] < -1.5 and high[0] > 1.5, "to the first open nodes"
+assert np.isclose((high - low)[1] / (high - low)[0], plane.FLATNESS)
+assert low[1] < 0 < high[1] and -low[1] > high[1], "more of the body than of what is above it"
+assert np.isclose(low[0], -high[0])
+assert plane.window(table(-1.0), points) is None, "without contact there is no window"
+
+# A facet has the counter-body on its left: walking to -x below it, the band is below.
+ends = np.array([[[1.0, 0.0], [-1.0, 0.0]]])
+assert np.allclose(counter.band(ends, 0.3)[0, 2:, 1], -0.3)
+assert np.allclose(counter.outside(np.array([[0, 0, 0], [5, 0, 0], [0, 1.6, 0]]), points),
+                   [0, 0.125, 0.2])
+
+
+def result(width=1.0, surface=None, stress=None):
+    zero = np.zeros_like(points)
+    fields = {"shape": zero, "displacement": zero,
+              "equivalent_stress": np.arange(len(cells)) if stress is None else stress}
+    return types.SimpleNamespace(
+        points=points, cells=cells, dim=2, times=np.array([0.0, 100.0]), axes=("x", "y"),
+        some_steps=lambda most: [1], contact=lambda _: table(width),
+        field=lambda _, name: fields[name], counter_body=lambda _: surface)
+
+
+def overlaps(figure):
+    """Pairs of texts that cover each other."""
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    texts = [text for axes in figure.axes for text in
+             [axes.title, axes.xaxis.label, axes.yaxis.label, *axes.texts] if text.get_text()]
+    boxes = [text.get_window_extent(canvas.get_renderer()) for text in texts]
+    return [(texts[i].get_text(), texts[j].get_text()) for i in range(len(boxes))
+            for j in range(i) if boxes[i].overlaps(boxes[j])]
+
+
+line = np.stack([np.linspace(5, -5, 50), np.full(50, -0.01), np.zeros(50)], axis=1)
+floor = Surface(line, np.stack([np.arange(49), np.arange(1, 50)], axis=1))
+wide = mesh.draw(result(surface=floor))
+assert np.isclose(wide.get_figwidth(), style.DOUBLE), "a wide body gets a page's width"
+assert not overlaps(wide), overlaps(wide)
+panels = [axes for axes in wide.axes if "contact" in axes.get_title()]
+assert len(panels) == 2 and all(np.ptp(axes.get_xlim()) < 5 for axes in panels)
+whole = [axes for axes in wide.axes if axes.get_title().startswith("deformed")]
+for axes in whole:
+    assert axes.get_xlim()[0] <= -HALF and axes.get_xlim()[1] < 5, "the body sets the limits"
+    assert len(axes.collections) == 4, "cells, outline, counter-body and its band"
+plain = mesh.draw(result(width=10.0))
+assert not [axes for axes in plain.axes if "contact" in axes.get_title()], "all is in contact"
+
+# The coordinates of a body of revolution have their own names.
+def axes_of(plane_key):
+    scene = f'problem = "worn_body"\n[body]\nplane = "{plane_key}"\n'.encode()
+    return Result.axes.func(types.SimpleNamespace(_read=lambda _: Item(scene, {})))
+
+
+assert axes_of("strain")[:2] == ("x", "y") and axes_of("axisymmetric") == ("r", "z")
+turned = result(surface=floor)
+turned.axes = ("r", "z")
+labels = {axes.get_ylabel() for axes in mesh.draw(turned).axes}
+assert "$z$ [mm]" in labels and "$y$ [mm]" not in labels, labels
+
+# Mesh lines only where they can be seen: a cell of half a point has none.
+axes = style.figure().add_subplot()
+plane.add_cells(axes, points[cells][:, :, :2], np.ones((len(cells), 4)), scale=100)
+plane.add_cells(axes, points[cells][:, :, :2], np.ones((len(cells), 4)), scale=1)
+seen, hidden = axes.collections
+assert (seen.get_edgecolor()[:, :3] == 0).all()
+assert (hidden.get_edgecolor()[:, :3] == 1).all()
+
+# An axis on which the lowest curve can be read; what is cut off is said.
+axes = style.figure().add_subplot()
+assert pressure.limit(axes, [130.0, 11.0, 9.0, 5.0]) == [" (up to 130 MPa)", "", "", ""]
+assert 11 < axes.get_ylim()[1] < 15
+assert pressure.limit(axes, [130.0, 30.0, 0.0]) == [" (up to 130 MPa)", "", ""]
+assert pressure.limit(axes, [0.0]) == [""]
+
+# The difference: of the same nodes, though they have moved; else between them.
+first, second = (table(1.0) for _ in range(2))
+second["x"] += 0.01
+second["pressure"] += 0.25
+where, difference = pressure.difference(first, second, "x")
+assert np.allclose(difference, 0.25) and np.array_equal(where, first["x"])
+coarse = second[::2]
+coarse["x"] = coarse["X0"]
+coarse["pressure"] = 2 * coarse["x"]
+first["pressure"] = 2 * first["x"] - 1
+where, difference = pressure.difference(first, coarse, "x")
+assert np.allclose(difference, 1)
+
+# Labels of groups lie outside of the body, which is to the left of their facets.
+x = np.linspace(HALF, -HALF, 9)
+ends = np.stack([np.stack([end, 0 * end], axis=1) for end in (x[:-1], x[1:])], axis=1)
+place, outward = groups.anchor(ends)
+assert np.allclose(outward, [0, 1]) and abs(place[0]) <= 0.5
+body = groups.Part("body", points, cells)
+upper = np.stack([top[1:], top[:-1]], axis=1)
+figure = groups.draw(body, [groups.Part("upper side", points, upper),
+                            groups.Part("one point", points[:1], np.zeros((1, 1), int))])
+names = [text.get_text() for text in figure.legends[0].get_texts()]
+assert names == ["upper side: 16 facets", "one point: points, 1"], names
+assert {"upper side", "one point"} <= {text.get_text() for text in figure.axes[0].texts}
+pieces = groups.chains(np.array([[0, 1], [1, 2], [7, 8], [8, 9], [9, 10]]))
+assert [list(piece) for piece in pieces] == [[0, 1], [2, 3, 4]], "each gets the name"

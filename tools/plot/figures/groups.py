@@ -1,0 +1,184 @@
+"""A mesh and its named parts, before any run: what `gnomon mesh -o` draws."""
+
+import xml.etree.ElementTree as tree
+from typing import NamedTuple
+
+import matplotlib
+import numpy
+from matplotlib.collections import LineCollection
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from . import plane, space, style
+from .complaints import BadInput
+
+MANY = 12  # more labels than this would cover the picture; the legend has all names
+WIDTH = style.DOUBLE
+TALLEST = 1.1  # times the width
+EYES = ((-0.5, -1.0, 0.8), (0.5, 1.0, -0.8))  # two views, so that every side is seen
+
+
+class Part(NamedTuple):
+    name: str
+    points: object
+    cells: object  # E x 1 of points, E x 2 of lines, E x 4 of faces, E x 8 of hexahedra
+
+
+def read(path):
+    """The grids of a file of `gnomon mesh`; the body is the first."""
+    try:
+        grids = tree.parse(path).getroot().findall("./Domain/Grid/Grid")
+        parts = [Part(grid.get("Name"), numbers(grid.find("Geometry/DataItem"), float),
+                      numbers(grid.find("Topology/DataItem"), int)) for grid in grids]
+    except (tree.ParseError, AttributeError, ValueError) as error:
+        raise BadInput(f"cannot read {path}: {error}; expected a mesh of gnomon") from error
+    if not parts:
+        raise BadInput(f"{path} holds no mesh of gnomon")
+    return parts
+
+
+def numbers(item, kind):
+    rows, columns = (int(extent) for extent in item.get("Dimensions").split())
+    return numpy.array(item.text.split(), dtype=kind).reshape(rows, columns)
+
+
+def draw(body, parts):
+    return draw_plane(body, parts) if body.cells.shape[1] == 4 else draw_space(body, parts)
+
+
+def colours_of(parts):
+    palette = style.COLOURS if len(parts) <= len(style.COLOURS) else \
+        [matplotlib.colormaps["tab20"](i % 20) for i in range(len(parts))]
+    return palette[:len(parts)]
+
+
+def draw_plane(body, parts):
+    low, high = plane.box(body.points, margin=0.12)
+    ratio = (high[1] - low[1]) / (high[0] - low[0])
+    width = WIDTH * min(1, TALLEST / ratio)
+    figure = style.figure(width=width, height=(width - 0.5) * ratio + 0.45)
+    axes = figure.add_subplot()
+    corners = body.points[body.cells][:, :, :2]
+    scale = 72 * (width - 0.5) / (high[0] - low[0])
+    plane.add_cells(axes, corners, numpy.ones((len(corners), 4)), scale)
+    handles = []
+    for part, colour in zip(parts, colours_of(parts)):
+        ends = part.points[part.cells][:, :, :2]
+        handles.append(draw_points(axes, part, colour, ends[:, 0]) if ends.shape[1] == 1
+                       else draw_lines(axes, part, colour, ends))
+        for chain in chains(part.cells) if len(parts) <= MANY else []:
+            note(axes, part.name, colour, *anchor(ends[chain]))
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal",
+             xlabel="$x$ [mm]", ylabel="$y$ [mm]")
+    finish(figure, handles)
+    return figure
+
+
+def draw_lines(axes, part, colour, ends):
+    axes.add_collection(LineCollection(ends, color=colour, linewidth=2.2, zorder=3,
+                                       capstyle="round"))
+    return Line2D([], [], color=colour, linewidth=2.2, label=f"{part.name}: {len(ends)} facets")
+
+
+def draw_points(axes, part, colour, places):
+    axes.plot(*places.T, "o", color=colour, markersize=3.5, zorder=4)
+    return Line2D([], [], color=colour, marker="o", linestyle="",
+                  label=f"{part.name}: points, {len(places)}")
+
+
+def chains(cells):
+    """The facets of a part where one goes on from the one before; of points, each."""
+    breaks = 1 + numpy.flatnonzero(cells[1:, 0] != cells[:-1, -1])
+    return numpy.split(numpy.arange(len(cells)), breaks)
+
+
+def anchor(ends):
+    """The middle of a chain by its length, and the direction out of the body, which is to the left
+    of its facets."""
+    if ends.shape[1] == 1:
+        return ends[len(ends) // 2, 0], numpy.array([0.0, 1.0])
+    along = ends[:, 1] - ends[:, 0]
+    length = numpy.linalg.norm(along, axis=1)
+    middle = numpy.searchsorted(numpy.cumsum(length), length.sum() / 2)
+    middle = min(middle, len(ends) - 1)
+    outward = numpy.array([along[middle, 1], -along[middle, 0]]) / max(length[middle], 1e-300)
+    return ends[middle].mean(axis=0), outward
+
+
+def note(axes, name, colour, place, outward):
+    """The name beside its part, out of the body."""
+    across = "left" if outward[0] > 0.5 else "right" if outward[0] < -0.5 else "center"
+    along = "bottom" if outward[1] > 0.5 else "top" if outward[1] < -0.5 else "center"
+    axes.annotate(name, place, 6 * outward, textcoords="offset points", ha=across, va=along,
+                  color=colour, fontsize=8, zorder=5, annotation_clip=False,
+                  bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8, "alpha": 0.85})
+
+
+def draw_space(body, parts):
+    faces, _ = space.boundary_faces(body.cells)
+    surfaces = [part for part in parts if part.cells.shape[1] == 4]
+    dots = [part for part in parts if part.cells.shape[1] == 1]
+    colours = colours_of(parts)
+    of_part = {part.name: colour for part, colour in zip(parts, colours)}
+    figure = style.figure(width=WIDTH)
+    panels = figure.subplots(1, len(EYES), squeeze=False)[0]
+    for axes, eye in zip(panels, EYES):
+        view = space.Eye(eye)
+        draw_faces(axes, view, body, faces, surfaces, of_part)
+        for part in dots:
+            axes.plot(*(part.points @ view.screen).T, "o", color=of_part[part.name], markersize=3.5)
+        if len(parts) <= MANY:
+            label_faces(axes, view, surfaces, of_part)
+        space.finish(axes)
+        space.add_arms(axes, view.screen)
+    handles = [Patch(facecolor=of_part[part.name], edgecolor="black", linewidth=0.4,
+                     label=f"{part.name}: {len(part.cells)} facets") for part in surfaces]
+    handles += [Line2D([], [], color=of_part[part.name], marker="o", linestyle="",
+                       label=f"{part.name}: points, {len(part.cells)}") for part in dots]
+    ratio = max(space.ratio(axes) for axes in panels)
+    figure.set_figheight(min(WIDTH / 2 * ratio, WIDTH) + 0.2)
+    finish(figure, handles)
+    return figure
+
+
+def draw_faces(axes, view, body, faces, surfaces, of_part):
+    """All faces of the boundary; those of parts in their colours, the others white."""
+    corners = [body.points[faces]] + [part.points[part.cells] for part in surfaces]
+    tints = [numpy.ones((len(faces), 4))]
+    tints += [numpy.tile(matplotlib.colors.to_rgba(of_part[part.name]), (len(part.cells), 1))
+              for part in surfaces]
+    # A face of a part lies on a white one: the later is drawn on top of it.
+    rank = numpy.concatenate([numpy.full(len(group), k > 0) for k, group in enumerate(corners)])
+    corners, tints = numpy.concatenate(corners), numpy.concatenate(tints)
+    towards = space.unit(space.normals(corners)) @ view.eye
+    depth = corners.mean(axis=1) @ view.eye
+    order = numpy.lexsort((rank, numpy.round(depth, 9)))
+    order = order[towards[order] > 1e-9]
+    flat = corners[order] @ view.screen
+    tints = tints[order]
+    tints[:, :3] *= (0.7 + 0.3 * towards[order])[:, None]
+    plane.add_cells(axes, flat, tints, 72 * WIDTH / 2 / numpy.ptp(flat[..., 0]))
+    axes.autoscale_view()
+
+
+def label_faces(axes, view, surfaces, of_part):
+    """At the middle of what is seen of a part; parts that turn away get no label here."""
+    for part in surfaces:
+        corners = part.points[part.cells]
+        normals = space.normals(corners)
+        weight = normals @ view.eye
+        if weight.sum() <= 0.05 * numpy.linalg.norm(normals, axis=1).sum():
+            continue
+        seen = numpy.maximum(weight, 0)
+        middle = (seen[:, None] * corners.mean(axis=1)).sum(axis=0) / seen.sum()
+        nearest = numpy.argmin(numpy.linalg.norm(corners.mean(axis=1) - middle, axis=1)
+                               + 1e9 * (weight <= 0))
+        axes.text(*(corners[nearest].mean(axis=0) @ view.screen), part.name, ha="center",
+                  va="center", fontsize=8, zorder=5,
+                  bbox={"facecolor": "white", "edgecolor": of_part[part.name], "linewidth": 0.8,
+                        "pad": 1.2, "alpha": 0.9})
+
+
+def finish(figure, handles):
+    if handles:
+        style.legend_above_all(figure, handles)
