@@ -55,7 +55,8 @@ double CounterShape<dim>::travel_to(const Vector<dim>& x, const Vector<dim>& app
   const double size = reach_ + x.norm();
   const double near = 1e-6 * size, rounding = 1e-15 * size;
   const auto seen = [&](double w) -> Vector<dim> { return x - w * approach; };
-  if (size == 0) return 0;  // the origin, through which the plane goes
+  if (size == 0)  // the origin, through which the plane goes
+    return distance_(x).normal.dot(approach) > 0 ? 0 : never;
 
   double w = start(x, approach);
   if (w == never) return never;

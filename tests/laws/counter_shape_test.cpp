@@ -221,6 +221,7 @@ TEST(CounterBody, TravelsUntilItTouches) {
   EXPECT_TRUE(std::isinf(disk.travel_to({3.01, 0})));
   disk.shape = plane<2>({0, 0}, {0, -1});  // would have to come through the body
   EXPECT_TRUE(std::isinf(disk.travel_to({3, 1})));
+  EXPECT_TRUE(std::isinf(disk.travel_to({0, 0})));
   // Nearly along the surface.
   CounterBody<2> grazing;
   grazing.approach = Vector<2>(1, 1e-3).normalized();

@@ -162,5 +162,29 @@ TEST_F(WornLimits, HalfRoundRing) {
   }
 }
 
+// The speed of a disc that turns is proportional to r. A lining under uniform pressure at the start
+// (exact on every mesh: the lining is compressed homogeneously) wears until k p omega r is the same
+// everywhere: p = F/(2 pi r (b - a)).
+TEST_F(WornLimits, TheLiningOfADiscClutchWearsEvenly) {
+  const auto lining = model_of("worn_body/disc_clutch_axisymmetric.toml");
+  const double F = 23561.945, inner = 50, outer = 100, k_omega = 1e-7, facet = 2.5;
+  const auto states = states_at(*lining, {0, 20000}, 1e-4);
+  const ContactSurface start = lining->contact(states.front()).value(),
+                       end = lining->contact(states.back()).value();
+  const double mean = F / (pi * (outer * outer - inner * inner)),
+               worn = F / (2 * pi * (outer - inner));
+  // nodal areas over r are off by (h/r)^2, most in half a facet at the edge; radii grow by nu p/E
+  const double mesh = std::pow(facet / inner, 2) / 6, strain = 0.3 * mean / 1000;
+  for (std::size_t c = 0; c < end.worn.size(); ++c) {
+    EXPECT_NEAR(start.pressure[c] / mean, 1, 1e-7) << c;
+    EXPECT_NEAR(end.pressure[c] * end.worn[c][0] / worn, 1, 2 * mesh + 2 * strain) << c;
+  }
+  EXPECT_NEAR(observed(*lining, states.front(), "wear_flux") /
+                  (k_omega * mean * 2 * pi / 3 * (std::pow(outer, 3) - std::pow(inner, 3))),
+              1 + strain, mesh);
+  EXPECT_NEAR(observed(*lining, states.back(), "wear_flux") / (k_omega * F * (inner + outer) / 2),
+              1 + strain, mesh);
+}
+
 }  // namespace
 }  // namespace gnomon

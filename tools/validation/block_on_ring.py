@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Block on ring (Cruzado et al. 2010) against the rigid limit with its elastic correction (docs/validation.md)."""
+"""Block on ring (Cruzado et al. 2010) against the rigid limit with its elastic correction
+(docs/validation.md)."""
 
 import math
 import pathlib
@@ -23,13 +24,13 @@ def parabola(area):
 
 
 def closed_form(area, compliance=COMPLIANCE):
-    """Half width and depth where the ring is a circle and the block a half-plane that bends under the uniform pressure
-    P/(2a): segment(a) - 2 a q = area, depth = height(a) - 2 ln 2 q."""
+    """Half width and depth where the ring is a circle and the block a half-plane that bends
+    under the uniform pressure P/(2a): segment(a) - 2 a q = area, depth = height(a) - 2 ln 2
+    q."""
     def excess(angle):
         segment = RADIUS**2 * (angle - math.sin(angle) * math.cos(angle))
         return segment - 2 * RADIUS * math.sin(angle) * compliance - area
-    low = math.acos(1 - compliance / RADIUS)  # where the excess is least, or near it
-    angle = bisect(excess, low, 1)
+    angle = bisect(excess, 0, 1)
     return RADIUS * math.sin(angle), RADIUS * (1 - math.cos(angle)) - 2 * math.log(2) * compliance
 
 
@@ -68,7 +69,8 @@ For j In {{0:1}}
 EndFor
 For j In {{0:1}}
   For i In {{0:2}}
-    Curve Loop(1 + i + 3 * j) = {{1 + i + 3 * j, 11 + i + 4 * j, -(4 + i + 3 * j), -(10 + i + 4 * j)}};
+    below = 1 + i + 3 * j; left = 10 + i + 4 * j;
+    Curve Loop(below) = {{below, left + 1, -(below + 3), -left}};
     Plane Surface(1 + i + 3 * j) = {{1 + i + 3 * j}};
     Transfinite Surface {{1 + i + 3 * j}};
     Recombine Surface {{1 + i + 3 * j}};
@@ -87,11 +89,12 @@ def row(name, done, time):
     at = done.at(time)
     found = deepest(done.contact(time))
     return [name, f"{time / 2:.0f}", percent(at["worn_volume"] / area, 5), f"{1e3 * found:.3f}",
-            percent(found / rigid, 3), percent(found / depth, 3), percent(at["contact_half_width"] / a)]
+            percent(found / rigid, 3), percent(found / depth, 3),
+            percent(at["contact_half_width"] / a)]
 
 
-HEAD = ["s [m]", "area against k P s", "depth [um]", "of the rigid limit", "with its elastic correction",
-        "half width"]
+HEAD = ["s [m]", "area against k P s", "depth [um]", "of the rigid limit",
+        "with its elastic correction", "half width"]
 
 
 def distances():
@@ -104,7 +107,8 @@ def distances():
         table(HEAD, [row(name, done, time)[1:] for time in TIMES])
         if name == "turning":
             for time in TIMES:
-                print(f"expected: {percent(1 + closed_form(worn_area(time))[0]**2 / (10 * RADIUS**2), 5)}")
+                a = closed_form(worn_area(time))[0]
+                print(f"expected: {percent(1 + a**2 / (10 * RADIUS**2), 5)}")
 
 
 def meshes():
@@ -121,9 +125,11 @@ def meshes():
                     file.write_text(files[name])
                     settings = [f'mesh.geometry="{file}"']
                 done = run(scene, *settings)
-                rows.append([f"{0.04 * scale:g}", *row(name, done, 7200)[:1], done.unknowns,
-                             *row(name, done, 7200)[2:], done.steps, done.newton, f"{done.cpu:.1f}"])
-    table(["facet [mm]", "mesh", "unknowns", *HEAD[1:], "steps", "Newton iterations", "CPU [s]"], rows)
+                cost = [done.steps, done.newton, f"{done.cpu:.1f}"]
+                rows.append([f"{0.04 * scale:g}", name, done.unknowns,
+                             *row(name, done, 7200)[2:], *cost])
+    cost = ["steps", "Newton iterations", "CPU [s]"]
+    table(["facet [mm]", "mesh", "unknowns", *HEAD[1:], *cost], rows)
 
 
 if __name__ == "__main__":

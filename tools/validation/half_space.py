@@ -1,5 +1,6 @@
-"""A worn ball on an elastic half-space by rings of uniform pressure: a second solution for pin on disc, with nothing of
-gnomon in it. Implicit Euler; the active set of rings is iterated in each step."""
+"""A worn ball on an elastic half-space by rings of uniform pressure: a second solution for pin
+on disc, with nothing of gnomon in it. Implicit Euler; the active set of rings is iterated in
+each step."""
 
 import numpy as np
 
@@ -17,7 +18,8 @@ def elliptic(m):
 
 
 def of_disc(r, a):
-    """Displacement at r by unit pressure on a disc of radius a, times E/(1 - nu^2): Johnson, Contact Mechanics, 3.4."""
+    """Displacement at r by unit pressure on a disc of radius a, times E/(1 - nu^2): Johnson,
+    Contact Mechanics, 3.4."""
     r, u = np.asarray(r, float), np.zeros(len(r))
     if a == 0:
         return u
@@ -30,7 +32,8 @@ def of_disc(r, a):
 
 
 def worn_ball(times, *, radius, force, wear, modulus, extent, rings=400, steps=600):
-    """(radius of contact, depth at the centre) at the times, where k v = `wear` and E/(1 - nu^2) = `modulus`."""
+    """(radius of contact, depth at the centre) at the times, where k v = `wear` and E/(1 - nu^2)
+    = `modulus`."""
     edges = np.linspace(0, extent, rings + 1)
     r, area = (edges[1:] + edges[:-1]) / 2, np.pi * (edges[1:] ** 2 - edges[:-1] ** 2)
     discs = np.array([of_disc(r, a) for a in edges]).T / modulus

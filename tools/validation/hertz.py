@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Contacts with closed forms by Hertz, on meshes of falling size (docs/validation.md).
 
-The half width a is that of the pressures' second moment, for Hertz's distribution a^2 = 4 <x^2> (line) or 5/2 <r^2>
-(point): unlike the edge of the active set it does not depend on where the nodes are. The last column is the root mean
-square of the nodal pressures minus Hertz's, over p0."""
+The half width a is that of the pressures' second moment, for Hertz's distribution a^2 = 4 <x^2>
+(line) or 5/2 <r^2> (point): unlike the edge of the active set it does not depend on where the
+nodes are. The last column is the root mean square of the nodal pressures minus Hertz's, over p0."""
 
 import math
 
@@ -60,10 +60,11 @@ def main():
             width, error = measures(nodes, kind, a, p0)
             largest = max(node["pressure"] for node in nodes)
             active = sum(node["active"] for node in nodes)
-            rows.append([f"`{name}`" if factor == 2 else "", factor, done.unknowns, int(active), percent(largest / p0),
-                         percent(width / a), f"{100 * error:.2f} %", f"{done.cpu:.1f} s"])
-    table(["scene", "`mesh.factor`", "unknowns", "nodes in contact", "largest pressure", "half width",
-           "pressure, rms", "CPU"], rows)
+            rows.append([f"`{name}`" if factor == 2 else "", factor, done.unknowns, int(active),
+                         percent(largest / p0), percent(width / a), f"{100 * error:.2f} %",
+                         f"{done.cpu:.1f} s"])
+    table(["scene", "`mesh.factor`", "unknowns", "nodes in contact", "largest pressure",
+           "half width", "pressure, rms", "CPU"], rows)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Pin on disc (Argatov 2011) as a body of revolution, against three solutions (docs/validation.md)."""
+"""Pin on disc (Argatov 2011) as a body of revolution, against three solutions
+(docs/validation.md)."""
 
 import math
 
@@ -17,11 +18,13 @@ def asymptotic(time):
 
 
 def uniform(time):
-    """Worn half-space that bends under the uniform pressure F/(pi a^2) on the contact: the volume of the cap,
-    pi a^4/(4 R) = k F s + (4/3) F a / (pi E'). For contacts that have grown well beyond that at the start."""
+    """Worn half-space that bends under the uniform pressure F/(pi a^2) on the contact: the
+    volume of the cap, pi a^4/(4 R) = k F s + (4/3) F a / (pi E'). For contacts that have
+    grown well beyond that at the start."""
     a = asymptotic(time)
     for _ in range(200):
-        a = (4 * RADIUS / math.pi * (WEAR * FORCE * time + 4 * FORCE * a / (3 * math.pi * MODULUS))) ** 0.25
+        volume = WEAR * FORCE * time + 4 * FORCE * a / (3 * math.pi * MODULUS)
+        a = (4 * RADIUS / math.pi * volume) ** 0.25
     return a
 
 
@@ -36,18 +39,21 @@ def main():
     rings = second_solution()
     for factor in (2, 1, 0.5):
         done = run(SCENES / "pin_on_disc_axisymmetric.toml", f"mesh.factor={factor}")
-        print(f"mesh.factor={factor}: {done.unknowns} unknowns, {done.steps} steps, {done.newton} Newton iterations, "
-              f"{done.cpu:.1f} s")
+        print(f"mesh.factor={factor}: {done.unknowns} unknowns, {done.steps} steps, "
+              f"{done.newton} Newton iterations, {done.cpu:.1f} s")
         rows = []
         for time, (a, depth) in zip(TIMES, rings):
             at, centre = done.at(time), done.contact(time)[0]["Y"]
             found = at["contact_half_width"]
-            rows.append([f"{time:.0f}", f"{found:.5f}", percent(found / a), percent(found / asymptotic(time)),
-                         percent(found / uniform(time)) if time else "",
-                         percent(centre / depth) if time else "",
-                         percent(at["worn_volume"] / (WEAR * FORCE * time), 7) if time else ""])
-        table(["s [mm]", "radius of contact [mm]", "of the rings' on a half-space", "of Argatov's",
-               "of the one with uniform pressure", "depth of the rings'", "volume against k F s"], rows)
+            row = [f"{time:.0f}", f"{found:.5f}", percent(found / a),
+                   percent(found / asymptotic(time))]
+            if time:
+                row += [percent(found / uniform(time)), percent(centre / depth),
+                        percent(at["worn_volume"] / (WEAR * FORCE * time), 7)]
+            rows.append(row + [""] * (7 - len(row)))
+        table(["s [mm]", "radius of contact [mm]", "of the rings' on a half-space",
+               "of Argatov's", "of the one with uniform pressure", "depth of the rings'",
+               "volume against k F s"], rows)
 
 
 if __name__ == "__main__":
