@@ -24,6 +24,10 @@ double GapProfile::area(double depth) const {
   return sum;
 }
 
+double GapProfile::nodes(double depth) const {
+  return double(std::upper_bound(gap_.begin(), gap_.end(), depth) - gap_.begin());
+}
+
 double GapProfile::volume(double depth) const {
   double sum = 0;
   for (std::size_t k = 0; k < gap_.size() && gap_[k] < depth; ++k)
@@ -106,7 +110,7 @@ Magnitudes find_magnitudes(const Scene& scene, double force, double overlap, dou
   double area = 0, count = 0;
   for (const auto& patch : body.contact_nodes) area += patch.initial_area, ++count;
   result.facet = width_of(area / count, dim);
-  result.contact_nodes = start.area / (area / count);
+  result.contact_nodes = gaps.nodes(start.depth);
   scales.auxiliary_force =
       scene.real("shape.young_modulus") * scales.wear_depth * (dim == 2 ? 1 : result.facet);
   return result;

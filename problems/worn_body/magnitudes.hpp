@@ -16,6 +16,8 @@ public:
 
   /// Of the surface that overlaps when the bodies approach by `depth`.
   double area(double depth) const;
+  /// Number of nodes that overlap.
+  double nodes(double depth) const;
   /// Volume of the overlap.
   double volume(double depth) const;
   /// The depth with that volume of overlap.

@@ -23,8 +23,12 @@ struct ContactPatch {
     /// Positions in `nodes`: this node, then (2D) the other end, (3D) the next, the previous and
     /// the opposite corner.
     std::array<int, (1 << (dim - 1))> nodes;
-    double sign;          ///< 2D: +1 when this node comes first in the facet
-    double initial_area;  ///< A^_f [length^(dim-1)]
+    double sign;  ///< 2D: +1 when this node comes first in the facet
+    /// Integral of the node's shape function over the initial facet, by |corner_area_vector|: 1
+    /// where the facet is a parallelogram. Without it a uniform pressure on the quadrilaterals of a
+    /// subdivided triangle would be one of 0.78, 1 and 1.67 at its nodes.
+    double share = 1;
+    double initial_area;  ///< A^_f: that integral [length^(dim-1)]
   };
   std::vector<Corner> corners;
   /// Corners of facets at this node that belong to the rest of the body's boundary: they have no
@@ -61,7 +65,8 @@ Eigen::Matrix<Scalar, dim, dim - 1> corner_edges(const typename ContactPatch<dim
   return edges;
 }
 
-/// Area vector of a corner, linear (2D) or bilinear (3D) in the positions.
+/// Area vector of a corner, linear (2D) or bilinear (3D) in the positions; times its share, the
+/// part of the facet's area that belongs to the node.
 template <int dim, class Scalar>
 Vector<dim, Scalar> corner_area_vector(const typename ContactPatch<dim>::Corner& corner,
                                        const PatchNodal<dim, Scalar>& X) {
