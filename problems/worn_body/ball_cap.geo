@@ -1,7 +1,8 @@
 // A quarter of the end of a ball that touches z = 0 at the origin: x > 0, y > 0, out to `width` and up to `height`.
 // Structured hexahedra: `core` x `core` of one size in the middle, growing outwards and upwards. Lengths in mm.
 If (!Exists(radius)) radius = 50; EndIf
-If (!Exists(core)) core = 14; EndIf      // elements along the patch of equal ones
+If (!Exists(elements)) elements = 14; EndIf  // along the patch of equal ones, by gnomon's mesh.factor
+core = Ceil(elements / Mesh.MeshSizeFactor - 1e-9);
 If (!Exists(patch_x)) patch_x = 0.6; EndIf  // its length along x and along y
 If (!Exists(patch_y)) patch_y = patch_x; EndIf
 If (!Exists(width)) width = 4; EndIf

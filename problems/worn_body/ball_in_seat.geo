@@ -2,8 +2,8 @@
 // `radius` touches it. Structured hexahedra: a section, revolved. Lengths in mm.
 radius = 5;
 half_angle = 45 * Pi / 180;
-If (!Exists(core)) core = 10; EndIf  // elements along half of the patch of equal ones
-If (!Exists(turn)) turn = 12; EndIf  // elements along the quarter
+core = Ceil(10 / Mesh.MeshSizeFactor - 1e-9);  // elements along half of the patch of equal ones
+turn = core;  // elements along the quarter
 patch = 0.11;  // half of its length
 width = 1.5;   // half of the length of the seat
 depth = 1.5;

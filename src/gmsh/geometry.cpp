@@ -39,6 +39,10 @@ bool is_meshed(int dimension) {
 
 }  // namespace
 
+void ask_for_factor(double factor) {
+  set("Mesh.MeshSizeFactor", factor);
+}
+
 void mesh_geometry(double size, double factor, bool has_options,
                    std::vector<std::string>& remarks) {
   const int dimension = gmsh::model::getDimension();
@@ -57,7 +61,8 @@ void mesh_geometry(double size, double factor, bool has_options,
   // A STEP file cannot ask for small elements at small holes and edges, where large ones fold.
   constexpr double by_turn = 24;
   if (!has_options) set("Mesh.MeshSizeFromCurvature", by_turn);
-  const double own_factor = get("Mesh.MeshSizeFactor") * factor;
+  const double there = get("Mesh.MeshSizeFactor");
+  const double own_factor = there == factor ? factor : there * factor;  // a script has set its own
   set("Mesh.MeshSizeFactor", own_factor);
   if (dimension == 2) {
     set("Mesh.RecombineAll", 1);

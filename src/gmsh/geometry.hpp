@@ -6,6 +6,10 @@
 
 namespace gnomon::gmsh_reader {
 
+/// Before a geometry is opened: a script may read Mesh.MeshSizeFactor, for the numbers of elements
+/// of a structured mesh, which sizes do not change.
+void ask_for_factor(double factor);
+
 /// Meshes the current model with quadrilaterals (hexahedra) of first order. `size` as
 /// MeshFileOptions has it. Without options of its own, as a script has them, a geometry gets
 /// elements that follow its curvature. Says in `remarks` what the user may not expect.

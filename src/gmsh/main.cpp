@@ -90,6 +90,7 @@ void open(const std::string& file) {
 }
 
 ImportedMesh read(const std::string& file, double size, double factor, bool geometry) {
+  if (geometry) ask_for_factor(factor);
   open(file);
   ImportedMesh mesh;
   if (geometry) mesh_geometry(size, factor, file.ends_with(".geo"), mesh.remarks);

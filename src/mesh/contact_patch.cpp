@@ -59,6 +59,19 @@ void add_corners_beyond(const std::vector<typename Mesh<dim>::Facet>& surface,
   }
 }
 
+/// Integral of the shape function of the corner's node over the bilinear facet, whose area element
+/// is bilinear, too (where the facet is not plane, nearly).
+double integral_of_node(const ContactPatch<3>::Corner& corner, const PatchNodal<3>& X) {
+  const auto area_at = [&](int node, int next, int previous) -> Vector<3> {
+    const Vector<3> own = X.row(corner.nodes[node]), a = X.row(corner.nodes[next]),
+                    b = X.row(corner.nodes[previous]);
+    return (a - own).cross(b - own) / 4;
+  };
+  return (4 * area_at(0, 1, 2) + 2 * area_at(1, 3, 0) + 2 * area_at(2, 0, 3) + area_at(3, 2, 1))
+             .norm() /
+         9;
+}
+
 template <int dim>
 void measure(const Mesh<dim>& mesh, ContactPatch<dim>& patch) {
   PatchNodal<dim> X(patch.nodes.size(), dim);
@@ -66,8 +79,9 @@ void measure(const Mesh<dim>& mesh, ContactPatch<dim>& patch) {
     X.row(static_cast<int>(p)) = mesh.nodes[patch.nodes[p]].transpose();
   const auto area_vector = [&X](auto& corner) {
     const Vector<dim> S = corner_area_vector<dim, double>(corner, X);
-    corner.initial_area = S.norm();
-    return S;
+    if constexpr (dim == 3) corner.share = integral_of_node(corner, X) / S.norm();
+    corner.initial_area = corner.share * S.norm();
+    return Vector<dim>(corner.share * S);
   };
   patch.initial_position = mesh.nodes[patch.node];
   patch.initial_normal.setZero();

@@ -22,15 +22,15 @@ struct SurfaceDerivative {
     double total = 0;
     for (const auto& corner : patch.corners) {
       const Vector<dim> S = corner_area_vector<dim, double>(corner, X);
-      const double share = S.norm();
-      const Vector<dim> N = S / share;
+      const double size = S.norm();
+      const Vector<dim> N = S / size;
       const double weight = corner.initial_area / patch.initial_area;
-      total += share;
+      total += corner.share * size;
       mean += weight * N;
-      const Tensor<dim> tangential = (Tensor<dim>::Identity() - N * N.transpose()) * weight / share;
+      const Tensor<dim> tangential = (Tensor<dim>::Identity() - N * N.transpose()) * weight / size;
       const auto dS = area_vector_derivative<dim>(corner, X);
       for (int k = 0; k < dim; ++k) {
-        area[corner.nodes[k]] += dS[k].transpose() * N;
+        area[corner.nodes[k]] += corner.share * dS[k].transpose() * N;
         if (!conserves) normal[corner.nodes[k]] += tangential * dS[k];
       }
     }

@@ -22,14 +22,9 @@ protected:
     if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
   }
 
-  /// The contact of a shipped scene, with `parameters` before its geometry.
-  static ContactSurface contact(const std::string& scene, const std::string& geometry,
-                                const std::string& parameters) {
-    const SceneFolder folder;
-    folder.write("ball_cap.geo", text_of(shipped("ball_cap.geo")));
-    folder.write(geometry, parameters + text_of(shipped(geometry)));
-    const auto file = folder.write(scene, text_of(shipped(scene)));
-    const auto model = make_model(load_scene(file, {}, key_table));
+  static ContactSurface contact(const std::filesystem::path& scene, double factor) {
+    const auto model =
+        make_model(load_scene(scene, {fmt::format("mesh.factor={}", factor)}, key_table));
     Counters counters;
     return model->contact(model->start(counters)).value();
   }
@@ -57,13 +52,15 @@ double peak(const ContactSurface& surface) {
 // Both bodies are elastic in the scene, so its modulus is half of theirs.
 TEST_F(Hertz, BallOnFlat) {
   const HertzEllipse hertz(10.39, 0.01, 0.01, young / 2 / (1 - poisson * poisson));
-  for (const int core : {6, 12}) {
-    const auto surface =
-        contact("pin_on_disc.toml", "ball_cap.geo",
-                fmt::format("core = {};\npatch_x = 0.2;\nwidth = 2;\nheight = 2;\n", core));
+  const SceneFolder folder;
+  folder.write("ball_cap.geo", "elements = 6; patch_x = 0.2; width = 2; height = 2;\n" +
+                                   text_of(shipped("ball_cap.geo")));
+  const auto scene = folder.write("pin_on_disc.toml", text_of(shipped("pin_on_disc.toml")));
+  for (const double factor : {1.0, 0.5}) {
+    const auto surface = contact(scene, factor);
     const auto expected = [&](const auto& X) { return hertz.pressure(X[0], X[1]); };
-    EXPECT_LT(difference(surface, expected), 0.4 / core);
-    EXPECT_NEAR(peak(surface) / hertz.peak_pressure, 1, 0.01);
+    EXPECT_LT(difference(surface, expected), 0.06 * factor);
+    EXPECT_NEAR(peak(surface) / hertz.peak_pressure, 1, 0.02 * factor);
   }
 }
 
@@ -71,11 +68,10 @@ TEST_F(Hertz, BallInAGroove) {
   const double ball = 1.0 / 5, groove = 1.0 / 6, ring = 1.0 / 21;
   const HertzEllipse hertz(100, (ball - groove) / 2, (ball - ring) / 2,
                            young / (1 - poisson * poisson));
-  for (const int core : {6, 12}) {
-    const auto surface =
-        contact("ball_in_groove.toml", "ball_in_groove.geo", fmt::format("core = {};\n", core));
+  for (const double factor : {2.0, 1.0}) {
+    const auto surface = contact(shipped("ball_in_groove.toml"), factor);
     const auto expected = [&](const auto& X) { return hertz.pressure(X[1], X[0]); };
-    EXPECT_LT(difference(surface, expected), 0.5 / core);
+    EXPECT_LT(difference(surface, expected), 0.04 * factor);
     EXPECT_NEAR(peak(surface) / hertz.peak_pressure, 1, 0.01);
   }
 }
@@ -88,15 +84,14 @@ TEST_F(Hertz, BallInASeat) {
   const double line = 4 * 1000 / (2 * std::numbers::pi * ring * std::sin(angle));  // N/mm
   const double half_width = std::sqrt(4 * line * R / (std::numbers::pi * modulus));
   const double highest = 2 * line / (std::numbers::pi * half_width);
-  for (const int core : {5, 10}) {
-    const auto surface = contact("ball_in_seat.toml", "ball_in_seat.geo",
-                                 fmt::format("core = {};\nturn = {};\n", core, core));
+  for (const double factor : {2.0, 1.0}) {
+    const auto surface = contact(shipped("ball_in_seat.toml"), factor);
     const auto expected = [&](const auto& X) {
       const double along = std::hypot(X[0], X[1], X[2]) - R / std::tan(angle);
       return highest * std::sqrt(std::max(0.0, 1 - std::pow(along / half_width, 2)));
     };
-    EXPECT_LT(difference(surface, expected), 0.4 / core);
-    EXPECT_NEAR(peak(surface) / highest, 1, 0.3 / core);
+    EXPECT_LT(difference(surface, expected), 0.04 * factor);
+    EXPECT_NEAR(peak(surface) / highest, 1, 0.03 * factor);
   }
 }
 

@@ -25,8 +25,13 @@ struct ContactPatch {
     /// Positions in `nodes`: this node, then (2D) the other end, (3D) the next, the previous and
     /// the opposite corner.
     std::array<int, (1 << (dim - 1))> nodes;
-    double sign;          ///< 2D: +1 when this node comes first in the facet
-    double initial_area;  ///< A^_f [length^(dim-1); length^2 of a body of revolution]
+    double sign;  ///< 2D: +1 when this node comes first in the facet
+    /// Integral of the node's shape function over the initial facet, by |corner_area_vector|: 1
+    /// where the facet is a parallelogram. Without it a uniform pressure on the quadrilaterals of a
+    /// subdivided triangle would be one of 0.78, 1 and 1.67 at its nodes.
+    double share = 1;
+    double
+        initial_area;  ///< A^_f: that integral [length^(dim-1); length^2 of a body of revolution]
     Section section = Section::plane;  ///< 2D: of what the facet is a section
   };
   std::vector<Corner> corners;
@@ -73,7 +78,8 @@ Scalar corner_circumference(const ContactPatch<2>::Corner& corner, const PatchNo
 }
 
 /// Area vector of a corner, linear (2D; quadratic for a body of revolution) or bilinear (3D) in the
-/// positions.
+/// positions. Multiplied by the corner's share, in 3D, it is the part of the facet's area that
+/// belongs to the node.
 template <int dim, class Scalar>
 Vector<dim, Scalar> corner_area_vector(const typename ContactPatch<dim>::Corner& corner,
                                        const PatchNodal<dim, Scalar>& X) {

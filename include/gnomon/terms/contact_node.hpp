@@ -179,9 +179,9 @@ NodalSurface<dim, Scalar>::NodalSurface(const ContactPatch<dim>& patch,
   const bool conserves = rule == NormalRule::conservative;
   for (const auto& corner : patch.corners) {
     const Vector<dim, Scalar> S = corner_area_vector<dim, Scalar>(corner, X);
-    const Scalar share = S.norm();
-    area += share;
-    if (!conserves) normal += Scalar(corner.initial_area / patch.initial_area) * S / share;
+    const Scalar size = S.norm();
+    area += Scalar(corner.share) * size;
+    if (!conserves) normal += Scalar(corner.initial_area / patch.initial_area) * S / size;
   }
   if (rule == NormalRule::normalised) normal /= Scalar(normal.norm());
   if (!conserves) return;
