@@ -68,7 +68,7 @@ def draw_column(result, column, state, whole, window, paper):
             axes.set_axis_off()
             continue
         plane.draw_body(axes, result, state.deformed, colours, frame, paper)
-        plane.draw_counter_body(axes, result, state.step, frame)
+        counter.draw_line(axes, result, state.step, frame[1][0] - frame[0][0])
         axes.set_title(f"{name}, {state.time}")
     if window is not None:
         plane.mark(column[1], window)
@@ -123,6 +123,6 @@ def shaded(colours, light):
 
 def add_faces(axes, corners, colours, panel):
     """`panel`: its width [inch]."""
-    plane.add_cells(axes, corners, colours, 72 * panel / numpy.ptp(corners[..., 0]), MANY_FACES)
-    axes.autoscale_view()
+    scale = 72 * panel / numpy.ptp(corners[..., 0])
+    space.add_faces(axes, corners, colours, scale, MANY_FACES)
     axes.set_aspect("equal")
