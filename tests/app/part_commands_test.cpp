@@ -56,7 +56,7 @@ TEST_F(PartCommands, MeshDrawsTheNamedPartsAndWritesThemForParaView) {
 
 TEST_F(PartCommands, MeshRefusesOtherPicturesAndOtherFiles) {
   write("mine.xdmf", "<Xdmf/>");
-  for (const char* picture : {"mesh.pdf", "mesh", "mine.xdmf"}) {
+  for (const char* picture : {"mesh.pdf", "mesh", "mine.xdmf", "nowhere/mesh.png"}) {
     const Outcome outcome = gnomon({"mesh", "block_on_ring.geo", "-o", picture});
     EXPECT_EQ(outcome.exit_code, 2) << picture;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
