@@ -89,6 +89,11 @@ whole = [axes for axes in wide.axes if axes.get_title().startswith("deformed")]
 for axes in whole:
     assert axes.get_xlim()[0] <= -HALF and axes.get_xlim()[1] < 5, "the body sets the limits"
     assert len(axes.collections) == 5, "cells, lines, outline, counter-body and its band"
+for stretch in ([1, 0.002, 1], [0.002, 1, 1]):  # very flat, very tall
+    extreme = result()
+    extreme.points = points * stretch
+    figure = mesh.draw(extreme)
+    assert not overlaps(figure) and figure.get_figheight() < 11, stretch
 plain = mesh.draw(result(width=10.0))
 assert not [axes for axes in plain.axes if "contact" in axes.get_title()], "all is in contact"
 

@@ -11,6 +11,7 @@ from .complaints import Unsuitable
 
 WIDE = 1.25  # a body that is wider than this times its height gets a figure of a page's width
 ZOOM = 0.7  # part of the body's width: a larger contact needs no window of its own
+LOWEST, TALLEST = 0.5, 3.6  # inch: panels of bodies in the plane
 MANY_FACES = 1000  # in space, above this number an SVG contains them as a bitmap
 
 
@@ -48,7 +49,8 @@ def draw_plane(result):
     wide = size[0] > WIDE * size[1]
     width = style.DOUBLE if wide else style.SINGLE
     panel = width / len(states) - 0.5  # inch, within the axes
-    heights = [panel * size[1] / size[0]] * 2 + ([panel * plane.FLATNESS] if any(small) else [])
+    body = min(max(panel * size[1] / size[0], LOWEST), TALLEST)
+    heights = [body, body] + ([panel * plane.FLATNESS] if any(small) else [])
     figure = style.figure(width=width, height=sum(heights) + 0.31 * len(heights) + 0.65)
     panels = figure.subplots(len(heights), len(states), squeeze=False, height_ratios=heights)
     for column, state, window, shown in zip(panels.T, states, windows, small):
