@@ -39,7 +39,10 @@ Grid grid_of(const ImportedBody<dim>& body) {
 class TemporaryFolder {
 public:
   TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "gnomon-XXXXXX").string();
+    std::error_code error;
+    const fs::path parent = fs::temp_directory_path(error);
+    if (error) throw Error("there is no folder for temporary files (TMPDIR)");
+    std::string name = (parent / "gnomon-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
       throw Error(fmt::format("cannot make a temporary folder {}: {}", name, std::strerror(errno)));
     path_ = name;
@@ -78,6 +81,9 @@ void check_drawing(const fs::path& file) {
                     "ParaView) or .msh "
                     "(for Gmsh), got {}",
                     file.string()));
+  std::error_code ignored;
+  if (file.has_parent_path() && !fs::is_directory(file.parent_path(), ignored))
+    throw InputError(fmt::format("--output: there is no folder {}", file.parent_path().string()));
   if (ending == ".xdmf" && is_taken(file) && !is_mesh_view(file))
     throw InputError(fmt::format("{} exists and is not a mesh that gnomon wrote; give another name",
                                  file.string()));

@@ -6,8 +6,8 @@
 
 namespace gnomon::app {
 
-/// Throws InputError for another ending than .png, .svg or .xdmf, and where a file that is not one
-/// of these by gnomon would be replaced.
+/// Throws InputError for another ending than .png, .svg or .xdmf, a folder that is not there, and
+/// an .xdmf file that is not gnomon's and would be replaced.
 void check_drawing(const std::filesystem::path& file);
 
 /// A picture of the mesh and its named parts, or the same for ParaView. Throws InputError, and

@@ -88,7 +88,12 @@ assert len(panels) == 2 and all(np.ptp(axes.get_xlim()) < 5 for axes in panels)
 whole = [axes for axes in wide.axes if axes.get_title().startswith("deformed")]
 for axes in whole:
     assert axes.get_xlim()[0] <= -HALF and axes.get_xlim()[1] < 5, "the body sets the limits"
-    assert len(axes.collections) == 4, "cells, outline, counter-body and its band"
+    assert len(axes.collections) == 5, "cells, lines, outline, counter-body and its band"
+for stretch in ([1, 0.002, 1], [0.002, 1, 1]):  # very flat, very tall
+    extreme = result()
+    extreme.points = points * stretch
+    figure = mesh.draw(extreme)
+    assert not overlaps(figure) and figure.get_figheight() < 11, stretch
 plain = mesh.draw(result(width=10.0))
 assert not [axes for axes in plain.axes if "contact" in axes.get_title()], "all is in contact"
 
@@ -104,13 +109,18 @@ turned.axes = ("r", "z")
 labels = {axes.get_ylabel() for axes in mesh.draw(turned).axes}
 assert "$z$ [mm]" in labels and "$y$ [mm]" not in labels, labels
 
-# Mesh lines only where they can be seen: a cell of half a point has none.
-axes = style.figure().add_subplot()
-plane.add_cells(axes, points[cells][:, :, :2], np.ones((len(cells), 4)), scale=100)
-plane.add_cells(axes, points[cells][:, :, :2], np.ones((len(cells), 4)), scale=1)
-seen, hidden = axes.collections
-assert (seen.get_edgecolor()[:, :3] == 0).all()
-assert (hidden.get_edgecolor()[:, :3] == 1).all()
+# Mesh lines only where they can be seen, in each direction: cells are 0.5 times 0.5, then 1 to 0.1.
+def lines(stretch, scale):
+    """Number and directions of the lines that are drawn."""
+    axes = style.figure().add_subplot()
+    plane.add_cells(axes, points[cells][:, :, :2] * stretch, np.ones((len(cells), 4)), scale)
+    segments = np.array(axes.collections[1].get_segments()).reshape(-1, 2, 2)
+    return len(segments), set(np.abs(np.diff(segments, axis=1)).argmax(axis=2).ravel())
+
+
+assert lines([1, 1], 100) == (4 * len(cells), {0, 1})
+assert lines([1, 1], 1) == (0, set())
+assert lines([2, 0.2], 4) == (2 * len(cells), {1}), "those along x are too close to each other"
 
 # An axis on which the lowest curve can be read; what is cut off is said.
 axes = style.figure().add_subplot()

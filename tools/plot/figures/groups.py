@@ -157,8 +157,8 @@ def draw_faces(axes, view, body, faces, surfaces, of_part):
     flat = corners[order] @ view.screen
     tints = tints[order]
     tints[:, :3] *= (0.7 + 0.3 * towards[order])[:, None]
-    plane.add_cells(axes, flat, tints, 72 * WIDTH / 2 / numpy.ptp(flat[..., 0]))
-    axes.autoscale_view()
+    scale = 72 * WIDTH / 2 / numpy.ptp(flat[..., 0])
+    space.add_faces(axes, flat, tints, scale, plane.MANY_CELLS)
 
 
 def label_faces(axes, view, surfaces, of_part):

@@ -11,6 +11,7 @@ from .complaints import Unsuitable
 
 WIDE = 1.25  # a body that is wider than this times its height gets a figure of a page's width
 ZOOM = 0.7  # part of the body's width: a larger contact needs no window of its own
+LOWEST, TALLEST = 0.5, 3.6  # inch: panels of bodies in the plane
 MANY_FACES = 1000  # in space, above this number an SVG contains them as a bitmap
 
 
@@ -48,7 +49,8 @@ def draw_plane(result):
     wide = size[0] > WIDE * size[1]
     width = style.DOUBLE if wide else style.SINGLE
     panel = width / len(states) - 0.5  # inch, within the axes
-    heights = [panel * size[1] / size[0]] * 2 + ([panel * plane.FLATNESS] if any(small) else [])
+    body = min(max(panel * size[1] / size[0], LOWEST), TALLEST)
+    heights = [body, body] + ([panel * plane.FLATNESS] if any(small) else [])
     figure = style.figure(width=width, height=sum(heights) + 0.31 * len(heights) + 0.65)
     panels = figure.subplots(len(heights), len(states), squeeze=False, height_ratios=heights)
     for column, state, window, shown in zip(panels.T, states, windows, small):
@@ -68,7 +70,7 @@ def draw_column(result, column, state, whole, window, paper):
             axes.set_axis_off()
             continue
         plane.draw_body(axes, result, state.deformed, colours, frame, paper)
-        plane.draw_counter_body(axes, result, state.step, frame)
+        counter.draw_line(axes, result, state.step, frame[1][0] - frame[0][0])
         axes.set_title(f"{name}, {state.time}")
     if window is not None:
         plane.mark(column[1], window)
@@ -123,6 +125,6 @@ def shaded(colours, light):
 
 def add_faces(axes, corners, colours, panel):
     """`panel`: its width [inch]."""
-    plane.add_cells(axes, corners, colours, 72 * panel / numpy.ptp(corners[..., 0]), MANY_FACES)
-    axes.autoscale_view()
+    scale = 72 * panel / numpy.ptp(corners[..., 0])
+    space.add_faces(axes, corners, colours, scale, MANY_FACES)
     axes.set_aspect("equal")

@@ -4,24 +4,32 @@ import numpy
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import Rectangle
 
-from . import counter
-
 MANY_CELLS = 500  # above this number an SVG contains the mesh as a bitmap
-LEAST_CELL = 0.8  # points: mesh lines that are closer are not drawn
+LEAST_DISTANCE = 0.8  # points: mesh lines that are closer are not drawn
 FLATNESS = 0.6  # height of the window around contact by its width
 
 
-def add_cells(axes, corners, colours, scale, many=MANY_CELLS):
-    """Cells, or faces on the screen, with the mesh lines that can be seen. `scale`: points of paper
-    per mm; `many`: above this number they are a bitmap in an SVG."""
-    sides = numpy.linalg.norm(corners - numpy.roll(corners, -1, axis=1), axis=2)
-    size = scale * numpy.sort(sides, axis=1)[:, 1]  # a triangle has a side without length
-    lines = numpy.where(size >= LEAST_CELL, numpy.minimum(0.05 * size, 0.25), 0)
-    # Cells without lines get hairlines of their own colour, so that no gaps show between them.
-    edges = numpy.where((lines > 0)[:, None], [[0, 0, 0, 1]], colours)
-    axes.add_collection(PolyCollection(corners, facecolor=colours, edgecolor=edges, zorder=1,
-                                       linewidth=numpy.where(lines > 0, lines, 0.1),
-                                       rasterized=len(corners) > many))
+def add_cells(axes, corners, colours, scale):
+    """Cells with the mesh lines that can be seen, each by its distance from the next one. `scale`:
+    points of paper per mm."""
+    many = len(corners) > MANY_CELLS
+    # Hairlines of the cells' own colours, so that no gaps show between them.
+    axes.add_collection(PolyCollection(corners, facecolor=colours, edgecolor=colours, linewidth=0.1,
+                                       zorder=1, rasterized=many))
+    ends = numpy.stack([corners, numpy.roll(corners, -1, axis=1)], axis=2)
+    along = ends[:, :, 1] - ends[:, :, 0]
+    area = numpy.abs(numpy.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])) / 2
+    length = numpy.maximum(numpy.linalg.norm(along, axis=2), 1e-300)
+    widths = line_widths(scale * area[:, None] / length)
+    seen = widths > 0
+    axes.add_collection(LineCollection(ends[seen], color="black", linewidth=widths[seen], zorder=1.1,
+                                       rasterized=many))
+
+
+def line_widths(distances):
+    """Of mesh lines at these distances, both in points: finer where they are close, 0 where they
+    could not be told apart."""
+    return numpy.where(distances >= LEAST_DISTANCE, numpy.minimum(0.05 * distances, 0.25), 0)
 
 
 def add_outline(axes, cells, points):
@@ -93,7 +101,3 @@ def mark(axes, frame):
                              zorder=4))
     axes.add_patch(Rectangle(low, *(high - low), fill=False, edgecolor="black", linewidth=0.5,
                              zorder=4))
-
-
-def draw_counter_body(axes, result, step, frame):
-    counter.draw_line(axes, result, step, frame[1][0] - frame[0][0])

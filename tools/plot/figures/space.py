@@ -1,8 +1,9 @@
 """Bodies in space: faces of hexahedra, symmetry, and the view onto the contact surface."""
 
 import numpy
+from matplotlib.collections import PolyCollection
 
-from . import style
+from . import plane, style
 from .complaints import Unsuitable
 
 # Nodes of a hexahedron's faces, counterclockwise as seen from outside.
@@ -28,6 +29,19 @@ def contact_faces(result):
     if not len(faces):
         raise Unsuitable("the contact surface holds no face of the mesh")
     return faces
+
+
+def add_faces(axes, corners, colours, scale, many):
+    """Faces on the screen, the farthest first, with the mesh lines that can be seen. `scale`: points
+    of paper per mm; `many`: above this number they are a bitmap in an SVG."""
+    sides = numpy.linalg.norm(corners - numpy.roll(corners, -1, axis=1), axis=2)
+    lines = plane.line_widths(scale * numpy.sort(sides, axis=1)[:, 1])
+    # Faces without lines get hairlines of their own colour, so that no gaps show between them.
+    edges = numpy.where((lines > 0)[:, None], [[0, 0, 0, 1]], colours)
+    axes.add_collection(PolyCollection(corners, facecolor=colours, edgecolor=edges,
+                                       linewidth=numpy.where(lines > 0, lines, 0.1),
+                                       rasterized=len(corners) > many))
+    axes.autoscale_view()
 
 
 def is_half(result):
