@@ -2,6 +2,7 @@
 
 #include "app/command_line.hpp"
 #include "app/option_checks.hpp"
+#include "app/stored_time.hpp"
 
 namespace gnomon::app {
 
@@ -27,7 +28,7 @@ void CommandLine::add_inspection() {
           "A stored time, as it was printed or stands in a figure (350, \"350 s\"); default: "
           "the last one")
       ->type_name("T")
-      ->check(check_file_name);
+      ->check(check_time);
   contact->callback([this] { command_ = [this] { return contact_command(result_, time_); }; });
 
   CLI::App* scene = app_.add_subcommand("scene", "Prints the scene of a result");

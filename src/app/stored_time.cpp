@@ -63,12 +63,15 @@ std::string neighbours(const std::vector<double>& times, double t) {
 
 }  // namespace
 
+std::string check_time(const std::string& text) {
+  if (read(number_in(text))) return {};
+  return fmt::format("expected a time in seconds, as 350 or \"350 s\", got `{}`", text);
+}
+
 double stored_time(const std::vector<double>& times, const std::string& text,
                    const std::string& file) {
   const auto printed = read(number_in(text));
-  if (!printed)
-    throw InputError(
-        fmt::format("--time: expected a time in seconds, as 350 or \"350 s\", got `{}`", text));
+  if (!printed) throw InputError("--time: " + check_time(text));
   if (times.empty()) throw InputError(file + ": it has no stored step");
   const double nearest = *std::ranges::min_element(
       times, {}, [&](double time) { return std::abs(time - printed->value); });

@@ -12,4 +12,7 @@ namespace gnomon::app {
 double stored_time(const std::vector<double>& times, const std::string& text,
                    const std::string& file);
 
+/// A check of an argument as CLI11 requires it: a complaint unless the text is a time.
+std::string check_time(const std::string& text);
+
 }  // namespace gnomon::app

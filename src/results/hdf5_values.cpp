@@ -50,8 +50,8 @@ std::vector<std::string> take_texts(hid_t stored, std::size_t count, Read read) 
 
 template <class Value>
 void write_array(hid_t parent, const std::string& name, const std::vector<hsize_t>& extents,
-                 hid_t type, const Value* values) {
-  const Handle dataset = create_dataset(parent, name, type, extents);
+                 hid_t type, const Value* values, Storage storage) {
+  const Handle dataset = create_dataset(parent, name, type, extents, storage);
   check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write a dataset");
 }
 
@@ -108,12 +108,12 @@ void compress(const Handle& properties, hid_t type, const std::vector<hsize_t>& 
 }  // namespace
 
 Handle create_dataset(hid_t parent, const std::string& name, hid_t type,
-                      const std::vector<hsize_t>& extents) {
+                      const std::vector<hsize_t>& extents, Storage storage) {
   const Handle shape = space(extents);
   const Handle create = own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "create a dataset");
   // Without time stamps, equal runs give equal bytes.
   check(H5Pset_obj_track_times(create.id(), false), "create a dataset");
-  compress(create, type, extents);
+  if (storage == Storage::compressed) compress(create, type, extents);
   return own(
       H5Dcreate2(parent, name.c_str(), type, shape.id(), H5P_DEFAULT, create.id(), H5P_DEFAULT),
       H5Dclose, "create a dataset");
@@ -185,18 +185,18 @@ double read_number_attribute(hid_t object, const char* name) {
 }
 
 void write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& extents,
-                   const double* values) {
-  write_array(parent, name, extents, H5T_NATIVE_DOUBLE, values);
+                   const double* values, Storage storage) {
+  write_array(parent, name, extents, H5T_NATIVE_DOUBLE, values, storage);
 }
 
 void write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& extents,
-                   const int* values) {
-  write_array(parent, name, extents, H5T_NATIVE_INT, values);
+                   const int* values, Storage storage) {
+  write_array(parent, name, extents, H5T_NATIVE_INT, values, storage);
 }
 
 void write_dataset(hid_t parent, const std::string& name, const std::string& text) {
   const Handle type = text_type(text.size());
-  write_array(parent, name, {}, type.id(), text.c_str());
+  write_array(parent, name, {}, type.id(), text.c_str(), Storage::plain);
 }
 
 std::string read_text(hid_t parent, const char* name) {

@@ -17,10 +17,11 @@ namespace gnomon::hdf5 {
 Handle text_type(std::size_t size);
 /// A dataspace of the given extents; none: a scalar.
 Handle space(const std::vector<hsize_t>& extents);
-/// Creates a dataset that is written once, as a whole. It is compressed where that pays: in chunks,
-/// gzip after shuffle.
+/// Compressed, where that pays: in chunks, gzip after shuffle; only what is written once, as a
+/// whole, for a chunk that changes would have to be replaced while readers see it.
+enum class Storage { plain, compressed };
 Handle create_dataset(hid_t parent, const std::string& name, hid_t type,
-                      const std::vector<hsize_t>& extents);
+                      const std::vector<hsize_t>& extents, Storage storage = Storage::plain);
 
 void write_attribute(hid_t object, const char* name, const std::string& text);
 void write_attribute(hid_t object, const char* name, const std::vector<std::string>& texts);
@@ -34,9 +35,9 @@ double read_number_attribute(hid_t object, const char* name);
 void rewrite_attribute(hid_t object, const char* name, const std::string& text);
 
 void write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& extents,
-                   const double* values);
+                   const double* values, Storage storage = Storage::plain);
 void write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& extents,
-                   const int* values);
+                   const int* values, Storage storage = Storage::plain);
 void write_dataset(hid_t parent, const std::string& name, const std::string& text);
 std::string read_text(hid_t parent, const char* name);
 

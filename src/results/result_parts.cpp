@@ -62,7 +62,8 @@ void write_field(hid_t group, const GridField& field) {
   const hsize_t count = field.values.size() / components;
   std::vector<hsize_t> extents = {count};
   if (vector) extents.push_back(components);
-  const Handle dataset = hdf5::create_dataset(group, field.name, H5T_NATIVE_DOUBLE, extents);
+  const Handle dataset = hdf5::create_dataset(group, field.name, H5T_NATIVE_DOUBLE, extents,
+                                              hdf5::Storage::compressed);
   check(
       H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, field.values.data()),
       "write a field");
@@ -79,7 +80,8 @@ void write_contact(hid_t group, const std::string& name, const ContactSurface& c
                     contact.active.at(i)});
   }
   const Handle type = contact_type();
-  const Handle dataset = hdf5::create_dataset(group, name, type.id(), {rows.size()});
+  const Handle dataset =
+      hdf5::create_dataset(group, name, type.id(), {rows.size()}, hdf5::Storage::compressed);
   check(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()),
         "write the contact surface");
   hdf5::write_attribute(dataset.id(), "dim", contact.dim);

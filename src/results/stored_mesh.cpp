@@ -22,7 +22,7 @@ void write_parts(hid_t mesh, const std::vector<MeshPart>& parts) {
   std::vector<std::string> kinds, names;
   for (const MeshPart& part : parts) {
     hdf5::write_dataset(group.id(), std::to_string(kinds.size()), {part.nodes.size()},
-                        part.nodes.data());
+                        part.nodes.data(), hdf5::Storage::compressed);
     kinds.emplace_back(part_kinds[static_cast<std::size_t>(part.kind)]);
     names.push_back(part.name);
   }
@@ -60,9 +60,10 @@ void write_mesh(hid_t file, const Grid& grid) {
   const Handle mesh = create_group(file, "mesh", 2);
   const hsize_t corners = grid.cell == Grid::Cell::quadrilateral ? 4 : 8;
   hdf5::write_dataset(mesh.id(), "points", {grid.points.size(), 3},
-                      grid.points.empty() ? nullptr : grid.points.front().data());
-  hdf5::write_dataset(mesh.id(), "cells", {grid.cells.size() / corners, corners},
-                      grid.cells.data());
+                      grid.points.empty() ? nullptr : grid.points.front().data(),
+                      hdf5::Storage::compressed);
+  hdf5::write_dataset(mesh.id(), "cells", {grid.cells.size() / corners, corners}, grid.cells.data(),
+                      hdf5::Storage::compressed);
   if (!grid.parts.empty()) write_parts(mesh.id(), grid.parts);
 }
 

@@ -119,7 +119,8 @@ private:
     std::set<std::string> meant;
     for (const auto* values : {&overrides_, &in_file_})
       for (const GivenValue& given : *values)
-        if (!find_key(table, given.name)) meant.insert(key_meant(given.name, table));
+        if (!find_key(table, given.name) && !gives_table(given.name, given.value, table))
+          meant.insert(key_meant(given.name, table));
     return meant;
   }
 

@@ -208,7 +208,9 @@ TEST_F(BadInput, CommandLine) {
   expect_refused({"help", "scene", "pin_on_flat", "x"}, {"argument `x`, see `gnomon help`"});
   for (const char* number : {"soon", "nan", "1e400"}) {
     const std::string refusal = std::string(": expected a finite number, got `") + number + "`";
-    expect_refused({"contact", "a.h5", "--time", number}, {"--time" + refusal});
+    expect_refused({"contact", "a.h5", "--time", number},
+                   {std::string("--time: expected a time in seconds, as 350 or \"350 s\", got `") +
+                    number + "`"});
     expect_refused({"stability", pin, "--time", number}, {"--time" + refusal});
     expect_refused({"resume", "a.h5", "--end", number}, {"--end" + refusal});
     expect_refused({"extremes", "--limit", number}, {"--limit" + refusal});

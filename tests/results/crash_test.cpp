@@ -131,9 +131,9 @@ void expect_holds(const std::filesystem::path& file, const Progress& done, const
 
 // A copy of the file after each write of the given steps, as a kill between two writes would leave
 // it.
-void check_after_every_write(const std::string& name, int first, int last) {
+void check_after_every_write(const std::string& name, int first, int last,
+                             const Grid& grid = synthetic::grid(4, 3)) {
   const auto folder = synthetic::folder(name);
-  const Grid grid = synthetic::grid(4, 3);
   ResultWriter writer(folder / "r.h5", synthetic::header(), grid);
   Progress progress;
   for (int step = 0; step < first; ++step) write_step(writer, grid, step, progress);
@@ -155,6 +155,10 @@ void check_after_every_write(const std::string& name, int first, int last) {
 
 TEST(Crash, FirstStepsAreWholeAfterEveryWrite) {
   check_after_every_write("first", 0, 7);
+}
+
+TEST(Crash, CompressedStepsAreWholeAfterEveryWrite) {
+  check_after_every_write("compressed", 0, 7, synthetic::grid(40, 30));
 }
 
 TEST(Crash, NewGroupOfStepsIsWholeAfterEveryWrite) {

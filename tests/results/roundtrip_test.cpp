@@ -199,6 +199,26 @@ TEST(ResultFile, NeedsNeitherMeshNorContactNorSteps) {
               ThrowsMessage<InputError>(HasSubstr("no contact surface")));
 }
 
+// Zeros take no space, and what is compressed comes back to the last digit.
+TEST(ResultFile, IsCompressedAndComesBackExactly) {
+  const auto file = synthetic::folder("compressed") / "r.h5";
+  const Grid grid = synthetic::grid(300, 200);
+  std::vector<GridField> fields = synthetic::fields(grid, 0.5);
+  std::size_t bytes = 8 * 3 * grid.points.size() + 4 * grid.cells.size();
+  for (const GridField& field : fields) bytes += 8 * field.values.size();
+  for (double& value : fields[1].values) value = std::sin(1e3 * value);
+  ResultWriter writer(file, synthetic::header(), grid);
+  writer.append(synthetic::row(0));
+  writer.store(0, fields, synthetic::contact(0));
+  writer.close("finished", 1);
+  EXPECT_LT(std::filesystem::file_size(file), bytes / 2);
+  const ResultReader reader(file);
+  EXPECT_EQ(reader.grid()->points, grid.points);
+  EXPECT_EQ(reader.grid()->cells, grid.cells);
+  for (const GridField& field : fields)
+    EXPECT_TRUE(reader.field(0, field.name).values == field.values) << field.name;
+}
+
 TEST(ResultFile, HasTheSameBytesForTheSameRun) {
   const auto folder = synthetic::folder("bytes");
   write(folder / "a.h5", synthetic::grid(4, 3))->close("finished", 1);

@@ -47,6 +47,12 @@ TEST(SeveralMistakes, AMisspeltKeyIsNotMissingAsWell) {
                           "`body.young_modulus`?"));
 }
 
+TEST(SeveralMistakes, AnEmptyTableMeansNoKey) {
+  EXPECT_THAT(complaints("problem = \"example\"\n[body]\n"),
+              ElementsAre("example.toml: key `body.young_modulus`: missing, expected a number in "
+                          "(0, inf) [MPa]"));
+}
+
 struct Thing {
   std::string name;
 };
