@@ -44,7 +44,7 @@ void read_all_steps(const std::filesystem::path& file) {
 
 void read_result(const std::filesystem::path& file) {
   const std::function<void()> readings[] = {
-      [&] { app::info_command(file); }, [&] { app::contact_command(file, std::nullopt); },
+      [&] { app::info_command(file); }, [&] { app::contact_command(file, {}); },
       [&] {
         app::compare_command({file, file}, {});
       },
