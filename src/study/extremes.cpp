@@ -102,8 +102,8 @@ private:
   }
 
   bool holds_last_state(const StudyRow& row) const try {
+    if (!row.reached) return !std::filesystem::exists(files(row).result);  // stopped at the start
     const ResultReader result(files(row).result);
-    if (!row.reached) return result.history().empty();  // stopped at the start
     const std::vector<double> stored = result.stored_times();
     return !stored.empty() && stored.back() == *row.reached;
   } catch (const Error&) {
