@@ -314,13 +314,13 @@ TEST_F(MeshFile, AWrittenMeshComesBackToTheLastDigit) {
   const ImportedBody<2> plane = check_mesh<2>(read_mesh_file(put(
       "p.geo",
       "SetFactory(\"OpenCASCADE\"); Disk(1) = {0.1, 0.2, 0, 1.3, 0.7}; Point(9) = {0.1, 0.2, 0};"
-      "Physical Surface(\"all\") = {1}; Physical Curve(\"rim\") = {1}; Mesh.MeshSizeMax = 0.3;")));
+      "Physical Surface(\"all\") = {1}; Physical Curve(\"rim\") = {1}; Mesh.MeshSizeMax = 0.3;\n")));
   expect_comes_back(plane, put("p.msh", gmsh_text(plane)));
   const ImportedBody<3> space = check_mesh<3>(read_mesh_file(put(
       "s.geo",
       "SetFactory(\"OpenCASCADE\"); Box(1) = {0, 0, 0, 1, 1.1, 0.7}; Physical Volume(\"all\") = "
       "{1}; Physical Surface(\"one\") = {1}; Physical Surface(\"both\") = {1, 2}; "
-      "Physical Point(\"tip\") = {1}; Mesh.MeshSizeMax = 0.5;")));
+      "Physical Point(\"tip\") = {1}; Mesh.MeshSizeMax = 0.5;\n")));
   ASSERT_EQ(space.point_groups.size(), 1u);
   expect_comes_back(space, put("s.msh", gmsh_text(space)));
 }
