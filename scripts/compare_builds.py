@@ -604,9 +604,10 @@ class Comparison:
              if name not in self.options.ignore_scalar})
         row.fields, row.worst_field = self.worst(
             {name: self.pair(field, b.fields.get(name), np.abs(field).max(initial=0))
-             for name, field in a.fields.items()})
+             for name, field in a.fields.items()
+             if name not in self.options.ignore_field})
         for what, one, other in (("scalars", a.scalars, b.scalars), ("fields", a.fields, b.fields)):
-            for name in one.keys() - other.keys():
+            for name in one.keys() - other.keys() - set(self.options.ignore_field):
                 row.notes.append(f"{what}: the candidate has no {name}")
             if other.keys() - one.keys():
                 row.notes.append(f"new {what}: " + " ".join(sorted(other.keys() - one.keys())))
@@ -894,6 +895,8 @@ def arguments():
                         help="report differences of counts, but do not fail because of them")
     parser.add_argument("--ignore-scalar", action="append", default=[], metavar="NAME",
                         help="a column of the history that may differ; repeatable")
+    parser.add_argument("--ignore-field", action="append", default=[], metavar="NAME",
+                        help="a field that may differ or be absent; repeatable")
     parser.add_argument("--ignore-wording", action="store_true",
                         help="compare only the numbers of a diagnosis")
     parser.add_argument("--problems", type=Path, default=ROOT / "problems", metavar="DIR",
