@@ -72,10 +72,17 @@ void add_springs(const Scene& scene, const ImportedBody<dim>& part, const std::s
   Vector<dim> stiffness = Vector<dim>::Zero();
   for (int i : directions) stiffness[i] = scene.real(support + ".stiffness");
   const std::string on = support + ".on";
+  for (const char* other : {".value", ".times", ".factors"})
+    if (given(scene, support + other))
+      throw InputError(
+          scene.where(support + other) +
+          ": expected none beside `stiffness`; springs pull towards the initial place");
   const auto facets = group_facets(scene, on, scene.text(on), part);
+  const Section section = section_of(scene);
   body.added_terms.push_back(
       [=](const WornBody<dim>& whole, const WornBodyFields& fields, const Numbering& numbering) {
-        return std::make_unique<Springs<dim>>(whole.mesh, facets, stiffness, numbering, fields.u);
+        return std::make_unique<Springs<dim>>(whole.mesh, facets, stiffness, numbering, fields.u,
+                                              section);
       });
 }
 

@@ -20,9 +20,11 @@
 #include "keys.hpp"
 #include "loads.hpp"
 #include "magnitudes.hpp"
+#include "nominal_speed.hpp"
 #include "shape_support.hpp"
 #include "stored_part.hpp"
 #include "supports.hpp"
+#include "surface_laws.hpp"
 
 namespace gnomon {
 
@@ -66,32 +68,6 @@ Facets<dim> wearing_facets(const Scene& scene, const ImportedBody<dim>& part) {
   return facets;
 }
 
-/// Laws of surfaces that have their own, and who wears by which. A node of two surfaces wears by
-/// the law of the one named first.
-template <int dim>
-void read_wear_laws(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>& body) {
-  body.contact.wear = read_wear_law(scene);
-  const std::vector<std::string>& surfaces = scene.texts("wear.on");
-  std::vector<int> law_of_node(part.mesh.nodes.size(), -1);
-  std::vector<std::string> named = scene.chosen_names("wear.surfaces.*.rate");
-  for (const std::string& name : named)
-    if (std::find(surfaces.begin(), surfaces.end(), name) == surfaces.end())
-      throw InputError(fmt::format("{}: expected one of wear.on, got \"{}\"",
-                                   scene.where("wear.surfaces." + name + ".rate"), name));
-  for (const std::string& surface : surfaces) {
-    int law = 0;
-    const std::string key = "wear.surfaces." + surface + ".rate";
-    if (given(scene, key)) {
-      body.further_wear.push_back(read_wear_law(scene.with("wear.rate", scene.text(key))));
-      law = static_cast<int>(body.further_wear.size());
-    }
-    for (int node : part.mesh.boundary_nodes(surface))
-      if (law_of_node[node] < 0) law_of_node[node] = law;
-  }
-  if (body.further_wear.empty()) return;
-  for (const auto& patch : body.contact_nodes) body.wear_surface.push_back(law_of_node[patch.node]);
-}
-
 /// Where the scene gives no direction, the counter-body is met along the mean normal of the contact
 /// surface.
 template <int dim>
@@ -101,40 +77,6 @@ void choose_approach(const Scene& scene, WornBody<dim>& body) {
   Vector<dim>& approach = body.contact.counter_body.approach;
   if (!given(scene, "counter_body.press.direction") && outward.norm() > 0)
     approach = -outward.normalized();
-}
-
-/// The middle of the nodes that touch first.
-template <int dim>
-Vector<dim> first_touch(const Scene& scene, const WornBody<dim>& body) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& patch : body.contact_nodes)
-    least = std::min(least, body.contact.counter_body.travel_to(patch.initial_position));
-  Vector<dim> sum = Vector<dim>::Zero(), outward = Vector<dim>::Zero();
-  int count = 0;
-  for (const auto& patch : body.contact_nodes)
-    if (body.contact.counter_body.travel_to(patch.initial_position) <= least) {
-      sum += patch.initial_position;
-      outward += patch.initial_normal;
-      ++count;
-    }
-  if (!std::isfinite(least))
-    throw InputError(scene.where("counter_body.shape") +
-                     ": expected a counter-body that meets the surfaces of wear.on when it comes "
-                     "along counter_body.press.direction, but it passes by");
-  if (!(outward.dot(body.contact.counter_body.approach) < 0))
-    throw InputError(scene.where("counter_body.press.direction") +
-                     ": expected a direction into the body, but the surfaces of wear.on look the "
-                     "same way");
-  return sum / count;
-}
-
-/// The speed of the counter-body's surface where it first touches.
-template <int dim>
-Scene with_speed(const Scene& scene, WornBody<dim>& body) {
-  auto& motion = body.contact.counter_body.motion;
-  motion.reference = first_touch(scene, body) - body.contact.counter_body.position;
-  if (scene.has("wear.velocity")) return scene;
-  return scene.with("wear.velocity", motion.nominal_speed(Vector<dim>::Zero()));
 }
 
 /// How far the bodies are brought into each other where no force presses them.
@@ -206,9 +148,11 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
     body->remarks.push_back(fmt::format(
         "the mesh moves within {:.3g} mm of the wearing surfaces (shape.reach)", reach));
   warn_of_coarse_contact(magnitudes, *body);
+  warn_of_nodes_at_rest(*body);
   if constexpr (dim == 2)
     if (body->element.section == Section::meridian) hold_on_axis(*body);
   read_worn_body(scene, magnitudes.facet, *body);
+  require_surface_laws(scene, *body);
   require_held(scene, part, *body);
   return std::make_unique<WearModel<dim>>(std::move(body));
 }

@@ -63,7 +63,9 @@ void print_mesh(const ImportedBody<dim>& body) {
   fmt::print("{}", table.text());
   for (const auto& [name, nodes] : body.point_groups)
     fmt::print("points \"{}\": {}\n", name, nodes.size());
-  for (const auto& [name, reason] : body.unusable) fmt::print("\"{}\": {}\n", name, reason);
+  for (const auto& [name, reason] : body.unusable)  // whole bodies and points are as they should be
+    if (!body.cell_groups.contains(name) && !body.point_groups.contains(name))
+      fmt::print("\"{}\": {}\n", name, reason);
   for (const std::string& remark : body.remarks) fmt::print("{}\n", remark);
 }
 

@@ -71,7 +71,7 @@ std::vector<Key> press_keys(std::size_t dim) {
                "constant before the first and after the last"},
       vector_key("counter_body.press.approach", 0, "mm", "it does not move",
                  "how far it has moved along press.direction, at press.times, straight between "
-                 "them; or one number"),
+                 "them; or an array of one number"),
       {.name = "counter_body.press.times",
        .kind = KeyKind::reals,
        .unit = "s",

@@ -131,6 +131,11 @@ TEST_F(PartCommands, CheckTellsAllMistakesOfAPartAtOnce) {
         "--set load.2.pressure: expected also `on`", "--set counter_body.press.times: "})
     EXPECT_THAT(values, HasSubstr(std::string("gnomon: ") + part));
   EXPECT_EQ(std::count(values.begin(), values.end(), '\n'), 6) << values;
+  // A surface's own law is checked as wear.rate is.
+  EXPECT_THAT(complaints({"wear.surfaces.surface.rate=\"k * (p + 1) * v\""}),
+              HasSubstr("gnomon: --set wear.surfaces.surface.rate: expected no wear without pres"));
+  EXPECT_THAT(complaints({"wear.surfaces.surface.rate=\"kk * p * v\""}),
+              HasSubstr("gnomon: --set wear.surfaces.surface.rate: column 1: unknown name"));
   // Keys are wrong, and so are names of groups.
   const std::string keys =
       complaints({"body.E=3.0", "time.end=-1", "support.1.on=botom", "wear.on=[\"surfac\"]"});

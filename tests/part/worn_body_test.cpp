@@ -165,5 +165,78 @@ TEST_F(Parts, AreMadeAgainFromTheMeshOfTheirResult) {
   EXPECT_EQ(F, again);
 }
 
+// A flat ring, 2 mm to 4 mm, that stands on springs of 10 MPa/mm: they carry by the area of the
+// whole circumference, 12 pi mm^2, beside which the body is rigid.
+TEST_F(Parts, SpringsOfABodyOfRevolutionCarryByItsCircumference) {
+  const SceneFolder folder;
+  folder.write("ring.geo", R"(
+Point(1) = {2, 0, 0, 0.5}; Point(2) = {4, 0, 0, 0.5}; Point(3) = {4, 1, 0, 0.5};
+Point(4) = {2, 1, 0, 0.5};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Physical Curve("bottom") = {1}; Physical Curve("top") = {3}; Physical Surface("ring") = {1};
+)");
+  const auto ring = part_of(folder.write("ring.toml", R"(
+problem = "worn_body"
+mesh.geometry = "ring.geo"
+body = { young_modulus = 1e7, poisson_ratio = 0.3, plane = "axisymmetric" }
+support = [{ on = "top", directions = ["z"], stiffness = 10.0 }]
+[counter_body]
+shape = "plane"
+motion = { out_of_plane = 1.0 }
+press = { direction = [0.0, 1.0], force = 100.0 }
+[wear]
+on = ["bottom"]
+coefficient = 0.0
+[time]
+end = 1.0
+[integrator]
+name = "bdf"
+)"),
+                            {});
+  const ModelRun run = run_model(*ring, "bdf", 0, 1e-3, 1);
+  EXPECT_NEAR(observed(*ring, run.last(), "approach"), 100 / (10 * 12 * std::numbers::pi), 1e-5);
+}
+
+// A disc that turns about the middle of a square block: the middle slides nowhere, but the run has
+// a speed all the same, and says that the node there does not wear.
+TEST_F(Parts, ADiscThatTurnsAboutANodeHasTheSpeedOfTheOthers) {
+  const SceneFolder folder;
+  folder.write("block.geo", R"(
+Point(1) = {-1, -1, 0}; Point(2) = {1, -1, 0}; Point(3) = {1, 1, 0}; Point(4) = {-1, 1, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Transfinite Curve {1, 2, 3, 4} = 5; Transfinite Surface {1}; Recombine Surface {1};
+out[] = Extrude {0, 0, 1} { Surface{1}; Layers{2}; Recombine; };
+Physical Surface("bottom") = {1}; Physical Surface("top") = {out[0]};
+Physical Volume("block") = {out[1]};
+)");
+  const auto block = part_of(folder.write("block.toml", R"(
+problem = "worn_body"
+mesh.geometry = "block.geo"
+body = { young_modulus = 1e3, poisson_ratio = 0.3 }
+support = [{ on = "top" }]
+[counter_body]
+shape = "plane"
+motion = { rotation = 2.0, center = [0.0, 0.0, 0.0], axis = [0.0, 0.0, 1.0] }
+press = { direction = [0.0, 0.0, 1.0], force = 50.0 }
+[wear]
+on = ["bottom"]
+coefficient = 1e-7
+rate = "k * p * v"
+[time]
+end = 100.0
+[integrator]
+name = "esdirk-3"
+)"),
+                             {});
+  EXPECT_THAT(block->remarks(), ::testing::Contains(::testing::HasSubstr("does not slide")));
+  const ModelRun run = run_model(*block, "esdirk-3", 0, 1e-2, 100);
+  // Uniform pressure of 12.5 MPa at the start: k p omega times the integral of r over the square.
+  const double integral_of_r = 8 * (std::sqrt(2) + std::asinh(1.0)) / 6;
+  EXPECT_NEAR(observed(*block, run.last(), "worn_volume") / (1e-7 * 12.5 * 2 * integral_of_r * 100),
+              1, 0.2);
+}
+
 }  // namespace
 }  // namespace gnomon

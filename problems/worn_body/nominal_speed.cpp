@@ -1,0 +1,115 @@
+#include "nominal_speed.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <limits>
+#include <vector>
+
+namespace gnomon::part {
+
+namespace {
+
+template <int dim>
+using Patches = std::vector<const ContactPatch<dim>*>;
+
+/// The contact nodes that touch first.
+template <int dim>
+Patches<dim> first_touch(const Scene& scene, const WornBody<dim>& body) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& patch : body.contact_nodes)
+    least = std::min(least, body.contact.counter_body.travel_to(patch.initial_position));
+  Vector<dim> outward = Vector<dim>::Zero();
+  Patches<dim> touching;
+  for (const auto& patch : body.contact_nodes)
+    if (body.contact.counter_body.travel_to(patch.initial_position) <= least) {
+      outward += patch.initial_normal;
+      touching.push_back(&patch);
+    }
+  if (!std::isfinite(least))
+    throw InputError(scene.where("counter_body.shape") +
+                     ": expected a counter-body that meets the surfaces of wear.on when it comes "
+                     "along counter_body.press.direction, but it passes by");
+  if (!(outward.dot(body.contact.counter_body.approach) < 0))
+    throw InputError(scene.where("counter_body.press.direction") +
+                     ": expected a direction into the body, but the surfaces of wear.on look the "
+                     "same way");
+  return touching;
+}
+
+/// |v| of the counter-body's surface at a point.
+template <int dim>
+double speed_at(const CounterBody<dim>& other, const Vector<dim>& point) {
+  auto motion = other.motion;
+  motion.reference = point - other.position;
+  return motion.nominal_speed(Vector<dim>::Zero());
+}
+
+/// By the nodes' shares of the surface.
+template <int dim>
+double mean_speed(const CounterBody<dim>& other, const Patches<dim>& patches) {
+  double sum = 0, area = 0;
+  for (const auto* patch : patches) {
+    sum += patch->initial_area * speed_at<dim>(other, patch->initial_position);
+    area += patch->initial_area;
+  }
+  return sum / area;
+}
+
+/// The middle of the nodes. Where the counter-body turns about it, the one of them whose speed is
+/// nearest to their mean.
+template <int dim>
+Vector<dim> typical_point(const CounterBody<dim>& other, const Patches<dim>& patches) {
+  Vector<dim> sum = Vector<dim>::Zero();
+  for (const auto* patch : patches) sum += patch->initial_position;
+  Vector<dim> point = sum / static_cast<double>(patches.size());
+  const double mean = mean_speed<dim>(other, patches);
+  if (speed_at<dim>(other, point) >= mean / 2) return point;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto* patch : patches) {
+    const double off = std::abs(speed_at<dim>(other, patch->initial_position) - mean);
+    if (off < least) least = off, point = patch->initial_position;
+  }
+  return point;
+}
+
+}  // namespace
+
+template <int dim>
+Scene with_speed(const Scene& scene, WornBody<dim>& body) {
+  CounterBody<dim>& other = body.contact.counter_body;
+  Patches<dim> touching = first_touch(scene, body), all;
+  for (const auto& patch : body.contact_nodes) all.push_back(&patch);
+  // A ball that turns about the node where it touches slides where it will touch later.
+  constexpr double nothing = 1e-9;
+  if (mean_speed<dim>(other, touching) <= nothing * mean_speed<dim>(other, all)) touching = all;
+  other.motion.reference = typical_point<dim>(other, touching) - other.position;
+  if (scene.has("wear.velocity")) return scene;
+  return scene.with("wear.velocity", other.motion.nominal_speed(Vector<dim>::Zero()));
+}
+
+template <int dim>
+void warn_of_nodes_at_rest(WornBody<dim>& body) {
+  constexpr double slow = 0.1;  // of the mean speed of the nodes around
+  const CounterBody<dim>& other = body.contact.counter_body;
+  for (const ContactPatch<dim>& patch : body.contact_nodes) {
+    double mean = 0;
+    for (int node : patch.nodes)
+      mean += speed_at<dim>(other, body.mesh.nodes[node]) / double(patch.nodes.size());
+    if (!(speed_at<dim>(other, patch.initial_position) < slow * mean)) continue;
+    body.remarks.push_back(fmt::format(
+        "the counter-body turns about contact node {}, which does not slide and therefore does not "
+        "wear: the load gathers there, and wear and pressures are wrong around it; let no node of "
+        "the surface lie on the axis of rotation",
+        patch.node));
+    return;
+  }
+}
+
+template Scene with_speed(const Scene&, WornBody<2>&);
+template Scene with_speed(const Scene&, WornBody<3>&);
+template void warn_of_nodes_at_rest(WornBody<2>&);
+template void warn_of_nodes_at_rest(WornBody<3>&);
+
+}  // namespace gnomon::part

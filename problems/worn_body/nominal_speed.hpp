@@ -1,0 +1,20 @@
+// The speed at which a counter-body slides, for the sliding distance s and typical magnitudes.
+#pragma once
+
+#include <gnomon/model/worn_body.hpp>
+#include <gnomon/scene/scene.hpp>
+
+namespace gnomon::part {
+
+/// The scene with `wear.velocity`, unless it has one: the speed of the counter-body's surface where
+/// it first touches. Sets the place in the body's motion. Throws InputError where they do not
+/// meet.
+template <int dim>
+Scene with_speed(const Scene& scene, WornBody<dim>& body);
+
+/// A remark where the counter-body turns about a contact node: the speed is taken at the node, and
+/// is zero there.
+template <int dim>
+void warn_of_nodes_at_rest(WornBody<dim>& body);
+
+}  // namespace gnomon::part
