@@ -139,9 +139,14 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
   mistakes.require_none();
   const double force =
       body->counter_force.value_or(std::abs(load.dot(body->contact.counter_body.approach)));
-  const Magnitudes magnitudes =
-      find_magnitudes(scene, force, given_overlap(*body),
-                      force * body->load_history.integral(scene.real("time.end")), *body);
+  const double overlap = given_overlap(*body);
+  if (force == 0 && overlap == 0)
+    throw InputError(scene.path().string() +
+                     ": expected something that presses the bodies on each other: "
+                     "counter_body.press.force or .approach, a [[load]] against the counter-body, "
+                     "or a [[support]] with value");
+  const Magnitudes magnitudes = find_magnitudes(
+      scene, force, overlap, force * body->load_history.integral(scene.real("time.end")), *body);
   body->scales = magnitudes.scales;
   const double reach = read_shape_support(scene, part, wearing, magnitudes.deepest, *body);
   if (std::isfinite(reach))

@@ -162,6 +162,15 @@ std::string replaced(std::string text, const std::string& part, const std::strin
   return text.replace(at, part.size(), by);
 }
 
+TEST_F(PartCommands, WithoutAnyLoadCheckSaysWhatCouldPress) {
+  write("free.toml", replaced(test::read_text(folder() / "block_on_ring.toml"),
+                              "[0.0, -1.0], force = 10.8333", "[0.0, -1.0]"));
+  const Outcome outcome = gnomon({"check", "free.toml", "--set", "mesh.factor=5"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("free.toml: expected something that presses"));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
 // Of a ring that is pressed, that is moved, and that turns about a point beside its centre, the
 // stored surface is where the nodes in contact are.
 TEST_F(PartCommands, TheStoredCounterBodyTouchesTheNodesInContact) {
