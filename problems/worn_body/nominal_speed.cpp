@@ -18,15 +18,19 @@ using Patches = std::vector<const ContactPatch<dim>*>;
 template <int dim>
 Patches<dim> first_touch(const Scene& scene, const WornBody<dim>& body) {
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& patch : body.contact_nodes)
-    least = std::min(least, body.contact.counter_body.travel_to(patch.initial_position));
   Vector<dim> outward = Vector<dim>::Zero();
   Patches<dim> touching;
-  for (const auto& patch : body.contact_nodes)
-    if (body.contact.counter_body.travel_to(patch.initial_position) <= least) {
-      outward += patch.initial_normal;
-      touching.push_back(&patch);
+  for (const auto& patch : body.contact_nodes) {
+    const double travel = body.contact.counter_body.travel_to(patch.initial_position);
+    if (travel < least) {
+      least = travel;
+      outward.setZero();
+      touching.clear();
     }
+    if (!(travel <= least)) continue;
+    outward += patch.initial_normal;
+    touching.push_back(&patch);
+  }
   if (!std::isfinite(least))
     throw InputError(scene.where("counter_body.shape") +
                      ": expected a counter-body that meets the surfaces of wear.on when it comes "

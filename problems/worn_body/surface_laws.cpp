@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
-#include <gnomon/model/wear_scene.hpp>
+#include <gnomon/model/worn_body_scene.hpp>
 
 #include "histories.hpp"
 
@@ -64,11 +64,7 @@ void read_wear_laws(const Scene& scene, const ImportedBody<dim>& part, WornBody<
 
 template <int dim>
 void require_surface_laws(const Scene& scene, const WornBody<dim>& body) {
-  WearCircumstances at{body.scales.stress, body.contact.friction, body.scales.wear_depth, {}};
-  for (const ContactPatch<dim>& patch : body.contact_nodes) {
-    std::array<double, 3>& position = at.initial.emplace_back();
-    std::copy(patch.initial_position.begin(), patch.initial_position.end(), position.begin());
-  }
+  const WearCircumstances at = wear_circumstances(body);
   std::size_t law = 0;
   for (const std::string& surface : surfaces_with_laws(scene)) {
     const WearLaw& own = body.further_wear[law++];

@@ -4,6 +4,7 @@
 
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/profile.hpp>
+#include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/study/versions.hpp>
@@ -21,7 +22,7 @@ void find_mistakes_of_run(const Scene& scene, Mistakes& mistakes) {
 
 /// A result or a mesh instead of a scene is no bad TOML.
 void require_scene_file(const std::filesystem::path& file) {
-  const std::string name = file.string(), kind = file.extension().string();
+  const std::string name = file.string();
   if (is_result(file))
     throw InputError(
         fmt::format("{0}: is a result, expected a scene (TOML); gnomon info {0} shows "
@@ -29,12 +30,11 @@ void require_scene_file(const std::filesystem::path& file) {
                     "scene",
                     name));
   if (!std::filesystem::is_regular_file(file)) return;
-  for (const char* mesh : {".msh", ".geo", ".step", ".stp"})
-    if (kind == mesh)
-      throw InputError(
-          fmt::format("{0}: is a mesh or geometry, expected a scene (TOML); gnomon new "
-                      "{0} makes one for it",
-                      name));
+  if (file.extension() == ".msh" || is_geometry(file))
+    throw InputError(
+        fmt::format("{0}: is a mesh or geometry, expected a scene (TOML); gnomon new "
+                    "{0} makes one for it",
+                    name));
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <gnomon/base/same_time.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/model/added_term.hpp>
-#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
 #include <gnomon/terms/material_law.hpp>
 
@@ -48,6 +47,16 @@ std::vector<double> on_landings(std::vector<double> times, const Scene& scene) {
 }  // namespace
 
 template <int dim>
+WearCircumstances wear_circumstances(const WornBody<dim>& body) {
+  WearCircumstances at{body.scales.stress, body.contact.friction, body.scales.wear_depth, {}};
+  for (const ContactPatch<dim>& patch : body.contact_nodes) {
+    std::array<double, 3>& position = at.initial.emplace_back();
+    std::copy(patch.initial_position.begin(), patch.initial_position.end(), position.begin());
+  }
+  return at;
+}
+
+template <int dim>
 void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   const double young = scene.real("body.young_modulus");
   const double shape_young = scene.real("shape.young_modulus");
@@ -58,13 +67,7 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   body.element.kinematics =
       scene.text("body.kinematics") == "small" ? Kinematics::small : Kinematics::finite;
   body.contact.friction = scene.real("friction.coefficient");
-  WearCircumstances circumstances{
-      body.scales.stress, body.contact.friction, body.scales.wear_depth, {}};
-  for (const ContactPatch<dim>& patch : body.contact_nodes) {
-    std::array<double, 3>& position = circumstances.initial.emplace_back();
-    std::copy(patch.initial_position.begin(), patch.initial_position.end(), position.begin());
-  }
-  require_law(scene, body.contact.wear, circumstances);
+  require_law(scene, body.contact.wear, wear_circumstances(body));
   body.solver = linear_solver_of(scene, {dim, double(body.mesh.nodes.size())});
   body.contact.rho =
       scene.real("contact.regularization") * regularization_unit(young, facet, body.scales);
@@ -185,6 +188,8 @@ template std::vector<ContactPatch<2>> read_contact_patches(const Scene&, const M
 template std::vector<ContactPatch<3>> read_contact_patches(const Scene&, const Mesh<3>&,
                                                            const std::vector<Mesh<3>::Facet>&,
                                                            Section);
+template WearCircumstances wear_circumstances(const WornBody<2>&);
+template WearCircumstances wear_circumstances(const WornBody<3>&);
 template void read_worn_body(const Scene&, double, WornBody<2>&);
 template void read_worn_body(const Scene&, double, WornBody<3>&);
 

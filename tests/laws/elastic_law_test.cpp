@@ -6,18 +6,13 @@
 #include <gnomon/laws/neo_hookean.hpp>
 
 #include "support/derivatives.hpp"
+#include "support/test_material.hpp"
 
 namespace gnomon {
 namespace {
 
 using namespace testing;
 
-/// E = 7, nu = 0.4, and some of the second invariant where a law has it.
-ElasticModuli test_moduli() {
-  ElasticModuli moduli = ElasticModuli::from_young_poisson(7, 0.4);
-  moduli.ratios[0] = 0.3;
-  return moduli;
-}
 const ElasticModuli moduli = test_moduli();
 
 template <int dim_, template <int, class> class Law>

@@ -11,18 +11,14 @@
 #include <gnomon/terms/material.hpp>
 
 #include "support/derivatives.hpp"
+#include "support/test_material.hpp"
 
 namespace gnomon {
 namespace {
 
 using namespace testing;
 
-ElasticModuli test_moduli() {
-  ElasticModuli moduli = ElasticModuli::from_young_poisson(7, 0.3);
-  moduli.ratios[0] = 0.3;
-  return moduli;
-}
-const ElasticModuli moduli = test_moduli();
+const ElasticModuli moduli = test_moduli(0.3);
 
 /// u_i = amplitude sin(k_i . X + i + 1/2): every component strains in every direction.
 template <int dim>

@@ -7,6 +7,7 @@
 #include <gnomon/terms/meridian_kernels.hpp>
 
 #include "support/derivatives.hpp"
+#include "support/test_material.hpp"
 
 namespace gnomon {
 namespace {
@@ -15,12 +16,6 @@ using namespace testing;
 
 constexpr std::array technologies = {ElementTechnology::plain, ElementTechnology::f_bar,
                                      ElementTechnology::f_bar_variational};
-
-ElasticModuli test_moduli() {
-  ElasticModuli moduli = ElasticModuli::from_young_poisson(7, 0.4);
-  moduli.ratios[0] = 0.3;
-  return moduli;
-}
 
 /// Distorted, of size 2; at an inner radius.
 CellNodal<2> cell_at(double inner) {
@@ -79,7 +74,6 @@ TEST(Meridian, TangentsEqualAutomaticDifferentiation) {
 
 // The kernels that bodies use, of every registered law.
 TEST(Meridian, TangentsEqualCentralDifferences) {
-  constexpr double h = 1e-6;
   for (const std::string& law : MaterialLaws::names())
     for (const auto technology : technologies)
       for (const auto kinematics : {Kinematics::finite, Kinematics::small}) {
@@ -89,23 +83,8 @@ TEST(Meridian, TangentsEqualCentralDifferences) {
         CellNodal<2> X = cell_at(0), u = displacement_at(0), R;
         CellMatrix<2> K_u, K_d;
         ASSERT_TRUE(kernel.tangent_ud(material.moduli, X, u, R, K_u, K_d));
-        const auto differences = [&](CellNodal<2>& moved) {
-          Eigen::MatrixXd result(8, 8);
-          for (int k = 0; k < 8; ++k) {
-            CellNodal<2> plus, minus;
-            double& value = moved(k / 2, k % 2);
-            const double start = value;
-            value = start + h;
-            EXPECT_TRUE(kernel.residual(material.moduli, X, u, plus));
-            value = start - h;
-            EXPECT_TRUE(kernel.residual(material.moduli, X, u, minus));
-            value = start;
-            result.col(k) = (plus - minus).transpose().reshaped() / (2 * h);
-          }
-          return result;
-        };
-        expect_same_matrix(K_u, differences(u), 1e-7);
-        expect_same_matrix(K_d, differences(X), 1e-7);
+        expect_same_matrix(K_u, residual_differences<2>(kernel, material.moduli, X, u, u), 1e-7);
+        expect_same_matrix(K_d, residual_differences<2>(kernel, material.moduli, X, u, X), 1e-7);
       }
 }
 

@@ -10,18 +10,14 @@
 
 #include "support/derivatives.hpp"
 #include "support/static_solve.hpp"
+#include "support/test_material.hpp"
 
 namespace gnomon {
 namespace {
 
 using namespace testing;
 
-ElasticModuli test_moduli() {
-  ElasticModuli moduli = ElasticModuli::from_young_poisson(7, 0.3);
-  moduli.ratios[0] = 0.3;
-  return moduli;
-}
-const ElasticModuli moduli = test_moduli();
+const ElasticModuli moduli = test_moduli(0.3);
 
 using Jet = Eigen::AutoDiffScalar<Eigen::Vector2d>;
 

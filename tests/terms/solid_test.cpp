@@ -8,17 +8,13 @@
 #include <gnomon/terms/solid_kernels.hpp>
 
 #include "support/derivatives.hpp"
+#include "support/test_material.hpp"
 
 namespace gnomon {
 namespace {
 
 using namespace testing;
 
-ElasticModuli test_moduli() {
-  ElasticModuli moduli = ElasticModuli::from_young_poisson(7, 0.4);
-  moduli.ratios[0] = 0.3;  // of Mooney-Rivlin
-  return moduli;
-}
 const ElasticModuli moduli = test_moduli();
 
 template <int dim>

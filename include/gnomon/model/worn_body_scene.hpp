@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gnomon/model/memory_estimate.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/model/worn_body.hpp>
 #include <gnomon/scene/scene.hpp>
 #include <string>
@@ -14,6 +15,10 @@ namespace gnomon {
 /// body, must be given. Throws InputError like read_load_history().
 template <int dim>
 void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body);
+
+/// What the wear laws of a body meet in a run, by its scales, its friction and its contact nodes.
+template <int dim>
+WearCircumstances wear_circumstances(const WornBody<dim>& body);
 
 /// The nodes of a contact surface. If the scene chooses the conservative normal, they also know the
 /// facets outside the surface that they move when they wear.
