@@ -1,7 +1,5 @@
 #include "nominal_speed.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <limits>
@@ -93,27 +91,7 @@ Scene with_speed(const Scene& scene, WornBody<dim>& body) {
   return scene.with("wear.velocity", other.motion.nominal_speed(Vector<dim>::Zero()));
 }
 
-template <int dim>
-void warn_of_nodes_at_rest(WornBody<dim>& body) {
-  constexpr double slow = 0.1;  // of the mean speed of the nodes around
-  const CounterBody<dim>& other = body.contact.counter_body;
-  for (const ContactPatch<dim>& patch : body.contact_nodes) {
-    double mean = 0;
-    for (int node : patch.nodes)
-      mean += speed_at<dim>(other, body.mesh.nodes[node]) / double(patch.nodes.size());
-    if (!(speed_at<dim>(other, patch.initial_position) < slow * mean)) continue;
-    body.remarks.push_back(fmt::format(
-        "the counter-body turns about contact node {}, which does not slide and therefore does not "
-        "wear: the load gathers there, and wear and pressures are wrong around it; let no node of "
-        "the surface lie on the axis of rotation",
-        patch.node));
-    return;
-  }
-}
-
 template Scene with_speed(const Scene&, WornBody<2>&);
 template Scene with_speed(const Scene&, WornBody<3>&);
-template void warn_of_nodes_at_rest(WornBody<2>&);
-template void warn_of_nodes_at_rest(WornBody<3>&);
 
 }  // namespace gnomon::part

@@ -12,9 +12,4 @@ namespace gnomon::part {
 template <int dim>
 Scene with_speed(const Scene& scene, WornBody<dim>& body);
 
-/// A remark where the counter-body turns about a contact node: the speed is taken at the node, and
-/// is zero there.
-template <int dim>
-void warn_of_nodes_at_rest(WornBody<dim>& body);
-
 }  // namespace gnomon::part

@@ -153,7 +153,6 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
     body->remarks.push_back(fmt::format(
         "the mesh moves within {:.3g} mm of the wearing surfaces (shape.reach)", reach));
   warn_of_coarse_contact(magnitudes, *body);
-  warn_of_nodes_at_rest(*body);
   if constexpr (dim == 2)
     if (body->element.section == Section::meridian) hold_on_axis(*body);
   read_worn_body(scene, magnitudes.facet, *body);

@@ -1,6 +1,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/contact_patch.hpp>
 #include <map>
@@ -72,6 +73,44 @@ double integral_of_node(const ContactPatch<3>::Corner& corner, const PatchNodal<
          9;
 }
 
+/// Integral of f, with values of a vector space, over [0, 1], exact to the fifth degree.
+template <class Function>
+auto integral_0_1(const Function& f) {
+  const double off = std::sqrt(0.15);
+  return ((5 * f(0.5 - off) + 8 * f(0.5) + 5 * f(0.5 + off)) / 18).eval();
+}
+
+/// Mean of (X - X_0)(X - X_0)' over the facet of a corner, weighted by its shape function: that of
+/// a segment also with the circumference of a body of revolution, that of a bilinear facet with the
+/// weights of a parallelogram.
+template <int dim>
+Tensor<dim> spread(const typename ContactPatch<dim>::Corner& corner, const PatchNodal<dim>& X) {
+  const auto edges = corner_edges<dim, double>(corner, X);
+  using Weighted = Eigen::Matrix<double, dim * dim + 1, 1>;  // the dyad and 1
+  const auto at = [](const Vector<dim>& x, double weight) {
+    Weighted value;
+    value << Tensor<dim>(x * x.transpose()).reshaped(), 1;
+    return (weight * value).eval();
+  };
+  Weighted sum;
+  if constexpr (dim == 2) {
+    sum = integral_0_1([&](double s) {
+      const bool turns = corner.section == Section::meridian;
+      const double radius = turns ? X(corner.nodes[0], 0) + s * edges(0, 0) : 1;
+      return at(s * edges, (1 - s) * radius);
+    });
+  } else {
+    const Vector<3> twist =
+        (X.row(corner.nodes[3]) - X.row(corner.nodes[0])).transpose() - edges.rowwise().sum();
+    sum = integral_0_1([&](double s) {
+      return integral_0_1([&](double t) {
+        return at(s * edges.col(0) + t * edges.col(1) + s * t * twist, (1 - s) * (1 - t));
+      });
+    });
+  }
+  return (sum.template head<dim * dim>() / sum[dim * dim]).reshaped(dim, dim);
+}
+
 template <int dim>
 void measure(const Mesh<dim>& mesh, ContactPatch<dim>& patch) {
   PatchNodal<dim> X(patch.nodes.size(), dim);
@@ -85,14 +124,17 @@ void measure(const Mesh<dim>& mesh, ContactPatch<dim>& patch) {
   };
   patch.initial_position = mesh.nodes[patch.node];
   patch.initial_normal.setZero();
+  patch.initial_spread.setZero();
   for (auto& corner : patch.corners) {
     patch.initial_normal += area_vector(corner);
     patch.initial_area += corner.initial_area;
+    patch.initial_spread += corner.initial_area * spread<dim>(corner, X);
     if (corner.section == Section::meridian && !(corner.initial_area > 0))
       throw Error("contact surface: a facet at node " + std::to_string(patch.node) +
                   " lies on the axis");
   }
   patch.initial_normal.normalize();
+  patch.initial_spread /= patch.initial_area;
   for (auto& corner : patch.corners_beyond) area_vector(corner);
 }
 

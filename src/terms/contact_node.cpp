@@ -154,7 +154,7 @@ void contact_switching(const ContactParameters<dim>& parameters, const ContactPa
   const UnilateralContact<double> contact(at.lambda, distance.gap, parameters.rho, branch.contact);
   const Sliding<dim> sliding(
       streaming_velocity<dim, double>(patch, at.X, x, parameters.streaming) - body.motion.at(seen),
-      distance.normal, body.motion.across_at(seen));
+      distance.normal, body.motion.across_at(seen), velocity_variance(patch, body.motion));
   const Vector<4> input =
       wear_variables<dim, double>(patch, at, parameters.friction, -contact.traction, sliding.speed);
   parameters.wear.switching(wear_input(patch, input, at.moment), values.subspan(1), branch.wear);
@@ -175,7 +175,7 @@ ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parame
   const Vector<dim> relative =
       streaming_velocity<dim, double>(patch, at.X, x, parameters.streaming) - body.motion.at(seen);
   const double across = body.motion.across_at(seen);
-  const Sliding<dim> sliding(relative, n, across);
+  const Sliding<dim> sliding(relative, n, across, velocity_variance(patch, body.motion));
   TractionDerivative<dim> traction(n, distance.normal_by_x, relative, sliding, parameters.friction,
                                    contact.traction);
   if (across != 0) traction.slide_across(sliding, across, body.motion.across_by_x);

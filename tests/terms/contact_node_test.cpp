@@ -395,13 +395,21 @@ TEST(ContactNode, SlidesOutOfThePlane) {
   ASSERT_GT(p, 0);
   EXPECT_NEAR((node.force / node.area - p * Vector<2>(-0.3, -1)).norm(), 0, 1e-13 * p);
   EXPECT_NEAR(node.wear_rate, 0.01 * p * 5, 1e-14 * p);
-  // About r = 0: omega r, at the node as the counter-body sees it.
+  // About r = 0: omega r, at the node as the counter-body sees it, and its variance over the two
+  // segments at the node, each of which is weighted by its length and has 1/6 of its square.
   motion = {};
   motion.across_by_x = Vector<2>(2, 0);
   const ContactNode<2> turning(f.parameters, f.patch, f.at);
   const Vector<2> x = (f.at.X + f.at.u).row(0).transpose();
   const double r = f.parameters.counter_body.seen<double>(x, f.at.w)[0];
-  EXPECT_NEAR(turning.wear_rate, 0.01 * p * 2 * std::abs(r), 1e-14 * p);
+  double variance = 0, length = 0;
+  for (int other : {0, 2}) {
+    const Vector<2> e = f.mesh.nodes[other] - f.mesh.nodes[1];
+    variance += e.norm() * std::pow(2 * e[0], 2) / 6;
+    length += e.norm();
+  }
+  EXPECT_NEAR(turning.wear_rate, 0.01 * p * std::sqrt(4 * r * r + variance / length / 3),
+              1e-14 * p);
   EXPECT_NEAR((turning.force / turning.area - p * Vector<2>(0, -1)).norm(), 0, 1e-13 * p);
 }
 

@@ -38,9 +38,10 @@ struct ContactPatch {
   /// Corners of facets at this node that belong to the rest of the body's boundary: they have no
   /// contact and no wear, but the node moves them when it moves.
   std::vector<Corner> corners_beyond;
-  double initial_area = 0;              ///< sum of A^_f
-  Vector<dim> initial_position;         ///< X^ of the node [length]
-  Vector<dim> initial_normal;           ///< N^: unit, average of the facets' by A^_f
+  double initial_area = 0;       ///< sum of A^_f
+  Vector<dim> initial_position;  ///< X^ of the node [length]
+  Vector<dim> initial_normal;    ///< N^: unit, average of the facets' by A^_f
+  Tensor<dim> initial_spread;    ///< mean of (X - X^)(X - X^)' over the node's share [length^2]
   std::array<char, dim> shape_fixed{};  ///< 1 where a component of the node's shape is held
 
   bool may_move() const {

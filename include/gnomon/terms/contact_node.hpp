@@ -8,8 +8,8 @@
 //   constraint = C_N                              row of lambda
 //   velocity   = -Wdot N                          row of d: ddot - velocity = 0, eq. (14)
 //
-// v_T is the tangential part of F V - v^2 (sliding.hpp), n the normal of the counter-body, Wdot the
-// rate of the wear law, N a normal by one of the rules below.
+// v_T is the tangential part of F V - v^2 and |v_T| the speed (sliding.hpp), n the normal of the
+// counter-body, Wdot the rate of the wear law, N a normal by one of the rules below.
 #pragma once
 
 #include <algorithm>
@@ -207,7 +207,7 @@ ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,
   const Sliding<dim, Scalar> sliding(
       streaming_velocity<dim, Scalar>(patch, at.X, x, parameters.streaming) -
           body.motion.template at<Scalar>(seen),
-      n, body.motion.template across_at<Scalar>(seen));
+      n, body.motion.template across_at<Scalar>(seen), velocity_variance<dim>(patch, body.motion));
   active = contact.active;
   if (active) require_normal(patch, distance);
   traction = contact.traction;

@@ -9,10 +9,16 @@
 //
 // averaged like the normal, with the initial areas of the facets. With the velocity v^2 of the
 // counter-body and its normal n:  v_T = (1 - n n') (F V - v^2). In 2D the counter-body may also
-// slide out of the plane, with v_z: then the speed is (|v_T|^2 + v_z^2)^(1/2).
+// slide out of the plane, with v_z, and where it turns, v = (v_T, v_z) differs over the share of
+// surface that belongs to the node X_0:
+//
+//   speed = (|v|^2 + variance / 3)^(1/2),   variance = mean of |v(X) - v(X_0)|^2 over the share.
+//
+// A node about which the counter-body turns is so worn like its neighbours (docs/equations.md).
 #pragma once
 
 #include <cmath>
+#include <gnomon/laws/counter_body.hpp>
 #include <gnomon/mesh/contact_patch.hpp>
 
 namespace gnomon {
@@ -36,17 +42,27 @@ Vector<dim, Scalar> streaming_velocity(const ContactPatch<dim>& patch,
   return result;
 }
 
-/// Tangential part of a relative velocity: |v_T| and v_T/|v_T|, zero if there is no sliding.
+/// The variance above of a rigid motion, by the initial share and normal [(length / time)^2].
+template <int dim>
+double velocity_variance(const ContactPatch<dim>& patch, const RigidMotion<dim>& motion) {
+  double result = motion.across_by_x.dot(patch.initial_spread * motion.across_by_x);
+  if (motion.spin.isZero(0)) return result;
+  const Vector<dim>& N = patch.initial_normal;
+  const Tensor<dim> along = motion.spin - N * (N.transpose() * motion.spin);
+  return result + (along * patch.initial_spread * along.transpose()).trace();
+}
+
+/// Tangential part of a relative velocity: the speed and v_T/speed, zero if there is no sliding.
 template <int dim, class Scalar = double>
 struct Sliding {
   Scalar speed;
   Vector<dim, Scalar> direction;
 
   Sliding(const Vector<dim, Scalar>& relative, const Vector<dim, Scalar>& normal,
-          const Scalar& across = Scalar(0)) {
+          const Scalar& across = Scalar(0), double variance = 0) {
     using std::sqrt;
     const Vector<dim, Scalar> tangential = relative - normal * normal.dot(relative);
-    const Scalar square = tangential.squaredNorm() + across * across;
+    const Scalar square = tangential.squaredNorm() + across * across + Scalar(variance / 3);
     if (square > Scalar(0)) {
       speed = sqrt(square);
       direction = tangential / speed;
