@@ -1,5 +1,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 // GCC 12 warns that a temporary in Spectra's Hessenberg solver was freed (a false alarm).
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
 #pragma GCC diagnostic ignored "-Wuse-after-free"
@@ -29,6 +30,16 @@ private:
   const ReducedJacobian& G_;
 };
 
+/// Where nothing wears, G = 0 and the Arnoldi iteration has no second direction. A vector without
+/// symmetry shows it.
+bool is_zero(const ReducedJacobian& G) {
+  Eigen::VectorXd v(G.size()), Gv(G.size());
+  for (int i = 0; i < G.size(); ++i) v[i] = 1 + std::sin(i);
+  const auto n = static_cast<std::size_t>(G.size());
+  G.multiply({v.data(), n}, {Gv.data(), n});
+  return Gv.isZero(0);
+}
+
 template <class Values, class Vectors>
 std::vector<Mode> sorted_modes(const Values& values, const Vectors& vectors) {
   std::vector<Mode> modes;
@@ -55,6 +66,7 @@ std::vector<Mode> leading_modes(const ReducedJacobian& G, int count) {
     modes.resize(std::min<std::size_t>(modes.size(), count));
     return modes;
   }
+  if (is_zero(G)) return {};
   Operation operation(G);
   Spectra::GenEigsSolver<Operation> solver(operation, count, basis);
   solver.init();

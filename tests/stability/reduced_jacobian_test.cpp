@@ -8,6 +8,7 @@
 
 #include "support/derivatives.hpp"
 #include "support/pin.hpp"
+#include "support/problem_run.hpp"
 
 namespace gnomon {
 namespace {
@@ -125,6 +126,16 @@ TEST(LeadingModes, OfASmallMatrixAreFoundDirectly) {
   ASSERT_EQ(leading.size(), 6u);
   EXPECT_EQ(leading[0].eigenvalue, all[0].eigenvalue);
   EXPECT_EQ(leading_modes(G, 1000).size(), all.size());
+}
+
+// Wear by friction, without friction: G = 0 (and large enough for the Arnoldi iteration).
+TEST(LeadingModes, ThereAreNoneWhereNothingWears) {
+  const auto ball = model_of("ball_on_flat/small_deformation.toml",
+                             {"mesh.elements=[4, 2, 3]", "friction.coefficient=0"});
+  Counters counters;
+  const ReducedJacobian G(ball->system(), ball->start(counters));
+  ASSERT_GT(G.size(), 20) << "too small for the Arnoldi iteration";
+  EXPECT_TRUE(leading_modes(G, 1).empty());
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ struct Mode {
 };
 
 /// The `count` modes of largest magnitude, in descending order, by Arnoldi iteration with implicit
-/// restarts (all modes where G is too small for that). Throws SolutionError when it does not
+/// restarts (all modes where G is too small for that; none where G = 0). Throws SolutionError when it does not
 /// converge.
 std::vector<Mode> leading_modes(const ReducedJacobian& G, int count);
 /// Every mode, largest magnitude first, by the dense QR algorithm.
