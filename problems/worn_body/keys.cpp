@@ -54,7 +54,7 @@ std::vector<Key> own_keys() {
        .kind = KeyKind::texts,
        .presence = Key::Presence::required,
        .help = "groups of the mesh that touch the counter-body and wear"},
-      {.name = "wear.surfaces.*.rate",
+      {.name = "wear.surfaces.\"*\".rate",
        .kind = KeyKind::text,
        .unit = "mm/s",
        .presence = optional,

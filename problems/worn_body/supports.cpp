@@ -5,6 +5,7 @@
 #include <Eigen/SVD>
 #include <gnomon/base/error.hpp>
 #include <gnomon/terms/springs.hpp>
+#include <set>
 
 #include "groups.hpp"
 #include "histories.hpp"
@@ -41,9 +42,6 @@ std::vector<Key> support_keys() {
   };
 }
 
-namespace {
-
-/// Positions of the directions that a support names.
 template <int dim>
 std::vector<int> directions_of(const Scene& scene, const std::string& support) {
   const std::string key = support + ".directions";
@@ -65,6 +63,8 @@ std::vector<int> directions_of(const Scene& scene, const std::string& support) {
                                  fmt::join(names, "\", \"")));
   return result;
 }
+
+namespace {
 
 template <int dim>
 void add_springs(const Scene& scene, const ImportedBody<dim>& part, const std::string& support,
@@ -113,10 +113,18 @@ void read_supports(const Scene& scene, const ImportedBody<dim>& part, WornBody<d
   const auto nodes = static_cast<Eigen::Index>(part.mesh.nodes.size());
   body.displacement_fixed = NodalFlags<dim>::Zero(nodes, dim);
   Mistakes mistakes;
+  std::set<std::pair<std::string, int>> held;  // groups and directions
   for (const std::string& support : entries_of(scene, "support", support_keys(), {"on"}))
     mistakes.collect([&] {
       const std::vector<int> directions = directions_of<dim>(scene, support);
       const std::string on = support + ".on";
+      for (int i : directions)
+        if (!held.emplace(scene.text(on), i).second)
+          throw InputError(
+              fmt::format("{}: expected each direction of a group once, \"{}\" is "
+                          "already held along {}",
+                          scene.where(on), scene.text(on),
+                          direction_names<dim>(scene)[static_cast<std::size_t>(i)]));
       if (given(scene, support + ".stiffness"))
         add_springs(scene, part, support, directions, body);
       else
@@ -190,6 +198,8 @@ void require_held(const Scene& scene, const ImportedBody<dim>& part, const WornB
                   describe<dim>(solver.eigenvectors().col(0), direction_names<dim>(scene))));
 }
 
+template std::vector<int> directions_of<2>(const Scene&, const std::string&);
+template std::vector<int> directions_of<3>(const Scene&, const std::string&);
 template void read_supports(const Scene&, const ImportedBody<2>&, WornBody<2>&);
 template void read_supports(const Scene&, const ImportedBody<3>&, WornBody<3>&);
 template void require_held(const Scene&, const ImportedBody<2>&, const WornBody<2>&);

@@ -11,6 +11,10 @@ namespace gnomon::part {
 /// Keys of `[[support]]`.
 std::vector<Key> support_keys();
 
+/// Positions of the directions that a support, "support.1", names, or of all. Throws InputError.
+template <int dim>
+std::vector<int> directions_of(const Scene& scene, const std::string& support);
+
 /// Fills in displacement_fixed, prescribed_displacement, and springs among the added terms. Throws
 /// InputError.
 template <int dim>

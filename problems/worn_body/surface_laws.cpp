@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
+#include <gnomon/scene/toml_key.hpp>
 
 #include "histories.hpp"
 
@@ -13,7 +14,7 @@ namespace gnomon::part {
 namespace {
 
 std::string rate_key(const std::string& surface) {
-  return "wear.surfaces." + surface + ".rate";
+  return "wear.surfaces." + toml_key(surface) + ".rate";
 }
 
 /// Those of wear.on that have a law of their own, in this order.
@@ -44,10 +45,10 @@ template <int dim>
 void read_wear_laws(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>& body) {
   body.contact.wear = read_wear_law(scene);
   const std::vector<std::string>& surfaces = scene.texts("wear.on");
-  for (const std::string& name : scene.chosen_names("wear.surfaces.*.rate"))
-    if (std::find(surfaces.begin(), surfaces.end(), name) == surfaces.end())
-      throw InputError(fmt::format("{}: expected one of wear.on, got \"{}\"",
-                                   scene.where(rate_key(name)), name));
+  for (const std::string& name : scene.chosen_names("wear.surfaces.\"*\".rate"))
+    if (std::ranges::find(surfaces, name, toml_key) == surfaces.end())
+      throw InputError(fmt::format("{}: expected one of wear.on in the place of {}",
+                                   scene.where("wear.surfaces." + name + ".rate"), name));
   std::vector<int> law_of_node(part.mesh.nodes.size(), -1);
   for (const std::string& surface : surfaces) {
     int law = 0;

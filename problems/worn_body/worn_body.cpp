@@ -14,7 +14,9 @@
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
 #include <limits>
+#include <map>
 
+#include "conflicts.hpp"
 #include "groups.hpp"
 #include "histories.hpp"
 #include "keys.hpp"
@@ -43,8 +45,12 @@ ImportedMesh read_mesh(const Scene& scene) {
     throw InputError(fmt::format("{}: expected either mesh.file or mesh.geometry, got {}",
                                  scene.path().string(), file ? "both" : "neither"));
   const std::string key = file ? "mesh.file" : "mesh.geometry";
-  return read_mesh_file(file_of(scene, key), {.size = scene.real_if("mesh.size").value_or(0),
-                                              .factor = scene.real("mesh.factor")});
+  try {
+    return read_mesh_file(file_of(scene, key), {.size = scene.real_if("mesh.size").value_or(0),
+                                                .factor = scene.real("mesh.factor")});
+  } catch (const InputError& error) {
+    throw InputError(scene.where(key) + ": " + error.what());
+  }
 }
 
 template <int dim>
@@ -54,17 +60,21 @@ using Facets = std::vector<typename Mesh<dim>::Facet>;
 template <int dim>
 Facets<dim> wearing_facets(const Scene& scene, const ImportedBody<dim>& part) {
   Facets<dim> facets;
-  for (const std::string& name : scene.texts("wear.on")) {
-    const auto& own = group_facets(scene, "wear.on", name, part);
-    facets.insert(facets.end(), own.begin(), own.end());
-  }
+  std::map<typename Mesh<dim>::Facet, std::string> surface_of;  // by sorted nodes
+  for (const std::string& name : scene.texts("wear.on"))
+    for (const auto& facet : group_facets(scene, "wear.on", name, part)) {
+      auto sorted = facet;
+      std::sort(sorted.begin(), sorted.end());
+      const auto [first, is_new] = surface_of.try_emplace(sorted, name);
+      if (is_new)
+        facets.push_back(facet);
+      else if (first->second != name)  // a name given twice is told by find_conflicts()
+        throw InputError(
+            fmt::format("{}: expected groups that share no facet, but \"{}\" and \"{}\" do",
+                        scene.where("wear.on"), first->second, name));
+    }
   if (facets.empty())
     throw InputError(scene.where("wear.on") + ": expected one group of the mesh or more");
-  Facets<dim> sorted = facets;
-  for (auto& facet : sorted) std::sort(facet.begin(), facet.end());
-  std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-    throw InputError(scene.where("wear.on") + ": expected groups that share no facet");
   return facets;
 }
 
@@ -122,6 +132,7 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
   body->remarks = part.remarks;
   Mistakes mistakes;
   find_unknown_groups(scene, part, mistakes);
+  find_conflicts(scene, mistakes);
   Facets<dim> wearing;
   if (dim == 2) body->element.section = section_of(scene);
   const bool wears = mistakes.collect([&] {
@@ -135,6 +146,7 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
   mistakes.collect([&] { read_supports(scene, part, *body); });
   Vector<dim> load = Vector<dim>::Zero();
   mistakes.collect([&] { load = read_loads(scene, part, *body); });
+  if (wears) mistakes.collect([&] { require_free_contact(scene, part, *body); });
   if (wears) mistakes.collect([&] { read_wear_laws(scene, part, *body); });
   mistakes.require_none();
   const double force =
@@ -153,6 +165,7 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
     body->remarks.push_back(fmt::format(
         "the mesh moves within {:.3g} mm of the wearing surfaces (shape.reach)", reach));
   warn_of_coarse_contact(magnitudes, *body);
+  remark_sums_of_loads(scene, *body);
   if constexpr (dim == 2)
     if (body->element.section == Section::meridian) hold_on_axis(*body);
   read_worn_body(scene, magnitudes.facet, *body);
@@ -179,7 +192,8 @@ std::unique_ptr<Model> remake(const Scene& scene, const Grid& grid) {
 }
 
 /// Where keys are mistaken, names of groups can be looked up all the same.
-void find_unknown_groups_of_file(const Scene& scene, Mistakes& mistakes) {
+void find_mistakes_of_groups(const Scene& scene, Mistakes& mistakes) {
+  find_conflicts(scene, mistakes);
   if (scene.has("mesh.file") == scene.has("mesh.geometry")) return;
   mistakes.collect([&] {
     ImportedMesh mesh = read_mesh(scene);
@@ -197,7 +211,7 @@ const Registration<Problem> registration({
     .make = make,
     .remake = remake,
     .registered_keys = [] { return counter_body_keys(); },
-    .further_mistakes = find_unknown_groups_of_file,
+    .further_mistakes = find_mistakes_of_groups,
 });
 
 }  // namespace

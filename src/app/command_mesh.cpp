@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/contact_patch.hpp>
@@ -26,6 +27,8 @@ namespace {
 using Align = TextTable::Align;
 
 ImportedMesh read(const std::filesystem::path& file, std::optional<double> size) {
+  if (size == 0)  // which would mean: as the geometry asks for
+    throw InputError(file.string() + ": size 0: expected a positive length");
   return read_mesh_file(file, {.size = size.value_or(0)});
 }
 
@@ -63,10 +66,13 @@ void print_mesh(const ImportedBody<dim>& body) {
   fmt::print("{}", table.text());
   for (const auto& [name, nodes] : body.point_groups)
     fmt::print("points \"{}\": {}\n", name, nodes.size());
+  std::vector<std::string> lines;
   for (const auto& [name, reason] : body.unusable)  // whole bodies and points are as they should be
     if (!body.cell_groups.contains(name) && !body.point_groups.contains(name))
-      fmt::print("\"{}\": {}\n", name, reason);
-  for (const std::string& remark : body.remarks) fmt::print("{}\n", remark);
+      lines.push_back(fmt::format("\"{}\" {}", name, reason));
+  for (const std::string& remark : body.remarks)
+    if (std::ranges::find(lines, remark) == lines.end()) lines.push_back(remark);
+  for (const std::string& line : lines) fmt::print("{}\n", line);
 }
 
 }  // namespace

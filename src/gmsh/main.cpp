@@ -12,6 +12,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <exception>
+#include <utility>
 
 #include "gmsh/geometry.hpp"
 #include "gmsh/model_mesh.hpp"
@@ -99,26 +101,56 @@ ImportedMesh read(const std::string& file, double size, double factor, bool geom
   return mesh;
 }
 
+/// Gmsh's words, and what they mean where they do not say so.
+std::string explained(const std::string& error) {
+  constexpr std::pair<const char*, const char*> meanings[] = {
+      {"closed", "expected curves of a loop that end where the next begins"},
+      {"Loop", "expected curves that follow each other, -2 for curve 2 backwards"},
+      {"recover the edge", "an outline may cross itself there"},
+      {"Wrong mesh element size", "expected positive sizes"}};
+  for (const auto& [words, meaning] : meanings)
+    if (error.find(words) != std::string::npos) return "Gmsh complains: " + error + ": " + meaning;
+  return "Gmsh complains: " + error;
+}
+
+void hand_over(const std::string& complaint) {
+  mesh_stream::Writer<decltype(&put)> writer{&put};
+  writer(mesh_stream::complaint);
+  writer(tidy(complaint));
+}
+
+/// What Gmsh throws among its threads, the text of its error, cannot be caught there.
+[[noreturn]] void end_with_complaint() {
+  try {
+    std::rethrow_exception(std::current_exception());
+  } catch (const std::string& error) {
+    hand_over(explained(error));
+    _exit(0);
+  } catch (...) {
+    std::abort();
+  }
+}
+
 int run(const std::string& file, double size, double factor) {
   limit_resources(file);
-  mesh_stream::Writer<decltype(&put)> writer{&put};
+  std::set_terminate(end_with_complaint);
   std::string complaint;
   try {
     start_gmsh();
     ImportedMesh mesh = read(file, size, factor, !file.ends_with(".msh"));
+    mesh_stream::Writer<decltype(&put)> writer{&put};
     writer(mesh_stream::sound);
     mesh_stream::visit(mesh, writer);
     return 0;
   } catch (const Refusal& refusal) {
     complaint = refusal.what();
   } catch (const std::exception& error) {
-    complaint = std::string("Gmsh complains: ") + error.what();
+    complaint = explained(error.what());
   } catch (...) {
     const std::string error = first_error();
-    complaint = "Gmsh complains: " + (error.empty() ? "it failed" : error);
+    complaint = explained(error.empty() ? "it failed" : error);
   }
-  writer(mesh_stream::complaint);
-  writer(tidy(complaint));
+  hand_over(complaint);
   return 0;
 }
 

@@ -171,6 +171,19 @@ void copy_groups(ImportedMesh& mesh, const EntityElements& cells, const EntityEl
   }
 }
 
+/// Names for groups without elements: Gmsh keeps them, but lists only groups that have some.
+void add_empty_groups(ImportedMesh& mesh) {
+  constexpr int most = 10'000;  // numbers of groups; Gmsh counts them from 1
+  std::set<std::string> known;
+  for (const MeshGroup& group : mesh.groups) known.insert(group.name);
+  for (int dimension = 0; dimension <= 3; ++dimension)
+    for (int tag = 1; tag <= most; ++tag) {
+      std::string name;
+      gmsh::model::getPhysicalName(dimension, tag, name);
+      if (!name.empty() && known.insert(name).second) mesh.groups.push_back({name, dimension, {}});
+    }
+}
+
 /// Without physical groups of the boundary, its geometrical entities are the groups.
 void name_entities(ImportedMesh& mesh, const EntityElements& facets) {
   const std::string what = mesh.dimension == 2 ? "curve" : "surface";
@@ -229,6 +242,7 @@ void copy_model(ImportedMesh& mesh, bool geometry) {
   if (mesh.dimension > 0)
     facets = copy_elements(entities_to_copy(mesh.dimension - 1, false), mesh.dimension - 1, index);
   copy_groups(mesh, cells, facets, index);
+  add_empty_groups(mesh);
   if (mesh.dimension > 1 && groups_of(mesh.dimension - 1).empty()) name_entities(mesh, facets);
   sort_by_tag(cells, mesh.groups, mesh.dimension);
   sort_by_tag(facets, mesh.groups, mesh.dimension - 1);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <gnomon/base/error.hpp>
@@ -57,6 +58,14 @@ bool read_number(std::string_view field, double& value) {
   return error == std::errc() && end == field.data() + field.size();
 }
 
+/// Whether a field is meant as a number, be it out of range or followed by a unit.
+bool looks_like_number(std::string_view field) {
+  double ignored;
+  const std::size_t digit = field.find_first_not_of("+-.");
+  return read_number(field, ignored) ||
+         (digit != std::string_view::npos && field[digit] >= '0' && field[digit] <= '9');
+}
+
 std::string shown(std::string_view line) {
   constexpr std::size_t most = 40;
   std::string text;
@@ -77,15 +86,14 @@ std::vector<Vector<2>> parse_points(const std::string& text, const std::string& 
     const auto fields = fields_of(line);
     if (fields.empty()) continue;
     Vector<2> point;
-    const bool first = read_number(fields[0], point[0]);
-    const bool is_point =
-        fields.size() == 2 && first && read_number(fields[1], point[1]) && point.allFinite();
+    const bool is_point = fields.size() == 2 && read_number(fields[0], point[0]) &&
+                          read_number(fields[1], point[1]) && point.allFinite();
     if (is_point) {
       if (points.size() == SplineCurve::max_points)
         throw InputError(fmt::format("{}:{}: expected {} points or fewer", name, number,
                                      SplineCurve::max_points));
       points.push_back(point);
-    } else if (!header_allowed || first) {
+    } else if (!header_allowed || std::ranges::any_of(fields, looks_like_number)) {
       throw InputError(
           fmt::format("{}:{}: expected two finite numbers, got {}", name, number, shown(line)));
     }

@@ -46,7 +46,6 @@ Found find_facets(const MeshGroup& group, const FacetTable<dim>& facets, const E
 /// Why the group is no part of the boundary; empty where it is one.
 std::string fault_of(const Found& found, const MeshGroup& group, const ElementList& list) {
   const std::size_t all = group.members.size();
-  if (all == 0) return "has no elements in the file";
   if (found.missing > 0)
     return fmt::format(
         "is no part of the boundary: {} of its {} facets are no sides of cells, the "
@@ -65,6 +64,8 @@ std::string wrong_dimension(const MeshGroup& group, int dim) {
   return fmt::format("is a group of {}, expected one of {}",
                      kinds[std::clamp(group.dimension, 0, 3)], dim == 2 ? "curves" : "surfaces");
 }
+
+constexpr const char* without_elements = "has no elements";
 
 /// Slots of each part by its name.
 using Parts = std::map<std::string, std::vector<int>>;
@@ -114,12 +115,16 @@ template <int dim>
 void take_groups(ImportedBody<dim>& body, const FacetTable<dim>& facets, const ImportedMesh& mesh) {
   Parts parts;
   for (const MeshGroup& group : mesh.groups) {
+    if (group.members.empty()) {
+      body.unusable.emplace(group.name, without_elements);
+      body.remarks.push_back(fmt::format("{} {}", toml_text(group.name), without_elements));
+      continue;
+    }
     if (group.dimension == dim - 1) {
       take_boundary_part(body, facets, group, mesh.facets, parts);
       continue;
     }
     body.unusable.emplace(group.name, wrong_dimension(group, dim));
-    if (group.members.empty()) continue;
     auto& groups = group.dimension == dim ? body.cell_groups : body.point_groups;
     if (group.dimension != dim && group.dimension != 0) continue;
     std::vector<int>& members = groups[group.name];

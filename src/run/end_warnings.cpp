@@ -8,8 +8,8 @@
 
 namespace gnomon {
 
-std::vector<std::string> end_warnings(const Observation& last, long chattering_nodes,
-                                      const Integrator& integrator) {
+std::vector<std::string> end_warnings(const Observation& last, double invisible,
+                                      long chattering_nodes, const Integrator& integrator) {
   std::vector<std::string> warnings;
   const auto explicit_method = [&] {
     const auto table = integrator.table({});
@@ -20,7 +20,7 @@ std::vector<std::string> end_warnings(const Observation& last, long chattering_n
         fmt::format("{} contact nodes left contact twice or more: steps seem to exceed the "
                     "critical one of {} (gnomon stability)",
                     chattering_nodes, integrator.name));
-  if (has_lost_wear(last))
+  if (has_lost_wear(last, invisible))
     warnings.push_back(fmt::format(
         "the worn volume is {:.3g}, the wear integral is {:.3g}: contact may have reached a place "
         "where the surface cannot wear, the end of the contact zone or a held side; then pressures "

@@ -8,8 +8,9 @@
 
 namespace gnomon {
 
-/// Warns of an explicit method above its critical step, and of wear that is missing in the shape.
-std::vector<std::string> end_warnings(const Observation& last, long chattering_nodes,
-                                      const Integrator& integrator);
+/// Warns of an explicit method above its critical step, and of wear that is missing in the shape by
+/// more than `invisible` (wear_integral.hpp).
+std::vector<std::string> end_warnings(const Observation& last, double invisible,
+                                      long chattering_nodes, const Integrator& integrator);
 
 }  // namespace gnomon

@@ -50,7 +50,8 @@ public:
     }
     if (outcome_.status != Status::failed)
       for (const std::string& text :
-           end_warnings(observed_, memory_.chattering.nodes(), integrator_))
+           end_warnings(observed_, invisible_volume(model_.grid(), observed_.dim),
+                        memory_.chattering.nodes(), integrator_))
         warn(text);
     // The last good state is always stored, independent of the output keys of the scene.
     if (outcome_.status != Status::finished && outcome_.last) store();

@@ -1,6 +1,9 @@
 #include "run/wear_integral.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace gnomon {
 
@@ -16,12 +19,27 @@ void WearIntegral::add(double increment) {
   if (value_) *value_ += increment;
 }
 
-bool has_lost_wear(const Observation& observed) {
+double invisible_volume(const std::optional<Grid>& grid, int dim) {
+  if (!grid || grid->points.empty()) return 0;
+  constexpr double sums = 100;  // many cells add their rounding errors
+  std::array<double, 3> low = grid->points.front(), high = low;
+  for (const auto& point : grid->points)
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], point[i]);
+      high[i] = std::max(high[i], point[i]);
+    }
+  const bool flat = grid->cell == Grid::Cell::quadrilateral;
+  double volume = (high[0] - low[0]) * (high[1] - low[1]) * (flat ? 1 : high[2] - low[2]);
+  if (flat && dim == 3) volume *= 2 * M_PI * high[0];
+  return sums * std::numeric_limits<double>::epsilon() * volume;
+}
+
+bool has_lost_wear(const Observation& observed, double invisible) {
   constexpr double most =
       0.1;  // part of the integral; on the coarsest meshes a few hundredths differ
   const std::optional<double> difference = observed.wear_difference();
-  if (!difference || *observed.worn_volume == 0) return false;
-  return !(std::abs(*difference) <= most * std::abs(*observed.wear_integral));
+  if (!difference) return false;
+  return !(std::abs(*difference) <= most * std::abs(*observed.wear_integral) + invisible);
 }
 
 }  // namespace gnomon

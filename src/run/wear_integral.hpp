@@ -21,9 +21,14 @@ private:
   std::optional<double> value_;
 };
 
-/// Whether the worn volume differs from the wear integral by a tenth of it or more; smaller
-/// differences may come from the mesh. False without wear, or if the wear is too small to be seen
-/// in the volume.
-bool has_lost_wear(const Observation& observed);
+/// Size of the rounding errors of the worn volume, to an order of magnitude [mm^2 | mm^3]: a part
+/// of the box around the mesh, or around the body of revolution that it is a section of (`dim` 3,
+/// the axis being x = 0 of a mesh in the plane). Zero without a mesh: the volume is then a sum of
+/// depths.
+double invisible_volume(const std::optional<Grid>& grid, int dim);
+
+/// Whether the worn volume differs from the wear integral by a tenth of it or more, and by more
+/// than rounding errors; smaller differences may come from the mesh. False without wear.
+bool has_lost_wear(const Observation& observed, double invisible);
 
 }  // namespace gnomon

@@ -210,6 +210,15 @@ bool gives_table(const std::string& name, const RawValue& value, const std::vect
   return is_table(value) && names_table(name, table);
 }
 
+std::optional<std::string> array_without_number(const std::string& name,
+                                                const std::vector<Key>& table) {
+  const std::size_t dot = std::min(name.find('.'), name.size());
+  const std::string array = name.substr(0, dot);
+  const bool has_number = dot + 1 < name.size() && name[dot + 1] >= '0' && name[dot + 1] <= '9';
+  if (has_number || find_key(table, name) || !names_table(array + ".#", table)) return std::nullopt;
+  return array;
+}
+
 std::string key_meant(const std::string& name, const std::vector<Key>& table) {
   std::vector<std::string> names;
   for (const Key& key : table) names.push_back(key_like(key.name, name));
@@ -223,15 +232,16 @@ void refuse_unknown_key(const std::string& origin, const std::string& name, cons
     throw InputError(
         fmt::format("{}: expected a table of keys, [{}{}], got an array of tables, [[{}{}]]",
                     origin, prefix, *single, prefix, *single));
+  if (const auto array = array_without_number(name, table))
+    throw InputError(fmt::format(
+        "{}: expected an array of tables, [[{}{}]], got {}", origin, prefix, *array,
+        name == *array ? describe(value) : fmt::format("a table, [{}{}]", prefix, *array)));
   if (names_table(name, table))
     throw InputError(fmt::format("{}: expected a table of keys, [{}{}], got {}", origin, prefix,
                                  name, describe(value)));
   for (const Key& key : table)
-    if (is_misnamed(key.name, name))
-      throw InputError(
-          fmt::format("{}: expected letters, digits and underscores, no digit first, "
-                      "in the place of * in `{}{}`",
-                      origin, prefix, key.name));
+    if (const std::string expected = misnaming(key.name, name); !expected.empty())
+      throw InputError(origin + ": " + expected);
   const std::string near = key_meant(name, table);
   throw InputError(fmt::format("{}: unknown key, {}", origin,
                                near.empty() ? fmt::format("expected one of `{}`", help)

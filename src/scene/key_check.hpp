@@ -41,6 +41,11 @@ std::optional<Key> find_key(const std::vector<Key>& table, const std::string& na
 /// are the keys.
 bool gives_table(const std::string& name, const RawValue& value, const std::vector<Key>& table);
 
+/// The array of tables, "load" for [[load]], that an unknown name would be in if it had the number
+/// of a table: `load.on`. Nothing for other names.
+std::optional<std::string> array_without_number(const std::string& name,
+                                                const std::vector<Key>& table);
+
 /// The key of the table that an unknown name most likely means; empty if none is near.
 std::string key_meant(const std::string& name, const std::vector<Key>& table);
 

@@ -35,11 +35,38 @@ std::string quoting_hint(const std::string& key, const std::string& value) {
   return fmt::format(", expected quotes around a text: --set '{}=\"{}\"'", key, value);
 }
 
+/// Behind the key, which may have names in quotes: a."b = c".d=value.
+std::size_t place_of_equals(const std::string& text) {
+  char open = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (open && c == '\\' && open == '"')
+      ++at;
+    else if (open)
+      open = c == open ? char{0} : open;
+    else if (c == '=')
+      return at;
+    else if (c == '"' || c == '\'')
+      open = c;
+  }
+  return text.find('=');  // quotes that are not closed
+}
+
+/// The key as a file would give it: with quotes where they are needed.
+std::string normal_key(const std::string& key) {
+  if (key.find_first_of("\"'") == std::string::npos) return key;
+  try {
+    return read_toml(key + " = 0", "").front().name;
+  } catch (const InputError&) {
+    throw InputError(fmt::format("--set {}: expected a key of TOML before \"=\"", key));
+  }
+}
+
 /// "key=value" of the command line.
 GivenValue parse_override(const std::string& text) {
   refuse_deep_nesting(text);
-  const std::size_t equals = text.find('=');
-  const std::string key = trimmed(text.substr(0, equals));
+  const std::size_t equals = place_of_equals(text);
+  const std::string key = normal_key(trimmed(text.substr(0, equals)));
   if (equals == std::string::npos || key.empty())
     throw InputError(fmt::format("--set {}: expected KEY=VALUE", text));
   const std::string origin = "--set " + key;

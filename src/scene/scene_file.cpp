@@ -64,9 +64,13 @@ public:
       throw InputError(given.origin + ": " + error.what());
     }
     // In the order of the file, so that its first mistake is the first that is reported.
-    for (const GivenValue& value : in_file_)
-      if (!gives_table(value.name, value.value, table))
+    std::set<std::string> refused;  // [load] for [[load]], once for all its keys
+    for (const GivenValue& value : in_file_) {
+      if (gives_table(value.name, value.value, table)) continue;
+      const auto array = array_without_number(value.name, table);
+      if (!array || refused.insert(*array).second)
         mistakes.collect([&] { check(value, table, problem); });
+    }
     for (const GivenValue& value : overrides_)
       mistakes.collect([&] { check_override(value, table, problem); });
     const std::set<std::string> meant = keys_meant(table);
@@ -111,6 +115,9 @@ private:
     if (gives_table(given.name, given.value, table))
       throw InputError(fmt::format("{}: expected one value, as in --set {}.KEY=VALUE, got a table",
                                    given.origin, given.name));
+    if (const auto array = array_without_number(given.name, table); array && given.name != *array)
+      throw InputError(fmt::format("{}: expected the number of a [[{}]], as in {}.1{}",
+                                   given.origin, *array, *array, given.name.substr(array->size())));
     check(given, table, problem);
   }
 

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace gnomon {
@@ -83,13 +82,6 @@ std::string toml_text(const RawValue& value) {
   for (const RawScalar& scalar : std::get<RawArray>(value.content))
     parts.push_back(std::visit(RawTextOf{}, scalar));
   return fmt::format("[{}]", fmt::join(parts, ", "));
-}
-
-std::string toml_key(const std::string& key) {
-  const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
-    return c < 0x80 && (std::isalnum(c) || c == '_' || c == '-');
-  });
-  return bare ? key : toml_text(key);
 }
 
 }  // namespace gnomon

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gnomon/scene/scene.hpp>
+#include <gnomon/scene/toml_key.hpp>
 #include <string>
 
 #include "scene/raw_value.hpp"
@@ -15,8 +16,5 @@ std::string toml_text(const SceneValue& value);
 
 /// Also of what no key accepts; a table or a date, which has no text here, gives an empty table.
 std::string toml_text(const RawValue& value);
-
-/// A key as TOML writes it: bare where possible, else quoted.
-std::string toml_key(const std::string& key);
 
 }  // namespace gnomon

@@ -112,7 +112,9 @@ private:
 
   /// The references have this error too, so that they agree in spite of it.
   bool lost_wear(const StudyRow& row) const try {
-    return has_lost_wear(observation_of(ResultReader(files(row).result).history().back().scalars));
+    const ResultReader result(files(row).result);
+    const Observation last = observation_of(result.history().back().scalars);
+    return has_lost_wear(last, invisible_volume(result.grid(), last.dim));
   } catch (const Error&) {
     return false;
   }

@@ -24,3 +24,12 @@ for name, y, length, direction in (("bottom", -4, 8, 1), ("surface", 0, 3.2, -1)
     assert np.allclose(part.points[:, 1], y)
     along = part.points[part.cells[:, 1]] - part.points[part.cells[:, 0]]
     assert np.isclose(along[:, 0].sum(), direction * length), "the body is to the left"
+
+# Labels of facets that are shorter than their names.
+whole = parts["bottom"]
+short = [groups.Part(f"a part with a long name, {k}", whole.points, whole.cells[k:k + 1]) for k in range(4)]
+figure = groups.draw(body, short)
+figure.draw_without_rendering()
+boxes = [label.get_window_extent() for label in figure.axes[0].texts]
+assert len(boxes) == 4
+assert not any(one.overlaps(other) for k, one in enumerate(boxes) for other in boxes[:k]), boxes

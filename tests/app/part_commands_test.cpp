@@ -162,6 +162,21 @@ std::string replaced(std::string text, const std::string& part, const std::strin
   return text.replace(at, part.size(), by);
 }
 
+TEST_F(PartCommands, AMissingMeshIsNamedWithTheLineOfItsKey) {
+  std::filesystem::remove(folder() / "block_on_ring.geo");
+  EXPECT_THAT(gnomon({"check", "block_on_ring.toml"}).err,
+              HasSubstr("block_on_ring.toml:9: key `mesh.geometry`: block_on_ring.geo: no such"));
+}
+
+TEST_F(PartCommands, SizesThatMeanNothingAreRefused) {
+  for (const char* command : {"mesh", "new"})
+    for (const char* size : {"0", "-1"}) {
+      const Outcome outcome = gnomon({command, "block_on_ring.geo", "--size", size});
+      EXPECT_EQ(outcome.exit_code, 2) << command << size;
+      EXPECT_THAT(outcome.err, HasSubstr(": expected a positive length"));
+    }
+}
+
 TEST_F(PartCommands, WithoutAnyLoadCheckSaysWhatCouldPress) {
   write("free.toml", replaced(test::read_text(folder() / "block_on_ring.toml"),
                               "[0.0, -1.0], force = 10.8333", "[0.0, -1.0]"));
@@ -209,6 +224,107 @@ TEST_F(PartCommands, TheStoredCounterBodyTouchesTheNodesInContact) {
   }
 }
 
+// A held group that contains the wearing one.
+TEST_F(PartCommands, ARunThatLosesAllItsWearSaysSo) {
+  write("block_on_ring.geo",
+        test::read_text(folder() / "block_on_ring.geo") + "Physical Curve(\"top\") = {3, 4, 5};\n");
+  const auto summary = [&](const std::string& setting) {
+    const Outcome outcome = gnomon({"run",     "block_on_ring.toml",
+                                    "--set",   "mesh.factor=4",
+                                    "--set",   "time.end=300",
+                                    "--set",   "output.times=[]",
+                                    "--set",   "integrator.name=backward-euler",
+                                    "--set",   "integrator.step=100",
+                                    "--set",   setting,
+                                    "-o",      "a.h5",
+                                    "--quiet", "--summary",
+                                    "s.json",  "--force"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return nlohmann::json::parse(test::read_text(folder() / "s.json"));
+  };
+  const auto held = summary("shape.hold=[\"top\"]");
+  EXPECT_EQ(held["worn_volume"].get<double>(), 0);
+  EXPECT_NEAR(held["wear_integral"].get<double>() / (2e-9 * 10.8333 * 500 * 300), 1, 1e-5);
+  ASSERT_EQ(held["warnings"].size(), 1u);
+  EXPECT_THAT(held["warnings"][0].get<std::string>(), HasSubstr("the worn volume is 0, the wear"));
+  // What is below rounding errors is no wear that could be lost.
+  const auto little = summary("wear.coefficient=1e-30");
+  EXPECT_EQ(little["warnings"].size(), 0u) << little["warnings"];
+}
+
+TEST_F(PartCommands, GroupsWithoutElementsAreTold) {
+  ASSERT_EQ(gnomon({"mesh", "block_on_ring.geo", "--size", "1", "-o", "b.msh"}).exit_code, 0);
+  std::string mesh = test::read_text(folder() / "b.msh");
+  const std::size_t names = mesh.find("$PhysicalNames\n") + 15, end = mesh.find('\n', names);
+  const int count = std::stoi(mesh.substr(names, end - names));
+  mesh.replace(names, end - names, std::to_string(count + 1) + "\n1 77 \"left\"");
+  write("named.msh", mesh);
+  const Outcome outcome = gnomon({"mesh", "named.msh"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\n\"left\" has no elements\n"));
+  std::string scene = test::read_text(folder() / "block_on_ring.toml");
+  const std::string geometry = "geometry = \"block_on_ring.geo\"";
+  write("mesh.toml", scene.replace(scene.find(geometry), geometry.size(), "file = \"named.msh\""));
+  EXPECT_THAT(gnomon({"check", "mesh.toml"}).out, HasSubstr("# \"left\" has no elements\n"));
+  EXPECT_THAT(gnomon({"check", "mesh.toml", "--set", "support.1.on=left"}).err,
+              HasSubstr("--set support.1.on: named.msh: \"left\" has no elements\n"));
+}
+
+// In a scene, by --set, and in the scene that a result has.
+TEST_F(PartCommands, NamesOfGroupsMayHaveBlanksDotsAndQuotes) {
+  write("named.geo",
+        "Point(1) = {-1, -1, 0, 0.5}; Point(2) = {1, -1, 0, 0.5}; Point(3) = {1, 0, 0, 0.5};\n"
+        "Point(4) = {-1, 0, 0, 0.5}; Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4};\n"
+        "Line(4) = {4, 1}; Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};\n"
+        "Physical Curve(\"bottom side\") = {1}; Physical Curve(\"worn no. 1\") = {3};\n");
+  ASSERT_EQ(gnomon({"new", "named.geo"}).exit_code, 0);
+  const std::vector<std::string> run = {
+      "run",       "named.toml", "--set",   "time.end=1", "--set", "wear.rate=0.5 * k * p * v",
+      "--summary", "s.json",     "--quiet", "-o"};
+  const auto worn = [&](std::vector<std::string> arguments) {
+    const Outcome outcome = gnomon(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
+    return json["worn_volume"].get<double>();
+  };
+  std::vector<std::string> half = run, whole = run;
+  half.emplace_back("half.h5");
+  whole.insert(whole.end(), {"whole.h5", "--set", "wear.surfaces.\"worn no. 1\".rate=k * p * v"});
+  const double expected = 1e-8 * 100 * 1000 * 1;  // k P v t
+  EXPECT_NEAR(worn(half), expected / 2, 1e-3 * expected);
+  EXPECT_NEAR(worn(whole), expected, 1e-3 * expected);
+  EXPECT_NEAR(worn({"resume", "whole.h5", "--end", "2", "--quiet", "--summary", "s.json"}),
+              2 * expected, 2e-3 * expected);
+  write("named.toml", test::read_text(folder() / "named.toml") +
+                          "[wear.surfaces.\"worn no. 2\"]\nrate = \"k * p * v\"\n");
+  EXPECT_THAT(gnomon({"check", "named.toml"}).err,
+              HasSubstr("expected one of wear.on in the place of \"worn no. 2\""));
+}
+
+TEST_F(PartCommands, ConflictsOfGroupsAreNamed) {
+  const auto check = [&](const std::vector<std::string>& settings) {
+    std::vector<std::string> arguments = {"check", "block_on_ring.toml", "--set", "mesh.factor=5"};
+    for (const std::string& setting : settings) {
+      arguments.emplace_back("--set");
+      arguments.push_back(setting);
+    }
+    return gnomon(arguments);
+  };
+  EXPECT_THAT(check({"shape.hold=[\"bottom\"]", "shape.slide=[\"bottom\"]"}).err,
+              HasSubstr("--set shape.slide: expected groups that are not held, but \"bottom\" is"));
+  write("block_on_ring.geo",
+        test::read_text(folder() / "block_on_ring.geo") + "Physical Curve(\"both\") = {3, 4};\n");
+  EXPECT_THAT(check({"wear.on=[\"surface\", \"both\"]"}).err,
+              HasSubstr("share no facet, but \"surface\" and \"both\" do"));
+  const Outcome loads = check({"load.1.on=bottom", "load.1.force=[1.0, 0.0]", "load.2.on=bottom",
+                               "load.2.force=[2.0, 0.0]"});
+  EXPECT_EQ(loads.exit_code, 0) << loads.err;
+  EXPECT_THAT(loads.out,
+              HasSubstr("# \"bottom\" has several loads, [[load]] number 1, 2: they add"));
+  // Along the surface it may be held.
+  EXPECT_EQ(check({"support.2.on=surface", "support.2.directions=[\"x\"]"}).exit_code, 0);
+}
+
 // One line, exit code 2, with the names that the mesh does have.
 TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
   const auto refusal = [&](const std::string& setting) {
@@ -220,13 +336,20 @@ TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
   };
   EXPECT_THAT(refusal("wear.on=[\"surfaces\"]"), HasSubstr("surface"));
   EXPECT_THAT(refusal("wear.on=[]"), HasSubstr("one group of the mesh or more"));
-  EXPECT_THAT(refusal("wear.on=[\"surface\", \"surface\"]"), HasSubstr("share no facet"));
+  EXPECT_THAT(refusal("wear.on=[\"surface\", \"surface\"]"),
+              HasSubstr("expected each group once, got \"surface\" twice"));
   EXPECT_THAT(refusal("wear.surfaces.bottom.rate=\"k * p\""), HasSubstr("one of wear.on"));
   EXPECT_THAT(refusal("support.1.on=botom"), HasSubstr("bottom"));
   EXPECT_THAT(refusal("support.1.directions=[\"q\"]"), HasSubstr("\"x\", \"y\""));
   EXPECT_THAT(refusal("support.1.directions=[\"x\"]"), HasSubstr("in 2 ways"));
   EXPECT_THAT(refusal("support.1.value=[0.1]"), HasSubstr("one number for each direction, 2"));
   EXPECT_THAT(refusal("support.1.times=[0.0]"), HasSubstr("support.1.factors"));
+  EXPECT_THAT(refusal("support.2.on=bottom"), HasSubstr("\"bottom\" is already held along x"));
+  EXPECT_THAT(refusal("support.1.directions=[\"x\", \"y\", \"x\"]"),
+              HasSubstr("\"bottom\" is already held along x"));
+  EXPECT_THAT(refusal("support.1.on=surface"), HasSubstr("would have no contact pressure"));
+  EXPECT_THAT(refusal("shape.hold=[\"surface\"]"), HasSubstr("\"surface\" is in wear.on"));
+  EXPECT_THAT(refusal("shape.slide=[\"surface\"]"), HasSubstr("\"surface\" is in wear.on"));
   EXPECT_THAT(refusal("support.2.directions=[\"x\"]"), HasSubstr("missing key `on`"));
   EXPECT_THAT(refusal("load.1.on=surface"), HasSubstr("one of force, traction"));
   EXPECT_THAT(refusal("load.1.force=[1.0, 2.0]"), HasSubstr("expected also `on`"));
@@ -240,7 +363,9 @@ TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
   EXPECT_THAT(refusal("counter_body.press.direction=[0.0, 1.0]"),
               HasSubstr("a direction into the body"));
   EXPECT_THAT(refusal("shape.slide=[\"nowhere\"]"), HasSubstr("surface"));
-  EXPECT_THAT(refusal("mesh.geometry=none.geo"), HasSubstr("none.geo"));
+  EXPECT_THAT(refusal("mesh.geometry=none.geo"),
+              HasSubstr("gnomon: --set mesh.geometry: none.geo: no such file"));
+  EXPECT_THAT(refusal("counter_body.center=[30.0, 20.0]"), HasSubstr("it passes by: change"));
   EXPECT_THAT(refusal("mesh.file=a.msh"), HasSubstr("both"));
 }
 

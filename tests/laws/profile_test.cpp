@@ -34,6 +34,11 @@ TEST(ProfilePoints, AreReadFromTwoColumns) {
   EXPECT_THAT(refused("x,y\nr,z\n1,2"), HasSubstr("a.csv:2"));
   EXPECT_THAT(refused("1,2\n\x01\x02\n"), HasSubstr("`??`"));
   EXPECT_THAT(refused("1,2\n1e400,2\n"), HasSubstr("a.csv:2"));
+  // A header has no numbers.
+  EXPECT_THAT(refused("abc,1\n1,2\n"), HasSubstr("a.csv:1: expected two finite numbers, got `abc"));
+  EXPECT_THAT(refused("1e400,2\n1,2\n"), HasSubstr("a.csv:1"));
+  EXPECT_THAT(refused("1.5mm,y\n1,2\n"), HasSubstr("a.csv:1"));
+  EXPECT_THAT(refused("nan,-.5\n1,2\n"), HasSubstr("a.csv:1"));
   EXPECT_THAT(refused("x,y\n"), HasSubstr("no line with any"));
   EXPECT_THAT(refused(""), HasSubstr("no line with any"));
   EXPECT_THAT(refused("1," + std::string(1000, '2') + "x"), HasSubstr("...`"));

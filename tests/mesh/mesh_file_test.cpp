@@ -262,6 +262,16 @@ TEST_F(MeshFile, RefusesGeometriesThatGmshCannotMesh) {
               HasSubstr("no surface and no volume"));
   EXPECT_THAT(refusal(put("c.geo", "Merge \"none.step\";\n")), HasSubstr("Gmsh complains: "));
   EXPECT_THAT(refusal(put("d.geo", "Exit;\n")), HasSubstr("ended before there was a mesh"));
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = block;
+    return refusal(put("f.geo", text.replace(text.find(from), from.size(), to)));
+  };
+  EXPECT_THAT(changed("{1, 2, 3, 4}; Plane", "{1, 2, 3}; Plane"),
+              HasSubstr("expected curves of a loop that end where the next begins"));
+  EXPECT_THAT(changed("Line(2) = {2, 3}", "Line(2) = {3, 2}"),
+              HasSubstr("-2 for curve 2 backwards"));
+  EXPECT_THAT(changed("{4, 1, 0, 0.1}", "{4, 1, 0, -0.1}"), HasSubstr("expected positive sizes"));
+  EXPECT_THAT(changed("Point(2) = {4, 0,", "Point(2) = {4, 3,"), HasSubstr("may cross itself"));
   EXPECT_THAT(refusal(put("e.step", "ISO-10303-21;\nHEADER;\n")), HasSubstr("Gmsh"));
 }
 
@@ -314,7 +324,8 @@ TEST_F(MeshFile, AWrittenMeshComesBackToTheLastDigit) {
   const ImportedBody<2> plane = check_mesh<2>(read_mesh_file(put(
       "p.geo",
       "SetFactory(\"OpenCASCADE\"); Disk(1) = {0.1, 0.2, 0, 1.3, 0.7}; Point(9) = {0.1, 0.2, 0};"
-      "Physical Surface(\"all\") = {1}; Physical Curve(\"rim\") = {1}; Mesh.MeshSizeMax = 0.3;\n")));
+      "Physical Surface(\"all\") = {1}; Physical Curve(\"rim\") = {1}; Mesh.MeshSizeMax = "
+      "0.3;\n")));
   expect_comes_back(plane, put("p.msh", gmsh_text(plane)));
   const ImportedBody<3> space = check_mesh<3>(read_mesh_file(put(
       "s.geo",

@@ -1,5 +1,6 @@
 // Arrays of tables in a scene, [[load]], and arrays of texts.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <gnomon/base/error.hpp>
@@ -23,9 +24,11 @@ Scene scene(const std::string& text, const std::vector<std::string>& overrides =
   return parse_scene("problem = \"p\"\n" + text, "s.toml", overrides, table);
 }
 
-std::string refusal(const std::string& text) {
+std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {}) {
   try {
-    scene(text);
+    scene(text, overrides);
+  } catch (const InputErrors& errors) {
+    return std::to_string(errors.lines.size()) + " mistakes";
   } catch (const InputError& error) {
     return error.what();
   }
@@ -60,8 +63,17 @@ TEST(ArraysOfTables, SurviveTheResolvedScene) {
 TEST(ArraysOfTables, OfUnknownKeysAreRefusedAtTheirLine) {
   EXPECT_EQ(refusal("[[load]]\nonn = \"top\"\n"),
             "s.toml:3: key `load.1.onn`: unknown key, did you mean `load.1.on`?");
-  EXPECT_EQ(refusal("[load.first]\non = \"top\"\n").substr(0, 50),
-            "s.toml:3: key `load.first.on`: unknown key, did yo");
+}
+
+TEST(ArraysOfTables, GivenAsATableAreRefusedOnce) {
+  for (const char* text : {"[load]\non = \"top\"\nforce = [1.0]\nspeed = 3\n",
+                           "load.on = \"top\"\nload.force = [1.0]\n",
+                           "[load.first]\non = \"top\"\nforce = [1.0]\n", "load = 3\n"})
+    EXPECT_THAT(refusal(text), testing::ContainsRegex("key `load[.a-z]*`: expected an array of "
+                                                      "tables, \\[\\[load\\]\\], got (3|a table)"))
+        << text;
+  EXPECT_EQ(refusal("", {"load.on=top"}),
+            "--set load.on: expected the number of a [[load]], as in load.1.on");
 }
 
 TEST(ArraysOfTexts, AreReadAndChecked) {

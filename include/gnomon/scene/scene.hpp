@@ -40,10 +40,10 @@ inline constexpr Range relative_tolerance{.min = 1e-13, .max = 0.1};
 struct Key {
   enum class Presence { required, defaulted, optional };
 
-  /// Dotted, for example "body.young_modulus". A part "*" stands for any name that the scene
-  /// chooses: "wear.constants.*" is a table of numbers with names of its own. A part "#" stands for
-  /// the number, from 1, of a table of an array: "load.#.on" is the key `on` of every [[load]].
-  /// Both kinds of keys are optional.
+  /// Dotted, for example "body.young_modulus". A part "*" stands for any identifier that the scene
+  /// chooses: "wear.constants.*" is a table of numbers; a part "\"*\"" for any text, in quotes where
+  /// TOML needs them (toml_key()); a part "#" for the number, from 1, of a table of an array:
+  /// "load.#.on" is the key `on` of every [[load]]. All three kinds of keys are optional.
   std::string name{};
   KeyKind kind = KeyKind::real;
   std::string unit{};  ///< "MPa"; empty when dimensionless

@@ -14,6 +14,7 @@ from .complaints import BadInput
 
 MANY = 12  # more labels than this would cover the picture; the legend has all names
 WIDTH = style.DOUBLE
+GAP = 1.5  # points between labels
 TALLEST = 1.1  # times the width
 EYES = ((-0.5, -1.0, 0.8), (0.5, 1.0, -0.8))  # two views, so that every side is seen
 
@@ -61,16 +62,16 @@ def draw_plane(body, parts):
     corners = body.points[body.cells][:, :, :2]
     scale = 72 * (width - 0.5) / (high[0] - low[0])
     plane.add_cells(axes, corners, numpy.ones((len(corners), 4)), scale)
-    handles = []
+    handles, labels = [], []
     for part, colour in zip(parts, colours_of(parts)):
         ends = part.points[part.cells][:, :, :2]
         handles.append(draw_points(axes, part, colour, ends[:, 0]) if ends.shape[1] == 1
                        else draw_lines(axes, part, colour, ends))
         for chain in chains(part.cells) if len(parts) <= MANY else []:
-            note(axes, part.name, colour, *anchor(ends[chain]))
+            labels.append(note(axes, part.name, colour, *anchor(ends[chain])))
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal",
              xlabel="$x$ [mm]", ylabel="$y$ [mm]")
-    finish(figure, handles)
+    finish(figure, handles, labels)
     return figure
 
 
@@ -109,9 +110,10 @@ def note(axes, name, colour, place, outward):
     """The name beside its part, out of the body."""
     across = "left" if outward[0] > 0.5 else "right" if outward[0] < -0.5 else "center"
     along = "bottom" if outward[1] > 0.5 else "top" if outward[1] < -0.5 else "center"
-    axes.annotate(name, place, 6 * outward, textcoords="offset points", ha=across, va=along,
-                  color=colour, fontsize=8, zorder=5, annotation_clip=False,
-                  bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8, "alpha": 0.85})
+    return axes.annotate(
+        name, place, 6 * outward, textcoords="offset points", ha=across, va=along, color=colour,
+        fontsize=8, zorder=5, annotation_clip=False,
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8, "alpha": 0.85})
 
 
 def draw_space(body, parts):
@@ -122,13 +124,14 @@ def draw_space(body, parts):
     of_part = {part.name: colour for part, colour in zip(parts, colours)}
     figure = style.figure(width=WIDTH)
     panels = figure.subplots(1, len(EYES), squeeze=False)[0]
+    labels = []
     for axes, eye in zip(panels, EYES):
         view = space.Eye(eye)
         draw_faces(axes, view, body, faces, surfaces, of_part)
         for part in dots:
             axes.plot(*(part.points @ view.screen).T, "o", color=of_part[part.name], markersize=3.5)
         if len(parts) <= MANY:
-            label_faces(axes, view, surfaces, of_part)
+            labels += label_faces(axes, view, surfaces, of_part)
         space.finish(axes)
         space.add_arms(axes, view.screen)
     handles = [Patch(facecolor=of_part[part.name], edgecolor="black", linewidth=0.4,
@@ -137,7 +140,7 @@ def draw_space(body, parts):
                        label=f"{part.name}: points, {len(part.cells)}") for part in dots]
     ratio = max(space.ratio(axes) for axes in panels)
     figure.set_figheight(min(WIDTH / 2 * ratio, WIDTH) + 0.2)
-    finish(figure, handles)
+    finish(figure, handles, labels)
     return figure
 
 
@@ -163,6 +166,7 @@ def draw_faces(axes, view, body, faces, surfaces, of_part):
 
 def label_faces(axes, view, surfaces, of_part):
     """At the middle of what is seen of a part; parts that turn away get no label here."""
+    labels = []
     for part in surfaces:
         corners = part.points[part.cells]
         normals = space.normals(corners)
@@ -173,12 +177,33 @@ def label_faces(axes, view, surfaces, of_part):
         middle = (seen[:, None] * corners.mean(axis=1)).sum(axis=0) / seen.sum()
         nearest = numpy.argmin(numpy.linalg.norm(corners.mean(axis=1) - middle, axis=1)
                                + 1e9 * (weight <= 0))
-        axes.text(*(corners[nearest].mean(axis=0) @ view.screen), part.name, ha="center",
-                  va="center", fontsize=8, zorder=5,
-                  bbox={"facecolor": "white", "edgecolor": of_part[part.name], "linewidth": 0.8,
-                        "pad": 1.2, "alpha": 0.9})
+        labels.append(axes.annotate(
+            part.name, corners[nearest].mean(axis=0) @ view.screen, (0, 0),
+            textcoords="offset points", ha="center", va="center", fontsize=8, zorder=5,
+            bbox={"facecolor": "white", "edgecolor": of_part[part.name], "linewidth": 0.8,
+                  "pad": 1.2, "alpha": 0.9}))
+    return labels
 
 
-def finish(figure, handles):
+def finish(figure, handles, labels):
     if handles:
         style.legend_above_all(figure, handles)
+    separate(figure, labels)
+
+
+def separate(figure, labels):
+    """Moves labels that would cover others away from them: those above a part upwards, those below
+    it downwards, others to where they are already."""
+    figure.draw_without_rendering()
+    placed = []
+    for label in labels:
+        box = label.get_window_extent().padded(GAP * figure.dpi / 72)
+        upwards = {"bottom": True, "top": False}.get(label.get_verticalalignment())
+        while covered := next((other for other in placed if box.overlaps(other)), None):
+            if upwards is None:
+                upwards = box.y0 + box.y1 >= covered.y0 + covered.y1
+            shift = covered.y1 - box.y0 + 1 if upwards else covered.y0 - box.y1 - 1  # pixels
+            box = box.translated(0, shift)
+            across, along = label.xyann
+            label.xyann = across, along + 72 * shift / figure.dpi
+        placed.append(box)

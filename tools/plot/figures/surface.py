@@ -33,7 +33,8 @@ def draw(result):
     panels[0].set_ylabel(f"${NAMES[across[1]]}$ [mm]")
     ratio = frame(panels[0], maps)
     panel = (style.DOUBLE - 0.4) / len(steps) - 0.03
-    figure.set_figheight(min(panel * ratio, style.DOUBLE) + 1.15)
+    tall = min(panel * ratio, style.DOUBLE)
+    figure.set_figheight(tall + 1.1 + panel / 18 + 0.03 * tall)  # title, labels, bar, space above it
     return figure
 
 

@@ -1,0 +1,25 @@
+// Groups of the mesh that a scene names for purposes that exclude each other.
+#pragma once
+
+#include <gnomon/base/mistakes.hpp>
+#include <gnomon/mesh/imported_body.hpp>
+#include <gnomon/model/worn_body.hpp>
+#include <gnomon/scene/scene.hpp>
+
+namespace gnomon::part {
+
+/// Adds what needs no mesh: groups named twice in a list, wearing groups whose shape is held,
+/// groups whose shape is to be held and to slide.
+void find_conflicts(const Scene& scene, Mistakes& mistakes);
+
+/// A remark where several loads act on one group, for they add up.
+template <int dim>
+void remark_sums_of_loads(const Scene& scene, WornBody<dim>& body);
+
+/// Throws InputError for a rigid support on a wearing surface along its normal: it would carry the
+/// contact pressure there.
+template <int dim>
+void require_free_contact(const Scene& scene, const ImportedBody<dim>& part,
+                          const WornBody<dim>& body);
+
+}  // namespace gnomon::part
