@@ -26,10 +26,19 @@ namespace {
 /// The keys that may differ from the scene in the result: the problem, its mesh, the method and the
 /// memory of the method must not depend on them.
 const std::vector<std::string>& changeable_keys() {
-  static const std::vector<std::string> keys = {
-      "time.end",        "integrator.rtol",    "integrator.atol", "integrator.max_step",
-      "integrator.step", "output.every",       "output.times",    "output.interval",
-      "output.last",     "output.checkpoints", "solver.method",   "solver.preconditioner"};
+  static const std::vector<std::string> keys = {"time.end",
+                                                "integrator.rtol",
+                                                "integrator.atol",
+                                                "integrator.nonlinear_fraction",
+                                                "integrator.max_step",
+                                                "integrator.step",
+                                                "output.every",
+                                                "output.times",
+                                                "output.interval",
+                                                "output.last",
+                                                "output.checkpoints",
+                                                "solver.method",
+                                                "solver.preconditioner"};
   return keys;
 }
 

@@ -98,8 +98,9 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
     N_VLinearSum(1.0, predicted, 1.0, ycor, probe_.get());
     return active_set(system_, t, view(probe_.get()));
   };
-  nonlinear_ = make_semismooth_newton(system.structure(), counters, guard_, newton_in_ida,
-                                      branch_at, request_, context_);
+  nonlinear_ = make_semismooth_newton(system.structure(), counters, guard_,
+                                      within_time_error(newton_in_ida, settings.nonlinear_fraction),
+                                      branch_at, id_.get(), request_, context_);
 }
 
 void BdfSolver::Memory::begin(const State& state) {

@@ -15,8 +15,10 @@ DiagonallyImplicit::DiagonallyImplicit(const System& system, const IntegratorSet
       table_(std::move(table)),
       norm_(system.structure(), settings),
       integrand_(settings.integrand),
+      error_control_(settings.step == 0),
       short_step_(1e-6 * settings.end),
-      newton_(system.structure(), counters, modified_newton),
+      newton_(system.structure(), counters,
+              within_time_error(modified_newton, settings.nonlinear_fraction)),
       k_(table_.stages(), Rates(norm_.components().size())),
       base_(norm_.components().size()),
       error_(norm_.components().size()) {}
@@ -77,6 +79,10 @@ NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base,
   };
   function.rate_weight = 1 / step;
   function.switch_node = system_.structure().switch_node;
+  if (error_control_ && !options.to_rounding)
+    function.size_of_change = [&](std::span<const double> change) {
+      return norm_.of_change(change, from.y);
+    };
   const NewtonReport report = newton_.solve(function, to.y);
   if (report.converged) set_rates_of(step, base, to.y, to.ydot);
   return report;

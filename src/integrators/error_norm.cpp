@@ -10,14 +10,28 @@ ErrorNorm::ErrorNorm(const Structure& structure, const IntegratorSettings& setti
     if (structure.differential[i]) components_.push_back(i);
 }
 
+/// Root mean square over the components of all processes.
+double ErrorNorm::mean(double sum_of_squares) const {
+  return std::sqrt(sum_over_processes(sum_of_squares) /
+                   sum_over_processes(static_cast<double>(components_.size())));
+}
+
 double ErrorNorm::operator()(std::span<const double> error, std::span<const double> y) const {
   double sum = 0;
   for (std::size_t k = 0; k < components_.size(); ++k) {
     const double scaled = error[k] * weight(y[components_[k]]);
     sum += scaled * scaled;
   }
-  return std::sqrt(sum_over_processes(sum) /
-                   sum_over_processes(static_cast<double>(components_.size())));
+  return mean(sum);
+}
+
+double ErrorNorm::of_change(std::span<const double> change, std::span<const double> y) const {
+  double sum = 0;
+  for (int i : components_) {
+    const double scaled = change[i] * weight(y[i]);
+    sum += scaled * scaled;
+  }
+  return mean(sum);
 }
 
 }  // namespace gnomon

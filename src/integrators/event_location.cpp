@@ -194,6 +194,8 @@ Landing EventLocator::land(const State& from, double h, State& to) {
   // first zero, and the zeros of symmetric nodes, which are located separately, may differ by one
   // width on either side.
   const double together = 3 * width;
+  // Interpolation reaches the tolerance only with values that are as accurate.
+  const AttemptOptions exact{.branch = &branch_, .to_rounding = true};
   samples_.clear();
   sample(0, from);
   sample(h, to);
@@ -204,7 +206,7 @@ Landing EventLocator::land(const State& from, double h, State& to) {
     if (high <= moment * h) return switch_at_start(from, at(high));
     // Not at a sample: a step nearer to a sample than half the width gives no new information.
     landing.h = std::clamp(guess, low + width / 2, high - width / 2);
-    landing.attempt = k < most_attempts ? method_.attempt(from, landing.h, {.branch = &branch_}, to)
+    landing.attempt = k < most_attempts ? method_.attempt(from, landing.h, exact, to)
                                         : Attempt{.reason = "an event in the step was not found"};
     if (!landing.attempt.success) return landing;
     sample(landing.h, to);

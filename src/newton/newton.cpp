@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <gnomon/newton/newton.hpp>
 
 #include "newton/linear_solver.hpp"
@@ -28,7 +29,8 @@ private:
   using Verdict = NewtonPolicy::Verdict;
   static int residual(N_Vector y, N_Vector G, void* self);
   static int next_step(N_Vector y, N_Vector G, SUNMatrix J, void* self, N_Vector, N_Vector);
-  void set_up(const NewtonPolicy::Plan& plan, const ActiveSet& branch, N_Vector y, SUNMatrix J);
+  NewtonPolicy::Iterate iterate(N_Vector y);
+  void set_up(const NewtonPolicy::Plan& plan, N_Vector y, SUNMatrix J);
   int solve_from(std::span<const double> guess);
   int iterations() const;
   bool accepted(int flag) const;
@@ -42,8 +44,9 @@ private:
   ResidualNorm norm_;
   const NonlinearFunction* function_ = nullptr;
   // Data of the present solve.
-  std::vector<double> norms_;        // of the iterates
-  std::vector<ActiveSet> branches_;  // of the iterates
+  std::vector<double> norms_;          // of the iterates
+  std::vector<ActiveSet> branches_;    // of the iterates
+  std::vector<double> last_, change_;  // the last iterate, and the step from it
   Verdict verdict_ = Verdict::go_on;
   LinearRequest request_;
   Guard guard_;
@@ -62,6 +65,7 @@ NewtonSolver::Memory::Memory(const Structure& structure, Counters& counters,
       options_(options),
       policy_(options),
       norm_(structure),
+      change_(structure.size),
       y_(make_vector(structure.size, context_)),
       unknown_scale_(make_vector(structure.size, context_)),
       row_scale_(make_vector(structure.size, context_)),
@@ -106,23 +110,34 @@ int NewtonSolver::Memory::next_step(N_Vector y, N_Vector, SUNMatrix J, void* dat
   constexpr int stop = 1;
   Memory& self = *static_cast<Memory*>(data);
   const int thrown = self.guard_.run([&] {
-    self.verdict_ = self.policy_.judge(self.norms_.back());
+    const NewtonPolicy::Iterate iterate = self.iterate(y);
+    self.verdict_ = self.policy_.judge(iterate);
     if (self.verdict_ != Verdict::go_on) return;
-    const auto& branch_of = self.function_->branch;
-    const ActiveSet branch = branch_of ? branch_of(view(y)) : ActiveSet{};
-    self.branches_.push_back(branch);
-    self.set_up(self.policy_.plan(branch), branch, y, J);
+    self.branches_.push_back(iterate.branch);
+    self.set_up(self.policy_.plan(), y, J);
   });
   return thrown ? thrown : self.verdict_ == Verdict::go_on ? 0 : stop;
 }
 
-void NewtonSolver::Memory::set_up(const NewtonPolicy::Plan& plan, const ActiveSet& branch,
-                                  N_Vector y, SUNMatrix J) {
+NewtonPolicy::Iterate NewtonSolver::Memory::iterate(N_Vector vector) {
+  const std::span<const double> y = view(vector);
+  NewtonPolicy::Iterate iterate{norms_.back()};
+  if (function_->branch) iterate.branch = function_->branch(y);
+  if (!function_->size_of_change) return iterate;
+  if (!last_.empty()) {
+    std::ranges::transform(y, last_, change_.begin(), std::minus());
+    iterate.change = function_->size_of_change(change_);
+  }
+  last_.assign(y.begin(), y.end());
+  return iterate;
+}
+
+void NewtonSolver::Memory::set_up(const NewtonPolicy::Plan& plan, N_Vector y, SUNMatrix J) {
   request_ = {.keep = !plan.set_up, .reduction = plan.reduction};
   if (!plan.set_up) return;
   ++counters_.jacobian_evaluations;
   function_->jacobian(view(y), values(J));
-  policy_.factors_made(branch);  // KINSOL makes them next
+  policy_.factors_made();  // KINSOL makes them next
 }
 
 std::string NewtonSolver::Memory::reason(int flag) const {
@@ -172,6 +187,7 @@ int NewtonSolver::Memory::solve_from(std::span<const double> guess) {
   std::copy(guess.begin(), guess.end(), view(y_.get()).begin());
   norms_.clear();
   branches_.clear();
+  last_.clear();
   verdict_ = Verdict::go_on;
   guard_.clear();
   policy_.begin(function_->rate_weight);

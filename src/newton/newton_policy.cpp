@@ -13,18 +13,28 @@ void NewtonPolicy::begin(double rate_weight) {
   began_with_kept_factors_ = options_.keep_factors && has_factors_;
 }
 
-/// The residual that ends the iteration; only this function decides which accuracy is sufficient.
-/// At present it is a constant. A fraction of the time error would be implemented here: it needs
-/// the size of the last Newton step in the error norm, as another argument of judge(), and the rate
-/// of convergence current_ / previous_ (done when rate / (1 - rate) * step <= fraction).
+/// The residual that ends every iteration.
 double NewtonPolicy::target() const {
   return iterations_ == 0 ? options_.guess * options_.tolerance : options_.tolerance;
 }
 
-NewtonPolicy::Verdict NewtonPolicy::judge(double norm) {
+/// Steps that shrink by `rate` add up to rate / (1 - rate) times the last one: the estimated
+/// distance from the solution, so that the last iterate is not solved again to prove itself. The
+/// rate is that of the residuals, which is known after the first step, whatever the factors.
+/// An iterate on another branch than the last one has left the equations whose rate is known.
+bool NewtonPolicy::near_enough(const Iterate& iterate) const {
+  if (options_.fraction == 0 || iterations_ == 0 || switched_) return false;
+  if (current_ > options_.balance || current_ >= previous_) return false;
+  const double rate = current_ / previous_;
+  return rate / (1 - rate) * iterate.change <= options_.fraction;
+}
+
+NewtonPolicy::Verdict NewtonPolicy::judge(const Iterate& iterate) {
   previous_ = current_;
-  current_ = norm;
-  if (norm <= target()) return Verdict::done;
+  current_ = iterate.residual;
+  switched_ = !on_all_processes(iterate.branch == branch_);
+  branch_ = iterate.branch;
+  if (current_ <= target() || near_enough(iterate)) return Verdict::done;
   if (at_rounding()) return Verdict::rounding;
   if (iterations_ < options_.max_iterations) return Verdict::go_on;
   return options_.acceptable_at_the_end && acceptable() ? Verdict::rounding : Verdict::failed;
@@ -40,8 +50,8 @@ bool NewtonPolicy::contracts_slowly() const {
   return iterations_ > 0 && current_ > options_.slow * previous_;
 }
 
-bool NewtonPolicy::factors_serve(const ActiveSet& branch) const {
-  if (!options_.keep_factors || !has_factors_ || !on_all_processes(branch == factored_branch_))
+bool NewtonPolicy::factors_serve() const {
+  if (!options_.keep_factors || !has_factors_ || !on_all_processes(branch_ == factored_branch_))
     return false;
   const double range = options_.rate_weight_range;
   if (range > 0 && (rate_weight_ > range * factored_rate_weight_ ||
@@ -50,18 +60,18 @@ bool NewtonPolicy::factors_serve(const ActiveSet& branch) const {
   return !contracts_slowly();
 }
 
-NewtonPolicy::Plan NewtonPolicy::plan(const ActiveSet& branch, bool demanded) {
-  fresh_ = demanded || !factors_serve(branch);
+NewtonPolicy::Plan NewtonPolicy::plan(bool demanded) {
+  fresh_ = demanded || !factors_serve();
   if (fresh_) has_factors_ = false;
   const Plan plan{.set_up = fresh_, .reduction = reduction()};
   ++iterations_;
   return plan;
 }
 
-void NewtonPolicy::factors_made(const ActiveSet& branch) {
+void NewtonPolicy::factors_made() {
   has_factors_ = true;
   factored_rate_weight_ = rate_weight_;
-  factored_branch_ = branch;
+  factored_branch_ = branch_;
 }
 
 /// Forcing term. With a fresh Jacobian the second choice of Eisenstat and Walker (SIAM J. Sci.

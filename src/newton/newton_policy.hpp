@@ -4,14 +4,15 @@
 
 #include <gnomon/newton/newton_options.hpp>
 #include <gnomon/system/system.hpp>
+#include <limits>
 
 namespace gnomon {
 
 /// One object per Jacobian: it remembers for which branch and weight the factors were made. A solve
 /// does
 ///
-///   begin(); at each iterate: judge(norm), and if it says go_on: plan(branch), a set-up if the
-///   plan has one, then factors_made(branch), and a Newton step.
+///   begin(); at each iterate: judge(iterate), and if it says go_on: plan(), a set-up if the plan
+///   has one, then factors_made(), and a Newton step.
 class NewtonPolicy {
 public:
   explicit NewtonPolicy(const NewtonOptions& options) : options_(options) {}
@@ -19,24 +20,31 @@ public:
   /// Called when a solve begins, at its guess. `rate_weight`: weight of the rates in its Jacobian.
   void begin(double rate_weight = 0);
 
+  /// What is known of an iterate.
+  struct Iterate {
+    double residual;        ///< its norm
+    ActiveSet branch = {};  ///< on which it lies (empty: the equations are smooth)
+    /// Size of the step that led to it, in units of the tolerated error; infinite: not measured.
+    double change = std::numeric_limits<double>::infinity();
+  };
   enum class Verdict {
     go_on,
-    done,      ///< below the target
+    done,      ///< below the target, or near enough to the solution for the time error
     rounding,  ///< not below the target, but small and no longer decreasing: accepted
     failed     ///< all allowed iterations were done
   };
-  /// Called at each iterate (the guess is the first) with its residual norm.
-  Verdict judge(double norm);
+  /// Called at each iterate, the guess first.
+  Verdict judge(const Iterate& iterate);
 
   struct Plan {
     bool set_up;       ///< a new Jacobian and its factors must be made at this iterate
     double reduction;  ///< reduction of the linear residual that an iterative solver must reach
   };
-  /// The next Newton step, from an iterate on `branch` (empty: the equations are smooth).
-  /// `demanded`: the caller needs a set-up for reasons of its own.
-  Plan plan(const ActiveSet& branch, bool demanded = false);
+  /// The next Newton step, from the iterate judged last. `demanded`: the caller needs a set-up for
+  /// reasons of its own.
+  Plan plan(bool demanded = false);
   /// The set-up of the last plan has succeeded. Without this call the next plan has one again.
-  void factors_made(const ActiveSet& branch);
+  void factors_made();
 
   /// After a solve that failed: whether kept factors may be the reason, so that it should be
   /// repeated with fresh ones.
@@ -49,16 +57,19 @@ public:
 
 private:
   double target() const;
+  bool near_enough(const Iterate& iterate) const;
   bool acceptable() const { return current_ <= options_.acceptable; }
   bool at_rounding() const;
   bool contracts_slowly() const;
-  bool factors_serve(const ActiveSet& branch) const;
+  bool factors_serve() const;
   double reduction() const;
 
   NewtonOptions options_;
   // Data of this solve.
   double rate_weight_ = 0;
-  double current_ = 0, previous_ = 0;  // norms of this iterate and the last
+  double current_ = 0, previous_ = 0;  // residuals of this iterate and the last
+  bool switched_ = false;              // they lie on different branches
+  ActiveSet branch_;                   // of this iterate
   int iterations_ = 0;
   bool fresh_ = false;  // the last or the planned step has a fresh Jacobian
   bool began_with_kept_factors_ = false;

@@ -1,5 +1,6 @@
 #include "newton/semismooth_newton.hpp"
 
+#include <limits>
 #include <utility>
 
 #include "newton/newton_policy.hpp"
@@ -15,6 +16,7 @@ struct Content {
   NewtonPolicy policy;
   ResidualNorm norm;
   std::function<ActiveSet(N_Vector ycor)> branch_at;
+  N_Vector differential;
   LinearRequest& request;
   VectorOwner delta;
   SUNNonlinSolSysFn residual = nullptr;
@@ -22,8 +24,8 @@ struct Content {
   SUNNonlinSolLSolveFn solve = nullptr;
   long failures = 0;
 
-  int iterate(N_Vector ycor, bool set_up_demanded, void* ida);
-  int set_up(const ActiveSet& branch, bool after_iterations, void* ida);
+  int iterate(N_Vector ycor, N_Vector weights, bool set_up_demanded, void* ida);
+  int set_up(bool after_iterations, void* ida);
 };
 
 Content& content(SUNNonlinearSolver solver) {
@@ -31,31 +33,32 @@ Content& content(SUNNonlinearSolver solver) {
 }
 
 /// When a Jacobian is made in the middle of an iteration, IDA is told that the last one was bad.
-int Content::set_up(const ActiveSet& branch, bool after_iterations, void* ida) {
+int Content::set_up(bool after_iterations, void* ida) {
   int current = 0;
   const int flag = setup(after_iterations ? SUNFALSE : SUNTRUE, &current, ida);
-  if (!flag) policy.factors_made(branch);
+  if (!flag) policy.factors_made();
   return flag;
 }
 
 // Positive: recoverable, IDA shortens the step. Negative: fatal.
-int Content::iterate(N_Vector ycor, bool set_up_demanded, void* ida) {
+int Content::iterate(N_Vector ycor, N_Vector weights, bool set_up_demanded, void* ida) {
   using Verdict = NewtonPolicy::Verdict;
   policy.begin();
+  double change = std::numeric_limits<double>::infinity();
   for (;;) {
     if (const int flag = residual(ycor, delta.get(), ida)) return flag;
-    const Verdict verdict = policy.judge(norm(view(delta.get())));
+    const Verdict verdict = policy.judge({norm(view(delta.get())), branch_at(ycor), change});
     if (verdict == Verdict::failed) return SUN_NLS_CONV_RECVR;
     if (verdict != Verdict::go_on) return 0;
     const bool at_guess = policy.iterations() == 0;
-    const ActiveSet branch = branch_at(ycor);
-    const NewtonPolicy::Plan plan = policy.plan(branch, at_guess && set_up_demanded);
+    const NewtonPolicy::Plan plan = policy.plan(at_guess && set_up_demanded);
     if (plan.set_up)
-      if (const int flag = set_up(branch, !at_guess, ida)) return flag;
+      if (const int flag = set_up(!at_guess, ida)) return flag;
     request.reduction = plan.reduction;
     N_VScale(-1.0, delta.get(), delta.get());
     if (const int flag = solve(delta.get(), ida)) return flag;
     N_VLinearSum(1.0, ycor, 1.0, delta.get(), ycor);
+    change = N_VWrmsNormMask(delta.get(), weights, differential);
     ++counters.newton_iterations;
   }
 }
@@ -65,7 +68,8 @@ int Content::iterate(N_Vector ycor, bool set_up_demanded, void* ida) {
 NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters& counters,
                                             Guard& guard, const NewtonOptions& options,
                                             std::function<ActiveSet(N_Vector ycor)> branch_at,
-                                            LinearRequest& request, SUNContext context) {
+                                            N_Vector differential, LinearRequest& request,
+                                            SUNContext context) {
   SUNNonlinearSolver solver = SUNNonlinSolNewEmpty(context);
   check(solver, "SUNNonlinSolNewEmpty");
   NonlinearSolverOwner owner(solver);
@@ -74,16 +78,17 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
                                 NewtonPolicy(options),
                                 ResidualNorm(structure),
                                 std::move(branch_at),
+                                differential,
                                 request,
                                 make_vector(structure.size, context)};
   auto* ops = solver->ops;
   ops->gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
   ops->initialize = [](SUNNonlinearSolver) { return 0; };
-  ops->solve = [](SUNNonlinearSolver s, N_Vector, N_Vector ycor, N_Vector, sunrealtype,
+  ops->solve = [](SUNNonlinearSolver s, N_Vector, N_Vector ycor, N_Vector weights, sunrealtype,
                   sunbooleantype call_setup, void* ida) {
     Content& c = content(s);
     int flag = -1;
-    const int thrown = c.guard.run([&] { flag = c.iterate(ycor, call_setup, ida); });
+    const int thrown = c.guard.run([&] { flag = c.iterate(ycor, weights, call_setup, ida); });
     if (thrown) flag = thrown;
     if (flag) ++c.failures;
     return flag;

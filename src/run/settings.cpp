@@ -96,6 +96,7 @@ IntegratorSettings integrator_settings(const Scene& scene, const Model& model) {
   settings.rtol = scene.real("integrator.rtol");
   settings.atol = scene.has("integrator.atol") ? scene.real("integrator.atol")
                                                : settings.rtol * model.differential_scale();
+  settings.nonlinear_fraction = scene.real("integrator.nonlinear_fraction");
   settings.max_step = scene.real_if("integrator.max_step").value_or(0.0);
   settings.scale = model.differential_scale();
   settings.alpha = scene.real("integrator.alpha");

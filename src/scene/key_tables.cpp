@@ -37,6 +37,13 @@ std::vector<Key> integrator_keys() {
        .absent_meaning = "rtol times the mean wear depth at time.end",
        .range = {.min = 1e-20},
        .help = "absolute tolerance of the worn surface per step, when steps follow the error"},
+      {.name = "integrator.nonlinear_fraction",
+       .presence = defaulted,
+       .default_value = 0.01,
+       .range = {.min = 0, .max = 0.5},
+       .help =
+           "part of the tolerated error of a step that Newton's iterations may leave, when steps "
+           "follow the error; 0: they go on to rounding, 1e-11 of the scaled residual"},
       {.name = "integrator.max_step",
        .unit = "s",
        .presence = optional,

@@ -14,28 +14,28 @@ using Verdict = NewtonPolicy::Verdict;
 
 /// A step from an iterate with this norm on this branch; whether it came with a set-up.
 bool step(NewtonPolicy& policy, double norm, const ActiveSet& branch = {}, bool demanded = false) {
-  EXPECT_EQ(policy.judge(norm), Verdict::go_on) << norm;
-  const bool set_up = policy.plan(branch, demanded).set_up;
-  if (set_up) policy.factors_made(branch);
+  EXPECT_EQ(policy.judge({norm, branch}), Verdict::go_on) << norm;
+  const bool set_up = policy.plan(demanded).set_up;
+  if (set_up) policy.factors_made();
   return set_up;
 }
 
 TEST(NewtonPolicy, IsDoneBelowTheToleranceAndAtAGuessBelowAHundredthOfIt) {
   NewtonPolicy policy(modified_newton);
   policy.begin();
-  EXPECT_EQ(policy.judge(0.99e-13), Verdict::done);
+  EXPECT_EQ(policy.judge({0.99e-13}), Verdict::done);
   policy.begin();
   EXPECT_TRUE(step(policy, 1.01e-13));
-  EXPECT_EQ(policy.judge(0.99e-11), Verdict::done);
+  EXPECT_EQ(policy.judge({0.99e-11}), Verdict::done);
   EXPECT_EQ(policy.iterations(), 1);
 }
 
 TEST(NewtonPolicy, TakesAPredictorOfIdaWithinTheToleranceAsItIs) {
   NewtonPolicy policy(newton_in_ida);
   policy.begin();
-  EXPECT_EQ(policy.judge(0.99e-11), Verdict::done);
+  EXPECT_EQ(policy.judge({0.99e-11}), Verdict::done);
   policy.begin();
-  EXPECT_EQ(policy.judge(1.01e-11), Verdict::go_on);
+  EXPECT_EQ(policy.judge({1.01e-11}), Verdict::go_on);
 }
 
 TEST(NewtonPolicy, KeepsFactorsOverSolvesAsLongAsTheyContract) {
@@ -88,8 +88,8 @@ TEST(NewtonPolicy, LeavesTheWeightOfTheRatesToIdaAndObeysIt) {
 TEST(NewtonPolicy, PlansASetUpAgainWhereTheLastOneFailedOrIsForgotten) {
   NewtonPolicy policy(modified_newton);
   policy.begin();
-  policy.judge(1);
-  EXPECT_TRUE(policy.plan({}).set_up);  // and it fails: factors_made() is not called
+  policy.judge({1});
+  EXPECT_TRUE(policy.plan().set_up);  // and it fails: factors_made() is not called
   policy.begin();
   EXPECT_FALSE(policy.began_with_kept_factors());
   EXPECT_TRUE(step(policy, 1));
@@ -107,18 +107,18 @@ TEST(NewtonPolicy, AcceptsASmallResidualThatAFreshJacobianDoesNotHalve) {
   EXPECT_TRUE(step(policy, 1));
   EXPECT_FALSE(step(policy, 0.9e-9));  // kept factors: does not show rounding
   EXPECT_TRUE(step(policy, 0.6e-9));   // slow, so with a fresh one
-  EXPECT_EQ(policy.judge(0.31e-9), Verdict::rounding);
+  EXPECT_EQ(policy.judge({0.31e-9}), Verdict::rounding);
 
   policy.begin();
   step(policy, 1), step(policy, 0.9e-9), step(policy, 0.6e-9);
-  EXPECT_EQ(policy.judge(0.29e-9), Verdict::go_on);
+  EXPECT_EQ(policy.judge({0.29e-9}), Verdict::go_on);
 }
 
 TEST(NewtonPolicy, DoesNotTakeALargeResidualForRounding) {
   NewtonPolicy policy(modified_newton);
   policy.begin();
   for (int k = 0; k < 10; ++k) step(policy, 1.1e-9);
-  EXPECT_EQ(policy.judge(1.1e-9), Verdict::go_on);
+  EXPECT_EQ(policy.judge({1.1e-9}), Verdict::go_on);
 }
 
 TEST(NewtonPolicy, InIdaIsAtRoundingFromTheThirdIterationOnWhateverTheFactors) {
@@ -127,10 +127,10 @@ TEST(NewtonPolicy, InIdaIsAtRoundingFromTheThirdIterationOnWhateverTheFactors) {
   step(policy, 1, {}, true);
   step(policy, 0.9e-9);
   step(policy, 0.5e-9);  // slow, but the second iteration
-  EXPECT_EQ(policy.judge(0.25e-9), Verdict::rounding);
+  EXPECT_EQ(policy.judge({0.25e-9}), Verdict::rounding);
   policy.begin();
   step(policy, 1), step(policy, 0.9e-9), step(policy, 0.5e-9);
-  EXPECT_EQ(policy.judge(0.09e-9), Verdict::go_on);  // fivefold
+  EXPECT_EQ(policy.judge({0.09e-9}), Verdict::go_on);  // fivefold
 }
 
 TEST(NewtonPolicy, FailsWhenIterationsAreUsedUp) {
@@ -141,7 +141,7 @@ TEST(NewtonPolicy, FailsWhenIterationsAreUsedUp) {
       for (int k = 0; k < options.max_iterations; ++k) step(policy, k % 2 ? 1.0 : 2.0);
       // After the last iteration KINSOL accepts a small residual; IDA shortens its step.
       const bool accepted = last < 1e-9 && options.acceptable_at_the_end;
-      EXPECT_EQ(policy.judge(last), accepted ? Verdict::rounding : Verdict::failed);
+      EXPECT_EQ(policy.judge({last}), accepted ? Verdict::rounding : Verdict::failed);
       EXPECT_EQ(policy.iterations(), options.max_iterations);
     }
   }
@@ -150,9 +150,9 @@ TEST(NewtonPolicy, FailsWhenIterationsAreUsedUp) {
 TEST(NewtonPolicy, AsksForLinearResidualsByTheContraction) {
   NewtonPolicy policy(modified_newton);
   const auto reduction = [&](double norm) {
-    EXPECT_EQ(policy.judge(norm), Verdict::go_on);
-    const NewtonPolicy::Plan plan = policy.plan({});
-    if (plan.set_up) policy.factors_made({});
+    EXPECT_EQ(policy.judge({norm}), Verdict::go_on);
+    const NewtonPolicy::Plan plan = policy.plan();
+    if (plan.set_up) policy.factors_made();
     return plan.reduction;
   };
   policy.begin();
@@ -166,9 +166,9 @@ TEST(NewtonPolicy, AsksForLinearResidualsByTheContraction) {
 
   NewtonPolicy full(NewtonOptions{});
   full.begin();
-  full.judge(1), full.plan({}), full.factors_made({});
-  full.judge(1e-3);
-  EXPECT_DOUBLE_EQ(full.plan({}).reduction, 0.9e-6);  // fresh: 0.9 of its square
+  full.judge({1}), full.plan(), full.factors_made();
+  full.judge({1e-3});
+  EXPECT_DOUBLE_EQ(full.plan().reduction, 0.9e-6);  // fresh: 0.9 of its square
 }
 
 TEST(ResidualNorm, IsTheLargestByTheScaleOfItsRow) {

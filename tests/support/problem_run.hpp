@@ -37,9 +37,10 @@ struct ModelRun {
 };
 
 /// `step` 0: error control chooses the steps. `tolerance` is rtol; atol = tolerance *
-/// differential_scale().
+/// differential_scale(). `nonlinear_fraction` is by default that of scenes.
 inline ModelRun run_model(const Model& model, const std::string& integrator, double step,
-                          double tolerance, double end, bool locate_events = false) {
+                          double tolerance, double end, bool locate_events = false,
+                          double nonlinear_fraction = 0.01) {
   ModelRun run;
   run.states.push_back(model.start(run.counters));
   IntegratorSettings settings;
@@ -48,6 +49,7 @@ inline ModelRun run_model(const Model& model, const std::string& integrator, dou
   settings.scale = model.differential_scale();
   settings.atol = tolerance * settings.scale;
   settings.end = end;
+  settings.nonlinear_fraction = nonlinear_fraction;
   settings.locate_events = locate_events;
   const auto stepper =
       Integrators::find(integrator, "integrator").make(model.system(), settings, run.counters);

@@ -58,6 +58,7 @@ private:
   ButcherTable table_;
   ErrorNorm norm_;
   std::function<double(const Point&)> integrand_;
+  bool error_control_;
   double short_step_;  // below it a difference of d over the step has fewer than ten digits
   NewtonSolver newton_;
   std::optional<AlgebraicSolver> algebraic_;  // made when first needed

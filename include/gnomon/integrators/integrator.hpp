@@ -16,9 +16,12 @@ namespace gnomon {
 
 /// The `integrator.*` keys of a scene, as numbers.
 struct IntegratorSettings {
-  double step = 0;      ///< fixed step [time]; 0: chosen by the error estimate
-  double rtol = 0;      ///< relative tolerance of the differential components, per step
-  double atol = 0;      ///< absolute tolerance [unit of the differential components]
+  double step = 0;  ///< fixed step [time]; 0: chosen by the error estimate
+  double rtol = 0;  ///< relative tolerance of the differential components, per step
+  double atol = 0;  ///< absolute tolerance [unit of the differential components]
+  /// Part of the tolerated error of a step that its Newton iterations may leave; 0, and in fixed
+  /// steps: solved to rounding (NewtonOptions::tolerance).
+  double nonlinear_fraction = 0;
   double max_step = 0;  ///< upper bound on an adaptive step [time]; 0: none
   double scale = 0;     ///< Model::differential_scale() [unit of the differential components]
   double alpha = 0.5;   ///< of the theta method, eq. (21)

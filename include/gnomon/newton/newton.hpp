@@ -20,6 +20,9 @@ struct NonlinearFunction {
   std::function<ActiveSet(std::span<const double> y)> branch{};
   double rate_weight = 0;  ///< weight of the rates in J; kept factors are used for similar weights
   std::vector<int> switch_node{};  ///< mesh nodes of the entries of `branch`, for the diagnosis
+  /// Size of a change of y in units of the tolerated error of the step, for
+  /// NewtonOptions::fraction. Empty: the equations are solved to NewtonOptions::tolerance.
+  std::function<double(std::span<const double> change)> size_of_change{};
 };
 
 /// Report on a solve.

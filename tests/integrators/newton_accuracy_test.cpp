@@ -1,0 +1,82 @@
+// Newton iterations that end by the tolerated error of the step, against iterations to rounding.
+#include <gnomon/integrators/diagonally_implicit.hpp>
+#include <gnomon/integrators/error_norm.hpp>
+
+#include "support/problem_run.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+
+struct PinOf {
+  std::unique_ptr<Model> model =
+      model_of("pin_on_flat/small_deformation.toml", {"mesh.elements=[10,10]"});
+  IntegratorSettings settings;
+  ModelRun run;
+
+  PinOf(const std::string& integrator, double rtol, double fraction, bool locate = false) {
+    settings.rtol = rtol;
+    settings.atol = rtol * model->differential_scale();
+    run = run_model(*model, integrator, 0, rtol, 1000, locate, fraction);
+  }
+  double size(const std::vector<double>& y, const std::vector<double>& other,
+              const std::vector<double>& at) const {
+    std::vector<double> change(y.size());
+    for (std::size_t i = 0; i < y.size(); ++i) change[i] = y[i] - other[i];
+    return ErrorNorm(model->system().structure(), settings).of_change(change, at);
+  }
+};
+
+/// The largest distance of the end of a step from that of the same step with solves to rounding, in
+/// units of the tolerated error.
+double largest_distance(const std::string& integrator, double rtol, double fraction) {
+  const PinOf run(integrator, rtol, fraction);
+  Counters counters;
+  DiagonallyImplicit exact(run.model->system(), run.settings, counters,
+                           *Integrators::find(integrator, "integrator").table(run.settings));
+  double largest = 0;
+  for (std::size_t k = 0; k + 1 < run.run.states.size(); ++k) {
+    const State &from = run.run.states[k], &to = run.run.states[k + 1];
+    State solved;
+    exact.accept(from, k == 0);
+    EXPECT_TRUE(exact.attempt(from, run.run.reports[k].step, {}, solved).success);
+    largest = std::max(largest, run.size(to.y, solved.y, from.y));
+  }
+  return largest;
+}
+
+// One solve per step shows the estimate itself, which is not a bound: a factor of two is left for
+// it. With more stages the error of each goes into the next ones, by a_ij / a_jj.
+TEST(NewtonAccuracy, StaysWithinTheFractionInEveryStep) {
+  for (const double rtol : {1e-3, 1e-4})
+    for (const double fraction : {0.1, 0.01}) {
+      SCOPED_TRACE(::testing::Message() << "rtol " << rtol << ", fraction " << fraction);
+      EXPECT_LE(largest_distance("backward-euler", rtol, fraction), 2 * fraction);
+      EXPECT_LE(largest_distance("esdirk-3", rtol, fraction), 5 * fraction);
+      EXPECT_LE(largest_distance("esdirk-4", rtol, fraction), 5 * fraction);
+    }
+}
+
+TEST(NewtonAccuracy, WithoutAFractionIsRounding) {
+  EXPECT_LE(largest_distance("esdirk-3", 1e-4, 0), 1e-6);
+}
+
+// The whole run: for less work as accurate, or with an error to which every step may contribute its
+// fraction.
+TEST(NewtonAccuracy, SavesIterationsAndKeepsTheError) {
+  const ModelRun exact = PinOf("esdirk-5", 1e-8, 0, true).run;
+  for (const char* integrator : {"bdf", "esdirk-3", "esdirk-4", "sdirk-2"}) {
+    SCOPED_TRACE(integrator);
+    const PinOf to_rounding(integrator, 1e-4, 0), run(integrator, 1e-4, 0.01);
+    EXPECT_LT(run.run.counters.newton_iterations, 0.6 * to_rounding.run.counters.newton_iterations);
+    const auto error = [&](const PinOf& run) {
+      return run.size(run.run.last().y, exact.last().y, exact.last().y);
+    };
+    const double allowed = 0.01 * static_cast<double>(run.run.counters.steps);
+    EXPECT_LT(error(run), std::max(1.5 * error(to_rounding), allowed));
+  }
+}
+
+}  // namespace
+}  // namespace gnomon
