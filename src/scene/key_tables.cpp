@@ -39,7 +39,7 @@ std::vector<Key> integrator_keys() {
        .help = "absolute tolerance of the worn surface per step, when steps follow the error"},
       {.name = "integrator.nonlinear_fraction",
        .presence = defaulted,
-       .default_value = 0.01,
+       .default_value = 0.0,
        .range = {.min = 0, .max = 0.5},
        .help =
            "part of the tolerated error of a step that Newton's iterations may leave, when steps "
