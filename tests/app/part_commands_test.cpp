@@ -169,9 +169,10 @@ TEST_F(PartCommands, AMissingMeshIsNamedWithTheLineOfItsKey) {
 }
 
 TEST_F(PartCommands, SizesThatMeanNothingAreRefused) {
-  for (const char* command : {"mesh", "new"})
+  for (const std::string command : {"mesh", "new"})
     for (const char* size : {"0", "-1"}) {
-      const Outcome outcome = gnomon({command, "block_on_ring.geo", "--size", size, "-o", "sized"});
+      const std::string output = command == "mesh" ? "sized.msh" : "sized.toml";
+      const Outcome outcome = gnomon({command, "block_on_ring.geo", "--size", size, "-o", output});
       EXPECT_EQ(outcome.exit_code, 2) << command << size;
       EXPECT_THAT(outcome.err, HasSubstr(": expected a positive length"));
     }
