@@ -35,6 +35,7 @@ struct StiffnessBlock {
     if (unknowns.empty()) return;
     layout.lower = part.lower();
     layout.position = structure.position;
+    layout.coarsening = structure.coarsening;
     for (int i : unknowns) {
       layout.group.push_back(structure.group[i]);
       layout.component.push_back(structure.component[i]);
@@ -65,6 +66,7 @@ struct StiffnessBlock {
 struct BlockPreconditioner::Blocks {
   const Structure& structure;
   std::span<const double> J;
+  const bool by_factors;
   StiffnessBlock stiffness, mesh_motion;
   ContactElimination contact;
   LowRankUpdate change;            // of the stiffness
@@ -79,9 +81,10 @@ struct BlockPreconditioner::Blocks {
 
   explicit Blocks(const Structure& s)
       : structure(s),
+        by_factors(s.solver.preconditioner == LinearSolverChoice::Preconditioner::factor),
         stiffness(s, Role::stiffness),
         mesh_motion(s, Role::extension),
-        contact(s, s.solver.preconditioner == LinearSolverChoice::Preconditioner::factor),
+        contact(s, by_factors),
         mesh_motion_row(s, {Role::extension}, {Role::evolution}),
         multiplier_row(
             s, {Role::reaction},
@@ -148,7 +151,8 @@ void BlockPreconditioner::refresh(std::span<const double> J) {
 }
 
 double BlockPreconditioner::update_cost() const {
-  constexpr double cost_of_a_column = 0.25;
+  // Factors solve for many columns together.
+  const double cost_of_a_column = blocks_->by_factors ? 0.25 : 1;
   return cost_of_a_column * static_cast<double>(blocks_->change.columns_to_solve(blocks_->terms));
 }
 
@@ -161,7 +165,9 @@ int BlockPreconditioner::set_up(bool whole) {
   b.stiffness.part.gather(b.J, b.stiffness.values);
   b.contact.add_springs(b.stiffness.part, b.stiffness.values);
   b.terms = b.contact.low_rank_terms(b.stiffness.part);  // common wear alone
-  b.change.clear();
+  // With multigrid the columns cost more than the set-up: they are kept until fresh ones are
+  // needed.
+  if (b.by_factors || whole) b.change.clear();
   int factorizations = b.stiffness.set_up("the stiffness of the body");
   b.update_change();
   if (whole || !b.mesh_motion.is_set_up) {

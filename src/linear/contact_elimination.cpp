@@ -13,9 +13,9 @@ void ContactElimination::NodeUnknowns::add(int number) {
   data[size++] = number;
 }
 
-ContactElimination::ContactElimination(const Structure& structure, bool takes_low_rank)
+ContactElimination::ContactElimination(const Structure& structure, bool follows_springs)
     : structure_(structure),
-      takes_low_rank_(takes_low_rank),
+      follows_springs_(follows_springs),
       wear_row_(structure, {Role::evolution}, {Role::stiffness, Role::multiplier}),
       wear_block_(structure, {Role::evolution}) {
   const auto& [group, pattern] = std::tie(structure.group, structure.pattern);
@@ -115,7 +115,7 @@ void ContactElimination::share_surfaces() {
     if (contact_[c].surface >= 0 && contact_[c].CB != 0)
       surface_[contact_[c].surface].closed.push_back(static_cast<int>(c));
   for (SurfaceNode& surface : surface_) {
-    if (!takes_low_rank_ || surface.closed.size() < 2) {
+    if (surface.closed.size() < 2) {
       for (int c : surface.closed) contact_[c].D += contact_[c].a.dot(contact_[c].e);
       continue;
     }
@@ -169,6 +169,7 @@ void ContactElimination::add_springs(const SymmetricPart& part, std::vector<doub
 /// A preconditioner works with a spring that is wrong by half, or by little beside the node's own
 /// stiffness. A spring that has moved once is followed exactly until the next set-up.
 void ContactElimination::find_moved_springs() {
+  if (!follows_springs_) return;
   for (std::size_t c = 0; c < contact_.size(); ++c) {
     ContactNode& node = contact_[c];
     const double change = std::abs(node.spring - node.spring_at_setup);
@@ -222,7 +223,6 @@ RankOneTerm ContactElimination::common_wear(int s, const SymmetricPart& part) co
 }
 
 std::vector<RankOneTerm> ContactElimination::low_rank_terms(const SymmetricPart& part) const {
-  if (!takes_low_rank_) return {};
   std::vector<RankOneTerm> result;
   for (int c : moved_) result.push_back(moved_spring(c, part));
   for (std::size_t s = 0; s < surface_.size(); ++s) {

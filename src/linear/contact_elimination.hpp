@@ -47,23 +47,21 @@ namespace gnomon {
 ///   D^-1 = D_0^-1 - gamma D_0^-1 a_m e_m^T D_0^-1,   gamma = 1 / (1 + e_m^T D_0^-1 a_m)
 ///
 /// The diagonal part gives springs, the other a change of rank one per shared surface node,
-/// -gamma (B D_0^-1 a_m) (e_m^T D_0^-1 C). Two sorts of changes are not in the factors of K but
-/// handed out by low_rank_terms(): these, and springs that have moved since the last set-up.
+/// -gamma (B D_0^-1 a_m) (e_m^T D_0^-1 C). Two sorts of changes are not in the matrix that is set
+/// up but handed out by low_rank_terms(): these, and springs that have moved since the last set-up.
 class ContactElimination {
 public:
-  /// `structure` must outlive the object. `takes_low_rank`: whether the solver of (u') takes
-  /// changes of low rank. Factors do, since many columns are solved for together. Multigrid would
-  /// need a cycle for each, so there every node counts as if it wore alone, and springs stay as
-  /// they were at the last set-up.
-  ContactElimination(const Structure& structure, bool takes_low_rank);
+  /// `structure` must outlive the object. `follows_springs`: whether springs that move are handed
+  /// out until the next set-up. Worthwhile with factors, because many columns cost less than a
+  /// factorization; a set-up of multigrid costs as much as a few columns.
+  ContactElimination(const Structure& structure, bool follows_springs);
 
   /// Takes the values of J; the span must outlive their use.
   void update(std::span<const double> J);
 
   /// Set-up: adds the springs of the diagonal of D to `values` of K, and remembers them.
   void add_springs(const SymmetricPart& part, std::vector<double>& values);
-  /// What the matrix of (u') has beyond K with the springs of add_springs(). None without
-  /// `takes_low_rank`.
+  /// What the matrix of (u') has beyond K with the springs of add_springs().
   std::vector<RankOneTerm> low_rank_terms(const SymmetricPart& part) const;
 
   /// s holds r; s_u becomes the right side of (u'), s_l that of (l'); s_c stays.
@@ -117,7 +115,7 @@ private:
   void solve_D(std::vector<double>& r) const;
 
   const Structure& structure_;
-  const bool takes_low_rank_;
+  const bool follows_springs_;
   std::span<const double> J_;
   std::vector<SurfaceNode> surface_;
   std::vector<ContactNode> contact_;

@@ -3,6 +3,8 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 
+#include "linear/unknown_interpolation.hpp"
+
 namespace gnomon {
 
 #ifdef GNOMON_MULTIGRID_MODULE
@@ -12,7 +14,7 @@ bool has_multigrid() {
 }
 
 std::unique_ptr<InnerSolver> make_multigrid_solver(const StiffnessLayout& layout) {
-  using New = InnerSolver*(const StiffnessLayout&);
+  using New = InnerSolver*(const StiffnessLayout&, const std::vector<SparseRows>&);
   // Never unloaded, because PETSc and MPI do not support it.
   static void* const module = dlopen(GNOMON_MULTIGRID_MODULE, RTLD_NOW | RTLD_LOCAL);
   static const auto make =
@@ -21,7 +23,7 @@ std::unique_ptr<InnerSolver> make_multigrid_solver(const StiffnessLayout& layout
     const char* reason = dlerror();
     throw Error(std::string("multigrid cannot be loaded: ") + (reason ? reason : "unknown"));
   }
-  return std::unique_ptr<InnerSolver>(make(layout));
+  return std::unique_ptr<InnerSolver>(make(layout, unknown_interpolations(layout)));
 }
 
 #else

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <gnomon/mesh/semi_coarsening.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
 #include <gnomon/terms/body_term.hpp>
 #include <gnomon/terms/loads.hpp>
@@ -110,6 +111,14 @@ std::vector<std::array<double, 3>> positions(const Mesh<dim>& mesh) {
 }
 
 template <int dim>
+std::shared_ptr<const std::vector<NodeInterpolation>> coarsening(const WornBody<dim>& body) {
+  if (body.solver.method != LinearSolverChoice::Method::block ||
+      body.solver.preconditioner != LinearSolverChoice::Preconditioner::multigrid)
+    return nullptr;
+  return std::make_shared<const std::vector<NodeInterpolation>>(semi_coarsening(body.mesh));
+}
+
+template <int dim>
 WornSurface<dim> worn_surface(const WornBody<dim>& body, const WornBodyFields& fields) {
   return {fields.d, fields.mu, &body.contact_nodes, body.augmentation};
 }
@@ -132,6 +141,7 @@ WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const WornBody<dim>> b
   for (PrescribedValues& held : composition->prescribed) held.field = fields_.u;
   composition->position = positions(body_->mesh);
   composition->solver = body_->solver;
+  composition->coarsening = coarsening(*body_);
   composition_ = composition;
   composition->stages = {selection(false, true), deformation()};
 }

@@ -46,6 +46,7 @@ void ComposedSystem<dim>::build_structure() {
   structure_.component = numbering_.component();
   structure_.position = composition_->position;
   structure_.position.resize(composition_->fields->nodes + 1);  // the last: at no node
+  structure_.coarsening = composition_->coarsening;
   for (int block : structure_.block)
     structure_.differential.push_back(structure_.blocks[block].role == Role::evolution);
 }

@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/linear/block_preconditioner.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/linear/jacobian_block.hpp>
 #include <numbers>
+#include <tuple>
 
 #include "newton/krylov.hpp"
 #include "support/pin.hpp"
@@ -70,11 +72,15 @@ Problem pin_problem(int n, double step, Preconditioner preconditioner, const Ove
   return {run.model->system(), run.last().y, 1 / step, preconditioner};
 }
 
+/// Whether multigrid is told the grid lines of the block.
+enum class Lines { unknown, known };
+
 /// The block under a Hertzian guess of the pressure, an eighth of its surface in contact.
-Problem block_problem(int n, double step, Preconditioner preconditioner,
-                      double poisson_ratio = 0.3) {
+Problem block_problem(int n, double step, Preconditioner preconditioner, double poisson_ratio = 0.3,
+                      Lines lines = Lines::unknown) {
   const PressedBlock block{.across = n, .high = n, .poisson_ratio = poisson_ratio};
   const auto body = pressed_block(block);
+  if (lines == Lines::known) body->solver = {LinearSolverChoice::Method::block, preconditioner};
   const WornBodyEquations<3> equations(body);
   const ComposedSystem<3> system(equations.composition());
   FieldValues<3> values(*equations.composition()->fields);
@@ -167,19 +173,42 @@ TEST(Multigrid, IterationsHardlyGrowWithTheMesh) {
   EXPECT_LE(pin_problem(40, 50, Preconditioner::multigrid).iterations(), 16);
 }
 
+// Twice as fine, and twice again. Nearly incompressible bodies have motions without change of
+// volume that the coarse meshes do not have.
+TEST(Multigrid, AlongGridLinesTakesNearlyTheSameIterationsOnEveryMesh) {
+  if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
+  for (const auto& [poisson_ratio, most, growth] : {std::tuple{0.3, 12, 2}, {0.45, 20, 4}}) {
+    const auto iterations = [&](int n) {
+      return block_problem(n, 5, Preconditioner::multigrid, poisson_ratio, Lines::known)
+          .iterations();
+    };
+    const long coarse = iterations(6), fine = iterations(12), finest = iterations(24);
+    EXPECT_LE(std::max({coarse, fine, finest}), most) << poisson_ratio;
+    EXPECT_LE(std::max(fine, finest), coarse + growth) << poisson_ratio;
+  }
+}
+
 TEST(Multigrid, AgreesWithFactors) {
   if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
   const auto factors = block_problem(8, 50, Preconditioner::factor).solve();
-  const Problem problem = block_problem(8, 50, Preconditioner::multigrid);
-  const auto multigrid = problem.solve();
-  for (long i = 0; i < problem.structure.size; ++i)
-    ASSERT_NEAR(factors.x[i], multigrid.x[i], 1e-6 * problem.structure.unknown_scale[i]) << i;
+  for (const Lines lines : {Lines::unknown, Lines::known}) {
+    const Problem problem = block_problem(8, 50, Preconditioner::multigrid, 0.3, lines);
+    EXPECT_EQ(problem.structure.coarsening != nullptr, lines == Lines::known);
+    const auto multigrid = problem.solve();
+    for (long i = 0; i < problem.structure.size; ++i)
+      ASSERT_NEAR(factors.x[i], multigrid.x[i], 1e-6 * problem.structure.unknown_scale[i]) << i;
+  }
 }
 
 // Flexible GMRES does not need this, but reproducible runs do.
-TEST(Multigrid, IsOneLinearMap) {
+class BothMultigrids : public ::testing::TestWithParam<Lines> {};
+INSTANTIATE_TEST_SUITE_P(Multigrid, BothMultigrids,
+                         ::testing::Values(Lines::unknown, Lines::known));
+
+TEST_P(BothMultigrids, AreOneLinearMap) {
   if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
-  const Problem problem = block_problem(10, 5, Preconditioner::multigrid);
+  const Lines lines = GetParam();
+  const Problem problem = block_problem(10, 5, Preconditioner::multigrid, 0.3, lines);
   const auto& scale = problem.structure.row_scale;
   BlockPreconditioner first(problem.structure), second(problem.structure);
   for (BlockPreconditioner* p : {&first, &second}) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <gnomon/fields/sparse_pattern.hpp>
+#include <gnomon/mesh/node_interpolation.hpp>
 #include <memory>
 #include <span>
 #include <vector>
@@ -15,6 +16,8 @@ struct StiffnessLayout {
   std::vector<int> group;                       ///< size entries: the node of an unknown
   std::vector<char> component;                  ///< size entries: 0, 1, 2 of a vector
   std::vector<std::array<double, 3>> position;  ///< of a `group` [length]
+  /// From the nodes of the mesh, which are the groups, to coarser ones; null: none are known.
+  std::shared_ptr<const std::vector<NodeInterpolation>> coarsening = {};
 };
 
 /// An approximate inverse of a symmetric matrix, which is usually positive definite.
@@ -48,8 +51,9 @@ std::unique_ptr<InnerSolver> make_factor_solver(const StiffnessLayout& layout,
 /// Whether gnomon was built with PETSc.
 bool has_multigrid();
 
-/// One cycle of smoothed-aggregation multigrid (PETSc GAMG) that uses the rigid-body modes. Throws
-/// InputError where gnomon was built without PETSc. `layout` must outlive the solver.
+/// One cycle of multigrid: geometric where `layout` has a coarsening, otherwise smoothed
+/// aggregation (PETSc GAMG) that uses the rigid-body modes. Throws InputError where gnomon was
+/// built without PETSc. `layout` must outlive the solver.
 std::unique_ptr<InnerSolver> make_multigrid_solver(const StiffnessLayout& layout);
 
 }  // namespace gnomon

@@ -29,6 +29,7 @@ struct Composition {
   /// Blocks of the algebraic stages, in the order in which they are solved.
   std::vector<BlockSelection> stages;
   std::vector<std::array<double, 3>> position;  ///< of the mesh nodes, initial [length]
+  std::shared_ptr<const std::vector<NodeInterpolation>> coarsening;  ///< as in Structure
   LinearSolverChoice solver;
 };
 

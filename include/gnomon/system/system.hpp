@@ -10,6 +10,7 @@
 #include <functional>
 #include <gnomon/fields/block.hpp>
 #include <gnomon/fields/sparse_pattern.hpp>
+#include <gnomon/mesh/node_interpolation.hpp>
 #include <gnomon/system/linear_solver_choice.hpp>
 #include <memory>
 #include <optional>
@@ -34,6 +35,8 @@ struct Structure {
   std::vector<int> block;                       ///< size entries: in `blocks`
   std::vector<char> component;                  ///< size entries: 0, 1, 2 of a vector, else 0
   std::vector<std::array<double, 3>> position;  ///< of a `group`, initial configuration [length]
+  /// Of the mesh, for geometric multigrid; null or empty where it is not needed or not possible.
+  std::shared_ptr<const std::vector<NodeInterpolation>> coarsening = {};
 
   /// Role of an unknown, if there are blocks.
   Role role(std::size_t unknown) const { return blocks[block[unknown]].role; }

@@ -1,0 +1,107 @@
+#include <algorithm>
+
+#include "multigrid/multigrid.hpp"
+#include "multigrid/petsc.hpp"
+
+namespace gnomon {
+
+namespace {
+
+/// Every node with all its components, including those that are held: rows dim * node + component.
+struct Nodes {
+  int dim = 1;
+  std::vector<int> group;  // of each node
+  std::vector<int> row;    // of each unknown
+  std::vector<char> held;  // of each row
+
+  explicit Nodes(const StiffnessLayout& layout) {
+    for (char component : layout.component) dim = std::max(dim, component + 1);
+    std::vector<int> node_of(layout.position.size(), -1);
+    for (std::size_t k = 0; k < layout.group.size(); ++k) {
+      int& node = node_of[layout.group[k]];
+      if (node < 0) {
+        node = static_cast<int>(group.size());
+        group.push_back(layout.group[k]);
+      }
+      row.push_back(dim * node + layout.component[k]);
+    }
+    held.assign(dim * group.size(), 1);
+    for (int n : row) held[n] = 0;
+  }
+};
+
+class AlgebraicMultigrid : public PetscSolver {
+public:
+  AlgebraicMultigrid(const StiffnessLayout& layout, const Nodes& nodes);
+
+  /// The cost of the Galerkin products; the interpolation is kept (docs/benchmarks.md).
+  double set_up_cost() const override { return 8; }
+
+private:
+  void know_rigid_modes(const StiffnessLayout& layout, const Nodes& nodes);
+  void adjust() override;
+};
+
+AlgebraicMultigrid::AlgebraicMultigrid(const StiffnessLayout& layout, const Nodes& nodes)
+    : PetscSolver(layout, nodes.row, static_cast<int>(nodes.held.size())) {
+  check(MatSetBlockSize(matrix_, nodes.dim));
+  know_rigid_modes(layout, nodes);
+  check(PCSetType(multigrid_, PCGAMG));
+  check(PCGAMGSetReuseInterpolation(multigrid_, PETSC_TRUE));
+  // Aggregates of the first level are two edges wide, about a hundred nodes: a set-up costs a third
+  // of that with narrow aggregates, and a third more iterations are needed.
+  check(PCGAMGSetAggressiveLevels(multigrid_, 1));
+}
+
+void AlgebraicMultigrid::know_rigid_modes(const StiffnessLayout& layout, const Nodes& nodes) {
+  Vec coordinates = nullptr;
+  check(VecCreateSeq(PETSC_COMM_SELF, static_cast<PetscInt>(nodes.held.size()), &coordinates));
+  check(VecSetBlockSize(coordinates, nodes.dim));
+  PetscScalar* place = nullptr;
+  check(VecGetArray(coordinates, &place));
+  for (std::size_t node = 0; node < nodes.group.size(); ++node)
+    std::copy_n(layout.position[nodes.group[node]].begin(), nodes.dim, place + nodes.dim * node);
+  check(VecRestoreArray(coordinates, &place));
+  MatNullSpace modes = nullptr;
+  check(MatNullSpaceCreateRigidBody(coordinates, &modes));
+  // The modes are zero at held values.
+  PetscInt count = 0;
+  const Vec* vectors = nullptr;
+  check(MatNullSpaceGetVecs(modes, nullptr, &count, &vectors));
+  for (PetscInt k = 0; k < count; ++k) {
+    check(VecGetArray(vectors[k], &place));
+    for (std::size_t i = 0; i < nodes.held.size(); ++i)
+      if (nodes.held[i]) place[i] = 0;
+    check(VecRestoreArray(vectors[k], &place));
+  }
+  check(MatSetNearNullSpace(matrix_, modes));
+  check(MatNullSpaceDestroy(&modes));
+  check(VecDestroy(&coordinates));
+}
+
+void AlgebraicMultigrid::adjust() {
+  PetscInt levels = 0;
+  check(PCMGGetLevels(multigrid_, &levels));
+  if (levels < 2) return;
+  // With a W-cycle the iterations do not grow with the number of levels; the coarser levels cost
+  // little.
+  check(PCMGSetCycleType(multigrid_, PC_MG_CYCLE_W));
+  KSP smoother = nullptr;
+  PC sweep = nullptr;
+  check(PCMGGetSmoother(multigrid_, levels - 1, &smoother));
+  check(KSPGetPC(smoother, &sweep));
+  // On the finest level only: an aggregate of one node has fewer unknowns than there are rigid
+  // modes, which leaves zero rows on the levels below. There Jacobi works, and a sweep fails.
+  check(PCSetType(sweep, PCSOR));
+  // With symmetric sweeps all eigenvalues are in (0, 1].
+  check(KSPChebyshevSetEigenvalues(smoother, 1, 0.1));
+  check(KSPSetUp(smoother));
+}
+
+}  // namespace
+
+std::unique_ptr<InnerSolver> make_algebraic_multigrid(const StiffnessLayout& layout) {
+  return std::make_unique<AlgebraicMultigrid>(layout, Nodes(layout));
+}
+
+}  // namespace gnomon
