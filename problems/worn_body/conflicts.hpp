@@ -22,4 +22,8 @@ template <int dim>
 void require_free_contact(const Scene& scene, const ImportedBody<dim>& part,
                           const WornBody<dim>& body);
 
+/// Throws InputError where wear is wanted, but the shape is held at every contact node.
+template <int dim>
+void require_moving_shape(const Scene& scene, const WornBody<dim>& body);
+
 }  // namespace gnomon::part

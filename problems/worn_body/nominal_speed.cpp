@@ -1,7 +1,9 @@
 #include "nominal_speed.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/terms/sliding.hpp>
 #include <limits>
 #include <vector>
 
@@ -93,6 +95,27 @@ Scene with_speed(const Scene& scene, WornBody<dim>& body) {
   return scene.with("wear.velocity", other.motion.nominal_speed(Vector<dim>::Zero()));
 }
 
+template <int dim>
+void remark_on_speeds(const Scene& scene, WornBody<dim>& body) {
+  const CounterBody<dim>& other = body.contact.counter_body;
+  Patches<dim> all;
+  for (const auto& patch : body.contact_nodes) all.push_back(&patch);
+  if (mean_speed<dim>(other, all) == 0 && scene.real("wear.coefficient") > 0)
+    body.remarks.push_back(
+        "counter_body.motion: the counter-body does not slide on the surfaces of wear.on, so that "
+        "nothing wears");
+  const auto is_turned_about = [&other](const ContactPatch<dim>& patch) {
+    const double speed = speed_at<dim>(other, patch.initial_position);
+    return speed * speed < velocity_variance<dim>(patch, other.motion);
+  };
+  if (dim == 3 && std::ranges::any_of(body.contact_nodes, is_turned_about))
+    body.remarks.push_back(
+        "the counter-body turns about a point of the wearing surface: there the worn volume is "
+        "accurate to first order in the size of the facets, compare a finer mesh");
+}
+
+template void remark_on_speeds(const Scene&, WornBody<2>&);
+template void remark_on_speeds(const Scene&, WornBody<3>&);
 template Scene with_speed(const Scene&, WornBody<2>&);
 template Scene with_speed(const Scene&, WornBody<3>&);
 

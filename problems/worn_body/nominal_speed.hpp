@@ -12,4 +12,9 @@ namespace gnomon::part {
 template <int dim>
 Scene with_speed(const Scene& scene, WornBody<dim>& body);
 
+/// Remarks where nothing slides although it would wear, and where the counter-body turns about a
+/// point of the surface, in space: there the worn volume is of first order in the size of facets.
+template <int dim>
+void remark_on_speeds(const Scene& scene, WornBody<dim>& body);
+
 }  // namespace gnomon::part

@@ -1,6 +1,7 @@
 #include "surface_laws.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
@@ -47,8 +48,9 @@ void read_wear_laws(const Scene& scene, const ImportedBody<dim>& part, WornBody<
   const std::vector<std::string>& surfaces = scene.texts("wear.on");
   for (const std::string& name : scene.chosen_names("wear.surfaces.\"*\".rate"))
     if (std::ranges::find(surfaces, name, toml_key) == surfaces.end())
-      throw InputError(fmt::format("{}: expected one of wear.on in the place of {}",
-                                   scene.where("wear.surfaces." + name + ".rate"), name));
+      throw InputError(fmt::format("{}: expected one of wear.on, \"{}\", in the place of {}",
+                                   scene.where("wear.surfaces." + name + ".rate"),
+                                   fmt::join(surfaces, "\", \""), name));
   std::vector<int> law_of_node(part.mesh.nodes.size(), -1);
   for (const std::string& surface : surfaces) {
     int law = 0;

@@ -166,10 +166,12 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
         "the mesh moves within {:.3g} mm of the wearing surfaces (shape.reach)", reach));
   warn_of_coarse_contact(magnitudes, *body);
   remark_sums_of_loads(scene, *body);
+  remark_on_speeds(scene, *body);
   if constexpr (dim == 2)
     if (body->element.section == Section::meridian) hold_on_axis(*body);
   read_worn_body(scene, magnitudes.facet, *body);
   require_surface_laws(scene, *body);
+  require_moving_shape(scene, *body);
   require_held(scene, part, *body);
   return std::make_unique<WearModel<dim>>(std::move(body));
 }

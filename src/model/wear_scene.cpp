@@ -97,10 +97,14 @@ void require_law(const Scene& scene, const WearLaw& law, const WearCircumstances
 std::vector<std::string> unused_wear_names(const Scene& scene) {
   if (!scene.knows("wear.rate")) return {};
   std::set<std::string, std::less<>> used;
-  const std::string& rate = scene.text("wear.rate");
-  for (Token token = token_at(rate, 0); token.kind != Token::Kind::end;
-       token = token_at(rate, token.end()))
-    used.emplace(token.text);
+  const std::string surfaces = "wear.surfaces.";
+  std::vector<std::string> rates = {scene.text("wear.rate")};
+  for (const std::string& name : scene.chosen_names(surfaces + "\"*\".rate"))
+    rates.push_back(scene.text(surfaces + name + ".rate"));
+  for (const std::string& rate : rates)
+    for (Token token = token_at(rate, 0); token.kind != Token::Kind::end;
+         token = token_at(rate, token.end()))
+      used.emplace(token.text);
   std::vector<std::string> unused;
   for (const auto& [table, key] : {std::pair("wear.constants.", "wear.constants.*"),
                                    std::pair("wear.tables.", "wear.tables.*.x")})

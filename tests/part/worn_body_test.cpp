@@ -230,6 +230,7 @@ end = 100.0
 name = "esdirk-3"
 )"),
                              {});
+  EXPECT_THAT(block->remarks(), ::testing::Contains(::testing::HasSubstr("turns about a point")));
   constexpr double F = 50, area = 4, k_omega = 2e-7;
   const double integral_of_r = 4.0 / 3 * (std::sqrt(2) + std::asinh(1.0)),
                integral_of_1_by_r = 8 * std::asinh(1.0);
