@@ -72,9 +72,10 @@ TEST(TurningCounterBody, SpreadOfTheSharesByHand) {
   EXPECT_NEAR((turned[0].initial_spread - 0.3 * along).norm(), 0, 1e-16);
   const Vector<3> a(1, 0.2, 0.3), b(-0.1, 0.8, 0);
   for (const auto& patch : patches_of<3>(sheet(2, 2 * a, 2 * b)))
-    if (patch.corners.size() == 4)
+    if (patch.corners.size() == 4) {
       EXPECT_NEAR((patch.initial_spread - (a * a.transpose() + b * b.transpose()) / 6).norm(), 0,
                   1e-15);
+    }
 }
 
 // Spins that move the surface along its normal only, and translations, have one speed.
