@@ -7,7 +7,6 @@ wear around a program without wear are written.
 Without --steps: one contact solve of the initial shape. Plane strain is one layer of hexahedra, 1 mm
 thick, that cannot move across; contact is node to face with a stiff linear overclosure."""
 
-import argparse
 import pathlib
 import re
 import subprocess
@@ -15,7 +14,7 @@ import tempfile
 
 import numpy as np
 
-from pin import Pin, Surface, wear_loop
+from pin import Pin, Surface, command_line, wear_loop
 
 STIFFNESS = 1e5  # MPa/mm, of the contact: 3e-4 mm of overlap at 30 MPa
 FIRST_OVERLAP = 1e-3  # mm, of the highest node that was in contact last
@@ -122,11 +121,7 @@ def tables_of(text):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("mesh")
-    parser.add_argument("--steps", type=int, default=0)
-    parser.add_argument("-o", "--output")
-    options = parser.parse_args()
+    options = command_line(__doc__)
     pin = Pin.load(options.mesh)
     with tempfile.TemporaryDirectory() as folder:
         contact = Contact(pin, folder)

@@ -5,12 +5,10 @@
 
 Without --steps: one contact solve of the initial shape."""
 
-import argparse
-
 import getfem
 import numpy as np
 
-from pin import Pin, Surface, wear_loop
+from pin import Pin, Surface, command_line, wear_loop
 
 getfem.util_trace_level(0)
 TOLERANCE = 1e-6  # of the residual, of the load; an error of the shape of 1e-9 mm
@@ -86,11 +84,7 @@ class Contact:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("mesh")
-    parser.add_argument("--steps", type=int, default=0)
-    parser.add_argument("-o", "--output")
-    options = parser.parse_args()
+    options = command_line(__doc__)
     pin = Pin.load(options.mesh)
     contact = Contact(pin)
     if options.steps:

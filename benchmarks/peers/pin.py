@@ -1,6 +1,7 @@
 """What the peers of gnomon share: the pin's scene, its mesh, the wear of its surface by forward Euler
 and the motion of the mesh behind it. No finite element program is needed here."""
 
+import argparse
 import pathlib
 import tomllib
 
@@ -120,6 +121,15 @@ def plane_strain_stiffness(pin):
     columns = np.tile(unknowns, (1, 8)).ravel()
     size = 2 * len(pin.points)
     return sparse.coo_matrix((blocks.ravel(), (rows, columns)), (size, size)).tocsr()
+
+
+def command_line(doc):
+    """MESH.npz [--steps N] [-o RESULT.npz], of the programs that solve the contact."""
+    parser = argparse.ArgumentParser(description=doc.splitlines()[0])
+    parser.add_argument("mesh")
+    parser.add_argument("--steps", type=int, default=0)
+    parser.add_argument("-o", "--output")
+    return parser.parse_args()
 
 
 def wear_loop(pin, solve, steps):

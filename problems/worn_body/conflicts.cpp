@@ -83,10 +83,9 @@ void require_free_contact(const Scene& scene, const ImportedBody<dim>& part,
 
 template <int dim>
 void require_moving_shape(const Scene& scene, const WornBody<dim>& body) {
-  const auto moves = [&body](const ContactPatch<dim>& patch) {
-    return (body.shape_fixed.row(patch.node).array() == 0).any();
-  };
-  if (scene.real("wear.coefficient") == 0 || std::ranges::any_of(body.contact_nodes, moves)) return;
+  if (scene.real("wear.coefficient") == 0 ||
+      std::ranges::any_of(body.contact_nodes, &ContactPatch<dim>::may_move))
+    return;
   throw InputError(scene.where("wear.on") +
                    ": expected surfaces that can wear, but all their nodes lie on sides that hold "
                    "the shape: shape.hold, or sides that no coordinate direction lies in");

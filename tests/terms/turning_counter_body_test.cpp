@@ -92,8 +92,8 @@ TEST(TurningCounterBody, OnlySlidingThatDiffersCounts) {
 
 // F = (1/omega) times the integral of 1/r over the surface: 2 pi on a disc of radius 1, and
 // 4 asinh(1) on a square of side 1, whether a node lies in its middle or not (even and odd n). With
-// |v| at the node alone a node in the middle would carry any load. A sum over nodes whose term in
-// the middle is right is of first order, because 1/r is singular.
+// |v| at the node alone a node in the middle would carry any load. The error is of first order,
+// because the speed agrees with the harmonic mean over the share on the axis only.
 TEST(TurningCounterBody, AnEvenlyWornDiscCarriesItsLoad) {
   for (int n : {5, 20, 80})
     EXPECT_NEAR(load_of_even_wear<2>(patches_of<2>(disc(n), Section::meridian), about_the_axis(3)) /
