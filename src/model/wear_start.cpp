@@ -82,7 +82,12 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
     if (!solver || exact != (fraction == 1)) {
       exact = fraction == 1;
       NewtonOptions newton{.max_iterations = max_iterations};
-      if (!exact) newton.tolerance = rough_tolerance * options.first;
+      if (exact) {  // where contact no longer changes, the last decades need no new factors
+        newton.keep_factors = true;
+        newton.max_iterations *= 2;  // as in modified_newton
+      } else {
+        newton.tolerance = rough_tolerance * options.first;
+      }
       solver.reset();
       solver.emplace(contact.structure(), counters, newton);
     }

@@ -134,6 +134,18 @@ TEST(LoadRampOfThePin, DoesNotDependOnTheIncrements) {
   EXPECT_LT((usual.lambda() - tiny.lambda()).norm(), 1e-8 * tiny.lambda().norm());
 }
 
+/// Once the branch of contact is found, factors serve for several iterations.
+TEST(LoadRampOfThePin, LastIterationsKeepTheirFactors) {
+  ContactProblem pin({elements(40), "body.young_modulus=640"});
+  EXPECT_EQ(pin.ramp(ramp_options(pin.body)).increments, 1);
+  EXPECT_LE(pin.counters.factorizations, pin.counters.newton_iterations - 2);
+  EXPECT_LE(pin.counters.newton_iterations, 15);
+  double force = 0;  // carried as exactly as with fresh factors
+  for (std::size_t i = 0; i < pin.body.contact_nodes.size(); ++i)
+    force -= pin.body.contact_nodes[i].initial_area * pin.lambda()[static_cast<Eigen::Index>(i)];
+  EXPECT_NEAR(force, pin.body.scales.force, 1e-9 * pin.body.scales.force);
+}
+
 TEST(LoadRampOfThePin, BeginsWithTheWholeLoadUnlessNearlyIncompressibleAndSoft) {
   const auto first = [](const char* young, const char* poisson) {
     const ContactProblem pin({elements(4), std::string("body.young_modulus=") + young,
