@@ -134,8 +134,7 @@ double load_impulse(const Scene& scene) {
 }
 
 LinearSolverChoice linear_solver_of(const Scene& scene, const MeshSize& mesh) {
-  const bool direct =
-      scene.has("solver.method") ? scene.text("solver.method") == "direct" : mesh.dim == 2;
+  const bool direct = scene.has("solver.method") && scene.text("solver.method") == "direct";
   Preconditioner preconditioner = preconditioner_by_size(mesh);
   if (scene.has("solver.preconditioner"))
     preconditioner = scene.text("solver.preconditioner") == "factor" ? Preconditioner::factor

@@ -39,7 +39,7 @@ std::vector<Key> integrator_keys() {
        .help = "absolute tolerance of the worn surface per step, when steps follow the error"},
       {.name = "integrator.nonlinear_fraction",
        .presence = defaulted,
-       .default_value = 0.0,
+       .default_value = 0.01,
        .range = {.min = 0, .max = 0.5},
        .help =
            "part of the tolerated error of a step that Newton's iterations may leave, when steps "
@@ -289,12 +289,12 @@ std::vector<Key> shape_keys() {
   };
 }
 
-std::vector<Key> solver_keys(int dim) {
+std::vector<Key> solver_keys() {
   return {
       {.name = "solver.method",
        .kind = KeyKind::text,
        .presence = defaulted,
-       .default_value = dim == 2 ? "direct" : "block",
+       .default_value = "block",
        .choices = {"direct", "block"},
        .help = "linear systems: factors of the whole Jacobian, or flexible GMRES on it, "
                "preconditioned block by block"},
@@ -305,13 +305,13 @@ std::vector<Key> solver_keys(int dim) {
        .choices = {"factor", "multigrid"},
        .help =
            "how solver.method = \"block\" solves with the stiffness: by Cholesky factors, or by "
-           "algebraic multigrid (needs PETSc)"},
+           "multigrid, along the grid lines of the mesh where it has them (needs PETSc)"},
   };
 }
 
 std::vector<Key> make_worn_body_keys(int dim) {
   std::vector<Key> keys;
-  for (const auto& part : {body_keys(), load_and_wear_keys(dim), shape_keys(), solver_keys(dim)})
+  for (const auto& part : {body_keys(), load_and_wear_keys(dim), shape_keys(), solver_keys()})
     keys.insert(keys.end(), part.begin(), part.end());
   keys.push_back(friction_key(dim));
   keys.push_back({.name = "contact.initial_gap",

@@ -196,7 +196,7 @@ TEST(Settings, AbsentToleranceFollowsTheWearDepth) {
   EXPECT_EQ(given.step, 0);  // error control chooses the steps
   EXPECT_EQ(given.end, 1000);
   EXPECT_EQ(given.max_step, 0);
-  EXPECT_EQ(given.nonlinear_fraction, 0);
+  EXPECT_EQ(given.nonlinear_fraction, 0.01);
   EXPECT_EQ(integrator_settings(pin_scene({"integrator.atol=1e-9"}), model).atol, 1e-9);
 }
 

@@ -40,7 +40,7 @@ struct ModelRun {
 /// differential_scale(). `nonlinear_fraction` is by default that of scenes.
 inline ModelRun run_model(const Model& model, const std::string& integrator, double step,
                           double tolerance, double end, bool locate_events = false,
-                          double nonlinear_fraction = 0) {
+                          double nonlinear_fraction = 0.01) {
   ModelRun run;
   run.states.push_back(model.start(run.counters));
   IntegratorSettings settings;

@@ -18,7 +18,7 @@ struct NewtonOptions {
   /// stage starts with are as accurate. A full step leaves no residual in linear rows, so that
   /// mostly those of the forces are far smaller. On the pin (40x40, esdirk-3, rtol 1e-3) 1e-3 and
   /// 1e-2 save 15 and 24 of 136 iterations and raise the error from 8.2e-4 to 9.4e-4 and 1.4e-3.
-  double balance = 1e-4;
+  double balance = 1e-3;
   /// A residual that no longer decreases is accepted below this value: rounding stops the iteration
   /// of a stiff body or a fine mesh before `tolerance` is reached.
   double acceptable = 1e-9;
