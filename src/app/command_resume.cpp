@@ -36,6 +36,7 @@ const std::vector<std::string>& changeable_keys() {
                                                 "output.times",
                                                 "output.interval",
                                                 "output.last",
+                                                "output.settle",
                                                 "output.checkpoints",
                                                 "solver.method",
                                                 "solver.preconditioner"};

@@ -289,6 +289,7 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   if (!begun_) begin(state);
   void* ida = ida_.get();
   guard_.clear();
+  t_stop = settling_stop(settings_, state.t, t_stop).t;
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
   if (t_stop - state.t <= nothing * t_stop) return skip_to(state, t_stop);
   StepAccount account(counters_);

@@ -31,9 +31,11 @@ AlgebraicSolver& DiagonallyImplicit::algebraic() {
 void DiagonallyImplicit::accept(const State& state, bool kink) {
   if (kink) dense_output_.clear();
   dense_output_.add(state.t, state.y);
-  t_old_ = t_new_;
+  if (!settled_) {
+    t_old_ = t_new_;
+    std::swap(rate_old_, rate_new_);
+  }
   t_new_ = state.t;
-  std::swap(rate_old_, rate_new_);
   rate_new_.resize(base_.size());
   for (std::size_t k = 0; k < base_.size(); ++k) rate_new_[k] = state.ydot[norm_.components()[k]];
 }
@@ -138,11 +140,24 @@ std::string DiagonallyImplicit::solve_stage(int i, const State& from, double h,
   return continue_in_step(t, step, base_, from, options, to);
 }
 
+Attempt DiagonallyImplicit::settle(const State& from, double h, const AttemptOptions& options,
+                                   State& to) {
+  to.y = from.y;
+  for (std::size_t k = 0; k < base_.size(); ++k) base_[k] = from.y[norm_.components()[k]];
+  const NewtonReport report = solve(to.t, h, base_, from, options, to);
+  if (!report.converged) return {.reason = report.reason};
+  const double integrand =
+      integrand_ ? integrand_({to.t, to.y, to.ydot, options.branch, from.t}) : 0.0;
+  return {.success = true, .integral = h * integrand};
+}
+
 Attempt DiagonallyImplicit::attempt(const State& from, double h, const AttemptOptions& options,
                                     State& to) {
   to.t = from.t + h;
   to.y.resize(from.y.size());
   to.ydot.assign(from.y.size(), 0.0);
+  settled_ = options.settles;
+  if (settled_) return settle(from, h, options, to);
   const auto& components = norm_.components();
   double integral = 0;
   for (int i = 0; i < table_.stages(); ++i) {

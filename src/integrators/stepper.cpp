@@ -89,7 +89,7 @@ OneStepStepper::Plan OneStepStepper::plan(const State& state, double t_stop, dou
   // An adaptive step that misses the target by rounding has to end on it; fixed steps follow their
   // grid, and their remainder must not be too short.
   const double shortfall = fixed() ? shortest_remainder : 1e-9;
-  double target = end_of_smooth_part(system_.structure(), state.t, t_stop);
+  double target = t_stop;
   if (fixed())
     target = end_of_fixed_step(state.t, settings_.step, target);
   else if (settings_.max_step > 0)
@@ -106,7 +106,7 @@ bool OneStepStepper::acceptable(const Attempt& attempt) const {
 }
 
 /// One attempt, which ends on the first event if events are located.
-Landing OneStepStepper::take(const State& state, const Plan& plan, bool continuation) {
+Landing OneStepStepper::take(const State& state, const Plan& plan, AttemptOptions options) {
   // Groups of nodes may switch at the start, one after the other. A node switches there at most
   // once, so this loop ends; after eight attempts without a step it costs less to step over the
   // rest.
@@ -115,8 +115,7 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, bool continua
   for (int k = 0; k < most_switches; ++k) {
     next_.branch = locator_ ? locator_->branch() : ActiveSet{};
     const ActiveSet branch = next_.branch;
-    const AttemptOptions options{.branch = locator_ ? &branch : nullptr,
-                                 .continuation = continuation};
+    options.branch = locator_ ? &branch : nullptr;
     Landing whole{.attempt = method_->attempt(state, plan.h, options, next_), .h = plan.h};
     whole.switched = switched;
     if (!locator_ || !acceptable(whole.attempt) || !locator_->left(next_)) return whole;
@@ -128,12 +127,14 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, bool continua
     if (landing.switched == 0) break;
     switched += landing.switched;
   }
-  return step_over(state, plan, continuation);
+  options.branch = nullptr;
+  return step_over(state, plan, options);
 }
 
 /// Steps over a kink at the start on which no step can end; the signs choose the branches.
-Landing OneStepStepper::step_over(const State& state, const Plan& plan, bool continuation) {
-  Landing whole{.attempt = method_->attempt(state, plan.h, {.continuation = continuation}, next_),
+Landing OneStepStepper::step_over(const State& state, const Plan& plan,
+                                  const AttemptOptions& options) {
+  Landing whole{.attempt = method_->attempt(state, plan.h, options, next_),
                 .at_start = true,
                 .h = plan.h};
   next_.branch.clear();
@@ -150,7 +151,6 @@ double OneStepStepper::after_success(const Plan& plan, const Landing& landing) {
 
 /// next_ becomes the state.
 void OneStepStepper::accept(State& state, const Plan& plan, const Landing& landing) {
-  proposal_ = after_success(plan, landing);
   std::swap(state, next_);
   if (landing.h == plan.h && plan.lands) state.t = plan.target;  // without the rounding of t + h
   const bool kink =
@@ -167,22 +167,43 @@ void OneStepStepper::begin_behind_kink(State& state, const Landing& landing) con
   set_rates_behind_jump(system_, located ? &branch : state.own_branch(), state);
 }
 
+StepReport OneStepStepper::report(const Landing& landing, int order, StepAccount& account) const {
+  StepReport report = account.accept(landing.h, order);
+  report.switched = landing.switched;
+  report.integral = landing.attempt.integral;
+  return report;
+}
+
+/// One short step, which leaves the step size control as it is. Returns false if it fails.
+bool OneStepStepper::settle(State& state, double t_end, StepAccount& account, StepReport& report) {
+  const Plan plan{t_end - state.t, t_end, true};
+  const Landing landing = take(state, plan, {.settles = true});
+  if (!landing.attempt.success) {
+    account.reject();
+    return false;
+  }
+  accept(state, plan, landing);
+  report = this->report(landing, 1, account);
+  return true;
+}
+
 StepReport OneStepStepper::advance(State& state, double t_stop) {
   if (!begun_) begin(state);
   StepAccount account(counters_);
+  const SettlingStop stop = settling_stop(settings_, state.t, t_stop);
+  t_stop = end_of_smooth_part(system_.structure(), state.t, stop.t);
+  if (StepReport report; stop.settles && settle(state, t_stop, account, report)) return report;
   Patience patience(account, proposal_, shortest_step(settings_));
   double shortest_tried = proposal_;
   std::string reason = "the error test fails";
   while (patience.allows(proposal_)) {
     const Plan plan = this->plan(state, t_stop, proposal_);
     shortest_tried = std::min(shortest_tried, plan.h);
-    const Landing landing = take(state, plan, patience.by_continuation());
+    const Landing landing = take(state, plan, {.continuation = patience.by_continuation()});
     if (acceptable(landing.attempt)) {
+      proposal_ = after_success(plan, landing);
       accept(state, plan, landing);
-      StepReport report = account.accept(landing.h, order_);
-      report.switched = landing.switched;
-      report.integral = landing.attempt.integral;
-      return report;
+      return report(landing, order_, account);
     }
     account.reject();
     if (landing.attempt.success) {

@@ -51,6 +51,7 @@ StorePolicy store_policy(const Scene& scene) {
   for (double& time : policy.times)
     if (same_time(time, end)) time = end;
   policy.last = scene.flag("output.last");
+  policy.settle = scene.flag("output.settle");
   policy.checkpoint_work = scene.integer("output.checkpoints");
   std::sort(policy.times.begin(), policy.times.end());
   policy.times.erase(std::unique(policy.times.begin(), policy.times.end()), policy.times.end());

@@ -105,6 +105,12 @@ std::vector<Key> output_keys() {
        .presence = defaulted,
        .default_value = true,
        .help = "store fields at the end of the run"},
+      {.name = "output.settle",
+       .kind = KeyKind::flag,
+       .presence = defaulted,
+       .default_value = true,
+       .help = "two short steps before times, multiples of interval and the end, so that the stored "
+               "pressures of a stiff body are accurate; for implicit steps that follow the error"},
       {.name = "output.checkpoints",
        .kind = KeyKind::integer,
        .presence = defaulted,

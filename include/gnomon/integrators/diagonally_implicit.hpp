@@ -28,6 +28,9 @@ namespace gnomon {
 /// (1/2 - alpha) h (k_{n+1} - k_n) - h^3/6 k[t_{n-1}, t_n, t_{n+1}], with alpha of eq. (21).
 ///
 /// Integral: h sum b_i g_i, where g_i is the integrand at stage i.
+///
+/// A step that settles (AttemptOptions::settles) is one of the implicit Euler method, which damps
+/// stiff components at once.
 class DiagonallyImplicit : public OneStepMethod {
 public:
   DiagonallyImplicit(const System& system, const IntegratorSettings& settings, Counters& counters,
@@ -41,6 +44,7 @@ public:
 
 private:
   using Rates = std::vector<double>;  // one entry per differential component
+  Attempt settle(const State& from, double h, const AttemptOptions& options, State& to);
   std::string solve_stage(int i, const State& from, double h, const AttemptOptions& options,
                           State& to);
   NewtonReport solve(double t, double step, const Rates& base, const State& from,
@@ -66,6 +70,8 @@ private:
   std::vector<Rates> k_;
   Rates base_, error_;
   // Rates at the last accepted point and the one before, for methods without an embedded one.
+  // A step that settles gives no new one.
+  bool settled_ = false;  // the last attempt
   double t_new_ = 0, t_old_ = 0;
   Rates rate_new_, rate_old_;
 };

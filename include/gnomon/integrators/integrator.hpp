@@ -29,6 +29,9 @@ struct IntegratorSettings {
   bool stop_unstable = false;  ///< end runs whose fixed steps do not damp
   int max_order = 5;           ///< upper bound on the order of a variable-order method
   double end = 0;              ///< time at which the run ends [time]
+  /// Times, ascending, at which the algebraic components shall be accurate too: implicit steps that
+  /// follow the error end there with two short ones (settling_stop in stop_times.hpp).
+  std::vector<double> settled{};
   /// The integrand of StepReport::integral, at a consistent point of the system including ydot [any
   /// unit]. Empty: nothing is integrated. It has a value wherever the residual has one; its
   /// exceptions pass through. It does not change the steps.

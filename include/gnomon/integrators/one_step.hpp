@@ -21,6 +21,9 @@ struct AttemptOptions {
   const ActiveSet* branch = nullptr;  ///< smooth branch to stay on (Point::branch); null: that of y
   bool continuation = false;  ///< if Newton's method fails, solve by continuation in the step
   bool to_rounding = false;   ///< without regard to IntegratorSettings::nonlinear_fraction
+  /// A short step that settles the algebraic components, without an error estimate. A method that
+  /// has no such step takes its own.
+  bool settles = false;
 };
 
 /// A step from a consistent state to a consistent state. Its solution does not depend on earlier

@@ -5,6 +5,7 @@
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/integrators/one_step.hpp>
 #include <gnomon/integrators/rates.hpp>
+#include <gnomon/integrators/step_account.hpp>
 #include <gnomon/integrators/step_size.hpp>
 #include <memory>
 #include <optional>
@@ -32,10 +33,12 @@ private:
   };
   void begin(const State& state);
   Plan plan(const State& state, double t_stop, double h) const;
-  Landing take(const State& state, const Plan& plan, bool continuation);
-  Landing step_over(const State& state, const Plan& plan, bool continuation);
+  bool settle(State& state, double t_end, StepAccount& account, StepReport& report);
+  Landing take(const State& state, const Plan& plan, AttemptOptions options);
+  Landing step_over(const State& state, const Plan& plan, const AttemptOptions& options);
   bool acceptable(const Attempt& attempt) const;
   void accept(State& state, const Plan& plan, const Landing& landing);
+  StepReport report(const Landing& landing, int order, StepAccount& account) const;
   void begin_behind_kink(State& state, const Landing& landing) const;
   double after_success(const Plan& plan, const Landing& landing);
   bool fixed() const { return settings_.step > 0; }

@@ -18,6 +18,7 @@ struct StorePolicy {
   std::vector<double> times;   ///< at these times, ascending, in (0, end]
   std::vector<double> beyond;  ///< times of the scene behind the end, ascending: not stored
   bool last = true;            ///< at the end of the run
+  bool settle = false;         ///< with settled pressures (IntegratorSettings::settled)
   /// A checkpoint (Checkpoint) is written at the start, at the end, and after the step with which
   /// this many steps and Newton iterations have been made since the last; 0: none. A one-step
   /// method restarts there, so that a run that continues from it takes the same steps.
