@@ -134,9 +134,8 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, AttemptOption
 /// Steps over a kink at the start on which no step can end; the signs choose the branches.
 Landing OneStepStepper::step_over(const State& state, const Plan& plan,
                                   const AttemptOptions& options) {
-  Landing whole{.attempt = method_->attempt(state, plan.h, options, next_),
-                .at_start = true,
-                .h = plan.h};
+  Landing whole{
+      .attempt = method_->attempt(state, plan.h, options, next_), .at_start = true, .h = plan.h};
   next_.branch.clear();
   if (whole.attempt.success) locator_->begin(next_);
   return whole;

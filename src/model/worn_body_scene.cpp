@@ -140,7 +140,7 @@ LinearSolverChoice linear_solver_of(const Scene& scene, const MeshSize& mesh) {
     preconditioner = scene.text("solver.preconditioner") == "factor" ? Preconditioner::factor
                                                                      : Preconditioner::multigrid;
   return {direct ? LinearSolverChoice::Method::direct : LinearSolverChoice::Method::block,
-          preconditioner};
+          preconditioner, mesh.dim == 2};
 }
 
 NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part, const Vector<2>& resultant,

@@ -9,9 +9,6 @@ namespace gnomon::sundials {
 namespace {
 
 constexpr int most_iterations = 80;
-/// The reduction that a solve must reach to be useful to Newton's method.
-constexpr double useful = 0.3;
-
 }  // namespace
 
 BlockSolver::BlockSolver(const Structure& structure, Counters& counters, SUNContext context)
@@ -79,14 +76,14 @@ double BlockSolver::iterate(N_Vector b, double reduction) {
   return reached;
 }
 
-void BlockSolver::solve(N_Vector b, N_Vector x, double reduction) {
+void BlockSolver::solve(N_Vector b, N_Vector x, double reduction, double acceptable) {
   const bool fresh = policy_.fresh();
   double reached = iterate(b, reduction);
   if (reached > reduction && !fresh) {
     set_up_preconditioner();
     reached = iterate(b, reduction);
   }
-  if (reached > std::max(reduction, useful))
+  if (reached > std::max(reduction, acceptable))
     throw RecoverableError("the block solver did not converge");
   N_VScale(1, solution_.get(), x);
 }

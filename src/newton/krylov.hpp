@@ -22,9 +22,9 @@ public:
   /// even if the old one is good enough.
   void set_up(std::span<const double> J, bool anew = false);
   /// Solves until the residual, rows divided by their scales, has fallen to `reduction` of the
-  /// right side's in the Euclidean norm. b may be x. Throws RecoverableError when even a fresh
-  /// preconditioner does not bring the residual down.
-  void solve(N_Vector b, N_Vector x, double reduction);
+  /// right side's in the Euclidean norm. b may be x. Throws RecoverableError, with b as it was,
+  /// when even a fresh preconditioner brings the residual neither so far down nor to `acceptable`.
+  void solve(N_Vector b, N_Vector x, double reduction, double acceptable);
 
 private:
   void set_up_preconditioner();

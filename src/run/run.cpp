@@ -34,7 +34,8 @@ public:
         wear_integral_(model) {
     settings_.integrand = model.wear_flux();
     if (policy.settle) settings_.settled = policy.times;
-    if (policy.settle && policy.last && (policy.times.empty() || policy.times.back() < settings.end))
+    if (policy.settle && policy.last &&
+        (policy.times.empty() || policy.times.back() < settings.end))
       settings_.settled.push_back(settings.end);
     if (settings.stop_unstable && may_fail_to_damp(integrator, settings))
       damping_.emplace(model, integrator, settings_);

@@ -109,8 +109,9 @@ std::vector<Key> output_keys() {
        .kind = KeyKind::flag,
        .presence = defaulted,
        .default_value = true,
-       .help = "two short steps before times, multiples of interval and the end, so that the stored "
-               "pressures of a stiff body are accurate; for implicit steps that follow the error"},
+       .help =
+           "two short steps before times, multiples of interval and the end, so that the stored "
+           "pressures of a stiff body are accurate; for implicit steps that follow the error"},
       {.name = "output.checkpoints",
        .kind = KeyKind::integer,
        .presence = defaulted,

@@ -26,11 +26,12 @@ struct SettlingStop {
   bool settles;
 };
 /// Two short steps of one size lead to each time of IntegratorSettings::settled, and a step before
-/// them ends where they begin. In a stiff body an error of the shape far below its tolerance makes a
-/// large error of the pressures: where nodes have come into contact within a step, and by the order
-/// of the stages (order reduction). Such an error decays within the time in which wear evens out the
-/// pressures. The first short step is long beside that time, so that it removes the error, and short
-/// beside the solution, so that its own is small; the second removes what the first has left.
+/// them ends where they begin. In a stiff body an error of the shape far below its tolerance makes
+/// a large error of the pressures: where nodes have come into contact within a step, and by the
+/// order of the stages (order reduction). Such an error decays within the time in which wear evens
+/// out the pressures. The first short step is long beside that time, so that it removes the error,
+/// and short beside the solution, so that its own is small; the second removes what the first has
+/// left.
 SettlingStop settling_stop(const IntegratorSettings& settings, double t, double t_stop);
 
 /// Whether F may have a kink in time at t, on which a step has ended.

@@ -11,10 +11,13 @@ struct LinearSolverChoice {
   };
   enum class Preconditioner {
     factor,    ///< sparse Cholesky factors of the stiffness blocks
-    multigrid  ///< smoothed aggregation
+    multigrid  ///< along the grid lines of the mesh, or smoothed aggregation
   };
   Method method = Method::direct;
   Preconditioner preconditioner = Preconditioner::factor;  ///< used by `block`
+  /// Whether factors of the whole Jacobian solve a system with which `block` fails, as where the
+  /// stiffness is not positive definite. In the plane they are affordable.
+  bool direct_at_failure = false;
 };
 
 }  // namespace gnomon
