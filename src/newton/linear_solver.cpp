@@ -44,7 +44,7 @@ private:
     // Where factors are affordable, an iteration of GMRES costs next to nothing, and a solve that
     // stays behind is not accepted. With 1e-4 a light load on a stiff, nearly incompressible pin
     // takes 306 instead of 82 Newton iterations.
-    constexpr double loosest = 1e-6;
+    constexpr double loosest = 1e-8;
     block_->solve(b, x, std::min(request.reduction, loosest), loosest);
   }
 

@@ -69,7 +69,7 @@ TEST_F(Memory, TooLargeAMeshIsRefusedWithTheFigures) {
   for (const char* command : {"run", "check", "stability"}) {
     const Outcome outcome = gnomon({command, test::pin, "--set", "mesh.elements=[1000,1000]"});
     EXPECT_EQ(outcome.exit_code, 2) << command;
-    EXPECT_THAT(outcome.err, HasSubstr("needs about 21 GB of memory, 2 GB are available"));
+    EXPECT_THAT(outcome.err, HasSubstr("needs about 12 GB of memory, 2 GB are available"));
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
   setrlimit(RLIMIT_AS, &old);
@@ -77,7 +77,7 @@ TEST_F(Memory, TooLargeAMeshIsRefusedWithTheFigures) {
 }
 
 TEST_F(Memory, IsToldByCheck) {
-  EXPECT_THAT(gnomon({"check", test::pin}).out, HasSubstr("# a run takes about 45 MB of memory"));
+  EXPECT_THAT(gnomon({"check", test::pin}).out, HasSubstr("# a run takes about 33 MB of memory"));
   EXPECT_EQ(gnomon({"check", problems + "dahlquist/decay.toml"}).out.find("memory"),
             std::string::npos);
 }

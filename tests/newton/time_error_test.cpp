@@ -54,7 +54,7 @@ TEST(TimeError, IsNotKnownAtAGuess) {
 
 TEST(TimeError, WantsForcesInBalance) {
   for (const auto& [residual, verdict] :
-       {std::pair(1.1e-4, Verdict::go_on), std::pair(0.9e-4, Verdict::done)}) {
+       {std::pair(1.1e-3, Verdict::go_on), std::pair(0.9e-3, Verdict::done)}) {
     NewtonPolicy policy(options_with(0.3));
     policy.begin();
     policy.judge({1}), policy.plan(), policy.factors_made();

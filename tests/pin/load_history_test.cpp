@@ -29,7 +29,7 @@ TEST(LoadHistoryOfThePin, WearFollowsTheForceByEveryMethod) {
     for (const bool locate : {false, true}) {
       if (locate && !integrator.locates_events) continue;
       SCOPED_TRACE(integrator.name + (locate ? ", events located" : ""));
-      const PinRun run = run_pin(integrator.name, 0, 1e-2, 60, oscillating, locate);
+      const PinRun run = run_pin(integrator.name, 0, 1e-2, 60, oscillating, locate, to_rounding);
       double integral = 0, flux = 0, t = 0;
       std::vector<double> times;
       for (const State& state : run.states) {

@@ -34,7 +34,7 @@ TEST(PinMesh, ADistortedMeshWearsAsARegularOne) {
     const Overrides regular = {elements(12), std::string("body.element=") + element};
     Overrides distorted = regular;
     distorted.push_back("mesh.distortion=0.24");
-    const PinRun run = run_pin("esdirk-4", 0, 1e-3, 1000, distorted);
+    const PinRun run = run_pin("esdirk-4", 0, 1e-3, 1000, distorted, false, to_rounding);
     const PinRun reference = run_pin("esdirk-4", 0, 1e-3, 1000, regular);
     EXPECT_LT(run.observed("element_quality"), 0.9);
     EXPECT_NEAR(run.observed("wear_flux"), 2e-3, 1e-12);

@@ -23,7 +23,8 @@ TEST(Pin, WearFluxIsThatOfTheLoadAtEveryStep) {
   for (const Integrator& integrator : Integrators::all())
     for (const bool locate : {false, true}) {
       if (locate && !integrator.locates_events) continue;
-      const PinRun run = run_pin(integrator.name, 0, 1e-3, 200, {elements(20)}, locate);
+      const PinRun run =
+          run_pin(integrator.name, 0, 1e-3, 200, {elements(20)}, locate, to_rounding);
       for (const State& state : run.states)
         EXPECT_NEAR(observed(*run.model, state, "wear_flux") / (k_v * F), 1, 1e-9)
             << integrator.name << (locate ? ", events located" : "");

@@ -95,7 +95,7 @@ TEST(Winkler, ForceAndWearFluxHoldAtEveryStep) {
                                          {"backward-euler", 50.0},
                                          {"esdirk-4", 0.0},
                                          {"bdf", 0.0}}) {
-    const ModelRun run = run_model(*model, integrator, step, 1e-4, 300);
+    const ModelRun run = run_model(*model, integrator, step, 1e-4, 300, false, to_rounding);
     for (const State& state : run.states)
       EXPECT_NEAR(observed(*model, state, "wear_flux") / (k_v * F), 1, 1e-9) << integrator;
     EXPECT_NEAR(observed(*model, run.last(), "worn_volume"), k_v * F * 300, 1e-8) << integrator;

@@ -36,6 +36,9 @@ struct ModelRun {
   const State& last() const { return states.back(); }
 };
 
+/// For run_model: every solve goes on to rounding, so that forces are in balance to rounding.
+inline constexpr double to_rounding = 0;
+
 /// `step` 0: error control chooses the steps. `tolerance` is rtol; atol = tolerance *
 /// differential_scale(). `nonlinear_fraction` is by default that of scenes.
 inline ModelRun run_model(const Model& model, const std::string& integrator, double step,
