@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/terms/cell_assembly.hpp>
+#include <optional>
 
 #include "cell_projection.hpp"
 
@@ -178,9 +179,10 @@ void CellAssembly<dim>::add_residual(const NodalField<dim>* shape,
     gather(cells_[c], shape, displacement, X, u);
     const ElasticModuli moduli = moduli_of(cells_[c]);
     const CellNodal<dim> given = u;
-    if (keeps_[c]) CellProjection<dim>(cell, *along_, moduli, X).of_displacement(u);
+    std::optional<CellProjection<dim>> projection;
+    if (keeps_[c]) projection.emplace(cell, *along_, moduli, X).of_displacement(u);
     if (!kernel_.residual(moduli, X, u, R)) return false;
-    if (keeps_[c]) CellProjection<dim>(cell, *along_, moduli, X).of_residual(given, R);
+    if (projection) projection->of_residual(given, R);
     for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
       for (int i = 0; i < dim; ++i)
         if (const int row = rows_(cell[a], i); own.holds(row)) F[row] += R(a, i);
@@ -203,9 +205,10 @@ void CellAssembly<dim>::add_jacobian(const NodalField<dim>* shape,
     CellMatrix<dim> K_u, K_d;
     gather(cells_[c], shape, displacement, X, u);
     const ElasticModuli moduli = moduli_of(cells_[c]);
-    if (keeps_[c]) CellProjection<dim>(cell, *along_, moduli, X).of_displacement(u);
+    std::optional<CellProjection<dim>> projection;
+    if (keeps_[c]) projection.emplace(cell, *along_, moduli, X).of_displacement(u);
     if (!tangent(moduli, X, u, R, K_u, K_d)) return false;
-    if (keeps_[c]) CellProjection<dim>(cell, *along_, moduli, X).of_tangent(K_u);
+    if (projection) projection->of_tangent(K_u);
     const std::size_t first = std::size_t(c) * local * local;
     add_columns<dim>(cell, columns_, own, map_.data() + first, K_u, values);
     if (shape_columns_)

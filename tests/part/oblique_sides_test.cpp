@@ -1,147 +1,17 @@
 // Wearing surfaces that end at oblique planes: tapered pins whose shape under a plane is a cut, and
 // parts that are turned as a whole.
 
-#include <fmt/format.h>
-
-#include <cmath>
+#include <functional>
 #include <numbers>
 
-#include "part/part_scene.hpp"
+#include "part/tapered_parts.hpp"
 
 namespace gnomon {
 namespace {
 
 using namespace testing;
 
-using Point2 = std::array<double, 2>;
-
-Point2 turned(const Point2& x, double angle) {
-  return {std::cos(angle) * x[0] - std::sin(angle) * x[1],
-          std::sin(angle) * x[0] + std::cos(angle) * x[1]};
-}
-
-std::string direction(double x, double y, double angle) {
-  const auto [u, v] = turned({x, y}, angle);
-  return fmt::format("[{}, {}]", u, v);
-}
-
-/// A quadrangle of n x n elements; its corners follow each other from the lower left one. The right
-/// side has no name.
-std::string quadrangle(const std::array<Point2, 4>& corners, double angle = 0, int n = 6) {
-  std::string text = fmt::format("n = {};\n", n);
-  for (int k = 0; k < 4; ++k) {
-    const auto [x, y] = turned(corners[k], angle);
-    text += fmt::format("Point({}) = {{{}, {}, 0}};\n", k + 1, x, y);
-  }
-  return text + R"(
-Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
-Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
-Transfinite Curve {1, 2, 3, 4} = n + 1;
-Transfinite Surface {1}; Recombine Surface {1};
-Physical Curve("face") = {1}; Physical Curve("top") = {3}; Physical Curve("flank") = {4};
-Physical Surface("pin") = {1};
-)";
-}
-
-/// A quarter of a pyramid's frustum with the symmetry planes x = 0 and y = 0; two sides are
-/// oblique.
-std::string frustum(double a, double taper, double height, int n) {
-  std::string text = fmt::format("n = {};\n", n);
-  int point = 0;
-  for (double z : {0.0, height})
-    for (const Point2& at : {Point2{0, 0}, {1, 0}, {1, 1}, {0, 1}})
-      text += fmt::format("Point({}) = {{{}, {}, {}}};\n", ++point, at[0] * (a + taper * z),
-                          at[1] * (a + taper * z), z);
-  return text + R"(
-Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
-Line(5) = {5, 6}; Line(6) = {6, 7}; Line(7) = {7, 8}; Line(8) = {8, 5};
-Line(9) = {1, 5}; Line(10) = {2, 6}; Line(11) = {3, 7}; Line(12) = {4, 8};
-Curve Loop(1) = {1, 2, 3, 4}; Curve Loop(2) = {5, 6, 7, 8};
-Curve Loop(3) = {1, 10, -5, -9}; Curve Loop(4) = {2, 11, -6, -10};
-Curve Loop(5) = {3, 12, -7, -11}; Curve Loop(6) = {4, 9, -8, -12};
-For k In {1:6}
-  Plane Surface(k) = {k};
-EndFor
-Surface Loop(1) = {1:6}; Volume(1) = {1};
-Transfinite Curve {1:12} = n + 1;
-Transfinite Surface {1:6}; Recombine Surface {1:6}; Transfinite Volume {1};
-Physical Surface("face") = {1}; Physical Surface("top") = {2};
-Physical Surface("front") = {3}; Physical Surface("side") = {6};
-Physical Volume("pin") = {1};
-)";
-}
-
-constexpr double k = 1e-6, speed = 100, force = 40, end = 1000;
-constexpr double worn = k * speed * force * end;
-
-/// Held at its top, a plane rubs its face; so stiff that the face stays plane to 1e-6.
-std::string scene(const std::string& further) {
-  return fmt::format(R"(
-problem = "worn_body"
-mesh.geometry = "pin.geo"
-body.young_modulus = 1e7
-body.poisson_ratio = 0.3
-wear.on = ["face"]
-wear.coefficient = {}
-wear.rate = "k * p * v"
-time.end = {}
-integrator.name = "esdirk-3"
-{}
-)",
-                     k, end, further);
-}
-
-std::string support(const std::string& on, const std::string& directions = "") {
-  return fmt::format("[[support]]\non = \"{}\"\n{}\n", on,
-                     directions.empty() ? "" : "directions = " + directions);
-}
-
-std::string plane(const std::string& normal, const std::string& motion) {
-  return fmt::format(R"(
-[counter_body]
-shape = "plane"
-normal = {}
-motion = {{ {} }}
-press = {{ direction = {}, force = {} }}
-)",
-                     normal, motion, normal, force);
-}
-
-constexpr double taper = 0.4, a = 2, height = 4;
-
-class ObliqueSides : public ::testing::Test {
-protected:
-  void SetUp() override {
-    if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
-  }
-
-  std::unique_ptr<Model> part(const std::string& geometry, const std::string& text,
-                              const Overrides& overrides = {}) {
-    folder_.write("pin.geo", geometry);
-    return make_model(load_scene(folder_.write("pin.toml", text), overrides, key_table));
-  }
-  std::unique_ptr<Model> tapered(const Overrides& overrides = {}) {
-    return part(
-        quadrangle(
-            {{{-a, 0}, {a, 0}, {a + taper * height, height}, {-a - taper * height, height}}}),
-        scene(support("top") + plane("[0, 1]", "velocity = [100.0, 0.0]")), overrides);
-  }
-  std::unique_ptr<Model> cone(const Overrides& overrides = {}) {
-    return part(quadrangle({{{0, 0}, {a, 0}, {a + taper * height, height}, {0, height}}}),
-                scene("body.plane = \"axisymmetric\"\n" + support("top") +
-                      plane("[0, 1]", "out_of_plane = 100.0")),
-                overrides);
-  }
-  std::unique_ptr<Model> pyramid(const Overrides& overrides = {}, int n = 3) {
-    return part(frustum(a, taper, height, n),
-                scene(support("top") + support("front", "[\"y\"]") + support("side", "[\"x\"]") +
-                      plane("[0, 0, 1]", "velocity = [100.0, 0.0, 0.0]")),
-                overrides);
-  }
-
-private:
-  SceneFolder folder_;
-};
+using ObliqueSides = TaperedParts;
 
 /// Solves volume(depth) = worn for an ascending volume.
 double depth_of(const std::function<double(double)>& volume) {
@@ -201,58 +71,6 @@ TEST_F(ObliqueSides, ATruncatedPyramidIsCut) {
   }
 }
 
-/// At every instant: the derivative of the worn volume along ydot is the flux, whatever the state.
-void expect_balance(const Model& model) {
-  const State state = run_model(model, "esdirk-3", 0, 1e-3, end).last();
-  const auto volume = [&](double time) {
-    State moved = state;
-    for (std::size_t i = 0; i < moved.y.size(); ++i) moved.y[i] += time * moved.ydot[i];
-    return observed(model, moved, "worn_volume");
-  };
-  // Exact for cubic polynomials in the time, which the volume is.
-  const double h = 100;
-  const double rate = (8 * (volume(h) - volume(-h)) - (volume(2 * h) - volume(-2 * h))) / (12 * h);
-  EXPECT_NEAR(rate / observed(model, state, "wear_flux"), 1, 1e-11);
-}
-
-TEST_F(ObliqueSides, WhatWearsIsLostAtEveryInstant) {
-  const std::string soft = "body.young_modulus=1e3", rubs = "friction.coefficient=0.3";
-  expect_balance(*tapered({soft, rubs}));
-  expect_balance(*cone({soft}));
-  expect_balance(*pyramid({soft, rubs}));
-}
-
-/// At a state that the equations of the sides do not hold either.
-void expect_jacobian(const Model& model) {
-  Counters counters;
-  std::vector<double> y = model.start(counters).y;
-  const Structure& structure = model.system().structure();
-  for (std::size_t i = 0; i < y.size(); ++i)
-    y[i] += 0.02 * structure.unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
-  check_jacobian(model.system(), 0, y, 0.2, nullptr, 1e-4);
-  for (const AlgebraicStage& stage : model.system().algebraic_stages()) {
-    stage.freeze(0, y);
-    std::vector<double> part;
-    for (int unknown : stage.unknowns) part.push_back(y[unknown]);
-    check_jacobian(*stage.system, 0, part, 0, nullptr, 1e-4);
-  }
-}
-
-TEST_F(ObliqueSides, JacobianEqualsFiniteDifferences) {
-  for (const char* constraint : {"eliminated", "multiplier"}) {
-    const Overrides form = {fmt::format("shape.constraint={}", constraint),
-                            "body.young_modulus=1e3"};
-    expect_jacobian(*tapered(form));
-    expect_jacobian(*cone(form));
-    expect_jacobian(*pyramid(form, 2));
-  }
-}
-
-std::vector<double> shape_of(const Model& model, const State& state) {
-  const std::vector<GridField> fields = model.fields(state);
-  return std::ranges::find(fields, std::string("shape"), &GridField::name)->values;
-}
-
 // One side is upright, the other one oblique; turned, all are oblique. A roller wears the face
 // unevenly.
 TEST_F(ObliqueSides, APartTurnedAsAWholeWearsTheSame) {
@@ -262,7 +80,7 @@ TEST_F(ObliqueSides, APartTurnedAsAWholeWearsTheSame) {
         "{} }}\npress = {{ direction = {}, force = 40.0 }}\n",
         direction(0.3, -8, angle), direction(100, 0, angle), direction(0, 1, angle));
     return part(quadrangle({{{-a, 0}, {a, 0}, {a + taper * height, height}, {-a, height}}}, angle),
-                scene("friction.coefficient = 0.2\n" + support("top") + counter_body),
+                tapered_scene("friction.coefficient = 0.2\n" + support("top") + counter_body),
                 {"body.young_modulus=2e3"});
   };
   const double angle = 30 * std::numbers::pi / 180;
@@ -287,25 +105,50 @@ TEST_F(ObliqueSides, APartTurnedAsAWholeWearsTheSame) {
 
 // Off the face too the sides stay what they were, and the mesh behind them moves.
 TEST_F(ObliqueSides, NodesOfASideStayOnIt) {
-  const auto pin = tapered();
-  const State state = run_model(*pin, "esdirk-3", 0, 1e-4, end).last();
-  const std::vector<double> shape = shape_of(*pin, state);
+  const auto pin = tapered({"body.young_modulus=1e3"});
   const Grid grid = pin->grid().value();
-  int on_side = 0;
-  for (std::size_t node = 0; node < grid.points.size(); ++node) {
-    const auto [x, y, z] = grid.points[node];
-    if (std::abs(std::abs(x) - a - taper * y) > 1e-9) continue;
-    ++on_side;
-    const double along = shape[3 * node + 1];
-    EXPECT_NEAR(shape[3 * node], std::copysign(taper * along, x), 1e-12);
-    EXPECT_GE(along, 0.05 * (1 - y / height));
+  for (const char* method : {"esdirk-3", "erk-3"}) {
+    SCOPED_TRACE(method);
+    const std::vector<double> shape = shape_of(*pin, run_model(*pin, method, 0, 1e-3, end).last());
+    int on_side = 0;
+    for (std::size_t node = 0; node < grid.points.size(); ++node) {
+      const auto [x, y, z] = grid.points[node];
+      if (std::abs(std::abs(x) - a - taper * y) > 1e-9) continue;
+      ++on_side;
+      const double along = shape[3 * node + 1];
+      EXPECT_NEAR(shape[3 * node], std::copysign(taper * along, x), 1e-12);
+      EXPECT_GE(along, 0.05 * (1 - y / height));
+    }
+    EXPECT_EQ(on_side, 14);
   }
-  EXPECT_EQ(on_side, 14);
+}
+
+// The upper side falls to the axis as a cone: its nodes slide in it, but for those on the axis and
+// at the upright side.
+TEST_F(ObliqueSides, AConeIsHeldOnItsAxis) {
+  const auto pin = part(quadrangle({{{0, 0}, {a, 0}, {a, height}, {0, height + 1}}}),
+                        tapered_scene("body.plane = \"axisymmetric\"\n" + support("top") +
+                                      plane("[0, 1]", "out_of_plane = 100.0")));
+  const std::vector<double> shape =
+      shape_of(*pin, run_model(*pin, "esdirk-3", 0, 1e-4, end).last());
+  const Grid grid = pin->grid().value();
+  int slides = 0;
+  for (std::size_t node = 0; node < grid.points.size(); ++node) {
+    const auto [r, z, none] = grid.points[node];
+    if (std::abs(z - height - 1 + r / a) > 1e-9) continue;
+    EXPECT_NEAR(shape[3 * node + 1], -shape[3 * node] / a, 1e-13);
+    if (std::abs(shape[3 * node]) > 1e-4)
+      ++slides;
+    else
+      EXPECT_TRUE(r == 0 || r == a) << r;
+  }
+  EXPECT_EQ(slides, 5);
 }
 
 // What a resumed run does: the model is made again from the mesh in the result.
 TEST_F(ObliqueSides, SlideInAModelMadeAgain) {
-  const std::string text = scene(support("top") + plane("[0, 1]", "velocity = [100.0, 0.0]"));
+  const std::string text =
+      tapered_scene(support("top") + plane("[0, 1]", "velocity = [100.0, 0.0]"));
   const auto first = tapered();
   const SceneFolder folder;
   const Scene again = load_scene(folder.write("pin.toml", text), {}, key_table);
@@ -333,8 +176,8 @@ Transfinite Curve {1, 4} = 5; Transfinite Curve {2, 3} = 3; Transfinite Curve {5
 Transfinite Surface {1} = {1, 2, 4, 5}; Recombine Surface {1};
 Physical Curve("face") = {1}; Physical Curve("top") = {4}; Physical Surface("pin") = {1};
 )" + names;
-    const auto pin = part(geometry, scene(support("top") + support("mirror", "[\"x\"]") +
-                                          plane("[0, 1]", "velocity = [100.0, 0.0]")));
+    const auto pin = part(geometry, tapered_scene(support("top") + support("mirror", "[\"x\"]") +
+                                                  plane("[0, 1]", "velocity = [100.0, 0.0]")));
     const ContactSurface face =
         pin->contact(run_model(*pin, "esdirk-3", 0, 1e-2, 1).last()).value();
     return face
