@@ -88,7 +88,7 @@ void require_moving_shape(const Scene& scene, const WornBody<dim>& body) {
     return;
   throw InputError(scene.where("wear.on") +
                    ": expected surfaces that can wear, but all their nodes lie on sides that hold "
-                   "the shape: shape.hold, or sides that no coordinate direction lies in");
+                   "the shape: shape.hold, or curved sides");
 }
 
 template void require_moving_shape(const Scene&, const WornBody<2>&);

@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <limits>
-#include <set>
+#include <map>
 #include <unordered_map>
 
 #include "groups.hpp"
@@ -31,31 +32,64 @@ std::vector<Key> shape_support_keys() {
            .kind = KeyKind::texts,
            .presence = Key::Presence::defaulted,
            .default_value = std::vector<std::string>{},
-           .help = "groups that are nearly planes or round cylinders, whose shape slides along the "
-                   "coordinate directions that lie in them; exact ones do so without being named"}};
+           .help = "groups that are nearly planes, whose shape slides in them, or nearly round "
+                   "cylinders along a coordinate direction, along which it slides; exact ones do "
+                   "so without being named"}};
 }
 
 namespace {
 
+/// By node: the sum of what holds it.
 template <int dim>
-void hold(WornBody<dim>& body, int node, const Held<dim>& held) {
-  for (int i = 0; i < dim; ++i)
-    if (held[i]) body.shape_fixed(node, i) = 1;
+using HeldNodes = std::map<int, Held<dim>>;
+
+template <int dim>
+void hold(const typename Mesh<dim>::Facet& facet, const Held<dim>& held, HeldNodes<dim>& nodes) {
+  for (int node : facet) nodes.try_emplace(node, Held<dim>::Zero()).first->second += held;
 }
 
-/// Sides by their facets: along the coordinate directions that lie in them they slide.
 template <int dim>
-void hold_sides(const Scene& scene, const ImportedBody<dim>& part,
-                const std::vector<typename Mesh<dim>::Facet>& wearing, WornBody<dim>& body) {
+HeldNodes<dim> held_nodes(const Scene& scene, const ImportedBody<dim>& part,
+                          const std::vector<typename Mesh<dim>::Facet>& wearing) {
+  HeldNodes<dim> nodes;
   for (const auto& [facet, held] : held_by_sides<dim>(scene, part, wearing))
-    for (int node : facet) hold<dim>(body, node, held);
-}
-
-template <int dim>
-void hold_named(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>& body) {
+    hold<dim>(facet, held, nodes);
   for (const std::string& name : scene.texts("shape.hold"))
     for (const auto& facet : group_facets(scene, "shape.hold", name, part))
-      for (int node : facet) hold<dim>(body, node, altogether<dim>());
+      hold<dim>(facet, altogether<dim>(), nodes);
+  return nodes;
+}
+
+/// Projector on the directions that nothing holds. Planes that are `nearly` parallel are one.
+template <int dim>
+Tensor<dim> free_directions(const Held<dim>& held) {
+  const Eigen::SelfAdjointEigenSolver<Tensor<dim>> spectrum(held);
+  Tensor<dim> free = Tensor<dim>::Zero();
+  for (int k = 0; k < dim; ++k)
+    if (spectrum.eigenvalues()[k] < nearly * nearly / 2)
+      free += spectrum.eigenvectors().col(k) * spectrum.eigenvectors().col(k).transpose();
+  return free;
+}
+
+/// Components that are not free need no unknown; what is oblique to them is told by a projector.
+template <int dim>
+void hold(int node, Held<dim> held, WornBody<dim>& body) {
+  constexpr double rounding = 1e-12;
+  for (int i = 0; i < dim; ++i) held(i, i) += body.shape_fixed(node, i);
+  Tensor<dim> free = free_directions<dim>(held);
+  for (int i = 0; i < dim; ++i) {
+    if (free(i, i) > rounding) continue;
+    body.shape_fixed(node, i) = 1;
+    free.row(i).setZero();
+    free.col(i).setZero();
+  }
+  if (!free.isDiagonal(rounding)) body.shape_along[node] = free;
+}
+
+template <int dim>
+void hold_altogether(int node, WornBody<dim>& body) {
+  body.shape_fixed.row(node).setOnes();
+  body.shape_along.erase(node);
 }
 
 /// Nodes in boxes as large as the reach, so that only neighbouring boxes are searched.
@@ -130,9 +164,8 @@ double read_shape_support(const Scene& scene, const ImportedBody<dim>& part,
                           const std::vector<typename Mesh<dim>::Facet>& wearing,
                           double expected_depth, WornBody<dim>& body) {
   const auto nodes = static_cast<Eigen::Index>(part.mesh.nodes.size());
-  body.shape_fixed = NodalFlags<dim>::Zero(nodes, dim);
-  hold_sides(scene, part, wearing, body);
-  hold_named(scene, part, body);
+  for (const auto& [node, held] : held_nodes<dim>(scene, part, wearing))
+    hold<dim>(node, held, body);
   const double reach =
       scene.real_if("shape.reach").value_or(default_reach(part.mesh, wearing, expected_depth));
   if (!std::isfinite(reach)) return reach;
@@ -141,7 +174,7 @@ double read_shape_support(const Scene& scene, const ImportedBody<dim>& part,
     for (int node : facet) worn[node] = 1;
   const NearNodes<dim> near(part.mesh, worn, reach);
   for (Eigen::Index node = 0; node < nodes; ++node)
-    if (!near.contains(part.mesh.nodes[node])) body.shape_fixed.row(node).setOnes();
+    if (!near.contains(part.mesh.nodes[node])) hold_altogether<dim>(node, body);
   return reach;
 }
 

@@ -10,9 +10,9 @@ namespace gnomon::part {
 /// shape.reach, shape.hold and shape.slide.
 std::vector<Key> shape_support_keys();
 
-/// Fills in shape_fixed. Beyond the `wearing` facets planar sides across a coordinate direction
-/// slide in their plane and all other sides are held, unless the scene says otherwise; beyond the
-/// reach all is held (Remark 2). Returns the reach; infinite: all of the body.
+/// Adds to shape_fixed and fills in shape_along. Beyond the `wearing` facets planar sides slide in
+/// their plane and other sides are held, unless the scene says otherwise; beyond the reach all is
+/// held (Remark 2). Returns the reach; infinite: all of the body.
 template <int dim>
 double read_shape_support(const Scene& scene, const ImportedBody<dim>& part,
                           const std::vector<typename Mesh<dim>::Facet>& wearing,

@@ -19,18 +19,14 @@ namespace {
 template <int dim>
 using Facets = std::vector<typename Mesh<dim>::Facet>;
 
-/// A side with this unit normal slides along the coordinate directions that lie in it, but for a
-/// part of its length.
+/// What a plane with this unit normal holds; coordinate directions that lie in it to the tolerance
+/// do so exactly.
 template <int dim>
-Held<dim> held_across(const Vector<dim>& normal, double tolerance) {
-  Held<dim> held;
-  for (int i = 0; i < dim; ++i) held[i] = normal[i] * normal[i] > 2 * tolerance;
-  return held;
-}
-
-template <int dim>
-bool slides(const Held<dim>& held) {
-  return std::count(held.begin(), held.end(), char{1}) < dim;
+Held<dim> held_across(Vector<dim> normal, double tolerance) {
+  for (double& component : normal)
+    if (std::abs(component) <= tolerance) component = 0;
+  normal.normalize();
+  return normal * normal.transpose();
 }
 
 template <int dim>
@@ -88,22 +84,39 @@ bool is_round(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet
   });
 }
 
+/// What a facet holds that is not known to belong to a plane: it may be one of a curved side,
+/// unless it lies across a coordinate direction.
+template <int dim>
+Held<dim> held_by_facet(const Vector<dim>& normal) {
+  const Held<dim> held = held_across<dim>(normal, 5e-5);
+  return held.isDiagonal(0) ? held : altogether<dim>();
+}
+
 /// What a side holds as a whole: as a plane, or as a round cylinder along a coordinate direction,
 /// whose facets need not lie along it.
 template <int dim>
 Held<dim> held_by_side(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
                        double tolerance) {
   const FlatPart<dim> plane = flat_part<dim>(mesh, facets, tolerance);
-  if (plane.flat) return held_across<dim>(plane.normal, tolerance * tolerance);
+  if (plane.flat) return held_across<dim>(plane.normal, std::sqrt(2) * tolerance);
   Held<dim> held = altogether<dim>();
   if constexpr (dim == 3)
     for (int axis = 0; axis < 3; ++axis)
-      if (is_round<3>(mesh, facets, axis, tolerance)) held[axis] = 0;
+      if (is_round<3>(mesh, facets, axis, tolerance)) held(axis, axis) = 0;
   return held;
 }
 
+/// The k-th edge of a facet in space, or end in the plane, by which it meets its neighbour.
+template <int dim>
+std::array<int, 2> border(const typename Mesh<dim>::Facet& facet, std::size_t k) {
+  if constexpr (dim == 2) return {facet[k], facet[k]};
+  const auto [least, most] = std::minmax(facet[k], facet[(k + 1) % facet.size()]);
+  return {least, most};
+}
+
 /// Parts of a surface without sharp edges.
-std::vector<Facets<3>> smooth_sheets(const Mesh<3>& mesh, const Facets<3>& facets) {
+template <int dim>
+std::vector<Facets<dim>> smooth_sheets(const Mesh<dim>& mesh, const Facets<dim>& facets) {
   constexpr double sharp = 40 * M_PI / 180;
   std::vector<int> sheet(facets.size());
   std::iota(sheet.begin(), sheet.end(), 0);
@@ -111,19 +124,18 @@ std::vector<Facets<3>> smooth_sheets(const Mesh<3>& mesh, const Facets<3>& facet
     while (sheet[k] != k) k = sheet[k] = sheet[sheet[k]];
     return k;
   };
-  std::map<std::array<int, 2>, int> first_at;  // facet by edge
+  std::map<std::array<int, 2>, int> first_at;  // facet by border
   for (int k = 0; k < static_cast<int>(facets.size()); ++k)
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto [least, most] = std::minmax(facets[k][i], facets[k][(i + 1) % 4]);
-      const auto [other, is_first] = first_at.try_emplace({least, most}, k);
+    for (std::size_t i = 0; i < facets[k].size(); ++i) {
+      const auto [other, is_first] = first_at.try_emplace(border<dim>(facets[k], i), k);
       if (!is_first &&
-          facet_normal<3>(mesh, facets[k]).dot(facet_normal<3>(mesh, facets[other->second])) >
+          facet_normal(mesh, facets[k]).dot(facet_normal(mesh, facets[other->second])) >
               std::cos(sharp))
         sheet[root(k)] = root(other->second);
     }
-  std::map<int, Facets<3>> by_root;
+  std::map<int, Facets<dim>> by_root;
   for (int k = 0; k < static_cast<int>(facets.size()); ++k) by_root[root(k)].push_back(facets[k]);
-  std::vector<Facets<3>> sheets;
+  std::vector<Facets<dim>> sheets;
   for (auto& [number, members] : by_root) sheets.push_back(std::move(members));
   return sheets;
 }
@@ -134,7 +146,7 @@ template <int dim>
 std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_sides(
     const Scene& scene, const ImportedBody<dim>& part,
     const std::vector<typename Mesh<dim>::Facet>& wearing) {
-  constexpr double nearly = 1e-2, exactly = 1e-7;  // of its size and of its direction
+  constexpr double exactly = 1e-7;  // of its size and of its direction
   std::map<typename Mesh<dim>::Facet, Held<dim>> sides;
   std::set<typename Mesh<dim>::Facet> worn;
   for (const auto& facet : wearing) worn.insert(sorted<dim>(facet));
@@ -142,11 +154,11 @@ std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_sides(
   for (const auto& facet : part.exterior)
     if (!worn.contains(sorted<dim>(facet))) {
       rest.push_back(facet);
-      sides[sorted<dim>(facet)] = held_across<dim>(facet_normal(part.mesh, facet), 1e-9);
+      sides[sorted<dim>(facet)] = held_by_facet<dim>(facet_normal(part.mesh, facet));
     }
   const auto slide = [&](const Facets<dim>& facets, double tolerance) {
     const Held<dim> held = held_by_side<dim>(part.mesh, facets, tolerance);
-    if (!slides<dim>(held)) return false;
+    if (held == altogether<dim>()) return false;
     for (const auto& facet : facets)
       if (const auto side = sides.find(sorted<dim>(facet)); side != sides.end())
         side->second = held;
@@ -154,14 +166,13 @@ std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_sides(
   };
   // Groups, because they may end where the surface goes on smoothly; sheets, because not all are
   // named, or have a group of their own.
-  if constexpr (dim == 3)
-    for (const Facets<3>& sheet : smooth_sheets(part.mesh, rest)) slide(sheet, exactly);
+  for (const Facets<dim>& sheet : smooth_sheets<dim>(part.mesh, rest)) slide(sheet, exactly);
   for (const auto& [name, facets] : part.mesh.boundary) slide(facets, exactly);
   for (const std::string& name : scene.texts("shape.slide"))
     if (!slide(group_facets(scene, "shape.slide", name, part), nearly))
       throw InputError(fmt::format(
-          "{}: expected sides that are planar or round cylinders, to a hundredth, and along a "
-          "coordinate direction, \"{}\" is none; name it in shape.hold, or nowhere",
+          "{}: expected sides that are planar, or round cylinders along a coordinate direction, to "
+          "a hundredth, \"{}\" is none; name it in shape.hold, or nowhere",
           scene.where("shape.slide"), name));
   return sides;
 }

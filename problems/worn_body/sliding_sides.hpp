@@ -1,7 +1,6 @@
-// Which components of the shape the sides of a part hold: the geometry decides, or the scene.
+// Which directions of the shape the sides of a part hold: the geometry decides, or the scene.
 #pragma once
 
-#include <array>
 #include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/scene/scene.hpp>
 #include <map>
@@ -9,21 +8,21 @@
 
 namespace gnomon::part {
 
-/// 1 where a side holds a component of the shape.
+/// Sides are planar, or round, to this part of their size where `shape.slide` names them.
+inline constexpr double nearly = 1e-2;
+
+/// Orthogonal projector on the directions in which a side holds the shape.
 template <int dim>
-using Held = std::array<char, std::size_t{dim}>;
+using Held = Tensor<dim>;
 
 template <int dim>
-constexpr Held<dim> altogether() {
-  Held<dim> held;
-  held.fill(1);
-  return held;
+Held<dim> altogether() {
+  return Held<dim>::Identity();
 }
 
-/// For all facets of the boundary that do not wear. A side slides along the coordinate directions
-/// that lie in it: a plane, and a round cylinder, such as the wall of a hole, along its axis.
-/// Those that `shape.slide` names need to be so to a hundredth only. Throws InputError where they
-/// are not.
+/// For all facets of the boundary that do not wear. A plane slides in itself, a round cylinder
+/// along a coordinate direction, such as the wall of a hole, along its axis. Those that
+/// `shape.slide` names need to be `nearly` so. Throws InputError where they are not.
 template <int dim>
 std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_sides(
     const Scene& scene, const ImportedBody<dim>& part,

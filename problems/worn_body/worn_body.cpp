@@ -160,6 +160,9 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
   const Magnitudes magnitudes = find_magnitudes(
       scene, force, overlap, force * body->load_history.integral(scene.real("time.end")), *body);
   body->scales = magnitudes.scales;
+  body->shape_fixed = NodalFlags<dim>::Zero(body->displacement_fixed.rows(), dim);
+  if constexpr (dim == 2)
+    if (body->element.section == Section::meridian) hold_on_axis(*body);
   const double reach = read_shape_support(scene, part, wearing, magnitudes.deepest, *body);
   if (std::isfinite(reach))
     body->remarks.push_back(fmt::format(
@@ -167,8 +170,6 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
   warn_of_coarse_contact(magnitudes, *body);
   remark_sums_of_loads(scene, *body);
   remark_on_speeds(scene, *body);
-  if constexpr (dim == 2)
-    if (body->element.section == Section::meridian) hold_on_axis(*body);
   read_worn_body(scene, magnitudes.facet, *body);
   require_surface_laws(scene, *body);
   require_moving_shape(scene, *body);

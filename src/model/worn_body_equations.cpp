@@ -164,7 +164,8 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
     });
   terms.push_back([body = body_, f = fields_](const Numbering& numbering) -> Made {
     return std::make_unique<MeshMotion<dim>>(body->mesh, body->section ? &*body->section : nullptr,
-                                             body->mesh_motion, numbering, f.d, f.mu);
+                                             body->shape_along, body->mesh_motion, numbering, f.d,
+                                             f.mu);
   });
   contact_term_ = terms.size();
   terms.push_back([body = body_, f = fields_](const Numbering& numbering) -> Made {

@@ -76,7 +76,7 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
                              : normal == "normalised" ? NormalRule::normalised
                                                       : NormalRule::conservative;
   for (ContactPatch<dim>& patch : body.contact_nodes)
-    for (int i = 0; i < dim; ++i) patch.shape_fixed[i] = body.shape_fixed(patch.node, i);
+    patch.shape_free = body.shape_free(patch.node);
   body.constraint = scene.text("shape.constraint") == "eliminated" ? ConstraintForm::eliminated
                                                                    : ConstraintForm::multiplier;
   CounterBody<dim>& counter_body = body.contact.counter_body;

@@ -4,26 +4,35 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/terms/cell_assembly.hpp>
+#include <optional>
+
+#include "cell_projection.hpp"
 
 namespace gnomon {
 
 template <int dim>
 CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const Material& material,
                                 const Element& element, const Numbers& rows, const Numbers& columns,
-                                const Numbers* shape_columns, std::vector<double> stiffness)
+                                const Numbers* shape_columns, std::vector<double> stiffness,
+                                const NodalProjectors<dim>* along)
     : mesh_(mesh),
       moduli_(material.moduli),
       stiffness_(std::move(stiffness)),
       kernel_(material.kernel<dim>(element)),
       rows_(rows),
       columns_(columns),
-      shape_columns_(shape_columns) {
+      shape_columns_(shape_columns),
+      along_(along) {
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell)
     for (int node : mesh.cells[cell])
       if (rows.row(node).maxCoeff() >= 0) {
         cells_.push_back(cell);
         break;
       }
+  keeps_.assign(cells_.size(), 0);
+  for (std::size_t c = 0; along_ && c < cells_.size(); ++c)
+    keeps_[c] = std::ranges::any_of(mesh.cells[cells_[c]],
+                                    [&](int node) { return along_->contains(node); });
   // A frozen shape has no columns; then its derivative is not computed.
   if (shape_columns_ && (shape_columns_->size() == 0 || shape_columns_->maxCoeff() < 0))
     shape_columns_ = nullptr;
@@ -168,7 +177,12 @@ void CellAssembly<dim>::add_residual(const NodalField<dim>* shape,
     if (!meets(cell, rows_, own)) return true;
     CellNodal<dim> X, u, R;
     gather(cells_[c], shape, displacement, X, u);
-    if (!kernel_.residual(moduli_of(cells_[c]), X, u, R)) return false;
+    const ElasticModuli moduli = moduli_of(cells_[c]);
+    const CellNodal<dim> given = u;
+    std::optional<CellProjection<dim>> projection;
+    if (keeps_[c]) projection.emplace(cell, *along_, moduli, X).of_displacement(u);
+    if (!kernel_.residual(moduli, X, u, R)) return false;
+    if (projection) projection->of_residual(given, R);
     for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
       for (int i = 0; i < dim; ++i)
         if (const int row = rows_(cell[a], i); own.holds(row)) F[row] += R(a, i);
@@ -190,7 +204,11 @@ void CellAssembly<dim>::add_jacobian(const NodalField<dim>* shape,
     CellNodal<dim> X, u, R;
     CellMatrix<dim> K_u, K_d;
     gather(cells_[c], shape, displacement, X, u);
-    if (!tangent(moduli_of(cells_[c]), X, u, R, K_u, K_d)) return false;
+    const ElasticModuli moduli = moduli_of(cells_[c]);
+    std::optional<CellProjection<dim>> projection;
+    if (keeps_[c]) projection.emplace(cell, *along_, moduli, X).of_displacement(u);
+    if (!tangent(moduli, X, u, R, K_u, K_d)) return false;
+    if (projection) projection->of_tangent(K_u);
     const std::size_t first = std::size_t(c) * local * local;
     add_columns<dim>(cell, columns_, own, map_.data() + first, K_u, values);
     if (shape_columns_)

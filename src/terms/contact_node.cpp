@@ -49,8 +49,7 @@ private:
     const double square = a.squaredNorm();
     if (!determines_motion(square, total)) return;
     Tensor<dim> by_a = total / square * (Tensor<dim>::Identity() - 2 / square * a * a.transpose());
-    for (int i = 0; i < dim; ++i)
-      if (patch.shape_fixed[i]) by_a.col(i).setZero();
+    by_a *= patch.shape_free;
     for (const auto* corners : {&patch.corners, &patch.corners_beyond})
       for (const auto& corner : *corners) {
         const auto da = volume_gradient_derivative<dim>(corner, X);
@@ -198,22 +197,22 @@ ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parame
   constraint_by_w = -constraint_by_x.dot(body.approach);
   force_by_lambda = surface.area * contact.traction_by_lambda * traction.direction;
   force_by_w = -force_by_seen * body.approach;
-  velocity_by_lambda = -wear.by_traction * contact.traction_by_lambda * surface.normal;
-  velocity_by_w = surface.normal * rate_by_seen.dot(body.approach);
+  const Vector<dim> N = patch.shape_free * surface.normal;
+  velocity_by_lambda = -wear.by_traction * contact.traction_by_lambda * N;
+  velocity_by_w = N * rate_by_seen.dot(body.approach);
   for (std::size_t p = 0; p < patch.nodes.size(); ++p) {
     force_by_x[p].setZero();
     velocity_by_x[p].setZero();
     force_by_X[p] = contact.traction * traction.direction * derivative.area[p].transpose();
-    velocity_by_X[p] = -wear.rate * derivative.normal[p];
+    velocity_by_X[p] = -wear.rate * patch.shape_free * derivative.normal[p];
   }
   force_by_x[0] = force_by_seen;
-  velocity_by_x[0] = -surface.normal * rate_by_seen.transpose();
-  velocity_by_X[0] += wear.by_depth * surface.normal * patch.initial_normal.transpose();
+  velocity_by_x[0] = -N * rate_by_seen.transpose();
+  velocity_by_X[0] += wear.by_depth * N * patch.initial_normal.transpose();
 
   if (parameters.streaming.isZero(0)) return;
   const StreamingVelocityDerivative<dim> change(patch, at.X, x, parameters.streaming);
-  const Tensor<dim> velocity_by_v =
-      -wear.by_speed * surface.normal * traction.speed_by_velocity.transpose();
+  const Tensor<dim> velocity_by_v = -wear.by_speed * N * traction.speed_by_velocity.transpose();
   for (std::size_t p = 0; p < patch.nodes.size(); ++p) {
     force_by_x[p] += force_by_v * change.by_x[p];
     force_by_X[p] += force_by_v * change.by_X[p];

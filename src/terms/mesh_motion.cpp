@@ -40,9 +40,10 @@ NodalNumbers<dim> auxiliary_rows(const Numbering& numbering, FieldId d, FieldId 
 
 template <int dim>
 CellAssembly<dim> auxiliary_cells(const Mesh<dim>& mesh, const MeshMotionLaw& law,
-                                  const NodalNumbers<dim>& rows, const NodalNumbers<dim>& columns) {
+                                  const NodalNumbers<dim>& rows, const NodalNumbers<dim>& columns,
+                                  const NodalProjectors<dim>* along = nullptr) {
   return {mesh,    law.material, {ElementTechnology::plain, Kinematics::finite}, rows,
-          columns, nullptr,      stiffness_by_volume(mesh, law.stiffening)};
+          columns, nullptr,      stiffness_by_volume(mesh, law.stiffening),      along};
 }
 
 }  // namespace
@@ -52,11 +53,11 @@ struct MeshMotion<dim>::Whole {
   NodalNumbers<dim> rows, columns;
   CellAssembly<dim> cells;
 
-  Whole(const Mesh<dim>& mesh, const MeshMotionLaw& law, const Numbering& numbering, FieldId d,
-        FieldId mu)
+  Whole(const Mesh<dim>& mesh, const NodalProjectors<dim>& along, const MeshMotionLaw& law,
+        const Numbering& numbering, FieldId d, FieldId mu)
       : rows(auxiliary_rows<dim>(numbering, d, mu)),
         columns(numbering.nodal<dim>(d)),
-        cells(auxiliary_cells<dim>(mesh, law, rows, columns)) {}
+        cells(auxiliary_cells<dim>(mesh, law, rows, columns, &along)) {}
 };
 
 /// The cross-section with its unknowns, those of the carrying nodes of the body: components (y, z).
@@ -85,13 +86,13 @@ struct MeshMotion<dim>::Section {
 
 template <int dim>
 MeshMotion<dim>::MeshMotion(const Mesh<dim>& mesh, const CrossSection* section,
-                            const MeshMotionLaw& law, const Numbering& numbering, FieldId d,
-                            FieldId mu)
+                            const NodalProjectors<dim>& along, const MeshMotionLaw& law,
+                            const Numbering& numbering, FieldId d, FieldId mu)
     : d_(d) {
   if (section)
     section_ = std::make_unique<Section>(*section, law, numbering, d, mu);
   else
-    whole_ = std::make_unique<Whole>(mesh, law, numbering, d, mu);
+    whole_ = std::make_unique<Whole>(mesh, along, law, numbering, d, mu);
 }
 
 template <int dim>

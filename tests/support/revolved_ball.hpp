@@ -45,8 +45,7 @@ inline std::shared_ptr<WornBody<2>> revolved_ball(const RevolvedBall& ball) {
   body->load = uniform_load(mesh, "top", Vector<2>(0, -ball.force), Section::meridian);
   body->contact_nodes = contact_patches<2>(mesh, mesh.boundary.at("bottom"), exterior_facets(mesh),
                                            Section::meridian);
-  for (auto& patch : body->contact_nodes)
-    for (int i = 0; i < 2; ++i) patch.shape_fixed[i] = body->shape_fixed(patch.node, i);
+  for (auto& patch : body->contact_nodes) patch.shape_free = body->shape_free(patch.node);
   body->material = make_material(
       "neo-hookean", ElasticModuli::from_young_poisson(ball.young_modulus, ball.poisson_ratio));
   body->mesh_motion.material =

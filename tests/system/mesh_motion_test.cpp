@@ -68,7 +68,8 @@ Eigen::VectorXd residual(const WornBody<dim>& body, const NodalField<dim>& d) {
   FieldValues<dim> values(*composition.fields);
   values.vector(shape) = d;
   std::vector<double> F(numbering.size(), 0.0);
-  MeshMotion<dim>(body.mesh, nullptr, body.mesh_motion, numbering, shape, FieldId::none)
+  MeshMotion<dim>(body.mesh, nullptr, body.shape_along, body.mesh_motion, numbering, shape,
+                  FieldId::none)
       .add_residual({.values = values, .ydot = {}}, F);
   return Eigen::Map<const Eigen::VectorXd>(F.data(), numbering.size());
 }

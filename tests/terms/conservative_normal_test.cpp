@@ -105,9 +105,13 @@ void check_balance(unsigned seed) {
   double loss = 0, flux = 0, loss_of_eq_35 = 0;
   int count = 0;
   for (auto& patch : contact_patches<dim>(body.mesh, surface, body.facets)) {
-    const int kind = ++count % 4;  // two of four move freely, one slides, one is held
-    if (kind == 1) patch.shape_fixed[count % dim] = 1;
-    if (kind == 2) patch.shape_fixed.fill(1);
+    const int kind = ++count % 5;
+    // Two of five move freely, one slides across a coordinate direction, one is held, and one
+    // slides along an oblique plane.
+    const Vector<dim> across = kind == 4 ? noise<Vector<dim>>(1, seed + 1000 + count).normalized()
+                                         : Vector<dim>::Unit(count % dim);
+    if (kind == 1 || kind == 4) patch.shape_free -= across * across.transpose();
+    if (kind == 2) patch.shape_free.setZero();
     const PatchNodal<dim> X = positions(body.mesh, patch);
     ContactInput<dim> at{X, 0 * X, -3.0 - count};
     const auto wear = [&](NormalRule rule) {
@@ -116,11 +120,12 @@ void check_balance(unsigned seed) {
     };
     const ContactNode<dim> node = wear(NormalRule::conservative);
     EXPECT_GT(std::abs(node.wear_rate), 0);
-    for (int i = 0; i < dim; ++i) {
-      if (!patch.shape_fixed[i]) continue;
-      EXPECT_EQ(node.velocity[i], 0);
+    const Vector<dim> held = node.velocity - patch.shape_free * node.velocity;
+    EXPECT_LE(held.norm(), kind == 4 ? 1e-15 * node.velocity.norm() : 0);
+    if (kind == 2) {
+      EXPECT_EQ(node.velocity, Vector<dim>::Zero());
+      continue;
     }
-    if (kind == 2) continue;
     const Vector<dim> gradient = volume_gradient(body, patch.node);
     loss -= gradient.dot(node.velocity);
     loss_of_eq_35 -= gradient.dot(wear(NormalRule::averaged).velocity);
@@ -144,7 +149,7 @@ TEST(ConservativeNormal, IsTheUnitNormalOfAPlane) {
   mesh.nodes = {{0, 0}, {1, 0}, {3, 0}, {0, 2}};
   const std::vector<Mesh<2>::Facet> surface = {{0, 1}, {1, 2}};
   auto patches = contact_patches<2>(mesh, surface, {{0, 1}, {1, 2}, {3, 0}});
-  patches[0].shape_fixed[0] = 1;  // slides along the side
+  patches[0].shape_free(0, 0) = 0;  // slides along the side
   for (int c : {0, 1}) {
     const NodalSurface<2> node(patches[c], positions(mesh, patches[c]), NormalRule::conservative);
     EXPECT_NEAR((node.normal - Vector<2>(0, -1)).norm(), 0, 1e-15);
@@ -190,14 +195,14 @@ TEST(ConservativeNormal, RefusesNodesThatCannotWear) {
   Mesh<2> mesh;
   mesh.nodes = {{-1, 0}, {0, 0}, {1, 0}};
   auto patch = contact_patches<2>(mesh, {{0, 1}, {1, 2}})[1];
-  patch.shape_fixed = {0, 1};
+  patch.shape_free(1, 1) = 0;
   ContactParameters<2> parameters;
   parameters.normal_rule = NormalRule::conservative;
   const PatchNodal<2> X = positions(mesh, patch);
   using Node = ContactNode<2>;
   EXPECT_THROW(Node(parameters, patch, {X, 0 * X, -3.0}, Branch::closed), RecoverableError);
   EXPECT_NO_THROW(Node(parameters, patch, {X, 0 * X, -3.0}, Branch::open));
-  patch.shape_fixed = {1, 1};
+  patch.shape_free.setZero();
   EXPECT_NO_THROW(Node(parameters, patch, {X, 0 * X, -3.0}, Branch::closed));
 }
 

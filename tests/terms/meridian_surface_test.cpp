@@ -1,5 +1,6 @@
 // Surfaces of bodies of revolution: areas, volume gradients, contact nodes, loads.
 
+#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/terms/contact_node.hpp>
 
@@ -87,6 +88,12 @@ TEST(MeridianSurface, VolumeGradientIsExact) {
   }
 }
 
+/// Along a line, another one at every node.
+Tensor<2> along(int node) {
+  const Vector<2> direction(std::cos(node), std::sin(node));
+  return direction * direction.transpose();
+}
+
 ContactParameters<2> parameters_of(NormalRule rule) {
   ContactParameters<2> parameters;
   parameters.wear = archard(0.1);
@@ -105,7 +112,7 @@ TEST(MeridianSurface, VolumeLostIsWhatWears) {
     for (auto& patch :
          contact_patches<2>(body.mesh, body.outside(), body.facets, Section::meridian)) {
       const bool axis = body.mesh.nodes[static_cast<std::size_t>(patch.node)][0] == 0;
-      patch.shape_fixed = {char(axis), 0};
+      patch.shape_free(0, 0) = !axis;
       const PatchNodal<2> X = positions(body.mesh, patch);
       const ContactInput<2> at{X, 0 * X, -3.0 - ++count};
       const auto wear = [&](NormalRule rule) {
@@ -130,7 +137,7 @@ TEST(MeridianSurface, ContactTangentsEqualAutomaticDifferentiation) {
     for (auto& patch :
          contact_patches<2>(body.mesh, body.outside(), body.facets, Section::meridian)) {
       SCOPED_TRACE(::testing::Message() << "rule " << int(rule) << ", node " << patch.node);
-      patch.shape_fixed[0] = patch.node % 2 != 0;
+      if (patch.node % 2 != 0) patch.shape_free = along(patch.node);
       const PatchNodal<2> X = positions(body.mesh, patch);
       const int nodes = static_cast<int>(X.rows()), total = 2 * nodes;
       ContactParameters<2> parameters = parameters_of(rule);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <gnomon/base/tensor.hpp>
 #include <gnomon/fields/block.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,9 @@ template <int dim>
 using NodalField = Eigen::Matrix<double, Eigen::Dynamic, dim, Eigen::RowMajor>;
 template <int dim>
 using NodalFlags = Eigen::Matrix<char, Eigen::Dynamic, dim, Eigen::RowMajor>;
+/// By node: the orthogonal projector on the plane or line along which its value may change.
+template <int dim>
+using NodalProjectors = std::map<int, Tensor<dim>>;
 /// Numbers of nodal values in y; -1 where a value is held, frozen or absent.
 template <int dim>
 using NodalNumbers = Eigen::Matrix<int, Eigen::Dynamic, dim, Eigen::RowMajor>;

@@ -1,7 +1,6 @@
 // The neighbourhood of a contact node on the contact surface.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <gnomon/mesh/mesh.hpp>
@@ -42,11 +41,10 @@ struct ContactPatch {
   Vector<dim> initial_position;  ///< X^ of the node [length]
   Vector<dim> initial_normal;    ///< N^: unit, average of the facets' by A^_f
   Tensor<dim> initial_spread;    ///< mean of (X - X^)(X - X^)' over the node's share [length^2]
-  std::array<char, dim> shape_fixed{};  ///< 1 where a component of the node's shape is held
+  /// Orthogonal projector on the directions in which the node's shape may move.
+  Tensor<dim> shape_free = Tensor<dim>::Identity();
 
-  bool may_move() const {
-    return std::any_of(shape_fixed.begin(), shape_fixed.end(), [](char held) { return held == 0; });
-  }
+  bool may_move() const { return !shape_free.isZero(0); }
 };
 
 /// Patches of all nodes of a surface, in ascending order of nodes (2D: along the surface when its

@@ -64,6 +64,9 @@ struct WornBody {
   std::vector<ContactPatch<dim>> contact_nodes;  ///< the potential contact surface
   NodalFlags<dim> displacement_fixed;            ///< 1 where u is held at zero
   NodalFlags<dim> shape_fixed;                   ///< 1 where d is held at zero
+  /// Of the nodes whose d keeps to a plane or line oblique to the coordinate directions: the
+  /// projector on it, zero in the components that `shape_fixed` holds.
+  NodalProjectors<dim> shape_along;
   /// Where u is held at other values, among those that `displacement_fixed` holds.
   std::vector<PrescribedValues> prescribed_displacement;
   NodalField<dim> load;  ///< nodal dead loads at factor one
@@ -95,6 +98,11 @@ struct WornBody {
   Scales scales;
   LinearSolverChoice solver;
 
+  /// Projector on the directions in which the shape of a node may move.
+  Tensor<dim> shape_free(int node) const {
+    if (const auto along = shape_along.find(node); along != shape_along.end()) return along->second;
+    return (1 - shape_fixed.row(node).template cast<double>().array()).matrix().asDiagonal();
+  }
   /// The node that carries the shape unknowns of `node`.
   int shape_node(int node) const { return section ? section->node[section->of[node]] : node; }
 };

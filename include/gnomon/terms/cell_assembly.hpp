@@ -21,10 +21,13 @@ public:
   /// `rows`, `columns`: numbers of the residual rows and of the unknown that is the displacement
   /// here. `shape_columns`: numbers of the shape unknowns that move the reference
   /// configuration, or null when it does not move. `stiffness`: factors of the moduli, one per
-  /// cell; none: 1. Cells without a row are left out. References must outlive the object.
+  /// cell; none: 1. `along`: the nodes that keep to planes or lines, with the projectors P on them;
+  /// with N = 1 - P their equations are P R(P u) + k N u = 0, of which P K P + k N is the
+  /// derivative: equilibrium along, no displacement across. k is a stiffness of the cells. Null: no
+  /// node does. Cells without a row are left out. References must outlive the object.
   CellAssembly(const Mesh<dim>& mesh, const Material& material, const Element& element,
                const Numbers& rows, const Numbers& columns, const Numbers* shape_columns,
-               std::vector<double> stiffness = {});
+               std::vector<double> stiffness = {}, const NodalProjectors<dim>* along = nullptr);
 
   void add_to_pattern(PatternBuilder& builder) const;
   /// Computes the scatter map; call once, after the pattern is built.
@@ -54,6 +57,8 @@ private:
   const Numbers& rows_;
   const Numbers& columns_;
   const Numbers* shape_columns_;
+  const NodalProjectors<dim>* along_;
+  std::vector<char> keeps_;           // per cell with a row: 1 where a node is in `along`
   std::vector<int> cells_;            // cells with at least one row
   std::size_t size_ = 0;              // of the matrix
   std::vector<int> map_, shape_map_;  // local*local positions per cell, column by column; -1: none

@@ -6,10 +6,11 @@
 //   A = sum_f |S_f|
 //   force      = A lambda_eff (n - friction s)    row of u;  s = v_T/|v_T|, eq. (25) and sec. 3.1
 //   constraint = C_N                              row of lambda
-//   velocity   = -Wdot N                          row of d: ddot - velocity = 0, eq. (14)
+//   velocity   = -Wdot P N                        row of d: ddot - velocity = 0, eq. (14)
 //
 // v_T is the tangential part of F V - v^2 and |v_T| the speed (sliding.hpp), n the normal of the
-// counter-body, Wdot the rate of the wear law, N a normal by one of the rules below.
+// counter-body, Wdot the rate of the wear law, N a normal by one of the rules below, P the
+// projector on the directions in which the shape may move.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +30,7 @@ namespace gnomon {
 ///   averaged      sum_f A^_f S_f/|S_f| / sum_f A^_f    (A^_f: initial shares, eq. 35)
 ///   normalised    the same, normalised to length one
 ///   conservative  A a/|a|^2; a is the derivative of the body's volume with respect to the
-///                 position of the node, without the components of the shape that are held. The
+///                 position of the node, along the directions in which its shape may move. The
 ///                 body then loses volume at the rate sum A Wdot, on every mesh.
 enum class NormalRule { averaged, normalised, conservative };
 
@@ -122,17 +123,15 @@ struct ContactNodeTangent {
 // ---- templates on the scalar
 // ---------------------------------------------------------------------
 
-/// The derivative of the body's volume by the node's position [length^(dim-1)], zero where its
-/// shape is held.
+/// The derivative of the body's volume by the node's position [length^(dim-1)], along the
+/// directions in which its shape may move.
 template <int dim, class Scalar>
 Vector<dim, Scalar> free_volume_gradient(const ContactPatch<dim>& patch,
                                          const PatchNodal<dim, Scalar>& X) {
   Vector<dim, Scalar> a = Vector<dim, Scalar>::Zero();
   for (const auto* corners : {&patch.corners, &patch.corners_beyond})
     for (const auto& corner : *corners) a += corner_volume_gradient<dim, Scalar>(corner, X);
-  for (int i = 0; i < dim; ++i)
-    if (patch.shape_fixed[i]) a[i] = Scalar(0);
-  return a;
+  return patch.shape_free.template cast<Scalar>() * a;
 }
 
 /// Whether the volume that a node removes determines how far it moves, from |a|^2.
@@ -225,7 +224,7 @@ ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,
         input);
     require_direction(patch, plain<dim, Scalar>(surface.normal));
   }
-  velocity = -wear_rate * surface.normal;
+  velocity = -wear_rate * (patch.shape_free.template cast<Scalar>() * surface.normal);
 }
 
 }  // namespace gnomon
