@@ -78,6 +78,18 @@ def overlaps(figure):
             for j in range(i) if boxes[i].overlaps(boxes[j])]
 
 
+def outside(figure):
+    """Texts that are not wholly in the picture."""
+    figure.draw_without_rendering()
+    whole = figure.bbox.padded(0.5)
+    texts = [text for axes in figure.axes if axes.axison for text in
+             [axes.title, axes.xaxis.label, axes.yaxis.label, *axes.texts]
+             if text.get_text() and text.get_visible()]
+    boxes = [text.get_window_extent() for text in texts + figure.legends]
+    return [str(text) for text, box in zip(texts + figure.legends, boxes)
+            if box.x0 < whole.x0 or box.y0 < whole.y0 or box.x1 > whole.x1 or box.y1 > whole.y1]
+
+
 line = np.stack([np.linspace(5, -5, 50), np.full(50, -0.01), np.zeros(50)], axis=1)
 floor = Surface(line, np.stack([np.arange(49), np.arange(1, 50)], axis=1))
 wide = mesh.draw(result(surface=floor))
@@ -89,11 +101,14 @@ whole = [axes for axes in wide.axes if axes.get_title().startswith("deformed")]
 for axes in whole:
     assert axes.get_xlim()[0] <= -HALF and axes.get_xlim()[1] < 5, "the body sets the limits"
     assert len(axes.collections) == 5, "cells, lines, outline, counter-body and its band"
-for stretch in ([1, 0.002, 1], [0.002, 1, 1]):  # very flat, very tall
+# Very flat, flat, square, tall, very tall; with a time of many digits.
+for stretch in ([1, 0.002, 1], [1, 0.4, 1], [1, 4, 1], [0.1, 4, 1], [0.002, 1, 1]):
     extreme = result()
     extreme.points = points * stretch
+    extreme.times = np.array([0.0, 12340.0])
     figure = mesh.draw(extreme)
     assert not overlaps(figure) and figure.get_figheight() < 11, stretch
+    assert not outside(figure), (stretch, outside(figure))
 plain = mesh.draw(result(width=10.0))
 assert not [axes for axes in plain.axes if "contact" in axes.get_title()], "all is in contact"
 
@@ -156,3 +171,11 @@ assert names == ["upper side: 16 facets", "one point: points, 1"], names
 assert {"upper side", "one point"} <= {text.get_text() for text in figure.axes[0].texts}
 pieces = groups.chains(np.array([[0, 1], [1, 2], [7, 8], [8, 9], [9, 10]]))
 assert [list(piece) for piece in pieces] == [[0, 1], [2, 3, 4]], "each gets the name"
+
+# Names stay in the picture of a body of any shape, and leave it its place.
+for stretch in ([1, 0.1, 1], [1, 4, 1], [0.02, 4, 1]):
+    long = [groups.Part(f"{name} of the part that is worn", points * stretch, facets)
+            for name, facets in (("upper side", upper[::-1]), ("wall", cells[N[0] - 1::N[0], [1, 2]]))]
+    figure = groups.draw(groups.Part("body", points * stretch, cells), long)
+    assert not outside(figure), (stretch, outside(figure))
+    assert figure.axes[0].get_window_extent().height > 0.4 * figure.bbox.height, stretch
