@@ -11,7 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 sys.path.insert(0, sys.argv[1])
 sys.dont_write_bytecode = True
-from figures import counter, groups, mesh, plane, pressure, style  # noqa: E402
+from figures import counter, groups, mesh, plane, pressure, shape, style  # noqa: E402
 from figures.result import Item, Result, Surface  # noqa: E402
 
 style.apply()
@@ -137,12 +137,51 @@ assert lines([1, 1], 100) == (4 * len(cells), {0, 1})
 assert lines([1, 1], 1) == (0, set())
 assert lines([2, 0.2], 4) == (2 * len(cells), {1}), "those along x are too close to each other"
 
-# An axis on which the lowest curve can be read; what is cut off is said.
-axes = style.figure().add_subplot()
-assert pressure.limit(axes, [130.0, 11.0, 9.0, 5.0]) == [" (up to 130 MPa)", "", "", ""]
-assert 11 < axes.get_ylim()[1] < 15
-assert pressure.limit(axes, [130.0, 30.0, 0.0]) == [" (up to 130 MPa)", "", ""]
-assert pressure.limit(axes, [0.0]) == [""]
+# Curves that can be read on one axis have it in common; the highest are above.
+assert pressure.groups_of([130.0, 11.0, 9.0, 5.0]) == [[0], [1, 2, 3]]
+assert pressure.groups_of([12.0, 11.0, 9.0, 5.0]) == [[0, 1, 2, 3]]
+assert pressure.groups_of([130.0, 140.0, 0.0, 3.0, 20.0]) == [[0, 1], [4], [2, 3]]
+assert pressure.groups_of([0.0]) == [[0]] and pressure.groups_of([5.0, 0.0]) == [[0, 1]]
+assert len(pressure.groups_of([1e6, 1e4, 1e2, 1.0, 1e-2])) == pressure.MOST_ROWS
+sharp = result()
+loads = {0: (0.3, 26.0), 1: (3.0, 1.0)}  # half widths and factors: the start is far higher
+
+
+def sharp_table(step):
+    made = table(loads[step][0])
+    made["pressure"] *= loads[step][1]
+    return made
+
+
+sharp.contact = sharp_table
+figure = pressure.draw(sharp)
+assert [axes.get_ylim() for axes in figure.axes] == [(0, 1.08 * 130), (0, 1.08 * 5)]
+assert [len(axes.lines) for axes in figure.axes] == [1, 1]
+assert [text.get_text() for text in figure.legends[0].get_texts()] == ["0 s", "100 s"]
+
+
+# Wear that a deep surface would hide is drawn by its depth; rows that are not joined leave a gap.
+def bore(depth):
+    angle = np.linspace(-1.5, 1.5, 41)
+    x, y = 10 * np.sin(angle), -10 * np.cos(angle)
+    deep = depth * np.maximum(np.cos(3 * angle), 0) * (np.abs(angle) < 0.6)
+    node = np.arange(41)
+    ring = np.stack([node[:-1], node[1:], node[1:] + 41, node[:-1] + 41], axis=1)
+    columns = {"node": node, "X0": x, "Y0": y, "X": (1 + deep / 10) * x, "Y": (1 + deep / 10) * y,
+               "wear_depth": deep}
+    made = np.rec.fromarrays(list(columns.values()), names=list(columns))
+    return types.SimpleNamespace(cells=ring[np.arange(40) != 5], dim=2, times=np.array([0.0, 9.0]),
+                                 axes=("x", "y"), some_steps=lambda most: [1],
+                                 contact=lambda step: made)
+
+
+upper_panel, lower_panel = shape.draw(bore(0.01)).axes
+assert np.isnan(upper_panel.lines[1].get_xdata()).sum() == 1, "no cell joins rows 5 and 6"
+assert lower_panel.get_ylim() == (1.08 * 0.01, 0)
+length = lower_panel.lines[0].get_xdata()
+assert np.isclose(np.nanmax(length), 30, rtol=1e-3), "an arc of 3 rad with a radius of 10"
+assert np.isclose(length[np.nanargmax(lower_panel.lines[0].get_ydata())], 15, rtol=1e-3)
+assert len(shape.draw(bore(2.0)).axes) == 1, "deep wear is seen by itself"
 
 # The difference: of the same nodes, though they have moved; else between them.
 first, second = (table(1.0) for _ in range(2))
