@@ -165,6 +165,21 @@ BooleanDifference(3) = { Surface{1}; Delete; }{ Surface{2}; Delete; };
   EXPECT_EQ(check_mesh<2>(read_mesh_file(structured, {.size = 1e-6})).mesh.cells.size(), 32u);
 }
 
+TEST_F(MeshFile, MembersOfGroupsThatTheGeometryDoesNotHaveAreTold) {
+  const fs::path file =
+      put("block.geo", std::string(block) +
+                           "Physical Curve(\"side\", 7) = {2, -4, 17,\n 18};\n"
+                           "// Physical Curve(\"no group\") = {19};\n"
+                           "/* Physical Curve(\"none\") = {20}; */ n = 2;\n"
+                           "Physical Surface(8) = {5}; Physical Point(\"other\") = {n, 3};\n");
+  std::vector<std::string> told;
+  for (const std::string& remark : read_mesh_file(file).remarks)
+    if (remark.find("does not have") != remark.npos) told.push_back(remark);
+  EXPECT_THAT(told,
+              ElementsAre("group \"side\" names curve 17, 18, which the geometry does not have",
+                          "group 8 names surface 5, which the geometry does not have"));
+}
+
 TEST_F(MeshFile, OfAGeometryIsTheSameEveryTime) {
   const fs::path file = put("block.geo", block);
   expect_same(check_mesh<2>(read_mesh_file(file)), check_mesh<2>(read_mesh_file(file)));
