@@ -62,11 +62,15 @@ std::vector<std::string> absent_members(const std::string& file) {
   whole << stream.rdbuf();
   const std::string text = without_comments(whole.str());
   static const std::regex group(
-      R"re(Physical\s+(Point|Curve|Line|Surface|Volume)\s*\(\s*("[^"]*"|\d+)[^)]{0,40}\)\s*\+?=\s*\{([-\d\s,]{1,4000})\})re");
+      R"re(Physical\s+(Point|Curve|Line|Surface|Volume)\s*\(\s*("[^"]*"|\d+)[^)]{0,40}\)\s*\+?=\s*\{)re");
   std::vector<std::string> sentences;
   for (std::sregex_iterator found(text.begin(), text.end(), group), end; found != end; ++found) {
+    const auto first = static_cast<std::size_t>(found->position() + found->length());
+    const std::size_t last = text.find_first_not_of("-0123456789, \t\r\n", first);
+    if (last == text.npos || text[last] != '}') continue;  // not a list of plain numbers
     std::string kind = (*found)[1];
-    const std::string absent = absent_in((*found)[3], tags_of(dimension_named(kind)));
+    const std::string list = text.substr(first, last - first);
+    const std::string absent = absent_in(list, tags_of(dimension_named(kind)));
     if (absent.empty()) continue;
     for (char& letter : kind) letter = static_cast<char>(std::tolower(letter));
     sentences.push_back("group " + std::string((*found)[2]) + " names " + kind + " " + absent +
