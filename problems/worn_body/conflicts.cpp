@@ -49,7 +49,7 @@ void find_conflicts(const Scene& scene, Mistakes& mistakes) {
 }
 
 template <int dim>
-void remark_sums_of_loads(const Scene& scene, WornBody<dim>& body) {
+void remark_on_loads(const Scene& scene, WornBody<dim>& body) {
   std::map<std::string, std::vector<std::string>> loads;  // by group
   for (const std::string& number : scene.chosen_names("load.#.on"))
     loads[scene.text("load." + number + ".on")].push_back(number);
@@ -58,6 +58,12 @@ void remark_sums_of_loads(const Scene& scene, WornBody<dim>& body) {
       body.remarks.push_back(
           fmt::format("\"{}\" has several loads, [[load]] number {}: they add up", group,
                       fmt::join(numbers, ", ")));
+  for (const auto& [group, numbers] : loads)
+    if (contains(scene.texts("wear.on"), group))
+      body.remarks.push_back(
+          fmt::format("[[load]] number {} acts on \"{}\", which wears: it is there beside the "
+                      "pressure of contact",
+                      fmt::join(numbers, ", "), group));
 }
 
 template <int dim>
@@ -93,8 +99,8 @@ void require_moving_shape(const Scene& scene, const WornBody<dim>& body) {
 
 template void require_moving_shape(const Scene&, const WornBody<2>&);
 template void require_moving_shape(const Scene&, const WornBody<3>&);
-template void remark_sums_of_loads(const Scene&, WornBody<2>&);
-template void remark_sums_of_loads(const Scene&, WornBody<3>&);
+template void remark_on_loads(const Scene&, WornBody<2>&);
+template void remark_on_loads(const Scene&, WornBody<3>&);
 template void require_free_contact(const Scene&, const ImportedBody<2>&, const WornBody<2>&);
 template void require_free_contact(const Scene&, const ImportedBody<3>&, const WornBody<3>&);
 

@@ -12,9 +12,10 @@ namespace gnomon::part {
 /// groups whose shape is to be held and to slide.
 void find_conflicts(const Scene& scene, Mistakes& mistakes);
 
-/// A remark where several loads act on one group, for they add up.
+/// A remark where several loads act on one group, for they add up, and where a load acts on a
+/// wearing surface.
 template <int dim>
-void remark_sums_of_loads(const Scene& scene, WornBody<dim>& body);
+void remark_on_loads(const Scene& scene, WornBody<dim>& body);
 
 /// Throws InputError for a rigid support on a wearing surface along its normal: it would carry the
 /// contact pressure there.

@@ -18,11 +18,10 @@ const std::vector<typename Mesh<dim>::Facet>& group_facets(const Scene& scene,
 
 template <int dim>
 std::vector<int> group_nodes(const Scene& scene, const std::string& key, const std::string& name,
-                             const ImportedBody<dim>& part) {
-  if (const auto points = part.point_groups.find(name); points != part.point_groups.end())
-    return points->second;
-  group_facets(scene, key, name, part);  // for its message
-  return part.mesh.boundary_nodes(name);
+                             const ImportedBody<dim>& part) try {
+  return gnomon::group_nodes(part, name);
+} catch (const InputError& error) {
+  throw InputError(scene.where(key) + ": " + error.what());
 }
 
 template <int dim>

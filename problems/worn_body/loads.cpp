@@ -147,6 +147,15 @@ Vector<dim> read_load(const Scene& scene, const std::string& load, const Importe
 
 }  // namespace
 
+void find_mistakes_of_loads(const Scene& scene, Mistakes& mistakes) {
+  mistakes.collect([&] {
+    for (const std::string& load : entries_of(scene, "load", load_keys(), {})) {
+      mistakes.collect([&] { kind_of(scene, load); });
+      mistakes.collect([&] { read_history(scene, load); });
+    }
+  });
+}
+
 template <int dim>
 Vector<dim> read_loads(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>& body) {
   body.load = NodalField<dim>::Zero(static_cast<Eigen::Index>(part.mesh.nodes.size()), dim);

@@ -10,6 +10,9 @@ namespace gnomon::part {
 /// Keys of `[[load]]`.
 std::vector<Key> load_keys();
 
+/// What is wrong in [[load]] whatever the mesh is.
+void find_mistakes_of_loads(const Scene& scene, Mistakes& mistakes);
+
 /// Adds a term for each load; body.load stays zero. Returns the sum of the dead loads at factor one
 /// [force], which is what presses a body on a counter-body that is at rest. Throws InputError.
 template <int dim>

@@ -4,6 +4,8 @@
 
 #include <Eigen/SVD>
 #include <gnomon/base/error.hpp>
+#include <gnomon/mesh/contact_patch.hpp>
+#include <gnomon/terms/loads.hpp>
 #include <gnomon/terms/springs.hpp>
 #include <set>
 
@@ -30,7 +32,7 @@ std::vector<Key> support_keys() {
        .unit = "mm",
        .presence = optional,
        .absent_meaning = "held at zero",
-       .help = "displacement in each of the directions"},
+       .help = "displacement in each of the directions; of springs, that of their other ends"},
       {.name = "support.#.stiffness",
        .unit = "MPa/mm",
        .presence = optional,
@@ -66,17 +68,42 @@ std::vector<int> directions_of(const Scene& scene, const std::string& support) {
 
 namespace {
 
+/// One number for each direction.
+std::vector<double> values_of(const Scene& scene, const std::string& support,
+                              const std::vector<int>& directions) {
+  const std::string key = support + ".value";
+  const std::vector<double> values = scene.reals(key);
+  if (values.size() != directions.size())
+    throw InputError(fmt::format("{}: expected one number for each direction, {}, got {}",
+                                 scene.where(key), directions.size(), values.size()));
+  return values;
+}
+
+/// Where the other ends of springs move by c(t) u^, k A^ (u - c u^): the springs, and the force
+/// c k A^ u^.
+template <int dim>
+void pull_springs(const Vector<dim>& stiffness, const std::vector<double>& values,
+                  const std::vector<int>& directions, const std::vector<ContactPatch<dim>>& patches,
+                  LoadHistory history, WornBody<dim>& body) {
+  Field::Values forces =
+      Field::Values::Zero(static_cast<Eigen::Index>(body.mesh.nodes.size()), dim);
+  for (const ContactPatch<dim>& patch : patches)
+    for (std::size_t k = 0; k < directions.size(); ++k)
+      forces(patch.node, directions[k]) = stiffness[directions[k]] * patch.initial_area * values[k];
+  body.added_terms.push_back(
+      [forces = std::move(forces), history = std::move(history)](
+          const WornBody<dim>&, const WornBodyFields& fields, const Numbering& numbering) {
+        return std::make_unique<Loads<dim>>(numbering, fields.u, forces, history,
+                                            Loads<dim>::Purpose::acts);
+      });
+}
+
 template <int dim>
 void add_springs(const Scene& scene, const ImportedBody<dim>& part, const std::string& support,
                  const std::vector<int>& directions, WornBody<dim>& body) {
   Vector<dim> stiffness = Vector<dim>::Zero();
   for (int i : directions) stiffness[i] = scene.real(support + ".stiffness");
   const std::string on = support + ".on";
-  for (const char* other : {".value", ".times", ".factors"})
-    if (given(scene, support + other))
-      throw InputError(
-          scene.where(support + other) +
-          ": expected none beside `stiffness`; springs pull towards the initial place");
   const auto facets = group_facets(scene, on, scene.text(on), part);
   const Section section = section_of(scene);
   body.added_terms.push_back(
@@ -84,6 +111,10 @@ void add_springs(const Scene& scene, const ImportedBody<dim>& part, const std::s
         return std::make_unique<Springs<dim>>(whole.mesh, facets, stiffness, numbering, fields.u,
                                               section);
       });
+  if (given(scene, support + ".value"))
+    pull_springs<dim>(stiffness, values_of(scene, support, directions), directions,
+                      contact_patches<dim>(part.mesh, facets, {}, section),
+                      read_history(scene, support), body);
 }
 
 template <int dim>
@@ -92,10 +123,7 @@ void hold(const Scene& scene, const std::string& support, const std::vector<int>
   const std::string key = support + ".value";
   std::vector<double> values(directions.size(), 0.0);
   const bool moves = given(scene, key);
-  if (moves) values = scene.reals(key);
-  if (values.size() != directions.size())
-    throw InputError(fmt::format("{}: expected one number for each direction, {}, got {}",
-                                 scene.where(key), directions.size(), values.size()));
+  if (moves) values = values_of(scene, support, directions);
   PrescribedValues prescribed;
   prescribed.history = read_history(scene, support);
   for (int node : nodes)
@@ -107,6 +135,13 @@ void hold(const Scene& scene, const std::string& support, const std::vector<int>
 }
 
 }  // namespace
+
+void find_mistakes_of_supports(const Scene& scene, Mistakes& mistakes) {
+  mistakes.collect([&] {
+    for (const std::string& support : entries_of(scene, "support", support_keys(), {"on"}))
+      mistakes.collect([&] { read_history(scene, support); });
+  });
+}
 
 template <int dim>
 void read_supports(const Scene& scene, const ImportedBody<dim>& part, WornBody<dim>& body) {

@@ -15,6 +15,9 @@ std::vector<Key> support_keys();
 template <int dim>
 std::vector<int> directions_of(const Scene& scene, const std::string& support);
 
+/// What is wrong in [[support]] whatever the mesh is.
+void find_mistakes_of_supports(const Scene& scene, Mistakes& mistakes);
+
 /// Fills in displacement_fixed, prescribed_displacement, and springs among the added terms. Throws
 /// InputError.
 template <int dim>

@@ -42,8 +42,11 @@ std::filesystem::path file_of(const Scene& scene, const std::string& key) {
 ImportedMesh read_mesh(const Scene& scene) {
   const bool file = scene.has("mesh.file"), geometry = scene.has("mesh.geometry");
   if (file == geometry)
-    throw InputError(fmt::format("{}: expected either mesh.file or mesh.geometry, got {}",
-                                 scene.path().string(), file ? "both" : "neither"));
+    throw InputError(
+        file ? scene.where("mesh.geometry") +
+                   ": expected either mesh.file or mesh.geometry, got both"
+             : scene.path().string() +
+                   ": section [mesh]: expected `file`, a mesh, or `geometry`, which Gmsh meshes");
   const std::string key = file ? "mesh.file" : "mesh.geometry";
   try {
     return read_mesh_file(file_of(scene, key), {.size = scene.real_if("mesh.size").value_or(0),
@@ -91,13 +94,17 @@ void choose_approach(const Scene& scene, WornBody<dim>& body) {
 
 /// How far the bodies are brought into each other where no force presses them.
 template <int dim>
-double given_overlap(const WornBody<dim>& body) {
+double given_overlap(const Scene& scene, const WornBody<dim>& body) {
   double most = 0;
   const auto take = [&](const LoadHistory& history, double value) {
     for (double t : history.times()) most = std::max(most, std::abs(value * history.factor(t)));
   };
   for (const PrescribedValues& held : body.prescribed_displacement)
     for (const auto& entry : held.entries) take(held.history, entry.value);
+  for (const std::string& support : entries_of(scene, "support", support_keys(), {"on"}))
+    if (given(scene, support + ".stiffness") && given(scene, support + ".value"))
+      for (double value : scene.reals(support + ".value"))
+        take(read_history(scene, support), value);
   if (body.contact.counter_body.travel) take(*body.contact.counter_body.travel, 1);
   return most;
 }
@@ -151,7 +158,7 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
   mistakes.require_none();
   const double force =
       body->counter_force.value_or(std::abs(load.dot(body->contact.counter_body.approach)));
-  const double overlap = given_overlap(*body);
+  const double overlap = given_overlap(scene, *body);
   if (force == 0 && overlap == 0)
     throw InputError(scene.path().string() +
                      ": expected something that presses the bodies on each other: "
@@ -168,7 +175,7 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
     body->remarks.push_back(fmt::format(
         "the mesh moves within {:.3g} mm of the wearing surfaces (shape.reach)", reach));
   warn_of_coarse_contact(magnitudes, *body);
-  remark_sums_of_loads(scene, *body);
+  remark_on_loads(scene, *body);
   remark_on_speeds(scene, *body);
   read_worn_body(scene, magnitudes.facet, *body);
   require_surface_laws(scene, *body);
@@ -182,8 +189,30 @@ std::unique_ptr<Model> make_from_file(const Scene& scene, ImportedMesh mesh) {
   return make_part<dim>(scene, check_mesh<dim>(std::move(mesh), scene.texts("wear.on")));
 }
 
+/// 2 or 3 by the numbers of the counter-body's vectors; 0 if it has none.
+std::size_t dimension_of(const Scene& scene) {
+  for (const char* key : {"counter_body.press.direction", "counter_body.motion.velocity",
+                          "counter_body.center", "counter_body.point"})
+    if (given(scene, key)) return scene.reals(key).size();
+  return 0;
+}
+
+/// The mistakes that can be told without the mesh.
+void find_mistakes_without_mesh(const Scene& scene, Mistakes& mistakes) {
+  find_conflicts(scene, mistakes);
+  find_mistakes_of_supports(scene, mistakes);
+  find_mistakes_of_loads(scene, mistakes);
+  const std::size_t dim = dimension_of(scene);
+  if (dim == 2) mistakes.collect([&] { read_counter_body<2>(scene, section_of(scene)); });
+  if (dim == 3) mistakes.collect([&] { read_counter_body<3>(scene, Section::plane); });
+}
+
 std::unique_ptr<Model> make(const Scene& scene) {
-  ImportedMesh mesh = read_mesh(scene);
+  ImportedMesh mesh;
+  Mistakes mistakes;
+  if (!mistakes.collect([&] { mesh = read_mesh(scene); }))
+    find_mistakes_without_mesh(scene, mistakes);
+  mistakes.require_none();
   return mesh.dimension == 2 ? make_from_file<2>(scene, std::move(mesh))
                              : make_from_file<3>(scene, std::move(mesh));
 }
@@ -197,7 +226,6 @@ std::unique_ptr<Model> remake(const Scene& scene, const Grid& grid) {
 /// Where keys are mistaken, names of groups can be looked up all the same.
 void find_mistakes_of_groups(const Scene& scene, Mistakes& mistakes) {
   find_conflicts(scene, mistakes);
-  if (scene.has("mesh.file") == scene.has("mesh.geometry")) return;
   mistakes.collect([&] {
     ImportedMesh mesh = read_mesh(scene);
     if (mesh.dimension == 2)

@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
+#include <gnomon/model/problem.hpp>
 #include <gnomon/results/results.hpp>
 #include <gnomon/run/summary.hpp>
+#include <gnomon/scene/scene.hpp>
+#include <map>
+#include <optional>
 #include <sstream>
 
 #include "app/commands.hpp"
@@ -89,12 +93,38 @@ void print_history(const HistoryRow& last) {
     fmt::print("{}\n", ledger);
 }
 
-void print_contact_row(const ContactSurface& surface, std::size_t i) {
+/// For each node of the contact surface the name of its wearing surface, that of the first in the
+/// scene where two meet; empty where the scene has one wearing surface, or does not name it.
+std::vector<std::string> surface_names(const ResultReader& result, const ContactSurface& contact) {
+  const std::optional<Grid> grid = result.grid();
+  if (!grid || grid->parts.empty()) return {};  // of a built-in problem
+  const Scene scene = parse_scene(result.header().scene, "the scene of the result", {}, key_table);
+  if (!scene.knows("wear.on") || scene.texts("wear.on").size() < 2) return {};
+  std::map<int, std::string> name_of;
+  for (const std::string& name : scene.texts("wear.on"))
+    for (const MeshPart& part : grid->parts)
+      if (part.kind == MeshPart::Kind::facets && part.name == name)
+        for (int node : part.nodes) name_of.try_emplace(node, name);
+  std::vector<std::string> names;
+  for (int node : contact.node) names.push_back(name_of[node]);
+  return names;
+}
+
+/// A field of CSV; quotes are doubled within quotes.
+std::string csv_text(const std::string& text) {
+  if (text.find_first_of(",\"\n") == text.npos) return text;
+  std::string doubled;
+  for (char letter : text) doubled.append(letter == '"' ? 2 : 1, letter);
+  return fmt::format("\"{}\"", doubled);
+}
+
+void print_contact_row(const ContactSurface& surface, std::size_t i, const std::string& end) {
   std::string row = fmt::format("{}", surface.node[i]);
   for (const auto* points : {&surface.initial, &surface.worn, &surface.current})
     for (int component = 0; component < surface.dim; ++component)
       row += fmt::format(",{}", (*points)[i][static_cast<std::size_t>(component)]);
-  fmt::print("{},{},{},{}\n", row, surface.pressure[i], surface.wear_depth[i], surface.active[i]);
+  fmt::print("{},{},{},{}{}\n", row, surface.pressure[i], surface.wear_depth[i], surface.active[i],
+             end);
 }
 
 }  // namespace
@@ -157,10 +187,15 @@ int contact_command(const std::filesystem::path& file, const std::string& time) 
   std::optional<double> stored;
   if (!time.empty()) stored = stored_time(result.stored_times(), time, file.string());
   const ContactSurface surface = result.contact(stored);
-  const bool flat = surface.dim == 2;
-  fmt::print("node,{},pressure,wear_depth,active\n",
-             flat ? "X0,Y0,X,Y,x,y" : "X0,Y0,Z0,X,Y,Z,x,y,z");
-  for (std::size_t i = 0; i < surface.node.size(); ++i) print_contact_row(surface, i);
+  const std::vector<std::string> names = surface_names(result, surface);
+  std::string header = "node";
+  for (const char* ending : {"XYZ0", "XYZ", "xyz"})
+    for (int i = 0; i < surface.dim; ++i)
+      header += fmt::format(",{}{} [mm]", ending[i], ending[3] ? "0" : "");
+  fmt::print("{},pressure [MPa],wear_depth [mm],active{}\n", header,
+             names.empty() ? "" : ",surface");
+  for (std::size_t i = 0; i < surface.node.size(); ++i)
+    print_contact_row(surface, i, names.empty() ? "" : fmt::format(",{}", csv_text(names[i])));
   return success;
 }
 

@@ -33,8 +33,13 @@ ImportedMesh read(const std::filesystem::path& file, std::optional<double> size)
 }
 
 template <int dim>
-std::string direction_text(const FlatPart<dim>& part) {
-  if (!part.flat) return "curved";
+std::string direction_text(const Mesh<dim>& mesh,
+                           const std::vector<typename Mesh<dim>::Facet>& facets) {
+  const FlatPart<dim> part = flat_part<dim>(mesh, facets);
+  if (!part.flat) {
+    const int planes = planes_of<dim>(mesh, facets);
+    return planes > 1 ? fmt::format("{} planes", planes) : "curved";
+  }
   std::vector<double> normal;
   for (int i = 0; i < dim; ++i)
     normal.push_back(std::abs(part.normal[i]) < 1e-9 ? 0 : part.normal[i]);
@@ -61,7 +66,7 @@ void print_mesh(const ImportedBody<dim>& body) {
     double area = 0;
     for (const auto& patch : contact_patches<dim>(body.mesh, facets)) area += patch.initial_area;
     table.add({name, fmt::format("{}", facets.size()), fmt::format("{:.6g}", area),
-               direction_text<dim>(flat_part<dim>(body.mesh, facets))});
+               direction_text<dim>(body.mesh, facets)});
   }
   fmt::print("{}", table.text());
   for (const auto& [name, nodes] : body.point_groups)

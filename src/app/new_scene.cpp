@@ -110,6 +110,10 @@ std::string new_scene(const std::filesystem::path& mesh, std::optional<double> s
       "[mesh]\n{} = \"{}\"  # parts: {}\n",
       file, is_geometry(mesh) ? "geometry" : "file", file,
       names.empty() ? "none: name some in Gmsh" : fmt::format("{}", fmt::join(names, ", ")));
+  std::vector<std::string> points;
+  for (const auto& [name, nodes] : body.point_groups) points.push_back(name);
+  if (!points.empty())
+    text += fmt::format("# groups of points, for supports: {}\n", fmt::join(points, ", "));
   if (size) text += fmt::format("size = {}  # mm, longest edge of an element\n", *size);
   text += "\n[body]\nyoung_modulus = 210e3  # MPa\npoisson_ratio = 0.3\n";
   if (dim == 2) text += "plane = \"strain\"  # or \"axisymmetric\", in coordinates (r, z)\n";

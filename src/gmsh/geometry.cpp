@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gmsh/model_mesh.hpp"
+#include "gmsh/size_check.hpp"
 
 namespace gnomon::gmsh_reader {
 
@@ -64,14 +65,15 @@ void mesh_geometry(double size, double factor, bool has_options,
   const double there = get("Mesh.MeshSizeFactor");
   const double own_factor = there == factor ? factor : there * factor;  // a script has set its own
   set("Mesh.MeshSizeFactor", own_factor);
+  // Subdivision is left to what does not come out as it should: it would refine structured meshes.
+  set("Mesh.SubdivisionAlgorithm", 0);
+  check_number_of_cells(dimension, size);
   if (dimension == 2) {
     set("Mesh.RecombineAll", 1);
     constexpr int full_quads_simple = 2;
     if (get("Mesh.RecombinationAlgorithm") > full_quads_simple)
       set("Mesh.RecombinationAlgorithm", 1);  // Gmsh 4.8.4 fails with that of full quads
   }
-  // Subdivision is left to what does not come out as it should: it would refine structured meshes.
-  set("Mesh.SubdivisionAlgorithm", 0);
   gmsh::model::mesh::generate(dimension);
   if (is_of_bricks(dimension)) return;
   gmsh::model::mesh::clear();

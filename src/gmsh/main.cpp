@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "gmsh/geometry.hpp"
+#include "gmsh/group_check.hpp"
 #include "gmsh/model_mesh.hpp"
 #include "mesh/mesh_stream.hpp"
 
@@ -97,6 +98,8 @@ ImportedMesh read(const std::string& file, double size, double factor, bool geom
   ImportedMesh mesh;
   if (geometry) mesh_geometry(size, factor, file.ends_with(".geo"), mesh.remarks);
   if (const std::string error = first_error(); !error.empty()) throw std::runtime_error(error);
+  if (file.ends_with(".geo"))
+    for (std::string& sentence : absent_members(file)) mesh.remarks.push_back(tidy(sentence));
   copy_model(mesh, geometry);
   return mesh;
 }

@@ -69,9 +69,14 @@ std::vector<Key> press_keys(std::size_t dim) {
        .range = {.max = positive_quantity.max},
        .help = "factors of press.force at press.times, 1e-6 or more: linear between them, "
                "constant before the first and after the last"},
-      vector_key("counter_body.press.approach", 0, "mm", "it does not move",
-                 "how far it has moved along press.direction, at press.times, straight between "
-                 "them; or an array of one number"),
+      {.name = "counter_body.press.approach",
+       .kind = KeyKind::reals,
+       .unit = "mm",
+       .presence = optional,
+       .absent_meaning = "it does not move",
+       .or_single = true,
+       .help = "how far it has moved along press.direction: one number, or numbers at press.times, "
+               "straight between them"},
       {.name = "counter_body.press.times",
        .kind = KeyKind::reals,
        .unit = "s",
@@ -89,6 +94,7 @@ void add_shape_key(std::vector<Key>& keys, std::vector<std::vector<std::string>>
   owners.resize(std::max(owners.size(), keys.size()));
   if (there != keys.end()) {
     owners[static_cast<std::size_t>(there - keys.begin())].push_back(shape);
+    if (there->help.find(key.help) == std::string::npos) there->help += "; " + key.help;
     return;
   }
   keys.push_back(key);

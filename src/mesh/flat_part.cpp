@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/mesh/flat_part.hpp>
+#include <limits>
 
 namespace gnomon {
 
@@ -54,6 +55,39 @@ FlatPart<dim> flat_part(const Mesh<dim>& mesh, const std::vector<typename Mesh<d
   return part;
 }
 
+template <int dim>
+int planes_of(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
+              double tolerance) {
+  struct Plane {
+    Vector<dim> normal, point;
+  };
+  constexpr std::size_t most = 6;
+  constexpr double cosine = 0.87;  // of 30 degrees
+  Vector<dim> low = Vector<dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const auto& facet : facets)
+    for (int node : facet) {
+      low = low.cwiseMin(mesh.nodes[node]);
+      high = high.cwiseMax(mesh.nodes[node]);
+    }
+  std::vector<Plane> planes;
+  for (const auto& facet : facets) {
+    const Vector<dim> normal = area_vector(mesh, facet).normalized(), point = mesh.nodes[facet[0]];
+    const auto known = std::find_if(planes.begin(), planes.end(), [&](const Plane& plane) {
+      return (normal - plane.normal).norm() < tolerance &&
+             std::abs((point - plane.point).dot(plane.normal)) < tolerance * (high - low).norm();
+    });
+    if (known != planes.end()) continue;
+    for (const Plane& plane : planes)
+      if (normal.dot(plane.normal) > cosine && (normal - plane.normal).norm() >= tolerance)
+        return 0;
+    planes.push_back({normal, point});
+    if (planes.size() > most) return 0;
+  }
+  return static_cast<int>(planes.size());
+}
+
+template int planes_of(const Mesh<2>&, const std::vector<Mesh<2>::Facet>&, double);
+template int planes_of(const Mesh<3>&, const std::vector<Mesh<3>::Facet>&, double);
 template FlatPart<2> flat_part(const Mesh<2>&, const std::vector<Mesh<2>::Facet>&, double);
 template FlatPart<3> flat_part(const Mesh<3>&, const std::vector<Mesh<3>::Facet>&, double);
 

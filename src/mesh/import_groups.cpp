@@ -102,11 +102,26 @@ void remark_overlaps(ImportedBody<dim>& body, const Parts& parts) {
     }
 }
 
-std::string names_of(const auto& named) {
-  std::string result;
-  for (const auto& [name, ignored] : named)
-    result += (result.empty() ? "" : ", ") + toml_text(name);
-  return result;
+std::vector<std::string> names_of(const auto& named) {
+  std::vector<std::string> names;
+  for (const auto& [name, ignored] : named) names.push_back(name);
+  return names;
+}
+
+/// A name that is none of `names`.
+template <int dim>
+[[noreturn]] void refuse_name(const ImportedBody<dim>& body, const std::string& name,
+                              const std::vector<std::string>& names) {
+  const std::string wanted =
+      fmt::format("{}: has no {} called {}", body.file, part_kind<dim>, toml_text(name));
+  if (names.empty())
+    throw InputError(fmt::format("{}, nor any other; in Gmsh: {}({}) = {{1}};", wanted,
+                                 physical_part<dim>, toml_text(name)));
+  std::string all;
+  for (const std::string& one : names) all += (all.empty() ? "" : ", ") + toml_text(one);
+  if (const std::string near = nearest_name(name, names); !near.empty())
+    throw InputError(fmt::format("{}, did you mean {}? It has {}", wanted, toml_text(near), all));
+  throw InputError(fmt::format("{}, it has {}", wanted, all));
 }
 
 }  // namespace
@@ -147,21 +162,26 @@ const std::vector<typename Mesh<dim>::Facet>& boundary_part(const ImportedBody<d
   if (const auto found = parts.find(name); found != parts.end()) return found->second;
   if (const auto found = body.unusable.find(name); found != body.unusable.end())
     throw InputError(fmt::format("{}: {} {}", body.file, toml_text(name), found->second));
-  const std::string wanted =
-      fmt::format("{}: has no {} called {}", body.file, part_kind<dim>, toml_text(name));
-  if (parts.empty())
-    throw InputError(fmt::format("{}, nor any other; in Gmsh: {}({}) = {{1}};", wanted,
-                                 physical_part<dim>, toml_text(name)));
-  std::vector<std::string> names;
-  for (const auto& part : parts) names.push_back(part.first);
-  if (const std::string near = nearest_name(name, names); !near.empty())
-    throw InputError(
-        fmt::format("{}, did you mean {}? It has {}", wanted, toml_text(near), names_of(parts)));
-  throw InputError(fmt::format("{}, it has {}", wanted, names_of(parts)));
+  refuse_name(body, name, names_of(parts));
+}
+
+template <int dim>
+std::vector<int> group_nodes(const ImportedBody<dim>& body, const std::string& name) {
+  const auto& points = body.point_groups;
+  if (const auto found = points.find(name); found != points.end()) return found->second;
+  if (body.mesh.boundary.contains(name) || body.unusable.contains(name)) {
+    boundary_part(body, name);  // for what makes it unusable
+    return body.mesh.boundary_nodes(name);
+  }
+  std::vector<std::string> names = names_of(body.mesh.boundary);
+  for (std::string& point : names_of(points)) names.push_back(std::move(point));
+  refuse_name(body, name, names);
 }
 
 template void take_groups(ImportedBody<2>&, const FacetTable<2>&, const ImportedMesh&);
 template void take_groups(ImportedBody<3>&, const FacetTable<3>&, const ImportedMesh&);
+template std::vector<int> group_nodes(const ImportedBody<2>&, const std::string&);
+template std::vector<int> group_nodes(const ImportedBody<3>&, const std::string&);
 template const std::vector<Mesh<2>::Facet>& boundary_part(const ImportedBody<2>&,
                                                           const std::string&);
 template const std::vector<Mesh<3>::Facet>& boundary_part(const ImportedBody<3>&,

@@ -34,6 +34,7 @@ std::string number_expectation(const Key& key) {
                       : fmt::format("an array of {}s", text);
   else
     text = (is_integral(key.kind) ? "an " : "a ") + text;
+  if (key.or_single) text = "a number, or " + text;
   if (std::isinf(key.range.min) && std::isinf(key.range.max))
     text += is_integral(key.kind) ? "" : ", finite";
   else
@@ -71,6 +72,8 @@ std::variant<SceneValue, Complaint> check_number(const Key& key, const RawValue&
 
 template <class T>
 std::variant<SceneValue, Complaint> check_numbers(const Key& key, const RawValue& raw) {
+  if (const auto* scalar = std::get_if<RawScalar>(&raw.content); scalar && key.or_single)
+    if (const auto value = number<T>(key, *scalar)) return SceneValue(std::vector<T>{*value});
   const auto* array = std::get_if<RawArray>(&raw.content);
   if (!array || (key.length && array->size() != key.length)) return complain(key, describe(raw));
   std::vector<T> values;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "scene/nesting.hpp"
+#include "scene/toml_mistakes.hpp"
 #include "scene/toml_text.hpp"
 #include "scene/untrapped_arithmetic.hpp"
 
@@ -87,8 +88,11 @@ toml::table parse(const std::string& text, const std::string& name) {
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: not valid TOML: {}", name, error.source().begin.line,
-                                 one_line(error.description())));
+    const int line = static_cast<int>(error.source().begin.line);
+    if (const std::string usual = usual_toml_mistake(text, line); !usual.empty())
+      throw InputError(fmt::format("{}:{}: {}", name, line, one_line(usual)));
+    throw InputError(
+        fmt::format("{}:{}: not valid TOML: {}", name, line, one_line(error.description())));
   }
 }
 

@@ -11,7 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 sys.path.insert(0, sys.argv[1])
 sys.dont_write_bytecode = True
-from figures import counter, groups, mesh, plane, pressure, style  # noqa: E402
+from figures import counter, groups, mesh, plane, pressure, shape, style  # noqa: E402
 from figures.result import Item, Result, Surface  # noqa: E402
 
 style.apply()
@@ -78,6 +78,18 @@ def overlaps(figure):
             for j in range(i) if boxes[i].overlaps(boxes[j])]
 
 
+def outside(figure):
+    """Texts that are not wholly in the picture."""
+    figure.draw_without_rendering()
+    whole = figure.bbox.padded(0.5)
+    texts = [text for axes in figure.axes if axes.axison for text in
+             [axes.title, axes.xaxis.label, axes.yaxis.label, *axes.texts]
+             if text.get_text() and text.get_visible()]
+    boxes = [text.get_window_extent() for text in texts + figure.legends]
+    return [str(text) for text, box in zip(texts + figure.legends, boxes)
+            if box.x0 < whole.x0 or box.y0 < whole.y0 or box.x1 > whole.x1 or box.y1 > whole.y1]
+
+
 line = np.stack([np.linspace(5, -5, 50), np.full(50, -0.01), np.zeros(50)], axis=1)
 floor = Surface(line, np.stack([np.arange(49), np.arange(1, 50)], axis=1))
 wide = mesh.draw(result(surface=floor))
@@ -89,11 +101,14 @@ whole = [axes for axes in wide.axes if axes.get_title().startswith("deformed")]
 for axes in whole:
     assert axes.get_xlim()[0] <= -HALF and axes.get_xlim()[1] < 5, "the body sets the limits"
     assert len(axes.collections) == 5, "cells, lines, outline, counter-body and its band"
-for stretch in ([1, 0.002, 1], [0.002, 1, 1]):  # very flat, very tall
+# Very flat, flat, square, tall, very tall; with a time of many digits.
+for stretch in ([1, 0.002, 1], [1, 0.4, 1], [1, 4, 1], [0.1, 4, 1], [0.002, 1, 1]):
     extreme = result()
     extreme.points = points * stretch
+    extreme.times = np.array([0.0, 12340.0])
     figure = mesh.draw(extreme)
     assert not overlaps(figure) and figure.get_figheight() < 11, stretch
+    assert not outside(figure), (stretch, outside(figure))
 plain = mesh.draw(result(width=10.0))
 assert not [axes for axes in plain.axes if "contact" in axes.get_title()], "all is in contact"
 
@@ -122,12 +137,51 @@ assert lines([1, 1], 100) == (4 * len(cells), {0, 1})
 assert lines([1, 1], 1) == (0, set())
 assert lines([2, 0.2], 4) == (2 * len(cells), {1}), "those along x are too close to each other"
 
-# An axis on which the lowest curve can be read; what is cut off is said.
-axes = style.figure().add_subplot()
-assert pressure.limit(axes, [130.0, 11.0, 9.0, 5.0]) == [" (up to 130 MPa)", "", "", ""]
-assert 11 < axes.get_ylim()[1] < 15
-assert pressure.limit(axes, [130.0, 30.0, 0.0]) == [" (up to 130 MPa)", "", ""]
-assert pressure.limit(axes, [0.0]) == [""]
+# Curves that can be read on one axis have it in common; the highest are above.
+assert pressure.groups_of([130.0, 11.0, 9.0, 5.0]) == [[0], [1, 2, 3]]
+assert pressure.groups_of([12.0, 11.0, 9.0, 5.0]) == [[0, 1, 2, 3]]
+assert pressure.groups_of([130.0, 140.0, 0.0, 3.0, 20.0]) == [[0, 1], [4], [2, 3]]
+assert pressure.groups_of([0.0]) == [[0]] and pressure.groups_of([5.0, 0.0]) == [[0, 1]]
+assert len(pressure.groups_of([1e6, 1e4, 1e2, 1.0, 1e-2])) == pressure.MOST_ROWS
+sharp = result()
+loads = {0: (0.3, 26.0), 1: (3.0, 1.0)}  # half widths and factors: the start is far higher
+
+
+def sharp_table(step):
+    made = table(loads[step][0])
+    made["pressure"] *= loads[step][1]
+    return made
+
+
+sharp.contact = sharp_table
+figure = pressure.draw(sharp)
+assert [axes.get_ylim() for axes in figure.axes] == [(0, 1.08 * 130), (0, 1.08 * 5)]
+assert [len(axes.lines) for axes in figure.axes] == [1, 1]
+assert [text.get_text() for text in figure.legends[0].get_texts()] == ["0 s", "100 s"]
+
+
+# Wear that a deep surface would hide is drawn by its depth; rows that are not joined leave a gap.
+def bore(depth):
+    angle = np.linspace(-1.5, 1.5, 41)
+    x, y = 10 * np.sin(angle), -10 * np.cos(angle)
+    deep = depth * np.maximum(np.cos(3 * angle), 0) * (np.abs(angle) < 0.6)
+    node = np.arange(41)
+    ring = np.stack([node[:-1], node[1:], node[1:] + 41, node[:-1] + 41], axis=1)
+    columns = {"node": node, "X0": x, "Y0": y, "X": (1 + deep / 10) * x, "Y": (1 + deep / 10) * y,
+               "wear_depth": deep}
+    made = np.rec.fromarrays(list(columns.values()), names=list(columns))
+    return types.SimpleNamespace(cells=ring[np.arange(40) != 5], dim=2, times=np.array([0.0, 9.0]),
+                                 axes=("x", "y"), some_steps=lambda most: [1],
+                                 contact=lambda step: made)
+
+
+upper_panel, lower_panel = shape.draw(bore(0.01)).axes
+assert np.isnan(upper_panel.lines[1].get_xdata()).sum() == 1, "no cell joins rows 5 and 6"
+assert lower_panel.get_ylim() == (1.08 * 0.01, 0)
+length = lower_panel.lines[0].get_xdata()
+assert np.isclose(np.nanmax(length), 30, rtol=1e-3), "an arc of 3 rad with a radius of 10"
+assert np.isclose(length[np.nanargmax(lower_panel.lines[0].get_ydata())], 15, rtol=1e-3)
+assert len(shape.draw(bore(2.0)).axes) == 1, "deep wear is seen by itself"
 
 # The difference: of the same nodes, though they have moved; else between them.
 first, second = (table(1.0) for _ in range(2))
@@ -156,3 +210,11 @@ assert names == ["upper side: 16 facets", "one point: points, 1"], names
 assert {"upper side", "one point"} <= {text.get_text() for text in figure.axes[0].texts}
 pieces = groups.chains(np.array([[0, 1], [1, 2], [7, 8], [8, 9], [9, 10]]))
 assert [list(piece) for piece in pieces] == [[0, 1], [2, 3, 4]], "each gets the name"
+
+# Names stay in the picture of a body of any shape, and leave it its place.
+for stretch in ([1, 0.1, 1], [1, 4, 1], [0.02, 4, 1]):
+    long = [groups.Part(f"{name} of the part that is worn", points * stretch, facets)
+            for name, facets in (("upper side", upper[::-1]), ("wall", cells[N[0] - 1::N[0], [1, 2]]))]
+    figure = groups.draw(groups.Part("body", points * stretch, cells), long)
+    assert not outside(figure), (stretch, outside(figure))
+    assert figure.axes[0].get_window_extent().height > 0.4 * figure.bbox.height, stretch

@@ -10,6 +10,7 @@
 #include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/results/results.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/child.hpp"
 
@@ -166,6 +167,52 @@ TEST_F(PartCommands, AMissingMeshIsNamedWithTheLineOfItsKey) {
   std::filesystem::remove(folder() / "block_on_ring.geo");
   EXPECT_THAT(gnomon({"check", "block_on_ring.toml"}).err,
               HasSubstr("block_on_ring.toml:9: key `mesh.geometry`: block_on_ring.geo: no such"));
+  // What can be told without the mesh is told too.
+  const std::string all =
+      gnomon({"check", "block_on_ring.toml", "--set", "load.1.on=surface", "--set",
+              "support.1.times=[0.0]", "--set", "counter_body.major_radius=3.0"})
+          .err;
+  for (const char* part : {"no such file", "one of force, traction", "support.1.factors", "torus"})
+    EXPECT_THAT(all, HasSubstr(part));
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 4) << all;
+  std::string scene = test::read_text(folder() / "block_on_ring.toml");
+  scene.replace(scene.find("geometry ="), 10, "factor = 2 # ");
+  write("without.toml", scene);
+  EXPECT_THAT(gnomon({"check", "without.toml"}).err,
+              HasSubstr("without.toml: section [mesh]: expected `file`, a mesh, or `geometry`"));
+}
+
+TEST_F(PartCommands, GroupsOfPointsAreSuggestedAndListed) {
+  write("block_on_ring.geo",
+        test::read_text(folder() / "block_on_ring.geo") + "Physical Point(\"keel\") = {1};\n");
+  EXPECT_THAT(gnomon({"check", "block_on_ring.toml", "--set", "support.2.on=kel"}).err,
+              HasSubstr("did you mean \"keel\"?"));
+  ASSERT_EQ(gnomon({"new", "block_on_ring.geo", "-o", "mine.toml"}).exit_code, 0);
+  EXPECT_THAT(test::read_text(folder() / "mine.toml"), HasSubstr("for supports: keel\n"));
+}
+
+TEST_F(PartCommands, ContactNamesTheSurfaceOfEachNode) {
+  write("block_on_ring.geo", R"(
+Point(1) = {-4, -4, 0, 1}; Point(2) = {4, -4, 0, 1}; Point(3) = {4, 0, 0, 1};
+Point(4) = {0, 0, 0, 1}; Point(5) = {-4, 0, 0, 1};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 1};
+Curve Loop(1) = {1, 2, 3, 4, 5}; Plane Surface(1) = {1};
+Physical Curve("bottom") = {1}; Physical Curve("right, worn") = {3}; Physical Curve("left") = {4};
+)");
+  ASSERT_EQ(gnomon({"run", "block_on_ring.toml", "--set", "wear.on=[\"right, worn\", \"left\"]",
+                    "--set", "time.end=1", "--set", "output.times=[]", "-o", "a.h5", "--quiet"})
+                .exit_code,
+            0);
+  std::istringstream table(gnomon({"contact", "a.h5"}).out);
+  std::string line;
+  std::getline(table, line);
+  EXPECT_THAT(line, testing::EndsWith(",pressure [MPa],wear_depth [mm],active,surface"));
+  int rows = 0;
+  for (; std::getline(table, line); ++rows) {
+    const double x = std::stod(line.substr(line.find(',') + 1));
+    EXPECT_THAT(line, testing::EndsWith(x > -1e-9 ? ",\"right, worn\"" : ",left"));
+  }
+  EXPECT_GE(rows, 9);
 }
 
 TEST_F(PartCommands, SizesThatMeanNothingAreRefused) {
@@ -334,6 +381,9 @@ TEST_F(PartCommands, ConflictsOfGroupsAreNamed) {
   EXPECT_EQ(loads.exit_code, 0) << loads.err;
   EXPECT_THAT(loads.out,
               HasSubstr("# \"bottom\" has several loads, [[load]] number 1, 2: they add"));
+  EXPECT_THAT(check({"load.1.on=surface", "load.1.pressure=3.0"}).out,
+              HasSubstr("# [[load]] number 1 acts on \"surface\", which wears"));
+  EXPECT_EQ(loads.out.find("which wears"), std::string::npos);
   // Along the surface it may be held.
   EXPECT_EQ(check({"support.2.on=surface", "support.2.directions=[\"x\"]"}).exit_code, 0);
 }

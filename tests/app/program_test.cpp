@@ -120,7 +120,9 @@ TEST_F(Program, ContactPrintsCsvInFullPrecision) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto lines = lines_of(outcome.out);
   ASSERT_EQ(lines.size(), 10u);
-  EXPECT_EQ(lines[0], "node,X0,Y0,X,Y,x,y,pressure,wear_depth,active");
+  EXPECT_EQ(lines[0],
+            "node,X0 [mm],Y0 [mm],X [mm],Y [mm],x [mm],y [mm],pressure [MPa],wear_depth [mm],"
+            "active");
   const ContactSurface surface = ResultReader(folder() / "a.h5").contact(20.0);
   std::vector<double> cells;
   std::istringstream middle(lines[5]);

@@ -214,6 +214,8 @@ TEST(CounterBodyScene, PressAndApproach) {
   EXPECT_FALSE(moved.force);
   EXPECT_NEAR((moved.body.approach - Vector<2>(0.6, -0.8)).norm(), 0, 1e-15);
   EXPECT_DOUBLE_EQ(moved.body.travel->factor(1), 0.05);
+  const auto single = body_of<2>(ring + "press = { direction = [0, -1], approach = 0.02 }");
+  EXPECT_EQ(single.body.travel->factor(7), 0.02);
   const auto held = body_of<2>(ring + "press = { direction = [0, -1], approach = [0.02] }");
   EXPECT_DOUBLE_EQ(held.body.travel->factor(7), 0.02);
   EXPECT_FALSE(body_of<2>(ring).body.travel);

@@ -54,5 +54,19 @@ TEST(FlatPart, IsNotWhatLooksBothWaysOrIsEmpty) {
   EXPECT_FALSE(flat_part(mesh, closed).flat);
 }
 
+TEST(PlanesOf, CountsPlanesThatAreApart) {
+  const Mesh<2> ring = sector(0.3);
+  EXPECT_EQ(planes_of(ring, ring.boundary.at("bottom")), 1);
+  EXPECT_EQ(planes_of(ring, ring.boundary.at("left")), 0) << "an arc";
+  const Mesh<3> cube = structured_hexahedra(
+      3, 3, 3, [](double r, double s, double t) { return Vector<3>(r, s, t); });
+  auto facets = cube.boundary.at("left");
+  for (const char* other : {"right", "top"}) {
+    const auto& more = cube.boundary.at(other);
+    facets.insert(facets.end(), more.begin(), more.end());
+  }
+  EXPECT_EQ(planes_of(cube, facets), 3);
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -214,6 +214,15 @@ TEST(BoundaryPart, IsRefusedWithWhatTheMeshHas) {
   EXPECT_THAT(refusal(body, "body"), HasSubstr("is a group of surfaces, expected one of curves"));
   EXPECT_THAT(refusal(body, "spots"), HasSubstr("is a group of points, expected one of curves"));
   EXPECT_EQ(body.point_groups.at("spots").size(), 2u);
+  // Where points will do, they are among the names.
+  EXPECT_EQ(group_nodes(body, "spots"), body.point_groups.at("spots"));
+  EXPECT_EQ(group_nodes(body, "bottom"), body.mesh.boundary_nodes("bottom"));
+  try {
+    group_nodes(body, "spot");
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("did you mean \"spots\"? It has \"bottom\""));
+  }
   mesh.groups.clear();
   EXPECT_THAT(refusal(check_mesh<2>(mesh), "bottom"),
               HasSubstr("has no curve called \"bottom\", nor any other; in Gmsh: Physical Curve"));

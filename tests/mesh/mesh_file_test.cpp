@@ -141,6 +141,45 @@ TEST_F(MeshFile, OfAGeometryInThePlaneIsOfQuadrilateralsOfTheSizeAskedFor) {
   EXPECT_NEAR(body.mesh.boundary.at("wear").size() * 0.1, 4, 0.25);
 }
 
+TEST_F(MeshFile, OfFarTooManyCellsIsRefusedBeforeItIsMade) {
+  const fs::path plane = put("block.geo", block);
+  // An area of 4 mm^2 has 4e8 cells of 1e-4 mm, and 4e16 of 1e-8 mm.
+  const std::string refused = refusal(plane, {.size = 1e-4});
+  EXPECT_THAT(refused, ::testing::MatchesRegex(
+                           "size 0.0001 asks for about [3-9](.[0-9])?e\\+08 quadrilaterals, .*"));
+  EXPECT_THAT(refusal(plane, {.size = 1e-8}), HasSubstr("size 1e-08 asks for about"));
+  const fs::path space = put("cube.geo", std::string(block) + "Extrude {0, 0, 2} {Surface{1};}\n");
+  EXPECT_THAT(refusal(space, {.size = 1e-4}), HasSubstr("hexahedra"));
+  // The area is that of the ring, 62.8 mm^2, not of the box around it.
+  const fs::path ring = put("ring.geo", R"(
+SetFactory("OpenCASCADE");
+Disk(1) = {0, 0, 0, 100}; Disk(2) = {0, 0, 0, 99.9};
+BooleanDifference(3) = { Surface{1}; Delete; }{ Surface{2}; Delete; };
+)");
+  EXPECT_THAT(refusal(ring, {.size = 1e-5}), HasSubstr("about 6.3e+11 quad"));
+  // Sizes do not change a structured mesh.
+  const fs::path structured =
+      put("structured.geo", std::string(block) +
+                                "Transfinite Curve {1, 3} = 9; Transfinite Curve {2, 4} = 5;\n"
+                                "Transfinite Surface {1}; Recombine Surface {1};\n");
+  EXPECT_EQ(check_mesh<2>(read_mesh_file(structured, {.size = 1e-6})).mesh.cells.size(), 32u);
+}
+
+TEST_F(MeshFile, MembersOfGroupsThatTheGeometryDoesNotHaveAreTold) {
+  const fs::path file =
+      put("block.geo", std::string(block) +
+                           "Physical Curve(\"side\", 7) = {2, -4, 17,\n 18};\n"
+                           "// Physical Curve(\"no group\") = {19};\n"
+                           "/* Physical Curve(\"none\") = {20}; */ n = 2;\n"
+                           "Physical Surface(8) = {5}; Physical Point(\"other\") = {n, 3};\n");
+  std::vector<std::string> told;
+  for (const std::string& remark : read_mesh_file(file).remarks)
+    if (remark.find("does not have") != remark.npos) told.push_back(remark);
+  EXPECT_THAT(told,
+              ElementsAre("group \"side\" names curve 17, 18, which the geometry does not have",
+                          "group 8 names surface 5, which the geometry does not have"));
+}
+
 TEST_F(MeshFile, OfAGeometryIsTheSameEveryTime) {
   const fs::path file = put("block.geo", block);
   expect_same(check_mesh<2>(read_mesh_file(file)), check_mesh<2>(read_mesh_file(file)));

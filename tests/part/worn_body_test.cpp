@@ -198,6 +198,52 @@ name = "bdf"
   EXPECT_NEAR(observed(*ring, run.last(), "approach"), 100 / (10 * 12 * std::numbers::pi), 1e-5);
 }
 
+// A column of 2 mm on springs whose other ends move towards a rigid plane that it touches: springs
+// and column are in series, p = u / (1 / k + H / E) without lateral strain.
+TEST_F(Parts, SpringsThatAreMovedPress) {
+  const SceneFolder folder;
+  folder.write("column.geo", R"(
+Point(1) = {0, 0, 0, 0.5}; Point(2) = {1, 0, 0, 0.5}; Point(3) = {1, 2, 0, 0.5};
+Point(4) = {0, 2, 0, 0.5};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Physical Curve("bottom") = {1}; Physical Curve("top") = {3}; Physical Curve("side") = {4};
+Physical Surface("column") = {1};
+)");
+  const auto column = part_of(folder.write("column.toml", R"(
+problem = "worn_body"
+mesh.geometry = "column.geo"
+body = { young_modulus = 1000.0, poisson_ratio = 0.0, kinematics = "small" }
+[[support]]
+on = "top"
+directions = ["y"]
+stiffness = 250.0
+value = [-0.01]
+times = [0.0, 1.0]
+factors = [1.0, 3.0]
+[[support]]
+on = "side"
+directions = ["x"]
+[counter_body]
+shape = "plane"
+point = [0.0, 0.0]
+normal = [0.0, 1.0]
+motion = { velocity = [1.0, 0.0] }
+press = { direction = [0.0, 1.0] }
+[wear]
+on = ["bottom"]
+coefficient = 0.0
+[time]
+end = 1.0
+[integrator]
+name = "bdf"
+)"),
+                              {});
+  const ModelRun run = run_model(*column, "bdf", 0, 1e-3, 1);
+  const double expected = 0.03 / (1 / 250.0 + 2 / 1000.0);
+  EXPECT_NEAR(observed(*column, run.last(), "max_pressure"), expected, 1e-6 * expected);
+}
+
 // A disc that turns about the middle of a square block, where there is a node that does not slide.
 // The pressure is uniform at the start, and c / (k omega r) when all of the surface wears by c.
 TEST_F(Parts, ADiscThatTurnsAboutANodeWearsAsElsewhere) {

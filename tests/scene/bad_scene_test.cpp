@@ -53,9 +53,23 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"KeyBelowAValue", with_line_4("element.kind = 1"),
                 "example.toml:4: key `body.element.kind`: unknown key, did you mean "
                 "`body.element`?"},
-        Mistake{"ArrayOfTables", with_line_4("[[mesh]]\nlevel = 2"),
-                "example.toml:5: key `mesh.1.level`: expected a table of keys, [mesh], got an array of "
-                "tables, [[mesh]]"},
+        Mistake{
+            "ArrayOfTables", with_line_4("[[mesh]]\nlevel = 2"),
+            "example.toml:5: key `mesh.1.level`: expected a table of keys, [mesh], got an array of "
+            "tables, [[mesh]]"},
+        Mistake{"SeveralTablesAfterOne", with_line_4("[[body]]"),
+                "example.toml:4: [[body]], but line 2 has [body]: expected [[body]] for each of "
+                "several tables"},
+        Mistake{"OneTableAfterSeveral", "problem = \"example\"\n[[load]]\na = 1\n [load] # last\n",
+                "example.toml:4: [load], but line 2 has [[load]]: expected [[load]] for each of "
+                "several tables"},
+        Mistake{
+            "BlankInAHeader", with_line_4("[wear.surfaces.a b]"),
+            "example.toml:4: [wear.surfaces.a b]: a name with blanks stands in quotes, expected "
+            "[wear.surfaces.\"a b\"]"},
+        Mistake{"BlankInAKey", with_line_4("poisson ratio = 0.3"),
+                "example.toml:4: `poisson ratio`: expected a key without blanks, or with quotes: "
+                "\"poisson ratio\""},
         Mistake{"TextForNumber", with_line_4("poisson_ratio = \"soft\""),
                 "example.toml:4: key `body.poisson_ratio`: expected a number in [0, 0.5), got "
                 "\"soft\""},

@@ -18,4 +18,10 @@ template <int dim>
 FlatPart<dim> flat_part(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
                         double tolerance = 1e-6);
 
+/// The number of planes (2D: lines) that a part consists of where these are few and apart:
+/// parallel, or at 30 degrees or more to each other. 0 for a part that is curved.
+template <int dim>
+int planes_of(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
+              double tolerance = 1e-6);
+
 }  // namespace gnomon

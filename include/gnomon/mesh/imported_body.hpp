@@ -43,4 +43,9 @@ template <int dim>
 const std::vector<typename Mesh<dim>::Facet>& boundary_part(const ImportedBody<dim>& body,
                                                             const std::string& name);
 
+/// The nodes of a boundary part, or of a group of points. Errors as boundary_part(), with the names
+/// of groups of points among the others.
+template <int dim>
+std::vector<int> group_nodes(const ImportedBody<dim>& body, const std::string& name);
+
 }  // namespace gnomon

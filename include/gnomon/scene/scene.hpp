@@ -41,8 +41,8 @@ struct Key {
   enum class Presence { required, defaulted, optional };
 
   /// Dotted, for example "body.young_modulus". A part "*" stands for any identifier that the scene
-  /// chooses: "wear.constants.*" is a table of numbers; a part "\"*\"" for any text, in quotes where
-  /// TOML needs them (toml_key()); a part "#" for the number, from 1, of a table of an array:
+  /// chooses: "wear.constants.*" is a table of numbers; a part "\"*\"" for any text, in quotes
+  /// where TOML needs them (toml_key()); a part "#" for the number, from 1, of a table of an array:
   /// "load.#.on" is the key `on` of every [[load]]. All three kinds of keys are optional.
   std::string name{};
   KeyKind kind = KeyKind::real;
@@ -53,6 +53,7 @@ struct Key {
   Range range{};                       ///< numbers only
   std::vector<std::string> choices{};  ///< texts only; empty means any text
   std::size_t length = 0;              ///< arrays only; 0 means any length
+  bool or_single = false;              ///< `reals` only: a number stands for an array of it
   std::string help{};                  ///< one line
 };
 

@@ -33,7 +33,7 @@ CounterShape<3> make_3d(const Scene& scene, Section) {
 }
 
 std::vector<Key> keys(int dim) {
-  std::vector<Key> keys = {center_key(dim, "point of the axis"),
+  std::vector<Key> keys = {center_key(dim, "point of the axis of the cylinder"),
                            length_key("counter_body.radius", "radius of the cylinder"),
                            concave_key()};
   if (dim == 3) keys.push_back(axis_key(dim, "direction of the axis"));

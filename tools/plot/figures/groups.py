@@ -16,6 +16,7 @@ MANY = 12  # more labels than this would cover the picture; the legend has all n
 WIDTH = style.DOUBLE
 GAP = 1.5  # points between labels
 TALLEST = 1.1  # times the width
+NARROWEST = 2.5  # height by width of what is shown: a slender body gets room for names beside it
 EYES = ((-0.5, -1.0, 0.8), (0.5, 1.0, -0.8))  # two views, so that every side is seen
 
 
@@ -54,7 +55,7 @@ def colours_of(parts):
 
 
 def draw_plane(body, parts):
-    low, high = plane.box(body.points, margin=0.12)
+    low, high = plane.widened(plane.box(body.points, margin=0.12), 0, NARROWEST)
     ratio = (high[1] - low[1]) / (high[0] - low[0])
     width = WIDTH * min(1, TALLEST / ratio)
     figure = style.figure(width=width, height=(width - 0.5) * ratio + 0.45)
@@ -107,13 +108,16 @@ def anchor(ends):
 
 
 def note(axes, name, colour, place, outward):
-    """The name beside its part, out of the body."""
+    """The name beside its part, out of the body. It takes no room from the axes; `separate` keeps
+    it within the picture."""
     across = "left" if outward[0] > 0.5 else "right" if outward[0] < -0.5 else "center"
     along = "bottom" if outward[1] > 0.5 else "top" if outward[1] < -0.5 else "center"
-    return axes.annotate(
+    label = axes.annotate(
         name, place, 6 * outward, textcoords="offset points", ha=across, va=along, color=colour,
         fontsize=8, zorder=5, annotation_clip=False,
         bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8, "alpha": 0.85})
+    label.set_in_layout(False)
+    return label
 
 
 def draw_space(body, parts):
@@ -192,18 +196,31 @@ def finish(figure, handles, labels):
 
 
 def separate(figure, labels):
-    """Moves labels that would cover others away from them: those above a part upwards, those below
-    it downwards, others to where they are already."""
+    """Moves labels into the picture, and those that would cover others away from them: those above
+    a part upwards, those below it downwards, others to where they are already. A name without room is in the legend alone."""
     figure.draw_without_rendering()
     placed = []
     for label in labels:
         box = label.get_window_extent().padded(GAP * figure.dpi / 72)
+        box = moved(figure, label, box, inwards(figure.bbox, box), 0)
         upwards = {"bottom": True, "top": False}.get(label.get_verticalalignment())
         while covered := next((other for other in placed if box.overlaps(other)), None):
             if upwards is None:
                 upwards = box.y0 + box.y1 >= covered.y0 + covered.y1
-            shift = covered.y1 - box.y0 + 1 if upwards else covered.y0 - box.y1 - 1  # pixels
-            box = box.translated(0, shift)
-            across, along = label.xyann
-            label.xyann = across, along + 72 * shift / figure.dpi
+            shift = covered.y1 - box.y0 + 1 if upwards else covered.y0 - box.y1 - 1
+            box = moved(figure, label, box, 0, shift)
+        label.set_visible(figure.bbox.y0 <= box.y0 and box.y1 <= figure.bbox.y1)
         placed.append(box)
+
+
+def inwards(picture, box):
+    """How far to the right a box must move to be in the picture; its beginning has precedence."""
+    return max(picture.x0 - box.x0, min(0, picture.x1 - box.x1))
+
+
+def moved(figure, label, box, right, up):
+    """Moves a label by pixels; returns its box."""
+    points = 72 / figure.dpi
+    across, along = label.xyann
+    label.xyann = across + points * right, along + points * up
+    return box.translated(right, up)

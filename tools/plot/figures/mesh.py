@@ -43,15 +43,18 @@ def draw_plane(result):
     whole = plane.box(numpy.concatenate([points for state in states
                                          for points in (state.worn, state.deformed)]))
     size = whole[1] - whole[0]
-    windows = [plane.window(result.contact(state.step), state.deformed) for state in states]
-    small = [window is not None and window[1][0] - window[0][0] < ZOOM * size[0]
-             for window in windows]
     wide = size[0] > WIDE * size[1]
     width = style.DOUBLE if wide else style.SINGLE
     panel = width / len(states) - 0.5  # inch, within the axes
-    body = min(max(panel * size[1] / size[0], LOWEST), TALLEST)
+    whole = plane.widened(whole, LOWEST / panel, TALLEST / panel)  # room for the numbers
+    body = panel * (whole[1] - whole[0])[1] / (whole[1] - whole[0])[0]
+    windows = [plane.window(result.contact(state.step), state.deformed) for state in states]
+    small = [window is not None and window[1][0] - window[0][0] < ZOOM * size[0]
+             for window in windows]
     heights = [body, body] + ([panel * plane.FLATNESS] if any(small) else [])
-    figure = style.figure(width=width, height=sum(heights) + 0.31 * len(heights) + 0.65)
+    figure = style.figure(width=width, height=sum(heights) + 0.31 * len(heights) + 0.8)
+    below = 0.06 / figure.get_figheight()  # tall panels would push the last label out
+    figure.get_layout_engine().set(rect=(0, below, 1, 1 - below))
     panels = figure.subplots(len(heights), len(states), squeeze=False, height_ratios=heights)
     for column, state, window, shown in zip(panels.T, states, windows, small):
         draw_column(result, column, state, whole, window if shown else None, 72 * panel)
@@ -64,14 +67,14 @@ def draw_column(result, column, state, whole, window, paper):
     white = numpy.ones((len(result.cells), 4))
     colours = state.scale.to_rgba(state.stress)
     plane.draw_body(column[0], result, state.worn, white, whole, paper)
-    column[0].set_title(f"undeformed, {state.time}")
+    column[0].set_title(f"{state.time}\nundeformed")  # one line would be wider than a narrow panel
     for axes, frame, name in zip(column[1:], (whole, window), ("deformed", "contact")):
         if frame is None:
             axes.set_axis_off()
             continue
         plane.draw_body(axes, result, state.deformed, colours, frame, paper)
         counter.draw_line(axes, result, state.step, frame[1][0] - frame[0][0])
-        axes.set_title(f"{name}, {state.time}")
+        axes.set_title(name)
     if window is not None:
         plane.mark(column[1], window)
 

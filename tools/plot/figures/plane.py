@@ -53,6 +53,14 @@ def box(points, margin=0.05):
     return low - wider, high + wider
 
 
+def widened(frame, least, most):
+    """A frame whose height by width is between bounds, with the same centre."""
+    low, high = frame
+    width, height = high - low
+    wider = numpy.maximum([height / most - width, least * width - height], 0) / 2
+    return low - wider, high + wider
+
+
 def window(table, points):
     """The window around the nodes in contact, to the first open ones: its lower left and upper
     right corner, its height FLATNESS times its width. None without contact."""

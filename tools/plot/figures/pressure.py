@@ -1,6 +1,8 @@
 """Contact pressure: profiles at stored times, in space along and across the sliding direction
 (figs. 11, 15), and those of two results in one figure (fig. 11)."""
 
+from itertools import combinations
+
 import numpy
 from matplotlib.lines import Line2D
 
@@ -8,24 +10,28 @@ from . import curves, style
 from .complaints import Unsuitable
 from .shape import MOST_TIMES
 
-READABLE = 3  # times the lowest peak: higher ones are cut off
+READABLE = 4  # times the lowest peak: higher ones get panels of their own
+MOST_ROWS = 3
 
 
 def draw(result):
     lines = curves.of(result)
-    steps = result.some_steps(MOST_TIMES)
-    tables = [[line.at(step) for step in [0, *steps]] for line in lines]
-    figure, (panels,) = panels_for(lines, 1)
-    for axes, line, (start, *later) in zip(panels, lines, tables):
-        profile(axes, line, start, color="black", linestyle="--", linewidth=0.8)
-        for table, colour in zip(later, style.sequence(len(steps))):
-            profile(axes, line, table, color=colour)
-        frame(axes, [start, *later], line.axis)
-    cut = limit(panels[0], [peak(states) for states in zip(*tables)])
-    handles = panels[0].get_lines()
-    for handle, step, note in zip(handles, [0, *steps], cut):
-        handle.set_label(f"{style.number(result.times[step])} s{note}")
-    style.legend_above_all(figure, handles)
+    steps = [0, *result.some_steps(MOST_TIMES)]
+    tables = [[line.at(step) for step in steps] for line in lines]
+    looks = [{"color": "black", "linestyle": "--", "linewidth": 0.8},
+             *({"color": colour} for colour in style.sequence(len(steps) - 1))]
+    groups = groups_of([peak(states) for states in zip(*tables)])
+    figure, rows = panels_for(lines, len(groups))
+    handles = {}
+    for panels, group in zip(rows, groups):
+        for axes, line, states in zip(panels, lines, tables):
+            for k in group:
+                handles[k] = profile(axes, line, states[k], **looks[k])
+                handles[k].set_label(f"{style.number(result.times[steps[k]])} s")
+            frame(axes, states, line.axis)
+        end_at(panels[0], [states[k] for states in tables for k in group])
+    style.legend_above_all(figure, [handles[k] for k in range(len(steps))])
+    figure.align_ylabels()
     return figure
 
 
@@ -39,22 +45,23 @@ def draw_two(first, second):
     if not pairs:
         raise Unsuitable("the results share no time after the start")
     lines, others = curves.of(first), curves.of(second)
-    figure, (panels, below) = panels_for(lines, 2)
+    tables = [[(line.at(i), other.at(j)) for i, j in pairs] for line, other in zip(lines, others)]
+    groups = groups_of([peak(sum(states, ())) for states in zip(*tables)])
+    figure, (*rows, below) = panels_for(lines, len(groups), differences=True)
     colours = style.sequence(len(pairs))
-    peaks = numpy.zeros(len(pairs))
-    for axes, lower, line, other in zip(panels, below, lines, others):
-        tables = [(line.at(i), other.at(j)) for i, j in pairs]
-        peaks = numpy.maximum(peaks, [peak(pair) for pair in tables])
+    for panels, group in zip(rows, groups):
+        for axes, line, other, states in zip(panels, lines, others, tables):
+            for k in group:
+                profile(axes, line, states[k][0], color=colours[k])
+                profile(axes, other, states[k][1], color=colours[k], linestyle=style.DASHES)
+        end_at(panels[0], [table for states in tables for k in group for table in states[k]])
+    for lower, line, states in zip(below, lines, tables):
         lower.axhline(0, color=style.GREY, linewidth=0.6)
-        for (one, two), colour in zip(tables, colours):
-            profile(axes, line, one, color=colour)
-            profile(axes, other, two, color=colour, linestyle=style.DASHES)
+        for (one, two), colour in zip(states, colours):
             lower.plot(*difference(one, two, line.axis), color=colour)
-        frame(axes, [table for pair in tables for table in pair], line.axis)
-    below[0].set_ylabel("second − first\n[MPa]")
-    cut = limit(panels[0], peaks)
-    times = [Line2D([], [], color=colour, label=f"{style.number(first.times[i])} s{note}")
-             for (i, _), colour, note in zip(pairs, colours, cut)]
+        frame(lower, [table for pair in states for table in pair], line.axis)
+    times = [Line2D([], [], color=colour, label=f"{style.number(first.times[i])} s")
+             for (i, _), colour in zip(pairs, colours)]
     names = [Line2D([], [], color="black", linestyle=dashes, label=title(result))
              for result, dashes in ((first, "-"), (second, style.DASHES))]
     style.legend_above_all(figure, names, times)
@@ -82,14 +89,17 @@ def title(result):
     return f"{result.name} ({len(result.history) - 1} steps)"
 
 
-def panels_for(lines, rows):
-    """One column per curve, in one row or two, the second a lower one."""
+def panels_for(lines, rows, differences=False):
+    """One column per curve; rows of pressures and a lower one for differences."""
     width = style.SINGLE if len(lines) == 1 else style.DOUBLE
-    height = 0.62 * style.SINGLE if rows == 1 else 0.95 * style.SINGLE
-    figure = style.figure(width=width, height=height)
-    panels = figure.subplots(rows, len(lines), sharex="col", sharey="row", squeeze=False,
-                             height_ratios=[1.7, 1][:rows])
-    panels[0, 0].set_ylabel("contact pressure [MPa]")
+    shares = [1.7] * rows + [1.0] * differences
+    figure = style.figure(width=width, height=(0.18 + 0.26 * sum(shares)) * style.SINGLE)
+    panels = figure.subplots(len(shares), len(lines), sharex="col", sharey="row", squeeze=False,
+                             height_ratios=shares)
+    for axes in panels[:rows, 0]:
+        axes.set_ylabel("contact pressure [MPa]")
+    if differences:
+        panels[-1, 0].set_ylabel("second − first\n[MPa]")
     for axes, line in zip(panels[-1], lines):
         axes.set_xlabel(f"${line.axis_name}$ [mm]" + (f"   at {line.where}" if line.where else ""))
     return figure, panels
@@ -97,7 +107,7 @@ def panels_for(lines, rows):
 
 def profile(axes, line, table, **look):
     """Over the current position, where the pressure acts."""
-    axes.plot(table[line.axis], table["pressure"], marker=".", markersize=2.2, **look)
+    return axes.plot(table[line.axis], table["pressure"], marker=".", markersize=2.2, **look)[0]
 
 
 def frame(axes, tables, axis):
@@ -122,14 +132,28 @@ def peak(tables):
     return max(table["pressure"].max() for table in tables)
 
 
-def limit(axes, peaks):
-    """Ends the axis where the lowest of the curves can still be read on it. Returns, for each
-    curve, what its label says of a peak that is cut off."""
-    loaded = [value for value in peaks if value > 0]
-    readable = [value for value in loaded if value <= READABLE * min(loaded)]
-    if not loaded:
-        axes.set_ylim(bottom=0)
-        return [""] * len(peaks)
-    top = 1.08 * max(readable)
-    axes.set_ylim(0, top)
-    return [f" (up to {style.number(value)} MPa)" if value > top else "" for value in peaks]
+def groups_of(peaks):
+    """Curves, by their numbers, that can be read on one axis, the highest first: their peaks are
+    within READABLE of the lowest one, as far as MOST_ROWS axes suffice. Those without contact are
+    with the lowest."""
+    order = sorted((k for k in range(len(peaks)) if peaks[k] > 0), key=lambda k: -peaks[k])
+    without = [k for k in range(len(peaks)) if peaks[k] <= 0]
+    groups = min((split(order, ends) for count in range(MOST_ROWS)
+                  for ends in combinations(range(1, len(order)), count)),
+                 key=lambda made: (max(READABLE, spread(peaks, made)), len(made)))
+    groups[-1] += without
+    return [sorted(group) for group in groups]
+
+
+def split(order, ends):
+    return [order[low:high] for low, high in zip((0, *ends), (*ends, len(order)))]
+
+
+def spread(peaks, groups):
+    """The largest ratio of peaks that have an axis in common."""
+    return max(peaks[group[0]] / peaks[group[-1]] if group else 1 for group in groups)
+
+
+def end_at(axes, tables):
+    highest = peak(tables)
+    axes.set_ylim(0, 1.08 * highest if highest > 0 else None)

@@ -3,38 +3,86 @@
 import numpy
 from matplotlib.lines import Line2D
 
-from . import style
+from . import plane, style
 from .complaints import Unsuitable
 
 STRETCHES = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 MOST_TIMES = 6
+SEEN = 0.04  # wear that is less of the height of the picture is shown by its depth, below
+DEPTHS = 0.5  # height of that panel by the width
+HIGHEST = 1.6  # height of the shape by the width: bores and other steep surfaces
 
 
 def draw(result):
     if result.dim != 2:
         raise Unsuitable("the contact surface is not a curve")
     steps = result.some_steps(MOST_TIMES)
+    first, last = result.contact(0), result.contact(steps[-1] if steps else 0)
+    breaks = breaks_of(result, first)
     figure = style.figure()
-    axes = figure.add_subplot()
-    handles = [draw_initial(axes, result.contact(0))]
+    hidden = is_hidden(last)
+    axes, *below = figure.subplots(2 if hidden else 1, 1, squeeze=False)[:, 0]
+    handles = [draw_initial(axes, first, breaks)]
     for step, colour in zip(steps, style.sequence(len(steps))):
         table = result.contact(step)
-        order = numpy.argsort(table["X0"])
-        axes.plot(table["X"][order], table["Y"][order], color=colour)
+        axes.plot(*joined(breaks, table["X"], table["Y"]), color=colour)
         handles.append(Line2D([], [], color=colour, label=f"{style.number(result.times[step])} s"))
-    frame(axes, result.contact(steps[-1] if steps else 0))
+        for panel in below:
+            panel.plot(*joined(breaks, along(first), table["wear_depth"]), color=colour)
+    frame(axes, last)
     stretch, ratio = scale(axes)
     axes.set_xlabel(across(stretch, result.axes[0]))
     axes.set_ylabel(f"${result.axes[1].upper()}$ [mm]")
-    figure.set_figheight(ratio * 0.86 * style.SINGLE + 0.52 + 0.15 * -(-len(handles) // 4))
+    ratio = min(ratio, HIGHEST)
+    for panel in below:
+        frame_depths(panel, along(first), last)
+        panel.set_xlabel("length along the initial surface [mm]")
+        panel.set_ylabel("wear depth [mm]")
+    heights = [ratio] + [DEPTHS] * len(below)
+    axes.get_gridspec().set_height_ratios(heights)
+    figure.set_figheight(sum(heights) * 0.86 * style.SINGLE + 0.52 * len(heights)
+                         + 0.15 * -(-len(handles) // 4))
     style.legend(axes, handles, columns=4)
     return figure
 
 
-def draw_initial(axes, table):
-    order = numpy.argsort(table["X0"])
-    return axes.plot(table["X0"][order], table["Y0"][order], color="black", linestyle=":",
+def draw_initial(axes, table, breaks=()):
+    return axes.plot(*joined(breaks, table["X0"], table["Y0"]), color="black", linestyle=":",
                      linewidth=0.8, label="initial")[0]
+
+
+def is_hidden(table):
+    """Whether the worn surface could not be told from the initial one: wear is a small part of the
+    height that the picture must show."""
+    heights = numpy.concatenate([table["Y0"][worn_part(table)], table["Y"][worn_part(table)]])
+    return 0 < table["wear_depth"].max() < SEEN * numpy.ptp(heights)
+
+
+def breaks_of(result, table):
+    """The rows after which the surface does not go on: rows follow each other along it."""
+    sides = {tuple(side) for side in numpy.sort(plane.outline(result.cells), axis=1)}
+    nodes = table["node"]
+    pairs = numpy.sort(numpy.stack([nodes[:-1], nodes[1:]], axis=1), axis=1)
+    return 1 + numpy.flatnonzero([tuple(pair) not in sides for pair in pairs])
+
+
+def joined(breaks, *columns):
+    """Columns with gaps in the line where the surface does not go on."""
+    return [numpy.insert(numpy.asarray(column, float), list(breaks), numpy.nan) for column in columns]
+
+
+def along(table):
+    """The length along the initial surface up to each row; from one surface to the next, straight."""
+    steps = numpy.hypot(numpy.diff(table["X0"]), numpy.diff(table["Y0"]))
+    return numpy.concatenate([[0], numpy.cumsum(steps)])
+
+
+def frame_depths(axes, length, table):
+    """The part that is worn at the end and a margin, depths downwards."""
+    seen = length[worn_part(table)]
+    margin = 0.12 * numpy.ptp(seen)
+    axes.set_xlim(max(seen.min() - margin, 0), min(seen.max() + margin, length[-1]))
+    axes.set_ylim(1.08 * table["wear_depth"].max(), 0)
 
 
 def frame(axes, table):
