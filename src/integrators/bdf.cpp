@@ -86,8 +86,7 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
       linear_(make_linear_solver(system.structure(), counters, guard_, context_, request_)) {
   const auto& differential = system.structure().differential;
   std::copy(differential.begin(), differential.end(), view(id_.get()).begin());
-  const auto branch_at = [this](N_Vector ycor) {
-    if (branch()) return branch_;
+  const auto state_at = [this](N_Vector ycor) {
     N_Vector predicted = nullptr;
     sunrealtype t, gamma;
     N_Vector yy, yp, res;
@@ -96,11 +95,14 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
         IDAGetNonlinearSystemData(ida_.get(), &t, &predicted, &res, &yy, &yp, &res, &gamma, &user),
         "IDAGetNonlinearSystemData");
     N_VLinearSum(1.0, predicted, 1.0, ycor, probe_.get());
-    return active_set(system_, t, view(probe_.get()));
+    return Point{t, view(probe_.get())};
+  };
+  const auto branch_at = [this](const Point& at) {
+    return branch() ? branch_ : active_set(system_, at.t, at.y);
   };
   nonlinear_ = make_semismooth_newton(system.structure(), counters, guard_,
                                       within_time_error(newton_in_ida, settings.nonlinear_fraction),
-                                      branch_at, id_.get(), request_, context_);
+                                      state_at, branch_at, id_.get(), request_, context_);
 }
 
 void BdfSolver::Memory::begin(const State& state) {
@@ -304,12 +306,14 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   check(IDAGetLastOrder(ida, &order), "IDAGetLastOrder");
   StepReport report = account.accept(t - state.t, order);
   report.integral = take_integral();
-  state.t = t;
-  std::copy(view(y_.get()).begin(), view(y_.get()).end(), state.y.begin());
-  set_rates(system_, branch(), state);
-  const bool event = branch() && cross_event(state, flag == IDA_ROOT_RETURN, report);
-  if (event || is_breakpoint(system_.structure(), t)) restart(state);
-  if (branch()) state.branch = branch_;
+  State reached = state;  // an event that cannot be crossed leaves the last good state
+  reached.t = t;
+  std::copy(view(y_.get()).begin(), view(y_.get()).end(), reached.y.begin());
+  set_rates(system_, branch(), reached);
+  const bool event = branch() && cross_event(reached, flag == IDA_ROOT_RETURN, report);
+  if (event || is_breakpoint(system_.structure(), t)) restart(reached);
+  if (branch()) reached.branch = branch_;
+  state = std::move(reached);
   return report;
 }
 

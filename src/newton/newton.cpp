@@ -8,6 +8,7 @@
 
 #include "newton/linear_solver.hpp"
 #include "newton/newton_policy.hpp"
+#include "newton/pressure_level.hpp"
 #include "newton/residual_norm.hpp"
 
 namespace gnomon {
@@ -42,6 +43,7 @@ private:
   NewtonOptions options_;
   NewtonPolicy policy_;
   ResidualNorm norm_;
+  PressureLevel level_;
   const NonlinearFunction* function_ = nullptr;
   // Data of the present solve.
   std::vector<double> norms_;          // of the iterates
@@ -65,6 +67,7 @@ NewtonSolver::Memory::Memory(const Structure& structure, Counters& counters,
       options_(options),
       policy_(options),
       norm_(structure),
+      level_(structure),
       change_(structure.size),
       y_(make_vector(structure.size, context_)),
       unknown_scale_(make_vector(structure.size, context_)),
@@ -190,7 +193,7 @@ int NewtonSolver::Memory::solve_from(std::span<const double> guess) {
   last_.clear();
   verdict_ = Verdict::go_on;
   guard_.clear();
-  policy_.begin(function_->rate_weight);
+  policy_.begin(function_->rate_weight, level_(guess));
   const int flag =
       KINSol(kinsol_.get(), y_.get(), KIN_NONE, unknown_scale_.get(), row_scale_.get());
   guard_.rethrow();

@@ -5,8 +5,9 @@
 
 namespace gnomon {
 
-void NewtonPolicy::begin(double rate_weight) {
+void NewtonPolicy::begin(double rate_weight, double level) {
   rate_weight_ = rate_weight;
+  level_ = level;
   current_ = previous_ = 0;
   iterations_ = 0;
   fresh_ = false;
@@ -24,7 +25,7 @@ double NewtonPolicy::target() const {
 /// An iterate on another branch than the last one has left the equations whose rate is known.
 bool NewtonPolicy::near_enough(const Iterate& iterate) const {
   if (options_.fraction == 0 || iterations_ == 0 || switched_) return false;
-  if (current_ > options_.balance || current_ >= previous_) return false;
+  if (current_ > level_ * options_.balance || current_ >= previous_) return false;
   const double rate = current_ / previous_;
   return rate / (1 - rate) * iterate.change <= options_.fraction;
 }

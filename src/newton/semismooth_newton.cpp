@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "newton/newton_policy.hpp"
+#include "newton/pressure_level.hpp"
 #include "newton/residual_norm.hpp"
 
 namespace gnomon::sundials {
@@ -15,7 +16,9 @@ struct Content {
   Guard& guard;
   NewtonPolicy policy;
   ResidualNorm norm;
-  std::function<ActiveSet(N_Vector ycor)> branch_at;
+  PressureLevel level;
+  std::function<Point(N_Vector ycor)> state_at;
+  std::function<ActiveSet(const Point&)> branch_at;
   N_Vector differential;
   LinearRequest& request;
   VectorOwner delta;
@@ -43,11 +46,12 @@ int Content::set_up(bool after_iterations, void* ida) {
 // Positive: recoverable, IDA shortens the step. Negative: fatal.
 int Content::iterate(N_Vector ycor, N_Vector weights, bool set_up_demanded, void* ida) {
   using Verdict = NewtonPolicy::Verdict;
-  policy.begin();
+  policy.begin(0, level(state_at(ycor).y));
   double change = std::numeric_limits<double>::infinity();
   for (;;) {
     if (const int flag = residual(ycor, delta.get(), ida)) return flag;
-    const Verdict verdict = policy.judge({norm(view(delta.get())), branch_at(ycor), change});
+    const Verdict verdict =
+        policy.judge({norm(view(delta.get())), branch_at(state_at(ycor)), change});
     if (verdict == Verdict::failed) return SUN_NLS_CONV_RECVR;
     if (verdict != Verdict::go_on) return 0;
     const bool at_guess = policy.iterations() == 0;
@@ -67,7 +71,8 @@ int Content::iterate(N_Vector ycor, N_Vector weights, bool set_up_demanded, void
 
 NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters& counters,
                                             Guard& guard, const NewtonOptions& options,
-                                            std::function<ActiveSet(N_Vector ycor)> branch_at,
+                                            std::function<Point(N_Vector ycor)> state_at,
+                                            std::function<ActiveSet(const Point&)> branch_at,
                                             N_Vector differential, LinearRequest& request,
                                             SUNContext context) {
   SUNNonlinearSolver solver = SUNNonlinSolNewEmpty(context);
@@ -77,6 +82,8 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
                                 guard,
                                 NewtonPolicy(options),
                                 ResidualNorm(structure),
+                                PressureLevel(structure),
+                                std::move(state_at),
                                 std::move(branch_at),
                                 differential,
                                 request,

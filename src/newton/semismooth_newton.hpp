@@ -17,13 +17,15 @@ using NonlinearSolverOwner = Owner<_generic_SUNNonlinearSolver, destroy_nonlinea
 
 /// IDA's own Newton freezes the Jacobian within a step and gives up after four iterations, which
 /// fails whenever a contact node switches. This solver makes factors when IDA or the policy demands
-/// them. `branch_at`: the smooth branch at a correction `ycor` of the predicted state.
+/// them. `state_at`: the state at a correction `ycor` of the predicted one, valid until the next
+/// call; `branch_at`: the smooth branch at a state.
 /// `differential`: 1 where a component takes part in the error norm of IDA, else 0.
 /// It passes its requests to the linear solver through `request`. The referenced objects must
 /// outlive the solver.
 NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters& counters,
                                             Guard& guard, const NewtonOptions& options,
-                                            std::function<ActiveSet(N_Vector ycor)> branch_at,
+                                            std::function<Point(N_Vector ycor)> state_at,
+                                            std::function<ActiveSet(const Point&)> branch_at,
                                             N_Vector differential, LinearRequest& request,
                                             SUNContext context);
 

@@ -179,6 +179,11 @@ private:
     return result;
   }
 
+  /// A run that had to shorten its steps may have no fewer than with half the step.
+  static bool has_more_steps(const StudyRow& half, const StudyRow& row) {
+    return !half.counters || !row.counters || half.counters->steps > row.counters->steps;
+  }
+
   /// No accuracy was requested: the error has to decrease with the step, or to be so small that the
   /// kinks of the solution hide this.
   Judgement with_fixed_steps(std::size_t index, const StudyReference& reference) const {
@@ -195,7 +200,10 @@ private:
       result.reason = "half the step does not confirm it: " + half.reason;
     } else {
       const double left = relative(*half.shape_error, reference);
-      if (left <= std::max(extremes::shrinks * *result.difference, extremes::near))
+      const double enough = has_more_steps(half, row)
+                                ? std::max(extremes::shrinks * *result.difference, extremes::near)
+                                : extremes::coarsest;
+      if (left <= enough)
         result = {Verdict::agrees, lone(reference), result.difference, result.bound};
       else
         result.reason =

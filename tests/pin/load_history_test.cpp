@@ -44,6 +44,18 @@ TEST(LoadHistoryOfThePin, WearFollowsTheForceByEveryMethod) {
     }
 }
 
+// Solves that end by the error of the step leave a part of the force that acts, not of the largest.
+TEST(LoadHistoryOfThePin, ForcesBalanceUnderALightLoadToo) {
+  for (const char* integrator : {"bdf", "esdirk-2", "esdirk-3", "esdirk-4"}) {
+    const PinRun run = run_pin(integrator, 0, 1e-2, 60, oscillating);
+    for (const State& state : run.states) {
+      const double force = F * breath(state.t);
+      EXPECT_NEAR(observed(*run.model, state, "contact_force"), force, 5e-3 * force)
+          << integrator << ", t = " << state.t;
+    }
+  }
+}
+
 // One node carries the load and wears by k v F(t) / A, with A constant to 1e-6 at so little wear.
 // The integral of a load that is linear within a step is exact for every method of order two or
 // more, and adaptive methods integrate it within their tolerance, also if the load changes its
