@@ -69,8 +69,8 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
 // Two accurate runs by different methods agree, also one that was not settled. At a loose tolerance
 // the pressure at the edge is wrong by a large part of the peak unless it is settled.
 TEST(Settling, MakesPressuresOfAStiffBallAccurate) {
-  const Worn exact = worn_ball("bdf", 1e-5, true);
-  EXPECT_LT(distance(worn_ball("esdirk-4", 1e-5, true).pressure, exact.pressure), 0.01);
+  const Worn exact = worn_ball("bdf", 1e-4, true);
+  EXPECT_LT(distance(worn_ball("esdirk-3", 1e-4, true).pressure, exact.pressure), 0.02);
   for (const char* integrator : {"esdirk-2", "esdirk-3", "bdf"}) {
     const Worn plain = worn_ball(integrator, 1e-2, false),
                settled = worn_ball(integrator, 1e-2, true);
