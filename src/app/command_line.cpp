@@ -194,6 +194,8 @@ void CommandLine::add_stability() {
       ->type_name("NAME")
       ->allow_extra_args(false);
   add_overrides(command, stability_.overrides);
+  command->add_flag("--no-onset", stability_.no_onset,
+                    "Only the linearised equations: does not measure the onset of instability");
   command->add_flag("--all", stability_.all,
                     "The whole spectrum instead of the largest eigenvalues");
   command

@@ -69,14 +69,13 @@ std::string eigenvalue_text(std::complex<double> value) {
 /// The printed and written tables, filled state by state.
 class Report {
 public:
-  Report(const Model& model, std::vector<Integrator> methods, bool all)
-      : model_(model), methods_(std::move(methods)), all_(all) {}
+  Report(const Model& model, std::vector<Integrator> methods, const StabilityOptions& options)
+      : model_(model), methods_(std::move(methods)), options_(options) {}
 
   void add(const State& state) {
     if (std::ranges::all_of(state.ydot, [](double rate) { return rate == 0; }))
       throw InputError(fmt::format("nothing wears at t = {:g} s: there is no spectrum", state.t));
-    const ReducedJacobian G(model_.system(), state);
-    const std::vector<Mode> modes = all_ ? all_modes(G.dense()) : leading_modes(G, modes_shown);
+    const std::vector<Mode> modes = modes_at(state);
     for (const Mode& mode : modes)
       spectrum_ += fmt::format("{:.10g},{:.10g},{:.10g}\n", state.t, mode.eigenvalue.real(),
                                mode.eigenvalue.imag());
@@ -90,6 +89,12 @@ public:
   }
 
 private:
+  /// The reduced Jacobian, with its factors, is gone before the onset makes its own.
+  std::vector<Mode> modes_at(const State& state) const {
+    const ReducedJacobian G(model_.system(), state);
+    return options_.all ? all_modes(G.dense()) : leading_modes(G, modes_shown);
+  }
+
   void add(const State& state, const std::vector<Mode>& modes, const Integrator& integrator) {
     const CriticalStep critical = critical_step(*integrator.table({}), modes);
     const std::optional<double> onset = observed_onset(state, modes, integrator, critical);
@@ -101,11 +106,11 @@ private:
                                    critical.step, onset ? fmt::format("{:.10g}", *onset) : "");
   }
 
-  /// None if there is no mode to perturb, or if no onset was found.
+  /// None if it is not wanted, if there is no mode to perturb, or if no onset was found.
   std::optional<double> observed_onset(const State& state, const std::vector<Mode>& modes,
                                        const Integrator& integrator,
                                        const CriticalStep& critical) const {
-    if (critical.mode < 0 || critical.step == 0) return std::nullopt;
+    if (options_.no_onset || critical.mode < 0 || critical.step == 0) return std::nullopt;
     try {
       return empirical_onset(model_, integrator, state, modes[critical.mode].direction,
                              critical.step);
@@ -116,7 +121,7 @@ private:
 
   const Model& model_;
   std::vector<Integrator> methods_;
-  bool all_;
+  const StabilityOptions& options_;
   TextTable table_{{{"time [s]", Align::right},
                     {"contact nodes", Align::right},
                     {"largest eigenvalue [1/s]", Align::right},
@@ -136,7 +141,7 @@ int stability_command(const StabilityOptions& options) {
   make_folder(options.folder);
   warn_of_slow_blas();
   Counters counters;
-  Report report(*setup.model, std::move(methods), options.all);
+  Report report(*setup.model, std::move(methods), options);
   for (const State& state : accurate_states(*setup.model, times, counters)) report.add(state);
   fmt::print(
       "{}\ncritical step: of the linearised equations, by the method's stability region\n"

@@ -1,4 +1,4 @@
-// The linear solvers of Structure::solver as SUNLinearSolvers.
+// LinearSolve as a SUNLinearSolver.
 #pragma once
 
 #include <sundials/sundials_linearsolver.h>
@@ -21,9 +21,8 @@ struct LinearRequest {
   double reduction = 1e-8;  ///< residual to be reached, relative to the right side; direct: ignored
 };
 
-/// The solver that `structure` chooses; counts its work. For SUNDIALS it is a direct solver, so
-/// that Jacobians are passed as matrices and gnomon chooses the tolerances. The referenced objects
-/// must outlive it.
+/// For SUNDIALS it is a direct solver, so that Jacobians are passed as matrices and gnomon chooses
+/// the tolerances. The referenced objects must outlive it.
 LinearSolverOwner make_linear_solver(const Structure& structure, Counters& counters, Guard& guard,
                                      SUNContext context, const LinearRequest& request);
 

@@ -77,6 +77,16 @@ TEST_F(StabilityCommand, ShowsTheMethodsThatAreNamed) {
   EXPECT_EQ(steps[1][1], "erk-3");
 }
 
+TEST_F(StabilityCommand, LeavesOutTheOnset) {
+  const Outcome outcome = gnomon({"stability", test::pin, "--set", twelve, "--time", "0",
+                                  "--integrator", "erk-3", "--no-onset", "-o", "linear"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto steps = rows(test::read_text(folder() / "linear/critical_steps.csv"));
+  ASSERT_EQ(steps.size(), 2u);
+  EXPECT_GT(std::stod(steps[1][2]), 0);
+  EXPECT_EQ(steps[1].size(), 3u) << "an onset after the last comma";
+}
+
 TEST_F(StabilityCommand, RefusesWhatItCannotDo) {
   for (const char* method : {"bdf", "esdirk-3"})
     EXPECT_THAT(gnomon({"stability", test::pin, "--integrator", method}).err,

@@ -7,10 +7,12 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <gnomon/base/counters.hpp>
 #include <gnomon/integrators/integrator.hpp>
-#include <gnomon/linear/sparse_lu.hpp>
 #include <gnomon/model/model.hpp>
+#include <gnomon/newton/linear_solve.hpp>
 #include <gnomon/system/system.hpp>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,30 +25,43 @@ std::vector<State> accurate_states(const Model& model, std::span<const double> t
                                    Counters& counters);
 
 /// G at a consistent state on the smooth branch (active set) that the state lies in, as products
-/// with vectors: one factorization, then one solve per product.
+/// with vectors.
 ///
 /// With J = dF/dy in blocks of differential (d) and algebraic (a) rows and columns, and
 /// differential rows ydot + f = 0:   a = -J_aa^-1 J_ad v,   G v = -(J_dd v + J_da a).
+/// J_aa is block-triangular: a follows stage by stage (System::algebraic_stages), each solved as in
+/// a run, by the solver of its structure, so that J is never factorized as a whole.
 class ReducedJacobian {
 public:
-  /// Throws SolutionError when the algebraic rows are singular.
+  /// `system` must outlive it. Throws SolutionError when the algebraic rows are singular.
   ReducedJacobian(const System& system, const State& state);
+  ~ReducedJacobian();
 
   /// Number of differential components.
   int size() const { return static_cast<int>(components_.size()); }
   /// Positions of the differential components in y.
   const std::vector<int>& components() const { return components_; }
-  /// G v [1/time times the unit of v]; both have size() entries. Not safe for concurrent calls.
+  /// G v [1/time times the unit of v]; both have size() entries. The residuals of all stages are
+  /// below 1e-10 of their right sides, or as small as rounding allows. Not safe for concurrent
+  /// calls. Throws SolutionError where the stages cannot be solved.
   void multiply(std::span<const double> v, std::span<double> Gv) const;
   /// The whole matrix G, by size() products.
   Eigen::MatrixXd dense() const;
+  /// The work done so far.
+  const Counters& counters() const { return counters_; }
 
 private:
+  struct Stage;
+  /// -J times the change of all components.
+  void minus_jacobian_times_change() const;
+  void solve(Stage& stage) const;
+
   const SparsePattern& pattern_;
   std::vector<int> components_;
-  std::vector<double> differential_rows_;  // of J, in the order of the pattern; other rows zero
-  SparseLu lu_;
-  mutable std::vector<double> right_side_, change_;
+  std::vector<double> J_;  // on pattern_
+  mutable Counters counters_;
+  std::vector<std::unique_ptr<Stage>> stages_;  // in the order in which they are solved
+  mutable std::vector<double> change_, residual_;
 };
 
 /// An eigenvalue of G [1/time] and its direction (size() entries, of length one).
@@ -56,8 +71,8 @@ struct Mode {
 };
 
 /// The `count` modes of largest magnitude, in descending order, by Arnoldi iteration with implicit
-/// restarts (all modes where G is too small for that; none where G = 0). Throws SolutionError when it does not
-/// converge.
+/// restarts (all modes where G is too small for that; none where G = 0). Throws SolutionError when
+/// it does not converge.
 std::vector<Mode> leading_modes(const ReducedJacobian& G, int count);
 /// Every mode, largest magnitude first, by the dense QR algorithm.
 std::vector<Mode> all_modes(const Eigen::MatrixXd& G);
