@@ -21,7 +21,7 @@ SettlingStop settling_stop(const IntegratorSettings& settings, double t, double 
   if (settings.step > 0 || next == settled.end()) return {t_stop, false};
   // Part of the time since the last one. The error of a step of the first order is half the square
   // of its size: below the tolerance of a step by a factor of twenty.
-  const double part = std::min(3e-3, std::sqrt(settings.rtol / 10));
+  const double part = std::min(1e-2, std::sqrt(settings.rtol / 10));
   const double size = part * (*next - (next == settled.begin() ? 0.0 : *std::prev(next)));
   constexpr double shortest = 1e-6;  // part of the run: below, a difference of d is only rounding
   if (size < shortest * settings.end) return {t_stop, false};

@@ -19,11 +19,11 @@ TEST(SettlingStop, TwoShortStepsLeadToEachTime) {
     EXPECT_DOUBLE_EQ(next.t, stop) << t;
     EXPECT_EQ(next.settles, settles) << t;
   };
-  expect(0, 99.4, false);  // 0.003 of 100 s
-  expect(settling_stop(settings, 0, 1000).t, 99.7, true);
-  expect(99.5, 99.7, true);  // as behind an event
-  expect(settling_stop(settings, 99.5, 1000).t, 100, true);
-  expect(100, 497.6, false);  // 0.003 of 400 s
+  expect(0, 98, false);  // 0.01 of 100 s
+  expect(settling_stop(settings, 0, 1000).t, 99, true);
+  expect(98.5, 99, true);  // as behind an event
+  expect(settling_stop(settings, 98.5, 1000).t, 100, true);
+  expect(100, 492, false);  // 0.01 of 400 s
   expect(500, 1000, false);
   EXPECT_EQ(settling_stop(settings, 0, 50).t, 50);  // an earlier stop
 
