@@ -194,6 +194,12 @@ void CommandLine::add_stability() {
       ->type_name("NAME")
       ->allow_extra_args(false);
   add_overrides(command, stability_.overrides);
+  command
+      ->add_option("--rtol", stability_.rtol,
+                   "Relative tolerance of the run to these times, by esdirk-4; default: 1e-5")
+      ->type_name("R")
+      ->check(check_number)
+      ->allow_extra_args(false);
   command->add_flag("--no-onset", stability_.no_onset,
                     "Only the linearised equations: does not measure the onset of instability");
   command->add_flag("--all", stability_.all,

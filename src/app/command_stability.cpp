@@ -136,13 +136,17 @@ private:
 
 int stability_command(const StabilityOptions& options) {
   const Setup setup = set_up(options.scene, options.overrides);
+  if (!(options.rtol > 0 && options.rtol < 1))
+    throw InputError(
+        fmt::format("--rtol: expected a number between 0 and 1, got {}", options.rtol));
   const std::vector<double> times = chosen_times(options, setup.scene.real("time.end"));
   std::vector<Integrator> methods = chosen_methods(options.methods);
   make_folder(options.folder);
   warn_of_slow_blas();
   Counters counters;
   Report report(*setup.model, std::move(methods), options);
-  for (const State& state : accurate_states(*setup.model, times, counters)) report.add(state);
+  for (const State& state : accurate_states(*setup.model, times, counters, options.rtol))
+    report.add(state);
   fmt::print(
       "{}\ncritical step: of the linearised equations, by the method's stability region\n"
       "onset: the step above which a small perturbation grows over {} real steps, to 1 %\n",

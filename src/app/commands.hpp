@@ -51,6 +51,7 @@ struct StabilityOptions {
   std::vector<double> times;         ///< empty: start, a fifth of time.end, time.end
   std::vector<std::string> methods;  ///< explicit ones; empty: all of them
   bool all = false;                  ///< compute the whole spectrum
+  double rtol = 1e-5;                ///< of the run to the states
   bool no_onset = false;             ///< do not measure the onset of instability
   std::filesystem::path folder;      ///< for the tables as CSV; empty: none
 };

@@ -19,7 +19,8 @@ public:
 
   void set_up(std::span<const double> J) {
     J_ = J;
-    by_factors_ = !block_;
+    by_factors_ = !block_ || rest_ > 0;
+    if (rest_ > 0) --rest_;
     if (by_factors_ || !serves([&] { block_->set_up(J); })) factorize();
   }
 
@@ -61,6 +62,9 @@ private:
 
   /// Until the next set-up, factors of the whole Jacobian solve.
   void factorize() {
+    // Where the blocks fail they mostly fail again, after many iterations.
+    constexpr int set_ups_without_blocks = 20;
+    if (!by_factors_) rest_ = set_ups_without_blocks;
     if (!lu_) lu_ = std::make_unique<SparseLu>(structure_.pattern, structure_.group);
     ++counters_.factorizations;
     if (!lu_->factorize(J_)) throw RecoverableError("the Jacobian is singular");
@@ -76,6 +80,7 @@ private:
   std::unique_ptr<SparseLu> lu_;  // made when first needed
   std::span<const double> J_;
   bool by_factors_ = false;
+  int rest_ = 0;  // set-ups for which the blocks are not tried again
 };
 
 LinearSolve::LinearSolve(const Structure& structure, Counters& counters)

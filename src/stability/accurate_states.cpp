@@ -5,13 +5,12 @@ namespace gnomon {
 namespace {
 
 constexpr const char* method = "esdirk-4";
-constexpr double tolerance = 1e-5;
 
-IntegratorSettings accurate_settings(const Model& model, double end) {
+IntegratorSettings accurate_settings(const Model& model, double rtol, double end) {
   IntegratorSettings settings;
-  settings.rtol = tolerance;
+  settings.rtol = rtol;
   settings.scale = model.differential_scale();
-  settings.atol = tolerance * settings.scale;
+  settings.atol = rtol * settings.scale;
   settings.end = end;
   return settings;
 }
@@ -19,12 +18,13 @@ IntegratorSettings accurate_settings(const Model& model, double end) {
 }  // namespace
 
 std::vector<State> accurate_states(const Model& model, std::span<const double> times,
-                                   Counters& counters) {
+                                   Counters& counters, double rtol) {
   std::vector<State> states;
   if (times.empty()) return states;
   State state = model.start(counters);
-  const auto stepper = Integrators::find(method, "integrator")
-                           .make(model.system(), accurate_settings(model, times.back()), counters);
+  const auto stepper =
+      Integrators::find(method, "integrator")
+          .make(model.system(), accurate_settings(model, rtol, times.back()), counters);
   for (double time : times) {
     while (state.t < time) stepper->advance(state, time);
     states.push_back(state);

@@ -77,6 +77,23 @@ TEST_F(StabilityCommand, ShowsTheMethodsThatAreNamed) {
   EXPECT_EQ(steps[1][1], "erk-3");
 }
 
+// A looser run reaches another worn surface; the step hardly depends on that.
+TEST_F(StabilityCommand, ComputesStatesAtTheChosenTolerance) {
+  double step[2];
+  std::string spectrum[2];
+  for (int k : {0, 1}) {
+    const std::string rtol = k ? "1e-2" : "1e-5", to = "rtol" + rtol;
+    const Outcome outcome =
+        gnomon({"stability", test::pin, "--set", twelve, "--time", "100", "--integrator",
+                "forward-euler", "--no-onset", "--rtol", rtol, "-o", to});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    step[k] = std::stod(rows(test::read_text(folder() / to / "critical_steps.csv")).at(1).at(2));
+    spectrum[k] = test::read_text(folder() / to / "spectrum.csv");
+  }
+  EXPECT_NE(spectrum[0], spectrum[1]);
+  EXPECT_NEAR(step[1], step[0], 0.01 * step[0]);
+}
+
 TEST_F(StabilityCommand, LeavesOutTheOnset) {
   const Outcome outcome = gnomon({"stability", test::pin, "--set", twelve, "--time", "0",
                                   "--integrator", "erk-3", "--no-onset", "-o", "linear"});
@@ -91,6 +108,9 @@ TEST_F(StabilityCommand, RefusesWhatItCannotDo) {
   for (const char* method : {"bdf", "esdirk-3"})
     EXPECT_THAT(gnomon({"stability", test::pin, "--integrator", method}).err,
                 StartsWith("gnomon: --integrator: expected an explicit method"));
+  for (const char* rtol : {"0", "1"})
+    EXPECT_THAT(gnomon({"stability", test::pin, "--rtol", rtol}).err,
+                StartsWith("gnomon: --rtol: expected a number"));
   for (const char* time : {"-1", "1001"}) {
     const Outcome outcome = gnomon({"stability", test::pin, "--time", time});
     EXPECT_EQ(outcome.exit_code, 2);

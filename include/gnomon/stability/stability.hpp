@@ -19,10 +19,10 @@
 
 namespace gnomon {
 
-/// Consistent states at ascending times in [0, ...) [time], by an accurate adaptive method,
-/// independent of the scene's method. Throws SolutionError.
+/// Consistent states at ascending times in [0, ...) [time], by an accurate adaptive method at the
+/// relative tolerance `rtol`, independent of the scene's method. Throws SolutionError.
 std::vector<State> accurate_states(const Model& model, std::span<const double> times,
-                                   Counters& counters);
+                                   Counters& counters, double rtol = 1e-5);
 
 /// G at a consistent state on the smooth branch (active set) that the state lies in, as products
 /// with vectors.
