@@ -127,6 +127,7 @@ NewtonPolicy::Iterate NewtonSolver::Memory::iterate(N_Vector vector) {
   NewtonPolicy::Iterate iterate{norms_.back()};
   if (function_->branch) iterate.branch = function_->branch(y);
   if (!function_->size_of_change) return iterate;
+  iterate.level = level_(y);
   if (!last_.empty()) {
     std::ranges::transform(y, last_, change_.begin(), std::minus());
     iterate.change = function_->size_of_change(change_);
@@ -193,7 +194,7 @@ int NewtonSolver::Memory::solve_from(std::span<const double> guess) {
   last_.clear();
   verdict_ = Verdict::go_on;
   guard_.clear();
-  policy_.begin(function_->rate_weight, level_(guess));
+  policy_.begin(function_->rate_weight);
   const int flag =
       KINSol(kinsol_.get(), y_.get(), KIN_NONE, unknown_scale_.get(), row_scale_.get());
   guard_.rethrow();

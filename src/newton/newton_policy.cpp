@@ -5,9 +5,8 @@
 
 namespace gnomon {
 
-void NewtonPolicy::begin(double rate_weight, double level) {
+void NewtonPolicy::begin(double rate_weight) {
   rate_weight_ = rate_weight;
-  level_ = level;
   current_ = previous_ = 0;
   iterations_ = 0;
   fresh_ = false;
@@ -25,7 +24,7 @@ double NewtonPolicy::target() const {
 /// An iterate on another branch than the last one has left the equations whose rate is known.
 bool NewtonPolicy::near_enough(const Iterate& iterate) const {
   if (options_.fraction == 0 || iterations_ == 0 || switched_) return false;
-  if (current_ > level_ * options_.balance || current_ >= previous_) return false;
+  if (current_ > iterate.level * options_.balance || current_ >= previous_) return false;
   const double rate = current_ / previous_;
   return rate / (1 - rate) * iterate.change <= options_.fraction;
 }

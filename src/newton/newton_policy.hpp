@@ -17,9 +17,8 @@ class NewtonPolicy {
 public:
   explicit NewtonPolicy(const NewtonOptions& options) : options_(options) {}
 
-  /// Called when a solve begins, at its guess. `rate_weight`: weight of the rates in its Jacobian;
-  /// `level`: part of the typical forces that act (PressureLevel).
-  void begin(double rate_weight = 0, double level = 1);
+  /// Called when a solve begins, at its guess. `rate_weight`: weight of the rates in its Jacobian.
+  void begin(double rate_weight = 0);
 
   /// What is known of an iterate.
   struct Iterate {
@@ -27,6 +26,7 @@ public:
     ActiveSet branch = {};  ///< on which it lies (empty: the equations are smooth)
     /// Size of the step that led to it, in units of the tolerated error; infinite: not measured.
     double change = std::numeric_limits<double>::infinity();
+    double level = 1;  ///< part of the typical forces that act (PressureLevel)
   };
   enum class Verdict {
     go_on,
@@ -67,7 +67,7 @@ private:
 
   NewtonOptions options_;
   // Data of this solve.
-  double rate_weight_ = 0, level_ = 1;
+  double rate_weight_ = 0;
   double current_ = 0, previous_ = 0;  // residuals of this iterate and the last
   bool switched_ = false;              // they lie on different branches
   ActiveSet branch_;                   // of this iterate

@@ -46,12 +46,13 @@ int Content::set_up(bool after_iterations, void* ida) {
 // Positive: recoverable, IDA shortens the step. Negative: fatal.
 int Content::iterate(N_Vector ycor, N_Vector weights, bool set_up_demanded, void* ida) {
   using Verdict = NewtonPolicy::Verdict;
-  policy.begin(0, level(state_at(ycor).y));
+  policy.begin();
   double change = std::numeric_limits<double>::infinity();
   for (;;) {
     if (const int flag = residual(ycor, delta.get(), ida)) return flag;
+    const Point at = state_at(ycor);
     const Verdict verdict =
-        policy.judge({norm(view(delta.get())), branch_at(state_at(ycor)), change});
+        policy.judge({norm(view(delta.get())), branch_at(at), change, level(at.y)});
     if (verdict == Verdict::failed) return SUN_NLS_CONV_RECVR;
     if (verdict != Verdict::go_on) return 0;
     const bool at_guess = policy.iterations() == 0;

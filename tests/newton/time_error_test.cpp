@@ -57,9 +57,10 @@ TEST(TimeError, WantsForcesInBalance) {
     for (const auto& [residual, verdict] :
          {std::pair(1.1e-3, Verdict::go_on), std::pair(0.9e-3, Verdict::done)}) {
       NewtonPolicy policy(options_with(0.3));
-      policy.begin(0, level);
+      policy.begin();
       policy.judge({1}), policy.plan(), policy.factors_made();
-      EXPECT_EQ(policy.judge({.residual = level * residual, .change = 1e-3}), verdict);
+      EXPECT_EQ(policy.judge({.residual = level * residual, .change = 1e-3, .level = level}),
+                verdict);
     }
 }
 
