@@ -33,7 +33,17 @@ TEST(SettlingStop, TwoShortStepsLeadToEachTime) {
   expect(99.999, 1000, false);
 }
 
-/// Pressures at `end` of a stiff ball on a coarse mesh, and the work.
+IntegratorSettings settings_of(const Model& model, double rtol, double end) {
+  IntegratorSettings settings;
+  settings.rtol = rtol;
+  settings.scale = model.differential_scale();
+  settings.atol = rtol * settings.scale;
+  settings.end = end;
+  settings.nonlinear_fraction = 0.01;
+  return settings;
+}
+
+/// Pressures at the end of a stiff ball on a coarse mesh, and the work.
 struct Worn {
   std::vector<double> pressure;
   double worn_volume, wear_integral;
@@ -43,12 +53,7 @@ Worn worn_ball(const std::string& integrator, double rtol, bool settled) {
   const auto model = model_of(ball_small, ball_mesh(5, 2, 3));
   Counters counters;
   State state = model->start(counters);
-  IntegratorSettings settings;
-  settings.rtol = rtol;
-  settings.scale = model->differential_scale();
-  settings.atol = rtol * settings.scale;
-  settings.end = 1000;
-  settings.nonlinear_fraction = 0.01;
+  IntegratorSettings settings = settings_of(*model, rtol, 1000);
   settings.integrand = model->wear_flux();
   if (settled) settings.settled = {500, 1000};
   const auto stepper =
@@ -92,12 +97,7 @@ TEST(Settling, KeepsTheErrorOfTightTolerances) {
     const auto model = model_of("pin_on_flat/small_deformation.toml", {"mesh.elements=[10,10]"});
     Counters counters;
     State state = model->start(counters);
-    IntegratorSettings settings;
-    settings.rtol = rtol;
-    settings.scale = model->differential_scale();
-    settings.atol = rtol * settings.scale;
-    settings.end = 400;
-    settings.nonlinear_fraction = 0.01;
+    IntegratorSettings settings = settings_of(*model, rtol, 400);
     std::vector<double> times;
     for (int k = 1; k <= 8; ++k) times.push_back(50 * k);
     if (settled) settings.settled = times;
