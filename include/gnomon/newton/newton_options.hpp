@@ -15,8 +15,9 @@ struct NewtonOptions {
   /// where NonlinearFunction::size_of_change is given) ...
   double fraction = 0;
   /// ... and the residual is below this value (times the part of the typical pressures that act):
-  /// forces are in balance, and the rates that the next stage starts with are as accurate. A full step leaves no residual in linear rows, so that
-  /// mostly those of the forces are far smaller. On the pin (40x40, esdirk-3, rtol 1e-3) 1e-3 and
+  /// forces are in balance, and the rates that the next stage starts with are as accurate. A full
+  /// step leaves no residual in linear rows, so that mostly those of the forces are far smaller. On
+  /// the pin (40x40, esdirk-3, rtol 1e-3) 1e-3 and
   /// 1e-2 save 15 and 24 of 136 iterations and raise the error from 8.2e-4 to 9.4e-4 and 1.4e-3.
   double balance = 1e-3;
   /// A residual that no longer decreases is accepted below this value: rounding stops the iteration
