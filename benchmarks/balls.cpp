@@ -10,14 +10,17 @@ namespace gnomon::bench {
 
 namespace {
 
-Example example(const std::string& problem, std::vector<std::string> overrides, bool multigrid) {
+/// `file`: a scene in problems/ of a ball of this radius; `parts`: modelled ones in the whole ball.
+Example example(const std::string& file, double radius, double parts,
+                std::vector<std::string> overrides, bool multigrid) {
   overrides.push_back(fmt::format("solver.preconditioner={}", multigrid ? "multigrid" : "factor"));
-  const Scene scene = load_scene(
-      GNOMON_SOURCE_DIR "/problems/" + problem + "/small_deformation.toml", overrides, key_table);
+  const Scene scene = load_scene(GNOMON_SOURCE_DIR "/problems/" + file, overrides, key_table);
   const auto model = Problems::find(scene.text("problem"), "problem").make(scene);
   const WornBody<3>& body = dynamic_cast<const WearModel<3>&>(*model).body();
-  return {std::make_shared<const WornBody<3>>(body), scene.real("ball.radius")};
+  return {std::make_shared<const WornBody<3>>(body), radius, parts * body.counter_force.value()};
 }
+
+constexpr double paper_radius = 5;
 
 }  // namespace
 
@@ -25,7 +28,7 @@ Example groove(double refinement, bool multigrid) {
   const auto elements = [&](double paper) { return std::lround(paper * refinement); };
   const double size = 0.015 / refinement;
   return example(
-      "ball_on_half_space",
+      "ball_on_half_space/small_deformation.toml", paper_radius, 1,
       {fmt::format("mesh.elements=[{}, {}, {}]", 2 * elements(20), elements(82), elements(20)),
        fmt::format("mesh.size=[{0}, {0}, {0}]", size), "mesh.fine=[0.15, 0.3, 0.03]"},
       multigrid);
@@ -34,9 +37,14 @@ Example groove(double refinement, bool multigrid) {
 Example worn_ball(double refinement, bool multigrid) {
   const auto elements = [&](double paper) { return std::lround(paper * refinement); };
   return example(
-      "ball_on_flat",
+      "ball_on_flat/small_deformation.toml", paper_radius, 2,
       {fmt::format("mesh.elements=[{}, {}, {}]", elements(20), elements(6), elements(9))},
       multigrid);
+}
+
+Example ball_of_tetrahedra(double refinement, bool multigrid) {
+  return example("worn_body/ball.toml", paper_radius, 2,
+                 {fmt::format("mesh.factor={}", 1 / refinement)}, multigrid);
 }
 
 FieldValues<3> NewtonIteration::guess(const Example& example) const {
@@ -44,7 +52,7 @@ FieldValues<3> NewtonIteration::guess(const Example& example) const {
   FieldValues<3> values(*equations_.composition()->fields);
   const ElasticModuli& law = body.material.moduli;
   const double nu = law.lambda / (2 * (law.lambda + law.mu)), young = law.young_modulus();
-  const HertzPoint hertz(body.copies * body.counter_force.value(), example.radius, young, nu);
+  const HertzPoint hertz(example.force, example.radius, young, nu);
   for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {
     const Vector<3>& X = body.mesh.nodes[body.contact_nodes[c].node];
     const double inside = 1 - (X[0] * X[0] + X[1] * X[1]) / (hertz.radius * hertz.radius);
@@ -79,7 +87,7 @@ void NewtonIteration::run() {
   jacobian_.time([&] { system_.jacobian(at, alpha, J_); });
   std::copy(F_.begin(), F_.end(), sundials::view(right_.get()).begin());
   set_up_.time([&] { solver_.set_up(J_, true); });
-  solve_.time([&] { solver_.solve(right_.get(), solution_.get(), reduction); });
+  solve_.time([&] { solver_.solve(right_.get(), solution_.get(), reduction, reduction); });
   ++runs_;
 }
 

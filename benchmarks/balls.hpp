@@ -14,6 +14,7 @@ namespace gnomon::bench {
 struct Example {
   std::shared_ptr<const WornBody<3>> body;
   double radius;  // of the ball [mm]
+  double force;   // on the whole ball [N]
 };
 
 /// The ball that wears a groove into a half-space. `refinement` 1 is the paper's mesh of 40 x 82 x
@@ -23,6 +24,10 @@ Example groove(double refinement, bool multigrid);
 
 /// The ball that wears on a flat, likewise; 1 is 16,320 elements. Its shape is unknown in a volume.
 Example worn_ball(double refinement, bool multigrid);
+
+/// The same ball as a part of tetrahedra, subdivided into hexahedra, which have no grid lines; 1 is
+/// the mesh of its geometry file.
+Example ball_of_tetrahedra(double refinement, bool multigrid);
 
 /// A Newton iteration on the whole system of the body or on a part of it, at the Hertzian guess of
 /// the pressure, undeformed. alpha = 1/50 s.

@@ -28,8 +28,8 @@ void report(::benchmark::State& loop, const NewtonIteration& newton) {
 }
 
 /// Times of the counters are in seconds of all processors; `first_set_up` chooses aggregates.
-void block_newton(::benchmark::State& loop, bool multigrid) {
-  const Example example = groove(refinement(loop), multigrid);
+void block_newton(::benchmark::State& loop, Example (*make)(double, bool), bool multigrid) {
+  const Example example = make(refinement(loop), multigrid);
   NewtonIteration newton(example, true);
   newton.run();
   loop.counters["first_set_up"] = newton.set_up();
@@ -63,6 +63,8 @@ void coupled_against_contact(::benchmark::State& loop, Example (*make)(double, b
   loop.counters["set_up_ratio"] = coupled.set_up() / contact.set_up();
   loop.counters["solve_ratio"] = coupled.solve() / contact.solve();
   loop.counters["coupled/contact"] = coupled.all() / contact.all();
+  loop.counters["no_set_up_ratio"] =
+      (coupled.assembly() + coupled.solve()) / (contact.assembly() + contact.solve());
 }
 
 /// Refinements in hundredths, from 1,800 elements on. Beyond 100,000 elements only where
@@ -80,8 +82,15 @@ void factor_sizes(::benchmark::internal::Benchmark* benchmark) {
 void multigrid_sizes(::benchmark::internal::Benchmark* benchmark) {
   sizes(benchmark, {125, 160, 200});
 }
-BENCHMARK_CAPTURE(block_newton, factor, false)->Apply(factor_sizes);
-BENCHMARK_CAPTURE(block_newton, multigrid, true)->Apply(multigrid_sizes);
+/// From 8,000 hexahedra on; `large` as above.
+void tetrahedra_sizes(::benchmark::internal::Benchmark* benchmark) {
+  for (int size : {170, 230, 300}) benchmark->Arg(size);
+  if (std::getenv("GNOMON_LARGE_BENCHMARKS")) benchmark->Arg(400);
+  benchmark->ArgName("refinement")->Unit(::benchmark::kMillisecond)->MeasureProcessCPUTime();
+}
+BENCHMARK_CAPTURE(block_newton, factor, groove, false)->Apply(factor_sizes);
+BENCHMARK_CAPTURE(block_newton, multigrid, groove, true)->Apply(multigrid_sizes);
+BENCHMARK_CAPTURE(block_newton, tetrahedra, ball_of_tetrahedra, true)->Apply(tetrahedra_sizes);
 #define COUPLED_AGAINST_CONTACT(name, make, multigrid, size)        \
   BENCHMARK_CAPTURE(coupled_against_contact, name, make, multigrid) \
       ->Arg(50)                                                     \

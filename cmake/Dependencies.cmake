@@ -1,4 +1,5 @@
-# Every external library, found once and bundled in one interface target, gnomon_dependencies.
+# Every external library, found once; the targets are listed in gnomon_dependencies. Programs that link gnomon
+# statically find them by this file too (gnomonConfig.cmake).
 # Missing libraries are collected, so that one run names everything that has to be installed.
 set(gnomon_missing "")
 set(gnomon_missing_packages "")
@@ -97,6 +98,25 @@ if(GNOMON_GMSH)
   endif()
 endif()
 
+# Python and pybind11, for the Python package alone; the package needs the shared library.
+if(GNOMON_PYTHON)
+  set(PYBIND11_FINDPYTHON ON)
+  # A Python in PATH without numpy (of a version manager, for example) would be of no use.
+  foreach(candidate python3 /usr/bin/python3)
+    execute_process(COMMAND ${candidate} -c "import numpy" RESULT_VARIABLE code OUTPUT_QUIET ERROR_QUIET)
+    if(code EQUAL 0 AND NOT Python_EXECUTABLE)
+      find_program(Python_EXECUTABLE ${candidate})
+    endif()
+  endforeach()
+  find_package(Python 3.11 QUIET COMPONENTS Interpreter Development.Module)
+  find_package(pybind11 2.10 QUIET CONFIG)
+  if(NOT (Python_FOUND AND pybind11_FOUND AND BUILD_SHARED_LIBS))
+    message(WARNING "No Python package: it needs Python 3.11, pybind11 (Debian: python3-dev pybind11-dev) and "
+                    "BUILD_SHARED_LIBS; -DGNOMON_PYTHON=OFF builds without.")
+    set(GNOMON_PYTHON OFF)
+  endif()
+endif()
+
 # BLAS: OpenBLAS if it exists, otherwise any other; -DBLA_VENDOR=... chooses another one.
 if(NOT BLA_VENDOR)
   set(BLA_VENDOR OpenBLAS)
@@ -124,13 +144,17 @@ if(gnomon_missing)
   list(JOIN gnomon_missing ", " gnomon_missing)
   list(REMOVE_DUPLICATES gnomon_missing_packages)
   list(JOIN gnomon_missing_packages " " gnomon_missing_packages)
+  if(CMAKE_FIND_PACKAGE_NAME)
+    set(${CMAKE_FIND_PACKAGE_NAME}_FOUND FALSE)
+    set(${CMAKE_FIND_PACKAGE_NAME}_NOT_FOUND_MESSAGE
+        "gnomon is a static library here, and needs: ${gnomon_missing}")
+    return()
+  endif()
   message(FATAL_ERROR "Missing: ${gnomon_missing}.\n"
                       "On Debian run scripts/setup, or: apt-get install ${gnomon_missing_packages}")
 endif()
 
-add_library(gnomon_dependencies INTERFACE)
-target_link_libraries(gnomon_dependencies INTERFACE
-  SUNDIALS::kinsol SUNDIALS::idas SUNDIALS::arkode SUNDIALS::sunlinsolspfgmr BLAS::BLAS gnomon::umfpack gnomon::cholmod
-  gnomon::metis
-  Eigen3::Eigen Spectra::Spectra PkgConfig::HDF5 tomlplusplus::tomlplusplus CLI11::CLI11 fmt::fmt
-  nlohmann_json::nlohmann_json)
+set(gnomon_dependencies
+  SUNDIALS::kinsol SUNDIALS::idas SUNDIALS::arkode SUNDIALS::sunlinsolspfgmr BLAS::BLAS gnomon::umfpack
+  gnomon::cholmod gnomon::metis Eigen3::Eigen Spectra::Spectra PkgConfig::HDF5 tomlplusplus::tomlplusplus
+  CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)

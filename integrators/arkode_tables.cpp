@@ -79,6 +79,7 @@ Integrator explicit_on_reduced(const Entry& entry) {
   integrator.family = "explicit Runge-Kutta, decoupled";
   integrator.driver = "ARKODE ERKStep, KINSOL";
   integrator.locates_events = false;
+  integrator.settles = false;
   integrator.table = [name = entry.table](const IntegratorSettings&) {
     return arkode_erk_table(name);
   };

@@ -56,6 +56,7 @@ const Registration<Integrator> registration({
     .driver = "KINSOL (contact and mesh motion)",
     .help = "the paper's explicit scheme, eq. (15): one contact problem per step, unstable above a "
             "critical step",
+    .settles = false,
     .table =
         [](const IntegratorSettings&) {
           ButcherTable table{"eq. (15)",

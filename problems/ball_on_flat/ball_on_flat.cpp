@@ -72,9 +72,14 @@ QuarterBall read_ball(const Scene& scene) {
           .layers = static_cast<int>(elements[2])};
 }
 
+/// With all unknowns, of which some will be held.
 MeshSize mesh_size(const Scene& scene) {
-  // As many nodes as a cube with as many elements.
-  return {3, std::pow(std::cbrt(double(read_ball(scene).elements())) + 1, 3)};
+  const double nodes = read_ball(scene).nodes();
+  return {.dim = 3,
+          .nodes = nodes,
+          .grid_lines = true,
+          .displacements = 3 * nodes,
+          .shapes = 3 * nodes};
 }
 
 /// The displacement is zero on the mid-plane, and normal to the plane of symmetry on that plane.

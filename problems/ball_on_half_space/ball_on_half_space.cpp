@@ -104,10 +104,11 @@ std::vector<double> grid_lines(const Scene& scene, int axis, double end) {
   return lines;
 }
 
+/// With all displacements, of which some will be held.
 MeshSize mesh_size(const Scene& scene) {
-  MeshSize size{3, 1};
-  for (const long elements : scene.integers("mesh.elements")) size.nodes *= double(elements + 1);
-  return size;
+  double nodes = 1;
+  for (const long elements : scene.integers("mesh.elements")) nodes *= double(elements + 1);
+  return {.dim = 3, .nodes = nodes, .grid_lines = true, .displacements = 3 * nodes};
 }
 
 Extrusion make_block(const Scene& scene, const std::vector<double>& along) {

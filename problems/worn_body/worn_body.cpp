@@ -132,7 +132,6 @@ void take_counter_body(const Scene& scene, WornBody<dim>& body) {
 /// The model, or all mistakes that can be found without solving anything.
 template <int dim>
 std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
-  require_memory(scene, {dim, double(part.mesh.nodes.size())});
   auto body = std::make_shared<WornBody<dim>>();
   body->mesh = part.mesh;
   body->parts = stored_parts(part);

@@ -4,10 +4,10 @@
 
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/run/run.hpp>
+#include <gnomon/run/setup.hpp>
 
 #include "app/commands.hpp"
 #include "app/program.hpp"
-#include "app/setup.hpp"
 #include "app/text_table.hpp"
 
 namespace gnomon::app {
@@ -22,7 +22,7 @@ int check_command(const std::filesystem::path& scene, const std::vector<std::str
   }
   table.add({"# all", "", fmt::format("{}", total), ""});
   fmt::print("{}\n{}", setup.scene.resolved(), table.text());
-  if (const double memory = estimated_memory(setup.scene); memory > 0)
+  if (const double memory = setup.model->memory(); memory > 0)
     fmt::print("# a run takes about {} of memory\n", memory_text(memory));
   for (const std::string& remark : setup.model->remarks()) fmt::print("# {}\n", remark);
   if (const std::string dropped = dropped_times_text(setup.scene); !dropped.empty())

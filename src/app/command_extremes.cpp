@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
+#include <gnomon/base/installation.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/study/extremes.hpp>
 #include <map>
@@ -41,7 +42,7 @@ std::vector<fs::path> toml_files_below(const fs::path& folder, const std::string
 }
 
 std::vector<fs::path> study_files(const std::vector<fs::path>& given) {
-  if (given.empty()) return toml_files_below(GNOMON_SCENE_ROOT, "extremes");
+  if (given.empty()) return toml_files_below(installed("share/gnomon/problems"), "extremes");
   std::vector<fs::path> files;
   for (const fs::path& path : given) {
     if (!fs::is_directory(path)) {
@@ -117,8 +118,12 @@ void run_all(const std::vector<Suite>& suites, const ExtremesOptions& given, Stu
   StudyProgress before;
   for (const Suite& suite : suites) before.total += suite.extreme.study.runs.size();
   const auto show = [&](const StudyProgress& p) {
-    bar.show({before.total, before.kept + p.kept, before.done + p.done, before.failed + p.failed,
-              p.ended, p.reason});
+    bar.show({.total = before.total,
+              .kept = before.kept + p.kept,
+              .done = before.done + p.done,
+              .failed = before.failed + p.failed,
+              .ended = p.ended,
+              .reason = p.reason});
   };
   for (const Suite& suite : suites) {
     options.folder = given.folder / suite.name;

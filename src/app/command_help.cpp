@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/problem.hpp>
+#include <gnomon/results/versions.hpp>
 #include <gnomon/study/study.hpp>
-#include <gnomon/study/versions.hpp>
 
 #include "app/commands.hpp"
 #include "app/help_texts.hpp"
@@ -38,29 +39,32 @@ std::string integrators_help() {
 
 }  // namespace
 
+const std::vector<std::string>& help_topics() {
+  static const std::vector<std::string> topics = {"scene", "studies", "integrators",
+                                                  "units", "output",  "exit-codes"};
+  return topics;
+}
+
+std::string topic_text(const std::string& topic) {
+  if (topic == "scene") return scene_help({});
+  if (topic == "studies") return studies_topic + describe_study_keys();
+  if (topic == "integrators") return integrators_help();
+  if (topic == "units") return units_topic;
+  if (topic == "output") return output_topic;
+  return exit_codes_topic;
+}
+
 int help_command(const std::string& topic, const std::optional<std::string>& problem,
                  const std::vector<std::string>& further_topics) {
-  if (topic == "scene") {
-    fmt::print("{}", scene_help(problem));
-  } else if (topic == "studies") {
-    fmt::print("{}{}", studies_topic, describe_study_keys());
-  } else if (topic == "integrators") {
-    fmt::print("{}", integrators_help());
-  } else if (topic == "units") {
-    fmt::print("{}", units_topic);
-  } else if (topic == "output") {
-    fmt::print("{}", output_topic);
-  } else if (topic == "exit-codes") {
-    fmt::print("{}", exit_codes_topic);
-  } else {
-    std::vector<std::string> topics = {"scene", "studies", "integrators", "commands",
-                                       "units", "output",  "exit-codes"};
+  std::vector<std::string> topics = help_topics();
+  if (std::find(topics.begin(), topics.end(), topic) == topics.end()) {
     topics.insert(topics.end(), further_topics.begin(), further_topics.end());
     const std::string near = nearest_name(topic, topics);
     throw InputError(
         fmt::format("unknown topic `{}`, {}", topic,
                     near.empty() ? "see `gnomon help`" : "did you mean `" + near + "`?"));
   }
+  fmt::print("{}", topic == "scene" ? scene_help(problem) : topic_text(topic));
   return success;
 }
 

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
+#include <gnomon/run/plugin.hpp>
 #include <gnomon/scene/scene.hpp>
 
+#include "app/manual.hpp"
 #include "app/option_checks.hpp"
+#include "app/study_flags.hpp"
 
 namespace gnomon::app {
 
@@ -18,18 +21,6 @@ void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
   command->add_option("--set", overrides, "Replaces a scene key; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-}
-
-void add_jobs(CLI::App* command, int& jobs) {
-  command
-      ->add_option("--jobs", jobs, "Number of runs at the same time; default: the number of cores")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-}
-
-void add_flags_of_studies(CLI::App* command, bool& resume, bool& quiet) {
-  command->add_flag("--resume", resume, "Continues in an existing folder and keeps finished runs");
-  command->add_flag("--quiet", quiet, "Prints nothing but errors");
 }
 
 /// Throws InputError that names the option, because the scene does not contain it.
@@ -57,10 +48,18 @@ CommandLine::CommandLine()
   app_.add_flag_callback(
       "--version", [this] { command_ = version_command; },
       "Shows the versions of gnomon and its libraries");
+  app_.add_option("--plugin", plugins_,
+                  "Loads a plug-in, before the command; repeatable; GNOMON_PLUGINS=A.so:B.so does "
+                  "the same")
+      ->type_name("FILE.so")
+      ->check(check_file_name)
+      ->allow_extra_args(false);
   app_.require_subcommand(0, 1);
   app_.footer(
       "More: gnomon help TOPIC, with TOPIC one of scene [PROBLEM], studies, integrators,\n"
-      "commands, units, output, exit-codes, or a command.");
+      "commands, units, output, exit-codes, or a command; man-page (roff) and completion (bash) "
+      "are\n"
+      "files to install.");
   add_run();
   add_resume();
   add_study();
@@ -121,22 +120,6 @@ void CommandLine::add_check() {
   add_overrides(command, run_.overrides);
   command->callback(
       [this] { command_ = [this] { return check_command(run_.scene, run_.overrides); }; });
-}
-
-void CommandLine::add_study() {
-  CLI::App* command = app_.add_subcommand(
-      "study", "Runs a scene with many methods and settings; makes a table of errors and costs");
-  command->add_option("STUDY", study_.study, "Study file (TOML), see gnomon help studies")
-      ->required()
-      ->type_name("");
-  command
-      ->add_option("-o,--output", study_.folder,
-                   "Folder of the results; default: STUDY's name, in the current folder")
-      ->type_name("DIR")
-      ->check(check_file_name);
-  add_jobs(command, study_.jobs);
-  add_flags_of_studies(command, study_.resume, study_.quiet);
-  command->callback([this] { command_ = [this] { return study_command(study_); }; });
 }
 
 void CommandLine::add_extremes() {
@@ -250,6 +233,10 @@ int CommandLine::help() const {
   } else if (problem_ && *topic_ != "scene") {
     throw InputError(
         fmt::format("unexpected argument `{}`, see `gnomon help {}`", *problem_, *topic_));
+  } else if (*topic_ == "man-page") {
+    fmt::print("{}", man_page(app_));
+  } else if (*topic_ == "completion") {
+    fmt::print("{}", bash_completion(app_));
   } else if (*topic_ == "commands") {
     for (const std::string& name : commands) {
       print(app_.get_subcommand(name), "gnomon " + name);
@@ -259,7 +246,9 @@ int CommandLine::help() const {
              std::find(commands.begin(), commands.end(), *topic_) != commands.end()) {
     print(app_.get_subcommand(*topic_), "gnomon " + *topic_);
   } else {
-    return help_command(*topic_, problem_, commands);
+    std::vector<std::string> further = {"commands", "man-page", "completion"};
+    further.insert(further.end(), commands.begin(), commands.end());
+    return help_command(*topic_, problem_, further);
   }
   return 0;
 }
@@ -275,19 +264,31 @@ int CommandLine::operator()(int argc, char** argv) {
   try {
     app_.parse(argc, argv);
   } catch (const CLI::CallForHelp& request) {
-    const auto chosen = app_.get_subcommands();
-    fmt::print("{}", chosen.empty() ? app_.help() : chosen.front()->help("gnomon"));
+    const auto [command, words] = chosen_command();
+    fmt::print("{}", command == &app_ ? app_.help() : command->help(words));
     return 0;
   }
   if (!command_) throw InputError("expected a command, see `gnomon help`");
+  load_plugins_of_environment();
+  for (const std::filesystem::path& plugin : plugins_) load_plugin(plugin);
   return command_();
+}
+
+std::pair<const CLI::App*, std::string> CommandLine::chosen_command() const {
+  const CLI::App* command = &app_;
+  std::string words;
+  for (auto chosen = app_.get_subcommands(); !chosen.empty(); chosen = command->get_subcommands()) {
+    words += (words.empty() ? "" : " ") + command->get_name();
+    command = chosen.front();
+  }
+  return {command, words};
 }
 
 std::string CommandLine::complaint(const CLI::ParseError& error) const {
   const auto chosen = app_.get_subcommands();
-  const CLI::App* command = chosen.empty() ? &app_ : chosen.front();
+  const CLI::App* command = chosen_command().first;
   const bool overview = chosen.empty() || command->get_name() == "help";
-  const std::string help = overview ? "gnomon help" : "gnomon help " + command->get_name();
+  const std::string help = overview ? "gnomon help" : "gnomon help " + chosen.front()->get_name();
   for (const std::string& word : app_.remaining(true)) {
     const bool option = word.starts_with("-");
     if (!option && !chosen.empty()) continue;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/commands.hpp"
@@ -27,6 +28,7 @@ private:
   void add_resume();
   void add_check();
   void add_study();
+  void add_parts_of_study(CLI::App* study);
   void add_extremes();
   void add_inspection();
   void add_meshes();
@@ -36,6 +38,8 @@ private:
   void add_help();
   int help() const;
   std::vector<std::string> command_names() const;
+  /// The innermost command that was parsed, or the program, and the words before it.
+  std::pair<const CLI::App*, std::string> chosen_command() const;
 
   CLI::App app_;
   std::function<int()> command_;
@@ -57,6 +61,7 @@ private:
   std::filesystem::path figures_;
   std::optional<std::string> topic_;
   std::optional<std::string> problem_;
+  std::vector<std::filesystem::path> plugins_;
 };
 
 }  // namespace gnomon::app

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 #include <gnomon/base/error.hpp>
+#include <gnomon/base/installation.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/laws/catalogue.hpp>
 #include <gnomon/model/added_term.hpp>
@@ -24,10 +25,16 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string list_integrators() {
-  TextTable table({{"name"}, {"family"}, {"order"}, {"error estimate"}, {"stability"}, {"driver"}});
+  TextTable table({{"name"},
+                   {"family"},
+                   {"order"},
+                   {"error estimate"},
+                   {"stability"},
+                   {"settles"},
+                   {"driver"}});
   for (const Integrator& entry : Integrators::all())
     table.add({entry.name, entry.family, entry.order, entry.error_estimate, entry.stability,
-               entry.driver});
+               entry.settles ? "yes" : "no", entry.driver});
   return table.text();
 }
 
@@ -69,7 +76,7 @@ bool is_study(const fs::path& file) {
 }
 
 std::string list_files(bool studies) {
-  const fs::path root = GNOMON_SCENE_ROOT;
+  const fs::path root = installed("share/gnomon/problems");
   std::error_code error;
   std::vector<fs::path> files;
   for (auto entry = fs::recursive_directory_iterator(root, error);

@@ -6,10 +6,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <gnomon/base/error.hpp>
 #include <stdexcept>
 
 #include "app/commands.hpp"
+#include "app/plotting_script.hpp"
 
 namespace gnomon::app {
 
@@ -34,10 +34,7 @@ constexpr const char* packages = "python3-matplotlib python3-h5py";
 
 int plot_command(const std::vector<std::filesystem::path>& targets,
                  const std::filesystem::path& folder) {
-  const std::filesystem::path script = GNOMON_PLOT_SCRIPT;
-  if (!std::filesystem::exists(script))
-    throw std::runtime_error(fmt::format("there is no {}", script.string()));
-  std::vector<std::string> words = {python, script.string(), "any"};
+  std::vector<std::string> words = {python, plotting_script().string(), "any"};
   if (!folder.empty()) words.push_back("--output=" + folder.string());
   words.push_back("--");
   for (const std::filesystem::path& target : targets) words.push_back(target.string());

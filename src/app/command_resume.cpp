@@ -1,5 +1,6 @@
-// gnomon resume: continues from the last checkpoint of a result, in a new file that replaces the
-// old one as soon as it has gone further, or has ended at the same time.
+// gnomon resume: continues from the last checkpoint of a result, or from the start if it has none,
+// in a new file that replaces the old one as soon as it has gone further, or has ended at the same
+// time.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,6 +10,7 @@
 #include <gnomon/base/same_time.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/run.hpp>
+#include <gnomon/run/setup.hpp>
 #include <gnomon/run/summary.hpp>
 #include <utility>
 
@@ -17,7 +19,6 @@
 #include "app/output_files.hpp"
 #include "app/program.hpp"
 #include "app/run_end.hpp"
-#include "app/setup.hpp"
 
 namespace gnomon::app {
 
@@ -57,13 +58,11 @@ Scene changed_scene(const ResultReader& earlier, const ResumeOptions& options) {
   return scene;
 }
 
-Resumption last_checkpoint(const ResultReader& earlier, const std::string& name) {
+/// None if the result holds no complete checkpoint: it ended at its start, was killed with
+/// output.checkpoints = 0, or they are damaged.
+std::optional<Resumption> last_checkpoint(const ResultReader& earlier, const std::string& name) {
   const std::vector<Checkpoint> checkpoints = earlier.checkpoints();
-  if (checkpoints.empty())
-    throw InputError(fmt::format(
-        "{} holds no checkpoint to resume from (output.checkpoints = 0, it ended at its "
-        "start, or they are damaged)",
-        name));
+  if (checkpoints.empty()) return std::nullopt;
   Resumption from;
   from.checkpoint = checkpoints.back();
   const auto rows = static_cast<std::size_t>(from.checkpoint.rows);
@@ -107,6 +106,16 @@ void check_same(const Model& model, const ResultReader& earlier, const std::stri
         fmt::format("{}: this version of gnomon makes a different mesh from its scene", name));
 }
 
+/// The time that the result has reached; a result without a step has reached none.
+double time_reached(const ResultReader& earlier) {
+  const std::vector<HistoryRow> history = earlier.history();
+  return history.empty() ? 0.0 : history.back().t;
+}
+
+std::string beginning_text(const std::optional<Resumption>& from, const std::string& name) {
+  return from ? "" : fmt::format("{} holds no checkpoint: begins at its start", name);
+}
+
 std::vector<std::string> field_names(const Model& model, const Checkpoint& checkpoint) {
   std::vector<std::string> names;
   for (const GridField& field : model.fields(state_at(checkpoint, model)))
@@ -125,8 +134,8 @@ int resume_command(const ResumeOptions& options) {
                          .force = true,
                          .quiet = options.quiet};
   const ResultReader earlier(options.result);
-  const Resumption from = last_checkpoint(earlier, name);
-  const double reached = earlier.history().back().t;
+  const std::optional<Resumption> from = last_checkpoint(earlier, name);
+  const double reached = time_reached(earlier);
   Scene scene = changed_scene(earlier, options);
   check_end(scene, reached, name);
   if (earlier.status() == "finished" && scene.real("time.end") == reached) {
@@ -138,7 +147,7 @@ int resume_command(const ResumeOptions& options) {
     if (!options.quiet) fmt::print("{} is finished; --end continues to a later time\n", name);
     return success;
   }
-  check_times(scene, earlier, from.row.t);
+  if (from) check_times(scene, earlier, from->row.t);
   if (!options.force && options.summary != "-" && std::filesystem::is_regular_file(options.summary))
     throw InputError(
         fmt::format("{} exists; give another name with --summary, or --force to replace it",
@@ -146,7 +155,7 @@ int resume_command(const ResumeOptions& options) {
   check_outputs(files);
 
   if (!options.quiet) warn_of_slow_blas();
-  if (!options.quiet) print_remarks({dropped_times_text(scene)});
+  if (!options.quiet) print_remarks({beginning_text(from, name), dropped_times_text(scene)});
   const Setup setup = set_up_again(std::move(scene), earlier.grid());
   check_same(*setup.model, earlier, name);
   const RunHeader header = run_header(setup);
@@ -154,10 +163,10 @@ int resume_command(const ResumeOptions& options) {
   const RunOutcome outcome = [&] {
     const InterruptGuard guard(!options.quiet);
     ResultWriter writer(options.result, header, setup.model->grid(), Earlier::replaced, reached);
-    copy_to_last_checkpoint(earlier, field_names(*setup.model, from.checkpoint), writer);
-    return integrate(setup, settings, writer, options.quiet, &from);
+    if (from) copy_to_last_checkpoint(earlier, field_names(*setup.model, from->checkpoint), writer);
+    return integrate(setup, settings, writer, options.quiet, from ? &*from : nullptr);
   }();
-  const bool replaced = outcome.last->t >= reached;
+  const bool replaced = outcome.last && outcome.last->t >= reached;
   write_summary(files, summary_json(setup.scene, header, settings, outcome, setup.model->remarks()),
                 replaced);
   return report_end(outcome, {.result = options.result,

@@ -5,6 +5,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/run.hpp>
+#include <gnomon/run/setup.hpp>
 #include <gnomon/run/summary.hpp>
 #include <utility>
 
@@ -12,7 +13,6 @@
 #include "app/interrupt.hpp"
 #include "app/output_files.hpp"
 #include "app/run_end.hpp"
-#include "app/setup.hpp"
 
 namespace gnomon::app {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
+#include <gnomon/run/setup.hpp>
 #include <gnomon/stability/stability.hpp>
 #include <iterator>
 #include <set>
@@ -15,7 +16,6 @@
 #include "app/commands.hpp"
 #include "app/program.hpp"
 #include "app/run_end.hpp"
-#include "app/setup.hpp"
 #include "app/text_table.hpp"
 
 namespace gnomon::app {

@@ -1,10 +1,11 @@
-// gnomon study: many runs of one scene, their errors and costs.
+// gnomon study: many runs of one scene, their errors, results and costs; as a whole, or in parts:
+// plan, run, collect.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
-#include <gnomon/results/result_files.hpp>
+#include <gnomon/study/slurm.hpp>
 #include <gnomon/study/study.hpp>
 #include <thread>
 
@@ -12,9 +13,9 @@
 #include "app/interrupt.hpp"
 #include "app/program.hpp"
 #include "app/run_end.hpp"
-#include "app/study_figures.hpp"
 #include "app/study_progress.hpp"
-#include "app/text_table.hpp"
+#include "app/study_tables.hpp"
+#include "study/run_numbers.hpp"
 
 namespace gnomon::app {
 
@@ -22,23 +23,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-StudyOptions study_options(const Study& study, const StudyCommandOptions& given) {
+fs::path folder_of(const Study& study, const StudyCommandOptions& given) {
+  return given.folder.empty() ? fs::path(study.name) : given.folder;
+}
+
+StudyOptions study_options(const fs::path& folder, const StudyCommandOptions& given) {
   StudyOptions options;
-  options.folder = given.folder.empty() ? fs::path(study.name) : given.folder;
+  options.folder = folder;
   options.program = fs::read_symlink("/proc/self/exe");
   options.jobs = given.jobs > 0
                      ? given.jobs
                      : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   options.resume = given.resume;
+  options.lost_after = given.lost_after;
   return options;
 }
 
-StudyProgress run_all(const Study& study, const StudyOptions& options, bool quiet) {
+/// Does runs and shows their progress.
+template <class Do>
+StudyProgress with_progress(bool quiet, const Do& run) {
   StudyProgressBar bar(Progress::mode_for_stderr(quiet));
   const StudyHooks hooks{.on_progress = [&](const StudyProgress& p) { bar.show(p); },
                          .interrupted = InterruptGuard::interrupted};
   try {
-    const StudyProgress progress = run_study(study, options, hooks);
+    const StudyProgress progress = run(hooks);
     bar.finish();
     return progress;
   } catch (const std::exception&) {
@@ -47,70 +55,85 @@ StudyProgress run_all(const Study& study, const StudyOptions& options, bool quie
   }
 }
 
-std::string error_text(const std::optional<double>& error, bool marked) {
-  return error ? fmt::format("{:.2e}{}", *error, marked ? "*" : " ") : "- ";
+/// The whole study on this machine, or by Slurm.
+StudyProgress run_all(const Study& study, const StudyOptions& options,
+                      const StudyCommandOptions& given, const StudyHooks& hooks) {
+  if (given.executor == "local") return run_study(study, options, hooks);
+  SlurmOptions slurm;
+  slurm.sbatch = given.slurm_options;
+  slurm.at_most = given.jobs;
+  slurm.poll = given.poll;
+  return run_study_by_slurm(study, options, slurm, hooks);
 }
 
-std::string own_error_text(const SweepPoint& sweep, const std::optional<double>& error) {
-  if (sweep.has_closed_form()) return "exact";
-  return error ? fmt::format("own error {:.2e}", *error) : "own error unknown";
+std::string count_text(std::size_t count) {
+  return count == 1 ? "1 run" : fmt::format("{} runs", count);
 }
 
-void print_table(const Study& study, const StudyTable& table) {
-  constexpr auto right = TextTable::Align::right;
-  TextTable text({{"sweep"},
-                  {"run"},
-                  {"shape error [mm]", right},
-                  {"steps", right},
-                  {"factors", right},
-                  {"CPU [s]", right},
-                  {}});
-  for (const StudyRow& row : table.rows)
-    text.add({row.sweep, study.runs[row.point.run].title,
-              error_text(row.shape_error, row.marked_shape),
-              row.counters ? fmt::format("{}", row.counters->steps) : "-",
-              row.counters ? fmt::format("{}", row.counters->factorizations) : "-",
-              row.cpu_seconds ? fmt::format("{:.2f}", *row.cpu_seconds) : "-",
-              row.status == "finished" ? "" : row.status + ": " + row.reason});
-  fmt::print("{}", text.text());
-  for (std::size_t i = 0; i < table.references.size(); ++i) {
-    const std::string& label = study.sweep[i].label;
-    fmt::print("reference{}: {}, {}\n", label.empty() ? "" : " at " + label,
-               table.references[i].text, own_error_text(study.sweep[i], table.references[i].error));
-  }
-  const bool marked = std::any_of(table.rows.begin(), table.rows.end(),
-                                  [](const StudyRow& row) { return row.marked_shape; });
-  if (marked)
-    fmt::print("* less than ten times the error of the reference, or the latter is unknown\n");
+/// Throws Error that names the missing runs, if there are any.
+void require_complete(const Study& study, const fs::path& folder) {
+  const std::vector<std::size_t> missing = missing_runs(study, folder);
+  if (missing.empty()) return;
+  const std::string numbers = study::numbers_of(missing);
+  throw Error(fmt::format("{} of {} missing; gnomon study run {} {} does {}",
+                          count_text(missing.size()), study.runs.size(), folder.string(), numbers,
+                          missing.size() == 1 ? "it" : "them"));
 }
 
 }  // namespace
 
 int study_command(const StudyCommandOptions& given) {
+  if (given.study.empty())
+    throw InputError("expected a study file, or plan, run or collect, see `gnomon help study`");
   const Study study = load_study(given.study);
-  const StudyOptions options = study_options(study, given);
+  const StudyOptions options = study_options(folder_of(study, given), given);
   if (!given.quiet) warn_of_slow_blas();
   const InterruptGuard guard(
       false);  // until the page is written: a half-written page would be useless
-  const StudyProgress progress = run_all(study, options, given.quiet);
-  if (progress.done < progress.total)
-    throw Error(fmt::format("interrupted with {} of {} runs done; --resume continues from there",
+  const StudyProgress progress = with_progress(
+      given.quiet, [&](const StudyHooks& hooks) { return run_all(study, options, given, hooks); });
+  if (InterruptGuard::interrupted() && progress.done < progress.total)
+    throw Error(fmt::format("interrupted with {} of {} runs done{}; --resume continues from there",
+                            progress.done, progress.total,
+                            given.executor == "slurm" ? ", the jobs of Slurm go on" : ""));
+  write_study(study, options.folder, given.quiet);
+  if (progress.done < progress.total) require_complete(study, options.folder);
+  return success;
+}
+
+int study_plan_command(const StudyCommandOptions& given) {
+  const Study study = load_study(given.study);
+  const fs::path folder = folder_of(study, given);
+  plan_study(study, folder, given.resume);
+  if (!given.quiet)
+    fmt::print(
+        "{}: {}, listed in plan.csv; gnomon study run {} NUMBERS does them, gnomon study "
+        "collect {} makes the tables\n",
+        folder.string(), count_text(study.runs.size()), folder.string(), folder.string());
+  return success;
+}
+
+int study_run_command(const StudyCommandOptions& given) {
+  const Study study = read_plan(given.folder);
+  const std::vector<std::size_t> runs = study::runs_numbered(given.numbers, study.runs.size());
+  const StudyOptions options = study_options(given.folder, given);
+  const InterruptGuard guard(false);
+  const StudyProgress progress = with_progress(given.quiet, [&](const StudyHooks& hooks) {
+    return run_planned(study, runs, options, hooks);
+  });
+  if (progress.others > 0 && !given.quiet)
+    fmt::print("{} left to other processes that are doing them\n", count_text(progress.others));
+  if (progress.done + progress.others < progress.total)
+    throw Error(fmt::format("interrupted with {} of {} runs done; the same command continues",
                             progress.done, progress.total));
-  const StudyTable table = measure(study, options.folder);
-  write_file(options.folder / "study.csv", study_csv(study, table), Earlier::replaced);
-  write_study_hdf5(options.folder / "study.h5", study, table);
-  const StudyFigures figures = study_figures(options.folder, "study");
-  write_file(options.folder / "index.html", study_page(study, table, figures.svgs, figures.note),
-             Earlier::replaced);
-  if (!given.quiet) {
-    print_table(study, table);
-    fmt::print("{}{}results: {} (index.html, study.csv, study.h5, runs)\n", figures.note,
-               figures.note.empty() ? "" : "\n", options.folder.string());
-  }
-  if (std::ranges::none_of(table.rows,
-                           [](const StudyRow& row) { return row.status == "finished"; }))
-    throw SolutionError(fmt::format("all {} runs of the table failed (reasons in {})",
-                                    table.rows.size(), (options.folder / "study.csv").string()));
+  return success;
+}
+
+int study_collect_command(const StudyCommandOptions& given) {
+  const Study study = read_whole_plan(given.folder);
+  const InterruptGuard guard(false);
+  write_study(study, given.folder, given.quiet);
+  require_complete(study, given.folder);
   return success;
 }
 

@@ -30,8 +30,13 @@ struct ResumeOptions {
 
 struct StudyCommandOptions {
   std::filesystem::path study;
-  std::filesystem::path folder;  ///< empty: the study's name, in the current folder
-  int jobs = 0;                  ///< 0: one a core
+  std::filesystem::path folder;            ///< empty: the study's name, in the current folder
+  std::string numbers;                     ///< of the runs to do: "3", "3-7", "3,5,9-12"
+  int jobs = 0;                            ///< 0: one a core; by Slurm: as many as it allows
+  std::string executor = "local";          ///< or "slurm"
+  std::vector<std::string> slurm_options;  ///< for sbatch
+  double poll = 10;                        ///< between looks at Slurm's jobs [s]
+  double lost_after = 120;                 ///< StudyOptions::lost_after
   bool resume = false;
   bool quiet = false;
 };
@@ -59,6 +64,10 @@ struct StabilityOptions {
 int run_command(const RunOptions& options);
 int resume_command(const ResumeOptions& options);
 int study_command(const StudyCommandOptions& options);
+/// The parts of a study: the folder, some runs of it, the tables.
+int study_plan_command(const StudyCommandOptions& options);
+int study_run_command(const StudyCommandOptions& options);
+int study_collect_command(const StudyCommandOptions& options);
 /// Throws Error when a case is wrong, hung or crashed.
 int extremes_command(const ExtremesOptions& options);
 int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
@@ -85,6 +94,10 @@ int stability_command(const StabilityOptions& options);
 /// Figures of results and of folders with studies or spectra. `folder` empty: beside each of them.
 int plot_command(const std::vector<std::filesystem::path>& targets,
                  const std::filesystem::path& folder);
+/// The help topics that are not commands, in the order of the overview.
+const std::vector<std::string>& help_topics();
+/// The text of one of them.
+std::string topic_text(const std::string& topic);
 /// All help topics except the commands. Throws InputError for an unknown topic; the message names
 /// the nearest of `further_topics` and the own topics.
 int help_command(const std::string& topic, const std::optional<std::string>& problem,

@@ -35,6 +35,14 @@ errors below ten times this difference are marked. Several runs are done at the 
 results holds study.csv, study.h5, index.html and runs/. --resume continues a study that was
 interrupted or killed. A run that fails stays in the table with its reason; the exit code is 3
 only if all runs fail.
+
+For a parameter sweep, `reference = "none"` leaves errors out, and methods may be absent: the table
+has the worn volume, the largest pressure and all else that the runs observe.
+
+    gnomon study plan STUDY.toml -o DIR    the folder, with numbered runs
+    gnomon study run DIR 3-7               some of them, on any machine that has the folder
+    gnomon study collect DIR               the tables
+    gnomon study STUDY.toml --executor slurm --slurm-option=--time=60    all of it, by Slurm
 )";
 
 inline constexpr const char* integrators_topic =
@@ -71,9 +79,11 @@ once the start is solved; if the start fails, they are not changed.
 In ParaView open the .xdmf file; Warp By Vector with `shape` shows the worn body, with
 `displacement` added the deformed one. Which steps are stored is set by output.every, output.times,
 output.interval and output.last; the start is always stored. The file is readable during the run, and after
-Ctrl-C, a failure or a crash it holds everything up to the last step. A resumed run takes the
-steps of a run that was not interrupted, bit for bit with one-step methods; bdf begins at order
-one and agrees within its tolerance. When a run is resumed, --set may change time.end, tolerances
+Ctrl-C, a failure or a crash it holds everything up to the last step. Ctrl-C and SIGTERM end a run
+after its step, with a checkpoint there. A run resumed after a kill takes the steps of a run that
+was not interrupted, bit for bit with one-step methods; after Ctrl-C and SIGTERM no step is lost, and
+the method restarts there, so that the last digits differ; bdf begins at order one and agrees within
+its tolerance. Without a checkpoint `gnomon resume` begins at the start. When a run is resumed, --set may change time.end, tolerances
 and steps of the integrator, output.* and solver.*. The result is replaced when the new one has
 reached the same time.
 

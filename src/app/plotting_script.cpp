@@ -7,6 +7,8 @@
 
 #include <cerrno>
 #include <fstream>
+#include <gnomon/base/error.hpp>
+#include <gnomon/base/installation.hpp>
 #include <iterator>
 
 namespace gnomon::app {
@@ -45,18 +47,24 @@ std::string last_line(const std::filesystem::path& log) {
 
 }  // namespace
 
+std::filesystem::path plotting_script() {
+  return installed("share/gnomon/plot/gnomon_plot.py");
+}
+
 ScriptEnd run_plotting_script(const std::vector<std::string>& arguments,
                               const std::filesystem::path& log) {
-  const std::filesystem::path script = GNOMON_PLOT_SCRIPT;
-  std::error_code error;
-  if (!std::filesystem::exists(script, error))
-    return {1, fmt::format("there is no {}", script.string())};
-  std::vector<std::string> words = {script.string()};
+  std::vector<std::string> words;
+  try {
+    words = {plotting_script().string()};
+  } catch (const Error& error) {
+    return {1, error.what()};
+  }
   words.insert(words.end(), arguments.begin(), arguments.end());
   ScriptEnd end{python(words, log.string()), {}};
   if (end.exit_code != 0) {
     end.complaint = last_line(log);
   } else {
+    std::error_code error;
     std::filesystem::remove(log, error);
   }
   return end;

@@ -13,6 +13,9 @@ struct ScriptEnd {
   std::string complaint;
 };
 
+/// The script, gnomon_plot.py. Throws Error if it is not installed.
+std::filesystem::path plotting_script();
+
 /// Waits for it. What it prints goes to the file `log`, which stays only after a failure.
 ScriptEnd run_plotting_script(const std::vector<std::string>& arguments,
                               const std::filesystem::path& log);

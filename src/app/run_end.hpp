@@ -3,10 +3,9 @@
 
 #include <filesystem>
 #include <gnomon/run/run.hpp>
+#include <gnomon/run/setup.hpp>
 #include <string>
 #include <vector>
-
-#include "app/setup.hpp"
 
 namespace gnomon::app {
 

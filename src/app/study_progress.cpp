@@ -15,6 +15,8 @@ std::string bar(std::size_t done, std::size_t total) {
 }
 
 std::string plain_line(const StudyProgress& progress) {
+  if (progress.ended.empty() && progress.done > progress.kept)
+    return fmt::format("{} of {} done", progress.done, progress.total);
   if (progress.ended.empty())
     return fmt::format("{} runs, {} done already", progress.total, progress.kept);
   return fmt::format("{} of {}: {}{}", progress.done, progress.total, progress.ended,

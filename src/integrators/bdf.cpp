@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/integrators/bdf.hpp>
+#include <gnomon/integrators/closings.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 #include <gnomon/integrators/rates.hpp>
 #include <gnomon/integrators/step_account.hpp>
@@ -23,6 +24,8 @@ namespace {
 void destroy_ida(void* memory) {
   IDAFree(&memory);
 }
+/// How many steps need to damp a closing.
+constexpr int steps_to_damp = 5;
 }  // namespace
 
 class BdfSolver::Memory {
@@ -45,6 +48,10 @@ private:
   void account_for_rejected(StepAccount& account);
   bool vanishes(double step);
   double take_integral();
+  double settling_stop(const std::optional<Settling>& settling, double t, double t_stop) const;
+  ActiveSet active(const State& state) const {
+    return branch() ? branch_ : active_set(system_, state.t, state.y);
+  }
   const ActiveSet* branch() const { return settings_.locate_events ? &branch_ : nullptr; }
   [[noreturn]] void fail(int flag, double t) const;
 
@@ -52,6 +59,7 @@ private:
   IntegratorSettings settings_;
   Counters& counters_;
   ErrorNorm norm_;
+  std::optional<Closings> closings_;  // only with settled times
   bool begun_ = false;
   long rejected_ = 0;
   double from_ = 0;                           // start of the step, on whose side of a jump it lies
@@ -61,6 +69,7 @@ private:
   std::vector<double> switched_at_;           // time of each node's last event
   std::optional<AlgebraicSolver> algebraic_;  // made at the first event
   LinearRequest request_;
+  SlowPart slow_;  // of the Jacobian
   Guard guard_;
   // Destroyed in reverse: IDA before what it refers to, the context last.
   Context context_;
@@ -102,7 +111,7 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
   };
   nonlinear_ = make_semismooth_newton(system.structure(), counters, guard_,
                                       within_time_error(newton_in_ida, settings.nonlinear_fraction),
-                                      state_at, branch_at, id_.get(), request_, context_);
+                                      state_at, branch_at, id_.get(), request_, slow_, context_);
 }
 
 void BdfSolver::Memory::begin(const State& state) {
@@ -136,6 +145,7 @@ void BdfSolver::Memory::begin(const State& state) {
     check(IDARootInit(ida, static_cast<int>(branch_.size()), &Memory::switching), "IDARootInit");
     check(IDASetNoInactiveRootWarn(ida), "IDASetNoInactiveRootWarn");
   }
+  if (!settings_.settled.empty()) closings_.emplace(steps_to_damp).begin(active(state));
   if (settings_.integrand)
     check(IDAQuadInit(ida, &Memory::integrand, integral_.get()), "IDAQuadInit");
   begun_ = true;
@@ -155,7 +165,8 @@ int BdfSolver::Memory::jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
     ++self.counters_.jacobian_evaluations;
-    self.system_.jacobian({t, view(y), view(ydot), self.branch(), self.from_}, alpha, values(J));
+    self.system_.jacobian({t, view(y), view(ydot), self.branch(), self.from_, &self.slow_}, alpha,
+                          values(J));
   });
 }
 
@@ -283,6 +294,15 @@ double BdfSolver::Memory::take_integral() {
   return reached - std::exchange(integrated_, reached);
 }
 
+/// The latest end of a step from t: where a node has closed recently, two short steps lead to a
+/// settled time.
+double BdfSolver::Memory::settling_stop(const std::optional<Settling>& settling, double t,
+                                        double t_stop) const {
+  if (!settling) return t_stop;
+  if (settling->before(t)) return closings_->recent() ? std::min(settling->begin, t_stop) : t_stop;
+  return std::min(settling->in_first_step(t) ? settling->middle() : settling->end, t_stop);
+}
+
 StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   // Relative distance of two times that are meant to be equal. IDA refuses to begin with a step of
   // a few rounding errors.
@@ -291,7 +311,9 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   if (!begun_) begin(state);
   void* ida = ida_.get();
   guard_.clear();
-  t_stop = settling_stop(settings_, state.t, t_stop).t;
+  std::optional<Settling> settling;
+  if (closings_) settling = next_settling(system_.structure(), settings_, state.t);
+  t_stop = settling_stop(settling, state.t, t_stop);
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
   if (t_stop - state.t <= nothing * t_stop) return skip_to(state, t_stop);
   StepAccount account(counters_);
@@ -313,6 +335,7 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   const bool event = branch() && cross_event(reached, flag == IDA_ROOT_RETURN, report);
   if (event || is_breakpoint(system_.structure(), t)) restart(reached);
   if (branch()) reached.branch = branch_;
+  if (closings_) closings_->accept(active(reached), settling && !settling->before(state.t));
   state = std::move(reached);
   return report;
 }

@@ -1,12 +1,47 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/base/packed_numbers.hpp>
 #include <gnomon/integrators/diagonally_implicit.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <utility>
 
 namespace gnomon {
+
+namespace {
+
+/// Two steps of implicit Euler, half of h each. With the rates k_1 and k_2 at their ends, their
+/// errors add up to h/2 (k_2 - k_1): the first has damped the stiff components, so that their rates
+/// before it do not matter.
+const ButcherTable two_euler_steps = [] {
+  ButcherTable table{"two steps of implicit Euler",
+                     1,
+                     Eigen::MatrixXd(2, 2),
+                     Eigen::VectorXd(2),
+                     Eigen::VectorXd(2),
+                     1,
+                     Eigen::VectorXd(2)};
+  table.A << 0.5, 0, 0.5, 0.5;
+  table.b << 0.5, 0.5;
+  table.c << 0.5, 1;
+  table.b_embedded << 1, 0;
+  return table;
+}();
+
+/// The part of kappa that each solve gets. An error e of d in stage j is an error e / (h a_jj) of
+/// its rate, and so b_j / a_jj e of d at the end of the step (if stiff components do not damp it,
+/// the largest case). If the sum of these factors is large, every stage has to be more accurate.
+/// kappa belongs to the sum of esdirk-4.
+double fraction_of_a_solve(const ButcherTable& table) {
+  constexpr double usual = 5;
+  double sum = 0;
+  for (int j = table.explicit_first_stage() ? 1 : 0; j < table.stages(); ++j)
+    sum += std::abs(table.b[j]) / table.A(j, j);
+  return std::min(1.0, usual / sum);
+}
+
+}  // namespace
 
 DiagonallyImplicit::DiagonallyImplicit(const System& system, const IntegratorSettings& settings,
                                        Counters& counters, ButcherTable table)
@@ -18,8 +53,9 @@ DiagonallyImplicit::DiagonallyImplicit(const System& system, const IntegratorSet
       error_control_(settings.step == 0),
       short_step_(1e-6 * settings.end),
       newton_(system.structure(), counters,
-              within_time_error(modified_newton, settings.nonlinear_fraction)),
-      k_(table_.stages(), Rates(norm_.components().size())),
+              within_time_error(modified_newton,
+                                fraction_of_a_solve(table_) * settings.nonlinear_fraction)),
+      k_(std::max(table_.stages(), two_euler_steps.stages()), Rates(norm_.components().size())),
       base_(norm_.components().size()),
       error_(norm_.components().size()) {}
 
@@ -74,8 +110,9 @@ NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base,
   };
   function.jacobian = [&](std::span<const double> y, std::span<double> values) {
     set_rates_of(step, base, y, to.ydot);
-    system_.jacobian({t, y, to.ydot, options.branch, from.t}, 1 / step, values);
+    system_.jacobian({t, y, to.ydot, options.branch, from.t, &slow_}, 1 / step, values);
   };
+  function.slow = &slow_;
   function.branch = [&](std::span<const double> y) {
     return options.branch ? *options.branch : active_set(system_, t, y);
   };
@@ -126,68 +163,58 @@ std::string DiagonallyImplicit::continue_in_step(double t, double step, const Ra
   return {};
 }
 
-std::string DiagonallyImplicit::solve_stage(int i, const State& from, double h,
-                                            const AttemptOptions& options, State& to) {
-  const double t = from.t + table_.c[i] * h, step = table_.A(i, i) * h;
+std::string DiagonallyImplicit::solve_stage(const ButcherTable& table, int i, const State& from,
+                                            double h, const AttemptOptions& options, State& to) {
+  const double t = from.t + table.c[i] * h, step = table.A(i, i) * h;
   for (std::size_t k = 0; k < base_.size(); ++k) {
     base_[k] = from.y[norm_.components()[k]];
-    for (int j = 0; j < i; ++j) base_[k] += h * table_.A(i, j) * k_[j][k];
+    for (int j = 0; j < i; ++j) base_[k] += h * table.A(i, j) * k_[j][k];
   }
-  dense_output_.evaluate(t, to.y);
+  // A polynomial does not predict how stiff components settle.
+  if (!options.settles) dense_output_.evaluate(t, to.y);
   const NewtonReport report = solve(t, step, base_, from, options, to);
   if (report.converged) return {};
   if (!options.continuation) return report.reason;
   return continue_in_step(t, step, base_, from, options, to);
 }
 
-Attempt DiagonallyImplicit::settle(const State& from, double h, const AttemptOptions& options,
-                                   State& to) {
-  to.y = from.y;
-  for (std::size_t k = 0; k < base_.size(); ++k) base_[k] = from.y[norm_.components()[k]];
-  const NewtonReport report = solve(to.t, h, base_, from, options, to);
-  if (!report.converged) return {.reason = report.reason};
-  const double integrand =
-      integrand_ ? integrand_({to.t, to.y, to.ydot, options.branch, from.t}) : 0.0;
-  return {.success = true, .integral = h * integrand};
-}
-
 Attempt DiagonallyImplicit::attempt(const State& from, double h, const AttemptOptions& options,
                                     State& to) {
   to.t = from.t + h;
-  to.y.resize(from.y.size());
+  to.y = from.y;
   to.ydot.assign(from.y.size(), 0.0);
   settled_ = options.settles;
-  if (settled_) return settle(from, h, options, to);
+  const ButcherTable& table = settled_ ? two_euler_steps : table_;
   const auto& components = norm_.components();
   double integral = 0;
-  for (int i = 0; i < table_.stages(); ++i) {
-    const bool is_state = i == 0 && table_.explicit_first_stage();
+  for (int i = 0; i < table.stages(); ++i) {
+    const bool is_state = i == 0 && table.explicit_first_stage();
     if (!is_state) {
-      std::string reason = solve_stage(i, from, h, options, to);
+      std::string reason = solve_stage(table, i, from, h, options, to);
       if (!reason.empty()) return {.reason = std::move(reason)};
-      dense_output_.add(from.t + table_.c[i] * h, to.y);
+      dense_output_.add(from.t + table.c[i] * h, to.y);
     }
     const std::vector<double>& rates = is_state ? from.ydot : to.ydot;
     for (std::size_t k = 0; k < components.size(); ++k) k_[i][k] = rates[components[k]];
-    if (!integrand_ || table_.b[i] == 0) continue;
+    if (!integrand_ || table.b[i] == 0) continue;
     const Point stage =
         is_state
             ? Point{from.t, from.y, from.ydot, options.branch ? options.branch : from.own_branch()}
-            : Point{from.t + table_.c[i] * h, to.y, to.ydot, options.branch, from.t};
-    integral += h * table_.b[i] * integrand_(stage);
+            : Point{from.t + table.c[i] * h, to.y, to.ydot, options.branch, from.t};
+    integral += h * table.b[i] * integrand_(stage);
   }
-  if (!table_.stiffly_accurate()) {
+  if (!table.stiffly_accurate()) {
     dense_output_.evaluate(to.t, to.y);
     for (std::size_t k = 0; k < components.size(); ++k) {
       double& d = to.y[components[k]] = from.y[components[k]];
-      for (int i = 0; i < table_.stages(); ++i) d += h * table_.b[i] * k_[i][k];
+      for (int i = 0; i < table.stages(); ++i) d += h * table.b[i] * k_[i][k];
     }
     const Attempt projected = project(to, options.branch);
     if (!projected.success) return projected;
   } else if (h < short_step_) {
     set_rates(system_, options.branch, to);  // a difference over so short a step is only rounding
   }
-  return {.success = true, .error = estimate(from, h, to), .integral = integral};
+  return {.success = true, .error = estimate(table, from, h, to), .integral = integral};
 }
 
 /// Makes a state consistent with its differential components.
@@ -198,17 +225,18 @@ Attempt DiagonallyImplicit::project(State& state, const ActiveSet* branch) {
   return {.success = true};
 }
 
-double DiagonallyImplicit::estimate(const State& from, double h, const State& to) {
+double DiagonallyImplicit::estimate(const ButcherTable& table, const State& from, double h,
+                                    const State& to) {
   const auto& components = norm_.components();
-  if (table_.embedded_order > 0) {
+  if (table.embedded_order > 0) {
     for (std::size_t k = 0; k < components.size(); ++k) {
       error_[k] = 0;
-      for (int i = 0; i < table_.stages(); ++i)
-        error_[k] += h * (table_.b[i] - table_.b_embedded[i]) * k_[i][k];
+      for (int i = 0; i < table.stages(); ++i)
+        error_[k] += h * (table.b[i] - table.b_embedded[i]) * k_[i][k];
     }
     return norm_(error_, to.y);
   }
-  const double alpha = table_.A(table_.stages() - 1, table_.stages() - 1);
+  const double alpha = table.A(table.stages() - 1, table.stages() - 1);
   // Before there are three rates, the difference from the explicit Euler method is used.
   const bool has_history = !rate_old_.empty() && t_old_ < from.t;
   const double first = has_history ? 0.5 - alpha : 0.5;

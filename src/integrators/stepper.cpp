@@ -55,7 +55,10 @@ OneStepStepper::OneStepStepper(const System& system, const IntegratorSettings& s
       order_(order),
       control_(error_order),
       error_order_(error_order) {
+  // How long a method that damps stiff components needs to damp a closing.
+  constexpr int steps_to_damp = 2;
   if (settings.locate_events) locator_.emplace(system, *method_);
+  if (!settings.settled.empty()) closings_.emplace(steps_to_damp);
 }
 
 void OneStepStepper::begin(const State& state) {
@@ -64,10 +67,11 @@ void OneStepStepper::begin(const State& state) {
       fixed() ? settings_.step : first_step(state, system_.structure(), settings_, error_order_);
   method_->accept(state, true);
   if (locator_) locator_->begin(state);
+  if (closings_) closings_->begin(active(state));
 }
 
 std::vector<double> OneStepStepper::memory() const {
-  std::vector<double> memory = {proposal_};
+  std::vector<double> memory = {proposal_, closings_ ? closings_->memory() : 0};
   pack(memory, control_.memory());
   if (locator_) pack(memory, locator_->memory());
   pack(memory, method_->memory());
@@ -77,10 +81,14 @@ std::vector<double> OneStepStepper::memory() const {
 void OneStepStepper::restore(const State& state, std::span<const double> memory) {
   begin(state);
   Unpacker numbers(memory);
-  const double proposal = numbers.one();
+  const double proposal = numbers.one(), since_closing = numbers.one();
   proposal_ = fixed() ? std::min(proposal, settings_.step) : proposal;
   control_.restore(numbers);
   if (locator_) locator_->restore(numbers);
+  if (closings_) {
+    closings_->begin(active(state));
+    closings_->restore(since_closing);
+  }
   method_->restore(numbers.rest());
 }
 
@@ -149,13 +157,15 @@ double OneStepStepper::after_success(const Plan& plan, const Landing& landing) {
 }
 
 /// next_ becomes the state.
-void OneStepStepper::accept(State& state, const Plan& plan, const Landing& landing) {
+void OneStepStepper::accept(State& state, const Step& step) {
+  const Landing& landing = step.landing;
   std::swap(state, next_);
-  if (landing.h == plan.h && plan.lands) state.t = plan.target;  // without the rounding of t + h
+  if (step.lands()) state.t = step.plan.target;  // without the rounding of t + h
   const bool kink =
       landing.switched > 0 || landing.at_start || is_breakpoint(system_.structure(), state.t);
   if (kink) begin_behind_kink(state, landing);
   method_->accept(state, kink);
+  if (closings_) closings_->accept(active(state), step.settles);
   counters_.events += landing.switched > 0;
 }
 
@@ -166,32 +176,21 @@ void OneStepStepper::begin_behind_kink(State& state, const Landing& landing) con
   set_rates_behind_jump(system_, located ? &branch : state.own_branch(), state);
 }
 
-StepReport OneStepStepper::report(const Landing& landing, int order, StepAccount& account) const {
-  StepReport report = account.accept(landing.h, order);
-  report.switched = landing.switched;
-  report.integral = landing.attempt.integral;
+StepReport OneStepStepper::report(const Step& step, StepAccount& account) const {
+  StepReport report = account.accept(step.landing.h, step.settles ? 1 : order_);
+  report.switched = step.landing.switched;
+  report.integral = step.landing.attempt.integral;
   return report;
 }
 
-/// One short step, which leaves the step size control as it is. Returns false if it fails.
-bool OneStepStepper::settle(State& state, double t_end, StepAccount& account, StepReport& report) {
-  const Plan plan{t_end - state.t, t_end, true};
-  const Landing landing = take(state, plan, {.settles = true});
-  if (!landing.attempt.success) {
-    account.reject();
-    return false;
-  }
-  accept(state, plan, landing);
-  report = this->report(landing, 1, account);
-  return true;
+/// The active set with which a step ends in `state`, events included.
+ActiveSet OneStepStepper::active(const State& state) const {
+  return locator_ ? locator_->branch() : active_set(system_, state.t, state.y);
 }
 
-StepReport OneStepStepper::advance(State& state, double t_stop) {
-  if (!begun_) begin(state);
-  StepAccount account(counters_);
-  const SettlingStop stop = settling_stop(settings_, state.t, t_stop);
-  t_stop = end_of_smooth_part(system_.structure(), state.t, stop.t);
-  if (StepReport report; stop.settles && settle(state, t_stop, account, report)) return report;
+/// Attempts from `state` until one is acceptable; next_ is then the end of the step.
+OneStepStepper::Step OneStepStepper::ordinary_step(const State& state, double t_stop,
+                                                   StepAccount& account) {
   Patience patience(account, proposal_, shortest_step(settings_));
   double shortest_tried = proposal_;
   std::string reason = "the error test fails";
@@ -199,11 +198,7 @@ StepReport OneStepStepper::advance(State& state, double t_stop) {
     const Plan plan = this->plan(state, t_stop, proposal_);
     shortest_tried = std::min(shortest_tried, plan.h);
     const Landing landing = take(state, plan, {.continuation = patience.by_continuation()});
-    if (acceptable(landing.attempt)) {
-      proposal_ = after_success(plan, landing);
-      accept(state, plan, landing);
-      return report(landing, order_, account);
-    }
+    if (acceptable(landing.attempt)) return {plan, landing};
     account.reject();
     if (landing.attempt.success) {
       proposal_ = control_.after_rejection(plan.h, landing.attempt.error);
@@ -215,6 +210,52 @@ StepReport OneStepStepper::advance(State& state, double t_stop) {
   throw SolutionError(fmt::format(
       "no step from t = {:.6g} s succeeds, down to {:.3g} s and after {} Newton iterations: {}",
       state.t, shortest_tried, account.newton_iterations(), reason));
+}
+
+/// The short steps that lead to a settled time, as one step to next_; none if they cannot be
+/// accepted.
+std::optional<OneStepStepper::Step> OneStepStepper::short_step(const State& state, double t_end) {
+  constexpr double tolerated = 0.5;  // its size does not follow from the last error
+  const std::optional<EventLocator> before = locator_;
+  const Step step{{t_end - state.t, t_end, true}, {}, true};
+  const Landing landing = take(state, step.plan, {.settles = true});
+  const bool whole = landing.attempt.success && landing.h == step.plan.h && landing.switched == 0;
+  if (whole && landing.attempt.error <= tolerated) return Step{step.plan, landing, true};
+  if (before) locator_.emplace(*before);
+  return {};
+}
+
+/// Where a node has closed recently, a settled time is reached by short steps; otherwise the
+/// damping of the method is enough. An ordinary step to that time in which a node closes is taken
+/// back.
+OneStepStepper::Step OneStepStepper::next_step(const State& state, double t_stop,
+                                               StepAccount& account) {
+  std::optional<Settling> settling;
+  if (closings_) settling = next_settling(system_.structure(), settings_, state.t);
+  if (!settling || settling->end > t_stop) return ordinary_step(state, t_stop, account);
+  if (!settling->before(state.t)) {
+    if (const std::optional<Step> step = short_step(state, t_stop)) return *step;
+    account.reject();
+    return ordinary_step(state, t_stop, account);
+  }
+  if (!closings_->recent()) {
+    const std::optional<EventLocator> before = locator_;
+    const Step step = ordinary_step(state, t_stop, account);
+    if (!step.lands() || !closings_->closes(active(next_))) return step;
+    account.reject();
+    if (before) locator_.emplace(*before);
+  }
+  return ordinary_step(state, settling->begin, account);
+}
+
+StepReport OneStepStepper::advance(State& state, double t_stop) {
+  if (!begun_) begin(state);
+  StepAccount account(counters_);
+  t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
+  const Step step = next_step(state, t_stop, account);
+  if (!step.settles) proposal_ = after_success(step.plan, step.landing);
+  accept(state, step);
+  return report(step, account);
 }
 
 }  // namespace gnomon

@@ -15,19 +15,22 @@ double end_of_smooth_part(const Structure& structure, double t, double t_stop) {
   return next == breakpoints.end() ? t_stop : std::min(*next, t_stop);
 }
 
-SettlingStop settling_stop(const IntegratorSettings& settings, double t, double t_stop) {
+std::optional<Settling> next_settling(const Structure& structure,
+                                      const IntegratorSettings& settings, double t) {
   const std::vector<double>& settled = settings.settled;
   const auto next = std::upper_bound(settled.begin(), settled.end(), t);
-  if (settings.step > 0 || next == settled.end()) return {t_stop, false};
-  // Part of the time since the last one. The error of a step of the first order is half the square
-  // of its size: below the tolerance of a step by a factor of twenty.
-  const double part = std::min(1e-2, std::sqrt(settings.rtol / 10));
-  const double size = part * (*next - (next == settled.begin() ? 0.0 : *std::prev(next)));
+  if (settings.step > 0 || next == settled.end()) return {};
+  // Part of the time since the last one. The change of the rates, which slows down with time, is a
+  // small part of them in so short a time; the error of a step of the first order, half the square
+  // of its size, is then below the tolerance. An error estimate confirms it (OneStepStepper).
+  const double part = std::min(1e-2, std::sqrt(settings.rtol));
+  double size = part * (*next - (next == settled.begin() ? 0.0 : *std::prev(next)));
+  if (settings.max_step > 0) size = std::min(size, settings.max_step / 2);  // both are one step
   constexpr double shortest = 1e-6;  // part of the run: below, a difference of d is only rounding
-  if (size < shortest * settings.end) return {t_stop, false};
-  const double begin = *next - 2 * size, middle = *next - size, nothing = 1e-9 * size;
-  if (t < begin - nothing) return {std::min(begin, t_stop), false};
-  return {std::min(t < middle - nothing ? middle : *next, t_stop), true};
+  if (size < shortest * settings.end) return {};
+  const Settling settling{*next - 2 * size, *next};
+  if (end_of_smooth_part(structure, settling.begin, settling.end) < settling.end) return {};
+  return settling;
 }
 
 bool is_breakpoint(const Structure& structure, double t) {

@@ -7,6 +7,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/linear/sparse_lu.hpp>
+#include <numeric>
 
 #include "linear/blas.hpp"
 #include "linear/rounded_factor.hpp"
@@ -76,6 +77,22 @@ private:
   int factorizations_ = 0;
 };
 
+/// A symmetric matrix of which the lower triangle is used.
+cholmod_sparse symmetric(std::size_t size, const std::vector<SuiteSparse_long>& start,
+                         const std::vector<SuiteSparse_long>& row) {
+  cholmod_sparse matrix{};
+  matrix.nrow = matrix.ncol = size;
+  matrix.nzmax = row.size();
+  matrix.p = const_cast<SuiteSparse_long*>(start.data());
+  matrix.i = const_cast<SuiteSparse_long*>(row.data());
+  matrix.stype = -1;
+  matrix.itype = CHOLMOD_LONG;
+  matrix.xtype = CHOLMOD_PATTERN;
+  matrix.dtype = CHOLMOD_DOUBLE;
+  matrix.sorted = matrix.packed = 1;
+  return matrix;
+}
+
 FactorSolver::FactorSolver(const StiffnessLayout& layout, const FactorSizes& sizes)
     : layout_(layout),
       sizes_(sizes),
@@ -98,17 +115,9 @@ FactorSolver::~FactorSolver() {
 }
 
 cholmod_sparse FactorSolver::view() const {
-  cholmod_sparse matrix{};
-  matrix.nrow = matrix.ncol = static_cast<std::size_t>(layout_.lower.size());
-  matrix.nzmax = row_.size();
-  matrix.p = const_cast<SuiteSparse_long*>(start_.data());
-  matrix.i = const_cast<SuiteSparse_long*>(row_.data());
+  cholmod_sparse matrix = symmetric(static_cast<std::size_t>(layout_.lower.size()), start_, row_);
   matrix.x = const_cast<double*>(values_.data());
-  matrix.stype = -1;
-  matrix.itype = CHOLMOD_LONG;
   matrix.xtype = CHOLMOD_REAL;
-  matrix.dtype = CHOLMOD_DOUBLE;
-  matrix.sorted = matrix.packed = 1;
   return matrix;
 }
 
@@ -199,6 +208,27 @@ double FactorSolver::set_up_cost() const {
 std::unique_ptr<InnerSolver> make_factor_solver(const StiffnessLayout& layout,
                                                 const FactorSizes& sizes) {
   return std::make_unique<FactorSolver>(layout, sizes);
+}
+
+double factor_entries(const SparsePattern& pattern) {
+  if (pattern.size() == 0) return 0;
+  std::vector<int> group(pattern.size());
+  std::iota(group.begin(), group.end(), 0);
+  const std::vector<int> order = nested_dissection(pattern, group);
+  std::vector<SuiteSparse_long> permutation(order.begin(), order.end());
+  const std::vector<SuiteSparse_long> start(pattern.column_start.begin(),
+                                            pattern.column_start.end()),
+      row(pattern.row_index.begin(), pattern.row_index.end());
+  cholmod_sparse matrix = symmetric(static_cast<std::size_t>(pattern.size()), start, row);
+  Common common;
+  common.data.supernodal = CHOLMOD_SIMPLICIAL;
+  cholmod_factor* factor =
+      cholmod_l_analyze_p(&matrix, permutation.data(), nullptr, 0, &common.data);
+  if (!factor)
+    throw Error("CHOLMOD could not analyse a matrix of " + std::to_string(pattern.size()) +
+                " unknowns");
+  cholmod_l_free_factor(&factor, &common.data);
+  return common.data.lnz;
 }
 
 }  // namespace gnomon

@@ -1,13 +1,14 @@
 #include <dlfcn.h>
 
 #include <gnomon/base/error.hpp>
+#include <gnomon/base/installation.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 
 #include "linear/unknown_interpolation.hpp"
 
 namespace gnomon {
 
-#ifdef GNOMON_MULTIGRID_MODULE
+#ifdef GNOMON_HAS_MULTIGRID
 
 bool has_multigrid() {
   return true;
@@ -16,7 +17,8 @@ bool has_multigrid() {
 std::unique_ptr<InnerSolver> make_multigrid_solver(const StiffnessLayout& layout) {
   using New = InnerSolver*(const StiffnessLayout&, const std::vector<SparseRows>&);
   // Never unloaded, because PETSc and MPI do not support it.
-  static void* const module = dlopen(GNOMON_MULTIGRID_MODULE, RTLD_NOW | RTLD_LOCAL);
+  static void* const module =
+      dlopen(installed("libexec/gnomon/gnomon_multigrid.so").c_str(), RTLD_NOW | RTLD_LOCAL);
   static const auto make =
       module ? reinterpret_cast<New*>(dlsym(module, "gnomon_new_multigrid")) : nullptr;
   if (!make) {

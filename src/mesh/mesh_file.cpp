@@ -104,7 +104,7 @@ void check_options(const std::filesystem::path& file, const MeshFileOptions& opt
 }  // namespace
 
 bool reads_mesh_files() {
-#ifdef GNOMON_GMSH_READER
+#ifdef GNOMON_HAS_GMSH
   return true;
 #else
   return false;

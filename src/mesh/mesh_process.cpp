@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <gnomon/base/error.hpp>
+#include <gnomon/base/installation.hpp>
 #include <optional>
 
 #include "mesh/mesh_stream.hpp"
@@ -17,7 +18,7 @@ extern char** environ;
 
 namespace gnomon {
 
-#ifdef GNOMON_GMSH_READER
+#ifdef GNOMON_HAS_GMSH
 
 namespace {
 
@@ -119,8 +120,8 @@ ImportedMesh mesh_from_process(const std::filesystem::path& file, const MeshFile
   Descriptor input, output;
   input.number = ends[0];
   output.number = ends[1];
-  const pid_t process = start({GNOMON_GMSH_READER, file.string(), fmt::format("{}", options.size),
-                               fmt::format("{}", options.factor)},
+  const pid_t process = start({installed("libexec/gnomon/gnomon_gmsh").string(), file.string(),
+                               fmt::format("{}", options.size), fmt::format("{}", options.factor)},
                               output.number);
   output.close_now();
   std::optional<Handed> handed = take(input.number);

@@ -13,17 +13,36 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// kB per node; measured on the meshes in docs/linear.md.
-double kilobytes_a_node(const MeshSize& mesh, const LinearSolverChoice& solver) {
-  const bool direct = solver.method == LinearSolverChoice::Method::direct;
-  if (mesh.dim == 2) {
-    const double growth = std::log2(std::max(2.0, mesh.nodes));
-    return direct ? 11 + 0.5 * growth : 5 + 0.35 * growth;
+constexpr double megabyte = 1e6, kilobyte = 1e3;
+
+double in_the_plane(const MeshSize& mesh, bool direct) {
+  const double growth = std::log2(std::max(2.0, mesh.nodes));
+  return kilobyte * mesh.nodes * (direct ? 11 + 0.5 * growth : 5 + 0.35 * growth);
+}
+
+/// Entries of the Cholesky factors of three unknowns at each node of a compact body.
+double usual_factor(double unknowns) {
+  const double nodes = unknowns / 3;
+  return 9 * nodes * std::max(10.0, 10.6 * std::cbrt(nodes) - 22);
+}
+
+/// Large factors have a copy in single precision; CHOLMOD stores zeros among the entries.
+double factor_memory(double analysed, double unknowns) {
+  constexpr double stored = 1.23, large = 5e6;
+  const double entries = analysed > 0 ? analysed : usual_factor(unknowns) / stored;
+  return stored * entries * (entries < large ? 8 : 12);
+}
+
+double in_space(const MeshSize& mesh, const LinearSolverChoice& solver) {
+  const double u = mesh.displacements / 3, d = mesh.shapes / 3;
+  if (!solver.uses_factors()) return 26 * megabyte + kilobyte * (25.6 * u + 12.3 * d);
+  const double stiffness = factor_memory(mesh.displacement_factor, mesh.displacements);
+  if (solver.method == LinearSolverChoice::Method::direct) {
+    const double together = std::pow(1 + mesh.shapes / std::max(1.0, mesh.displacements), 2);
+    return kilobyte * 24 * u + 4 * together * stiffness;
   }
-  const double growth = std::cbrt(mesh.nodes);
-  if (direct) return 30 + 5.7 * growth;
-  const bool multigrid = solver.preconditioner == LinearSolverChoice::Preconditioner::multigrid;
-  return multigrid ? 35 : 27 + 1.5 * growth;
+  return kilobyte * (25.8 * u + 5.9 * d) + stiffness +
+         factor_memory(mesh.shape_factor, mesh.shapes);
 }
 
 /// The number at the beginning of a file; infinite if there is none ("max").
@@ -64,8 +83,9 @@ double address_space() {
 }  // namespace
 
 double estimated_memory(const MeshSize& mesh, const LinearSolverChoice& solver) {
-  constexpr double program = 18e6;  // the program and its libraries
-  return program + 1e3 * mesh.nodes * kilobytes_a_node(mesh, solver);
+  constexpr double program = 30 * megabyte;  // and its libraries
+  if (mesh.dim == 3) return program + in_space(mesh, solver);
+  return program + in_the_plane(mesh, solver.method == LinearSolverChoice::Method::direct);
 }
 
 double available_memory() {

@@ -17,18 +17,19 @@ double estimated_memory(const Scene& scene) {
   return estimated_memory(mesh, linear_solver_of(scene, mesh));
 }
 
-void require_memory(const Scene& scene, const MeshSize& mesh) {
-  const double needed = estimated_memory(mesh, linear_solver_of(scene, mesh)),
-               available = available_memory();
-  if (needed > available)
-    throw InputError(fmt::format(
-        "{}: its mesh needs about {} of memory, {} are available; expected a coarser mesh",
-        scene.path().string(), memory_text(needed), memory_text(available)));
+namespace {
+
+/// In space, where the estimate by the keys is rough, what is needed at least; when the mesh
+/// exists, it is estimated again.
+double certain_memory(const Scene& scene, const MeshSize& mesh) {
+  return estimated_memory(mesh, linear_solver_of(scene, mesh)) / (mesh.dim == 3 ? 2 : 1);
 }
+
+}  // namespace
 
 std::unique_ptr<Model> make_model(const Scene& scene) {
   const Problem& problem = Problems::find(scene.text("problem"), "problem");
-  if (problem.mesh_size) require_memory(scene, problem.mesh_size(scene));
+  if (problem.mesh_size) require_memory(scene, certain_memory(scene, problem.mesh_size(scene)));
   return problem.make(scene);
 }
 
@@ -48,6 +49,20 @@ bool has_key(const std::vector<Key>& table, const std::string& name) {
   return std::any_of(table.begin(), table.end(), [&](const Key& key) { return key.name == name; });
 }
 
+/// Adds the key of a law, which another law may have too: then with the same meaning of its
+/// absence.
+void add_law_key(std::vector<Key>& table, const Key& key, const std::string& law) {
+  const auto same = std::find_if(table.begin(), table.end(),
+                                 [&](const Key& other) { return other.name == key.name; });
+  if (same == table.end())
+    table.push_back(key);
+  else if (same->kind != key.kind || same->presence != key.presence ||
+           same->default_value != key.default_value)
+    throw RegistrationError("the wear law " + law + " has the key " + key.name +
+                            " with another kind or default than the key of this name that is "
+                            "known, expected another name or the same");
+}
+
 /// Adds the keys of the registered laws to a table with `wear.law`.
 void add_wear_laws(std::vector<Key>& table) {
   const auto law = std::find_if(table.begin(), table.end(),
@@ -55,8 +70,7 @@ void add_wear_laws(std::vector<Key>& table) {
   if (law == table.end()) return;
   law->choices = Registry<WearLawKind>::names();
   for (const WearLawKind& kind : Registry<WearLawKind>::all())
-    for (const Key& key : kind.keys)
-      if (!has_key(table, key.name)) table.push_back(key);
+    for (const Key& key : kind.keys) add_law_key(table, key, kind.name);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/same_time.hpp>
 #include <gnomon/linear/inner_solver.hpp>
+#include <gnomon/mesh/semi_coarsening.hpp>
 #include <gnomon/model/added_term.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
 #include <gnomon/terms/material_law.hpp>
@@ -15,9 +16,10 @@ namespace {
 using Preconditioner = LinearSolverChoice::Preconditioner;
 
 /// For a plane body factors are always inexpensive; in space, above some size, they cost more time
-/// and far more memory than multigrid (docs/linear.md).
+/// and far more memory than multigrid, which takes fewer iterations along grid lines than without
+/// (docs/linear.md).
 Preconditioner preconditioner_by_size(const MeshSize& mesh) {
-  constexpr double many_displacements = 300'000;
+  const double many_displacements = mesh.grid_lines ? 100'000 : 300'000;
   return mesh.dim == 3 && mesh.dim * mesh.nodes >= many_displacements && has_multigrid()
              ? Preconditioner::multigrid
              : Preconditioner::factor;
@@ -44,6 +46,45 @@ std::vector<double> on_landings(std::vector<double> times, const Scene& scene) {
   return times;
 }
 
+/// Entries of the factors of a stiffness with the unknowns of the nodes that are not held.
+template <int dim>
+double factor_entries_of(const Mesh<dim>& mesh, const NodalFlags<dim>& held) {
+  std::vector<int> number(mesh.nodes.size(), -1), numbers;
+  int count = 0;
+  for (Eigen::Index node = 0; node < held.rows(); ++node)
+    if (held.row(node).minCoeff() == 0) number[node] = count++;
+  PatternBuilder nodes(count);
+  for (const auto& cell : mesh.cells) {
+    numbers.clear();
+    for (int node : cell) numbers.push_back(number[node]);
+    nodes.add(numbers, numbers);
+  }
+  return dim * dim * factor_entries(nodes.build());
+}
+
+template <int dim>
+MeshSize size_of(const WornBody<dim>& body) {
+  MeshSize size{.dim = dim, .nodes = double(body.mesh.nodes.size())};
+  if (dim == 2) return size;
+  size.grid_lines = !semi_coarsening(body.mesh).empty();
+  size.displacements = double((body.displacement_fixed.array() == 0).count());
+  if (!body.section) size.shapes = double((body.shape_fixed.array() == 0).count());
+  return size;
+}
+
+/// Factors are analysed only where they are used.
+template <int dim>
+void choose_solver(const Scene& scene, WornBody<dim>& body) {
+  MeshSize size = size_of(body);
+  body.solver = linear_solver_of(scene, size);
+  if (dim == 3 && body.solver.uses_factors()) {
+    size.displacement_factor = factor_entries_of<dim>(body.mesh, body.displacement_fixed);
+    if (size.shapes > 0) size.shape_factor = factor_entries_of<dim>(body.mesh, body.shape_fixed);
+  }
+  body.memory = estimated_memory(size, body.solver);
+  require_memory(scene, body.memory);
+}
+
 }  // namespace
 
 template <int dim>
@@ -68,7 +109,7 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
       scene.text("body.kinematics") == "small" ? Kinematics::small : Kinematics::finite;
   body.contact.friction = scene.real("friction.coefficient");
   require_law(scene, body.contact.wear, wear_circumstances(body));
-  body.solver = linear_solver_of(scene, {dim, double(body.mesh.nodes.size())});
+  choose_solver(scene, body);
   body.contact.rho =
       scene.real("contact.regularization") * regularization_unit(young, facet, body.scales);
   const std::string& normal = scene.text("wear.normal");
@@ -131,6 +172,14 @@ LoadHistory read_load_history(const Scene& scene, const std::string& prefix) {
 
 double load_impulse(const Scene& scene) {
   return scene.real("load.force") * read_load_history(scene).integral(scene.real("time.end"));
+}
+
+void require_memory(const Scene& scene, double needed) {
+  const double available = available_memory();
+  if (needed > available)
+    throw InputError(fmt::format(
+        "{}: its mesh needs about {} of memory, {} are available; expected a coarser mesh",
+        scene.path().string(), memory_text(needed), memory_text(available)));
 }
 
 LinearSolverChoice linear_solver_of(const Scene& scene, const MeshSize& mesh) {

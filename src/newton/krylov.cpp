@@ -77,12 +77,14 @@ double BlockSolver::iterate(N_Vector b, double reduction) {
 }
 
 void BlockSolver::solve(N_Vector b, N_Vector x, double reduction, double acceptable) {
-  const bool fresh = policy_.fresh();
+  bool fresh = policy_.fresh();
   double reached = iterate(b, reduction);
   if (reached > reduction && !fresh) {
     set_up_preconditioner();
     reached = iterate(b, reduction);
+    fresh = true;
   }
+  fresh_iterations_ = fresh ? SUNLinSolNumIters(gmres_.get()) : 0;
   if (reached > std::max(reduction, acceptable))
     throw RecoverableError("the block solver did not converge");
   N_VScale(1, solution_.get(), x);

@@ -25,6 +25,8 @@ public:
   /// right side's in the Euclidean norm. b may be x. Throws RecoverableError, with b as it was,
   /// when even a fresh preconditioner brings the residual neither so far down nor to `acceptable`.
   void solve(N_Vector b, N_Vector x, double reduction, double acceptable);
+  /// Iterations of the last solve, if its preconditioner was fresh; else zero.
+  int fresh_iterations() const { return fresh_iterations_; }
 
 private:
   void set_up_preconditioner();
@@ -38,6 +40,7 @@ private:
   std::span<const double> J_;
   VectorOwner solution_, row_scale_;
   LinearSolverOwner gmres_;
+  int fresh_iterations_ = 0;
 };
 
 }  // namespace gnomon::sundials

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <gnomon/linear/sparse_lu.hpp>
 #include <gnomon/newton/linear_solve.hpp>
+#include <limits>
+#include <utility>
 
 #include "newton/krylov.hpp"
 
@@ -21,13 +23,20 @@ public:
     J_ = J;
     by_factors_ = !block_ || rest_ > 0;
     if (rest_ > 0) --rest_;
-    if (by_factors_ || !serves([&] { block_->set_up(J); })) factorize();
+    if (by_factors_) return factorize();
+    if (serves([&] { block_->set_up(J); })) return;
+    give_up_blocks();
+    factorize();
   }
 
   void solve(std::span<const double> b, std::span<double> x, double reduction) {
     ++counters_.linear_solves;
-    if (!by_factors_ && serves([&] { solve_by_blocks(b, x, reduction); })) return;
-    if (!by_factors_) factorize();
+    if (!by_factors_ && rest_ > 0) factorize();  // the last solve has given the blocks up
+    if (!by_factors_) {
+      if (serves([&] { solve_by_blocks(b, x, reduction); })) return;
+      give_up_blocks();
+      factorize();
+    }
     if (x.data() != b.data()) return lu_->solve(b, x);
     const std::vector<double> right(b.begin(), b.end());  // IDA solves in place
     lu_->solve(right, x);
@@ -42,9 +51,12 @@ private:
     // takes 306 instead of 82 Newton iterations.
     constexpr double loosest = 1e-8;
     std::copy(b.begin(), b.end(), view(x_.get()).begin());
-    if (structure_.solver.direct_at_failure)
+    // More iterations than this, with a fresh preconditioner, cost more than those factors.
+    constexpr int most_worth = 40;
+    if (structure_.solver.direct_at_failure) {
       block_->solve(x_.get(), x_.get(), std::min(reduction, loosest), loosest);
-    else
+      if (block_->fresh_iterations() > most_worth) give_up_blocks();
+    } else
       block_->solve(x_.get(), x_.get(), reduction, useful);
     std::ranges::copy(view(x_.get()), x.begin());
   }
@@ -60,11 +72,16 @@ private:
     }
   }
 
+  /// Where the blocks fail, or are slow, they mostly are so again: for some set-ups they are not
+  /// tried, after the second time never.
+  void give_up_blocks() {
+    constexpr int set_ups_without_blocks = 20;
+    constexpr int never = std::numeric_limits<int>::max();
+    rest_ = std::exchange(given_up_, true) ? never : set_ups_without_blocks;
+  }
+
   /// Until the next set-up, factors of the whole Jacobian solve.
   void factorize() {
-    // Where the blocks fail they mostly fail again, after many iterations.
-    constexpr int set_ups_without_blocks = 20;
-    if (!by_factors_) rest_ = set_ups_without_blocks;
     if (!lu_) lu_ = std::make_unique<SparseLu>(structure_.pattern, structure_.group);
     ++counters_.factorizations;
     if (!lu_->factorize(J_)) throw RecoverableError("the Jacobian is singular");
@@ -81,6 +98,7 @@ private:
   std::span<const double> J_;
   bool by_factors_ = false;
   int rest_ = 0;  // set-ups for which the blocks are not tried again
+  bool given_up_ = false;
 };
 
 LinearSolve::LinearSolve(const Structure& structure, Counters& counters)

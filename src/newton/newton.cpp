@@ -50,6 +50,7 @@ private:
   std::vector<ActiveSet> branches_;    // of the iterates
   std::vector<double> last_, change_;  // the last iterate, and the step from it
   Verdict verdict_ = Verdict::go_on;
+  bool used_old_part_ = false;  // a Jacobian with the slow part of an earlier one
   LinearRequest request_;
   Guard guard_;
   // Destroyed in reverse: the solver before what it refers to, the context last.
@@ -140,6 +141,10 @@ void NewtonSolver::Memory::set_up(const NewtonPolicy::Plan& plan, N_Vector y, SU
   request_ = {.keep = !plan.set_up, .reduction = plan.reduction};
   if (!plan.set_up) return;
   ++counters_.jacobian_evaluations;
+  if (SlowPart* slow = function_->slow) {
+    if (plan.whole) slow->known = false;
+    used_old_part_ = used_old_part_ || slow->known;
+  }
   function_->jacobian(view(y), values(J));
   policy_.factors_made();  // KINSOL makes them next
 }
@@ -193,6 +198,7 @@ int NewtonSolver::Memory::solve_from(std::span<const double> guess) {
   branches_.clear();
   last_.clear();
   verdict_ = Verdict::go_on;
+  used_old_part_ = false;
   guard_.clear();
   policy_.begin(function_->rate_weight);
   const int flag =
@@ -207,7 +213,7 @@ NewtonReport NewtonSolver::Memory::solve(const NonlinearFunction& function, std:
   norm_.allow_for_rounding(function.rate_weight, y, options_.acceptable);
   for (long i = 0; i < structure_.size; ++i) view(row_scale_.get())[i] = 1 / norm_.scale()[i];
   int flag = solve_from(y);
-  if (!accepted(flag) && policy_.began_with_kept_factors()) {
+  if (!accepted(flag) && (policy_.began_with_kept_factors() || used_old_part_)) {
     policy_.forget_factors();
     flag = solve_from(y);
   }

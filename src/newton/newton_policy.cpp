@@ -34,6 +34,12 @@ NewtonPolicy::Verdict NewtonPolicy::judge(const Iterate& iterate) {
   current_ = iterate.residual;
   switched_ = !on_all_processes(iterate.branch == branch_);
   branch_ = iterate.branch;
+  const Verdict verdict = this->verdict(iterate);
+  if (verdict == Verdict::done || verdict == Verdict::rounding) careful_ = false;
+  return verdict;
+}
+
+NewtonPolicy::Verdict NewtonPolicy::verdict(const Iterate& iterate) const {
   if (current_ <= target() || near_enough(iterate)) return Verdict::done;
   if (at_rounding()) return Verdict::rounding;
   if (iterations_ < options_.max_iterations) return Verdict::go_on;
@@ -60,10 +66,20 @@ bool NewtonPolicy::factors_serve() const {
   return !contracts_slowly();
 }
 
+/// Most set-ups follow a change of the branch or of the weight of the rates, of which the slow part
+/// knows nothing. It is the suspect when an iteration on one branch contracts slowly, or when there
+/// are many of them.
+bool NewtonPolicy::old_part_hinders() const {
+  constexpr int many = 8;
+  return !options_.keep_factors || careful_ || iterations_ >= many ||
+         (contracts_slowly() && !switched_);
+}
+
 NewtonPolicy::Plan NewtonPolicy::plan(bool demanded) {
   fresh_ = demanded || !factors_serve();
   if (fresh_) has_factors_ = false;
-  const Plan plan{.set_up = fresh_, .reduction = reduction()};
+  const Plan plan{
+      .set_up = fresh_, .whole = fresh_ && old_part_hinders(), .reduction = reduction()};
   ++iterations_;
   return plan;
 }

@@ -39,6 +39,7 @@ public:
 
   struct Plan {
     bool set_up;       ///< a new Jacobian and its factors must be made at this iterate
+    bool whole;        ///< ... with its slow part, even where an older one is at hand (SlowPart)
     double reduction;  ///< reduction of the linear residual that an iterative solver must reach
   };
   /// The next Newton step, from the iterate judged last. `demanded`: the caller needs a set-up for
@@ -50,19 +51,24 @@ public:
   /// After a solve that failed: whether kept factors may be the reason, so that it should be
   /// repeated with fresh ones.
   bool began_with_kept_factors() const { return began_with_kept_factors_; }
-  /// After this call the next plan has a set-up.
-  void forget_factors() { has_factors_ = false; }
+  /// After this call the next plan has a set-up, and until a solve succeeds set-ups are whole.
+  void forget_factors() {
+    has_factors_ = false;
+    careful_ = true;
+  }
 
   /// Newton steps since begin().
   int iterations() const { return iterations_; }
 
 private:
+  Verdict verdict(const Iterate& iterate) const;
   double target() const;
   bool near_enough(const Iterate& iterate) const;
   bool acceptable() const { return current_ <= options_.acceptable; }
   bool at_rounding() const;
   bool contracts_slowly() const;
   bool factors_serve() const;
+  bool old_part_hinders() const;
   double reduction() const;
 
   NewtonOptions options_;
@@ -76,6 +82,7 @@ private:
   bool began_with_kept_factors_ = false;
   // Data of the factors.
   bool has_factors_ = false;
+  bool careful_ = false;  // the last solve failed
   double factored_rate_weight_ = 0;
   ActiveSet factored_branch_;
 };

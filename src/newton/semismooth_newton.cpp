@@ -21,6 +21,7 @@ struct Content {
   std::function<ActiveSet(const Point&)> branch_at;
   N_Vector differential;
   LinearRequest& request;
+  SlowPart& slow;
   VectorOwner delta;
   SUNNonlinSolSysFn residual = nullptr;
   SUNNonlinSolLSetupFn setup = nullptr;
@@ -57,6 +58,7 @@ int Content::iterate(N_Vector ycor, N_Vector weights, bool set_up_demanded, void
     if (verdict != Verdict::go_on) return 0;
     const bool at_guess = policy.iterations() == 0;
     const NewtonPolicy::Plan plan = policy.plan(at_guess && set_up_demanded);
+    if (plan.whole) slow.known = false;
     if (plan.set_up)
       if (const int flag = set_up(!at_guess, ida)) return flag;
     request.reduction = plan.reduction;
@@ -75,7 +77,7 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
                                             std::function<Point(N_Vector ycor)> state_at,
                                             std::function<ActiveSet(const Point&)> branch_at,
                                             N_Vector differential, LinearRequest& request,
-                                            SUNContext context) {
+                                            SlowPart& slow, SUNContext context) {
   SUNNonlinearSolver solver = SUNNonlinSolNewEmpty(context);
   check(solver, "SUNNonlinSolNewEmpty");
   NonlinearSolverOwner owner(solver);
@@ -88,6 +90,7 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
                                 std::move(branch_at),
                                 differential,
                                 request,
+                                slow,
                                 make_vector(structure.size, context)};
   auto* ops = solver->ops;
   ops->gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
@@ -98,7 +101,10 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
     int flag = -1;
     const int thrown = c.guard.run([&] { flag = c.iterate(ycor, weights, call_setup, ida); });
     if (thrown) flag = thrown;
-    if (flag) ++c.failures;
+    if (flag) {
+      ++c.failures;
+      c.policy.forget_factors();
+    }
     return flag;
   };
   ops->setsysfn = [](SUNNonlinearSolver s, SUNNonlinSolSysFn f) {

@@ -20,13 +20,14 @@ using NonlinearSolverOwner = Owner<_generic_SUNNonlinearSolver, destroy_nonlinea
 /// them. `state_at`: the state at a correction `ycor` of the predicted one, valid until the next
 /// call; `branch_at`: the smooth branch at a state.
 /// `differential`: 1 where a component takes part in the error norm of IDA, else 0.
-/// It passes its requests to the linear solver through `request`. The referenced objects must
-/// outlive the solver.
+/// It passes its requests to the linear solver through `request`, and forgets the slow part of the
+/// Jacobian, `slow`, when the iteration needs a new one. The referenced objects must outlive the
+/// solver.
 NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters& counters,
                                             Guard& guard, const NewtonOptions& options,
                                             std::function<Point(N_Vector ycor)> state_at,
                                             std::function<ActiveSet(const Point&)> branch_at,
                                             N_Vector differential, LinearRequest& request,
-                                            SUNContext context);
+                                            SlowPart& slow, SUNContext context);
 
 }  // namespace gnomon::sundials

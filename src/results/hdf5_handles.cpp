@@ -14,7 +14,11 @@ herr_t keep_first(unsigned /*depth*/, const H5E_error2_t* entry, void* text) {
 
 }  // namespace
 
-QuietErrors::QuietErrors() {
+namespace {
+std::recursive_mutex in_use;
+}
+
+Session::Session() : alone_(in_use) {
   // HDF5 leaks identifiers when it refuses a damaged file, and its clean-up at exit then loops or
   // crashes. gnomon needs no clean-up: every handle has an owner, and data that must be on disk are
   // flushed.
@@ -23,7 +27,7 @@ QuietErrors::QuietErrors() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-QuietErrors::~QuietErrors() {
+Session::~Session() {
   H5Eset_auto2(H5E_DEFAULT, function_, data_);
 }
 

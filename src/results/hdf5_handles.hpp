@@ -4,6 +4,7 @@
 #include <hdf5.h>
 
 #include <gnomon/base/error.hpp>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -41,15 +42,17 @@ private:
   Close close_ = nullptr;
 };
 
-/// While it exists, HDF5 prints no errors on this thread: the library never prints.
-class QuietErrors {
+/// Work with HDF5. While it exists, other threads wait for theirs, because HDF5 may be used by one
+/// thread at a time, and HDF5 prints no errors: the library never prints.
+class Session {
 public:
-  QuietErrors();
-  ~QuietErrors();
-  QuietErrors(const QuietErrors&) = delete;
-  QuietErrors& operator=(const QuietErrors&) = delete;
+  Session();
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
 
 private:
+  std::unique_lock<std::recursive_mutex> alone_;
   H5E_auto2_t function_ = nullptr;
   void* data_ = nullptr;
 };

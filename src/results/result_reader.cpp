@@ -146,7 +146,7 @@ std::size_t find_step(const std::vector<double>& times, std::optional<double> t)
 
 // ResultReader is not used, because it refuses damaged results, which are results too.
 bool is_result(const std::filesystem::path& file) {
-  const hdf5::QuietErrors quiet;
+  const hdf5::Session session;
   try {
     const Handle opened = open_file(file);
     const Handle gnomon =
@@ -165,7 +165,7 @@ public:
   template <class Action>
   auto guarded(Action action) {
     constexpr int most = 20;
-    const hdf5::QuietErrors quiet;
+    const hdf5::Session session;
     for (int attempt = 0;; ++attempt) {
       try {
         if (attempt > 0) open();
@@ -181,6 +181,14 @@ public:
   explicit File(const std::filesystem::path& path) : path_(path) {
     guarded([&] { open(); });
   }
+
+  ~File() {
+    const hdf5::Session session;
+    gnomon_ = {};
+    file_ = {};
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
 
   void open() {
     gnomon_ = {};

@@ -72,7 +72,7 @@ private:
 ResultWriter::File::File(const std::filesystem::path& path, const RunHeader& header,
                          const std::optional<Grid>& grid, Earlier earlier, double from)
     : path_(replaceable(path)), earlier_(earlier), from_(from) {
-  const hdf5::QuietErrors quiet;
+  const hdf5::Session session;
   try {
     if (sidecar_of(path_) == path_) throw Error("the suffix .xdmf is the sidecar's");
     disk_.emplace(part_of(path_));
@@ -139,7 +139,7 @@ void ResultWriter::File::discard() noexcept {
 }
 
 ResultWriter::File::~File() {
-  const hdf5::QuietErrors quiet;
+  const hdf5::Session session;
   if (!published_) discard();
   checkpoints_ = {};
   stored_ = {};
@@ -153,7 +153,7 @@ ResultWriter::File::~File() {
 
 void ResultWriter::File::guarded(const std::function<void()>& action) {
   if (failed_) throw Error(fmt::format("{}: an earlier write failed", path_.string()));
-  const hdf5::QuietErrors quiet;
+  const hdf5::Session session;
   try {
     action();
   } catch (const std::exception& error) {

@@ -20,6 +20,13 @@ namespace {
 
 using Status = RunOutcome::Status;
 
+/// The times of the stored states behind the start.
+std::vector<double> settled_times(const StorePolicy& policy, double end) {
+  std::vector<double> times = policy.times;
+  if (policy.last && (times.empty() || times.back() < end)) times.push_back(end);
+  return times;
+}
+
 class Runner {
 public:
   Runner(const Model& model, const Integrator& integrator, const IntegratorSettings& settings,
@@ -33,10 +40,8 @@ public:
         hooks_(hooks),
         wear_integral_(model) {
     settings_.integrand = model.wear_flux();
-    if (policy.settle) settings_.settled = policy.times;
-    if (policy.settle && policy.last &&
-        (policy.times.empty() || policy.times.back() < settings.end))
-      settings_.settled.push_back(settings.end);
+    if (policy.settle && integrator.settles)
+      settings_.settled = settled_times(policy, settings.end);
     if (settings.stop_unstable && may_fail_to_damp(integrator, settings))
       damping_.emplace(model, integrator, settings_);
   }
@@ -73,7 +78,7 @@ private:
     store();
     if (hooks_.interrupted()) return;
     make_stepper();
-    checkpoint();
+    if (checkpoint_work_ > 0) checkpoint();
   }
 
   void resume(const Resumption& from) {
@@ -85,6 +90,7 @@ private:
     wear_integral_.resume(observed_);
     outcome_.last = from.row;
     last_checkpoint_ = from.checkpoint;
+    checkpoint_rows_ = from.checkpoint.rows;
     next_checkpoint_ = work() + checkpoint_work_;
     stored_at_ = from.stored;
     earlier_seconds_ = from.wall_seconds;
@@ -95,7 +101,10 @@ private:
     if (damping_) damping_->require_damping_in_wider_contact(state(), observed_);
     ProgressWatch progress(state().t, counters_, settings_.end);
     while (state().t < settings_.end) {
-      if (hooks_.interrupted()) return Status::interrupted;
+      if (hooks_.interrupted()) {
+        checkpoint_interrupted();
+        return Status::interrupted;
+      }
       if (!stepper_) make_stepper();
       const State before = state();
       const StepReport report = stepper_->advance(state(), schedule_.stop());
@@ -106,7 +115,7 @@ private:
       progress.require(state().t, counters_);
       if (damping_) require_damping();
       if (schedule_.wants(state().t, counters_.steps)) store();
-      if (work() >= next_checkpoint_ || state().t >= settings_.end) checkpoint();
+      if (checkpoint_due()) checkpoint();
     }
     if (damping_) judge_damping();
     return Status::finished;
@@ -140,6 +149,7 @@ private:
     if (writer_) writer_->append(row);
     ++last_checkpoint_.rows;
     outcome_.last = std::move(row);
+    hooks_.on_state(state());
     hooks_.on_step(*outcome_.last);
   }
 
@@ -170,14 +180,24 @@ private:
     if (counters_.steps > 0) stepper_->restore(state(), memory_.stepper);
   }
 
+  bool checkpoint_due() const {
+    return checkpoint_work_ > 0 && (work() >= next_checkpoint_ || memory_.state.t >= settings_.end);
+  }
+
+  /// Where the run ends before its end, so that no step is lost. A run that goes on from here
+  /// restarts its method where the uninterrupted one did not.
+  void checkpoint_interrupted() {
+    if (stepper_ && checkpoint_rows_ != last_checkpoint_.rows) checkpoint();
+  }
+
   /// A one-step method then restarts as it would when resumed: without kept factors and without
   /// states for first guesses.
   void checkpoint() {
-    if (checkpoint_work_ == 0) return;
     memory_.stepper = stepper_->memory();
     ++last_checkpoint_.number;
     last_checkpoint_.numbers = packed(memory_, model_.system().structure());
     if (writer_) writer_->checkpoint(last_checkpoint_);
+    checkpoint_rows_ = last_checkpoint_.rows;
     next_checkpoint_ = work() + checkpoint_work_;
     if (integrator_.one_step) stepper_.reset();
   }
@@ -217,6 +237,7 @@ private:
   std::set<std::string> warned_of_;
   std::optional<double> stored_at_;
   Checkpoint last_checkpoint_{-1, 0, 0, {}};  // with the present numbers of rows and stored steps
+  long checkpoint_rows_ = 0;                  // rows at the last checkpoint that was written
   long next_checkpoint_ = 0;                  // value of work() at which it is due
 };
 

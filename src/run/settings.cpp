@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/same_time.hpp>
+#include <gnomon/model/controlled_settings.hpp>
 #include <gnomon/run/run.hpp>
 
 namespace gnomon {
@@ -91,15 +92,12 @@ const Integrator& chosen_integrator(const Scene& scene) {
 }
 
 IntegratorSettings integrator_settings(const Scene& scene, const Model& model) {
-  IntegratorSettings settings;
-  settings.end = scene.real("time.end");
+  IntegratorSettings settings =
+      controlled_settings(model, scene.real("integrator.rtol"), scene.real("time.end"));
   settings.step = scene.real_if("integrator.step").value_or(0.0);
-  settings.rtol = scene.real("integrator.rtol");
-  settings.atol = scene.has("integrator.atol") ? scene.real("integrator.atol")
-                                               : settings.rtol * model.differential_scale();
+  settings.atol = scene.real_if("integrator.atol").value_or(settings.atol);
   settings.nonlinear_fraction = scene.real("integrator.nonlinear_fraction");
   settings.max_step = scene.real_if("integrator.max_step").value_or(0.0);
-  settings.scale = model.differential_scale();
   settings.alpha = scene.real("integrator.alpha");
   settings.locate_events = scene.text("integrator.events") == "locate";
   settings.stop_unstable = scene.text("integrator.unstable") == "stop";

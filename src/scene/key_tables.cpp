@@ -110,15 +110,17 @@ std::vector<Key> output_keys() {
        .presence = defaulted,
        .default_value = true,
        .help =
-           "two short steps before times, multiples of interval and the end, so that the stored "
-           "pressures of a stiff body are accurate; for implicit steps that follow the error"},
+           "two short steps before times, multiples of interval and the end, where a node has just "
+           "closed, so that the stored pressures of a stiff body are accurate; for steps that "
+           "follow the error, of integrators that settle (gnomon list integrators)"},
       {.name = "output.checkpoints",
        .kind = KeyKind::integer,
        .presence = defaulted,
        .default_value = 200L,
        .range = non_negative,
-       .help =
-           "steps plus Newton iterations between checkpoints (gnomon resume); 0: no checkpoints"},
+       .help = "steps plus Newton iterations between checkpoints (gnomon resume); 0: only where "
+               "the run "
+               "is interrupted"},
   };
 }
 

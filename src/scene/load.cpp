@@ -94,8 +94,9 @@ std::vector<GivenValue> parse_overrides(const std::vector<std::string>& texts) {
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& name,
-                  const std::vector<std::string>& overrides, const KeyTableOf& table_of) {
-  return SceneFile(text, name).scene(parse_overrides(overrides), table_of);
+                  const std::vector<std::string>& overrides, const KeyTableOf& table_of,
+                  Mistakes* mistakes) {
+  return SceneFile(text, name).scene(parse_overrides(overrides), table_of, mistakes);
 }
 
 Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,

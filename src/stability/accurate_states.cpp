@@ -1,3 +1,4 @@
+#include <gnomon/model/controlled_settings.hpp>
 #include <gnomon/stability/stability.hpp>
 
 namespace gnomon {
@@ -5,15 +6,6 @@ namespace gnomon {
 namespace {
 
 constexpr const char* method = "esdirk-4";
-
-IntegratorSettings accurate_settings(const Model& model, double rtol, double end) {
-  IntegratorSettings settings;
-  settings.rtol = rtol;
-  settings.scale = model.differential_scale();
-  settings.atol = rtol * settings.scale;
-  settings.end = end;
-  return settings;
-}
 
 }  // namespace
 
@@ -24,7 +16,7 @@ std::vector<State> accurate_states(const Model& model, std::span<const double> t
   State state = model.start(counters);
   const auto stepper =
       Integrators::find(method, "integrator")
-          .make(model.system(), accurate_settings(model, rtol, times.back()), counters);
+          .make(model.system(), controlled_settings(model, rtol, times.back()), counters);
   for (double time : times) {
     while (state.t < time) stepper->advance(state, time);
     states.push_back(state);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/stepper.hpp>
+#include <gnomon/model/controlled_settings.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <gnomon/stability/stability.hpp>
 
@@ -74,11 +75,8 @@ double OnsetSearch::distance(const State& state) const {
 /// step.
 bool OnsetSearch::take(State& state, double step) const {
   const double first = std::round(state.t / step);
-  IntegratorSettings settings;
+  IntegratorSettings settings = controlled_settings(model_, 1, (first + options_.steps) * step);
   settings.step = step;
-  settings.rtol = 1;
-  settings.scale = settings.atol = model_.differential_scale();
-  settings.end = (first + options_.steps) * step;
   Counters counters;
   const auto stepper = integrator_.make(model_.system(), settings, counters);
   state.t = first * step;

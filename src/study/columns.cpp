@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
+
 #include "study/declaration.hpp"
 
 namespace gnomon::study {
@@ -93,11 +96,45 @@ std::vector<Column> cost_columns() {
   };
 }
 
-std::vector<Column> all_columns() {
-  std::vector<Column> all;
-  for (const auto& part : {setting_columns(), error_columns(), cost_columns()})
-    all.insert(all.end(), part.begin(), part.end());
-  return all;
+/// The number that a text is, if it is one.
+std::optional<double> number_in(const std::string& text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [parsed, error] = std::from_chars(text.data(), end, number);
+  if (parsed != end || error != std::errc()) return std::nullopt;
+  return number;
+}
+
+/// One for each swept key; every point of a sweep has the same keys.
+std::vector<Column> sweep_columns(const Study& study) {
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < study.sweep.front().values.size(); ++i) {
+    const bool numbers = std::ranges::all_of(study.sweep, [i](const SweepPoint& point) {
+      return number_in(point.values[i].second).has_value();
+    });
+    columns.push_back({study.sweep.front().values[i].first, "", numbers ? Kind::real : Kind::text,
+                       [i, numbers](const Study& s, const StudyTable&, const StudyRow& row) {
+                         const std::string& value = s.sweep[row.point.sweep].values[i].second;
+                         return numbers ? maybe(number_in(value)) : CellValue(value);
+                       }});
+  }
+  return columns;
+}
+
+CellValue observed(const StudyRow& row, const std::string& name) {
+  const auto found = std::ranges::find(row.observed, name, &Scalar::name);
+  return found == row.observed.end() ? CellValue() : CellValue(found->value);
+}
+
+std::vector<Column> observed_columns(const StudyTable& table) {
+  std::vector<Column> columns;
+  for (const StudyRow& row : table.rows)
+    for (const Scalar& scalar : row.observed)
+      if (std::ranges::find(columns, scalar.name, &Column::name) == columns.end())
+        columns.push_back({scalar.name, scalar.unit, Kind::real,
+                           [name = scalar.name](const Study&, const StudyTable&,
+                                                const StudyRow& r) { return observed(r, name); }});
+  return columns;
 }
 
 struct TextOf {
@@ -109,8 +146,11 @@ struct TextOf {
 
 }  // namespace
 
-const std::vector<Column>& columns() {
-  static const std::vector<Column> all = all_columns();
+std::vector<Column> columns(const Study& study, const StudyTable& table) {
+  std::vector<Column> all;
+  for (const auto& part : {setting_columns(), error_columns(), cost_columns(), sweep_columns(study),
+                           observed_columns(table)})
+    all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 

@@ -21,7 +21,9 @@ struct Column {
   std::function<CellValue(const Study&, const StudyTable&, const StudyRow&)> value;
 };
 
-const std::vector<Column>& columns();
+/// The columns that every study has, one for each swept key, and one for each quantity that a run
+/// has observed.
+std::vector<Column> columns(const Study& study, const StudyTable& table);
 
 /// Shortest exact text of a cell; empty when there is no value.
 std::string cell_text(const CellValue& value);

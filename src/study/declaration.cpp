@@ -4,17 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/problem.hpp>
-#include <sstream>
 
 #include "scene/key_check.hpp"
 #include "scene/raw_value.hpp"
 #include "scene/toml_reader.hpp"
 #include "scene/toml_text.hpp"
 #include "study/declaration_keys.hpp"
+#include "study/text_file.hpp"
 
 namespace gnomon::study {
 
@@ -30,12 +29,7 @@ std::string read_file(const fs::path& file) {
     throw InputError(fmt::format("{}: no such file, expected a study", file.string()));
   if (fs::is_directory(status))
     throw InputError(fmt::format("{}: is a folder, expected a study file", file.string()));
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream.is_open() || stream.bad())
-    throw InputError(fmt::format("{}: cannot be read", file.string()));
-  return text.str();
+  return text_of(file);
 }
 
 std::string first_comment(const std::string& text) {
@@ -78,9 +72,9 @@ public:
     declaration_.times_origin = top.where("times");
     if (top.has("times")) declaration_.times = top.reals("times");
     for (const RawTable& table : document_.tables) read_table(table);
-    if (declaration_.methods.empty())
-      throw InputError(declaration_.file + ": expected one [[method]] or more, got none");
-    read_references();
+    declaration_.compared = !top.has("reference");
+    add_method_of_scene();
+    read_references(top);
     read_self_reference(top);
     check_conflicts();
     declaration_.text = std::move(text_);
@@ -92,7 +86,8 @@ private:
   void check_brackets() const {
     for (const RawEntry& entry : document_.entries)
       for (const char* name : {"sweep", "method", "reference"})
-        if (entry.name == name || entry.name.starts_with(fmt::format("{}.", name)))
+        if ((entry.name == name && is_table(entry.value)) ||
+            entry.name.starts_with(fmt::format("{}.", name)))
           throw InputError(fmt::format("{}: there may be several of these tables, expected [[{}]]",
                                        message_about(declaration_.file, entry.line, entry.name),
                                        name));
@@ -109,7 +104,22 @@ private:
     if (std::error_code ignored; !fs::is_regular_file(declaration_.scene, ignored))
       throw InputError(fmt::format("{}: expected a scene file, there is no {}", top.where("scene"),
                                    toml_text(declaration_.scene.string())));
-    scene_keys_ = key_table(load_scene(declaration_.scene, {}, key_table).text("problem"));
+    scene_ = load_scene(declaration_.scene, {}, key_table);
+    scene_keys_ = key_table(scene_.text("problem"));
+  }
+
+  /// A parameter sweep needs no method: the scene has one.
+  void add_method_of_scene() {
+    if (!declaration_.methods.empty()) return;
+    if (declaration_.compared)
+      throw InputError(declaration_.file + ": expected one [[method]] or more, got none");
+    Method method;
+    method.integrator = method.name = scene_.text("integrator.name");
+    method.origin = scene_.where("integrator.name");
+    const std::optional<double> step = scene_.real_if("integrator.step");
+    method.ladder = {step ? StudySetting{Kind::step, *step}
+                          : StudySetting{Kind::tolerance, scene_.real("integrator.rtol")}};
+    declaration_.methods.push_back(std::move(method));
   }
 
   void read_table(const RawTable& table) {
@@ -153,7 +163,7 @@ private:
           throw InputError(
               fmt::format("{}: {} is given twice, expected once", setting.origin, text));
       sweep.values.push_back(std::move(setting));
-      sweep.labels.push_back(sweep.key + "=" + label_text(value));
+      sweep.labels.push_back(label_text(value));
     }
   }
 
@@ -221,8 +231,14 @@ private:
     return method;
   }
 
-  void read_references() {
+  void read_references(const KeyedTable& top) {
     auto& references = declaration_.references;
+    if (!declaration_.compared) {
+      if (top.has("self_reference.method"))
+        throw InputError(top.where("self_reference.method") +
+                         ": expected no self-reference with reference = \"none\"");
+      return;
+    }
     if (references.empty()) {
       const std::string origin = declaration_.file + ": default reference";
       // On the pin, the error of the first is 1e-10 mm and that of the second 1e-9 mm.
@@ -276,7 +292,8 @@ private:
                                  near.empty() ? "" : fmt::format(", did you mean \"{}\"?", near)));
   }
 
-  /// A swept key must not be set elsewhere: one of the two would be ignored.
+  /// A swept key must not be set elsewhere: one of the two would be ignored. A reference may: it is
+  /// then the same for all values.
   void check_conflicts() const {
     const auto check = [&](const std::vector<SceneSetting>& settings) {
       for (const SceneSetting& setting : settings)
@@ -286,14 +303,14 @@ private:
                 fmt::format("{}: expected it to be set or swept, not both", setting.origin));
     };
     check(declaration_.common);
-    for (const auto* methods : {&declaration_.methods, &declaration_.references})
-      for (const Method& method : *methods) check(method.settings);
+    for (const Method& method : declaration_.methods) check(method.settings);
   }
 
   std::string text_;
   RawDocument document_;
   Impossible impossible_;
   Declaration declaration_;
+  Scene scene_;
   std::vector<Key> scene_keys_;
 };
 

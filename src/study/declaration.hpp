@@ -24,7 +24,7 @@ struct Method {
 struct Sweep {
   std::string key;
   std::vector<SceneSetting> values;
-  std::vector<std::string> labels;  ///< "body.young_modulus=20"
+  std::vector<std::string> labels;  ///< of the values: "20", "20x40"
   std::string origin;
 };
 
@@ -43,7 +43,8 @@ struct Declaration {
   std::string times_origin;
   std::vector<SceneSetting> common;
   std::vector<Method> methods;
-  std::vector<Method> references;
+  bool compared = true;            ///< false: reference = "none"
+  std::vector<Method> references;  ///< empty unless compared
   std::vector<Sweep> sweeps;
   std::optional<SelfReference> self_reference;
 };

@@ -39,9 +39,15 @@ std::vector<Key> top_keys() {
        .kind = KeyKind::reals,
        .unit = "s",
        .presence = optional,
-       .absent_meaning = "five equal parts of time.end",
+       .absent_meaning = "five equal parts of time.end; none with reference = \"none\"",
        .range = positive,
        .help = "times at which errors are measured, besides time.end; steps end there exactly"},
+      {.name = "reference",
+       .kind = KeyKind::text,
+       .presence = optional,
+       .absent_meaning = "a closed form, or two runs: those of two [[reference]] tables",
+       .choices = {"none"},
+       .help = "\"none\": no errors are measured, as for a parameter sweep; methods may be absent"},
       {.name = "self_reference.method",
        .kind = KeyKind::text,
        .presence = optional,
@@ -106,7 +112,8 @@ std::string describe_study_keys() {
   return part("KEYS OF A STUDY", study::top_keys()) +
          part("KEYS OF EACH [[sweep]] (all combinations are run)", study::sweep_keys()) +
          "values: array of values of that key\n" +
-         part("KEYS OF EACH [[method]]", study::method_keys()) +
+         part("KEYS OF EACH [[method]] (none with reference = \"none\": the scene's integrator)",
+              study::method_keys()) +
          part("KEYS OF EACH [[reference]] (two, of different families)", study::reference_keys());
 }
 

@@ -15,12 +15,14 @@
 #include "scene/key_check.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/toml_text.hpp"
+#include "study/closed_form.hpp"
 #include "study/declaration.hpp"
 
 namespace gnomon {
 
 namespace {
 
+namespace fs = std::filesystem;
 using namespace study;
 using Kind = StudySetting::Kind;
 
@@ -59,6 +61,7 @@ public:
     study_.title = declaration.title;
     study_.scene = declaration.scene;
     study_.text = declaration.text;
+    study_.compared = declaration.compared;
     if (const auto& self = declaration.self_reference)
       study_.self_reference = title(declaration.methods[self->method], self->setting);
   }
@@ -105,16 +108,17 @@ private:
   }
 
   void add_sweep_point(const std::vector<std::size_t>& choice) {
+    SweepPoint point;
     std::vector<std::string> labels, parts;
     overrides_.clear();
     override_with(declaration_.common);
     for (std::size_t i = 0; i < choice.size(); ++i) {
       const Sweep& sweep = declaration_.sweeps[i];
       override_with({sweep.values[choice[i]]});
-      labels.push_back(sweep.labels[choice[i]]);
+      point.values.push_back({sweep.key, sweep.labels[choice[i]]});
+      labels.push_back(sweep.key + "=" + sweep.labels[choice[i]]);
       parts.push_back(last_part(labels.back()));
     }
-    SweepPoint point;
     point.label = fmt::format("{}", fmt::join(labels, "; "));
     prefix_ = fmt::format("{}", fmt::join(parts, "__"));
     study_.sweep.push_back(std::move(point));
@@ -153,7 +157,8 @@ private:
   void add_times(double end) {
     auto& times = study_.sweep.back().times;
     times = declaration_.times;
-    if (times.empty() && !kept_)  // verdicts look at the end, and want no step cut short before
+    if (times.empty() && !kept_ &&
+        study_.compared)  // verdicts look at the end, and want no step cut short before
       for (int i = 1; i < 5; ++i) times.push_back(end * i / 5);
     for (const double time : times)
       if (time > end)
@@ -172,32 +177,35 @@ private:
     return scene_file_.scene(overrides, key_table);
   }
 
+  /// Files are beside the scene of the study, but its runs are elsewhere.
+  static Scene with_whole_paths(Scene scene) {
+    for (const char* key : {"mesh.file", "mesh.geometry", "counter_body.file"})
+      if (scene.knows(key) && scene.has(key))
+        scene = scene.with(
+            key,
+            fs::absolute(scene.path().parent_path() / scene.text(key)).lexically_normal().string());
+    return scene;
+  }
+
   static std::vector<std::string> override_texts(const Values& values) {
     std::vector<std::string> texts;
     for (const auto& [key, value] : values) texts.push_back(key + "=" + toml_text(value));
     return texts;
   }
 
-  /// Runs two references, unless the problem has a closed form. Makes the model, which checks what
-  /// only it can check.
+  /// Runs two references, unless the problem has a closed form or nothing is compared. Makes the
+  /// model, which checks what only it can check.
   void add_references() {
     SweepPoint& point = study_.sweep.back();
     const Method& first = declaration_.methods.front();
     const Scene scene = scene_of(first, first.ladder.front());
     guarded(first.name, [&] {
       const auto model = make_model(scene);
-      if (!model->exact(point.times.back())) return;
-      for (const double t : point.times) point.exact.push_back(exact_surface(*model, t));
+      if (study_.compared) point.exact = closed_form(*model, point.times);
     });
     if (point.has_closed_form()) return;
     for (const Method& method : declaration_.references)
       point.references.push_back(run_of(method, method.ladder.front()));
-  }
-
-  static ContactSurface exact_surface(const Model& model, double t) {
-    auto surface = model.contact(*model.exact(t));
-    if (!surface) throw InputError("the problem has no contact surface, expected one to compare");
-    return *surface;
   }
 
   void add_points(std::size_t index) {
@@ -237,7 +245,7 @@ private:
     const auto overrides = overrides_of(method, setting);
     const bool fixed = setting.kind == Kind::step;
     return guarded(title(method, setting), [&] {
-      Scene scene = scene_with(overrides);
+      Scene scene = with_whole_paths(scene_with(overrides));
       if (!fixed) scene = scene.without("integrator.step");
       store_policy(scene);
       chosen_integrator(scene);
@@ -258,7 +266,8 @@ private:
   /// The run of this scene, a new one unless there is one already.
   std::size_t run_of(const Method& method, const StudySetting& setting) {
     auto [scene, further] = scene_and_overrides(method, setting);
-    const std::string text = fmt::format("{}{}", scene.resolved(), fmt::join(further, "\n"));
+    std::string resolved = scene.resolved();
+    const std::string text = fmt::format("{}{}", resolved, fmt::join(further, "\n"));
     const auto [place, is_new] = runs_.try_emplace(text, study_.runs.size());
     if (is_new) {
       const std::string stem =
@@ -272,7 +281,8 @@ private:
             fmt::format("{}: expected names that make files of {} bytes or less, got {}",
                         method.origin, longest, name.size()));
       names_.insert(name);
-      study_.runs.push_back({name, title(method, setting), std::move(scene), std::move(further)});
+      study_.runs.push_back(
+          {name, title(method, setting), std::move(resolved), std::move(further)});
     }
     return place->second;
   }

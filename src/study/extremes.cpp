@@ -31,8 +31,9 @@ std::size_t halved_point(Study& study, std::size_t index) {
   }
   const StudyRun& run = study.runs[half.run];
   StudyRun finer{run.name + "__half", run.title + " halved",
-                 parse_scene(run.scene.resolved(), study.file.string(),
-                             {"integrator.step=" + number_text(half.setting.value)}, key_table)};
+                 parse_scene(run.scene, study.file.string(),
+                             {"integrator.step=" + number_text(half.setting.value)}, key_table)
+                     .resolved()};
   half.run = study.runs.size();
   study.runs.push_back(std::move(finer));
   study.points.push_back(half);

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <gnomon/results/versions.hpp>
 #include <gnomon/study/extremes.hpp>
-#include <gnomon/study/versions.hpp>
 #include <map>
 
 #include "study/markup.hpp"

@@ -17,6 +17,7 @@ std::string owner(const std::string& key) {
   if (key == "integrator.step") return "`method.steps`";
   if (key == "integrator.rtol") return "`method.tolerances`";
   if (key == "output.times") return "`times`";
+  if (key == "output.settle") return {};  // changes steps, not what is stored
   if (key.starts_with("output.")) return "the study itself";
   return {};
 }

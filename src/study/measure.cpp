@@ -67,11 +67,11 @@ private:
     auto found = read_record(files(run), study_.runs[run]);
     if (!found) {
       RunRecord missing;
-      missing.status = "failed";
-      missing.reason = "not run";
+      missing.status = "missing";
+      missing.reason = "not done";
       return missing;
     }
-    if (found->status != "finished") return *found;
+    if (found->status != "finished" || !study_.compared) return *found;
     try {
       surfaces = read_surfaces(files(run), sweep.times);
     } catch (const Error& error) {
@@ -86,6 +86,10 @@ private:
     StudyReference& reference = table_.references.emplace_back();
     Surfaces& chosen = surfaces_.emplace_back(sweep.exact);
     Surfaces& self = self_surfaces_.emplace_back();
+    if (!study_.compared) {
+      reference.text = "none";
+      return;
+    }
     if (sweep.self_reference) record_of(*sweep.self_reference, sweep, self);
     if (sweep.has_closed_form()) {
       reference = {.text = "closed form",
@@ -144,12 +148,20 @@ private:
     row.wall_seconds = record.wall_seconds;
     row.reached = record.reached;
     row.end = record.end;
+    if (row.status == "finished") add_observed(row);
     if (record.end) {
       row.cpu_seconds = record.end->cpu_seconds;
       row.peak_memory_mb = record.end->peak_memory_mb;
     }
     if (!surfaces.empty()) add_errors(row, surfaces);
     return row;
+  }
+
+  void add_observed(StudyRow& row) const try {
+    row.observed = read_observed(files(row.point.run));
+  } catch (const Error& error) {
+    row.status = "failed";
+    row.reason = error.what();
   }
 
   void add_errors(StudyRow& row, const Surfaces& surfaces) const {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gnomon/results/versions.hpp>
 #include <gnomon/study/study.hpp>
-#include <gnomon/study/versions.hpp>
 
 #include "study/declaration.hpp"
 #include "study/markup.hpp"
@@ -57,7 +57,8 @@ constexpr Counted counted[] = {
 
 class Page {
 public:
-  Page(const Study& study, const StudyTable& table) : study_(study), table_(table) {}
+  Page(const Study& study, const StudyTable& table)
+      : study_(study), table_(table), observed_(observed_of(table)) {}
 
   std::string operator()(const std::vector<std::string>& figures, const std::string& note) const {
     const std::string title = study_.title.empty() ? study_.name : study_.title;
@@ -65,10 +66,10 @@ public:
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}{3}"
-        "<h2>References</h2>\n{4}<h2>Runs</h2>\n{5}{6}"
+        "{4}<h2>Runs</h2>\n{5}{6}"
         "<h2>The study</h2>\n<pre>{7}</pre>\n</body>\n</html>\n",
-        escaped(title), page_style, introduction(), figure_part(figures, note), reference_table(),
-        legend(), run_tables(), escaped(study_.text));
+        escaped(title), page_style, introduction(), figure_part(figures, note),
+        study_.compared ? reference_table() : "", legend(), run_tables(), escaped(study_.text));
   }
 
 private:
@@ -99,7 +100,8 @@ private:
   }
 
   std::string reference_table() const {
-    std::string text = reference_introduction() + "<div class=\"scroll\"><table>\n<thead><tr>";
+    std::string text = "<h2>References</h2>\n" + reference_introduction() +
+                       "<div class=\"scroll\"><table>\n<thead><tr>";
     text += heading("sweep", "", false) + heading("reference", "", false) +
             heading("difference of shape<br>at the end", "mm", true) +
             heading("difference of shape<br>largest in time", "mm", true) +
@@ -123,8 +125,23 @@ private:
   }
 
   std::string legend() const {
+    std::string text = "<dl>\n";
+    if (study_.compared) text += error_legend();
+    text += fmt::format(
+        "<dt>wall time, CPU time, memory</dt><dd>Wall time of the integration; CPU time (user and "
+        "system) and peak resident memory of the whole process. Runs at the same time slow each "
+        "other "
+        "down.</dd>\n{}</dl>\n",
+        mark_legend());
+    if (!study_.compared) return text + "<p>Results at the end of each run.</p>\n";
+    return text + fmt::format("<p>Measured at t = {:g} s{}.</p>\n",
+                              fmt::join(study_.sweep.front().times, ", "),
+                              same_times() ? "" : " in the first sweep point");
+  }
+
+  std::string error_legend() const {
     std::string text =
-        "<dl>\n<dt>shape error</dt><dd>Euclidean norm of the differences of the positions of the "
+        "<dt>shape error</dt><dd>Euclidean norm of the differences of the positions of the "
         "contact nodes in the undeformed (worn) configuration, at the end of the run; "
         "<em>largest</em>: the largest of the measured times.</dd>\n";
     if (has_self())
@@ -132,16 +149,9 @@ private:
           "<dt>self error</dt><dd>The same at the end, against the run {} of this study instead "
           "of the reference. It does not contain the error that both have in common.</dd>\n",
           escaped(study_.self_reference));
-    text += fmt::format(
-        "<dt>pressure error</dt><dd>Largest difference of a nodal contact pressure at the "
-        "end.</dd>\n"
-        "<dt>wall time, CPU time, memory</dt><dd>Wall time of the integration; CPU time (user and "
-        "system) and peak resident memory of the whole process. Runs at the same time slow each "
-        "other "
-        "down.</dd>\n{}</dl>\n<p>Measured at t = {:g} s{}.</p>\n",
-        mark_legend(), fmt::join(study_.sweep.front().times, ", "),
-        same_times() ? "" : " in the first sweep point");
-    return text;
+    return text +
+           "<dt>pressure error</dt><dd>Largest difference of a nodal contact pressure at the "
+           "end.</dd>\n";
   }
 
   std::string mark_legend() const {
@@ -176,13 +186,39 @@ private:
 
   std::string run_heading() const {
     std::string text = "<thead><tr>" + heading("method", "", false) +
-                       heading("setting", "", false) + heading("shape error", "mm", true) +
-                       heading("largest", "mm", true);
-    if (has_self()) text += heading("self error", "mm", true);
-    text += heading("pressure error", "MPa", true);
+                       heading("setting", "", false) + (study_.compared ? error_heading() : "");
+    if (!study_.compared)
+      for (const Scalar& scalar : observed_) text += heading(scalar.name, scalar.unit, true);
     for (const Counted& count : counted) text += heading(count.title, "", true);
     return text + heading("wall", "s", true) + heading("CPU", "s", true) +
            heading("memory", "MB", true) + "</tr></thead>\n";
+  }
+
+  std::string error_heading() const {
+    return heading("shape error", "mm", true) + heading("largest", "mm", true) +
+           (has_self() ? heading("self error", "mm", true) : "") +
+           heading("pressure error", "MPa", true);
+  }
+
+  /// Units and names of what the runs have observed.
+  static std::vector<Scalar> observed_of(const StudyTable& table) {
+    for (const StudyRow& row : table.rows)
+      if (!row.observed.empty()) return row.observed;
+    return {};
+  }
+
+  std::string observed(const StudyRow& row) const {
+    std::string text;
+    for (const Scalar& column : observed_) {
+      const auto found = std::ranges::find(row.observed, column.name, &Scalar::name);
+      text += cell(found == row.observed.end() ? "&ndash;" : fmt::format("{:.5g}", found->value));
+    }
+    return text;
+  }
+
+  std::size_t columns_of_results() const {
+    if (!study_.compared) return std::max<std::size_t>(observed_.size(), 1);
+    return has_self() ? 4 : 3;
   }
 
   std::string run_row(const StudyRow& row) const {
@@ -195,9 +231,10 @@ private:
                           : fmt::format("{} ({})", point.method, point.integrator)) +
             text_cell(fmt::format("{} {}{}", kind_name(point.setting.kind),
                                   number_text(point.setting.value), step ? " s" : ""));
-    text += failed ? fmt::format("<td colspan=\"{}\" class=\"wrap\">{}</td>", has_self() ? 4 : 3,
+    text += failed ? fmt::format("<td colspan=\"{}\" class=\"wrap\">{}</td>", columns_of_results(),
                                  escaped(row.status + ": " + row.reason))
-                   : errors(row);
+            : study_.compared ? errors(row)
+                              : observed(row);
     for (const Counted& count : counted)
       text += cell(row.counters ? fmt::format("{}", (*row.counters).*count.member) : "&ndash;");
     return text + cell(number(row.wall_seconds, "{:.2f}")) +
@@ -214,6 +251,7 @@ private:
 
   const Study& study_;
   const StudyTable& table_;
+  const std::vector<Scalar> observed_;
 };
 
 }  // namespace

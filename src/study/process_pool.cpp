@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -84,7 +85,7 @@ void ProcessPool::kill_the_late() {
   for (Child& child : children_) {
     if (Clock::now() < child.deadline) continue;
     child.timed_out = true;
-    kill(child.process, SIGKILL);
+    ::kill(child.process, SIGKILL);
   }
 }
 
@@ -111,17 +112,34 @@ bool ProcessPool::reap(const Ended& ended) {
 
 void ProcessPool::wait(const Ended& ended) {
   kill_the_late();
-  if (!reap(ended) && running() > 0) std::this_thread::sleep_for(pause_between_looks);
+  if (!reap(ended) && running() > 0) pause();
 }
 
-void ProcessPool::stop() {
-  const auto ignore = [](std::size_t, const ProcessEnd&) {};
+void ProcessPool::pause() {
+  std::this_thread::sleep_for(pause_between_looks);
+}
+
+void ProcessPool::kill(std::size_t index) {
+  const auto child = std::ranges::find(children_, index, &Child::index);
+  if (child == children_.end()) return;
+  const pid_t process = child->process;
+  children_.erase(child);
+  ::kill(process, SIGKILL);
+  while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) continue;
+}
+
+ProcessPool::~ProcessPool() {
+  while (running() > 0) kill(children_.back().index);
+}
+
+void ProcessPool::stop(const Ended& ended) {
+  constexpr auto patience = std::chrono::seconds(30);
   const auto begin = Clock::now();
-  for (const Child& child : children_) kill(child.process, SIGTERM);
+  for (const Child& child : children_) ::kill(child.process, SIGTERM);
   while (running() > 0) {
-    if (Clock::now() - begin > std::chrono::seconds(3))
-      for (const Child& child : children_) kill(child.process, SIGKILL);
-    wait(ignore);
+    if (Clock::now() - begin > patience)
+      for (const Child& child : children_) ::kill(child.process, SIGKILL);
+    wait(ended);
   }
 }
 

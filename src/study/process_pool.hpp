@@ -27,17 +27,22 @@ public:
   using Ended = std::function<void(std::size_t command, const ProcessEnd& end)>;
 
   ProcessPool() = default;
-  ~ProcessPool() { stop(); }
+  ~ProcessPool();
   ProcessPool(const ProcessPool&) = delete;
   ProcessPool& operator=(const ProcessPool&) = delete;
 
   std::size_t running() const { return children_.size(); }
+  /// Ends the process of a command at once; wait() does not report it.
+  void kill(std::size_t index);
   /// Starts a command; `index` names it in wait(). Throws Error.
   void start(std::size_t index, const Command& command);
+  /// A short time.
+  static void pause();
   /// Reports the processes that have ended; waits a short time if there are none.
   void wait(const Ended& ended);
-  /// Asks all processes to end, and kills them after a few seconds.
-  void stop();
+  /// Asks all processes to end, and kills those that have not ended after half a minute: a run ends
+  /// after its step. Reports the end of each.
+  void stop(const Ended& ended);
 
 private:
   struct Child {

@@ -7,16 +7,13 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/results/results.hpp>
-#include <gnomon/study/versions.hpp>
+#include <gnomon/results/versions.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace gnomon::study {
 
-namespace {
-
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 std::string read_text(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -24,6 +21,10 @@ std::string read_text(const fs::path& file) {
   text << stream.rdbuf();
   return text.str();
 }
+
+namespace {
+
+using Json = nlohmann::json;
 
 /// An empty value for a file that is missing or truncated.
 Json read_json(const fs::path& file) {
@@ -70,20 +71,15 @@ void read_summary(RunRecord& record, const Json& summary) {
 
 }  // namespace
 
-RunFiles::RunFiles(const fs::path& folder, const std::string& name)
-    : scene(folder / "runs" / (name + ".toml")),
-      result(folder / "runs" / (name + ".h5")),
-      sidecar(folder / "runs" / (name + ".xdmf")),
-      summary(folder / "runs" / (name + ".json")),
-      process(folder / "runs" / (name + ".process.json")),
-      log(folder / "runs" / (name + ".log")) {}
-
-void remove_files(const RunFiles& files) {
-  std::error_code
-      ignored;  // a file that cannot be removed cannot be written either, and that is reported
-  for (const fs::path* file :
-       {&files.process, &files.summary, &files.result, &files.sidecar, &files.log})
-    fs::remove(*file, ignored);
+RunFiles RunFiles::in(const fs::path& folder, const std::string& name) {
+  RunFiles files;
+  files.scene = folder / (name + ".toml");
+  files.result = folder / (name + ".h5");
+  files.sidecar = folder / (name + ".xdmf");
+  files.summary = folder / (name + ".json");
+  files.process = folder / (name + ".process.json");
+  files.log = folder / (name + ".log");
+  return files;
 }
 
 void write_process_end(const RunFiles& files, const StudyRun& run, const ProcessEnd& end) {
@@ -94,7 +90,7 @@ void write_process_end(const RunFiles& files, const StudyRun& run, const Process
   json["cpu_seconds"] = end.cpu_seconds;
   json["peak_memory_mb"] = end.peak_memory_mb;
   json["versions"] = library_versions();
-  json["scene"] = run.scene.resolved();
+  json["scene"] = run.scene;
   json["overrides"] = run.overrides;
   write_file(files.process, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n",
              Earlier::replaced);
@@ -102,7 +98,7 @@ void write_process_end(const RunFiles& files, const StudyRun& run, const Process
 
 std::optional<RunRecord> read_record(const RunFiles& files, const StudyRun& run) try {
   const Json process = read_json(files.process);
-  if (process.value("scene", "") != run.scene.resolved() ||
+  if (process.value("scene", "") != run.scene ||
       process.value("overrides", Json::array()) != Json(run.overrides) ||
       process.value("versions", Json()) != Json(library_versions()))
     return std::nullopt;
@@ -121,6 +117,34 @@ std::optional<RunRecord> read_record(const RunFiles& files, const StudyRun& run)
   return record;
 } catch (const Json::exception&) {
   return std::nullopt;  // a damaged record counts as none
+}
+
+bool is_interrupted(const RunFiles& files) {
+  const Json summary = read_json(files.summary);
+  return summary.is_object() && summary.value("status", "") == "interrupted";
+}
+
+double reached_time(const RunFiles& files) {
+  const Json summary = read_json(files.summary);
+  const auto t = summary.find("t");
+  return t != summary.end() && t->is_number() ? t->get<double>() : 0.0;
+}
+
+void remove_result(const RunFiles& files) {
+  std::error_code ignored;
+  fs::remove(files.result, ignored);
+  fs::remove(files.sidecar, ignored);
+}
+
+std::vector<Scalar> read_observed(const RunFiles& files) {
+  const std::vector<HistoryRow> history = ResultReader(files.result).history();
+  if (history.empty()) throw InputError(fmt::format("{}: it holds no step", files.result.string()));
+  std::vector<Scalar> columns = history.back().scalars;
+  const Observation observation = observation_of(columns);
+  if (const std::optional<double> difference = observation.wear_difference())
+    columns.push_back(
+        {"wear_difference", unit_of(observation, &Observation::worn_volume), *difference});
+  return columns;
 }
 
 std::vector<ContactSurface> read_surfaces(const RunFiles& files, const std::vector<double>& times) {

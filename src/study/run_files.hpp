@@ -1,4 +1,5 @@
-// The files of one run in FOLDER/runs, and whether they belong to a finished run.
+// The files of one run in FOLDER/runs, or in the folder of an attempt at it, and whether they
+// belong to a finished run.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +14,10 @@
 namespace gnomon::study {
 
 struct RunFiles {
-  RunFiles(const std::filesystem::path& folder, const std::string& name);
+  RunFiles(const std::filesystem::path& folder, const std::string& name)
+      : RunFiles(in(folder / "runs", name)) {}
+  /// The files in this very folder.
+  static RunFiles in(const std::filesystem::path& folder, const std::string& name);
 
   std::filesystem::path scene;    ///< NAME.toml, the resolved scene
   std::filesystem::path result;   ///< NAME.h5
@@ -21,6 +25,9 @@ struct RunFiles {
   std::filesystem::path summary;  ///< NAME.json
   std::filesystem::path process;  ///< NAME.process.json: results of wait4, and of which scene
   std::filesystem::path log;      ///< NAME.log: its standard error
+
+private:
+  RunFiles() = default;
 };
 
 /// The data of a run that has ended.
@@ -34,12 +41,23 @@ struct RunRecord {
   std::optional<ProcessEnd> end;
 };
 
-void remove_files(const RunFiles& files);
 /// Notes how the process of a run ended.
 void write_process_end(const RunFiles& files, const StudyRun& run, const ProcessEnd& end);
 /// The record of exactly this run by exactly this version of gnomon, if there is one.
 std::optional<RunRecord> read_record(const RunFiles& files, const StudyRun& run);
 
+/// Whether the run ended because it was asked to, with a summary that says so.
+bool is_interrupted(const RunFiles& files);
+/// The time of the last good state in the summary; 0 without one.
+double reached_time(const RunFiles& files);
+/// Removes the result and its sidecar.
+void remove_result(const RunFiles& files);
+/// The text of a file; empty if there is none.
+std::string read_text(const std::filesystem::path& file);
+
+/// What a result observed at its end, and how far the worn volume is from the integral of the wear
+/// (wear_difference). Throws InputError when it cannot be read.
+std::vector<Scalar> read_observed(const RunFiles& files);
 /// The contact surface of a result at these times. Throws InputError when one cannot be read.
 std::vector<ContactSurface> read_surfaces(const RunFiles& files, const std::vector<double>& times);
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <gnomon/system/composed_system.hpp>
 
 namespace gnomon {
@@ -25,6 +26,7 @@ void ComposedSystem<dim>::build_structure() {
   for (const auto& term : terms_) {
     TermStructure part{.pattern = builder};
     term->declare(part);
+    slow_.push_back(part.slow);
     auto& nodes = structure_.switch_node;
     nodes.insert(nodes.end(), part.switch_node.begin(), part.switch_node.end());
     first_switch_.push_back(nodes.size());
@@ -37,6 +39,7 @@ void ComposedSystem<dim>::build_structure() {
   structure_.size = numbering_.size();
   structure_.pattern = builder.build();
   for (const auto& term : terms_) term->map_to(structure_.pattern);
+  find_shared_entries();
   structure_.group = numbering_.node();
   structure_.row_scale = numbering_.row_scale();
   structure_.unknown_scale = numbering_.unknown_scale();
@@ -49,6 +52,22 @@ void ComposedSystem<dim>::build_structure() {
   structure_.coarsening = composition_->coarsening;
   for (int block : structure_.block)
     structure_.differential.push_back(structure_.blocks[block].role == Role::evolution);
+}
+
+/// The entries to which terms add that are not slow.
+template <int dim>
+void ComposedSystem<dim>::find_shared_entries() {
+  if (std::ranges::count(slow_, 1) == 0) return;
+  PatternBuilder builder(numbering_.size());
+  for (std::size_t k = 0; k < terms_.size(); ++k) {
+    if (slow_[k]) continue;
+    TermStructure part{.pattern = builder};
+    terms_[k]->declare(part);
+  }
+  const SparsePattern fast = builder.build();
+  for (int column = 0; column < fast.size(); ++column)
+    for (int k = fast.column_start[column]; k < fast.column_start[column + 1]; ++k)
+      shared_.push_back(structure_.pattern.find(fast.row_index[k], column));
 }
 
 template <int dim>
@@ -85,12 +104,78 @@ void ComposedSystem<dim>::residual(const Point& at, std::span<double> F) const {
     terms_[k]->add_residual(evaluation(at, values_, k), F);
 }
 
+namespace {
+
+/// Whether an unknown belongs to the displacement (1) or to the shape (2); otherwise 0.
+int motion(Role role) {
+  if (role == Role::stiffness) return 1;
+  return role == Role::extension || role == Role::evolution ? 2 : 0;
+}
+
+}  // namespace
+
+/// The largest change, from `y0` to `y`, of the difference of a displacement or shape between
+/// neighbours, divided by their distance: of the order of the relative change of the slow part.
+template <int dim>
+double ComposedSystem<dim>::change_of_strain(std::span<const double> y0,
+                                             std::span<const double> y) const {
+  const SparsePattern& pattern = structure_.pattern;
+  const auto place = [this](int i) { return structure_.position[structure_.group[i]]; };
+  double largest = 0;
+  for (int j = 0; j < pattern.size(); ++j) {
+    const int kind = motion(structure_.role(j));
+    if (kind == 0) continue;
+    const double change = y[j] - y0[j];
+    const std::array<double, 3> at = place(j);
+    for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k) {
+      const int i = pattern.row_index[k];
+      if (i <= j || structure_.component[i] != structure_.component[j] ||
+          motion(structure_.role(i)) != kind)
+        continue;
+      const double difference = y[i] - y0[i] - change;
+      const std::array<double, 3> other = place(i);
+      double square = 0;
+      for (int c = 0; c < dim; ++c) square += (other[c] - at[c]) * (other[c] - at[c]);
+      if (difference * difference > largest * square) largest = difference * difference / square;
+    }
+  }
+  return std::sqrt(largest);
+}
+
+/// Whether the slow part at hand serves at y. Where strains have changed by less than this, the
+/// counts of Newton iterations of whole runs do not change (docs/linear.md).
+template <int dim>
+bool ComposedSystem<dim>::serves(const SlowPart& slow, std::span<const double> y) const {
+  constexpr double most = 0.1;
+  return slow.known && change_of_strain(std::span(slow.values).subspan(shared_.size()), y) <= most;
+}
+
 template <int dim>
 void ComposedSystem<dim>::jacobian(const Point& at, double alpha, std::span<double> values) const {
   fill(at.y, time(at), within(at), values_);
-  std::fill(values.begin(), values.end(), 0.0);
-  for (std::size_t k = 0; k < terms_.size(); ++k)
-    terms_[k]->add_jacobian(evaluation(at, values_, k), alpha, values);
+  const auto add = [&](bool slow) {
+    for (std::size_t k = 0; k < terms_.size(); ++k)
+      if (slow_[k] == slow) terms_[k]->add_jacobian(evaluation(at, values_, k), alpha, values);
+  };
+  SlowPart* const slow = shared_.empty() ? nullptr : at.slow;
+  if (slow && serves(*slow, at.y)) {
+    for (std::size_t k = 0; k < shared_.size(); ++k) values[shared_[k]] = slow->values[k];
+  } else {
+    std::fill(values.begin(), values.end(), 0.0);
+    if (slow) slow->known = false;
+    add(true);
+    if (slow) keep(*slow, at.y, values);
+  }
+  add(false);
+}
+
+template <int dim>
+void ComposedSystem<dim>::keep(SlowPart& slow, std::span<const double> y,
+                               std::span<const double> values) const {
+  slow.values.clear();
+  for (int entry : shared_) slow.values.push_back(values[entry]);
+  slow.values.insert(slow.values.end(), y.begin(), y.end());
+  slow.known = true;
 }
 
 template <int dim>

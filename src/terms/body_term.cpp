@@ -14,6 +14,7 @@ BodyTerm<dim>::BodyTerm(const Mesh<dim>& mesh, const Material& material, const E
 template <int dim>
 void BodyTerm<dim>::declare(TermStructure& structure) const {
   cells_.add_to_pattern(structure.pattern);
+  structure.slow = dim == 3;  // in the plane assembly is cheap beside factors
 }
 
 template <int dim>

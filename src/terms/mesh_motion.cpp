@@ -102,6 +102,7 @@ template <int dim>
 void MeshMotion<dim>::declare(TermStructure& structure) const {
   section_ ? section_->cells.add_to_pattern(structure.pattern)
            : whole_->cells.add_to_pattern(structure.pattern);
+  structure.slow = dim == 3;  // in the plane assembly is cheap beside factors
 }
 
 template <int dim>

@@ -22,7 +22,7 @@ public:
 
 private:
   [[noreturn]] static void refuse() { throw std::logic_error("not needed here"); }
-  Structure structure_;
+  Structure structure_{.size = 1, .differential = {1}};
 };
 
 class Decay : public Model {

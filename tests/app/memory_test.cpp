@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/model/problem.hpp>
 
 #include "app/child.hpp"
@@ -32,13 +33,39 @@ protected:
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << scene;
     return 1024.0 * static_cast<double>(usage.ru_maxrss);
   }
-
-  static double estimate(const std::string& scene, const std::vector<std::string>& overrides) {
-    return estimated_memory(load_scene(problems + scene, overrides, key_table));
-  }
 };
 
-TEST_F(Memory, IsEstimatedWithinAFactorOfTwo) {
+/// Before the mesh exists.
+double by_keys(const std::string& scene, const std::vector<std::string>& overrides) {
+  return estimated_memory(load_scene(problems + scene, overrides, key_table));
+}
+
+double by_mesh(const std::string& scene, const std::vector<std::string>& overrides) {
+  return make_model(load_scene(problems + scene, overrides, key_table))->memory();
+}
+
+// 15 % where it was measured (docs/linear.md); other machines have other libraries.
+TEST_F(Memory, IsEstimatedWithinAQuarterInSpace) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer takes much more";
+#endif
+  std::vector<std::string> ball = {"mesh.elements=[11,4,5]"};
+  std::vector<std::string> flat_block = {"mesh.elements=[20,40,4]", "mesh.size=[0.06,0.04,0.2]",
+                                         "mesh.fine=[0,0,0]"};
+  for (const std::string preconditioner : {"factor", "multigrid"}) {
+    if (preconditioner == "multigrid" && !has_multigrid()) continue;
+    for (const auto& [scene, mesh] :
+         {std::pair("ball_on_flat/small_deformation.toml", ball),
+          std::pair("ball_on_half_space/small_deformation.toml", flat_block)}) {
+      std::vector<std::string> overrides = mesh;
+      overrides.push_back("solver.preconditioner=" + preconditioner);
+      const double told = by_mesh(scene, overrides), taken = peak(scene, overrides);
+      EXPECT_NEAR(told / taken, 1, 0.25) << scene << ' ' << preconditioner;
+    }
+  }
+}
+
+TEST_F(Memory, IsEstimatedByTheKeysWithinAFactorOfTwo) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "AddressSanitizer takes much more";
 #endif
@@ -51,7 +78,7 @@ TEST_F(Memory, IsEstimatedWithinAFactorOfTwo) {
       {"ball_on_half_space/small_deformation.toml",
        {"mesh.elements=[10,20,6]", "mesh.size=[0.06,0.06,0.06]", "mesh.fine=[0,0,0]"}}};
   for (const auto& [scene, overrides] : scenes) {
-    const double told = estimate(scene, overrides), taken = peak(scene, overrides);
+    const double told = by_keys(scene, overrides), taken = peak(scene, overrides);
     EXPECT_LT(told, 2 * taken) << scene;
     EXPECT_GT(told, taken / 2) << scene;
   }
@@ -77,7 +104,7 @@ TEST_F(Memory, TooLargeAMeshIsRefusedWithTheFigures) {
 }
 
 TEST_F(Memory, IsToldByCheck) {
-  EXPECT_THAT(gnomon({"check", test::pin}).out, HasSubstr("# a run takes about 33 MB of memory"));
+  EXPECT_THAT(gnomon({"check", test::pin}).out, HasSubstr("# a run takes about 45 MB of memory"));
   EXPECT_EQ(gnomon({"check", problems + "dahlquist/decay.toml"}).out.find("memory"),
             std::string::npos);
 }

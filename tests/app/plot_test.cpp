@@ -112,6 +112,12 @@ TEST_F(Plot, GeometryInThePlane) {
   EXPECT_EQ(std::system(("/usr/bin/python3 '" + tests + "' '" + tools + "'").c_str()), 0);
 }
 
+TEST_F(Plot, ErrorsAndWorkOfAStudy) {
+  const std::string tests = GNOMON_SOURCE_DIR "/tests/app/check_study.py";
+  const std::string tools = GNOMON_SOURCE_DIR "/tools/plot";
+  EXPECT_EQ(std::system(("/usr/bin/python3 '" + tests + "' '" + tools + "'").c_str()), 0);
+}
+
 // The pin's flat is in its result, where the pin touches it.
 TEST_F(Plot, TheCounterBodyIsInTheResult) {
   make_result("a.h5");

@@ -52,5 +52,63 @@ TEST(Groove, JacobianEqualsCentralDifferences) {
   check(groove_finite, block_mesh(2, 3, 2, 1), 0.01);
 }
 
+/// Jacobians of a coarse ball at a rough state, and a part of them that is kept.
+class SlowPartOfTheBall : public ::testing::Test {
+protected:
+  const std::unique_ptr<Model> model =
+      model_of(ball_finite, ball_mesh(2, 1, 1) + Overrides{"contact.radius=2"});
+  const System& system = model->system();
+  const Structure& structure = system.structure();
+  const std::vector<double> y = rough_state(*model, 0.01);
+  const std::vector<double> rest = std::vector<double>(structure.size);
+  SlowPart slow;
+  std::vector<double> J = jacobian(y, 0.2, nullptr, &slow);
+
+  std::vector<double> jacobian(const std::vector<double>& at, double alpha,
+                               const ActiveSet* branch = nullptr, SlowPart* kept = nullptr) const {
+    std::vector<double> values(structure.pattern.nonzeros());
+    system.jacobian({.y = at, .ydot = rest, .branch = branch, .slow = kept}, alpha, values);
+    return values;
+  }
+};
+
+TEST_F(SlowPartOfTheBall, LeavesBranchAndWeightOfTheRatesExact) {
+  EXPECT_TRUE(slow.known);
+  EXPECT_EQ(J, jacobian(y, 0.2));
+  ActiveSet other = active_set(system, 0, y);
+  for (char& closed : other) closed = !closed;
+  system.jacobian({.y = y, .ydot = rest, .branch = &other, .slow = &slow}, 0.7, J);
+  EXPECT_EQ(J, jacobian(y, 0.7, &other));
+}
+
+TEST_F(SlowPartOfTheBall, IsThatOfTheOldPointAndNothingElseIs) {
+  const std::vector<double> old = J;
+  std::vector<double> near = y;
+  for (double& value : near) value *= 1.01;
+  system.jacobian({.y = near, .ydot = rest, .slow = &slow}, 0.2, J);
+  const std::vector<double> exact = jacobian(near, 0.2);
+  long kept = 0, moved = 0;
+  for (int j = 0; j < structure.pattern.size(); ++j)
+    for (int k = structure.pattern.column_start[j]; k < structure.pattern.column_start[j + 1]; ++k)
+      if (const Role row = structure.role(structure.pattern.row_index[k]); row == Role::extension) {
+        EXPECT_EQ(J[k], old[k]);
+        kept += exact[k] != old[k];
+      } else if (row != Role::stiffness) {
+        EXPECT_EQ(J[k], exact[k]);
+        moved += exact[k] != old[k];
+      }
+  EXPECT_GT(kept, 0);
+  EXPECT_GT(moved, 0);
+}
+
+TEST_F(SlowPartOfTheBall, IsMadeAnewWhereStrainsHaveChanged) {
+  std::vector<double> stretched = y;
+  for (std::size_t i = 0; i < y.size(); ++i)
+    if (structure.role(i) == Role::stiffness)
+      stretched[i] += 0.2 * structure.position[structure.group[i]][structure.component[i]];
+  system.jacobian({.y = stretched, .ydot = rest, .slow = &slow}, 0.2, J);
+  EXPECT_EQ(J, jacobian(stretched, 0.2));
+}
+
 }  // namespace
 }  // namespace gnomon

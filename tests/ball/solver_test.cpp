@@ -1,6 +1,7 @@
 // Both linear solvers on the balls: friction, the rigid motion, the shape of a cross-section.
 
 #include <gnomon/linear/inner_solver.hpp>
+#include <gnomon/model/problem.hpp>
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
 
@@ -71,21 +72,56 @@ TEST(Groove, BlockSolverBearsThatNothingWears) {
   check(groove_small, block_mesh(6, 10, 4, 0.08) + Overrides{"friction.coefficient=0"}, 100);
 }
 
+Scene scene_of(const std::string& scene, const Overrides& overrides) {
+  return load_scene(std::string(GNOMON_SOURCE_DIR "/problems/") + scene, overrides, key_table);
+}
+
+LinearSolverChoice::Preconditioner chosen_for(const Mesh<3>& mesh, const Overrides& overrides) {
+  const Scene scene = scene_of(groove_small, overrides);
+  WornBody<3> body;
+  body.mesh = mesh;
+  body.contact.wear = read_wear_law(scene);
+  read_worn_body(scene, 0.1, body);
+  return body.solver.preconditioner;
+}
+
 TEST(Solver, LargeBodiesAskForMultigridUnlessToldOtherwise) {
   const auto chosen = [](std::size_t nodes, const Overrides& overrides) {
-    const Scene scene = load_scene(std::string(GNOMON_SOURCE_DIR "/problems/") + groove_small,
-                                   overrides, key_table);
-    WornBody<3> body;
-    body.mesh.nodes.resize(nodes);
-    body.contact.wear = read_wear_law(scene);
-    read_worn_body(scene, 0.1, body);
-    return body.solver.preconditioner;
+    Mesh<3> without_lines;
+    without_lines.nodes.resize(nodes);
+    return chosen_for(without_lines, overrides);
   };
   using enum LinearSolverChoice::Preconditioner;
   EXPECT_EQ(chosen(99'999, {}), factor);
   EXPECT_EQ(chosen(100'000, {}), has_multigrid() ? multigrid : factor);
   EXPECT_EQ(chosen(100'000, {"solver.preconditioner=factor"}), factor);
   EXPECT_EQ(chosen(10, {"solver.preconditioner=multigrid"}), multigrid);
+}
+
+TEST(Solver, AlongGridLinesSmallerBodiesAskForMultigrid) {
+  const auto chosen = [](int nx, int ny, int nz) {
+    const auto in_cube = [](double r, double s, double t) { return Vector<3>(r, s, t); };
+    return chosen_for(structured_hexahedra(nx, ny, nz, in_cube), {});
+  };
+  using enum LinearSolverChoice::Preconditioner;
+  EXPECT_EQ(chosen(31, 31, 31), factor);                                // 98,304 displacements
+  EXPECT_EQ(chosen(31, 31, 32), has_multigrid() ? multigrid : factor);  // 101,376
+}
+
+// The estimate of the memory needs the choice before there is a mesh.
+TEST(Solver, IsChosenByTheKeysAsByTheMesh) {
+  const auto chosen = [](const std::string& scene, const Overrides& overrides) {
+    const Scene keys = scene_of(scene, overrides);
+    return linear_solver_of(keys, Problems::find(keys.text("problem"), "").mesh_size(keys))
+        .preconditioner;
+  };
+  using enum LinearSolverChoice::Preconditioner;
+  const auto large = has_multigrid() ? multigrid : factor;
+  EXPECT_EQ(chosen(groove_small, {"mesh.elements=[30, 31, 31]"}), factor);
+  EXPECT_EQ(chosen(groove_small, {"mesh.elements=[32, 31, 31]"}), large);
+  EXPECT_EQ(chosen(ball_small, {}), factor);
+  EXPECT_EQ(chosen(ball_small, {"mesh.elements=[27, 9, 12]"}), large);
+  EXPECT_EQ(chosen("pin_on_flat/small_deformation.toml", {"mesh.elements=[400, 400]"}), factor);
 }
 
 }  // namespace

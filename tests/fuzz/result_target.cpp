@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/commands.hpp"
-#include "app/setup.hpp"
+#include <gnomon/run/setup.hpp>
 #include "fuzz/targets.hpp"
 
 namespace gnomon::fuzz {
@@ -19,7 +19,7 @@ void read_for_resuming(const std::filesystem::path& file) {
   const std::vector<HistoryRow> history = result.history();
   const std::vector<double> stored = result.stored_times();
   const Scene scene = parse_scene(result.header().scene, file.string(), {}, key_table);
-  app::check_run(scene);
+  check_run(scene);
   const std::vector<Checkpoint> checkpoints = result.checkpoints();
   for (const Checkpoint& checkpoint : checkpoints) {
     demand(checkpoint.rows >= 1 && checkpoint.rows <= std::ssize(history),
@@ -28,7 +28,7 @@ void read_for_resuming(const std::filesystem::path& file) {
            "the steps stored by a checkpoint are there");
   }
   if (checkpoints.empty() || !is_small(scene)) return;
-  state_at(checkpoints.back(), *app::set_up(scene).model);
+  state_at(checkpoints.back(), *set_up(scene).model);
 }
 
 void read_all_steps(const std::filesystem::path& file) {

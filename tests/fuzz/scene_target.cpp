@@ -1,7 +1,7 @@
 #include <gnomon/model/problem.hpp>
 #include <sstream>
 
-#include "app/setup.hpp"
+#include <gnomon/run/setup.hpp>
 #include "fuzz/targets.hpp"
 
 namespace gnomon::fuzz {
@@ -29,9 +29,9 @@ void scene(std::string_view bytes) {
   const std::string text(bytes);
   const Scene scene = parse_scene(text, "scene.toml", overrides_in(text), key_table);
   expect_resolved(scene);
-  app::check_run(scene);
+  check_run(scene);
   if (!is_small(scene)) return;
-  const app::Setup setup = app::set_up(scene);
+  const Setup setup = set_up(scene);
   expect_resolved(setup.scene);
   long unknowns = 0;
   for (const BlockSize& block : setup.model->blocks()) unknowns += block.size;

@@ -10,7 +10,7 @@
 namespace gnomon::fuzz {
 
 bool is_small(const Scene& scene) {
-  constexpr double bytes = 30e6;  // about 700 nodes in the plane, 200 in space
+  constexpr double bytes = 42e6;  // about 1,400 nodes in the plane, 200 in space
   constexpr long points = 1000;
   if (scene.text("problem") == "winkler") return scene.integer("foundation.points") <= points;
   return estimated_memory(scene) < bytes;

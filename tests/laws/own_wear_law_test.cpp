@@ -60,5 +60,23 @@ TEST(OwnWearLaw, KeepsTheJacobianExact) {
   check_jacobian(model->system(), 0, y, 0.2);
 }
 
+// Otherwise each would silently get the default of the first.
+TEST(OwnWearLaw, SharesAKeyOnlyWithTheSameDefault) {
+  const auto law = [](const std::string& name, double value) {
+    return WearLawKind{.name = name,
+                       .help = "",
+                       .keys = {{.name = "wear.shared",
+                                 .presence = Key::Presence::defaulted,
+                                 .default_value = value,
+                                 .help = ""}},
+                       .make = [](const Scene&) { return WearLaw(); }};
+  };
+  Registry<WearLawKind>::put(law("first", 1));
+  Registry<WearLawKind>::put(law("second", 2));
+  EXPECT_THROW(key_table("winkler"), RegistrationError);
+  Registry<WearLawKind>::put(law("second", 1));
+  EXPECT_NO_THROW(key_table("winkler"));
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -168,8 +168,8 @@ TEST(Multigrid, IterationsHardlyGrowWithTheMesh) {
     };
     const long coarse = iterations(8), fine = iterations(16);
     EXPECT_LE(coarse, most);
-    EXPECT_LE(fine, coarse + 4);
-  }
+    EXPECT_LE(fine, coarse + 6);  // wide aggregates on two levels: four more when nearly
+  }                               // incompressible, two more otherwise
   EXPECT_LE(pin_problem(40, 50, Preconditioner::multigrid).iterations(), 16);
 }
 
@@ -256,6 +256,19 @@ TEST(BlockSolver, GivesTheTrajectoriesOfTheDirectOne) {
     for (long i = 0; i < structure.size; ++i)
       EXPECT_NEAR(a.last().y[i], b.last().y[i], 1e-6 * structure.unknown_scale[i]);
   }
+}
+
+// A body so soft that the blocks neglect too much: where factors of the whole Jacobian are at hand,
+// slow blocks are tried twice only.
+TEST(BlockSolver, GivesWayToFactorsWhereItIsSlow) {
+  const auto counters = [](const char* method) {
+    const auto model = pin_model({elements(12), "body.young_modulus=3", method});
+    return run_model(*model, "esdirk-3", 0, 1e-6, 1000).counters;
+  };
+  const Counters direct = counters("solver.method=direct"), block = counters("solver.method=block");
+  EXPECT_GT(block.krylov_iterations, 0);
+  EXPECT_LT(block.krylov_iterations, 600);
+  EXPECT_LT(block.factorizations, direct.factorizations + 20);
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ TEST(QuarterBall, IsSound) {
   for (const QuarterBall& b : {ball(1, 1, 1), ball(4, 2, 3), ball(3, 4, 2)}) {
     const Mesh<3> mesh = quarter_ball(b);
     EXPECT_EQ(static_cast<int>(mesh.cells.size()), b.elements());
+    EXPECT_EQ(static_cast<int>(mesh.nodes.size()), b.nodes());
     expect_sound(mesh);
   }
 }

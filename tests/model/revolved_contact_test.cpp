@@ -99,8 +99,7 @@ std::array<double, 2> worn(NormalRule normal, ConstraintForm form) {
   const WearModel<2> model(body);
   Counters counters;
   State state = model.start(counters);
-  IntegratorSettings settings{.rtol = 1e-5, .scale = model.differential_scale(), .end = 1000};
-  settings.atol = settings.rtol * settings.scale;
+  IntegratorSettings settings = controlled_settings(model, 1e-5, 1000);
   settings.integrand = model.wear_flux();
   const auto stepper =
       Integrators::find("esdirk-4", "integrator").make(model.system(), settings, counters);

@@ -101,6 +101,40 @@ TEST(NewtonPolicy, PlansASetUpAgainWhereTheLastOneFailedOrIsForgotten) {
 }
 
 // Rounding: an acceptable residual that a fresh Jacobian does not halve.
+/// Whether the set-up planned at this iterate is whole.
+bool whole(NewtonPolicy& policy, double norm, const ActiveSet& branch) {
+  EXPECT_EQ(policy.judge({norm, branch}), Verdict::go_on) << norm;
+  const NewtonPolicy::Plan plan = policy.plan();
+  EXPECT_TRUE(plan.set_up) << norm;
+  policy.factors_made();
+  return plan.whole;
+}
+
+TEST(NewtonPolicy, BlamesTheOldSlowPartForSlowContractionOnOneBranchOnly) {
+  NewtonPolicy policy(modified_newton);
+  policy.begin();
+  EXPECT_FALSE(whole(policy, 1, {0}));
+  EXPECT_FALSE(whole(policy, 0.9, {1}));
+  EXPECT_TRUE(whole(policy, 0.8, {1}));
+}
+
+TEST(NewtonPolicy, AfterAFailureSetUpsAreWholeUntilASolveSucceeds) {
+  NewtonPolicy policy(modified_newton);
+  policy.forget_factors();
+  policy.begin();
+  EXPECT_TRUE(whole(policy, 1, {0}));
+  EXPECT_TRUE(whole(policy, 0.1, {1}));
+  EXPECT_EQ(policy.judge({1e-12, {1}}), Verdict::done);
+  policy.begin();
+  EXPECT_FALSE(whole(policy, 1, {0}));
+}
+
+TEST(NewtonPolicy, LateSetUpsAreWhole) {
+  NewtonPolicy policy(modified_newton);
+  policy.begin();
+  for (int k = 0; k < 12; ++k) EXPECT_EQ(whole(policy, 1, {char(k % 2)}), k >= 8) << k;
+}
+
 TEST(NewtonPolicy, AcceptsASmallResidualThatAFreshJacobianDoesNotHalve) {
   NewtonPolicy policy(modified_newton);
   policy.begin();

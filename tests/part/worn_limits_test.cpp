@@ -23,11 +23,7 @@ protected:
 /// The states at ascending times, by esdirk-3 with error control.
 std::vector<State> states_at(const Model& model, const std::vector<double>& times, double rtol) {
   Counters counters;
-  IntegratorSettings settings;
-  settings.rtol = rtol;
-  settings.scale = model.differential_scale();
-  settings.atol = rtol * settings.scale;
-  settings.end = times.back();
+  const IntegratorSettings settings = controlled_settings(model, rtol, times.back());
   State state = model.start(counters);
   const auto stepper =
       Integrators::find("esdirk-3", "integrator").make(model.system(), settings, counters);

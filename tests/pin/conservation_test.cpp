@@ -44,8 +44,7 @@ TEST(ConservativeNormal, HoldsOnDistortedMeshesAndHeldSides) {
 /// other.
 std::vector<double> heights(int n, const char* normal) {
   const auto model = pin_model({elements(n), std::string("wear.normal=") + normal});
-  IntegratorSettings settings{.rtol = 1e-5, .scale = model->differential_scale(), .end = 1000};
-  settings.atol = settings.rtol * settings.scale;
+  const IntegratorSettings settings = controlled_settings(*model, 1e-5, 1000);
   Counters counters;
   State state = model->start(counters);
   const auto stepper =

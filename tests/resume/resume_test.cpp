@@ -13,6 +13,7 @@ namespace gnomon {
 namespace {
 
 using test::bytes_of;
+using test::Cut;
 using test::expect_same;
 using test::Overrides;
 using test::resume;
@@ -48,10 +49,27 @@ TEST_P(OneStep, ResumedIsTheUninterruptedRunByteByByte) {
   const long steps = whole.counters.steps;
   for (const long cut : {1L, steps / 3, 2 * steps / 3, steps - 1}) {
     SCOPED_TRACE("cut after step " + std::to_string(cut));
-    run_scene(method.scene, method.overrides, file("cut"), cut);
+    run_scene(method.scene, method.overrides, file("cut"), cut, Cut::killed);
     ASSERT_EQ(resume(file("cut")), 0);
     expect_same(file("cut"), file("whole"));
   }
+}
+
+// The method restarts where the run was interrupted: the same steps to rounding, not bit for bit.
+TEST_P(OneStep, NoStepIsLostByAnInterruption) {
+  const Method& method = GetParam();
+  run_scene(method.scene, method.overrides, file("whole"));
+  const std::vector<HistoryRow> whole = ResultReader(file("whole")).history();
+  const long cut = long(whole.size()) / 2 - 1;
+  run_scene(method.scene, method.overrides, file("cut"), cut);
+  EXPECT_EQ(ResultReader(file("cut")).checkpoints().back().rows, cut + 1);
+  ASSERT_EQ(resume(file("cut")), 0);
+  const ResultReader resumed(file("cut"));
+  EXPECT_EQ(resumed.status(), "finished");
+  EXPECT_NEAR(double(resumed.history().size()), double(whole.size()), 2);
+  const double worn = observation_of(whole.back().scalars).worn_volume.value();
+  EXPECT_NEAR(observation_of(resumed.history().back().scalars).worn_volume.value(), worn,
+              1e-4 * worn);
 }
 
 const std::string dahlquist = "dahlquist/decay.toml";
@@ -65,6 +83,8 @@ INSTANTIATE_TEST_SUITE_P(
                coarse({"integrator.name=backward-euler", "integrator.rtol=1e-2"})},
         Method{"theta", pin, coarse({"integrator.name=theta", "integrator.rtol=1e-3"})},
         Method{"esdirk_3", pin, coarse({"integrator.name=esdirk-3", "integrator.rtol=1e-4"})},
+        Method{"esdirk_4_settled", pin,
+               coarse({"integrator.name=esdirk-4", "integrator.rtol=1e-2", "output.interval=7"})},
         Method{"sdirk_2", pin, coarse({"integrator.name=sdirk-2", "integrator.rtol=1e-3"})},
         Method{"esdirk_4_with_events", pin,
                coarse({"integrator.name=esdirk-4", "integrator.rtol=1e-4",
@@ -146,7 +166,7 @@ TEST_F(Resume, GoesOnToAMomentBehindWhatWasReached) {
 TEST_F(Resume, GoesOnFromBeforeAFailureWithAnotherTolerance) {
   const Overrides overrides = coarse({"integrator.name=esdirk-3", "integrator.rtol=1e-3"});
   {
-    const app::Setup setup = app::set_up(GNOMON_SOURCE_DIR "/problems/" + pin, overrides);
+    const gnomon::Setup setup = set_up(GNOMON_SOURCE_DIR "/problems/" + pin, overrides);
     Integrator fails = chosen_integrator(setup.scene);
     struct Stops : Stepper {
       std::unique_ptr<Stepper> inner;
@@ -165,7 +185,7 @@ TEST_F(Resume, GoesOnFromBeforeAFailureWithAnotherTolerance) {
       stepper->inner = make(system, settings, counters);
       return stepper;
     };
-    ResultWriter writer(file("r"), app::run_header(setup), setup.model->grid());
+    ResultWriter writer(file("r"), run_header(setup), setup.model->grid());
     const auto outcome = run(*setup.model, fails, integrator_settings(setup.scene, *setup.model),
                              store_policy(setup.scene), &writer, {});
     ASSERT_EQ(outcome.status, RunOutcome::Status::failed);
@@ -181,7 +201,7 @@ TEST_F(Resume, GoesOnFromBeforeAFailureWithAnotherTolerance) {
 TEST_F(Resume, AnEarlierEndOfTheContinuationLosesNothing) {
   Overrides overrides = coarse({"integrator.name=backward-euler", "integrator.step=5"});
   overrides[2] = "output.checkpoints=40";
-  run_scene(pin, overrides, file("r"), 20);
+  run_scene(pin, overrides, file("r"), 20, Cut::killed);
   const auto rows = static_cast<long>(ResultReader(file("r")).history().size());
   ASSERT_LT(ResultReader(file("r")).checkpoints().back().rows, rows);
   // As if it had been killed before its first step.
@@ -225,6 +245,52 @@ TEST_F(Resume, DoesNotReplaceAnEarlierSummary) {
   EXPECT_TRUE(is_summary(options.summary));
 }
 
+/// Continues a run of the pin as `gnomon resume` does, and interrupts it after one step.
+void one_more_step(const Overrides& overrides, const std::filesystem::path& file) {
+  const ResultReader earlier(file);
+  const gnomon::Setup setup = set_up(GNOMON_SOURCE_DIR "/problems/" + pin, overrides);
+  Resumption from;
+  from.checkpoint = earlier.checkpoints().back();
+  from.row = earlier.history().at(std::size_t(from.checkpoint.rows - 1));
+  from.stored = earlier.stored_times().at(std::size_t(from.checkpoint.stored - 1));
+  ResultWriter writer(file, run_header(setup), setup.model->grid(), Earlier::replaced, from.row.t);
+  std::vector<std::string> fields;
+  for (const GridField& field : setup.model->fields(state_at(from.checkpoint, *setup.model)))
+    fields.push_back(field.name);
+  copy_to_last_checkpoint(earlier, fields, writer);
+  bool stepped = false;
+  const RunHooks hooks{.on_step = [&](const HistoryRow&) { stepped = true; },
+                       .interrupted = [&] { return stepped; }};
+  run(*setup.model, chosen_integrator(setup.scene), integrator_settings(setup.scene, *setup.model),
+      store_policy(setup.scene), &writer, hooks, &from);
+}
+
+TEST_F(Resume, ARunOfOneStepAtATimeComesToItsEnd) {
+  const Overrides be = {"mesh.elements=[8,6]", "time.end=100", "integrator.name=backward-euler",
+                        "integrator.step=20", "output.checkpoints=0"};
+  run_scene(pin, be, file("whole"));
+  const std::vector<HistoryRow> whole = ResultReader(file("whole")).history();
+  run_scene(pin, be, file("slots"), 1);
+  for (std::size_t rows = 2; rows < whole.size(); ++rows) {
+    EXPECT_EQ(ResultReader(file("slots")).checkpoints().back().rows, long(rows));
+    one_more_step(be, file("slots"));
+  }
+  const std::vector<HistoryRow> slots = ResultReader(file("slots")).history();
+  ASSERT_EQ(slots.size(), whole.size());
+  const double worn = observation_of(whole.back().scalars).worn_volume.value();
+  EXPECT_NEAR(observation_of(slots.back().scalars).worn_volume.value(), worn, 1e-8 * worn);
+}
+
+TEST_F(Resume, BeginsAtTheStartWithoutACheckpoint) {
+  Overrides none = coarse({"integrator.name=backward-euler", "integrator.step=20"});
+  none[2] = "output.checkpoints=0";
+  run_scene(pin, none, file("whole"));
+  run_scene(pin, none, file("cut"), 6, Cut::killed);
+  ASSERT_TRUE(ResultReader(file("cut")).checkpoints().empty());
+  ASSERT_EQ(resume(file("cut")), 0);
+  expect_same(file("cut"), file("whole"));
+}
+
 TEST_F(Resume, RefusesInOneLine) {
   const Overrides be = {"integrator.name=backward-euler", "integrator.step=20"};
   run_scene(pin, coarse(be), file("r"), 6);
@@ -243,10 +309,6 @@ TEST_F(Resume, RefusesInOneLine) {
   refused("r", {"mesh.elements=[9,9]"}, {}, "resuming can change only");
   refused("r", {"mesh.element=[9,9]"}, {}, "did you mean");
   refused("r", {"output.times=[55.5, 56.5, 150]"}, {}, "got 56.5");
-  Overrides none = coarse(be);
-  none[2] = "output.checkpoints=0";
-  run_scene(pin, none, file("without"), 6);
-  refused("without", {}, {}, "holds no checkpoint");
   std::ofstream(file("foreign")) << "problem = \"pin_on_flat\"\n";
   refused("foreign", {}, {}, "it is not an HDF5 file");
   const int next = 2;
@@ -255,9 +317,9 @@ TEST_F(Resume, RefusesInOneLine) {
 }
 
 TEST_F(Resume, ARunThatIsStillGoingIsRefused) {
-  const app::Setup setup = app::set_up(GNOMON_SOURCE_DIR "/problems/" + pin,
-                                       coarse({"integrator.name=theta", "integrator.step=10"}));
-  ResultWriter writer(file("r"), app::run_header(setup), setup.model->grid());
+  const gnomon::Setup setup = set_up(GNOMON_SOURCE_DIR "/problems/" + pin,
+                                     coarse({"integrator.name=theta", "integrator.step=10"}));
+  ResultWriter writer(file("r"), run_header(setup), setup.model->grid());
   int tried = 0;
   const RunHooks hooks{.on_step = [&](const HistoryRow& row) {
     if (row.counters.steps != 10) return;

@@ -9,13 +9,13 @@
 #include <filesystem>
 #include <fstream>
 #include <gnomon/run/run.hpp>
+#include <gnomon/run/setup.hpp>
 #include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "app/commands.hpp"
-#include "app/setup.hpp"
 
 namespace gnomon::test {
 
@@ -44,18 +44,33 @@ private:
        std::to_string(getpid()));
 };
 
-/// Runs a scene in problems/ for a limited number of steps; then it ends as by Ctrl-C.
+/// How a run ends that is not to reach its end.
+enum class Cut {
+  interrupted,  ///< as by Ctrl-C
+  killed        ///< without another checkpoint, as by a kill
+};
+
+/// Runs a scene in problems/ for a limited number of steps.
 inline RunOutcome run_scene(const std::string& scene, const Overrides& overrides,
                             const std::filesystem::path& file,
-                            long most_steps = std::numeric_limits<long>::max()) {
-  const app::Setup setup = app::set_up(GNOMON_SOURCE_DIR "/problems/" + scene, overrides);
+                            long most_steps = std::numeric_limits<long>::max(),
+                            Cut cut = Cut::interrupted) {
+  const Setup setup = set_up(GNOMON_SOURCE_DIR "/problems/" + scene, overrides);
   const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
-  ResultWriter writer(file, app::run_header(setup), setup.model->grid(), Earlier::replaced);
+  ResultWriter writer(file, run_header(setup), setup.model->grid(), Earlier::replaced);
+  struct Killed : std::exception {};
   long steps = 0;
-  const RunHooks hooks{.on_step = [&](const HistoryRow& row) { steps = row.counters.steps; },
-                       .interrupted = [&] { return steps >= most_steps; }};
-  return run(*setup.model, chosen_integrator(setup.scene), settings, store_policy(setup.scene),
-             &writer, hooks);
+  RunHooks hooks{.on_step = [&](const HistoryRow& row) { steps = row.counters.steps; }};
+  hooks.interrupted = [&] {
+    if (steps >= most_steps && cut == Cut::killed) throw Killed();
+    return steps >= most_steps;
+  };
+  try {
+    return run(*setup.model, chosen_integrator(setup.scene), settings, store_policy(setup.scene),
+               &writer, hooks);
+  } catch (const Killed&) {
+    return {};
+  }
 }
 
 inline int resume(const std::filesystem::path& file, const Overrides& overrides = {},

@@ -104,6 +104,7 @@ const Case cases[] = {
      "body.young_modulus = \"soft\"\n",
      {"study.toml:5: key `set.body.young_modulus`: expected a number in [1e-30, 1e+30] [MPa]"}},
     {"OwnedKey", "integrator.step = 5.0\n", {"study.toml:5", "given by `method.steps`"}},
+    {"StoredSteps", "output.every = 1\n", {"study.toml:5", "given by the study itself"}},
     {"SweptValue",
      "[[sweep]]\nkey = \"mesh.elements\"\nvalues = [[8, 8], 8]\n",
      {"study.toml:7: key `sweep.values`: expected an array of 2 integers", "got 8"}},

@@ -5,11 +5,13 @@
 
 #include <chrono>
 #include <cmath>
+#include <gnomon/model/problem.hpp>
 #include <gnomon/results/surface_error.hpp>
 #include <gnomon/study/study.hpp>
 #include <thread>
 
 #include "results/hdf5_values.hpp"
+#include "study/declaration.hpp"
 #include "study/markup.hpp"
 #include "study/study_fixture.hpp"
 
@@ -92,6 +94,50 @@ TEST(Markup, SvgsShareAPage) {
   EXPECT_EQ(study::escaped("<a & \"b\">"), "&lt;a &amp; &quot;b&quot;&gt;");
 }
 
+Scene scene_of(const StudyRun& run) {
+  return parse_scene(run.scene, run.name, {}, key_table);
+}
+
+TEST_F(StudyRuns, CanDifferInSettling) {
+  write("study.toml", head() + method("bdf", "tolerances = [1e-2]") +
+                          method("bdf", "tolerances = [1e-2]",
+                                 "name = \"unsettled\"\nset.output.settle = false"));
+  const Study study = load_study(folder() / "study.toml");
+  const auto settles = [&](std::size_t point) {
+    return scene_of(study.runs[study.points[point].run]).flag("output.settle");
+  };
+  EXPECT_TRUE(settles(0));
+  EXPECT_FALSE(settles(1));
+}
+
+TEST(ShippedStudies, CanBeRead) {
+  int count = 0;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(GNOMON_SOURCE_DIR "/problems"))
+    if (entry.path().parent_path().filename() == "studies") {
+      EXPECT_NO_THROW(study::read_declaration(entry.path(), Impossible::refused)) << entry.path();
+      ++count;
+    }
+  EXPECT_GT(count, 10);
+}
+
+// As of the accuracy of Newton's method, by runs to rounding.
+TEST_F(StudyRuns, AReferenceMayBeTheSameForAllSweptValues) {
+  const std::string key = "integrator.nonlinear_fraction";
+  std::string text = head() + "[[sweep]]\nkey = \"" + key + "\"\nvalues = [0.01, 0.1]\n" +
+                     method("bdf", "tolerances = [1e-3]");
+  for (const char* integrator : {"esdirk-4", "bdf"})
+    text += std::string("[[reference]]\nintegrator = \"") + integrator +
+            "\"\ntolerance = 1e-5\nset." + key + " = 0.0\n";
+  write("study.toml", text);
+  const Study study = load_study(folder() / "study.toml");
+  ASSERT_THAT(study.sweep, SizeIs(2));
+  EXPECT_EQ(study.sweep[0].references, study.sweep[1].references);
+  for (const std::size_t run : study.sweep[0].references)
+    EXPECT_EQ(scene_of(study.runs[run]).real(key), 0);
+  EXPECT_EQ(scene_of(study.runs[study.points[1].run]).real(key), 0.1);
+}
+
 TEST_F(StudyRuns, MarksErrorsThatTheReferenceCannotResolve) {
   write("study.toml", head() + method("bdf", "tolerances = [1e-3]") + loose);
   const Outcome outcome = study();
@@ -137,6 +183,49 @@ TEST_F(StudyRuns, AClosedFormIsCalledExact) {
   EXPECT_THAT(page, HasSubstr("<td class=\"n\">exact</td>"));
   EXPECT_THAT(page, Not(HasSubstr("of another family")));
   EXPECT_THAT(page, Not(HasSubstr("marked cells")));
+}
+
+// The worn volume of a constant load is k F v t, whatever the pressure.
+TEST_F(StudyRuns, AParameterSweepNeedsNoMethodAndNoReference) {
+  write("study.toml", "reference = \"none\"\n" + head() + "wear.normal = \"conservative\"\n" +
+                          "[[sweep]]\nkey = \"load.force\"\nvalues = [10, 20]\n"
+                          "[[sweep]]\nkey = \"integrator.events\"\nvalues = [\"ignore\"]\n");
+  const Outcome outcome = study();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("worn_volume [mm^2]"), Not(HasSubstr("shape error"))));
+  EXPECT_THAT(outcome.err, HasSubstr("2 runs, 0 done already"));  // no references
+  const auto rows = this->rows();
+  ASSERT_THAT(rows, SizeIs(2));
+  for (const Row& row : rows) {
+    const double force = std::stod(row.at("load.force"));
+    const double worn = std::stod(row.at("worn_volume"));
+    EXPECT_NEAR(worn, 1e-7 * force * 1000 * 100, 1e-4 * worn);
+    EXPECT_NEAR(std::stod(row.at("worn_volume")) - std::stod(row.at("wear_integral")),
+                std::stod(row.at("wear_difference")), 1e-12);
+    EXPECT_GT(std::stod(row.at("max_pressure")), 0);
+    EXPECT_EQ(row.at("reference"), "none");
+    EXPECT_EQ(row.at("shape_error"), "");
+    EXPECT_EQ(row.at("marked"), "0");
+    EXPECT_EQ(row.at("integrator.events"), "ignore");
+  }
+  EXPECT_EQ(rows[1].at("load.force"), "20");
+  EXPECT_THAT(test::read_text(folder() / "out/index.html"),
+              AllOf(HasSubstr("worn_volume"), Not(HasSubstr("References"))));
+}
+
+TEST_F(StudyRuns, WithoutAReferenceThereIsNoOther) {
+  const auto refused = [&](const std::string& text, const std::string& reason) {
+    write("study.toml", "reference = \"none\"\n" + head() + text);
+    const Outcome outcome = study();
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr(reason));
+  };
+  refused(loose, "study.toml:6: not valid TOML");  // two meanings of `reference`
+  refused(method("bdf", "tolerances = [1e-3]") +
+              "[self_reference]\nmethod = \"bdf\"\ntolerance = 1e-6\n",
+          "expected no self-reference with reference = \"none\"");
+  write("study.toml", "reference = \"some\"\n" + head());
+  EXPECT_THAT(study().err, HasSubstr("study.toml:1: key `reference`: expected \"none\""));
 }
 
 TEST_F(StudyRuns, FailuresStayInTheTableWithTheirReason) {
@@ -238,7 +327,8 @@ TEST_P(Ended, AStudyGoesOnWhereItWas) {
       head() + method("backward-euler", "steps = [50]", "name = \"a\"") + loose;
   write("study.toml", quick + method("backward-euler", "steps = [0.0005]"));
   const pid_t child = start({"study", "study.toml", "-o", "out", "--jobs", "1"});
-  const auto last = folder() / "out/runs/backward-euler__step-0.0005.h5";
+  const std::string name = "backward-euler__step-0.0005";
+  const auto last = folder() / "out/tries" / name / "1" / (name + ".h5");
   for (int i = 0; i < 3000 && !std::filesystem::exists(last); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   kill(child, GetParam());

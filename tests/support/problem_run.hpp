@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 #include <gnomon/integrators/integrator.hpp>
+#include <gnomon/model/controlled_settings.hpp>
 #include <gnomon/model/problem.hpp>
 #include <memory>
 #include <string>
@@ -46,12 +47,8 @@ inline ModelRun run_model(const Model& model, const std::string& integrator, dou
                           double nonlinear_fraction = 0.01) {
   ModelRun run;
   run.states.push_back(model.start(run.counters));
-  IntegratorSettings settings;
+  IntegratorSettings settings = controlled_settings(model, tolerance, end);
   settings.step = step;
-  settings.rtol = tolerance;
-  settings.scale = model.differential_scale();
-  settings.atol = tolerance * settings.scale;
-  settings.end = end;
   settings.nonlinear_fraction = nonlinear_fraction;
   settings.locate_events = locate_events;
   const auto stepper =

@@ -29,8 +29,8 @@ namespace gnomon {
 ///
 /// Integral: h sum b_i g_i, where g_i is the integrand at stage i.
 ///
-/// A step that settles (AttemptOptions::settles) is one of the implicit Euler method, which damps
-/// stiff components at once.
+/// A step that settles (AttemptOptions::settles) is two steps of the implicit Euler method, which
+/// damps stiff components at once.
 class DiagonallyImplicit : public OneStepMethod {
 public:
   DiagonallyImplicit(const System& system, const IntegratorSettings& settings, Counters& counters,
@@ -44,9 +44,8 @@ public:
 
 private:
   using Rates = std::vector<double>;  // one entry per differential component
-  Attempt settle(const State& from, double h, const AttemptOptions& options, State& to);
-  std::string solve_stage(int i, const State& from, double h, const AttemptOptions& options,
-                          State& to);
+  std::string solve_stage(const ButcherTable& table, int i, const State& from, double h,
+                          const AttemptOptions& options, State& to);
   NewtonReport solve(double t, double step, const Rates& base, const State& from,
                      const AttemptOptions& options, State& to);
   std::string continue_in_step(double t, double step, const Rates& base, const State& from,
@@ -54,7 +53,7 @@ private:
   void set_rates_of(double step, const Rates& base, std::span<const double> y,
                     std::span<double> ydot) const;
   Attempt project(State& state, const ActiveSet* branch);
-  double estimate(const State& from, double h, const State& to);
+  double estimate(const ButcherTable& table, const State& from, double h, const State& to);
   AlgebraicSolver& algebraic();
 
   const System& system_;
@@ -65,6 +64,7 @@ private:
   bool error_control_;
   double short_step_;  // below it a difference of d over the step has fewer than ten digits
   NewtonSolver newton_;
+  SlowPart slow_;  // of its Jacobian
   std::optional<AlgebraicSolver> algebraic_;  // made when first needed
   DenseOutput dense_output_;
   std::vector<Rates> k_;

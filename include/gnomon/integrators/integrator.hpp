@@ -29,8 +29,9 @@ struct IntegratorSettings {
   bool stop_unstable = false;  ///< end runs whose fixed steps do not damp
   int max_order = 5;           ///< upper bound on the order of a variable-order method
   double end = 0;              ///< time at which the run ends [time]
-  /// Times, ascending, at which the algebraic components shall be accurate too: implicit steps that
-  /// follow the error end there with two short ones (settling_stop in stop_times.hpp).
+  /// Times, ascending, at which the algebraic components shall be accurate too: where a node has
+  /// just closed, steps that follow the error end there with two short ones (Settling in
+  /// stop_times.hpp). Only for integrators that settle (Integrator::settles).
   std::vector<double> settled{};
   /// The integrand of StepReport::integral, at a consistent point of the system including ydot [any
   /// unit]. Empty: nothing is integrated. It has a value wherever the residual has one; its
@@ -80,6 +81,9 @@ struct Integrator {
   std::string help;            ///< one line, with the source (equation or reference)
   bool fixed_steps = true;     ///< accepts integrator.step
   bool locates_events = true;  ///< accepts integrator.events = "locate"
+  /// Its short steps damp errors of the algebraic components (IntegratorSettings::settled). An
+  /// explicit method solves for them anew in every step, so there is nothing to settle.
+  bool settles = true;
   /// A new, restored stepper continues exactly as the old one would; otherwise it begins at order
   /// one.
   bool one_step = true;

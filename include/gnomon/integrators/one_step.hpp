@@ -21,8 +21,8 @@ struct AttemptOptions {
   const ActiveSet* branch = nullptr;  ///< smooth branch to stay on (Point::branch); null: that of y
   bool continuation = false;  ///< if Newton's method fails, solve by continuation in the step
   bool to_rounding = false;   ///< without regard to IntegratorSettings::nonlinear_fraction
-  /// A short step that settles the algebraic components, without an error estimate. A method that
-  /// has no such step takes its own.
+  /// A short step that settles the algebraic components. Asked only of the methods of integrators
+  /// that settle (Integrator::settles).
   bool settles = false;
 };
 

@@ -1,6 +1,7 @@
 // Drives a one-step method: fixed steps or steps that follow the error, halving, located events.
 #pragma once
 
+#include <gnomon/integrators/closings.hpp>
 #include <gnomon/integrators/event_location.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/integrators/one_step.hpp>
@@ -31,14 +32,23 @@ private:
     double target;
     bool lands;  // the step ends on the target
   };
+  struct Step {
+    Plan plan;
+    Landing landing;
+    bool settles = false;  // by short steps
+    bool lands() const { return plan.lands && landing.h == plan.h; }
+  };
   void begin(const State& state);
   Plan plan(const State& state, double t_stop, double h) const;
-  bool settle(State& state, double t_end, StepAccount& account, StepReport& report);
+  Step next_step(const State& state, double t_stop, StepAccount& account);
+  Step ordinary_step(const State& state, double t_stop, StepAccount& account);
+  std::optional<Step> short_step(const State& state, double t_end);
+  ActiveSet active(const State& state) const;
   Landing take(const State& state, const Plan& plan, AttemptOptions options);
   Landing step_over(const State& state, const Plan& plan, const AttemptOptions& options);
   bool acceptable(const Attempt& attempt) const;
-  void accept(State& state, const Plan& plan, const Landing& landing);
-  StepReport report(const Landing& landing, int order, StepAccount& account) const;
+  void accept(State& state, const Step& step);
+  StepReport report(const Step& step, StepAccount& account) const;
   void begin_behind_kink(State& state, const Landing& landing) const;
   double after_success(const Plan& plan, const Landing& landing);
   bool fixed() const { return settings_.step > 0; }
@@ -51,6 +61,7 @@ private:
   StepSizeControl control_;
   int error_order_;
   std::optional<EventLocator> locator_;
+  std::optional<Closings> closings_;  // only with settled times
   bool begun_ = false;
   double proposal_ = 0;  // size of the next step
   State next_;           // end of the last attempt

@@ -4,6 +4,7 @@
 
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/system/system.hpp>
+#include <optional>
 
 namespace gnomon {
 
@@ -20,19 +21,30 @@ double end_of_fixed_step(double t, double step, double t_stop);
 /// The latest end of a step from t: the next breakpoint (Structure::breakpoints) before t_stop,
 /// otherwise t_stop.
 double end_of_smooth_part(const Structure& structure, double t, double t_stop);
-/// The latest end of a step from t, and whether it is one of the short ones that settle.
-struct SettlingStop {
-  double t;
-  bool settles;
-};
-/// Two short steps of one size lead to each time of IntegratorSettings::settled, and a step before
-/// them ends where they begin. In a stiff body an error of the shape far below its tolerance makes
-/// a large error of the pressures: where nodes have come into contact within a step, and by the
+
+/// The interval before a time of IntegratorSettings::settled in which pressures settle, by two
+/// short steps of one size. In a stiff body an error of the shape far below its tolerance makes a
+/// large error of the pressures: at nodes that have come into contact within a step, and by the
 /// order of the stages (order reduction). Such an error decays within the time in which wear evens
 /// out the pressures. The first short step is long beside that time, so that it removes the error,
 /// and short beside the solution, so that its own is small; the second removes what the first has
 /// left.
-SettlingStop settling_stop(const IntegratorSettings& settings, double t, double t_stop);
+struct Settling {
+  double begin, end;
+  double middle() const { return (begin + end) / 2; }
+  /// Times that differ by rounding are equal.
+  bool before(double t) const { return t < begin - rounding(); }
+  bool in_first_step(double t) const { return t < middle() - rounding(); }
+
+private:
+  double rounding() const { return 1e-9 * (end - begin); }
+};
+
+/// That before the next settled time after t. None with fixed steps, where it would be too short,
+/// and where it would contain a breakpoint: the load must not change quickly in so long a step of
+/// the first order.
+std::optional<Settling> next_settling(const Structure& structure,
+                                      const IntegratorSettings& settings, double t);
 
 /// Whether F may have a kink in time at t, on which a step has ended.
 bool is_breakpoint(const Structure& structure, double t);

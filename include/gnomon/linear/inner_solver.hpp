@@ -48,6 +48,10 @@ struct FactorSizes {
 std::unique_ptr<InnerSolver> make_factor_solver(const StiffnessLayout& layout,
                                                 const FactorSizes& sizes = {});
 
+/// Entries of the factors of a symmetric matrix on this pattern, ordered in the same way; only
+/// counted.
+double factor_entries(const SparsePattern& pattern);
+
 /// Whether gnomon was built with PETSc.
 bool has_multigrid();
 

@@ -18,6 +18,12 @@ struct QuarterBall {
 
   /// 2 across^2 (height + layers) + 4 across height layers.
   int elements() const { return 2 * across * (across * (height + layers) + 2 * height * layers); }
+  /// Those of the core's skin, which the layers repeat, are (2 across + 1) (across + 1) at the
+  /// bottom and 4 across + 1 above each other.
+  int nodes() const {
+    const int bottom = (2 * across + 1) * (across + 1);
+    return bottom * (height + 1) + (bottom + (4 * across + 1) * height) * layers;
+  }
 };
 
 /// The ball touches z = 0 at the origin; its centre is (0, 0, R). The mesh is the part y >= 0, z <=

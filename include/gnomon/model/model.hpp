@@ -72,6 +72,8 @@ public:
   virtual std::vector<BlockSize> blocks() const = 0;
   /// What was repaired, chosen or is doubtful in what the scene gives, in sentences for the user.
   virtual std::vector<std::string> remarks() const { return {}; }
+  /// Estimate of the peak memory of a run [bytes]; 0: there is none.
+  virtual double memory() const { return 0; }
   /// Consistent state at t = 0. Throws SolutionError with the reason if there is none.
   virtual State start(Counters& counters) const = 0;
   /// The observation of a state; its members and `others` are always the same.

@@ -35,9 +35,6 @@ using Problems = Registry<Problem>;
 /// Memory that a run of the scene will take [bytes]; 0 for a problem without a mesh.
 double estimated_memory(const Scene& scene);
 
-/// Throws InputError where a run on such a mesh would need more memory than is available.
-void require_memory(const Scene& scene, const MeshSize& mesh);
-
 /// The model of a scene. Throws InputError like make(), and, before anything is allocated, if a run
 /// would need more memory than is available.
 std::unique_ptr<Model> make_model(const Scene& scene);

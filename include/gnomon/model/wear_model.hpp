@@ -16,6 +16,7 @@ public:
   const ComposedSystem<dim>& system() const override { return system_; }
   std::vector<BlockSize> blocks() const override;
   std::vector<std::string> remarks() const override { return body().remarks; }
+  double memory() const override { return body().memory; }
   /// Equilibrium at the initial shape by a load ramp (rows 1-2 of the system, shape frozen). The
   /// SolutionError names the largest fraction of the load with an equilibrium.
   State start(Counters& counters) const override;

@@ -97,6 +97,7 @@ struct WornBody {
   std::vector<AddedTermFactory<dim>> added_terms;
   Scales scales;
   LinearSolverChoice solver;
+  double memory = 0;  ///< Model::memory()
 
   /// Projector on the directions in which the shape of a node may move.
   Tensor<dim> shape_free(int node) const {

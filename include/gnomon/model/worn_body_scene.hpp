@@ -12,7 +12,7 @@ namespace gnomon {
 /// Fills in the values of worn_body_keys(): materials, element, load history, wear, contact and the
 /// form of the shape constraint; moves the counter-body away by the initial gap. `facet` is a
 /// typical length of a contact facet; body.mesh, body.scales and the counter-body, touching the
-/// body, must be given. Throws InputError like read_load_history().
+/// body, must be given. Throws InputError like read_load_history() and require_memory().
 template <int dim>
 void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body);
 
@@ -40,6 +40,9 @@ double load_impulse(const Scene& scene);
 
 /// The choice by the `solver.*` keys and the size of the mesh.
 LinearSolverChoice linear_solver_of(const Scene& scene, const MeshSize& mesh);
+
+/// Throws InputError where a run needs more memory [bytes] than is available.
+void require_memory(const Scene& scene, double needed);
 
 /// Nodal dead loads of a uniform traction on a boundary part: its integral over the part is
 /// `resultant` [force; per thickness of a plane body; of a body of revolution the part's area is

@@ -42,10 +42,11 @@ struct Checkpoint {
   std::vector<double> numbers;  ///< made and read by the run loop; their count is constant
 };
 
-/// Writes a result step by step. When a call has returned, its data are in the file, and every HDF5
-/// reader can open the file even if this process is killed at any later instant, also during a
-/// write (docs/results.md explains why). A call that cannot write throws Error; the file then keeps
-/// everything up to the previous call, and later calls throw as well.
+/// Writes a result step by step. Several threads may each use their own writers and readers. When a
+/// call has returned, its data are in the file, and every HDF5 reader can open the file even if
+/// this process is killed at any later instant, also during a write (docs/results.md explains why).
+/// A call that cannot write throws Error; the file then keeps everything up to the previous call,
+/// and later calls throw as well.
 class ResultWriter {
 public:
   /// Creates the file and its sidecar (same name, .xdmf). Earlier ones are refused, or replaced by

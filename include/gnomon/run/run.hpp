@@ -20,8 +20,9 @@ struct StorePolicy {
   bool last = true;            ///< at the end of the run
   bool settle = false;         ///< with settled pressures (IntegratorSettings::settled)
   /// A checkpoint (Checkpoint) is written at the start, at the end, and after the step with which
-  /// this many steps and Newton iterations have been made since the last; 0: none. A one-step
-  /// method restarts there, so that a run that continues from it takes the same steps.
+  /// this many steps and Newton iterations have been made since the last; 0: none of these. A
+  /// one-step method restarts there, so that a run that continues from it takes the same steps. A
+  /// run that is interrupted (RunHooks) always writes one where it ends.
   long checkpoint_work = 0;
 };
 
@@ -64,6 +65,8 @@ struct RunOutcome {
 struct RunHooks {
   /// Called after the start and after every step.
   std::function<void(const HistoryRow&)> on_step = [](const HistoryRow&) {};
+  /// Called with the state before each of these calls.
+  std::function<void(const State&)> on_state = [](const State&) {};
   /// Called with each of RunOutcome::warnings when it arises.
   std::function<void(const std::string&)> on_warning = [](const std::string&) {};
   /// Called after the start and after every step; true ends the run there.

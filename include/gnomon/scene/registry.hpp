@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/scene/scene.hpp>
+#include <list>
+#include <memory>
 #include <string>
+#include <typeinfo>
 #include <vector>
 
 namespace gnomon {
@@ -15,12 +18,16 @@ struct RegistrationError : Error {
   using Error::Error;
 };
 
+/// What is registered of a type, by the name of the type: in the library, so that it is the same in
+/// programs and plug-ins that hide their own symbols. Empty at first.
+std::shared_ptr<void>& registered_of_type(const char* type);
+
 /// All registered values of type T, sorted by name. T has a member `std::string name`. Members
 /// throw RegistrationError after two registrations of one name.
 template <class T>
 class Registry {
 public:
-  static const std::vector<T>& all() {
+  static const std::list<T>& all() {
     if (!twice().empty()) refuse(twice());
     return entries();
   }
@@ -47,6 +54,16 @@ public:
     list.insert(place, std::move(entry));
   }
 
+  /// As add(), but it takes the place of an entry of that name.
+  static void put(T entry) {
+    for (T& earlier : entries())
+      if (earlier.name == entry.name) {
+        earlier = std::move(entry);
+        return;
+      }
+    add(std::move(entry));
+  }
+
   /// As add(), but the error is thrown by the first use, where it can be caught and told.
   static void add_statically(T entry) {
     const std::string name = entry.name;
@@ -62,15 +79,20 @@ private:
     throw RegistrationError("\"" + name +
                             "\" is registered twice, expected another name for one of the two");
   }
-  /// A name that was registered twice.
-  static std::string& twice() {
-    static std::string name;
-    return name;
+  struct Kept {
+    std::list<T> entries;  // what it holds stays where it is
+    std::string twice;     // a name that was registered twice
+  };
+  static Kept& kept() {
+    static Kept* const found = [] {
+      std::shared_ptr<void>& things = registered_of_type(typeid(T).name());
+      if (!things) things = std::make_shared<Kept>();
+      return static_cast<Kept*>(things.get());
+    }();
+    return *found;
   }
-  static std::vector<T>& entries() {
-    static std::vector<T> list;  // function-local: safe to fill during static initialisation
-    return list;
-  }
+  static std::string& twice() { return kept().twice; }
+  static std::list<T>& entries() { return kept().entries; }
 };
 
 /// `const Registration<Integrator> registration{ {.name = ...} };` at namespace scope.

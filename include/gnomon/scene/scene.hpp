@@ -57,11 +57,12 @@ struct Key {
   std::string help{};                  ///< one line
 };
 
-/// Keys that every scene has, for every problem: `problem`, `time.*`, `integrator.*`, `output.*`.
+/// Keys that every scene has, for every problem: `problem` and those of the tables `time`,
+/// `integrator` and `output`.
 const std::vector<Key>& run_keys();
 
-/// Keys shared by problems of a worn hyperelastic body: `body.*`, `load.*`, `wear.*`, `shape.*`,
-/// `solver.*`, `contact.*`, `friction.*`. A problem adds its own geometry and mesh keys.
+/// Keys shared by problems of a worn hyperelastic body: those of the tables `body`, `load`, `wear`,
+/// `shape`, `solver`, `contact` and `friction`. A problem adds its own geometry and mesh keys.
 const std::vector<Key>& worn_body_keys(int dim);
 
 /// A validated scene. Every key of its table either has a value or is an absent optional key.
@@ -133,7 +134,8 @@ Scene load_scene(const std::filesystem::path& file, const std::vector<std::strin
 
 /// The same from TOML text in memory; `name` stands for the file in messages.
 Scene parse_scene(const std::string& text, const std::string& name,
-                  const std::vector<std::string>& overrides, const KeyTableOf& table_of);
+                  const std::vector<std::string>& overrides, const KeyTableOf& table_of,
+                  Mistakes* mistakes = nullptr);
 
 /// The help text of a key table, aligned for a terminal.
 std::string describe_keys(const std::vector<Key>& table);

@@ -24,7 +24,7 @@ struct StudySetting {
 struct StudyRun {
   std::string name;   ///< stem of its files in runs/
   std::string title;  ///< "bdf rtol 1e-09"
-  Scene scene;
+  std::string scene;  ///< its resolved text
   /// "key=value", given to the program in addition to the scene: values that no valid scene can
   /// contain (Impossible::kept).
   std::vector<std::string> overrides{};
@@ -32,10 +32,11 @@ struct StudyRun {
 
 /// One combination of the swept values.
 struct SweepPoint {
-  std::string label;                    ///< "body.young_modulus=20"; empty without a sweep
+  std::string label;  ///< "body.young_modulus=20"; empty without a sweep
+  std::vector<std::pair<std::string, std::string>> values;  ///< keys and values: "20", "20x40"
   std::vector<double> times;            ///< at which errors are measured; the last: time.end
   std::vector<ContactSurface> exact;    ///< closed form at these times, if there is one
-  std::vector<std::size_t> references;  ///< runs; empty with a closed form
+  std::vector<std::size_t> references;  ///< runs; empty with a closed form, or uncompared
   bool has_closed_form() const { return !exact.empty(); }
   std::optional<std::size_t> self_reference;
 };
@@ -56,6 +57,7 @@ struct Study {
   std::filesystem::path scene;
   std::string text;            ///< of the file
   std::string self_reference;  ///< "backward-euler step 0.78125"; empty if there is none
+  bool compared = true;        ///< false: without references, no errors (reference = "none")
   std::vector<SweepPoint> sweep;
   std::vector<StudyPoint> points;
   std::vector<StudyRun> runs;  ///< of points and references; equal scenes are one run
@@ -80,6 +82,8 @@ struct StudyOptions {
   int jobs = 1;                   ///< processes at the same time
   bool resume = false;            ///< keep finished runs in an existing folder
   double limit = 0;               ///< wall time after which a run is killed [s]; 0: no limit
+  /// Wall time without a sign of life after which another process has lost its run [s].
+  double lost_after = 120;
 };
 
 /// How a process ended.
@@ -92,10 +96,11 @@ struct ProcessEnd {
 };
 
 struct StudyProgress {
-  std::size_t total = 0;   ///< runs
+  std::size_t total = 0;   ///< runs to do
   std::size_t kept = 0;    ///< done by an earlier call
   std::size_t done = 0;    ///< including kept ones
   std::size_t failed = 0;  ///< part of the done ones
+  std::size_t others = 0;  ///< left to other processes that are doing them
   std::string ended;       ///< name of the run that has just ended, if any
   std::string reason;      ///< why it failed, if it failed
 };
@@ -106,11 +111,30 @@ struct StudyHooks {
   std::function<bool()> interrupted = [] { return false; };
 };
 
-/// Does the runs that are not done yet; every run writes its files to FOLDER/runs. Throws
-/// InputError for a folder that exists (unless resuming), is not that of a study, holds a study of
-/// another name, or is in use. Returns the progress at the end, which is incomplete after an
-/// interruption.
+/// Makes the folder of a study, with the scenes of all its runs. Throws InputError for a folder
+/// that exists (unless `resume`), is not that of a study, holds a study of another name, or is in
+/// use.
+void plan_study(const Study& study, const std::filesystem::path& folder, bool resume);
+
+/// Plans the study and does the runs that are not done yet; every run has its files in FOLDER/runs.
+/// Several processes may do the runs of a study, on machines that share the folder: no run is done
+/// twice at a time, and one that another process does is waited for. Throws as plan_study().
+/// Returns the progress at the end, which is incomplete after an interruption: the runs are then
+/// continued by the next call where they are.
 StudyProgress run_study(const Study& study, const StudyOptions& options, const StudyHooks& hooks);
+
+/// Does some of the runs of a planned study, given by their index; leaves those that others do.
+StudyProgress run_planned(const Study& study, const std::vector<std::size_t>& runs,
+                          const StudyOptions& options, const StudyHooks& hooks);
+
+/// The study that was planned in this folder, without the scenes of its runs and without closed
+/// forms. Throws InputError.
+Study read_plan(const std::filesystem::path& folder);
+/// All of it.
+Study read_whole_plan(const std::filesystem::path& folder);
+
+/// The runs of a study with its scenes that are not done, in the order in which they are best done.
+std::vector<std::size_t> missing_runs(const Study& study, const std::filesystem::path& folder);
 
 /// Whether the folder contains the results of a study.
 bool holds_study(const std::filesystem::path& folder);
@@ -119,7 +143,7 @@ bool holds_study(const std::filesystem::path& folder);
 struct StudyRow {
   StudyPoint point;
   std::string sweep;
-  std::string status;                      ///< "finished", "failed"
+  std::string status;                      ///< "finished", "failed", "missing"
   std::string reason;                      ///< of a failure
   std::optional<double> shape_error;       ///< at the end [length]
   std::optional<double> shape_error_max;   ///< largest at the measured times [length]
@@ -129,6 +153,7 @@ struct StudyRow {
       false;  ///< below ten times the error of the reference, or the latter is unknown
   bool marked_max = false;
   bool marked_pressure = false;
+  std::vector<Scalar> observed;  ///< at the end of a finished run: worn volume, pressure, ...
   std::optional<Counters> counters;
   std::optional<double> wall_seconds;    ///< of the run itself
   std::optional<double> cpu_seconds;     ///< of its process, user and system

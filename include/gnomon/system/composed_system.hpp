@@ -64,6 +64,10 @@ public:
 
 private:
   void build_structure();
+  void find_shared_entries();
+  double change_of_strain(std::span<const double> y0, std::span<const double> y) const;
+  bool serves(const SlowPart& slow, std::span<const double> y) const;
+  void keep(SlowPart& slow, std::span<const double> y, std::span<const double> values) const;
   /// Values of all fields at y, and those that are prescribed at t on the smooth part of `within`.
   void fill(std::span<const double> y, double t, double within, FieldValues<dim>& values) const;
   double time(const Point& at) const { return frozen_time_.value_or(at.t); }
@@ -73,6 +77,8 @@ private:
   Numbering numbering_;
   std::vector<std::unique_ptr<Term<dim>>> terms_;
   std::vector<std::size_t> first_switch_;  // of each term, and last their total number
+  std::vector<char> slow_;                 // 1 for each term whose derivatives are slow
+  std::vector<int> shared_;                // entries of J to which terms add that are not slow
   Structure structure_;
   std::optional<double> frozen_time_;
   double load_fraction_ = 1;

@@ -18,6 +18,10 @@ struct LinearSolverChoice {
   /// Whether factors of the whole Jacobian solve a system with which `block` fails, as where the
   /// stiffness is not positive definite. In the plane they are affordable.
   bool direct_at_failure = false;
+
+  bool uses_factors() const {
+    return method == Method::direct || preconditioner == Preconditioner::factor;
+  }
 };
 
 }  // namespace gnomon

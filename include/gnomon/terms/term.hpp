@@ -16,6 +16,7 @@ struct TermStructure {
   PatternBuilder& pattern;               ///< of J
   std::vector<int> switch_node = {};     ///< mesh node of each switching function of the term
   std::vector<double> breakpoints = {};  ///< times at which the term may have a kink in t
+  bool slow = false;  ///< its derivatives change slowly and are expensive (SlowPart)
 };
 
 /// The point at which a term is evaluated.

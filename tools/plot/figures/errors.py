@@ -1,4 +1,5 @@
-"""Error against the step or the tolerance (figs. 5, 6)."""
+"""Error against the step or the tolerance (figs. 5, 6), or against the work for each value of a
+sweep."""
 
 import math
 
@@ -14,7 +15,8 @@ ROOM_ABOVE = 1e3  # times the median error; larger errors are drawn at the edge
 
 SELF = {"marker": "", "linestyle": (0, (1, 1)), "linewidth": 0.9}  # against a run of the study
 
-SYMBOLS = {"body.young_modulus": "$E$ [MPa]", "mesh.elements": "mesh"}
+SYMBOLS = {"body.young_modulus": "$E$ [MPa]", "mesh.elements": "mesh",
+           "integrator.nonlinear_fraction": "$\\kappa$"}
 
 
 def draw_steps(runs):
@@ -26,7 +28,13 @@ def draw_tolerances(runs):
                 "no run has a tolerance")
 
 
-def draw(runs, across, otherwise):
+def draw_sweep_work(runs):
+    if len(distinct(run.sweep for run in runs)) < 2:
+        raise Unsuitable("the study has no sweep")
+    return draw(runs, "Newton iterations", "", "newton_iterations")
+
+
+def draw(runs, across, otherwise, x="setting"):
     """Several sweep values: a panel for each method, a colour for each value. One value: a colour
     for each method."""
     if not any(0 < run.shape_error < math.inf for run in runs):
@@ -41,7 +49,7 @@ def draw(runs, across, otherwise):
     for panel, title in zip(panels, titles):
         members = [run for run in runs if not swept or run.method == title]
         guides |= draw_panel(panel, members, looks,
-                             lambda run: run.sweep if swept else run.method, limits)
+                             lambda run: run.sweep if swept else run.method, limits, x)
         panel.set_title(title)
     finish(figure, panels, across)
     style.legend_above_all(figure, handles_of(looks), notes_of(runs, limits, guides))
@@ -78,7 +86,7 @@ def error_limits(runs):
     return 0.5 * min([low, *references]), 4 * top
 
 
-def draw_panel(axes, runs, looks, key, limits):
+def draw_panel(axes, runs, looks, key, limits, x):
     """True if there are lines of slope."""
     axes.set_xmargin(0.1)  # space for the numbers of the slopes
     axes.set_xscale("log")
@@ -86,9 +94,11 @@ def draw_panel(axes, runs, looks, key, limits):
     axes.tick_params(which="both", top=False, right=False)
     draw_reference(axes, runs, limits)
     for name, look in looks.items():
-        members = sorted((run for run in runs if key(run) == name), key=lambda run: run.setting)
-        draw_series(axes, members, look, limits)
-    return draw_guides(axes, runs, key)
+        for fixed in (True, False):
+            members = sorted((run for run in runs if key(run) == name and run.fixed_step == fixed),
+                             key=lambda run: run.setting)
+            draw_series(axes, members, look, limits, x)
+    return x == "setting" and draw_guides(axes, runs, key)
 
 
 def draw_reference(axes, runs, limits):
@@ -103,10 +113,10 @@ def has_band(runs, limits):
     return any(run.reference_error > limits[0] for run in runs)
 
 
-def draw_series(axes, runs, look, limits):
+def draw_series(axes, runs, look, limits, across):
     """A cross at the upper edge for errors beyond the limits and for runs without an error."""
     edge = limits[1] / 1.5
-    x = numpy.array([run.setting for run in runs])
+    x = numpy.array([getattr(run, across) for run in runs])
     errors = numpy.array([run.shape_error for run in runs])
     lost = ~(errors < edge)
     marked = numpy.array([run.marked for run in runs], bool) & ~lost

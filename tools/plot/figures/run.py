@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy
 
-from . import critical, errors, extremes, groups, history, mesh, output, pressure, shape, shapes
-from . import spectrum, study, style, surface, wear, work
+from . import critical, errors, extremes, groups, history, mesh, output, parameters, pressure, shape
+from . import shapes, spectrum, study, style, surface, tables, wear, work
 from .complaints import BadInput, Unsuitable, reason_of
 from .result import Result
 
@@ -131,12 +131,18 @@ def draw_two_results(first, second, sink):
 
 
 def draw_study(folder, sink):
+    path = folder / "study.csv"
+    rows = tables.read(path, study.TEXTS)
+    if parameters.of_sweep(rows):
+        sink.draw(f"{file_name(rows[0]['study'])}-parameters", parameters.draw, path, rows)
+        return
     runs = study.read(folder)
     for name in study.distinct(run.study for run in runs):
         own = [run for run in runs if run.study == name]
         stem = file_name(name or "study")
         sink.draw(f"{stem}-error-step", errors.draw_steps, own)
         sink.draw(f"{stem}-error-tolerance", errors.draw_tolerances, own)
+        sink.draw(f"{stem}-error-newton", errors.draw_sweep_work, own)
         sweeps = study.distinct(run.sweep for run in own)
         for sweep in sweeps:
             tail = f"-{file_name(sweep)}" if len(sweeps) > 1 else ""

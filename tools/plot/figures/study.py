@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from . import tables
 
-NUMBERS = ("setting", "shape_error", "shape_error_self", "reference_error", "newton_iterations",
-           "factorizations", "wall_seconds")
+NUMBERS = ("setting", "shape_error", "shape_error_self", "pressure_error", "reference_error",
+           "newton_iterations", "factorizations", "cpu_seconds")
 TEXTS = ("study", "sweep", "method", "integrator", "setting_kind", "status", "marked")
 
 
@@ -25,10 +25,11 @@ class Run:
     setting: float
     shape_error: float
     shape_error_self: float
+    pressure_error: float
     reference_error: float
     newton_iterations: float
     factorizations: float
-    wall_seconds: float
+    cpu_seconds: float
 
     @property
     def finished(self):

@@ -121,11 +121,13 @@ def legend_columns(handles, width):
 
 
 def log_ticks(axis):
-    """Powers of ten; for less than two decades also 2 and 5, written as plain numbers."""
+    """Powers of ten; for less than two decades also 2 and 5, for less than a factor of five also
+    numbers between them, all written as plain numbers."""
     low, high = axis.get_view_interval()
     axis.set_minor_formatter(NullFormatter())
     if high < 100 * low:
-        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        subs = (1, 2, 5) if high > 5 * low else (1, 1.5, 2, 3, 4, 5, 6, 8)
+        axis.set_major_locator(LogLocator(subs=subs))
         axis.set_major_formatter(FuncFormatter(lambda value, _: number(value)))
     else:
         axis.set_major_locator(LogLocator(numticks=12))

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon::app {
+namespace gnomon {
 
 struct Setup {
   Scene scene;
@@ -21,6 +21,11 @@ void check_run(const Scene& scene);
 /// Loads the scene and makes all checks that do not need a model.
 Scene checked_scene(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 
+/// The same from TOML text; `name` stands for the file in messages, and files that the scene names
+/// are relative to its folder.
+Scene checked_scene_of_text(const std::string& text, const std::string& name,
+                            const std::vector<std::string>& overrides);
+
 /// Makes the model of a checked scene, which may take long.
 Setup set_up(Scene scene);
 /// The same from the mesh that a result keeps.
@@ -31,4 +36,4 @@ Setup set_up(const std::filesystem::path& scene, const std::vector<std::string>&
 /// The description of the run that the result file and the summary contain.
 RunHeader run_header(const Setup& setup);
 
-}  // namespace gnomon::app
+}  // namespace gnomon

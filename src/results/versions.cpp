@@ -6,7 +6,8 @@
 
 #include <CLI/Version.hpp>
 #include <Eigen/Core>
-#include <gnomon/study/versions.hpp>
+#include <gnomon/base/version.hpp>
+#include <gnomon/results/versions.hpp>
 #include <nlohmann/json.hpp>
 
 #include "linear/blas.hpp"
@@ -40,7 +41,7 @@ std::string compiler() {
 
 std::map<std::string, std::string> library_versions() {
   return {
-      {"gnomon", GNOMON_VERSION},
+      {"gnomon", version},
       {"BLAS", blas_name()},
       {"CLI11", CLI11_VERSION},
       {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},

@@ -1,16 +1,16 @@
-#include "app/setup.hpp"
-
 #include <fmt/format.h>
 
+#include <functional>
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/profile.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/results/result_files.hpp>
+#include <gnomon/results/versions.hpp>
 #include <gnomon/run/run.hpp>
-#include <gnomon/study/versions.hpp>
+#include <gnomon/run/setup.hpp>
 #include <utility>
 
-namespace gnomon::app {
+namespace gnomon {
 
 namespace {
 
@@ -45,14 +45,30 @@ void check_run(const Scene& scene) {
   mistakes.require_none();
 }
 
-Scene checked_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  require_scene_file(file);
+namespace {
+
+/// The scene if it has no mistakes; `load` adds those that it finds.
+Scene without_mistakes(const std::function<Scene(Mistakes&)>& load) {
   Mistakes mistakes;
-  Scene scene = load_scene(file, overrides, key_table, &mistakes);
+  Scene scene = load(mistakes);
   find_mistakes_of_run(scene, mistakes);
   if (!mistakes.empty()) find_further_mistakes(scene, mistakes);
   mistakes.require_none();
   return scene;
+}
+
+}  // namespace
+
+Scene checked_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  require_scene_file(file);
+  return without_mistakes(
+      [&](Mistakes& mistakes) { return load_scene(file, overrides, key_table, &mistakes); });
+}
+
+Scene checked_scene_of_text(const std::string& text, const std::string& name,
+                            const std::vector<std::string>& overrides) {
+  return without_mistakes(
+      [&](Mistakes& mistakes) { return parse_scene(text, name, overrides, key_table, &mistakes); });
 }
 
 namespace {
@@ -66,10 +82,6 @@ Scene with_choices(const Scene& scene, const LinearSolverChoice& solver) {
   const bool factor = solver.preconditioner == LinearSolverChoice::Preconditioner::factor;
   return scene.with("solver.preconditioner", factor ? "factor" : "multigrid");
 }
-
-}  // namespace
-
-namespace {
 
 Setup completed(Scene scene, std::unique_ptr<Model> model) {
   Scene complete = with_choices(scene, model->system().structure().solver);
@@ -101,4 +113,4 @@ RunHeader run_header(const Setup& setup) {
           .blocks = setup.model->blocks()};
 }
 
-}  // namespace gnomon::app
+}  // namespace gnomon

@@ -1,0 +1,55 @@
+# The public surface of the library (docs/library.md). Headers that these include are installed with them, but only
+# what is declared here is meant for use.
+set(gnomon_public_headers
+  gnomon/base/error.hpp              # exceptions
+  gnomon/base/installation.hpp       # files of the installation
+  gnomon/base/version.hpp
+  gnomon/scene/scene.hpp             # scenes and their keys
+  gnomon/scene/registry.hpp          # registrations
+  gnomon/laws/catalogue.hpp          # wear laws, shapes of counter-bodies
+  gnomon/terms/material_law.hpp      # materials
+  gnomon/model/added_term.hpp        # terms
+  gnomon/model/problem.hpp           # problems and models
+  gnomon/system/composed_system.hpp  # the residual and its Jacobian
+  gnomon/integrators/integrator.hpp  # integrators
+  gnomon/integrators/stepper.hpp     # drives one-step methods
+  gnomon/integrators/diagonally_implicit.hpp
+  gnomon/newton/algebraic_solver.hpp # algebraic components of a state
+  gnomon/run/setup.hpp               # from a scene to a model
+  gnomon/run/run.hpp                 # runs
+  gnomon/run/summary.hpp
+  gnomon/run/plugin.hpp              # plug-ins
+  gnomon/results/result_files.hpp
+  gnomon/results/results.hpp
+  gnomon/results/versions.hpp)   # results
+
+# All headers that headers in `found` include, directly or through others.
+function(gnomon_headers_included_by result)
+  set(found "")
+  set(next ${ARGN})
+  while(next)
+    list(POP_FRONT next header)
+    if(header IN_LIST found)
+      continue()
+    endif()
+    list(APPEND found ${header})
+    file(STRINGS ${PROJECT_SOURCE_DIR}/include/${header} lines REGEX "^#include <gnomon/")
+    foreach(line ${lines})
+      string(REGEX REPLACE "^#include <(.*)>.*" "\\1" included "${line}")
+      list(APPEND next ${included})
+    endforeach()
+  endwhile()
+  list(REMOVE_ITEM found ${ARGN})
+  set(${result} ${found} PARENT_SCOPE)
+endfunction()
+gnomon_headers_included_by(gnomon_included_headers ${gnomon_public_headers})
+
+# A stamp of the interface: the same for the same headers.
+set(contents "")
+foreach(header ${gnomon_public_headers} ${gnomon_included_headers})
+  set(file ${PROJECT_SOURCE_DIR}/include/${header})
+  set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  file(SHA256 ${file} content)
+  string(APPEND contents ${content})
+endforeach()
+string(SHA256 gnomon_interface_stamp "${contents}")

@@ -1,0 +1,14 @@
+// The settings of a run whose steps follow the error, before a scene or a test changes more.
+#pragma once
+
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/model/model.hpp>
+
+namespace gnomon {
+
+/// Steps by the error to the time `end`, within rtol of the positions and of the model's typical
+/// wear depth. Everything else is as in IntegratorSettings: steps are solved to rounding, and no
+/// event is located.
+IntegratorSettings controlled_settings(const Model& model, double rtol, double end);
+
+}  // namespace gnomon

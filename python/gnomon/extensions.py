@@ -1,0 +1,61 @@
+"""Integrators and wear laws written in Python."""
+
+import keyword
+import math
+import re
+
+from gnomon import _gnomon
+
+_VARIABLES = ("p", "v", "h", "q", "t", "s", "x")
+
+
+def _checked_name(name, what):
+    if not isinstance(name, str) or not name or any(c.isspace() or not c.isprintable() for c in name):
+        raise _gnomon.InputError(f"the name of {what}: expected a text without blanks, got {name!r}")
+    return name
+
+
+def _checked_function(function, what):
+    if not callable(function):
+        raise TypeError(f"{what}: expected something that can be called, got {function!r}")
+    return function
+
+
+def _checked_constants(constants):
+    taken = set(re.findall(r"\bwear\.(\w+)", _gnomon._key_help("winkler")))
+    for name, value in constants.items():
+        usable = isinstance(name, str) and name.isidentifier() and not keyword.iskeyword(name)
+        if not usable or name in _VARIABLES:
+            raise _gnomon.InputError(f"a constant of a wear law: expected a name other than those of the variables "
+                                     f"({' '.join(_VARIABLES)}), got {name!r}")
+        if name in taken - _registered_constants:
+            raise _gnomon.InputError(f"a constant of a wear law: wear.{name} is a key of scenes already")
+        if not math.isfinite(value):
+            raise _gnomon.InputError(f"the constant {name} of a wear law: expected a finite number, got {value!r}")
+    _registered_constants.update(constants)
+    return constants
+
+
+_registered_constants = set()
+
+
+def register_wear_law(name, rate, constants=None, help="a wear law in Python"):
+    """A wear law that scenes choose by wear.law = NAME.
+
+    `rate(p, v, h, q, t, s, x, **constants)` returns the wear rate from pressure, sliding speed, worn depth, frictional
+    power, time, sliding distance and initial position (three numbers). Scenes may set its constants as wear.CONSTANT;
+    otherwise they have the values given here. A law of Python may be registered again.
+    """
+    _gnomon.register_wear_law(_checked_name(name, "a wear law"), _checked_function(rate, "a wear law"),
+                              _checked_constants(dict(constants or {})), help)
+
+
+def register_integrator(name, make, help="an integrator in Python", order="not known", fixed_steps=True):
+    """An integrator that scenes choose by integrator.name = NAME.
+
+    `make(system, settings)` returns an object with `advance(state, until)`, which returns the State at the end of one
+    step, at `until` at the latest. `settings` has the keys step (0: none is given), rtol, atol, end, scale (the mean
+    wear depth) and max_step (0: none). There is no error control but its own, and its steps are not counted.
+    """
+    _gnomon.register_integrator(_checked_name(name, "an integrator"), _checked_function(make, "an integrator"), help,
+                                order, fixed_steps)

@@ -1,0 +1,194 @@
+// Integrators and wear laws written in Python: slow, but for research.
+
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/laws/catalogue.hpp>
+#include <map>
+#include <set>
+
+#include "bindings.hpp"
+
+namespace gnomon::python {
+
+namespace {
+
+/// Calls a Python function; exceptions that have a meaning in C++ get it.
+template <class Action>
+auto in_python(Action&& action) {
+  const py::gil_scoped_acquire interpreter;
+  try {
+    return action();
+  } catch (const py::error_already_set& error) {
+    throw_as_own(error);
+  }
+}
+
+/// An object of Python with advance(state, until), which returns the next State.
+class PythonStepper : public Stepper {
+public:
+  PythonStepper(const std::shared_ptr<Immortal>& make, const System& system,
+                const IntegratorSettings& settings)
+      : settings_(settings) {
+    in_python([&] {
+      using namespace py::literals;
+      handle_ = std::make_shared<SystemHandle>(system);
+      const py::dict given("step"_a = settings.step, "rtol"_a = settings.rtol,
+                           "atol"_a = settings.atol, "end"_a = settings.end,
+                           "scale"_a = settings.scale, "max_step"_a = settings.max_step);
+      object_ = make->object(handle_, given);
+    });
+  }
+  ~PythonStepper() override {
+    const py::gil_scoped_acquire interpreter;
+    handle_->end();
+    object_ = {};
+  }
+
+  StepReport advance(State& state, double t_stop) override {
+    State next = in_python([&] { return next_state(state, t_stop); });
+    StepReport report{.step = next.t - state.t, .order = 1};
+    if (settings_.integrand)
+      report.integral = report.step / 2 *
+                        (settings_.integrand({state.t, state.y, state.ydot}) +
+                         settings_.integrand({next.t, next.y, next.ydot}));
+    state = std::move(next);
+    return report;
+  }
+
+private:
+  State next_state(const State& state, double t_stop) const {
+    const py::object result = object_.attr("advance")(state, t_stop);
+    if (!py::isinstance<State>(result))
+      throw py::type_error("advance: expected a gnomon.State as its result, got " +
+                           std::string(py::str(result.get_type().attr("__name__"))));
+    State next = result.cast<State>();
+    if (next.y.size() != state.y.size() || next.ydot.size() != state.y.size())
+      throw py::value_error("advance: the state has another number of unknowns");
+    if (!(next.t > state.t && next.t <= t_stop))
+      throw py::value_error("advance: expected a time after " + std::to_string(state.t) +
+                            " and not after " + std::to_string(t_stop) + ", got " +
+                            std::to_string(next.t));
+    for (const double value : next.y)
+      if (!std::isfinite(value))
+        throw SolutionError("advance: the state has an infinite value or NaN");
+    return next;
+  }
+
+  IntegratorSettings settings_;
+  std::shared_ptr<SystemHandle> handle_;
+  py::object object_;
+};
+
+/// What was registered in Python may be registered again, as when a cell of a notebook runs again.
+template <class Entry>
+void add_or_replace(Entry entry) {
+  static auto& names = *new std::set<std::string>;
+  const std::string name = entry.name;
+  if (names.contains(name))
+    Registry<Entry>::put(std::move(entry));
+  else
+    Registry<Entry>::add(std::move(entry));
+  names.insert(name);
+}
+
+void register_integrator(const std::string& name, py::object make, const std::string& help,
+                         const std::string& order, bool fixed_steps) {
+  const auto kept = std::make_shared<Immortal>(std::move(make));
+  add_or_replace<Integrator>(
+      {.name = name,
+       .family = "Python",
+       .order = order,
+       .error_estimate = "its own",
+       .stability = "not known",
+       .driver = "Python",
+       .help = help,
+       .fixed_steps = fixed_steps,
+       .locates_events = false,
+       .one_step = false,
+       .table = [](const IntegratorSettings&) { return std::nullopt; },
+       .make = [kept](const System& system, const IntegratorSettings& settings,
+                      Counters&) -> std::unique_ptr<Stepper> {
+         return std::make_unique<PythonStepper>(kept, system, settings);
+       }});
+}
+
+/// The function's rate at p v h q.
+double rate_of(const py::handle& rate, const WearInput& at, double p, double v, double h, double q,
+               const std::map<std::string, double>& constants) {
+  py::dict more;
+  for (const auto& [name, value] : constants) more[py::str(name)] = value;
+  const py::object value =
+      rate(p, v, h, q, at.moment.time, at.moment.slid,
+           py::make_tuple(at.initial[0], at.initial[1], at.initial[2]), **more);
+  const double number = PyFloat_AsDouble(value.ptr());
+  if (!PyErr_Occurred()) return number;
+  PyErr_Clear();
+  throw py::type_error("a wear law in Python: expected a number as its result, got " +
+                       std::string(py::repr(value)));
+}
+
+/// Derivatives by central differences, exact for laws that are linear in each variable.
+WearRate wear_rate(const py::handle& rate, const WearInput& at,
+                   const std::map<std::string, double>& constants) {
+  const double x[] = {at.pressure, at.speed, at.depth, at.friction_power};
+  const auto value = [&](int varied, double by) {
+    double z[] = {x[0], x[1], x[2], x[3]};
+    if (varied >= 0) z[varied] += by;
+    return rate_of(rate, at, z[0], z[1], z[2], z[3], constants);
+  };
+  double slope[4];
+  for (int i = 0; i < 4; ++i) {
+    const double h = 1e-6 * std::max(std::abs(x[i]), 1e-9);
+    // A law need not have a value below zero.
+    const double below = x[i] >= h ? h : 0;
+    slope[i] = (value(i, h) - value(i, -below)) / (h + below);
+  }
+  return {.value = value(-1, 0),
+          .by_pressure = slope[0],
+          .by_speed = slope[1],
+          .by_depth = slope[2],
+          .by_friction_power = slope[3]};
+}
+
+std::vector<Key> keys_of(const std::map<std::string, double>& constants) {
+  std::vector<Key> keys;
+  for (const auto& [name, unused] : constants)
+    keys.push_back({.name = "wear." + name,
+                    .presence = Key::Presence::optional,
+                    .absent_meaning = "the value that the law was registered with",
+                    .help = "constant of a wear law in Python"});
+  return keys;
+}
+
+void register_wear_law(const std::string& name, py::object rate,
+                       const std::map<std::string, double>& constants, const std::string& help) {
+  const auto kept = std::make_shared<Immortal>(std::move(rate));
+  add_or_replace<WearLawKind>(
+      {.name = name, .help = help, .keys = keys_of(constants), .make = [=](const Scene& scene) {
+         std::map<std::string, double> values;
+         for (const auto& [constant, own] : constants)
+           values[constant] = scene.real_if("wear." + constant).value_or(own);
+         return WearLaw({.rate = [kept, values](const WearInput& at, std::span<const char>) {
+           return in_python([&] { return wear_rate(kept->object, at, values); });
+         }});
+       }});
+}
+
+}  // namespace
+
+void add_extensions(py::module_& module) {
+  module.def("register_integrator", register_integrator, py::arg("name"), py::arg("make"),
+             py::arg("help") = "an integrator in Python", py::arg("order") = "not known",
+             py::arg("fixed_steps") = true,
+             "make(system, settings) returns an object with advance(state, until) -> State.");
+  module.def("register_wear_law", register_wear_law, py::arg("name"), py::arg("rate"),
+             py::arg("constants") = std::map<std::string, double>{},
+             py::arg("help") = "a wear law in Python",
+             "rate(p, v, h, q, t, s, x, **constants) returns the wear rate; scenes choose it by "
+             "wear.law and may set wear.CONSTANT.");
+}
+
+}  // namespace gnomon::python

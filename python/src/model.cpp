@@ -1,0 +1,256 @@
+// Models, states and systems: the contract of include/gnomon/system/system.hpp.
+
+#include <gnomon/base/error.hpp>
+#include <gnomon/integrators/rates.hpp>
+#include <gnomon/newton/algebraic_solver.hpp>
+
+#include "bindings.hpp"
+
+namespace gnomon::python {
+
+SharedModel::SharedModel(const Scene& scene) : setup(set_up(scene)) {}
+
+const System& SystemHandle::system() const {
+  if (owner_) return owner_->setup.model->system();
+  if (!system_) throw Error("the run that this system belongs to has ended");
+  return *system_;
+}
+
+std::vector<double> numbers(const py::object& given, long size, const std::string& what) {
+  const auto values = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
+  if (!values) {
+    PyErr_Clear();
+    throw InputError(what + ": expected an array of numbers");
+  }
+  if (values.ndim() != 1 || values.size() != size)
+    throw InputError(what + ": expected " + std::to_string(size) + " numbers, got an array of " +
+                     std::to_string(values.size()) + " in " + std::to_string(values.ndim()) +
+                     " dimensions");
+  return {values.data(), values.data() + size};
+}
+
+py::array_t<double> array_of_points(const std::vector<std::array<double, 3>>& points) {
+  std::vector<double> flat;
+  flat.reserve(3 * points.size());
+  for (const auto& point : points) flat.insert(flat.end(), point.begin(), point.end());
+  return array(std::move(flat), {static_cast<py::ssize_t>(points.size()), 3});
+}
+
+py::dict dict_of(const Counters& counters) {
+  using namespace py::literals;
+  return py::dict("steps"_a = counters.steps, "rejected_steps"_a = counters.rejected_steps,
+                  "events"_a = counters.events, "newton_iterations"_a = counters.newton_iterations,
+                  "residual_evaluations"_a = counters.residual_evaluations,
+                  "jacobian_evaluations"_a = counters.jacobian_evaluations,
+                  "factorizations"_a = counters.factorizations,
+                  "linear_solves"_a = counters.linear_solves,
+                  "krylov_iterations"_a = counters.krylov_iterations,
+                  "preconditioner_setups"_a = counters.preconditioner_setups);
+}
+
+py::dict dict_of(const std::vector<Scalar>& scalars) {
+  py::dict result;
+  for (const Scalar& scalar : scalars) result[py::str(scalar.name)] = scalar.value;
+  return result;
+}
+
+py::dict dict_of(const ContactSurface& surface) {
+  using namespace py::literals;
+  return py::dict("node"_a = array(surface.node), "initial"_a = array_of_points(surface.initial),
+                  "worn"_a = array_of_points(surface.worn),
+                  "current"_a = array_of_points(surface.current),
+                  "pressure"_a = array(surface.pressure),
+                  "wear_depth"_a = array(surface.wear_depth), "active"_a = array(surface.active));
+}
+
+py::object dict_of(const std::optional<Grid>& grid) {
+  using namespace py::literals;
+  if (!grid) return py::none();
+  const py::ssize_t corners = grid->cell == Grid::Cell::quadrilateral ? 4 : 8;
+  const py::ssize_t cells = static_cast<py::ssize_t>(grid->cells.size()) / corners;
+  return py::dict("points"_a = array_of_points(grid->points),
+                  "cells"_a = array(grid->cells, {cells, corners}));
+}
+
+namespace {
+
+using Shared = std::shared_ptr<SharedModel>;
+
+py::array_t<double> residual(const SystemHandle& handle, double t, const py::object& y,
+                             const py::object& ydot) {
+  const long n = handle.structure().size;
+  const std::vector<double> values = numbers(y, n, "y"), rates = numbers(ydot, n, "ydot");
+  std::vector<double> F(n);
+  handle.compute(
+      [&](const System& system) { system.residual({.t = t, .y = values, .ydot = rates}, F); });
+  return array(std::move(F));
+}
+
+/// The parts of a sparse matrix by columns: values, rows, starts of columns.
+py::tuple jacobian(const SystemHandle& handle, double t, const py::object& y,
+                   const py::object& ydot, double alpha) {
+  const Structure& structure = handle.structure();
+  const std::vector<double> at = numbers(y, structure.size, "y"),
+                            rates = numbers(ydot, structure.size, "ydot");
+  std::vector<double> values(structure.pattern.row_index.size());
+  handle.compute([&](const System& system) {
+    system.jacobian({.t = t, .y = at, .ydot = rates}, alpha, values);
+  });
+  return py::make_tuple(array(std::move(values)), array(structure.pattern.row_index),
+                        array(structure.pattern.column_start));
+}
+
+py::array_t<double> switching(const SystemHandle& handle, double t, const py::object& y) {
+  const std::vector<double> at = numbers(y, handle.structure().size, "y");
+  std::vector<double> values(handle.structure().switch_node.size());
+  handle.compute([&](const System& system) { system.switching(t, at, values); });
+  return array(std::move(values));
+}
+
+/// Solves the algebraic rows for the differential components of y; the result is consistent, with
+/// its rates.
+State consistent(const SystemHandle& handle, double t, const py::object& y) {
+  State state{t, numbers(y, handle.structure().size, "y"), {}};
+  handle.compute([&](const System& system) {
+    Counters counters;
+    const std::string reason = AlgebraicSolver(system, counters).solve(t, state.y);
+    if (!reason.empty())
+      throw SolutionError("no equilibrium at t = " + std::to_string(t) + ": " + reason);
+    set_rates(system, nullptr, state);
+  });
+  return state;
+}
+
+void add_state(py::module_& module) {
+  py::class_<State, std::shared_ptr<State>>(module, "State",
+                                            "A point of the solution: t, y and ydot (copies).")
+      .def(py::init([](double t, const py::array_t<double>& y, const py::array_t<double>& ydot) {
+             return State{t, numbers(y, y.size(), "y"), numbers(ydot, y.size(), "ydot")};
+           }),
+           py::arg("t"), py::arg("y"), py::arg("ydot"))
+      .def_property_readonly("t", held([](const State& state) { return state.t; }))
+      .def_property_readonly("y", held([](const State& state) { return array(state.y); }))
+      .def_property_readonly("ydot", held([](const State& state) { return array(state.ydot); }))
+      .def("__repr__", held([](const State& state) {
+             return "<gnomon.State at t = " + std::string(py::str(py::float_(state.t))) + " of " +
+                    std::to_string(state.y.size()) + " unknowns>";
+           }))
+      .def(py::pickle(held([](const State& state) {
+                        return py::make_tuple(state.t, array(state.y), array(state.ydot));
+                      }),
+                      [](const py::tuple& parts) {
+                        if (parts.size() != 3)
+                          throw InputError("a pickled State: expected three parts");
+                        const auto y = parts[1].cast<py::array_t<double>>();
+                        return State{parts[0].cast<double>(), numbers(y, y.size(), "y"),
+                                     numbers(parts[2], y.size(), "ydot")};
+                      }));
+}
+
+void add_system(py::module_& module) {
+  py::class_<SystemHandle, std::shared_ptr<SystemHandle>>(
+      module, "System", "F(t, y, ydot) = 0 with J = dF/dy + alpha dF/dydot, an index-1 system.")
+      .def_property_readonly("size",
+                             held([](const SystemHandle& self) { return self.structure().size; }))
+      .def_property_readonly("differential", held([](const SystemHandle& self) {
+                               const auto& flags = self.structure().differential;
+                               return array(std::vector<char>(flags)).attr("astype")("bool");
+                             }))
+      .def_property_readonly("row_scale", held([](const SystemHandle& self) {
+                               return array(self.structure().row_scale);
+                             }))
+      .def_property_readonly("unknown_scale", held([](const SystemHandle& self) {
+                               return array(self.structure().unknown_scale);
+                             }))
+      .def_property_readonly("breakpoints", held([](const SystemHandle& self) {
+                               return array(self.structure().breakpoints);
+                             }))
+      .def_property_readonly("switch_node", held([](const SystemHandle& self) {
+                               return array(self.structure().switch_node);
+                             }))
+      .def("residual", held(residual), py::arg("t"), py::arg("y"), py::arg("ydot"))
+      .def("_jacobian", held(jacobian))
+      .def("switching", held(switching), py::arg("t"), py::arg("y"),
+           "One value per switching function, zero or negative where it is active.")
+      .def("consistent", held(consistent), py::arg("t"), py::arg("y"),
+           "The State with these differential components: solves mesh motion and contact.");
+}
+
+void require_state(const SharedModel& model, const State& state) {
+  const auto size = static_cast<std::size_t>(model.setup.model->system().structure().size);
+  if (state.y.size() != size || state.ydot.size() != size)
+    throw InputError("a state of " + std::to_string(state.y.size()) + " unknowns, expected " +
+                     std::to_string(size));
+}
+
+py::dict fields(SharedModel& model, const State& state) {
+  require_state(model, state);
+  py::dict result;
+  for (GridField& field : with_model(model, [&] { return model.setup.model->fields(state); })) {
+    const py::ssize_t rows = field.values.size() / field.components;
+    result[py::str(field.name)] =
+        field.components == 1
+            ? array(std::move(field.values))
+            : array(std::move(field.values), {rows, py::ssize_t(field.components)});
+  }
+  return result;
+}
+
+py::object contact(SharedModel& model, const State& state) {
+  require_state(model, state);
+  const auto surface = with_model(model, [&] { return model.setup.model->contact(state); });
+  return surface ? py::object(dict_of(*surface)) : py::object(py::none());
+}
+
+py::list blocks(const SharedModel& model) {
+  using namespace py::literals;
+  py::list result;
+  for (const BlockSize& block : model.setup.model->blocks())
+    result.append(py::dict("name"_a = block.name, "symbol"_a = block.symbol, "size"_a = block.size,
+                           "where"_a = block.where));
+  return result;
+}
+
+}  // namespace
+
+void add_model(py::module_& module) {
+  add_state(module);
+  add_system(module);
+  py::class_<SharedModel, Shared>(module, "Model", "What a problem makes of a scene.")
+      .def(py::init(held([](const Scene& scene) {
+             const py::gil_scoped_release without_interpreter;
+             return std::make_shared<SharedModel>(scene);
+           })),
+           py::arg("scene"))
+      .def_property_readonly("_scene",
+                             held([](const SharedModel& model) { return model.setup.scene; }))
+      .def_property_readonly(
+          "remarks", held([](const SharedModel& model) { return model.setup.model->remarks(); }))
+      .def_property_readonly("blocks", held(blocks))
+      .def_property_readonly(
+          "system", held([](const Shared& model) { return std::make_shared<SystemHandle>(model); }))
+      .def("start", held([](SharedModel& model) {
+             return with_model(model, [&] {
+               Counters counters;
+               return model.setup.model->start(counters);
+             });
+           }),
+           "The consistent State at t = 0.")
+      .def("observe", held([](SharedModel& model, const State& state) {
+             require_state(model, state);
+             return dict_of(
+                 with_model(model, [&] { return columns_of(model.setup.model->observe(state)); }));
+           }),
+           py::arg("state"), "The scalars of a state.")
+      .def("grid",
+           held([](const SharedModel& model) { return dict_of(model.setup.model->grid()); }),
+           "Points [n, 3] and cells [m, corners], or None.")
+      .def("fields", held(fields), py::arg("state"), "Fields over the grid.")
+      .def("contact", held(contact), py::arg("state"), "The contact surface, or None.")
+      .def("exact", held([](SharedModel& model, double t) {
+             return with_model(model, [&] { return model.setup.model->exact(t); });
+           }),
+           py::arg("t"), "The State in closed form (differential components), or None.");
+}
+
+}  // namespace gnomon::python

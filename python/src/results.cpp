@@ -1,0 +1,70 @@
+// Result files.
+
+#include <pybind11/stl/filesystem.h>
+
+#include <gnomon/base/error.hpp>
+#include <gnomon/results/results.hpp>
+
+#include "bindings.hpp"
+
+namespace gnomon::python {
+
+namespace {
+
+py::dict history(const ResultReader& reader) {
+  std::vector<HistoryRow> rows;
+  {
+    const py::gil_scoped_release without_interpreter;
+    rows = reader.history();
+  }
+  return dict_of_rows(rows);
+}
+
+std::size_t step_at(const ResultReader& reader, std::optional<double> t) {
+  const std::vector<double> times = reader.stored_times();
+  if (times.empty()) throw InputError("the result has no stored step");
+  if (!t) return times.size() - 1;
+  for (std::size_t step = 0; step < times.size(); ++step)
+    if (std::abs(times[step] - *t) <= 1e-9 * times.back()) return step;
+  std::string known;
+  for (const double time : times) known += " " + std::string(py::str(py::float_(time)));
+  throw InputError("t = " + std::string(py::str(py::float_(*t))) +
+                   ": expected one of the stored times" + known);
+}
+
+py::object field(const ResultReader& reader, const std::string& name, std::optional<double> t) {
+  GridField field = reader.field(step_at(reader, t), name);
+  if (field.components == 1) return array(std::move(field.values));
+  const auto columns = static_cast<py::ssize_t>(field.components);
+  const auto rows = static_cast<py::ssize_t>(field.values.size()) / columns;
+  return array(std::move(field.values), {rows, columns});
+}
+
+}  // namespace
+
+void add_results(py::module_& module) {
+  py::class_<ResultReader, std::shared_ptr<ResultReader>>(module, "_Result")
+      .def(py::init<const std::filesystem::path&>(), py::arg("file"))
+      .def_property_readonly("status", held(&ResultReader::status))
+      .def_property_readonly("wall_seconds", held(&ResultReader::wall_seconds))
+      .def_property_readonly("problem",
+                             held([](const ResultReader& r) { return r.header().problem; }))
+      .def_property_readonly("integrator",
+                             held([](const ResultReader& r) { return r.header().integrator; }))
+      .def_property_readonly("scene_text",
+                             held([](const ResultReader& r) { return r.header().scene; }))
+      .def_property_readonly("versions",
+                             held([](const ResultReader& r) { return r.header().versions; }))
+      .def_property_readonly("times",
+                             held([](const ResultReader& r) { return array(r.stored_times()); }))
+      .def_property_readonly("field_names", held(&ResultReader::field_names))
+      .def("history", held(history))
+      .def("contact", held([](const ResultReader& r, std::optional<double> t) {
+             return dict_of(r.contact(t));
+           }),
+           py::arg("t") = py::none())
+      .def("field", held(field), py::arg("name"), py::arg("t") = py::none())
+      .def("grid", held([](const ResultReader& r) { return dict_of(r.grid()); }));
+}
+
+}  // namespace gnomon::python

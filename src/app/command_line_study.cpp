@@ -1,0 +1,102 @@
+// gnomon study and its parts: plan, run, collect.
+
+#include "app/command_line.hpp"
+#include "app/option_checks.hpp"
+#include "app/study_flags.hpp"
+
+namespace gnomon::app {
+
+namespace {
+
+void add_study_file(CLI::App* command, StudyCommandOptions& options, bool required) {
+  command
+      ->add_option("STUDY", options.study,
+                   "Study file (TOML), see gnomon help studies; one that is called plan, run or "
+                   "collect is given as ./plan")
+      ->required(required)
+      ->type_name("");
+  command
+      ->add_option("-o,--output", options.folder,
+                   "Folder of the results; default: STUDY's name, in the current folder")
+      ->type_name("DIR")
+      ->check(check_file_name);
+}
+
+void add_planned_folder(CLI::App* command, StudyCommandOptions& options) {
+  command->add_option("DIR", options.folder, "Folder that gnomon study plan has made")
+      ->required()
+      ->type_name("")
+      ->check(check_file_name);
+}
+
+void add_times(CLI::App* command, StudyCommandOptions& options) {
+  command
+      ->add_option("--lost-after", options.lost_after,
+                   "Time without a sign of life after which a run of another process counts as "
+                   "lost and is done again; default: 120")
+      ->type_name("SECONDS")
+      ->check(check_number)
+      ->check(CLI::Range(0.1, 1e6));
+}
+
+void add_executor(CLI::App* command, StudyCommandOptions& options) {
+  command
+      ->add_option("--executor", options.executor,
+                   "Who does the runs: local (this process), slurm (job arrays); default: local")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"local", "slurm"}));
+  command
+      ->add_option("--slurm-option", options.slurm_options,
+                   "An option for sbatch, as --slurm-option=--time=60; repeatable")
+      ->type_name("OPTION")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--poll", options.poll, "Time between looks at the jobs of Slurm; default: 10")
+      ->type_name("SECONDS")
+      ->check(check_number)
+      ->check(CLI::Range(0.05, 1e6));
+}
+
+}  // namespace
+
+void CommandLine::add_study() {
+  CLI::App* command = app_.add_subcommand(
+      "study", "Runs a scene with many methods and settings; makes a table of results and costs");
+  add_study_file(command, study_, false);
+  add_jobs(command, study_.jobs);
+  add_flags_of_studies(command, study_.resume, study_.quiet);
+  add_executor(command, study_);
+  add_times(command, study_);
+  command->require_subcommand(0, 1);
+  command->callback([this] {
+    if (!command_) command_ = [this] { return study_command(study_); };
+  });
+  add_parts_of_study(command);
+}
+
+void CommandLine::add_parts_of_study(CLI::App* study) {
+  CLI::App* plan =
+      study->add_subcommand("plan", "Makes the folder of a study with the scenes of all its runs");
+  add_study_file(plan, study_, true);
+  add_flags_of_studies(plan, study_.resume, study_.quiet);
+  plan->callback([this] { command_ = [this] { return study_plan_command(study_); }; });
+
+  CLI::App* run = study->add_subcommand(
+      "run", "Does runs of a planned study that are not done and that nobody else is doing");
+  add_planned_folder(run, study_);
+  run->add_option("NUMBERS", study_.numbers, "Numbers of the runs in plan.csv: 3, 3-7 or 3,5,9-12")
+      ->required()
+      ->type_name("");
+  add_jobs(run, study_.jobs);
+  add_times(run, study_);
+  run->add_flag("--quiet", study_.quiet, "Prints nothing but errors");
+  run->callback([this] { command_ = [this] { return study_run_command(study_); }; });
+
+  CLI::App* collect = study->add_subcommand(
+      "collect", "Makes the tables and the page of a planned study, and tells what is missing");
+  add_planned_folder(collect, study_);
+  collect->add_flag("--quiet", study_.quiet, "Prints nothing but errors");
+  collect->callback([this] { command_ = [this] { return study_collect_command(study_); }; });
+}
+
+}  // namespace gnomon::app

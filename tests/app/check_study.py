@@ -1,0 +1,57 @@
+"""What the figures of a study show of its table.
+
+usage: check_study.py FOLDER_OF_THE_PLOTS
+"""
+
+import math
+import sys
+
+sys.path.insert(0, sys.argv[1])
+sys.dont_write_bytecode = True
+from figures import errors, style, work  # noqa: E402
+from figures.complaints import Unsuitable  # noqa: E402
+from figures.study import Run  # noqa: E402
+
+style.apply()
+
+
+def run(method, integrator, setting, sweep="", pressure_error=1e-2):
+    return Run(study="a", sweep=sweep, method=method, integrator=integrator, setting_kind="rtol",
+               run="", status="finished", marked=False, setting=setting, shape_error=setting,
+               shape_error_self=math.nan, pressure_error=pressure_error, reference_error=1e-9,
+               newton_iterations=1 / setting, factorizations=0.1 / setting, cpu_seconds=1.0)
+
+
+def runs(sweep="", **further):
+    return [run(method, integrator, setting, sweep, **further)
+            for method, integrator in (("bdf", "bdf"), ("esdirk-4", "esdirk-4"),
+                                       ("esdirk-4 located", "esdirk-4"))
+            for setting in (1e-2, 1e-4)]
+
+
+# The methods of an integrator: one colour and one sign, filled for the first only.
+looks = work.looks_of_methods(runs())
+first, second = looks["esdirk-4"], looks["esdirk-4 located"]
+assert first["color"] == second["color"] != looks["bdf"]["color"]
+assert first["marker"] == second["marker"] != looks["bdf"]["marker"]
+assert "markerfacecolor" not in first and second["markerfacecolor"] == "white"
+
+# Shape errors against three costs; pressure errors below them if they are known.
+drawn = work.draw(runs())
+assert [axes.get_ylabel() for axes in drawn.axes[::3]] == ["shape error [mm]",
+                                                           "pressure error [MPa]"]
+assert list(drawn.axes[3].lines[1].get_ydata()) == [1e-2, 1e-2]
+assert list(drawn.axes[3].lines[1].get_xdata()) == [1e4, 1e2]
+assert len(work.draw(runs(pressure_error=math.nan)).axes) == 3
+
+# Errors against Newton iterations: a panel for each method, a line for each value of the sweep.
+swept = errors.draw_sweep_work(runs("kappa=0") + runs("kappa=0.1"))
+assert [axes.get_title() for axes in swept.axes] == ["bdf", "esdirk-4", "esdirk-4 located"]
+lines = [line for line in swept.axes[0].lines if len(line.get_xdata())]
+assert all(list(line.get_xdata()) == [1e4, 1e2] for line in lines)
+assert len({line.get_color() for line in lines}) == 2
+try:
+    errors.draw_sweep_work(runs())
+    raise AssertionError("without a sweep there is nothing to compare")
+except Unsuitable:
+    pass

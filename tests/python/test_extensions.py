@@ -1,0 +1,129 @@
+import math
+
+import gnomon
+import numpy
+import pytest
+
+
+class Heun:
+    """Explicit, of order two."""
+
+    def __init__(self, system, settings):
+        self.system, self.settings = system, settings
+
+    def advance(self, state, until):
+        h = min(self.settings["step"], until - state.t)
+        predicted = self.system.consistent(state.t + h, state.y + h * state.ydot)
+        mean = (state.ydot + predicted.ydot) / 2
+        return self.system.consistent(state.t + h, state.y + h * mean)
+
+
+gnomon.register_integrator("python-heun", Heun, help="Heun's method", order="2")
+
+
+def error(scene, step):
+    state = gnomon.run(scene.with_({"integrator.name": "python-heun", "integrator.step": step,
+                                    "output.settle": False})).state
+    system = gnomon.Model(scene).system
+    exact = gnomon.run(scene.with_({"integrator.name": "esdirk-4", "integrator.rtol": 1e-10,
+                                    "integrator.atol": 1e-14})).state
+    return numpy.linalg.norm((state.y - exact.y)[system.differential])
+
+
+def test_an_integrator_in_python_has_its_order():
+    # Without switching nodes: the whole width is in contact from the start.
+    scene = gnomon.Scene.example("winkler/pin.toml", {"foundation.points": 21, "pin.width": 1.0, "time.end": 100})
+    assert "python-heun" in gnomon.integrators()
+    order = math.log2(error(scene, 10) / error(scene, 5))
+    assert 1.8 < order < 2.2
+
+
+def test_a_wear_law_in_python_is_archards_where_it_says_so(pin):
+    gnomon.register_wear_law("python-archard", lambda p, v, h, q, t, s, x, K: K * p * v, {"K": 1e-7})
+    ours = gnomon.run(pin.with_({"wear.law": "python-archard"}))
+    theirs = gnomon.run(pin)
+    assert ours.history["worn_volume"][-1] == pytest.approx(theirs.history["worn_volume"][-1], rel=1e-6)
+    assert ours.counters["newton_iterations"] == theirs.counters["newton_iterations"]
+    twice = gnomon.run(pin.with_({"wear.law": "python-archard", "wear.K": 2e-7}))
+    assert twice.history["wear_integral"][-1] == pytest.approx(2 * theirs.history["wear_integral"][-1], rel=1e-3)
+
+
+def test_exceptions_of_a_law_come_back(pin):
+    def broken(p, v, h, q, t, s, x):
+        raise ZeroDivisionError("of the law")
+
+    gnomon.register_wear_law("python-broken", broken)
+    with pytest.raises(ZeroDivisionError, match="of the law"):
+        gnomon.run(pin.with_({"wear.law": "python-broken"}))
+
+
+def test_a_name_of_python_may_be_registered_again(pin):
+    for rate in (1e-7, 2e-7):
+        gnomon.register_wear_law("python-again", lambda p, v, h, q, t, s, x, rate=rate: rate * p * v)
+        worn = gnomon.run(pin.with_({"wear.law": "python-again"})).history["wear_integral"][-1]
+        assert worn == pytest.approx(rate * 20 * 1000 * 20, rel=1e-3)
+
+
+def test_other_names_are_registered_once():
+    with pytest.raises(gnomon.Error, match="registered twice"):
+        gnomon.register_integrator("bdf", Heun)
+
+
+@pytest.mark.parametrize("answer", [None, 3, "state"])
+def test_an_integrator_that_returns_no_state_is_refused(springs, answer):
+    name = f"python-returns-{answer}"
+    gnomon.register_integrator(name, lambda system, settings: type("S", (), {"advance": lambda *_: answer})())
+    with pytest.raises(TypeError, match="expected a gnomon.State"):
+        gnomon.run(springs.with_({"integrator.name": name, "integrator.step": 1}))
+
+
+def test_an_integrator_may_fail_as_others_do(springs):
+    class Gives:
+        def __init__(self, *_):
+            pass
+
+        def advance(self, state, until):
+            raise gnomon.SolutionError("no step can be taken")
+
+    gnomon.register_integrator("python-gives-up", Gives)
+    outcome = gnomon.run(springs.with_({"integrator.name": "python-gives-up", "integrator.step": 1}), check=False)
+    assert outcome.status == "failed" and outcome.diagnosis == "no step can be taken"
+
+
+def test_the_system_of_a_run_ends_with_it(springs):
+    kept = []
+
+    class Keeps(Heun):
+        def __init__(self, system, settings):
+            kept.append(system)
+            super().__init__(system, settings)
+
+    gnomon.register_integrator("python-keeps", Keeps)
+    gnomon.run(springs.with_({"integrator.name": "python-keeps", "integrator.step": 10, "time.end": 20}))
+    with pytest.raises(gnomon.Error, match="has ended"):
+        kept[0].size
+
+
+def test_laws_keep_their_own_constants(springs):
+    worn = []
+    for name, K in (("python-first", 1e-7), ("python-second", 3e-7)):
+        gnomon.register_wear_law(name, lambda p, v, h, q, t, s, x, K: K * p * v, {"K": K})
+    for name in ("python-first", "python-second"):
+        worn.append(gnomon.run(springs.with_({"wear.law": name})).history["wear_integral"][-1])
+    assert worn[1] / worn[0] == pytest.approx(3, rel=1e-2)
+
+
+@pytest.mark.parametrize("answer", [None, "1", 1j, numpy.array([1.0, 2.0])])
+def test_a_law_that_returns_no_number_is_told(springs, answer):
+    gnomon.register_wear_law("python-no-number", lambda *_: answer)
+    with pytest.raises(TypeError, match="expected a number"):
+        gnomon.run(springs.with_({"wear.law": "python-no-number"}))
+
+
+@pytest.mark.parametrize("name, rate, constants", [
+    ("", abs, {}), ("a b", abs, {}), (3, abs, {}), ("x", 3, {}), ("x", abs, {"p": 1}), ("x", abs, {"rate": 1}),
+    ("x", abs, {"a b": 1}), ("x", abs, {"K": float("nan")}), ("x", abs, {"lambda": 1}),
+])
+def test_names_that_cannot_be_keys_are_refused(name, rate, constants):
+    with pytest.raises((gnomon.InputError, TypeError)):
+        gnomon.register_wear_law(name, rate, constants)

@@ -1,0 +1,63 @@
+import pickle
+
+import gnomon
+import numpy
+import pytest
+
+
+def test_a_dictionary_is_the_same_scene_as_its_file(pin):
+    assert gnomon.Scene.from_dict(pin.to_dict()) == pin
+    assert gnomon.Scene.from_text(pin.resolved()) == pin
+
+
+def test_dotted_names_and_tables_mean_the_same():
+    springs = gnomon.Scene.example("winkler/pin.toml")
+    values = springs.to_dict()
+    force = values["load"].pop("force")
+    values["load.force"] = numpy.float64(force)
+    assert gnomon.Scene.from_dict(values) == springs
+
+
+def test_values_are_read_and_replaced(pin):
+    assert pin["mesh.elements"] == [6, 6]
+    softer = pin.with_({"body.young_modulus": 20})
+    assert softer["body.young_modulus"] == 20 and pin["body.young_modulus"] == 640
+    assert softer != pin and softer != 3
+    with pytest.raises(KeyError):
+        pin["body.none"]
+
+
+def test_all_mistakes_are_told_with_their_lines():
+    text = 'problem = "winkler"\n[pin]\nradius = -1.0\nwidht = 10.0\n'
+    with pytest.raises(gnomon.InputError) as error:
+        gnomon.Scene.from_text(text, name="my.toml")
+    lines = error.value.lines
+    assert len(lines) > 2 and isinstance(error.value, ValueError)
+    assert any("my.toml:3" in line and "pin.radius" in line for line in lines)
+    assert any("widht" in line and "pin.width" in line for line in lines)
+
+
+def test_arrays_of_tables_reach_the_scene():
+    part = gnomon.Scene.example("worn_body/block_on_ring.toml")
+    assert gnomon.Scene.from_dict(part.to_dict(), name=str(part.path)) == part
+
+
+@pytest.mark.parametrize("value", [None, {1, 2}, object(), lambda: 1, 1j])
+def test_values_without_a_meaning_in_toml_are_refused(value):
+    with pytest.raises(gnomon.InputError, match="a value of a scene"):
+        gnomon.Scene.from_dict({"problem": value})
+
+
+def test_values_of_numpy_are_values(pin):
+    assert pin.with_({"output.last": numpy.bool_(True), "mesh.elements": numpy.array([6, 6])}) == pin
+
+
+@pytest.mark.parametrize("values", [None, 3, [("problem", "winkler")]])
+def test_other_things_than_dictionaries_are_refused(values):
+    with pytest.raises(gnomon.InputError, match="expected a dictionary"):
+        gnomon.Scene.from_dict(values)
+
+
+def test_scenes_can_be_pickled(pin):
+    again = pickle.loads(pickle.dumps(pin))
+    assert again == pin and type(again) is gnomon.Scene

@@ -1,0 +1,57 @@
+// Short steps before stored times: in runs of the integrators that settle, and of no other.
+#include <algorithm>
+#include <cmath>
+#include <gnomon/run/run.hpp>
+#include <gnomon/stability/stability.hpp>
+
+#include "support/problem_run.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+
+class SettledRun : public ::testing::TestWithParam<std::string> {
+protected:
+  const Integrator& integrator() const { return Integrators::find(GetParam(), "integrator"); }
+
+  /// The ends of the steps of a run of the pin in which nodes close, with many stored times.
+  std::vector<double> ends(bool settle) const {
+    const auto model = model_of("pin_on_flat/small_deformation.toml", {"mesh.elements=[8,6]"});
+    const IntegratorSettings settings = controlled_settings(*model, 1e-2, 160);
+    std::vector<double> times;
+    const RunHooks hooks{.on_step = [&](const HistoryRow& row) { times.push_back(row.t); }};
+    StorePolicy policy;
+    policy.times = {20, 40, 60, 80, 100, 120, 140, 160};
+    policy.settle = settle;
+    EXPECT_EQ(run(*model, integrator(), settings, policy, nullptr, hooks).text(), "finished");
+    return times;
+  }
+};
+
+// An explicit method solves for the pressures at the end of every step and would gain nothing.
+TEST_P(SettledRun, HasShortStepsWhereTheMethodIsImplicit) {
+  const auto table = integrator().table({});
+  const bool is_implicit = !table || !is_explicit(*table);  // bdf has no table
+  EXPECT_EQ(integrator().settles, is_implicit);
+  const std::vector<double> times = ends(true);
+  if (is_implicit) {
+    const auto begins = [](double t) { return std::abs(std::remainder(t + 0.4, 20)) < 1e-9; };
+    EXPECT_TRUE(std::ranges::any_of(times, begins));  // two of 0.01 of 20 s
+  } else {
+    EXPECT_EQ(times, ends(false));
+  }
+}
+
+std::string parameter_name(const ::testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  for (char& c : name)
+    if (c == '-') c = '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SettledRun, ::testing::ValuesIn(Integrators::names()),
+                         parameter_name);
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,168 @@
+// Studies in parts: planned, run by several processes, collected.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <gnomon/base/error.hpp>
+#include <thread>
+
+#include "study/run_numbers.hpp"
+#include "study/study_fixture.hpp"
+
+namespace gnomon {
+namespace {
+
+using test::Outcome;
+using test::Row;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+namespace fs = std::filesystem;
+
+class Parts : public test::StudyTest {
+protected:
+  /// A sweep of the pin without references, with one run for each step.
+  void write_study(const std::string& steps) const {
+    write("study.toml",
+          "reference = \"none\"\n" + head() + method("backward-euler", "steps = [" + steps + "]"));
+  }
+
+  Outcome plan(const std::vector<std::string>& further = {}) const {
+    std::vector<std::string> arguments = {"study", "plan", "study.toml", "-o", "out"};
+    arguments.insert(arguments.end(), further.begin(), further.end());
+    return gnomon(arguments);
+  }
+
+  static std::vector<std::string> run(const std::string& numbers,
+                                      const std::string& lost_after = "120") {
+    return {"study", "run", "out", numbers, "--lost-after", lost_after};
+  }
+
+  /// Waits until a process does the first run, which takes a while.
+  fs::path begun(const std::string& name) const {
+    const fs::path attempt = folder() / "out/tries" / name / "1";
+    for (int i = 0; i < 6000 && !fs::exists(attempt / (name + ".h5")); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return attempt;
+  }
+};
+
+const std::string slow = "backward-euler__step-0.02";  // takes seconds
+
+TEST_F(Parts, GiveTheTableOfTheWhole) {
+  write_study("50, 25, 20");
+  const Outcome planned = plan();
+  ASSERT_EQ(planned.exit_code, 0) << planned.err;
+  EXPECT_THAT(test::read_text(folder() / "out/plan.csv"),
+              HasSubstr("number,run\n1,backward-euler__step-50\n2,"));
+  EXPECT_EQ(gnomon(run("1,3")).exit_code, 0);
+  const Outcome partly = gnomon({"study", "collect", "out"});
+  EXPECT_EQ(partly.exit_code, 1);
+  EXPECT_EQ(partly.err, "gnomon: 1 run of 3 missing; gnomon study run out 2 does it\n");
+  EXPECT_EQ(rows()[1].at("status"), "missing");
+  EXPECT_EQ(rows()[2].at("status"), "finished");
+  fs::remove(folder() / "study.toml");  // the folder has all that is needed
+  EXPECT_EQ(gnomon(run("1-3")).exit_code, 0);
+  EXPECT_EQ(gnomon({"study", "collect", "out"}).exit_code, 0);
+  const auto parts = rows();
+
+  write_study("50, 25, 20");
+  ASSERT_EQ(gnomon({"study", "study.toml", "-o", "whole", "--quiet"}).exit_code, 0);
+  const auto whole = test::parse_csv(test::read_text(folder() / "whole/study.csv"));
+  ASSERT_EQ(parts.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    for (const char* name : {"run", "status", "steps", "worn_volume", "max_pressure"})
+      EXPECT_EQ(parts[i].at(name), whole[i].at(name)) << name;
+}
+
+TEST_F(Parts, ARunThatAnotherProcessDoesIsLeftToIt) {
+  write_study("0.02");
+  ASSERT_EQ(plan().exit_code, 0);
+  const pid_t first = start(run("1", "1"));
+  begun(slow);
+  const Outcome second = gnomon(run("1", "1"));
+  EXPECT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_THAT(second.out, HasSubstr("1 run left to other processes"));
+  EXPECT_EQ(finish(first).exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder() / "out/tries" / slow));
+  EXPECT_EQ(gnomon({"study", "collect", "out"}).exit_code, 0);
+}
+
+// The stopped process still exists, but gives no sign.
+TEST_F(Parts, ALostRunIsDoneByAnotherProcess) {
+  write_study("0.02");
+  ASSERT_EQ(plan().exit_code, 0);
+  const pid_t first = start(run("1", "1"));
+  begun(slow);
+  kill(first, SIGSTOP);
+  const Outcome second = gnomon(run("1", "1"));
+  EXPECT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_THAT(second.out, Not(HasSubstr("left to other")));
+  const fs::path result = folder() / "out/runs" / (slow + ".h5");
+  ASSERT_TRUE(fs::exists(result));
+  const auto written = fs::last_write_time(result);
+  kill(first, SIGCONT);
+  EXPECT_EQ(finish(first).exit_code, 0);
+  EXPECT_EQ(fs::last_write_time(result), written);  // not twice
+}
+
+TEST_F(Parts, AnInterruptedRunGoesOnWhereItWas) {
+  write_study("0.02");
+  ASSERT_EQ(plan().exit_code, 0);
+  const pid_t first = start(run("1"));
+  const fs::path attempt = begun(slow);
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  kill(first, SIGTERM);
+  EXPECT_EQ(finish(first).exit_code, 1);
+  const long rows_before = long(ResultReader(attempt / (slow + ".h5")).history().size());
+  EXPECT_GT(rows_before, 1);
+  EXPECT_EQ(gnomon(run("1")).exit_code, 0);
+  const ResultReader result(folder() / "out/runs" / (slow + ".h5"));
+  EXPECT_EQ(result.status(), "finished");
+  EXPECT_EQ(result.history().size(), 5001u);
+  // Runs of studies make checkpoints only where they are interrupted.
+  ASSERT_THAT(result.checkpoints(), SizeIs(1));
+  EXPECT_EQ(result.checkpoints().back().rows, rows_before);
+}
+
+TEST_F(Parts, BadInputIsOneLine) {
+  write_study("50");
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& reason) {
+    const Outcome outcome = gnomon(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(reason));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  };
+  refused({"study"}, "expected a study file, or plan, run or collect");
+  refused({"study", "plan"}, "STUDY is required");
+  refused({"study", "collect", "none"}, "none: expected the folder of a study");
+  ASSERT_EQ(plan().exit_code, 0);
+  refused({"study", "plan", "study.toml", "-o", "out"}, "exists already");
+  refused(run("2"), "runs `2`: expected numbers from 1 to 1");
+  refused(run("1-"), "got ``");
+  refused({"study", "study.toml", "--executor", "pbs"}, "--executor");
+  write("out/plan.json", "{");
+  refused({"study", "collect", "out"}, "plan.json: is damaged");
+}
+
+TEST_F(Parts, AStudyFileMayBeCalledPlan) {
+  write_study("50");
+  fs::rename(folder() / "study.toml", folder() / "plan");
+  EXPECT_EQ(gnomon({"study", "./plan", "-o", "out", "--quiet"}).exit_code, 0);
+  EXPECT_THAT(rows(), SizeIs(1));
+}
+
+TEST(RunNumbers, AreReadAndWritten) {
+  using study::numbers_of;
+  using study::runs_numbered;
+  EXPECT_EQ(runs_numbered("3", 12), (std::vector<std::size_t>{2}));
+  EXPECT_EQ(runs_numbered("9-10,3,5,3", 12), (std::vector<std::size_t>{2, 4, 8, 9}));
+  EXPECT_EQ(numbers_of({8, 2, 4, 9, 10}), "3,5,9-11");
+  for (const char* bad :
+       {"", "0", "13", "a", "2-", "-2", "1,,2", "1-13", "1 2", "99999999999999999999"})
+    EXPECT_THROW(runs_numbered(bad, 12), InputError) << bad;
+}
+
+}  // namespace
+}  // namespace gnomon
