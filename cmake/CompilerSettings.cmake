@@ -1,6 +1,8 @@
 # Warnings and instrumentation that every target of the project shares.
 add_library(gnomon_settings INTERFACE)
 target_compile_options(gnomon_settings INTERFACE -Wall -Wextra -Wpedantic)
+# __FILE__ is relative, so that no binary names the folder where it was built.
+target_compile_options(gnomon_settings INTERFACE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 if(GNOMON_SANITIZE)
   target_compile_options(gnomon_settings INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
