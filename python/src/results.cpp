@@ -26,10 +26,11 @@ std::size_t step_at(const ResultReader& reader, std::optional<double> t) {
   if (!t) return times.size() - 1;
   for (std::size_t step = 0; step < times.size(); ++step)
     if (std::abs(times[step] - *t) <= 1e-9 * times.back()) return step;
+  const auto text = [](double value) { return py::str(py::float_(value)).cast<std::string>(); };
   std::string known;
-  for (const double time : times) known += " " + std::string(py::str(py::float_(time)));
-  throw InputError("t = " + std::string(py::str(py::float_(*t))) +
-                   ": expected one of the stored times" + known);
+  for (const double time : times) known.append(" ").append(text(time));
+  throw InputError(
+      std::string("t = ").append(text(*t)).append(": expected one of the stored times") + known);
 }
 
 py::object field(const ResultReader& reader, const std::string& name, std::optional<double> t) {

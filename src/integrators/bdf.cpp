@@ -48,7 +48,10 @@ private:
   void account_for_rejected(StepAccount& account);
   bool vanishes(double step);
   double take_integral();
+  int step(double t_stop, State& reached, StepAccount& account);
   double settling_stop(const std::optional<Settling>& settling, double t, double t_stop) const;
+  bool needs_settling(const std::optional<Settling>& settling, double t,
+                      const State& reached) const;
   ActiveSet active(const State& state) const {
     return branch() ? branch_ : active_set(system_, state.t, state.y);
   }
@@ -62,6 +65,7 @@ private:
   std::optional<Closings> closings_;  // only with settled times
   bool begun_ = false;
   long rejected_ = 0;
+  double first_step_ = 0;                     // after a restart; 0: IDA chooses
   double from_ = 0;                           // start of the step, on whose side of a jump it lies
   int vanishing_ = 0;                         // steps, one after the other
   double integrated_ = 0;                     // value of the quadrature at the start of the step
@@ -303,13 +307,37 @@ double BdfSolver::Memory::settling_stop(const std::optional<Settling>& settling,
   return std::min(settling->in_first_step(t) ? settling->middle() : settling->end, t_stop);
 }
 
+/// Whether a node has closed in the step from t to `reached`, which has passed the time where
+/// settling begins because none had closed before. The step is then taken back, and IDA begins
+/// anew: its polynomial cannot lead to that time, because it has worn the node before it closed.
+/// (A located closing does not need it: it is at the end of a step.)
+bool BdfSolver::Memory::needs_settling(const std::optional<Settling>& settling, double t,
+                                       const State& reached) const {
+  return settling && settling->before(t) && !settling->before(reached.t) && !branch() &&
+         !closings_->recent() && closings_->closes(active(reached));
+}
+
+/// One step of IDA at most to t_stop, in `reached`.
+int BdfSolver::Memory::step(double t_stop, State& reached, StepAccount& account) {
+  void* ida = ida_.get();
+  check(IDASetInitStep(ida, std::exchange(first_step_, 0)), "IDASetInitStep");  // 0: IDA's choice
+  check(IDASetStopTime(ida, t_stop), "IDASetStopTime");
+  const double t = reached.t;
+  const int flag = IDASolve(ida, t_stop, &reached.t, y_.get(), ydot_.get(), IDA_ONE_STEP);
+  guard_.rethrow();
+  account_for_rejected(account);
+  if (flag < 0 || vanishes(reached.t - t)) fail(flag, t);
+  std::copy(view(y_.get()).begin(), view(y_.get()).end(), reached.y.begin());
+  set_rates(system_, branch(), reached);
+  return flag;
+}
+
 StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   // Relative distance of two times that are meant to be equal. IDA refuses to begin with a step of
   // a few rounding errors.
   constexpr double nothing = 1e-12;
   from_ = state.t;
   if (!begun_) begin(state);
-  void* ida = ida_.get();
   guard_.clear();
   std::optional<Settling> settling;
   if (closings_) settling = next_settling(system_.structure(), settings_, state.t);
@@ -317,23 +345,21 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
   if (t_stop - state.t <= nothing * t_stop) return skip_to(state, t_stop);
   StepAccount account(counters_);
-  check(IDASetStopTime(ida, t_stop), "IDASetStopTime");
-  sunrealtype t = state.t;
-  const int flag = IDASolve(ida, t_stop, &t, y_.get(), ydot_.get(), IDA_ONE_STEP);
-  guard_.rethrow();
-  account_for_rejected(account);
-  if (flag < 0 || vanishes(t - state.t)) fail(flag, state.t);
-
-  int order = 0;
-  check(IDAGetLastOrder(ida, &order), "IDAGetLastOrder");
-  StepReport report = account.accept(t - state.t, order);
-  report.integral = take_integral();
   State reached = state;  // an event that cannot be crossed leaves the last good state
-  reached.t = t;
-  std::copy(view(y_.get()).begin(), view(y_.get()).end(), reached.y.begin());
-  set_rates(system_, branch(), reached);
+  int flag = step(t_stop, reached, account);
+  if (needs_settling(settling, state.t, reached)) {
+    account.reject();
+    restart(state);
+    first_step_ = settling->begin - state.t;
+    reached = state;
+    flag = step(settling->begin, reached, account);
+  }
+  int order = 0;
+  check(IDAGetLastOrder(ida_.get(), &order), "IDAGetLastOrder");
+  StepReport report = account.accept(reached.t - state.t, order);
+  report.integral = take_integral();
   const bool event = branch() && cross_event(reached, flag == IDA_ROOT_RETURN, report);
-  if (event || is_breakpoint(system_.structure(), t)) restart(reached);
+  if (event || is_breakpoint(system_.structure(), reached.t)) restart(reached);
   if (branch()) reached.branch = branch_;
   if (closings_) closings_->accept(active(reached), settling && !settling->before(state.t));
   state = std::move(reached);

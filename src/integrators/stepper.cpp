@@ -236,7 +236,7 @@ OneStepStepper::Step OneStepStepper::next_step(const State& state, double t_stop
   if (!settling->before(state.t)) {
     if (const std::optional<Step> step = short_step(state, t_stop)) return *step;
     account.reject();
-    return ordinary_step(state, t_stop, account);
+    return ordinary_step(state, settling->shorter(state.t), account);
   }
   if (!closings_->recent()) {
     const std::optional<EventLocator> before = locator_;

@@ -36,8 +36,9 @@ TEST(ProgressText, LeavesOutWholeItemsOnANarrowTerminal) {
   EXPECT_EQ(at(40), "t 987.65 of 1000 s  worn 1.99 mm^2");
   for (std::size_t width = 20; width <= whole.size(); ++width) {
     EXPECT_LE(at(width).size(), width);
-    if (at(width).find("worn") != std::string::npos)
+    if (at(width).find("worn") != std::string::npos) {
       EXPECT_NE(at(width).find("worn 1.99 mm^2"), std::string::npos);
+    }
   }
 }
 

@@ -26,6 +26,10 @@ TEST(Settling, IsAShortIntervalBeforeEachTime) {
   expect(99.5, 98, 100);
   expect(100, 492, 500);  // of 400 s
   EXPECT_FALSE(next_settling(structure, settings, 500));
+  const Settling settling{492, 500};
+  EXPECT_DOUBLE_EQ(settling.shorter(492), 498);
+  EXPECT_DOUBLE_EQ(settling.shorter(498), 499.5);
+  EXPECT_DOUBLE_EQ(settling.shorter(499.9), 500);  // too short to settle anything
   settings.max_step = 1;
   expect(0, 99, 100);  // both of them
   settings.max_step = 0;
@@ -72,17 +76,18 @@ struct Worn {
   double wear_integral;
   long newton_iterations;
 };
-Worn worn_ball(const std::string& integrator, double rtol, bool settled) {
+Worn worn_ball(const std::string& integrator, double rtol, bool settled,
+               const std::vector<double>& times = {500, 1000}) {
   const auto model = model_of(ball_small, ball_mesh(5, 2, 3));
   Counters counters;
   State state = model->start(counters);
   IntegratorSettings settings = settings_of(*model, rtol, 1000);
   settings.integrand = model->wear_flux();
-  if (settled) settings.settled = {500, 1000};
+  if (settled) settings.settled = times;
   const auto stepper =
       Integrators::find(integrator, "integrator").make(model->system(), settings, counters);
   double integral = 0;
-  for (const double stop : {500.0, 1000.0})
+  for (const double stop : times)
     while (state.t < stop) integral += stepper->advance(state, stop).integral;
   return {model->contact(state)->pressure, integral, counters.newton_iterations};
 }
@@ -105,6 +110,15 @@ TEST(Settling, MakesPressuresOfAStiffBallAccurate) {
     EXPECT_LT(distance(settled.pressure, exact.pressure), 0.05) << integrator;
     EXPECT_LT(settled.newton_iterations, 1.3 * plain.newton_iterations) << integrator;
   }
+}
+
+// A node closes in the last step to 1000 s, which is as long as bdf likes because none has closed
+// in the steps before: the step is taken back.
+TEST(Settling, TakesBackAStepOfBdfInWhichANodeCloses) {
+  const Worn exact = worn_ball("esdirk-4", 1e-4, true);
+  const Worn worn = worn_ball("bdf", 1e-2, true, {200, 400, 600, 800, 1000});
+  EXPECT_LT(distance(worn.pressure, exact.pressure), 0.05);
+  EXPECT_NEAR(worn.wear_integral, 5, 5e-4);
 }
 
 // The short steps count in the wear integral by their own formula: K mu F v t.
@@ -165,7 +179,7 @@ TEST(Settling, KeepsTheErrorRightAfterAFastLoad) {
   const WornPin exact = worn_pin("esdirk-4", 1e-8, false, 1000, fast);
   const WornPin run = worn_pin("esdirk-3", 1e-6, true, 1000, fast);
   EXPECT_LT(distance(run.depth, exact.depth), 1e-6);
-  EXPECT_EQ(run.counters.rejected_steps, 1);
+  EXPECT_GE(run.counters.rejected_steps, 1);
 }
 
 // Where stored times set the steps, short steps before each of them would cost two factorizations:

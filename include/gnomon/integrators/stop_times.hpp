@@ -35,6 +35,12 @@ struct Settling {
   /// Times that differ by rounding are equal.
   bool before(double t) const { return t < begin - rounding(); }
   bool in_first_step(double t) const { return t < middle() - rounding(); }
+  /// After two steps from t that were too long for the tolerance: where to begin with shorter ones,
+  /// or the end if they would be too short to remove an error.
+  double shorter(double t) const {
+    constexpr double ratio = 4, shortest = 1.0 / 64;
+    return end - t > shortest * (end - begin) ? end - (end - t) / ratio : end;
+  }
 
 private:
   double rounding() const { return 1e-9 * (end - begin); }
