@@ -1,4 +1,5 @@
 #include <metis.h>
+#include <signal.h>
 #include <umfpack.h>
 
 #include <algorithm>
@@ -67,6 +68,30 @@ SparsePattern pad_groups(const SparsePattern& pattern, std::vector<int> group) {
   return builder.build();
 }
 
+/// METIS handles SIGTERM as an error of its own, and afterwards leaves the program's handler in
+/// place for one signal only. So the signal waits until METIS has ended and the handler is
+/// restored.
+class TerminationWaits {
+public:
+  TerminationWaits() {
+    sigset_t termination;
+    sigemptyset(&termination);
+    sigaddset(&termination, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &termination, &mask_);
+    sigaction(SIGTERM, nullptr, &handler_);
+  }
+  ~TerminationWaits() {
+    sigaction(SIGTERM, &handler_, nullptr);
+    pthread_sigmask(SIG_SETMASK, &mask_, nullptr);
+  }
+  TerminationWaits(const TerminationWaits&) = delete;
+  TerminationWaits& operator=(const TerminationWaits&) = delete;
+
+private:
+  sigset_t mask_;
+  struct sigaction handler_;
+};
+
 }  // namespace
 
 std::vector<int> nested_dissection(const SparsePattern& pattern, const std::vector<int>& group) {
@@ -80,10 +105,10 @@ std::vector<int> nested_dissection(const SparsePattern& pattern, const std::vect
     idx_t options[METIS_NOPTIONS];
     METIS_SetDefaultOptions(options);
     options[METIS_OPTION_SEED] = 1;  // the same order in every run
+    const TerminationWaits waits;
     if (METIS_NodeND(&groups, graph.start.data(), graph.neighbour.data(), nullptr, options,
                      order.data(), position.data()) != METIS_OK)
-      // METIS treats SIGTERM as its own error.
-      throw Error("METIS was ended by a signal, or could not order the unknowns");
+      throw Error("METIS could not order the unknowns");
   }
   std::vector<int> result(compact.size());
   std::iota(result.begin(), result.end(), 0);

@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
 #include <gnomon/linear/sparse_lu.hpp>
 #include <random>
+#include <thread>
 
 namespace gnomon {
 namespace {
@@ -81,6 +86,30 @@ TEST(NestedDissection, IsAPermutationThatKeepsGroupsTogether) {
     EXPECT_EQ(chain.group[order[k]], chain.group[order[k + 2]]);
     EXPECT_LT(order[k], order[k + 1]);  // the multiplier after its node's displacements
   }
+}
+
+volatile std::sig_atomic_t terminations = 0;
+extern "C" void count_termination(int) {
+  terminations = terminations + 1;
+}
+
+// Whoever ends a run expects its checkpoint, not an error of METIS, which has a handler of its own.
+TEST(NestedDissection, LeavesSignalsToTheProgram) {
+  const Chain chain(1000, 1);
+  const auto before = std::signal(SIGTERM, count_termination);
+  terminations = 0;
+  std::atomic<bool> done = false;
+  std::thread sender([&done, target = pthread_self()] {
+    while (!done) {
+      pthread_kill(target, SIGTERM);
+      std::this_thread::sleep_for(std::chrono::microseconds(50));
+    }
+  });
+  for (int k = 0; k < 100; ++k) EXPECT_NO_THROW(nested_dissection(chain.pattern, chain.group)) << k;
+  done = true;
+  sender.join();
+  std::signal(SIGTERM, before);
+  EXPECT_GT(terminations, 0);
 }
 
 }  // namespace
