@@ -62,7 +62,7 @@ FieldValues<3> NewtonIteration::guess(const Example& example) const {
   return values;
 }
 
-NewtonIteration::NewtonIteration(const Example& example, bool coupled)
+NewtonIteration::NewtonIteration(const Example& example, bool coupled, bool kept)
     : equations_(example.body),
       system_(equations_.composition(),
               coupled ? BlockSelection(equations_.composition()->fields->blocks.size(), 1)
@@ -71,6 +71,7 @@ NewtonIteration::NewtonIteration(const Example& example, bool coupled)
       rest_(structure().size),
       F_(structure().size),
       J_(structure().pattern.nonzeros()),
+      kept_(kept),
       right_(sundials::make_vector(structure().size, context_)),
       solution_(sundials::make_vector(structure().size, context_)),
       solver_(structure(), counters_, context_) {
@@ -82,7 +83,8 @@ NewtonIteration::NewtonIteration(const Example& example, bool coupled)
 
 void NewtonIteration::run() {
   constexpr double alpha = 1.0 / 50, reduction = 1e-4;
-  const Point at{.t = 0, .y = y_, .ydot = rest_, .branch = &branch_};
+  SlowPart* const slow = kept_ ? &slow_ : nullptr;
+  const Point at{.t = 0, .y = y_, .ydot = rest_, .branch = &branch_, .slow = slow};
   residual_.time([&] { system_.residual(at, F_); });
   jacobian_.time([&] { system_.jacobian(at, alpha, J_); });
   std::copy(F_.begin(), F_.end(), sundials::view(right_.get()).begin());

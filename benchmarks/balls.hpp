@@ -33,8 +33,9 @@ Example ball_of_tetrahedra(double refinement, bool multigrid);
 /// the pressure, undeformed. alpha = 1/50 s.
 class NewtonIteration {
 public:
-  /// `coupled`: with the shape; otherwise the contact problem alone.
-  NewtonIteration(const Example& example, bool coupled);
+  /// `coupled`: with the shape; otherwise the contact problem alone. `kept`: after the first run,
+  /// Jacobians keep the derivatives of the cells, as most do in a run.
+  NewtonIteration(const Example& example, bool coupled, bool kept);
 
   /// Residual, Jacobian, a set-up of the preconditioner, and a solve down to 1e-4.
   void run();
@@ -57,6 +58,8 @@ private:
   ComposedSystem<3> system_;
   std::vector<double> y_, rest_, F_, J_;
   ActiveSet branch_;
+  bool kept_;
+  SlowPart slow_;
   sundials::Context context_;
   Counters counters_;
   long runs_ = 0;

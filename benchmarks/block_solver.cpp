@@ -30,7 +30,7 @@ void report(::benchmark::State& loop, const NewtonIteration& newton) {
 /// Times of the counters are in seconds of all processors; `first_set_up` chooses aggregates.
 void block_newton(::benchmark::State& loop, Example (*make)(double, bool), bool multigrid) {
   const Example example = make(refinement(loop), multigrid);
-  NewtonIteration newton(example, true);
+  NewtonIteration newton(example, true, false);
   newton.run();
   loop.counters["first_set_up"] = newton.set_up();
   newton.forget();
@@ -40,21 +40,25 @@ void block_newton(::benchmark::State& loop, Example (*make)(double, bool), bool 
   loop.counters["peak_MB"] = peak_memory();
 }
 
-/// Both run alternately. `coupled/contact` is the cost of wear and shape; the others are the same
-/// ratio for the parts.
+/// What follows after a set-up: assembly and solve.
+double without_set_up(const NewtonIteration& newton) {
+  return newton.assembly() + newton.solve();
+}
+
+/// All run alternately. `coupled/contact` is the cost of wear and shape; the others are the same
+/// ratio for the parts. `kept`: with derivatives of the cells from an earlier Jacobian.
 void coupled_against_contact(::benchmark::State& loop, Example (*make)(double, bool),
                              bool multigrid) {
   const Example example = make(refinement(loop), multigrid);
-  NewtonIteration coupled(example, true);
-  NewtonIteration contact(example, false);
-  for (NewtonIteration* newton : {&coupled, &contact}) {
+  NewtonIteration coupled(example, true, false), kept(example, true, true);
+  NewtonIteration contact(example, false, false), kept_contact(example, false, true);
+  const std::initializer_list<NewtonIteration*> all = {&coupled, &contact, &kept, &kept_contact};
+  for (NewtonIteration* newton : all) {
     newton->run();
     newton->forget();
   }
-  while (loop.KeepRunning()) {
-    coupled.run();
-    contact.run();
-  }
+  while (loop.KeepRunning())
+    for (NewtonIteration* newton : all) newton->run();
   report(loop, coupled);
   loop.counters["contact_krylov"] = contact.krylov();
   loop.counters["contact_unknowns"] = static_cast<double>(contact.structure().size);
@@ -63,8 +67,10 @@ void coupled_against_contact(::benchmark::State& loop, Example (*make)(double, b
   loop.counters["set_up_ratio"] = coupled.set_up() / contact.set_up();
   loop.counters["solve_ratio"] = coupled.solve() / contact.solve();
   loop.counters["coupled/contact"] = coupled.all() / contact.all();
-  loop.counters["no_set_up_ratio"] =
-      (coupled.assembly() + coupled.solve()) / (contact.assembly() + contact.solve());
+  loop.counters["no_set_up_ratio"] = without_set_up(coupled) / without_set_up(contact);
+  loop.counters["kept/contact"] = without_set_up(kept) / without_set_up(contact);
+  loop.counters["kept/kept_contact"] = without_set_up(kept) / without_set_up(kept_contact);
+  loop.counters["kept_assembly_ratio"] = kept.assembly() / contact.assembly();
 }
 
 /// Refinements in hundredths, from 1,800 elements on. Beyond 100,000 elements only where
