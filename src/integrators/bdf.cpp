@@ -14,6 +14,7 @@
 #include <optional>
 #include <utility>
 
+#include "integrators/root_branch.hpp"
 #include "newton/semismooth_newton.hpp"
 
 namespace gnomon {
@@ -41,7 +42,6 @@ private:
   static int switching(sunrealtype t, N_Vector y, N_Vector ydot, sunrealtype* values, void* self);
   static int integrand(sunrealtype t, N_Vector y, N_Vector ydot, N_Vector value, void* self);
   void begin(const State& state);
-  int switch_nodes(const State& state, bool at_root);
   bool cross_event(State& state, bool at_root, StepReport& report);
   void restart(const State& state);
   StepReport skip_to(State& state, double t);
@@ -53,9 +53,9 @@ private:
   bool needs_settling(const std::optional<Settling>& settling, double t,
                       const State& reached) const;
   ActiveSet active(const State& state) const {
-    return branch() ? branch_ : active_set(system_, state.t, state.y);
+    return branch() ? *branch() : active_set(system_, state.t, state.y);
   }
-  const ActiveSet* branch() const { return settings_.locate_events ? &branch_ : nullptr; }
+  const ActiveSet* branch() const { return branch_ ? &branch_->active() : nullptr; }
   [[noreturn]] void fail(int flag, double t) const;
 
   const System& system_;
@@ -69,8 +69,7 @@ private:
   double from_ = 0;                           // start of the step, on whose side of a jump it lies
   int vanishing_ = 0;                         // steps, one after the other
   double integrated_ = 0;                     // value of the quadrature at the start of the step
-  ActiveSet branch_;                          // branch of the steps while events are located
-  std::vector<double> switched_at_;           // time of each node's last event
+  std::optional<RootBranch> branch_;          // while events are located
   std::optional<AlgebraicSolver> algebraic_;  // made at the first event
   LinearRequest request_;
   SlowPart slow_;  // of the Jacobian
@@ -111,7 +110,7 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
     return Point{t, view(probe_.get())};
   };
   const auto branch_at = [this](const Point& at) {
-    return branch() ? branch_ : active_set(system_, at.t, at.y);
+    return branch() ? *branch() : active_set(system_, at.t, at.y);
   };
   nonlinear_ = make_semismooth_newton(system.structure(), counters, guard_,
                                       within_time_error(newton_in_ida, settings.nonlinear_fraction),
@@ -144,9 +143,8 @@ void BdfSolver::Memory::begin(const State& state) {
   check(IDASetJacFn(ida, &Memory::jacobian), "IDASetJacFn");
   check(IDASetNonlinearSolver(ida, nonlinear_.get()), "IDASetNonlinearSolver");
   if (settings_.locate_events) {
-    branch_ = active_set(system_, state.t, state.y);
-    switched_at_.assign(branch_.size(), -settings_.end);
-    check(IDARootInit(ida, static_cast<int>(branch_.size()), &Memory::switching), "IDARootInit");
+    branch_.emplace(system_, state.t, state.y, settings_.end);
+    check(IDARootInit(ida, branch_->size(), &Memory::switching), "IDARootInit");
     check(IDASetNoInactiveRootWarn(ida), "IDASetNoInactiveRootWarn");
   }
   if (!settings_.settled.empty()) closings_.emplace(steps_to_damp).begin(active(state));
@@ -189,7 +187,7 @@ int BdfSolver::Memory::switching(sunrealtype t, N_Vector y, N_Vector, sunrealtyp
                                  void* data) {
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run(
-      [&] { self.system_.switching(t, view(y), std::span<double>(values, self.branch_.size())); });
+      [&] { self.system_.switching(t, view(y), std::span<double>(values, self.branch_->size())); });
 }
 
 // IDA integrates it by its own formula, order and step; it does not take part in the error test.
@@ -201,49 +199,18 @@ int BdfSolver::Memory::integrand(sunrealtype t, N_Vector y, N_Vector ydot, N_Vec
   });
 }
 
-/// Switches the nodes at a root: the node that IDA names, and nodes that switch with it because of
-/// symmetry but whose roots differ by rounding. Returns how many. A node that has just switched
-/// starts from zero with a sign that is determined by rounding, and may reach its new branch by a
-/// root: it is not switched again.
-int BdfSolver::Memory::switch_nodes(const State& state, bool at_root) {
-  // Relative to the largest switching function: symmetric nodes differ by the residual of Newton's
-  // method, up to NewtonOptions::acceptable.
-  constexpr double together = 1e-9;
-  // Part of the run before a node may switch again. After an event IDA begins at order one, with a
-  // step of at most 1e-3 of the time to t_stop: an event earlier than this is below the error of
-  // that step.
-  constexpr double moment = 1e-6;
-  std::vector<int> found(branch_.size(), 0);
-  if (at_root) check(IDAGetRootInfo(ida_.get(), found.data()), "IDAGetRootInfo");
-  std::vector<double> values(branch_.size());
-  system_.switching(state.t, state.y, values);
-  double largest = 0;
-  for (double value : values) largest = std::max(largest, std::abs(value));
-  int switched = 0;
-  for (std::size_t j = 0; j < branch_.size(); ++j) {
-    if (state.t - switched_at_[j] <= moment * settings_.end) continue;
-    const bool rooted = found[j] != 0 && (found[j] < 0) != bool(branch_[j]);
-    if (found[j] != 0 && !rooted) continue;
-    const bool off = (values[j] <= 0) != bool(branch_[j]);
-    const bool beside = at_root && std::abs(values[j]) <= together * largest;
-    if (!rooted && !off && !beside) continue;
-    branch_[j] = !branch_[j];
-    switched_at_[j] = state.t;
-    ++switched;
-  }
-  return switched;
-}
-
 /// At an event the state is made consistent on the branch after the event. Returns false if there
 /// is no event.
 bool BdfSolver::Memory::cross_event(State& state, bool at_root, StepReport& report) {
-  report.switched = switch_nodes(state, at_root);
+  std::vector<int> roots(branch_->size(), 0);
+  if (at_root) check(IDAGetRootInfo(ida_.get(), roots.data()), "IDAGetRootInfo");
+  report.switched = branch_->switch_nodes(state.t, state.y, at_root ? &roots : nullptr);
   if (report.switched == 0) return false;
   ++counters_.events;
   if (!algebraic_) algebraic_.emplace(system_, counters_);
-  const std::string reason = algebraic_->solve(state.t, state.y, &branch_);
+  const std::string reason = algebraic_->solve(state.t, state.y, branch());
   if (!reason.empty()) throw SolutionError("bdf, after an event: " + reason);
-  set_rates(system_, &branch_, state);
+  set_rates(system_, branch(), state);
   return true;
 }
 
@@ -266,7 +233,7 @@ StepReport BdfSolver::Memory::skip_to(State& state, double t) {
   const double step = t - state.t;
   state.t = t;
   restart(state);
-  if (branch()) state.branch = branch_;
+  if (branch()) state.branch = *branch();
   return StepAccount(counters_).accept(step, 1);
 }
 
@@ -360,7 +327,7 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   report.integral = take_integral();
   const bool event = branch() && cross_event(reached, flag == IDA_ROOT_RETURN, report);
   if (event || is_breakpoint(system_.structure(), reached.t)) restart(reached);
-  if (branch()) reached.branch = branch_;
+  if (branch()) reached.branch = *branch();
   if (closings_) closings_->accept(active(reached), settling && !settling->before(state.t));
   state = std::move(reached);
   return report;
