@@ -255,6 +255,11 @@ StepReport OneStepStepper::advance(State& state, double t_stop) {
   const Step step = next_step(state, t_stop, account);
   if (!step.settles) proposal_ = after_success(step.plan, step.landing);
   accept(state, step);
+  // The rates change quickly behind an event, and the error estimate of a long step, which damps
+  // stiff components, does not see it: begin as at the start of a run.
+  if (!fixed() && step.landing.switched > 0)
+    proposal_ =
+        std::min(proposal_, first_step(state, system_.structure(), settings_, error_order_));
   return report(step, account);
 }
 

@@ -37,6 +37,19 @@ TEST(LocatedEvents, BringTheOrderBack) {
   EXPECT_LT(fine_step, 0.02 * error(10, false));
 }
 
+// The rates change quickly behind an event, and the error estimate of a long step would not see it:
+// errors were eight times as large as this bound.
+TEST(LocatedEvents, AreFollowedByStepsAsShortAsTheFirst) {
+  const double rtol = 1e-4;
+  const Overrides pin = {elements(20)};
+  const auto surface = [&](const std::string& integrator, double tolerance) {
+    return run_pin(integrator, 0, tolerance, 600, pin, true).worn_surface();
+  };
+  const Eigen::VectorXd exact = surface("esdirk-5", 1e-7);
+  for (const char* integrator : {"esdirk-3", "esdirk-4"})
+    EXPECT_LT((surface(integrator, rtol) - exact).norm(), rtol) << integrator;
+}
+
 TEST(LocatedEvents, EndStepsOnSymmetricPairs) {
   const PinRun run = located("esdirk-4", 20, 1e-4, 400);
   int events = 0;
