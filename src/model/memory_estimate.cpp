@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -74,22 +75,29 @@ double free_of_control_group() {
   return unlimited;
 }
 
-double address_space() {
+constexpr double program = 30 * megabyte;  // and its libraries
+
+/// A limit of addresses counts what is mapped, not what is used: the libraries, and the buffer of
+/// OpenBLAS, which tries without an end to get one where there is no room for it.
+double free_addresses() {
+  constexpr double blas_buffer = 136 * megabyte;
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited;
-  return static_cast<double>(limit.rlim_cur);
+  const double pages = number_in("/proc/self/statm");
+  const double mapped =
+      std::isfinite(pages) ? pages * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0;
+  return std::max(0.0, static_cast<double>(limit.rlim_cur) - mapped - blas_buffer + program);
 }
 
 }  // namespace
 
 double estimated_memory(const MeshSize& mesh, const LinearSolverChoice& solver) {
-  constexpr double program = 30 * megabyte;  // and its libraries
   if (mesh.dim == 3) return program + in_space(mesh, solver);
   return program + in_the_plane(mesh, solver.method == LinearSolverChoice::Method::direct);
 }
 
 double available_memory() {
-  return std::min({free_of_system(), free_of_control_group(), address_space()});
+  return std::min({free_of_system(), free_of_control_group(), free_addresses()});
 }
 
 std::string memory_text(double bytes) {
