@@ -43,10 +43,7 @@ public:
   void add(const std::filesystem::path& file) {
     const auto scene = scene_of(ResultReader(file).header(), file);
     if (!scene) {
-      unreadable_ += fmt::format(
-          "\nnote: the scene of {} was not compared, this version cannot "
-          "read it\n",
-          file.string());
+      unreadable_.insert(file.string());
     } else if (!first_) {
       first_ = scene;
     } else {
@@ -54,15 +51,20 @@ public:
         if (!key.starts_with("integrator.") && !key.starts_with("output.")) keys_.insert(key);
     }
   }
-  std::string note() const {
-    if (keys_.empty()) return unreadable_;
-    return fmt::format("{}\nnote: the scenes differ in {}\n", unreadable_, fmt::join(keys_, ", "));
+  std::string notes() const {
+    std::string text;
+    for (const std::string& file : unreadable_)
+      text += fmt::format("\nnote: the scene of {} was not compared, this version cannot read it\n",
+                          file);
+    if (!keys_.empty())
+      text += fmt::format("\nnote: the scenes differ in {}\n", fmt::join(keys_, ", "));
+    return text;
   }
 
 private:
   std::optional<Scene> first_;
   std::set<std::string> keys_;
-  std::string unreadable_;
+  std::set<std::string> unreadable_;
 };
 
 std::string worn_volume(const HistoryRow& row) {
@@ -115,8 +117,9 @@ int compare_command(const std::vector<std::filesystem::path>& results,
       table.text(), chosen.string());
   SceneDifferences differences;
   differences.add(chosen);
-  for (const auto& file : results) differences.add(file);
-  fmt::print("{}", differences.note());
+  for (const auto& file : results)
+    if (!std::filesystem::equivalent(file, chosen)) differences.add(file);
+  fmt::print("{}", differences.notes());
   return success;
 }
 

@@ -14,7 +14,7 @@
 #include "app/interrupt.hpp"
 #include "app/program.hpp"
 #include "app/run_end.hpp"
-#include "app/study_figures.hpp"
+#include "app/study_page.hpp"
 #include "app/study_progress.hpp"
 #include "app/text_table.hpp"
 
@@ -202,14 +202,12 @@ int extremes_command(const ExtremesOptions& given) {
     cases.insert(cases.end(), judged.begin(), judged.end());
   }
   write_file(given.folder / table_file, extremes_csv(cases), Earlier::replaced);
-  const StudyFigures figures = study_figures(given.folder, "extremes");
-  write_file(given.folder / "index.html", extremes_page(cases, figures.svgs, figures.note),
-             Earlier::replaced);
+  write_file(given.folder / "extremes.json", extremes_json(cases), Earlier::replaced);
+  const DrawnPage page = draw_page(given.folder, "extremes");
   if (!given.quiet) {
     print_cases(cases);
-    fmt::print("{}{}{}\nresults: {} (index.html, {}, one folder per study)\n", figures.note,
-               figures.note.empty() ? "" : "\n", counts_text(cases), given.folder.string(),
-               table_file);
+    fmt::print("{}{}\nresults: {} ({}{}, extremes.json, one folder per study)\n", page.complaint,
+               counts_text(cases), given.folder.string(), page.listed(), table_file);
   }
   const auto faults = std::count_if(cases.begin(), cases.end(),
                                     [](const ExtremeCase& c) { return is_fault(c.verdict); });

@@ -196,7 +196,8 @@ void CommandLine::add_stability() {
 }
 
 void CommandLine::add_plot() {
-  CLI::App* command = app_.add_subcommand("plot", "Draws figures as PNG and SVG");
+  CLI::App* command =
+      app_.add_subcommand("plot", "Draws figures as PNG and SVG, and pages of studies");
   command
       ->add_option("RESULT|DIR", results_,
                    "Result files (HDF5), and folders of studies, spectra or results")
@@ -204,8 +205,10 @@ void CommandLine::add_plot() {
       ->type_name("")
       ->check(check_file_name);
   command
-      ->add_option("-o,--output", figures_,
-                   "Folder of the figures; default: the folder figures beside each target")
+      ->add_option(
+          "-o,--output", figures_,
+          "Folder of the figures, then without pages; default: the folder figures beside each "
+          "target")
       ->type_name("DIR")
       ->check(check_file_name);
   command->callback([this] { command_ = [this] { return plot_command(results_, figures_); }; });

@@ -16,7 +16,6 @@ namespace gnomon::app {
 namespace {
 
 constexpr const char* python = "python3";
-constexpr const char* packages = "python3-matplotlib python3-h5py";
 
 /// Replaces this process by the program, so that signals reach it; without a shell, because names
 /// of files may contain any character.
@@ -27,7 +26,7 @@ constexpr const char* packages = "python3-matplotlib python3-h5py";
   std::fflush(stdout);
   execvp(python, argv.data());
   throw std::runtime_error(fmt::format("cannot run {} ({}): plots need the packages {}", python,
-                                       std::strerror(errno), packages));
+                                       std::strerror(errno), drawing_packages));
 }
 
 }  // namespace

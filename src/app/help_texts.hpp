@@ -32,9 +32,10 @@ Errors are measured against a closed form if the problem has one. Otherwise two 
 tolerances, of different families, are the reference; their difference estimates its error, and
 errors below ten times this difference are marked. Several runs are done at the same time
 (--jobs); for times that can be compared, use --jobs 1 on an idle machine. The folder of the
-results holds study.csv, study.h5, index.html and runs/. --resume continues a study that was
-interrupted or killed. A run that fails stays in the table with its reason; the exit code is 3
-only if all runs fail.
+results holds study.csv, study.json, study.h5, runs/ and the page index.html; if the packages that
+draw it are missing, gnomon plot draws it later. --resume continues a study that was interrupted or
+killed. A run that fails stays in the table with its reason; the exit code is 3 only if all runs
+fail.
 
 For a parameter sweep, `reference = "none"` leaves errors out, and methods may be absent: the table
 has the worn volume, the largest pressure and all else that the runs observe.

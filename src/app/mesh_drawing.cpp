@@ -65,10 +65,7 @@ void draw(const std::string& view, const fs::path& file) {
   write_file(mesh, view, Earlier::refused);
   const ScriptEnd end = run_plotting_script(
       {"mesh", "--output=" + file.string(), "--", mesh.string()}, folder.path() / "log");
-  if (end.exit_code == 0) return;
-  std::string complaint = end.complaint;
-  if (complaint.starts_with("gnomon: ")) complaint.erase(0, std::strlen("gnomon: "));
-  throw Error("no picture: " + complaint);
+  if (end.exit_code != 0) throw Error("no picture: " + end.complaint);
 }
 
 }  // namespace

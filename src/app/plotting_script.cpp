@@ -35,14 +35,16 @@ int python(const std::vector<std::string>& arguments, const std::string& log) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// The last line that a failed program printed.
+/// The last line that a failed program printed, without the name of the program before it.
 std::string last_line(const std::filesystem::path& log) {
   std::ifstream stream(log, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  const std::size_t start = text.rfind('\n');
-  if (text.empty()) return "they need Python 3 with Matplotlib (Debian: python3-matplotlib)";
-  return start == std::string::npos ? text : text.substr(start + 1);
+  if (text.empty())
+    return fmt::format("drawing needs Python 3 and the packages {}", drawing_packages);
+  std::string line = text.substr(text.rfind('\n') + 1);  // npos + 1 is zero
+  if (const std::string name = "gnomon: "; line.starts_with(name)) line.erase(0, name.size());
+  return line;
 }
 
 }  // namespace

@@ -7,10 +7,13 @@
 
 namespace gnomon::app {
 
+/// Debian's packages that it needs.
+inline constexpr const char* drawing_packages = "python3-matplotlib python3-h5py python3-jinja2";
+
 /// How the script ended; `complaint`: why, if its exit code is not zero.
 struct ScriptEnd {
   int exit_code = 0;
-  std::string complaint;
+  std::string complaint;  ///< one line, without the name of the program
 };
 
 /// The script, gnomon_plot.py. Throws Error if it is not installed.

@@ -6,7 +6,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
 
-#include "app/study_figures.hpp"
+#include "app/study_page.hpp"
 #include "app/text_table.hpp"
 
 namespace gnomon::app {
@@ -100,13 +100,12 @@ void write_study(const Study& study, const std::filesystem::path& folder, bool q
   const StudyTable table = measure(study, folder);
   write_file(folder / "study.csv", study_csv(study, table), Earlier::replaced);
   write_study_hdf5(folder / "study.h5", study, table);
-  const StudyFigures figures = study_figures(folder, "study");
-  write_file(folder / "index.html", study_page(study, table, figures.svgs, figures.note),
-             Earlier::replaced);
+  write_file(folder / "study.json", study_json(study, table), Earlier::replaced);
+  const DrawnPage page = draw_page(folder, "study");
   if (!quiet) {
     study.compared ? print_errors(study, table) : print_observed(study, table);
-    fmt::print("{}{}results: {} (index.html, study.csv, study.h5, runs)\n", figures.note,
-               figures.note.empty() ? "" : "\n", folder.string());
+    fmt::print("{}results: {} ({}study.csv, study.json, study.h5, runs)\n", page.complaint,
+               folder.string(), page.listed());
   }
   if (std::ranges::none_of(table.rows,
                            [](const StudyRow& row) { return row.status == "finished"; }))

@@ -6,8 +6,8 @@
 
 namespace gnomon::app {
 
-/// Measures the runs, writes study.csv, study.h5 and the page, and prints the table. Throws
-/// SolutionError when no run has finished.
+/// Measures the runs, writes study.csv, study.json, study.h5 and the page, and prints the table.
+/// Throws SolutionError when no run has finished.
 void write_study(const Study& study, const std::filesystem::path& folder, bool quiet);
 
 }  // namespace gnomon::app

@@ -11,18 +11,25 @@ using O = Observation;
 
 // Results of earlier versions have columns with these names, units and order.
 constexpr std::array table = {
-    Quantity{&O::contact_nodes, "contact_nodes", "", ""},
-    Quantity{&O::contact_force, "contact_force", "N/mm", "N"},
-    Quantity{&O::max_pressure, "max_pressure", "MPa", "MPa"},
-    Quantity{&O::worn_volume, "worn_volume", "mm^2", "mm^3"},
-    Quantity{&O::wear_flux, "wear_flux", "mm^2/s", "mm^3/s"},
-    Quantity{&O::element_quality, "element_quality", "", ""},
-    Quantity{&O::element_volume, "element_volume", "", ""},
-    Quantity{&O::groove_section, "groove_section", "mm^2", "mm^2"},
-    Quantity{&O::approach, "approach", "mm", "mm"},
-    Quantity{&O::displacement_gradient, "displacement_gradient", "", ""},
-    Quantity{&O::contact_half_width, "contact_half_width", "mm", "mm"},
-    Quantity{&O::wear_integral, "wear_integral", "mm^2", "mm^3"},
+    Quantity{&O::contact_nodes, "contact_nodes", "", "", "contact nodes in contact"},
+    Quantity{&O::contact_force, "contact_force", "N/mm", "N", "sum of area times pressure"},
+    Quantity{&O::max_pressure, "max_pressure", "MPa", "MPa", "largest pressure at a contact node"},
+    Quantity{&O::worn_volume, "worn_volume", "mm^2", "mm^3",
+             "volume that the body has lost, from its geometry"},
+    Quantity{&O::wear_flux, "wear_flux", "mm^2/s", "mm^3/s", "sum of area times wear rate"},
+    Quantity{&O::element_quality, "element_quality", "", "",
+             "smallest scaled Jacobian of an element in the worn configuration"},
+    Quantity{
+        &O::element_volume, "element_volume", "", "",
+        "smallest volume of an element in the worn configuration, divided by its initial volume"},
+    Quantity{&O::groove_section, "groove_section", "mm^2", "mm^2", "worn section of a groove"},
+    Quantity{&O::approach, "approach", "mm", "mm", "distance by which the counter-body has moved"},
+    Quantity{&O::displacement_gradient, "displacement_gradient", "", "",
+             "largest norm of the displacement gradient at the centre of an element"},
+    Quantity{&O::contact_half_width, "contact_half_width", "mm", "mm",
+             "half the distance between the ends of contact"},
+    Quantity{&O::wear_integral, "wear_integral", "mm^2", "mm^3",
+             "integral of the wear flux over time"},
 };
 
 bool tells_of_space(const Quantity& quantity, const std::string& unit) {

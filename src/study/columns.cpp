@@ -1,7 +1,5 @@
 #include "study/columns.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 
@@ -12,87 +10,98 @@ namespace gnomon::study {
 namespace {
 
 using Kind = Column::Kind;
+using StudyColumn = ColumnOf<StudyRow>;
 
 template <class T>
 CellValue maybe(const std::optional<T>& value) {
   return value ? CellValue(*value) : CellValue();
 }
 
-Column text(const std::string& name, std::function<std::string(const StudyRow&)> get) {
-  return {name, "", Kind::text,
-          [get](const Study&, const StudyTable&, const StudyRow& row) { return get(row); }};
+StudyColumn text(const std::string& name, const std::string& meaning,
+                 std::function<std::string(const StudyRow&)> get) {
+  return {{name, "", Kind::text, "setting", meaning}, std::move(get)};
 }
 
-Column real(const std::string& name, const std::string& unit,
-            std::optional<double> StudyRow::*member) {
-  return {name, unit, Kind::real, [member](const Study&, const StudyTable&, const StudyRow& row) {
-            return maybe(row.*member);
-          }};
+StudyColumn real(const std::string& name, const std::string& unit, const std::string& group,
+                 std::optional<double> StudyRow::*member, const std::string& meaning) {
+  return {{name, unit, Kind::real, group, meaning},
+          [member](const StudyRow& row) { return maybe(row.*member); }};
 }
 
-Column count(const std::string& name, long Counters::*member) {
-  return {name, "", Kind::integer, [member](const Study&, const StudyTable&, const StudyRow& row) {
+StudyColumn count(const std::string& name, long Counters::*member, const std::string& meaning) {
+  return {{name, "", Kind::integer, "cost", meaning}, [member](const StudyRow& row) {
             return row.counters ? CellValue(std::int64_t{(*row.counters).*member}) : CellValue();
           }};
 }
 
-std::vector<Column> setting_columns() {
+std::vector<StudyColumn> setting_columns(const Study& study) {
   return {
-      {"study", "", Kind::text,
-       [](const Study& study, const StudyTable&, const StudyRow&) { return study.name; }},
-      text("sweep", [](const StudyRow& row) { return row.sweep; }),
-      text("method", [](const StudyRow& row) { return row.point.method; }),
-      text("integrator", [](const StudyRow& row) { return row.point.integrator; }),
-      text("setting_kind", [](const StudyRow& row) { return kind_name(row.point.setting.kind); }),
-      {"setting", "s for step", Kind::real,
-       [](const Study&, const StudyTable&, const StudyRow& row) {
-         return row.point.setting.value;
-       }},
-      {"run", "", Kind::text,
-       [](const Study& study, const StudyTable&, const StudyRow& row) {
-         return study.runs[row.point.run].name;
-       }},
-      text("status", [](const StudyRow& row) { return row.status; }),
-      text("reason", [](const StudyRow& row) { return row.reason; }),
+      text("study", "name of the study", [&](const StudyRow&) { return study.name; }),
+      text("sweep", "swept keys and their values", [](const StudyRow& row) { return row.sweep; }),
+      text("method", "name of the method in the study",
+           [](const StudyRow& row) { return row.point.method; }),
+      text("integrator", "name of the integrator",
+           [](const StudyRow& row) { return row.point.integrator; }),
+      text("setting_kind", "step or rtol",
+           [](const StudyRow& row) { return kind_name(row.point.setting.kind); }),
+      {{"setting", "s for step", Kind::real, "setting", "fixed step, or relative tolerance"},
+       [](const StudyRow& row) { return row.point.setting.value; }},
+      text("run", "stem of its files in runs/",
+           [&](const StudyRow& row) { return study.runs[row.point.run].name; }),
+      text("status", "finished, failed or missing", [](const StudyRow& row) { return row.status; }),
+      text("reason", "why it failed", [](const StudyRow& row) { return row.reason; }),
   };
 }
 
-std::vector<Column> error_columns() {
+std::vector<StudyColumn> error_columns() {
   return {
-      real("shape_error", "mm", &StudyRow::shape_error),
-      real("shape_error_max", "mm", &StudyRow::shape_error_max),
-      real("shape_error_self", "mm", &StudyRow::shape_error_self),
-      real("pressure_error", "MPa", &StudyRow::pressure_error),
-      {"reference", "", Kind::text,
-       [](const Study&, const StudyTable& table, const StudyRow& row) {
-         return table.references[row.point.sweep].text;
-       }},
-      {"reference_error", "mm", Kind::real,
-       [](const Study&, const StudyTable& table, const StudyRow& row) {
-         return maybe(table.references[row.point.sweep].error);
-       }},
-      {"marked", "", Kind::integer,
-       [](const Study&, const StudyTable&, const StudyRow& row) {
-         return std::int64_t{row.marked_shape || row.marked_max};
-       }},
+      real("shape_error", "mm", "error", &StudyRow::shape_error,
+           "Euclidean norm of the differences of the positions of the contact nodes in the "
+           "undeformed (worn) configuration, at the end of the run"),
+      real("shape_error_max", "mm", "error", &StudyRow::shape_error_max,
+           "the largest of the shape errors at the measured times"),
+      real("shape_error_self", "mm", "error", &StudyRow::shape_error_self,
+           "shape error at the end against a run of the study itself; it does not contain the "
+           "error that both have in common"),
+      real("pressure_error", "MPa", "error", &StudyRow::pressure_error,
+           "largest difference of a nodal contact pressure at the end"),
   };
 }
 
-std::vector<Column> cost_columns() {
+std::vector<StudyColumn> reference_columns(const StudyTable& table) {
   return {
-      count("steps", &Counters::steps),
-      count("rejected", &Counters::rejected_steps),
-      count("events", &Counters::events),
-      count("newton_iterations", &Counters::newton_iterations),
-      count("residual_evaluations", &Counters::residual_evaluations),
-      count("jacobian_evaluations", &Counters::jacobian_evaluations),
-      count("factorizations", &Counters::factorizations),
-      count("linear_solves", &Counters::linear_solves),
-      count("krylov_iterations", &Counters::krylov_iterations),
-      count("preconditioner_setups", &Counters::preconditioner_setups),
-      real("wall_seconds", "s", &StudyRow::wall_seconds),
-      real("cpu_seconds", "s", &StudyRow::cpu_seconds),
-      real("peak_memory_mb", "MB", &StudyRow::peak_memory_mb),
+      {{"reference", "", Kind::text, "reference", "what the errors refer to"},
+       [&](const StudyRow& row) { return table.references[row.point.sweep].text; }},
+      {{"reference_error", "mm", Kind::real, "reference",
+        "error of the reference itself at the end; 0 for a closed form"},
+       [&](const StudyRow& row) { return maybe(table.references[row.point.sweep].error); }},
+      {{"marked", "", Kind::integer, "reference",
+        "1 if a shape error is less than ten times that of its reference, or the latter is "
+        "unknown"},
+       [](const StudyRow& row) { return std::int64_t{row.marked_shape || row.marked_max}; }},
+  };
+}
+
+std::vector<StudyColumn> cost_columns() {
+  return {
+      count("steps", &Counters::steps, "accepted steps"),
+      count("rejected", &Counters::rejected_steps,
+            "rejected attempts of steps: error test, or nonlinear solve failed"),
+      count("events", &Counters::events, "located changes of the active set"),
+      count("newton_iterations", &Counters::newton_iterations, "iterations of Newton's method"),
+      count("residual_evaluations", &Counters::residual_evaluations, "evaluations of the residual"),
+      count("jacobian_evaluations", &Counters::jacobian_evaluations, "evaluations of the Jacobian"),
+      count("factorizations", &Counters::factorizations, "numeric factorizations"),
+      count("linear_solves", &Counters::linear_solves, "solves with the Jacobian"),
+      count("krylov_iterations", &Counters::krylov_iterations, "iterations of the block solver"),
+      count("preconditioner_setups", &Counters::preconditioner_setups,
+            "set-ups of the block solver, by factors or multigrid"),
+      real("wall_seconds", "s", "cost", &StudyRow::wall_seconds,
+           "wall time of the integration; runs at the same time slow each other down"),
+      real("cpu_seconds", "s", "cost", &StudyRow::cpu_seconds,
+           "CPU time of the whole process, user and system"),
+      real("peak_memory_mb", "MB", "cost", &StudyRow::peak_memory_mb,
+           "peak resident memory of the whole process"),
   };
 }
 
@@ -106,15 +115,16 @@ std::optional<double> number_in(const std::string& text) {
 }
 
 /// One for each swept key; every point of a sweep has the same keys.
-std::vector<Column> sweep_columns(const Study& study) {
-  std::vector<Column> columns;
+std::vector<StudyColumn> sweep_columns(const Study& study) {
+  std::vector<StudyColumn> columns;
   for (std::size_t i = 0; i < study.sweep.front().values.size(); ++i) {
     const bool numbers = std::ranges::all_of(study.sweep, [i](const SweepPoint& point) {
       return number_in(point.values[i].second).has_value();
     });
-    columns.push_back({study.sweep.front().values[i].first, "", numbers ? Kind::real : Kind::text,
-                       [i, numbers](const Study& s, const StudyTable&, const StudyRow& row) {
-                         const std::string& value = s.sweep[row.point.sweep].values[i].second;
+    columns.push_back({{study.sweep.front().values[i].first, "", numbers ? Kind::real : Kind::text,
+                        "sweep", "swept key of the scene"},
+                       [&study, i, numbers](const StudyRow& row) {
+                         const std::string& value = study.sweep[row.point.sweep].values[i].second;
                          return numbers ? maybe(number_in(value)) : CellValue(value);
                        }});
   }
@@ -126,36 +136,35 @@ CellValue observed(const StudyRow& row, const std::string& name) {
   return found == row.observed.end() ? CellValue() : CellValue(found->value);
 }
 
-std::vector<Column> observed_columns(const StudyTable& table) {
-  std::vector<Column> columns;
+std::string meaning_of(const std::string& name) {
+  for (const Quantity& quantity : quantities())
+    if (name == quantity.name) return quantity.meaning;
+  return name == "wear_difference" ? "worn volume minus wear integral" : "";
+}
+
+std::vector<StudyColumn> observed_columns(const StudyTable& table) {
+  std::vector<StudyColumn> columns;
+  const auto is_new = [&](const std::string& name) {
+    return std::ranges::none_of(
+        columns, [&](const StudyColumn& known) { return known.column.name == name; });
+  };
   for (const StudyRow& row : table.rows)
     for (const Scalar& scalar : row.observed)
-      if (std::ranges::find(columns, scalar.name, &Column::name) == columns.end())
-        columns.push_back({scalar.name, scalar.unit, Kind::real,
-                           [name = scalar.name](const Study&, const StudyTable&,
-                                                const StudyRow& r) { return observed(r, name); }});
+      if (is_new(scalar.name))
+        columns.push_back(
+            {{scalar.name, scalar.unit, Kind::real, "observation", meaning_of(scalar.name)},
+             [name = scalar.name](const StudyRow& r) { return observed(r, name); }});
   return columns;
 }
 
-struct TextOf {
-  std::string operator()(std::monostate) const { return {}; }
-  std::string operator()(std::int64_t value) const { return fmt::format("{}", value); }
-  std::string operator()(double value) const { return fmt::format("{}", value); }
-  std::string operator()(const std::string& value) const { return value; }
-};
-
 }  // namespace
 
-std::vector<Column> columns(const Study& study, const StudyTable& table) {
-  std::vector<Column> all;
-  for (const auto& part : {setting_columns(), error_columns(), cost_columns(), sweep_columns(study),
-                           observed_columns(table)})
+Table results_of(const Study& study, const StudyTable& table) {
+  std::vector<StudyColumn> all;
+  for (const auto& part : {setting_columns(study), error_columns(), reference_columns(table),
+                           cost_columns(), sweep_columns(study), observed_columns(table)})
     all.insert(all.end(), part.begin(), part.end());
-  return all;
-}
-
-std::string cell_text(const CellValue& value) {
-  return std::visit(TextOf{}, value);
+  return table_of(all, table.rows);
 }
 
 }  // namespace gnomon::study

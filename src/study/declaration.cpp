@@ -55,9 +55,8 @@ std::string label_text(const RawValue& value) {
 class Reader {
 public:
   Reader(const fs::path& file, std::string text, Impossible impossible)
-      : text_(std::move(text)),
-        document_(read_toml_document(text_, file.string())),
-        impossible_(impossible) {
+      : text_(std::move(text)), document_(read_toml_document(text_, file.string())) {
+    scene_keys_.impossible = impossible;
     declaration_.file = file.string();
     declaration_.title = first_comment(text_);
   }
@@ -65,9 +64,8 @@ public:
   Declaration read() {
     check_brackets();
     read_scene();
-    const KeyedTable top(
-        declaration_.file, 0, document_.entries,
-        {.prefix = "", .keys = top_keys(), .scene_keys = &scene_keys_, .impossible = impossible_});
+    const KeyedTable top(declaration_.file, 0, document_.entries,
+                         {.prefix = "", .keys = top_keys(), .scene_keys = &scene_keys_});
     declaration_.common = top.settings();
     declaration_.times_origin = top.where("times");
     if (top.has("times")) declaration_.times = top.reals("times");
@@ -105,14 +103,19 @@ private:
       throw InputError(fmt::format("{}: expected a scene file, there is no {}", top.where("scene"),
                                    toml_text(declaration_.scene.string())));
     scene_ = load_scene(declaration_.scene, {}, key_table);
-    scene_keys_ = key_table(scene_.text("problem"));
+    scene_keys_.keys = key_table(scene_.text("problem"));
+    scene_keys_.has_methods =
+        !top.has("reference") ||
+        std::ranges::find(document_.tables, "method", &RawTable::name) != document_.tables.end();
   }
 
   /// A parameter sweep needs no method: the scene has one.
   void add_method_of_scene() {
     if (!declaration_.methods.empty()) return;
     if (declaration_.compared)
-      throw InputError(declaration_.file + ": expected one [[method]] or more, got none");
+      throw InputError(declaration_.file +
+                       ": expected one [[method]] or more, got none; reference = \"none\" at the "
+                       "top makes a sweep without errors, which needs no method");
     Method method;
     method.integrator = method.name = scene_.text("integrator.name");
     method.origin = scene_.where("integrator.name");
@@ -148,16 +151,16 @@ private:
       if (earlier.key == sweep.key)
         throw InputError(
             fmt::format("{}: `{}` is swept twice, expected once", sweep.origin, sweep.key));
-    if (const RawValue& first = keyed.open_values().front(); !find_key(scene_keys_, sweep.key))
-      refuse_unknown_key(sweep.origin, sweep.key, first, scene_keys_, "gnomon help scene");
+    if (const RawValue& first = keyed.open_values().front(); !find_key(scene_keys_.keys, sweep.key))
+      refuse_unknown_key(sweep.origin, sweep.key, first, scene_keys_.keys, "gnomon help scene");
+    require_settable(sweep.key, sweep.origin, scene_keys_.has_methods);
     sweep_values(sweep, keyed);
     return sweep;
   }
 
   void sweep_values(Sweep& sweep, const KeyedTable& keyed) const {
     for (const RawValue& value : keyed.open_values()) {
-      SceneSetting setting =
-          scene_setting(sweep.key, value, keyed.where("values"), scene_keys_, impossible_);
+      SceneSetting setting = scene_setting(sweep.key, value, keyed.where("values"), scene_keys_);
       for (const SceneSetting& earlier : sweep.values)
         if (const std::string text = toml_text(setting.value); toml_text(earlier.value) == text)
           throw InputError(
@@ -186,11 +189,9 @@ private:
   }
 
   void add_method(const RawTable& table) {
-    const KeyedTable keyed(declaration_.file, table.line, table.entries,
-                           {.prefix = "method.",
-                            .keys = method_keys(),
-                            .scene_keys = &scene_keys_,
-                            .impossible = impossible_});
+    const KeyedTable keyed(
+        declaration_.file, table.line, table.entries,
+        {.prefix = "method.", .keys = method_keys(), .scene_keys = &scene_keys_});
     Method method = common_of(keyed);
     add_ladder(method, keyed, "steps", Kind::step);
     add_ladder(method, keyed, "tolerances", Kind::tolerance);
@@ -221,11 +222,9 @@ private:
   }
 
   Method reference(const RawTable& table) const {
-    const KeyedTable keyed(declaration_.file, table.line, table.entries,
-                           {.prefix = "reference.",
-                            .keys = reference_keys(),
-                            .scene_keys = &scene_keys_,
-                            .impossible = impossible_});
+    const KeyedTable keyed(
+        declaration_.file, table.line, table.entries,
+        {.prefix = "reference.", .keys = reference_keys(), .scene_keys = &scene_keys_});
     Method method = common_of(keyed);
     method.ladder = {{Kind::tolerance, keyed.real("tolerance")}};
     return method;
@@ -253,8 +252,10 @@ private:
       return Integrators::find(method.integrator, "integrator").family;
     };
     if (references.size() != 2)
-      throw InputError(fmt::format("{}: expected two [[reference]] tables or none, got {}",
-                                   references.back().origin, references.size()));
+      throw InputError(
+          fmt::format("{}: expected two [[reference]] tables, or none of them for the default ones "
+                      "(or reference = \"none\" for a study without errors), got {}",
+                      references.back().origin, references.size()));
     if (family(references[0]) == family(references[1]))
       throw InputError(fmt::format("{}: expected references of two families, both are {}",
                                    references[1].origin, family(references[0])));
@@ -308,10 +309,9 @@ private:
 
   std::string text_;
   RawDocument document_;
-  Impossible impossible_;
   Declaration declaration_;
   Scene scene_;
-  std::vector<Key> scene_keys_;
+  SceneKeys scene_keys_;
 };
 
 }  // namespace

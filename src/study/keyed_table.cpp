@@ -5,33 +5,52 @@
 #include <gnomon/base/error.hpp>
 
 #include "scene/key_check.hpp"
+#include "study/declaration_keys.hpp"
 
 namespace gnomon::study {
 
 namespace {
 
-/// Why a study gives this key itself; empty if it does not.
-std::string owner(const std::string& key) {
+/// What gives this key in place of the study's settings; empty if nothing does.
+std::string owner(const std::string& key, bool has_methods) {
+  const auto by_method = [&](const char* name) {
+    return has_methods ? fmt::format("`method.{}`", name)
+                       : fmt::format("the scene, or by `{}` of a [[method]]", name);
+  };
   if (key == "problem") return "the scene";
-  if (key == "integrator.name") return "`method.integrator`";
-  if (key == "integrator.step") return "`method.steps`";
-  if (key == "integrator.rtol") return "`method.tolerances`";
+  if (key == "integrator.name") return by_method("integrator");
+  if (key == "integrator.step") return by_method("steps");
+  if (key == "integrator.rtol") return by_method("tolerances");
   if (key == "output.times") return "`times`";
   if (key == "output.settle") return {};  // changes steps, not what is stored
   if (key.starts_with("output.")) return "the study itself";
   return {};
 }
 
+/// In TOML every key below the head of a table belongs to this table.
+void require_not_of_the_top(const std::string& name, const std::string& origin) {
+  if (find_key(top_keys(), name))
+    throw InputError(fmt::format(
+        "{}: `{}` is a key of the study, expected it above the first table", origin, name));
+}
+
 }  // namespace
 
+void require_settable(const std::string& key, const std::string& origin, bool has_methods) {
+  if (const std::string by = owner(key, has_methods); !by.empty())
+    throw InputError(fmt::format("{}: expected another key, `{}` is given by {}", origin, key, by));
+}
+
 SceneSetting scene_setting(const std::string& name, const RawValue& raw, const std::string& origin,
-                           const std::vector<Key>& scene_keys, Impossible impossible) {
-  const auto key = find_key(scene_keys, name);
-  if (!key) refuse_unknown_key(origin, name, raw, scene_keys, "gnomon help scene");
-  if (const std::string by = owner(name); !by.empty())
-    throw InputError(
-        fmt::format("{}: expected another key, `{}` is given by {}", origin, name, by));
-  if (impossible == Impossible::kept && std::holds_alternative<Complaint>(check_value(*key, raw)))
+                           const SceneKeys& scene_keys) {
+  const auto key = find_key(scene_keys.keys, name);
+  if (!key) {
+    require_not_of_the_top(name, origin);
+    refuse_unknown_key(origin, name, raw, scene_keys.keys, "gnomon help scene");
+  }
+  require_settable(name, origin, scene_keys.has_methods);
+  if (scene_keys.impossible == Impossible::kept &&
+      std::holds_alternative<Complaint>(check_value(*key, raw)))
     return {name, raw, origin};
   return {name, raw_value(checked_value(*key, raw, origin)), origin};
 }
@@ -56,14 +75,14 @@ void KeyedTable::read(const RawEntry& entry, const TableSpec& spec) {
   }
   if (spec.scene_keys && entry.name == "set" && is_table(entry.value)) return;  // empty
   if (spec.scene_keys && entry.name.starts_with("set.")) {
-    settings_.push_back(scene_setting(entry.name.substr(4), entry.value, origin, *spec.scene_keys,
-                                      spec.impossible));
+    settings_.push_back(scene_setting(entry.name.substr(4), entry.value, origin, *spec.scene_keys));
     return;
   }
   if (const auto key = find_key(spec.keys, entry.name)) {
     values_[entry.name] = checked_value(*key, entry.value, origin);
     return;
   }
+  require_not_of_the_top(entry.name, origin);
   std::vector<Key> keys = spec.keys;
   if (!spec.open_key.empty()) keys.push_back({.name = spec.open_key});
   refuse_unknown_key(origin, entry.name, entry.value, keys, "gnomon help studies", prefix_);

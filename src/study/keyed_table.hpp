@@ -19,19 +19,28 @@ struct SceneSetting {
   std::string origin;  ///< beginning of a message about it
 };
 
+/// The scene keys that a study can set.
+struct SceneKeys {
+  std::vector<Key> keys;
+  Impossible impossible = Impossible::refused;  ///< values of these
+  bool has_methods = true;                      ///< false: a sweep by the integrator of the scene
+};
+
+/// Refuses keys that a study gives itself; `origin` begins the message. Throws InputError.
+void require_settable(const std::string& key, const std::string& origin, bool has_methods);
+
 /// Checks `raw` for the scene key `name`; `origin` begins the message. Refuses keys that a study
 /// gives itself, and values that are none of the key's unless impossible ones are kept. Throws
 /// InputError.
 SceneSetting scene_setting(const std::string& name, const RawValue& raw, const std::string& origin,
-                           const std::vector<Key>& scene_keys, Impossible impossible);
+                           const SceneKeys& scene_keys);
 
 /// What a table may hold.
 struct TableSpec {
   std::string prefix;  ///< put before names in messages: "method."
   std::vector<Key> keys;
-  std::string open_key{};                        ///< an array of values of any type; empty: none
-  const std::vector<Key>* scene_keys = nullptr;  ///< what "set." may set; null: nothing
-  Impossible impossible = Impossible::refused;   ///< values of these
+  std::string open_key{};                 ///< an array of values of any type; empty: none
+  const SceneKeys* scene_keys = nullptr;  ///< what "set." may set; null: nothing
 };
 
 class KeyedTable {

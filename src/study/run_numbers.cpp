@@ -33,6 +33,10 @@ std::vector<std::size_t> runs_numbered(const std::string& text, std::size_t coun
     const std::size_t first = number_of(part.substr(0, dash), text, count);
     const std::size_t last =
         dash == std::string::npos ? first : number_of(part.substr(dash + 1), text, count);
+    if (last < first)
+      throw InputError(fmt::format(
+          "runs `{}`: expected ranges from a smaller number to a larger one, as 3-7, got `{}`",
+          text, part));
     for (std::size_t number = first; number <= last; ++number) runs.insert(number - 1);
   }
   return {runs.begin(), runs.end()};

@@ -1,10 +1,10 @@
-// study.csv and study.h5.
+// study.csv, study.json and study.h5.
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
+#include <gnomon/results/versions.hpp>
 #include <gnomon/study/study.hpp>
 #include <limits>
 
@@ -21,16 +21,7 @@ using namespace study;
 using hdf5::check;
 using hdf5::Handle;
 using hdf5::own;
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"') result += '"';
-    result += c;
-  }
-  return result + '"';
-}
+using Json = nlohmann::ordered_json;
 
 /// A column in HDF5: its position in a row and its type.
 struct Placed {
@@ -39,20 +30,19 @@ struct Placed {
   std::size_t size;  // of a text
 };
 
-std::size_t longest(const Study& study, const StudyTable& table, const Column& column) {
+std::size_t longest(const Table& table, std::size_t column) {
   std::size_t size = 1;
-  for (const StudyRow& row : table.rows)
-    size = std::max(size, cell_text(column.value(study, table, row)).size());
+  for (const auto& row : table.rows) size = std::max(size, cell_text(row[column]).size());
   return size;
 }
 
-std::vector<Placed> place(const Study& study, const StudyTable& table, std::size_t& row_size) {
+std::vector<Placed> place(const Table& table, std::size_t& row_size) {
   std::vector<Placed> placed;
   row_size = 0;
-  for (const Column& column : columns(study, table)) {
-    const bool text = column.kind == Column::Kind::text;
-    const std::size_t size = text ? longest(study, table, column) : 8;
-    placed.push_back({column, row_size, size});
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const bool text = table.columns[i].kind == Column::Kind::text;
+    const std::size_t size = text ? longest(table, i) : 8;
+    placed.push_back({table.columns[i], row_size, size});
     row_size += size;
   }
   return placed;
@@ -87,14 +77,13 @@ void put(char* target, const Placed& place, const CellValue& value) {
   }
 }
 
-void write_table(hid_t file, const Study& study, const StudyTable& table) {
+void write_table(hid_t file, const Table& table) {
   std::size_t row_size = 0;
-  const std::vector<Placed> placed = place(study, table, row_size);
+  const std::vector<Placed> placed = place(table, row_size);
   std::vector<char> bytes(row_size * table.rows.size(), '\0');
   for (std::size_t i = 0; i < table.rows.size(); ++i)
-    for (const Placed& place : placed)
-      put(&bytes[i * row_size + place.offset], place,
-          place.column.value(study, table, table.rows[i]));
+    for (std::size_t j = 0; j < placed.size(); ++j)
+      put(&bytes[i * row_size + placed[j].offset], placed[j], table.rows[i][j]);
   const Handle type = row_type(placed, row_size);
   const Handle dataset = hdf5::create_dataset(file, "study", type.id(), {table.rows.size()});
   check(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
@@ -104,20 +93,61 @@ void write_table(hid_t file, const Study& study, const StudyTable& table) {
   hdf5::write_attribute(dataset.id(), "units", units);
 }
 
+Json json_of(const StudyReference& reference, bool closed_form) {
+  const auto maybe = [](const std::optional<double>& value) {
+    return value_json(value ? CellValue(*value) : CellValue());
+  };
+  return {{"text", reference.text},
+          {"closed_form", closed_form},
+          {"error", maybe(reference.error)},
+          {"error_max", maybe(reference.error_max)},
+          {"pressure_error", maybe(reference.pressure_error)}};
+}
+
+Json json_of(const SweepPoint& point) {
+  Json json = {{"label", point.label}, {"values", Json::object()}, {"times", point.times}};
+  for (const auto& [key, value] : point.values) json["values"][key] = value;
+  return json;
+}
+
+/// The columns of a row whose errors its reference cannot resolve.
+Json marked_of(const StudyRow& row) {
+  Json marked = Json::array();
+  if (row.shape_error && row.marked_shape) marked.push_back("shape_error");
+  if (row.shape_error_max && row.marked_max) marked.push_back("shape_error_max");
+  if (row.pressure_error && row.marked_pressure) marked.push_back("pressure_error");
+  return marked;
+}
+
 }  // namespace
 
 std::string study_csv(const Study& study, const StudyTable& table) {
-  const std::vector<Column> all = columns(study, table);
-  std::vector<std::string> names;
-  for (const Column& column : all) names.push_back(quoted(column.name));
-  std::string text = fmt::format("{}\n", fmt::join(names, ","));
-  for (const StudyRow& row : table.rows) {
-    std::vector<std::string> cells;
-    for (const Column& column : all)
-      cells.push_back(quoted(cell_text(column.value(study, table, row))));
-    text += fmt::format("{}\n", fmt::join(cells, ","));
+  return csv_of(results_of(study, table));
+}
+
+std::string study_json(const Study& study, const StudyTable& table) {
+  const Table results = results_of(study, table);
+  Json json = {{"gnomon", library_versions().at("gnomon")},
+               {"study", study.name},
+               {"title", study.title},
+               {"scene", study.scene.filename().string()},
+               {"compared", study.compared},
+               {"self_reference", study.self_reference},
+               {"sweep", Json::array()},
+               {"columns", columns_json(results)},
+               {"rows", Json::array()},
+               {"text", study.text}};
+  for (std::size_t i = 0; i < study.sweep.size(); ++i) {
+    const SweepPoint& point = study.sweep[i];
+    Json& written = json["sweep"].emplace_back(json_of(point));
+    if (study.compared)
+      written["reference"] = json_of(table.references[i], point.has_closed_form());
   }
-  return text;
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    json["rows"].push_back({{"sweep", table.rows[i].point.sweep},
+                            {"marked", marked_of(table.rows[i])},
+                            {"values", values_json(results, i)}});
+  return json_text(json);
 }
 
 void write_study_hdf5(const std::filesystem::path& file, const Study& study,
@@ -127,7 +157,7 @@ void write_study_hdf5(const std::filesystem::path& file, const Study& study,
     const Handle handle =
         own(H5Fcreate(part_of(file).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
             "create the file");
-    write_table(handle.id(), study, table);
+    write_table(handle.id(), results_of(study, table));
     hdf5::write_dataset(handle.id(), "text", study.text);
     check(H5Fflush(handle.id(), H5F_SCOPE_LOCAL), "write the file");
   }

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -26,6 +27,13 @@ inline std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
+
+/// Whether figures and pages can be drawn here.
+inline bool can_draw() {
+  return std::system("/usr/bin/python3 -c 'import matplotlib, h5py, jinja2' 2>/dev/null") == 0;
+}
+inline constexpr const char* drawing_needs =
+    "needs python3-matplotlib, python3-h5py and python3-jinja2";
 
 /// A test with an empty folder in which the program runs; its output is stored beside the folder.
 class ProgramTest : public testing::Test {

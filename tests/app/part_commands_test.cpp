@@ -45,8 +45,7 @@ TEST_F(PartCommands, MeshTellsWhatAGeometryHas) {
 }
 
 TEST_F(PartCommands, MeshDrawsTheNamedPartsAndWritesThemForParaView) {
-  if (std::system("/usr/bin/python3 -c 'import matplotlib, h5py' 2>/dev/null") != 0)
-    GTEST_SKIP() << "needs python3-matplotlib and python3-h5py";
+  if (!test::can_draw()) GTEST_SKIP() << test::drawing_needs;
   for (const std::string picture : {"mesh.png", "mesh.svg", "mesh.xdmf", "mesh.xdmf"}) {
     const Outcome outcome = gnomon({"mesh", "block_on_ring.geo", "--size", "1", "-o", picture});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

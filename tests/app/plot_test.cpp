@@ -21,8 +21,7 @@ namespace fs = std::filesystem;
 class Plot : public test::ProgramTest {
 protected:
   void SetUp() override {
-    if (std::system("/usr/bin/python3 -c 'import matplotlib, h5py' 2>/dev/null") != 0)
-      GTEST_SKIP() << "needs python3-matplotlib and python3-h5py";
+    if (!test::can_draw()) GTEST_SKIP() << test::drawing_needs;
   }
 
   void make_result(const std::string& name,
@@ -244,7 +243,7 @@ TEST_F(Plot, WithoutPythonItNamesThePackages) {
   setenv("PATH", "/nonexistent", 1);
   const Outcome outcome = gnomon({"plot", "a.h5"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("python3-matplotlib python3-h5py"));
+  EXPECT_THAT(outcome.err, HasSubstr("python3-matplotlib python3-h5py python3-jinja2"));
 }
 
 }  // namespace

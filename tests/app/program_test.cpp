@@ -171,6 +171,17 @@ TEST_F(Program, CompareNamesTheKeysThatDiffer) {
               HasSubstr("note: the scenes differ in load.force\n"));
 }
 
+TEST_F(Program, CompareSaysOnceThatASceneCannotBeRead) {
+  ASSERT_EQ(run({"--quiet", "-o", "a.h5", "--set", "integrator.step=50"}).exit_code, 0);
+  std::string bytes = test::read_text(folder() / "a.h5");
+  bytes.replace(bytes.find("young_modulus"), 13, "young_modulux");  // as of another version
+  write("b.h5", bytes);
+  const std::string out = gnomon({"compare", "a.h5", "b.h5", "--reference", "./b.h5"}).out;
+  const std::size_t first = out.find("note: the scene of ");
+  ASSERT_NE(first, std::string::npos) << out;
+  EXPECT_EQ(out.find("note:", first + 1), std::string::npos) << out;
+}
+
 TEST_F(Program, InfoTellsStatusUnknownsAndScene) {
   ASSERT_EQ(run({"--quiet", "-o", "a.h5", "--set", "integrator.step=5"}).exit_code, 0);
   const Outcome outcome = gnomon({"info", "a.h5"});

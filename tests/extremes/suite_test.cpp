@@ -11,7 +11,6 @@ namespace gnomon {
 namespace {
 
 using test::Outcome;
-using testing::AnyOf;
 using testing::HasSubstr;
 
 class Extremes : public test::StudyTest {
@@ -43,9 +42,11 @@ TEST_F(Extremes, WhatTheReferencesConfirmAgrees) {
     EXPECT_GT(std::stod(row.at("difference")), 0);
     EXPECT_LE(std::stod(row.at("difference")), std::stod(row.at("bound")));
   }
-  const std::string page = test::read_text(folder() / "out/index.html");
-  EXPECT_THAT(page, HasSubstr("<td>agrees</td>"));
-  EXPECT_THAT(page, AnyOf(HasSubstr("<figure>"), HasSubstr("No figures")));  // without matplotlib
+  const auto json = nlohmann::json::parse(test::read_text(folder() / "out/extremes.json"));
+  ASSERT_EQ(json["rows"].size(), 2u);
+  EXPECT_EQ(json["rows"][0]["values"]["verdict"], "agrees");
+  EXPECT_EQ(json["rows"][0]["values"]["difference"], std::stod(cases()[0].at("difference")));
+  EXPECT_EQ(json["rows"][1]["values"]["rtol"], nullptr);
   EXPECT_EQ(extremes().exit_code, 2);  // the folder exists already
   EXPECT_EQ(extremes({"--resume"}).exit_code, 0);
 }
@@ -160,7 +161,7 @@ TEST_F(Extremes, AFolderOfSomethingElseIsRefused) {
   std::filesystem::create_directory(folder() / "out");
   write("out/precious.txt", "mine");
   EXPECT_EQ(extremes({"--resume"}).exit_code, 2);
-  EXPECT_FALSE(std::filesystem::exists(folder() / "out/index.html"));
+  EXPECT_FALSE(std::filesystem::exists(folder() / "out/extremes.csv"));
 }
 
 // No fault, and the numbers of verdicts as in docs/extremes.md.

@@ -49,6 +49,11 @@ relocated() {
   fi
   "$gnomon" plot pin.h5 -o figures >/dev/null
   compgen -G "figures/*.png" >/dev/null || fail "gnomon plot made no figure"
+  rm -rf sweep
+  printf 'scene = "%s"\nreference = "none"\n[set]\nmesh.elements = [8, 8]\ntime.end = 50.0\n' \
+    "$prefix/share/gnomon/problems/pin_on_flat/small_deformation.toml" >sweep.toml
+  "$gnomon" study sweep.toml -o sweep --quiet
+  expect "</html>" "$(cat sweep/index.html)"
 }
 
 manual() {

@@ -86,7 +86,16 @@ const Case cases[] = {
      "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
      "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-4]\n",
      {"study.toml:9: key `method.integrator`: two methods are called \"bdf\", expected different"}},
-    {"NoMethod", "", {"study.toml: expected one [[method]] or more, got none"}},
+    {"NoMethod",
+     "[[sweep]]\nkey = \"load.force\"\nvalues = [10]\n",
+     {"study.toml: expected one [[method]] or more, got none; reference = \"none\" at the top "
+      "makes"}},
+    {"ReferenceBelowATable",
+     "[[sweep]]\nkey = \"load.force\"\nvalues = [10]\nreference = \"none\"\n",
+     {"study.toml:8: key `sweep.reference`: `reference` is a key of the study, expected it above"}},
+    {"ReferenceInSet",
+     "reference = \"none\"\n",
+     {"study.toml:5: key `set.reference`: `reference` is a key of the study, expected it above"}},
     {"NothingToRun", "[[method]]\nintegrator = \"bdf\"\n", {"study.toml:6", "nothing to run"}},
     {"MissingIntegrator",
      "[[method]]\nsteps = [1]\n",
@@ -104,6 +113,11 @@ const Case cases[] = {
      "body.young_modulus = \"soft\"\n",
      {"study.toml:5: key `set.body.young_modulus`: expected a number in [1e-30, 1e+30] [MPa]"}},
     {"OwnedKey", "integrator.step = 5.0\n", {"study.toml:5", "given by `method.steps`"}},
+    {"SweptTolerance",
+     "[[sweep]]\nkey = \"integrator.rtol\"\nvalues = [1e-3]\n[[method]]\nintegrator = \"bdf\"\n"
+     "tolerances = [1e-3]\n",
+     {"study.toml:6: key `sweep.key`: expected another key, `integrator.rtol` is given by "
+      "`method.tolerances`"}},
     {"StoredSteps", "output.every = 1\n", {"study.toml:5", "given by the study itself"}},
     {"SweptValue",
      "[[sweep]]\nkey = \"mesh.elements\"\nvalues = [[8, 8], 8]\n",
@@ -137,8 +151,9 @@ const Case cases[] = {
     {"OneReference",
      "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
      "[[reference]]\nintegrator = \"bdf\"\ntolerance = 1e-6\n",
-     {"study.toml:9: key `reference.integrator`: expected two [[reference]] tables or none, got "
-      "1"}},
+     {"study.toml:9: key `reference.integrator`: expected two [[reference]] tables, or none of "
+      "them",
+      "reference = \"none\"", "got 1"}},
     {"OneFamily",
      "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\n"
      "[[reference]]\nintegrator = \"bdf\"\ntolerance = 1e-6\n"

@@ -164,5 +164,16 @@ TEST(RunNumbers, AreReadAndWritten) {
     EXPECT_THROW(runs_numbered(bad, 12), InputError) << bad;
 }
 
+TEST_F(Parts, RunsFromALargerToASmallerNumberAreRefused) {
+  write_study("50, 25");
+  ASSERT_EQ(plan().exit_code, 0);
+  const Outcome outcome = gnomon(run("2-1"));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(
+      outcome.err,
+      "gnomon: runs `2-1`: expected ranges from a smaller number to a larger one, as 3-7, got "
+      "`2-1`\n");
+}
+
 }  // namespace
 }  // namespace gnomon

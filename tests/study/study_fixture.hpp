@@ -14,18 +14,23 @@ namespace gnomon::test {
 
 using Row = std::map<std::string, std::string>;
 
-/// Rows of a CSV text by column name; fields may be quoted, but hold no line breaks.
+/// Rows of a CSV text by column name; fields may be quoted, with doubled quotes in them, but hold
+/// no line breaks.
 inline std::vector<Row> parse_csv(const std::string& text) {
   const auto split = [](const std::string& line) {
     std::vector<std::string> cells(1);
     bool quoted = false;
+    char before = ',';
     for (const char c : line) {
-      if (c == '"')
+      if (c == '"') {
         quoted = !quoted;
-      else if (c == ',' && !quoted)
+        if (quoted && before == '"') cells.back() += c;
+      } else if (c == ',' && !quoted) {
         cells.emplace_back();
-      else
+      } else {
         cells.back() += c;
+      }
+      before = c;
     }
     return cells;
   };
@@ -62,6 +67,9 @@ protected:
     return gnomon(arguments);
   }
   std::vector<Row> rows() const { return parse_csv(read_text(folder() / "out/study.csv")); }
+  nlohmann::json json() const {
+    return nlohmann::json::parse(read_text(folder() / "out/study.json"));
+  }
 };
 
 }  // namespace gnomon::test

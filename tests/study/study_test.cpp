@@ -12,7 +12,6 @@
 
 #include "results/hdf5_values.hpp"
 #include "study/declaration.hpp"
-#include "study/markup.hpp"
 #include "study/study_fixture.hpp"
 
 namespace gnomon {
@@ -66,7 +65,7 @@ TEST_F(StudyRuns, MeasuresErrorsAgainstTheReference) {
   for (const char* name : {"wall_seconds", "cpu_seconds", "peak_memory_mb", "newton_iterations",
                            "factorizations", "linear_solves", "residual_evaluations"})
     EXPECT_GT(std::stod(row.at(name)), 0) << name;
-  EXPECT_THAT(test::read_text(folder() / "out/index.html"), HasSubstr("body.young_modulus=640"));
+  EXPECT_EQ(json()["self_reference"], "backward-euler step 5");
   const hdf5::Handle file = hdf5::own(
       H5Fopen((folder() / "out/study.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open");
   EXPECT_EQ(hdf5::read_text(file.id(), "text"), test::read_text(folder() / "study.toml"));
@@ -82,17 +81,6 @@ TEST_F(StudyRuns, MeasuresErrorsAgainstTheReference) {
 const std::string loose =
     "[[reference]]\nintegrator = \"sdirk-2\"\ntolerance = 0.1\n"
     "[[reference]]\nintegrator = \"bdf\"\ntolerance = 0.1\n";
-
-TEST(Markup, SvgsShareAPage) {
-  const std::string svg =
-      "<?xml version=\"1.0\"?><!DOCTYPE svg><svg><metadata><a href=\"https://x\"/></metadata>"
-      "<path id=\"p\"/><use xlink:href=\"#p\"/><g clip-path=\"url(#p)\"/></svg>\n";
-  EXPECT_EQ(study::inline_svg(svg, "f1-"),
-            "<svg><path id=\"f1-p\"/><use xlink:href=\"#f1-p\"/>"
-            "<g clip-path=\"url(#f1-p)\"/></svg>");
-  EXPECT_EQ(study::inline_svg("no picture", "f1-"), "");
-  EXPECT_EQ(study::escaped("<a & \"b\">"), "&lt;a &amp; &quot;b&quot;&gt;");
-}
 
 Scene scene_of(const StudyRun& run) {
   return parse_scene(run.scene, run.name, {}, key_table);
@@ -147,9 +135,7 @@ TEST_F(StudyRuns, MarksErrorsThatTheReferenceCannotResolve) {
   EXPECT_LT(std::stod(row.at("shape_error")), 10 * std::stod(row.at("reference_error")));
   EXPECT_EQ(row.at("marked"), "1");
   EXPECT_EQ(row.at("sweep"), "");
-  EXPECT_THAT(test::read_text(folder() / "out/index.html"),
-              AllOf(HasSubstr("class=\"n marked\""), HasSubstr("marked cells"),
-                    HasSubstr("of another family")));
+  EXPECT_EQ(json()["rows"][0]["marked"][0], "shape_error");
 }
 
 TEST_F(StudyRuns, AClosedFormIsTheReferenceWhereThereIsOne) {
@@ -179,10 +165,9 @@ TEST_F(StudyRuns, AClosedFormIsCalledExact) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("reference: closed form, exact\n"));
   EXPECT_THAT(outcome.out, Not(HasSubstr("* less than")));
-  const std::string page = test::read_text(folder() / "out/index.html");
-  EXPECT_THAT(page, HasSubstr("<td class=\"n\">exact</td>"));
-  EXPECT_THAT(page, Not(HasSubstr("of another family")));
-  EXPECT_THAT(page, Not(HasSubstr("marked cells")));
+  const nlohmann::json json = this->json();
+  EXPECT_EQ(json["sweep"][0]["reference"]["closed_form"], true);
+  EXPECT_EQ(json["rows"][0]["marked"].size(), 0u);
 }
 
 // The worn volume of a constant load is k F v t, whatever the pressure.
@@ -209,8 +194,8 @@ TEST_F(StudyRuns, AParameterSweepNeedsNoMethodAndNoReference) {
     EXPECT_EQ(row.at("integrator.events"), "ignore");
   }
   EXPECT_EQ(rows[1].at("load.force"), "20");
-  EXPECT_THAT(test::read_text(folder() / "out/index.html"),
-              AllOf(HasSubstr("worn_volume"), Not(HasSubstr("References"))));
+  EXPECT_EQ(json()["compared"], false);
+  EXPECT_FALSE(json()["sweep"][0].contains("reference"));
 }
 
 TEST_F(StudyRuns, WithoutAReferenceThereIsNoOther) {
@@ -224,6 +209,13 @@ TEST_F(StudyRuns, WithoutAReferenceThereIsNoOther) {
   refused(method("bdf", "tolerances = [1e-3]") +
               "[self_reference]\nmethod = \"bdf\"\ntolerance = 1e-6\n",
           "expected no self-reference with reference = \"none\"");
+  const std::string own = " is given by the scene, or by `tolerances` of a [[method]]";
+  refused("integrator.rtol = 1e-3\n",
+          "study.toml:6: key `set.integrator.rtol`: expected another "
+          "key, `integrator.rtol`" +
+              own);
+  refused("[[sweep]]\nkey = \"integrator.rtol\"\nvalues = [1e-3]\n",
+          "study.toml:7: key `sweep.key`: expected another key, `integrator.rtol`" + own);
   write("study.toml", "reference = \"some\"\n" + head());
   EXPECT_THAT(study().err, HasSubstr("study.toml:1: key `reference`: expected \"none\""));
 }

@@ -49,6 +49,7 @@ struct Quantity {
   const char* name;
   const char* unit_2d;
   const char* unit_3d;
+  const char* meaning;  ///< a few words
 
   const char* unit(int dim) const { return dim == 2 ? unit_2d : unit_3d; }
 };

@@ -72,9 +72,7 @@ std::vector<ExtremeCase> judge(const ExtremeStudy& study, const std::string& nam
 
 /// The table as CSV; only the header if there are no cases.
 std::string extremes_csv(const std::vector<ExtremeCase>& cases);
-/// The table as a self-contained page; the runs are in folders beside it. `figures`: texts of SVG
-/// files; `note` replaces them if there are none.
-std::string extremes_page(const std::vector<ExtremeCase>& cases,
-                          const std::vector<std::string>& figures, const std::string& note);
+/// All that a page of the cases shows, as JSON: columns with units and meanings, verdicts, rows.
+std::string extremes_json(const std::vector<ExtremeCase>& cases);
 
 }  // namespace gnomon

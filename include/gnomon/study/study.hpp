@@ -183,12 +183,11 @@ StudyTable measure(const Study& study, const std::filesystem::path& folder);
 
 /// The table as CSV: the columns of docs/studies.md.
 std::string study_csv(const Study& study, const StudyTable& table);
+/// All that a page of the study shows, as JSON: what it is of, columns with units and meanings,
+/// rows, references, the study's text.
+std::string study_json(const Study& study, const StudyTable& table);
 /// The table and the study's text as HDF5. Throws Error.
 void write_study_hdf5(const std::filesystem::path& file, const Study& study,
                       const StudyTable& table);
-/// A self-contained page: `figures` are SVG texts to inline; `note` replaces them if there are
-/// none.
-std::string study_page(const Study& study, const StudyTable& table,
-                       const std::vector<std::string>& figures, const std::string& note);
 
 }  // namespace gnomon

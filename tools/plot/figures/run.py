@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy
 
-from . import critical, errors, extremes, groups, history, mesh, output, parameters, pressure, shape
-from . import shapes, spectrum, study, style, surface, tables, wear, work
+from . import critical, errors, extremes, groups, history, mesh, output, page, parameters, pressure
+from . import shape, shapes, spectrum, study, style, surface, tables, wear, work
 from .complaints import BadInput, Unsuitable, reason_of
 from .result import Result
 
@@ -26,15 +26,30 @@ NONSENSE = (ArithmeticError, LookupError, MemoryError, OSError, RuntimeError, Ty
             numpy.linalg.LinAlgError)
 
 
-def draw(kind, targets, folder, svg_folder):
+def draw(kind, targets, folder, svg_only):
     style.apply()
     jobs = [job for target in targets for job in jobs_of(kind, target)]
     owners = {}
     for drawer, target in jobs:
-        perform(drawer, [target], Sink(target, folder, svg_folder, owners))
+        sink = Sink(target, folder, svg_only, owners)
+        subject = SUBJECTS_OF_PAGES.get(drawer)
+        if folder is None and subject and page.data_of(target, subject).is_file():
+            draw_with_page(drawer, target, sink, subject)
+        else:
+            perform(drawer, [target], sink)
     if [drawer for drawer, _ in jobs] == [draw_result] * 2:
         both = [path for _, path in jobs]
-        perform(draw_two_results, both, Sink(targets[0], folder, svg_folder, owners))
+        perform(draw_two_results, both, Sink(targets[0], folder, svg_only, owners))
+
+
+def draw_with_page(drawer, target, sink, subject):
+    """The page has its tables even if the figures cannot be drawn."""
+    try:
+        reports = perform(drawer, [target], sink)
+    except BadInput as error:
+        page.write(target, subject, {}, str(error))
+        raise
+    print(page.write(target, subject, reports))
 
 
 def draw_mesh(target, file):
@@ -47,7 +62,8 @@ def draw_mesh(target, file):
 
 
 def perform(drawer, targets, sink):
-    """Writes the figures when all are made: for a refused target no figure is written."""
+    """Writes the figures when all are made, and returns them: for a refused target no figure is
+    written."""
     try:
         with warnings.catch_warnings(), numpy.errstate(all="ignore"):
             warnings.simplefilter("ignore")  # from damaged numbers, which are reported in one line
@@ -58,16 +74,17 @@ def perform(drawer, targets, sink):
         raise BadInput(f"cannot draw {names}: {reason_of(error)}; its numbers are "
                        "damaged, or not what docs/figures.md and docs/results.md expect") from error
     sink.write(reports)
+    return reports
 
 
 class Sink:
     """The folder of the figures of a target. `owners`: the target of each figure so far."""
 
-    def __init__(self, target, folder, svg_folder, owners):
+    def __init__(self, target, folder, svg_only, owners):
         self.target, self.owners = target, owners
-        self.kinds = ("svg",) if svg_folder else ("png", "svg")
+        self.kinds = ("svg",) if svg_only else ("png", "svg")
         beside = target if target.is_dir() else target.parent
-        self.folder = Path(svg_folder or folder or beside / "figures")
+        self.folder = Path(folder or beside / "figures")
         self.figures = {}
 
     def draw(self, name, drawer, *arguments):
@@ -160,6 +177,9 @@ def draw_spectrum(folder, sink):
 
 def draw_extremes(folder, sink):
     sink.draw("accuracy", extremes.draw, extremes.read(folder))
+
+
+SUBJECTS_OF_PAGES = {draw_study: "study", draw_extremes: "extremes"}
 
 
 def file_name(text):

@@ -1,0 +1,63 @@
+// A table of results, as CSV and JSON show it: the interface to all programs that read studies.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gnomon::study {
+
+/// The value of a cell; monostate if there is none.
+using CellValue = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+struct Column {
+  enum class Kind { text, integer, real };
+  std::string name;
+  std::string unit;
+  Kind kind = Kind::text;
+  std::string group;    ///< for programs that show some columns only: "error", "cost", ...
+  std::string meaning;  ///< a few words
+};
+
+/// A column, and where its values come from.
+template <class Row>
+struct ColumnOf {
+  Column column;
+  std::function<CellValue(const Row&)> value;
+};
+
+struct Table {
+  std::vector<Column> columns;
+  std::vector<std::vector<CellValue>> rows;  ///< a value for each column
+};
+
+template <class Row>
+Table table_of(const std::vector<ColumnOf<Row>>& columns, const std::vector<Row>& rows) {
+  Table table;
+  for (const ColumnOf<Row>& from : columns) table.columns.push_back(from.column);
+  for (const Row& row : rows) {
+    std::vector<CellValue>& values = table.rows.emplace_back();
+    for (const ColumnOf<Row>& from : columns) values.push_back(from.value(row));
+  }
+  return table;
+}
+
+/// Shortest exact text of a cell; empty when there is no value.
+std::string cell_text(const CellValue& value);
+
+/// The names, then one line per row.
+std::string csv_of(const Table& table);
+
+/// null where there is no value, a text where a number is not finite.
+nlohmann::ordered_json value_json(const CellValue& value);
+/// Name, unit, group and meaning of every column.
+nlohmann::ordered_json columns_json(const Table& table);
+/// The values of a row by the names of their columns.
+nlohmann::ordered_json values_json(const Table& table, std::size_t row);
+/// The text of a file; bytes that are not UTF-8 are replaced.
+std::string json_text(const nlohmann::ordered_json& json);
+
+}  // namespace gnomon::study
