@@ -45,7 +45,7 @@ struct StepView {
 
 namespace {
 
-/// The hooks of one run; what a callback or a signal raises ends the run and is raised behind it.
+/// The hooks of one run; what a callback or a signal raises ends the run and is raised after it.
 class Callbacks {
 public:
   Callbacks(Shared model, py::object on_step)

@@ -235,7 +235,7 @@ std::vector<Key> body_keys() {
        .presence = required,
        .range = {.min = 0, .max = 0.5, .max_open = true},
        .help = "Poisson's ratio nu of the worn body (of the linearised law)"},
-      // Choices, and keys of the materials behind it, are filled in where materials are known.
+      // Choices, and keys of the materials that follow it, are filled in where materials are known.
       {.name = "body.material",
        .kind = KeyKind::text,
        .presence = defaulted,
