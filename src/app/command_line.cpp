@@ -185,7 +185,7 @@ void CommandLine::add_stability() {
       ->check(check_number)
       ->allow_extra_args(false);
   command->add_flag("--no-onset", stability_.no_onset,
-                    "Only the linearised equations: does not measure the onset of instability");
+                    "Only the linearized equations: does not measure the onset of instability");
   command->add_flag("--all", stability_.all,
                     "The whole spectrum instead of the largest eigenvalues");
   command

@@ -15,7 +15,7 @@
 //   f_bar_variational  R_a = sum_g det(dX/dxi) d phi(Fbar)/du_a, as eq. (32) says literally:
 //                      r^(1/dim) [P(Fbar) n_a + q (g0_a - g_a)],  q = P(Fbar) : F / dim
 //
-// With small strains they are these linearised in u at u = 0, over the same X: with
+// With small strains they are these linearized in u at u = 0, over the same X: with
 // Hbar = H + (tr H_0 - tr H)/dim I, sigma linear elastic, g_a = n_a,
 //
 //   plain              R_a = sum_g det(dX/dxi) sigma(H) n_a
