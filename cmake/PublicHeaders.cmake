@@ -2,26 +2,35 @@
 # what is declared here is meant for use.
 set(gnomon_public_headers
   gnomon/base/error.hpp              # exceptions
+  gnomon/base/counters.hpp           # work of a run
   gnomon/base/installation.hpp       # files of the installation
   gnomon/base/version.hpp
   gnomon/scene/scene.hpp             # scenes and their keys
   gnomon/scene/registry.hpp          # registrations
-  gnomon/laws/catalogue.hpp          # wear laws, shapes of counter-bodies
+  gnomon/laws/wear_law.hpp           # wear laws
+  gnomon/laws/counter_shape.hpp      # shapes of counter-bodies
+  gnomon/laws/catalogue.hpp          # both by name
   gnomon/terms/material_law.hpp      # materials
   gnomon/model/added_term.hpp        # terms
-  gnomon/model/problem.hpp           # problems and models
-  gnomon/system/composed_system.hpp  # the residual and its Jacobian
+  gnomon/model/problem.hpp           # problems
+  gnomon/model/model.hpp             # and what they make of a scene
+  gnomon/model/observation.hpp
+  gnomon/system/system.hpp           # residual, Jacobian, switching functions
+  gnomon/system/state.hpp
+  gnomon/system/composed_system.hpp  # a system made of terms
   gnomon/integrators/integrator.hpp  # integrators
-  gnomon/integrators/stepper.hpp     # drives one-step methods
+  gnomon/integrators/one_step.hpp    # one-step methods
+  gnomon/integrators/stepper.hpp     # and what drives them
   gnomon/integrators/diagonally_implicit.hpp
+  gnomon/integrators/rates.hpp       # rates of a consistent state
   gnomon/newton/algebraic_solver.hpp # algebraic components of a state
   gnomon/run/setup.hpp               # from a scene to a model
   gnomon/run/run.hpp                 # runs
   gnomon/run/summary.hpp
   gnomon/run/plugin.hpp              # plug-ins
-  gnomon/results/result_files.hpp
+  gnomon/results/result_files.hpp    # results
   gnomon/results/results.hpp
-  gnomon/results/versions.hpp)   # results
+  gnomon/results/versions.hpp)
 
 # All headers that headers in `found` include, directly or through others.
 function(gnomon_headers_included_by result)

@@ -10,7 +10,7 @@ site = Path(os.environ["GNOMON_SITE"])  # where scripts/site builds
 project = "gnomon"
 author = "the gnomon authors"
 copyright = author
-extensions = ["myst_parser", "breathe", "sphinx_copybutton", "sphinx.ext.mathjax"]
+extensions = ["myst_parser", "breathe", "sphinx_copybutton", "sphinx.ext.autodoc", "sphinx.ext.mathjax"]
 exclude_patterns = ["_static"]
 
 # Markdown: formulas between dollars, definition lists, anchors of headings as in other readers of Markdown.
@@ -36,10 +36,13 @@ html_css_files = ["site.css"]
 html_show_sphinx = False
 html_copy_source = False
 
-# Names in C++ signatures that no page describes: the standard library, Eigen, the interior of gnomon.
+# Docstrings mark code as Markdown does.
+default_role = "literal"
+
+# Names in signatures that no page describes: the standard library, Eigen, the interior of gnomon.
 breathe_projects = {"gnomon": str(site / "doxygen" / "xml")}
 breathe_default_project = "gnomon"
-nitpick_ignore_regex = [("cpp:.*", ".*")]
+nitpick_ignore_regex = [("cpp:.*", ".*"), ("py:class", "numpy.ndarray|os.PathLike")]
 
 # Files outside of docs/ that the site has as pages.
 outside = {"CHANGELOG.md": "changelog.md", "README.md": "index.md"}
@@ -77,5 +80,14 @@ def prepare(app, name, source):
     source[0] = text
 
 
+def python_names(app, what, name, thing, options, arguments, result):
+    """Makes signatures of functions in C++ those that a user of the package sees."""
+    def public(text):
+        text = re.sub(r"\bself: [\w.]+(, )?", "", text or "")
+        return re.sub(r"gnomon\._gnomon\._?", "gnomon.", text).replace("numpy.ndarray[numpy.float64]", "numpy.ndarray")
+    return public(arguments), public(result)
+
+
 def setup(app):
     app.connect("source-read", prepare)
+    app.connect("autodoc-process-signature", python_names)

@@ -1,6 +1,6 @@
 // dahlquist: the test equation of stability theory (G. Dahlquist, BIT 3 (1963) 27-43), with the
 // forcing of A. Prothero and A. Robinson (Math. Comp. 28 (1974) 145-162), written as an index-1 DAE
-// and made non-linear by a change of variables, so that its exact solution is known at every order
+// and made nonlinear by a change of variables, so that its exact solution is known at every order
 // and stiffness.
 //
 // Let the complex z obey zdot = r(t, z) = lambda (z - phi(t)) + phidot(t), z(0) = 1, with
@@ -217,7 +217,7 @@ std::unique_ptr<Model> make(const Scene& scene) {
 
 const Registration<Problem> registration({
     .name = "dahlquist",
-    .help = "the test equation ydot = lambda y, optionally forced and non-linear, solved exactly",
+    .help = "the test equation ydot = lambda y, optionally forced and nonlinear, solved exactly",
     .keys = keys(),
     .make = make,
 });

@@ -1,4 +1,4 @@
-// The groups of a mesh that a scene names; messages tell the key as well as the names that there
+// The groups of a mesh that a scene names; messages name the key as well as the names that there
 // are.
 #pragma once
 

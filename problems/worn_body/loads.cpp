@@ -45,7 +45,7 @@ std::vector<Key> load_keys() {
        .absent_meaning = "none",
        .range = any_quantity,
        .help = "pressure, positive pushes on the body; follows the deformed surface"},
-      vector_key("load.#.acceleration", "mm/s^2", "of gravity, say; needs body.density"),
+      vector_key("load.#.acceleration", "mm/s^2", "for example of gravity; needs body.density"),
       times_key("load.#", "the load"),
       factors_key("load.#", "the load"),
   };

@@ -1,4 +1,4 @@
-// Typical magnitudes of a run, found from the geometry: nobody has to give them.
+// Typical magnitudes of a run, found from the geometry, so that a scene need not give them.
 #pragma once
 
 #include <gnomon/model/worn_body.hpp>

@@ -34,12 +34,12 @@ Patches<dim> first_touch(const Scene& scene, const WornBody<dim>& body) {
   if (!std::isfinite(least))
     throw InputError(
         scene.where("counter_body.shape") +
-        ": expected a counter-body that meets the surfaces of wear.on when it comes "
+        ": expected a counter-body that meets the surfaces of wear.on when it moves "
         "along counter_body.press.direction, but it passes by: change its place, that "
         "direction, or its solid side (normal of a plane, side of a profile, concave)");
   if (!(outward.dot(body.contact.counter_body.approach) < 0))
     throw InputError(scene.where("counter_body.press.direction") +
-                     ": expected a direction into the body, but the surfaces of wear.on look the "
+                     ": expected a direction into the body, but the surfaces of wear.on face the "
                      "same way");
   return touching;
 }

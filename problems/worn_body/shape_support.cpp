@@ -20,7 +20,7 @@ std::vector<Key> shape_support_keys() {
            .unit = "mm",
            .presence = Key::Presence::optional,
            .absent_meaning = "the whole body, or, where it is large, what the wear is expected to "
-                             "move (gnomon check tells)",
+                             "move (gnomon check prints it)",
            .range = positive_quantity,
            .help = "distance from the wearing surfaces up to which the mesh moves (Remark 2)"},
           {.name = "shape.hold",
@@ -71,7 +71,8 @@ Tensor<dim> free_directions(const Held<dim>& held) {
   return free;
 }
 
-/// Components that are not free need no unknown; what is oblique to them is told by a projector.
+/// Components that are not free need no unknown; what is oblique to them is described by a
+/// projector.
 template <int dim>
 void hold(int node, Held<dim> held, WornBody<dim>& body) {
   constexpr double rounding = 1e-12;

@@ -71,7 +71,7 @@ Facets<dim> wearing_facets(const Scene& scene, const ImportedBody<dim>& part) {
       const auto [first, is_new] = surface_of.try_emplace(sorted, name);
       if (is_new)
         facets.push_back(facet);
-      else if (first->second != name)  // a name given twice is told by find_conflicts()
+      else if (first->second != name)  // a name given twice is reported by find_conflicts()
         throw InputError(
             fmt::format("{}: expected groups that share no facet, but \"{}\" and \"{}\" do",
                         scene.where("wear.on"), first->second, name));
@@ -196,7 +196,7 @@ std::size_t dimension_of(const Scene& scene) {
   return 0;
 }
 
-/// The mistakes that can be told without the mesh.
+/// The mistakes that can be found without the mesh.
 void find_mistakes_without_mesh(const Scene& scene, Mistakes& mistakes) {
   find_conflicts(scene, mistakes);
   find_mistakes_of_supports(scene, mistakes);

@@ -6,11 +6,8 @@ from gnomon.tables import Table
 
 
 class Result(_gnomon._Result):
-    """Reads a result: history, stored steps, fields, contact surfaces. Arrays are copies.
-
-    Members: status, wall_seconds, problem, integrator, versions, times (of the stored steps), field_names,
-    contact(t), field(name, t), grid(). Without `t` the last stored step is meant.
-    """
+    """Reads a result: history, stored steps, fields, contact surfaces. Arrays are copies. Without `t` the last stored
+    step is meant."""
 
     def history(self):
         """A Table with one row per step, the start first."""

@@ -15,7 +15,7 @@ class Outcome:
     diagnosis: str       #: why it failed
     warnings: list       #: reasons why its numbers may be worthless
     counters: dict       #: work of the whole run
-    wall_seconds: float
+    wall_seconds: float  #: of the integration
     summary: dict        #: as `gnomon run --summary` writes it
     history: Table       #: one array per column, one entry per step
     state: object        #: the last State; None if the start failed

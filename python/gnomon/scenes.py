@@ -32,7 +32,7 @@ def _toml_key(name):
 
 
 def _toml_lines(table, path=()):
-    """`table` with nested tables and dotted names, as lines KEY = VALUE; lists of tables as [[TABLE]] behind them."""
+    """`table` with nested tables and dotted names, as lines KEY = VALUE; lists of tables as [[TABLE]] after them."""
     lines, behind = [], []
     for name, value in table.items():
         if not isinstance(name, str):

@@ -33,7 +33,7 @@ def _column(name, texts):
 
 
 class Study:
-    """The results of a study in its folder."""
+    """The results of a study in its folder: `table` has the columns of study.csv (a gnomon.tables.Table)."""
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)

@@ -128,9 +128,11 @@ void add_state(py::module_& module) {
              return State{t, numbers(y, y.size(), "y"), numbers(ydot, y.size(), "ydot")};
            }),
            py::arg("t"), py::arg("y"), py::arg("ydot"))
-      .def_property_readonly("t", held([](const State& state) { return state.t; }))
-      .def_property_readonly("y", held([](const State& state) { return array(state.y); }))
-      .def_property_readonly("ydot", held([](const State& state) { return array(state.ydot); }))
+      .def_property_readonly("t", held([](const State& state) { return state.t; }), "Time.")
+      .def_property_readonly("y", held([](const State& state) { return array(state.y); }),
+                             "All unknowns.")
+      .def_property_readonly("ydot", held([](const State& state) { return array(state.ydot); }),
+                             "Their rates; of algebraic unknowns zero.")
       .def("__repr__", held([](const State& state) {
              return "<gnomon.State at t = " + std::string(py::str(py::float_(state.t))) + " of " +
                     std::to_string(state.y.size()) + " unknowns>";
@@ -151,24 +153,31 @@ void add_system(py::module_& module) {
   py::class_<SystemHandle, std::shared_ptr<SystemHandle>>(
       module, "System", "F(t, y, ydot) = 0 with J = dF/dy + alpha dF/dydot, an index-1 system.")
       .def_property_readonly("size",
-                             held([](const SystemHandle& self) { return self.structure().size; }))
+                             held([](const SystemHandle& self) { return self.structure().size; }),
+                             "Number of unknowns, and of rows.")
       .def_property_readonly("differential", held([](const SystemHandle& self) {
                                const auto& flags = self.structure().differential;
                                return array(std::vector<char>(flags)).attr("astype")("bool");
-                             }))
+                             }),
+                             "Which unknowns are differential: the positions of the worn surface.")
       .def_property_readonly("row_scale", held([](const SystemHandle& self) {
                                return array(self.structure().row_scale);
-                             }))
+                             }),
+                             "Typical sizes of the rows, by which residuals are divided.")
       .def_property_readonly("unknown_scale", held([](const SystemHandle& self) {
                                return array(self.structure().unknown_scale);
-                             }))
+                             }),
+                             "Typical sizes of the unknowns.")
       .def_property_readonly("breakpoints", held([](const SystemHandle& self) {
                                return array(self.structure().breakpoints);
-                             }))
+                             }),
+                             "Times at which the equations have a kink; steps should end there.")
       .def_property_readonly("switch_node", held([](const SystemHandle& self) {
                                return array(self.structure().switch_node);
-                             }))
-      .def("residual", held(residual), py::arg("t"), py::arg("y"), py::arg("ydot"))
+                             }),
+                             "The node of the mesh to which each switching function belongs.")
+      .def("residual", held(residual), py::arg("t"), py::arg("y"), py::arg("ydot"),
+           "F(t, y, ydot).")
       .def("_jacobian", held(jacobian))
       .def("switching", held(switching), py::arg("t"), py::arg("y"),
            "One value per switching function, zero or negative where it is active.")
@@ -225,10 +234,13 @@ void add_model(py::module_& module) {
       .def_property_readonly("_scene",
                              held([](const SharedModel& model) { return model.setup.scene; }))
       .def_property_readonly(
-          "remarks", held([](const SharedModel& model) { return model.setup.model->remarks(); }))
-      .def_property_readonly("blocks", held(blocks))
+          "remarks", held([](const SharedModel& model) { return model.setup.model->remarks(); }),
+          "What was noticed before the start, as text.")
+      .def_property_readonly("blocks", held(blocks),
+                             "The unknown blocks: name, symbol, size and where they are.")
       .def_property_readonly(
-          "system", held([](const Shared& model) { return std::make_shared<SystemHandle>(model); }))
+          "system", held([](const Shared& model) { return std::make_shared<SystemHandle>(model); }),
+          "The equations, a System.")
       .def("start", held([](SharedModel& model) {
              return with_model(model, [&] {
                Counters counters;

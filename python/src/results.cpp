@@ -46,26 +46,37 @@ py::object field(const ResultReader& reader, const std::string& name, std::optio
 void add_results(py::module_& module) {
   py::class_<ResultReader, std::shared_ptr<ResultReader>>(module, "_Result")
       .def(py::init<const std::filesystem::path&>(), py::arg("file"))
-      .def_property_readonly("status", held(&ResultReader::status))
-      .def_property_readonly("wall_seconds", held(&ResultReader::wall_seconds))
+      .def_property_readonly(
+          "status", held(&ResultReader::status),
+          "How the run ended: finished, interrupted, failed: ..., or running or crashed.")
+      .def_property_readonly("wall_seconds", held(&ResultReader::wall_seconds),
+                             "Wall time of the integration.")
       .def_property_readonly("problem",
-                             held([](const ResultReader& r) { return r.header().problem; }))
+                             held([](const ResultReader& r) { return r.header().problem; }),
+                             "Name of the problem.")
       .def_property_readonly("integrator",
-                             held([](const ResultReader& r) { return r.header().integrator; }))
+                             held([](const ResultReader& r) { return r.header().integrator; }),
+                             "Name of the integrator.")
       .def_property_readonly("scene_text",
-                             held([](const ResultReader& r) { return r.header().scene; }))
+                             held([](const ResultReader& r) { return r.header().scene; }),
+                             "The resolved scene as TOML text.")
       .def_property_readonly("versions",
-                             held([](const ResultReader& r) { return r.header().versions; }))
+                             held([](const ResultReader& r) { return r.header().versions; }),
+                             "Versions of gnomon and its libraries that made it.")
       .def_property_readonly("times",
-                             held([](const ResultReader& r) { return array(r.stored_times()); }))
-      .def_property_readonly("field_names", held(&ResultReader::field_names))
+                             held([](const ResultReader& r) { return array(r.stored_times()); }),
+                             "Times of the stored steps.")
+      .def_property_readonly("field_names", held(&ResultReader::field_names),
+                             "Names of the stored fields.")
       .def("history", held(history))
       .def("contact", held([](const ResultReader& r, std::optional<double> t) {
              return dict_of(r.contact(t));
            }),
-           py::arg("t") = py::none())
-      .def("field", held(field), py::arg("name"), py::arg("t") = py::none())
-      .def("grid", held([](const ResultReader& r) { return dict_of(r.grid()); }));
+           py::arg("t") = py::none(), "The contact surface at a stored time, as arrays by name.")
+      .def("field", held(field), py::arg("name"), py::arg("t") = py::none(),
+           "A field at a stored time: one value or vector for each node or cell.")
+      .def("grid", held([](const ResultReader& r) { return dict_of(r.grid()); }),
+           "Points [n, 3] and cells [m, corners], or None.");
 }
 
 }  // namespace gnomon::python

@@ -45,7 +45,7 @@ struct StepView {
 
 namespace {
 
-/// The hooks of one run; what a callback or a signal raises ends the run and is raised behind it.
+/// The hooks of one run; what a callback or a signal raises ends the run and is raised after it.
 class Callbacks {
 public:
   Callbacks(Shared model, py::object on_step)
@@ -172,15 +172,21 @@ private:
 void add_runs(py::module_& module) {
   py::class_<StepView, std::shared_ptr<StepView>>(module, "Step",
                                                   "A step that a run has taken, for its callback.")
-      .def_property_readonly("t", held([](const StepView& step) { return step.row.t; }))
-      .def_property_readonly("size", held([](const StepView& step) { return step.row.step.step; }))
+      .def_property_readonly("t", held([](const StepView& step) { return step.row.t; }),
+                             "Time at its end.")
+      .def_property_readonly("size", held([](const StepView& step) { return step.row.step.step; }),
+                             "Its length.")
       .def_property_readonly("order",
-                             held([](const StepView& step) { return step.row.step.order; }))
+                             held([](const StepView& step) { return step.row.step.order; }),
+                             "Order of the method in it.")
       .def_property_readonly("scalars",
-                             held([](const StepView& step) { return dict_of(step.row.scalars); }))
+                             held([](const StepView& step) { return dict_of(step.row.scalars); }),
+                             "What the problem observes at its end, by name.")
       .def_property_readonly("counters",
-                             held([](const StepView& step) { return dict_of(step.row.counters); }))
-      .def_property_readonly("state", held([](const StepView& step) { return step.state; }))
+                             held([](const StepView& step) { return dict_of(step.row.counters); }),
+                             "Work of the run so far.")
+      .def_property_readonly("state", held([](const StepView& step) { return step.state; }),
+                             "The State at its end.")
       .def_property_readonly("surface", held([](const StepView& step) -> py::object {
                                const auto surface = with_model(*step.model, [&] {
                                  return step.model->setup.model->contact(step.state);
@@ -196,10 +202,12 @@ void add_runs(py::module_& module) {
       .def(py::init<Shared>(), py::arg("model"))
       .def("advance", held(&Steps::advance), py::arg("until") = py::none(),
            "Takes one accepted step, which ends at `until` (default: time.end) at the latest.")
-      .def_property_readonly("state", held([](const Steps& steps) { return steps.state(); }))
-      .def_property_readonly("model", held(&Steps::model))
+      .def_property_readonly("state", held([](const Steps& steps) { return steps.state(); }),
+                             "The State at the end of the last step.")
+      .def_property_readonly("model", held(&Steps::model), "Its Model.")
       .def_property_readonly("counters",
-                             held([](const Steps& steps) { return dict_of(steps.counters()); }));
+                             held([](const Steps& steps) { return dict_of(steps.counters()); }),
+                             "Work so far, by name.");
 }
 
 }  // namespace gnomon::python

@@ -48,9 +48,10 @@ CommandLine::CommandLine()
   app_.add_flag_callback(
       "--version", [this] { command_ = version_command; },
       "Shows the versions of gnomon and its libraries");
-  app_.add_option("--plugin", plugins_,
-                  "Loads a plug-in, before the command; repeatable; GNOMON_PLUGINS=A.so:B.so does "
-                  "the same")
+  app_.add_option(
+          "--plugin", plugins_,
+          "Loads a plug-in; stands before the command; repeatable; GNOMON_PLUGINS=A.so:B.so does "
+          "the same")
       ->type_name("FILE.so")
       ->check(check_file_name)
       ->allow_extra_args(false);
@@ -184,7 +185,7 @@ void CommandLine::add_stability() {
       ->check(check_number)
       ->allow_extra_args(false);
   command->add_flag("--no-onset", stability_.no_onset,
-                    "Only the linearised equations: does not measure the onset of instability");
+                    "Only the linearized equations: does not measure the onset of instability");
   command->add_flag("--all", stability_.all,
                     "The whole spectrum instead of the largest eigenvalues");
   command

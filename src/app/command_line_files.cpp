@@ -1,4 +1,4 @@
-// The commands that show what a result or a mesh holds, and what gnomon knows.
+// The commands that show what a result or a mesh holds, and lists of what gnomon has.
 
 #include "app/command_line.hpp"
 #include "app/option_checks.hpp"
@@ -42,8 +42,8 @@ void CommandLine::add_inspection() {
 }
 
 void CommandLine::add_meshes() {
-  CLI::App* mesh = app_.add_subcommand(
-      "mesh", "Reads or makes a mesh (.msh, .geo, .step) and tells what it has");
+  CLI::App* mesh =
+      app_.add_subcommand("mesh", "Reads or makes a mesh (.msh, .geo, .step) and describes it");
   CLI::App* part =
       app_.add_subcommand("new", "Writes a commented scene for a mesh or geometry of one's own");
   for (CLI::App* command : {mesh, part}) {

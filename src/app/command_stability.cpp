@@ -148,7 +148,7 @@ int stability_command(const StabilityOptions& options) {
   for (const State& state : accurate_states(*setup.model, times, counters, options.rtol))
     report.add(state);
   fmt::print(
-      "{}\ncritical step: of the linearised equations, by the method's stability region\n"
+      "{}\ncritical step: of the linearized equations, by the method's stability region\n"
       "onset: the step above which a small perturbation grows over {} real steps, to 1 %\n",
       report.text(), OnsetOptions{}.steps);
   if (!options.folder.empty()) report.write(options.folder);

@@ -95,7 +95,7 @@ int study_command(const StudyCommandOptions& given) {
   if (InterruptGuard::interrupted() && progress.done < progress.total)
     throw Error(fmt::format("interrupted with {} of {} runs done{}; --resume continues from there",
                             progress.done, progress.total,
-                            given.executor == "slurm" ? ", the jobs of Slurm go on" : ""));
+                            given.executor == "slurm" ? ", the jobs of Slurm continue" : ""));
   write_study(study, options.folder, given.quiet);
   if (progress.done < progress.total) require_complete(study, options.folder);
   return success;

@@ -13,11 +13,10 @@ volatile std::sig_atomic_t announced = 0;
 
 extern "C" void on_signal(int) {
   signalled = 1;
-  std::signal(SIGINT, SIG_DFL);  // the second signal of either kind kills
-  std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, on_signal);  // METIS, which saves and restores it, leaves it for one signal
   if (!announced) return;
-  static const char text[] =
-      "\ngnomon: ending after this step (or the start); a second signal kills\n";
+  static const char text[] = "\ngnomon: ending after this step (or the start); Ctrl-C kills now\n";
   // Nothing can be done about a failure, and nothing else is safe here.
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof text - 1);
 }

@@ -17,7 +17,7 @@ struct PrintedNumber {
   double half_digit;  // half of one in its last digit
 };
 
-/// Without "t =" before it and "s" behind it.
+/// Without "t =" before it and "s" after it.
 std::string number_in(std::string text) {
   const auto drop_spaces = [&] {
     const std::size_t first = text.find_first_not_of(' ');

@@ -1,4 +1,4 @@
-// The program that sees Gmsh's library: gnomon_gmsh FILE SIZE FACTOR. It reads or meshes a file and
+// The program that uses Gmsh's library: gnomon_gmsh FILE SIZE FACTOR. It reads or meshes a file and
 // hands the mesh to gnomon (src/mesh/mesh_process.cpp), which starts it. A process of its own
 // because a damaged file, a script that says Exit or a failed algorithm may end it; gnomon has its
 // signals, its terminal and its memory for itself.

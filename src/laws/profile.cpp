@@ -100,7 +100,8 @@ std::vector<Vector<2>> parse_points(const std::string& text, const std::string& 
     header_allowed = false;
   }
   if (points.empty())
-    throw InputError(fmt::format("{}: expected two numbers a line, got no line with any", name));
+    throw InputError(
+        fmt::format("{}: expected two numbers per line, got no line with numbers", name));
   return points;
 }
 

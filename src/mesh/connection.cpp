@@ -75,11 +75,12 @@ void check_one_part(const ImportedBody<dim>& body, const FacetTable<dim>& facets
     if (first[part[cell]] < 0) first[part[cell]] = cell;
     ++cells[part[cell]];
   }
-  refuse_body(body,
-              fmt::format("the body falls into {} parts that share no side of a cell, say {} with "
-                          "{} and {} with {}; expected one part",
-                          parts, counted(cells[0], "cell"), cell_text(body, first[0]),
-                          counted(cells[1], "cell"), cell_text(body, first[1])));
+  refuse_body(
+      body,
+      fmt::format("the body consists of {} parts that share no side of a cell, for example {} with "
+                  "{} and {} with {}; expected one part",
+                  parts, counted(cells[0], "cell"), cell_text(body, first[0]),
+                  counted(cells[1], "cell"), cell_text(body, first[1])));
 }
 
 /// Every node of a closed curve begins one of its edges.

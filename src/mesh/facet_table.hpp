@@ -16,7 +16,7 @@ public:
   static constexpr int exterior = -1;  ///< no neighbour
   static constexpr int crowded = -2;   ///< more than one
 
-  /// The mesh has to live as long as the table.
+  /// The mesh has to outlive the table.
   explicit FacetTable(const Mesh<dim>& mesh);
 
   int slots() const { return static_cast<int>(neighbour_.size()); }

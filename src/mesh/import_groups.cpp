@@ -87,7 +87,7 @@ void take_boundary_part(ImportedBody<dim>& body, const FacetTable<dim>& facets,
   slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
 }
 
-/// Parts may overlap; the user is told, since it is often by mistake.
+/// Parts may overlap; the user is informed, since it is often a mistake.
 template <int dim>
 void remark_overlaps(ImportedBody<dim>& body, const Parts& parts) {
   for (auto one = parts.begin(); one != parts.end(); ++one)
@@ -150,7 +150,7 @@ void take_groups(ImportedBody<dim>& body, const FacetTable<dim>& facets, const I
   for (const auto& [name, slots] : parts) {
     auto& part = body.mesh.boundary[name];
     for (int slot : slots) part.push_back(facets.facet(slot));
-    body.unusable.erase(name);  // of points, say, with the same name
+    body.unusable.erase(name);  // for example of points, with the same name
   }
   remark_overlaps(body, parts);
 }

@@ -104,10 +104,11 @@ double diagonal(const ImportedMesh& mesh) {
 void check_content(const ImportedMesh& mesh, int dim) {
   const char* physical = dim == 2 ? "Physical Surface" : "Physical Volume";
   if (mesh.dimension < 2 || mesh.cells.size() == 0)
-    refuse_mesh(mesh,
-                "has no cells, only points or curves; expected a mesh of the body itself (in Gmsh: "
-                "mesh in 2D or 3D, and where groups are named name also the body's, by Physical "
-                "Surface or Physical Volume, since Gmsh saves only what is in a group)");
+    refuse_mesh(
+        mesh,
+        "has no cells, only points or curves; expected a mesh of the body itself (in Gmsh: "
+        "mesh in 2D or 3D, and where groups are named, also name that of the body, by Physical "
+        "Surface or Physical Volume, since Gmsh saves only what is in a group)");
   if (mesh.dimension != dim)
     refuse_mesh(
         mesh, fmt::format("is a mesh in {}D, expected one in {}D{}", mesh.dimension, dim,

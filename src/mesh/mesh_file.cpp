@@ -31,7 +31,8 @@ void check_kind(const std::filesystem::path& file) {
   if (kind == ".inp")
     refuse(file,
            "Gmsh's library writes Abaqus files but does not read them; "
-           "convert it, say with: meshio convert part.inp part.msh (which drops its sets: name the "
+           "convert it, for example with: meshio convert part.inp part.msh (which drops its sets: "
+           "name the "
            "parts in Gmsh)");
   if (kind == ".msh" || is_geometry(file)) return;
   refuse(file, kind.empty() ? fmt::format("has no ending, {}", expected)
@@ -68,7 +69,7 @@ void check_last_line(const std::filesystem::path& file) {
 
 /// Gmsh takes what there is of a file that was cut off. Every section ends with its $End.
 void check_end(const std::filesystem::path& file) {
-  constexpr std::streamoff longest = 200;  // of a word and of spaces behind it
+  constexpr std::streamoff longest = 200;  // of a word and of spaces after it
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   const std::streamoff size = stream.tellg();
   stream.seekg(std::max<std::streamoff>(0, size - longest));

@@ -42,7 +42,7 @@ void demand(int code, const char* what) {
   if (code) throw Error(fmt::format("cannot start Gmsh: {}: {}", what, std::strerror(code)));
 }
 
-/// Gmsh and what it is made of print to a terminal whatever they are told; here they have none.
+/// Gmsh and what it is made of print to a terminal whatever their settings; here they have none.
 pid_t start(const std::vector<std::string>& words, int output) {
   posix_spawn_file_actions_t actions;
   demand(posix_spawn_file_actions_init(&actions), "actions");
@@ -107,7 +107,7 @@ std::string how_it_ended(int status, bool geometry) {
   if (!WIFSIGNALED(status))
     return fmt::format("Gmsh ended with exit code {}; {}", WEXITSTATUS(status), advice);
   const int signal = WTERMSIG(status);
-  if (signal == SIGXCPU) return fmt::format("Gmsh does not come to an end of reading; {}", advice);
+  if (signal == SIGXCPU) return fmt::format("Gmsh does not finish reading; {}", advice);
   if (signal == SIGINT || signal == SIGTERM) return "the reading was interrupted";
   return fmt::format("Gmsh itself failed (signal {}); {}", signal, advice);
 }

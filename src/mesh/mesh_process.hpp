@@ -1,4 +1,4 @@
-// The process that sees Gmsh, from gnomon's side.
+// The process that uses Gmsh, from the side of gnomon.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What the process that sees Gmsh hands to gnomon: a letter, then a mesh or a complaint. Both ends
+// What the process that uses Gmsh passes to gnomon: a letter, then a mesh or a complaint. Both ends
 // are of one build, so numbers go as they lie in memory.
 #pragma once
 

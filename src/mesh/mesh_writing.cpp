@@ -16,7 +16,7 @@ class GmshText {
 public:
   /// A group of a dimension; returns its number.
   int add_group(int dimension, std::string name) {
-    std::ranges::replace(name, '"', '\'');  // the format knows no way to write it
+    std::ranges::replace(name, '"', '\'');  // the format cannot express it
     groups_ += fmt::format("{} {} \"{}\"\n", dimension, ++group_count_, name);
     return group_count_;
   }

@@ -9,7 +9,7 @@ namespace {
 struct SurfacePoint {
   double s, pressure, gap;  // position along the plane
   bool active;
-  std::array<int, 2> next;  // neighbours along the surface, behind and before; -1: its end
+  std::array<int, 2> next;  // neighbours along the surface, after and before; -1: its end
 };
 
 /// A walk along the surface, whatever the numbers of its nodes: wearing surfaces meet at seams, and

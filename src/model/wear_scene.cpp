@@ -10,7 +10,7 @@ namespace gnomon {
 
 namespace {
 
-/// A law in C++ reads neither the expression nor its names: they are not given in vain.
+/// A law in C++ reads neither the expression nor its names: they count as used.
 void require_no_expression(const Scene& scene) {
   const std::string& law = scene.text("wear.law");
   const auto refuse = [&](const std::string& key) {

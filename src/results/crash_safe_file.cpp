@@ -132,7 +132,7 @@ bool CrashSafeFile::succeeds(int error) {
 
 void CrashSafeFile::write(H5FD_mem_t type, haddr_t address, size_t size, const void* buffer) {
   const auto* bytes = static_cast<const unsigned char*>(buffer);
-  // Once abandoned, everything waits: HDF5 goes on in memory.
+  // Once abandoned, everything waits: HDF5 continues in memory.
   if (!abandoned_ && address >= committed_end_ &&
       succeeds(write_all(descriptor_, address, bytes, size)))
     return;

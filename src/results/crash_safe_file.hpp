@@ -23,7 +23,7 @@ namespace gnomon::hdf5 {
 /// 3. commit(), called by H5Fflush, lengthens the file to all that is allocated, and writes the
 ///    waiting changes, in an order in which each refers only to what is on disk already:
 ///    superblock   the length of the file: nothing may lie behind it
-///    raw data     rows behind the length of their table: nobody reads them yet
+///    raw data     rows beyond the length of their table: nobody reads them yet
 ///    indices      of chunks, from the root down
 ///    headers      of objects: the length of tables, links; what makes the new things visible
 /// 4. Each change is one system call within one page of memory, which Linux carries out as a
@@ -43,11 +43,11 @@ public:
   /// A file access list with which H5Fcreate works on this file. The file must outlive it.
   Handle access_list();
 
-  /// Nothing more goes to the disk, which keeps what it holds. HDF5 goes on without knowing (it
+  /// Nothing more goes to the disk, which keeps what it holds. HDF5 continues without an error (it
   /// reads what it writes, from memory), and can be closed.
   void abandon() { abandoned_ = true; }
   /// Throws Failure with the system's reason when a write has failed, which abandons the file. HDF5
-  /// is not told: told of it, it writes what refers to that place all the same, and may crash.
+  /// gets none: with one it would still write what refers to that place, and may crash.
   void require_written() const;
   /// From here on the file is for readers too (write_claim.hpp).
   void share();

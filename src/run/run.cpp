@@ -20,7 +20,7 @@ namespace {
 
 using Status = RunOutcome::Status;
 
-/// The times of the stored states behind the start.
+/// The times of the stored states after the start.
 std::vector<double> settled_times(const StorePolicy& policy, double end) {
   std::vector<double> times = policy.times;
   if (policy.last && (times.empty() || times.back() < end)) times.push_back(end);

@@ -72,7 +72,7 @@ std::string dropped_times_text(const Scene& scene) {
   const std::vector<double> beyond = store_policy(scene).beyond;
   if (beyond.empty()) return {};
   return fmt::format(
-      "{} of output.times, from {:g} s on, {} behind time.end = {:g} s and {} not stored",
+      "{} of output.times, from {:g} s on, {} after time.end = {:g} s and {} not stored",
       beyond.size(), beyond.front(), beyond.size() == 1 ? "lies" : "lie", scene.real("time.end"),
       beyond.size() == 1 ? "is" : "are");
 }

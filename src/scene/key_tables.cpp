@@ -230,12 +230,12 @@ std::vector<Key> body_keys() {
        .unit = "MPa",
        .presence = required,
        .range = positive_quantity,
-       .help = "Young's modulus E of the worn body (of the linearised law)"},
+       .help = "Young's modulus E of the worn body (of the linearized law)"},
       {.name = "body.poisson_ratio",
        .presence = required,
        .range = {.min = 0, .max = 0.5, .max_open = true},
-       .help = "Poisson's ratio nu of the worn body (of the linearised law)"},
-      // Choices, and keys of the materials behind it, are filled in where materials are known.
+       .help = "Poisson's ratio nu of the worn body (of the linearized law)"},
+      // Choices, and keys of the materials that follow it, are filled in where materials are known.
       {.name = "body.material",
        .kind = KeyKind::text,
        .presence = defaulted,
@@ -254,7 +254,7 @@ std::vector<Key> body_keys() {
        .presence = defaulted,
        .default_value = "finite",
        .choices = {"finite", "small"},
-       .help = "strains of the body: finite, or linearised (K_uu then depends on the shape alone)"},
+       .help = "strains of the body: finite, or linearized (K_uu then depends on the shape alone)"},
   };
 }
 

@@ -35,7 +35,7 @@ std::string quoting_hint(const std::string& key, const std::string& value) {
   return fmt::format(", expected quotes around a text: --set '{}=\"{}\"'", key, value);
 }
 
-/// Behind the key, which may have names in quotes: a."b = c".d=value.
+/// After the key, which may have names in quotes: a."b = c".d=value.
 std::size_t place_of_equals(const std::string& text) {
   char open = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -71,7 +71,7 @@ GivenValue parse_override(const std::string& text) {
     throw InputError(fmt::format("--set {}: expected KEY=VALUE", text));
   const std::string origin = "--set " + key;
   const std::string value = trimmed(text.substr(equals + 1));
-  if (value.empty()) throw InputError(origin + ": expected a value behind \"=\"");
+  if (value.empty()) throw InputError(origin + ": expected a value after \"=\"");
   if (auto raw = read_toml_value(value)) return override_of(key, *raw);
   if (value.find_first_of("\"'[]{}#=,\r\n") != std::string::npos)
     throw InputError(

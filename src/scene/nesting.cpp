@@ -41,7 +41,7 @@ private:
       parts_ = 1;
   }
 
-  /// Moves behind the string that begins here. A string in single quotes has no escapes; a string
+  /// Moves past the string that begins here. A string in single quotes has no escapes; a string
   /// that is not closed ends with its line, or with the text if it may span lines.
   void skip_string(char quote) {
     const std::string fence(3, quote);

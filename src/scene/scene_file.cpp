@@ -29,7 +29,7 @@ std::string read_file(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(status))
     throw InputError(fmt::format("{}: is a folder, expected a scene file", file.string()));
   std::ifstream stream(file, std::ios::binary);
-  constexpr std::size_t most = 1 << 24;  // bytes; a device may go on without an end
+  constexpr std::size_t most = 1 << 24;  // bytes; a device may have no end
   std::string text(most + 1, '\0');
   if (stream.is_open()) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
@@ -121,7 +121,7 @@ private:
     check(given, table, problem);
   }
 
-  /// The keys that unknown ones seem to mean: they are not told to be missing as well.
+  /// The keys that unknown ones seem to mean: they are not reported as missing as well.
   std::set<std::string> keys_meant(const std::vector<Key>& table) const {
     std::set<std::string> meant;
     for (const auto* values : {&overrides_, &in_file_})
@@ -140,7 +140,7 @@ private:
     return names;
   }
 
-  /// Values that the key does not accept are told by check() and left out.
+  /// Values that the key does not accept are reported by check() and left out.
   Scene::Entry resolve(const Key& key, const std::set<std::string>& meant,
                        Mistakes& mistakes) const {
     Scene::Entry entry{key, std::nullopt, message_about(name_, 0, key.name)};

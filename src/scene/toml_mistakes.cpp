@@ -9,7 +9,7 @@ namespace gnomon {
 
 namespace {
 
-/// Longer lines are nobody's headers; std::regex would use much of the stack for them.
+/// Longer lines are no headers; std::regex would use much of the stack for them.
 constexpr std::size_t longest = 500;
 
 std::string header_of(const std::string& line) {

@@ -84,7 +84,7 @@ std::string one_line(std::string_view text) {
 toml::table parse(const std::string& text, const std::string& name) {
   if (const auto deep = find_deep_nesting(text))
     throw InputError(fmt::format("{}:{}: {}", name, deep->line, deep->message));
-  const UntrappedArithmetic untrapped;  // by an overflow toml++ knows that 1e999 is too large
+  const UntrappedArithmetic untrapped;  // toml++ recognizes by an overflow that 1e999 is too large
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {

@@ -19,7 +19,7 @@ constexpr double reduction_of_a_solve = 1e-6;
 
 }  // namespace
 
-/// The equations of a stage, linearised: their rows and columns of J.
+/// The equations of a stage, linearized: their rows and columns of J.
 struct ReducedJacobian::Stage {
   AlgebraicStage equations;
   std::vector<double> values;  // of its Jacobian

@@ -10,7 +10,7 @@
 //   7.0    SUN_NLS_CONV_RECVR and other positive codes stay               -
 //   7.0    sundials_core is to be linked: by SUNDIALS' CMake targets      -
 //   6.7    step sizes are chosen by a SUNAdaptController                  StepControl
-//   6.7    ERKStep sees itself whether its last stage is the new value    -
+//   6.7    ERKStep finds itself whether its last stage is the new value    -
 //   7.1    ERKStepXXX deprecated for ARKodeXXX                            #define ARKodeXXX
 //   7.3    other default tables and step size control                     all are set by gnomon
 //   7.3    a controller begins as an I controller, its first two steps    -

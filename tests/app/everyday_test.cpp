@@ -123,7 +123,7 @@ TEST_F(Everyday, TimesBehindAnEarlierEndAreDroppedWithAWord) {
   const Outcome outcome = gnomon({"run", pin, "--set", coarse, "--set", "time.end=100", "--set",
                                   "output.times=[50, 500, 1000]", "-o", "a.h5"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("2 of output.times, from 500 s on, lie behind time.end"));
+  EXPECT_THAT(outcome.err, HasSubstr("2 of output.times, from 500 s on, lie after time.end"));
 }
 
 TEST_F(Everyday, InfoShortensLongListsAndTheSceneStaysWhole) {

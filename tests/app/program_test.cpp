@@ -373,6 +373,24 @@ TEST_P(Signals, EndTheRunAfterTheStepWithAReadableResult) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Signals, testing::Values(SIGINT, SIGTERM));
 
+// A batch system sends SIGTERM to all processes of a job, and a study that ends sends it to its
+// runs.
+TEST_F(Program, ASecondSigtermDoesNotKill) {
+  const pid_t child = start({"run", pin, "--set", "mesh.elements=[80, 80]", "--set",
+                             "integrator.step=1", "-o", "a.h5", "--quiet"});
+  const auto steps = [&] {
+    const auto result = folder() / "a.h5";
+    return std::filesystem::exists(result) ? ResultReader(result).history().size() : 0;
+  };
+  for (int i = 0; i < 6000 && steps() < 3; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(child, SIGTERM);
+  std::this_thread::sleep_for(std::chrono::milliseconds(10));  // less than a step takes
+  kill(child, SIGTERM);
+  EXPECT_EQ(finish(child).exit_code, 1);
+  EXPECT_EQ(ResultReader(folder() / "a.h5").status(), "interrupted");
+}
+
 // Soft and nearly incompressible, so that the start takes a while.
 TEST_F(Program, SignalDuringTheStartEndsTheRunThere) {
   const pid_t child =

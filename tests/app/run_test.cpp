@@ -211,7 +211,7 @@ TEST(Settings, TimesBehindTheEndAreDroppedWithAWord) {
   EXPECT_THAT(store_policy(scene).times, ElementsAre(30));
   EXPECT_THAT(store_policy(scene).beyond, ElementsAre(1001, 5000));
   EXPECT_EQ(dropped_times_text(scene),
-            "2 of output.times, from 1001 s on, lie behind time.end = 1000 s and are not stored");
+            "2 of output.times, from 1001 s on, lie after time.end = 1000 s and are not stored");
   EXPECT_EQ(dropped_times_text(pin_scene({"output.times=[1000]"})), "");
 }
 

@@ -39,8 +39,8 @@ TEST(ProfilePoints, AreReadFromTwoColumns) {
   EXPECT_THAT(refused("1e400,2\n1,2\n"), HasSubstr("a.csv:1"));
   EXPECT_THAT(refused("1.5mm,y\n1,2\n"), HasSubstr("a.csv:1"));
   EXPECT_THAT(refused("nan,-.5\n1,2\n"), HasSubstr("a.csv:1"));
-  EXPECT_THAT(refused("x,y\n"), HasSubstr("no line with any"));
-  EXPECT_THAT(refused(""), HasSubstr("no line with any"));
+  EXPECT_THAT(refused("x,y\n"), HasSubstr("no line with numbers"));
+  EXPECT_THAT(refused(""), HasSubstr("no line with numbers"));
   EXPECT_THAT(refused("1," + std::string(1000, '2') + "x"), HasSubstr("...`"));
 }
 

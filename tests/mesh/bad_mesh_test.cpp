@@ -227,19 +227,19 @@ const BadMesh bad_meshes[] = {
      [] {
        return without_cells(square(3), {1, 4, 7});
      },
-     {"falls into 2 parts", "3 cells with element 501", "element 503"}},
+     {"consists of 2 parts", "3 cells with element 501", "element 503"}},
     {"PartsThatTouchInANode",
      2,
      [] {
        return without_cells(square(2), {1, 2});
      },
-     {"falls into 2 parts that share no side"}},
+     {"consists of 2 parts that share no side"}},
     {"PartsThatTouchInAnEdge",
      3,
      [] {
        return without_cells(cube(2), {1, 2, 5, 6});
      },
-     {"falls into 2 parts that share no side"}},
+     {"consists of 2 parts that share no side"}},
     {"PinchedNode",
      2,
      [] {

@@ -72,7 +72,7 @@ TEST(TimeError, WantsARate) {
             Verdict::go_on);  // no contraction
 }
 
-// The equations behind the border of a branch are others: what the last step contracted says
+// The equations beyond the border of a branch are others: what the last step contracted says
 // nothing about them.
 TEST(TimeError, IsNotEstimatedAcrossAChangeOfTheActiveSet) {
   const ActiveSet open = {0, 1}, closed = {1, 1};

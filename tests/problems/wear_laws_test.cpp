@@ -351,8 +351,8 @@ TEST(WearLawThatJumpsInTime, DoesNotSpoilErrorControl) {
   }
 }
 
-// A jump of the rate where a node has worn by a depth: the step behind the event begins with the
-// rate behind it, so that methods agree to their order.
+// A jump of the rate where a node has worn by a depth: the step after the event begins with the
+// rate after it, so that methods agree to their order.
 TEST(WearLawThatJumpsInDepth, KeepsItsOrderWithLocatedEvents) {
   const auto model = springs("k * p * v * if(h > 0.1, 0.3, 1)");
   const auto worn = [&](const char* integrator, double step) {

@@ -43,7 +43,7 @@ TEST(Override, IsNamedAsTheOrigin) {
 TEST(BadOverride, IsRefused) {
   EXPECT_EQ(complaint(text, {"mesh.level"}), "--set mesh.level: expected KEY=VALUE");
   EXPECT_EQ(complaint(text, {"=3"}), "--set =3: expected KEY=VALUE");
-  EXPECT_EQ(complaint(text, {"mesh.level="}), "--set mesh.level: expected a value behind \"=\"");
+  EXPECT_EQ(complaint(text, {"mesh.level="}), "--set mesh.level: expected a value after \"=\"");
   EXPECT_EQ(complaint(text, {"mesh.levl=3"}),
             "--set mesh.levl: unknown key, did you mean `mesh.level`?");
   EXPECT_EQ(complaint(text, {"mesh.level=3", "mesh.level=4"}),

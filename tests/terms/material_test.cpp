@@ -68,7 +68,7 @@ TEST_P(MaterialInElement, TangentsEqualCentralDifferences) {
   check_tangents<3>(GetParam());
 }
 
-// With small strains every material uses the elements of its linearisation.
+// With small strains every material uses the elements of its linearization.
 TEST(Material, SmallStrainsAreThoseOfTheLinearLaw) {
   const ElasticModuli moduli = test_moduli();
   for (const std::string& law : MaterialLaws::names()) {

@@ -1,4 +1,4 @@
-// Several mistakes in one input, told at once.
+// Several mistakes in one input, reported at once.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct InputErrors : InputError {
   std::vector<std::string> lines;
 };
 
-/// Goes on behind a mistake, so that the user learns of all of them in one go.
+/// Continues after a mistake, so that the user learns of all of them at once.
 class Mistakes {
 public:
   /// Does it; an InputError that it throws is kept. Returns whether it threw none.

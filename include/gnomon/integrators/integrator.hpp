@@ -82,7 +82,7 @@ struct Integrator {
   bool fixed_steps = true;     ///< accepts integrator.step
   bool locates_events = true;  ///< accepts integrator.events = "locate"
   /// Its short steps damp errors of the algebraic components (IntegratorSettings::settled). An
-  /// explicit method solves for them anew in every step, so there is nothing to settle.
+  /// explicit method solves for them again in every step, so there is nothing to settle.
   bool settles = true;
   /// A new, restored stepper continues exactly as the old one would; otherwise it begins at order
   /// one.

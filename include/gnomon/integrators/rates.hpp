@@ -9,11 +9,11 @@ namespace gnomon {
 /// Rates of the differential components on a smooth branch (Point::branch): every differential row
 /// is ydot + f(t, y) = 0, so they are minus the row at ydot = 0. Fills ydot, zero elsewhere.
 /// At a time where a rate jumps, `within` says from which side it is meant (Point::within); absent:
-/// from behind.
+/// from later times.
 void set_rates(const System& system, const ActiveSet* branch, State& state,
                std::optional<double> within = {});
 
-/// Gives the state the rates behind a jump at its time or at an event, and returns true. Where they
+/// Gives the state the rates after a jump at its time or at an event, and returns true. Where they
 /// do not jump, those of the step that ended there stay to the last digit.
 bool set_rates_behind_jump(const System& system, const ActiveSet* branch, State& state);
 

@@ -9,7 +9,7 @@
 namespace gnomon {
 
 /// phi(F) = mu/2 (tr(F^T F) - 3) + (mu/b) (J^-b - 1), b = lambda/mu = 2 nu/(1 - 2 nu) [stress]; for
-/// b = 0 the last term is -mu log J. lambda and mu are those of its linearisation. In 2D the state
+/// b = 0 the last term is -mu log J. lambda and mu are those of its linearization. In 2D the state
 /// is plane strain.
 template <int dim, class Scalar = double>
 class BlatzKoPoint {

@@ -7,14 +7,14 @@
 
 namespace gnomon {
 
-/// Finite strains, or the law and the balance of forces linearised in the displacement.
+/// Finite strains, or the law and the balance of forces linearized in the displacement.
 enum class Kinematics { finite, small };
 
-/// The parameters of an elastic law. Parameters other than those of the linearisation have no unit,
+/// The parameters of an elastic law. Parameters other than those of the linearization have no unit,
 /// so that only lambda and mu determine the stiffness.
 struct ElasticModuli {
-  double lambda = 0;               ///< first Lame parameter of the linearisation [stress]
-  double mu = 0;                   ///< shear modulus of the linearisation [stress]
+  double lambda = 0;               ///< first Lame parameter of the linearization [stress]
+  double mu = 0;                   ///< shear modulus of the linearization [stress]
   std::array<double, 2> ratios{};  ///< further parameters, different for each law, without unit
 
   static ElasticModuli from_young_poisson(double young, double poisson) {

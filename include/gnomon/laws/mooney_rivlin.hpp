@@ -11,7 +11,7 @@ namespace gnomon {
 /// phi(F) = C10 (I1 - 3) + C01 (I2 - 3) - 2 (C10 + 2 C01) log J + c (J - 1)^2 [stress], I1 and I2
 /// the invariants of C = F^T F, with
 ///   C01 = s mu/2,   C10 = (1 - s) mu/2,   c = lambda/2 - s mu,   s = C01/(C10 + C01) = ratios[0],
-/// so that lambda and mu are those of its linearisation; s = 0 is eq. (38). The energy is
+/// so that lambda and mu are those of its linearization; s = 0 is eq. (38). The energy is
 /// polyconvex for 0 <= s <= min(1, lambda/(2 mu)). In 2D the state is plane strain.
 template <int dim, class Scalar = double>
 class MooneyRivlinPoint {

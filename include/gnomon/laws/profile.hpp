@@ -13,9 +13,9 @@ namespace gnomon {
 /// where two parts of the curve are equally near.
 CounterShape<2> profile(const SplineCurve& curve);
 
-/// The points of a text of two numbers a line, separated by commas, semicolons or white space; one
-/// line without numbers before them is a header, empty lines and those with # are left out. Throws
-/// InputError with file and line.
+/// The points of a text of two numbers per line, separated by commas, semicolons or white space;
+/// one line without numbers before them is a header, empty lines and those with # are left out.
+/// Throws InputError with file and line.
 std::vector<Vector<2>> read_points(const std::filesystem::path& file);
 /// The same of a text; `name` stands for the file in messages.
 std::vector<Vector<2>> parse_points(const std::string& text, const std::string& name);

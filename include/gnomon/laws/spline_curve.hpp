@@ -15,7 +15,8 @@ struct CurveError : InputError {
 
 /// The cubic spline through given points, over the sum of the distances between them: C2 in this
 /// parameter, and so a curve with continuous tangent and curvature. A closed one is periodic; an
-/// open one is natural, without curvature at its ends, and goes on straight beyond them for ever.
+/// open one is natural, without curvature at its ends, and continues straight beyond them without
+/// end.
 ///
 /// It never changes; many threads may use one.
 class SplineCurve {

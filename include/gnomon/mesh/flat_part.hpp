@@ -13,7 +13,7 @@ struct FlatPart {
 };
 
 /// A part is flat when its nodes deviate by less than `tolerance` times its size from one plane
-/// (2D: line) and all facets look the same way. No facets are not flat.
+/// (2D: line) and all facets face the same way. No facets are not flat.
 template <int dim>
 FlatPart<dim> flat_part(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
                         double tolerance = 1e-6);

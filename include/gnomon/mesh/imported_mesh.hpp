@@ -58,7 +58,7 @@ struct ImportedMesh {
   ElementList cells;                         ///< of the dimension of the mesh
   ElementList facets;                        ///< one dimension less
   std::vector<MeshGroup> groups;
-  std::vector<std::string> remarks;  ///< what the user should know of the reading, in sentences
+  std::vector<std::string> remarks;  ///< what the user should know about the reading, in sentences
 };
 
 }  // namespace gnomon

@@ -23,7 +23,7 @@ struct NonlinearFunction {
   /// Size of a change of y in units of the tolerated error of the step, for
   /// NewtonOptions::fraction. Empty: the equations are solved to NewtonOptions::tolerance.
   std::function<double(std::span<const double> change)> size_of_change{};
-  /// That of the points of `jacobian`, which is made anew when the iteration needs it.
+  /// That of the points of `jacobian`, which is made again when the iteration needs it.
   SlowPart* slow = nullptr;
 };
 

@@ -16,7 +16,7 @@ namespace gnomon {
 struct StorePolicy {
   long every = 0;              ///< every n-th step; 0: none
   std::vector<double> times;   ///< at these times, ascending, in (0, end]
-  std::vector<double> beyond;  ///< times of the scene behind the end, ascending: not stored
+  std::vector<double> beyond;  ///< times of the scene after the end, ascending: not stored
   bool last = true;            ///< at the end of the run
   bool settle = false;         ///< with settled pressures (IntegratorSettings::settled)
   /// A checkpoint (Checkpoint) is written at the start, at the end, and after the step with which

@@ -23,7 +23,7 @@ std::string ledger_text(const Observation& observed);
 
 /// Whether the file contains a summary.
 bool is_summary(const std::filesystem::path& file);
-/// Whether it tells of a run that has no state, not even the start.
+/// Whether it is that of a run that has no state, not even the start.
 bool is_summary_of_failed_start(const std::filesystem::path& file);
 
 }  // namespace gnomon

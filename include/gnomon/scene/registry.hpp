@@ -64,7 +64,7 @@ public:
     add(std::move(entry));
   }
 
-  /// As add(), but the error is thrown by the first use, where it can be caught and told.
+  /// As add(), but the error is thrown by the first use, where it can be caught and reported.
   static void add_statically(T entry) {
     const std::string name = entry.name;
     try {

@@ -76,7 +76,7 @@ template <int dim>
 class StressChangeSum {
 public:
   static constexpr int local = dim * (1 << dim);
-  /// Entry [j][J], one row a node: (A : (e_j (x) e_J)) n_a.
+  /// Entry [j][J], one row per node: (A : (e_j (x) e_J)) n_a.
   using Changes = std::array<std::array<CellNodal<dim>, dim>, dim>;
 
   void add(const CellNodal<dim>& n, const Changes& changes) {

@@ -8,14 +8,13 @@
 // and P the stress of the law, the forces of finite strains are
 //
 //   plain              R_a = sum_g det(dX/dxi) P(F) n_a
-//   f_bar              R_a = sum_g det(dX/dxi) r^(1/dim - 1) P(Fbar) n_a   (= sum_g w sigma(Fbar)
-//   g_a;
-//                      E. A. de Souza Neto et al., Int. J. Solids Struct. 33 (1996) 3277, in 2D the
-//                      in-plane form)
-//   f_bar_variational  R_a = sum_g det(dX/dxi) d phi(Fbar)/du_a, as eq. (32) says literally:
+//   f_bar              R_a = sum_g det(dX/dxi) r^(1/dim - 1) P(Fbar) n_a
+//                      (= sum_g w sigma(Fbar) g_a; E. A. de Souza Neto et al., Int. J. Solids
+//                      Struct. 33 (1996) 3277, in 2D the in-plane form)
+//   f_bar_variational  R_a = sum_g det(dX/dxi) d phi(Fbar)/du_a, as eq. (32) is written:
 //                      r^(1/dim) [P(Fbar) n_a + q (g0_a - g_a)],  q = P(Fbar) : F / dim
 //
-// With small strains they are these linearised in u at u = 0, over the same X: with
+// With small strains they are these linearized in u at u = 0, over the same X: with
 // Hbar = H + (tr H_0 - tr H)/dim I, sigma linear elastic, g_a = n_a,
 //
 //   plain              R_a = sum_g det(dX/dxi) sigma(H) n_a
@@ -80,7 +79,7 @@ private:
   }
 };
 
-/// R [dim x nodes, one row a node] of a cell; false when the cell is inverted. The undeformed
+/// R [dim x nodes, one row per node] of a cell; false when the cell is inverted. The undeformed
 /// configuration X = X^ + d [length], displacement u [length].
 template <ElementTechnology technology, template <int, class> class Law, int dim, class Scalar>
 bool solid_residual(const ElasticModuli& moduli, const CellNodal<dim, Scalar>& X,

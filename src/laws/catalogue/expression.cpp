@@ -99,9 +99,9 @@ private:
       x[time_variable] = t, x[slid_variable] = nominal_speed_ * t;
       return x;
     };
-    breakpoints_ = sign_changes(
-        [&](double t, std::span<double> values) { rate_.switching(at(t), values); }, rate_.kinks(),
-        timed_, end_);
+    breakpoints_ =
+        sign_changes([&](double t, std::span<double> values) { rate_.switching(at(t), values); },
+                     rate_.kinks(), timed_, end_);
     for (std::size_t k = 0; k <= breakpoints_.size(); ++k) {
       const double from = k == 0 ? 0 : breakpoints_[k - 1];
       const double to = k == breakpoints_.size() ? end_ : breakpoints_[k];
@@ -155,7 +155,7 @@ PiecewiseLinear read_table(const Scene& scene, const std::string& name) {
   }
 }
 
-/// Springs know no friction.
+/// Springs have no friction.
 double friction_of(const Scene& scene) {
   return scene.knows("friction.coefficient") ? scene.real("friction.coefficient") : 0;
 }
