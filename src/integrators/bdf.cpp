@@ -7,7 +7,6 @@
 #include <gnomon/integrators/closings.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 #include <gnomon/integrators/rates.hpp>
-#include <gnomon/integrators/step_account.hpp>
 #include <gnomon/integrators/stop_rules.hpp>
 #include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
@@ -45,7 +44,7 @@ private:
   bool cross_event(State& state, bool at_root, StepReport& report);
   void restart(const State& state);
   StepReport skip_to(State& state, double t);
-  void account_for_rejected(StepAccount& account);
+  void count_rejected();
   bool vanishes(double step);
   double take_integral();
   double settling_stop(const std::optional<Settling>& settling, double t, double t_stop) const;
@@ -263,16 +262,16 @@ StepReport BdfSolver::Memory::skip_to(State& state, double t) {
   state.t = t;
   restart(state);
   if (branch()) state.branch = branch_;
-  return StepAccount(counters_).accept(step, 1);
+  return {.step = step, .order = 1};
 }
 
 /// Counts the attempts that IDA rejected in the last step.
-void BdfSolver::Memory::account_for_rejected(StepAccount& account) {
+void BdfSolver::Memory::count_rejected() {
   long error_fails = 0, newton_fails = 0;
   check(IDAGetNumErrTestFails(ida_.get(), &error_fails), "IDAGetNumErrTestFails");
   check(IDAGetNumStepSolveFails(ida_.get(), &newton_fails), "IDAGetNumStepSolveFails");
   const long rejected = error_fails + newton_fails;
-  account.reject(rejected - std::exchange(rejected_, rejected));
+  counters_.rejected_steps += rejected - std::exchange(rejected_, rejected);
 }
 
 /// Where the solution ends, steps succeed but become ever smaller. Returns true if this persists.
@@ -316,18 +315,16 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   t_stop = settling_stop(settling, state.t, t_stop);
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
   if (t_stop - state.t <= nothing * t_stop) return skip_to(state, t_stop);
-  StepAccount account(counters_);
   check(IDASetStopTime(ida, t_stop), "IDASetStopTime");
   sunrealtype t = state.t;
   const int flag = IDASolve(ida, t_stop, &t, y_.get(), ydot_.get(), IDA_ONE_STEP);
   guard_.rethrow();
-  account_for_rejected(account);
+  count_rejected();
   if (flag < 0 || vanishes(t - state.t)) fail(flag, state.t);
 
   int order = 0;
   check(IDAGetLastOrder(ida, &order), "IDAGetLastOrder");
-  StepReport report = account.accept(t - state.t, order);
-  report.integral = take_integral();
+  StepReport report{.step = t - state.t, .order = order, .integral = take_integral()};
   State reached = state;  // an event that cannot be crossed leaves the last good state
   reached.t = t;
   std::copy(view(y_.get()).begin(), view(y_.get()).end(), reached.y.begin());
@@ -352,10 +349,10 @@ void BdfSolver::Memory::fail(int flag, double t) const {
 }
 
 BdfSolver::BdfSolver(const System& system, const IntegratorSettings& settings, Counters& counters)
-    : memory_(std::make_unique<Memory>(system, settings, counters)) {}
+    : Stepper(counters), memory_(std::make_unique<Memory>(system, settings, counters)) {}
 BdfSolver::~BdfSolver() = default;
 
-StepReport BdfSolver::advance(State& state, double t_stop) {
+StepReport BdfSolver::take_step(State& state, double t_stop) {
   return memory_->advance(state, t_stop);
 }
 
