@@ -22,9 +22,9 @@
 #include "keys.hpp"
 #include "loads.hpp"
 #include "magnitudes.hpp"
+#include "model/stored_part.hpp"
 #include "nominal_speed.hpp"
 #include "shape_support.hpp"
-#include "stored_part.hpp"
 #include "supports.hpp"
 #include "surface_laws.hpp"
 

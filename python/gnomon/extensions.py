@@ -44,7 +44,15 @@ def register_wear_law(name, rate, constants=None, help="a wear law in Python"):
 
     `rate(p, v, h, q, t, s, x, **constants)` returns the wear rate from pressure, sliding speed, worn depth, frictional
     power, time, sliding distance and initial position (three numbers). Scenes may set its constants as wear.CONSTANT;
-    otherwise they have the values given here. A law of Python may be registered again.
+    otherwise they have the values given here. A law of Python may be registered again; scenes that were read before are
+    then read again, if its constants are others.
+
+    >>> import gnomon
+    >>> gnomon.register_wear_law("python-archard", lambda p, v, h, q, t, s, x, K: K * p * v, {"K": 1e-7})
+    >>> scene = gnomon.Scene.example("winkler/pin.toml", {"foundation.points": 41, "time.end": 50.0})
+    >>> twice = gnomon.run(scene.with_({"wear.law": "python-archard", "wear.K": 2e-7}))
+    >>> round(twice.history["wear_integral"][-1] / gnomon.run(scene).history["wear_integral"][-1], 6)
+    2.0
     """
     _gnomon.register_wear_law(_checked_name(name, "a wear law"), _checked_function(rate, "a wear law"),
                               _checked_constants(dict(constants or {})), help)
@@ -55,7 +63,24 @@ def register_integrator(name, make, help="an integrator in Python", order="not k
 
     `make(system, settings)` returns an object with `advance(state, until)`, which returns the State at the end of one
     step, at `until` at the latest. `settings` has the keys step (0: none is given), rtol, atol, end, scale (the mean
-    wear depth) and max_step (0: none). There is no error control but its own, and its steps are not counted.
+    wear depth) and max_step (0: none). There is no error control but its own. Its steps are counted, and the Newton
+    iterations of `system.consistent`. `order`: for lists and for every row of the history, if it is a number (2 or "2");
+    a method of variable order sets its attribute `order` in every step.
+
+    >>> import gnomon
+    >>> class Euler:
+    ...     def __init__(self, system, settings):
+    ...         self.system, self.step = system, settings["step"]
+    ...     def advance(self, state, until):
+    ...         t = min(state.t + self.step, until)
+    ...         return self.system.consistent(t, state.y + (t - state.t) * state.ydot)
+    >>> gnomon.register_integrator("python-euler", Euler, help="explicit", order=1)
+    >>> scene = gnomon.Scene.example("winkler/pin.toml", {"foundation.points": 41, "time.end": 50.0})
+    >>> outcome = gnomon.run(scene.with_({"integrator.name": "python-euler", "integrator.step": 10.0}))
+    >>> outcome.counters["steps"], outcome.history["order"].tolist()
+    (5, [0, 1, 1, 1, 1, 1])
     """
+    if isinstance(order, int):
+        order = str(order)
     _gnomon.register_integrator(_checked_name(name, "an integrator"), _checked_function(make, "an integrator"), help,
                                 order, fixed_steps)

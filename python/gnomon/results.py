@@ -6,8 +6,22 @@ from gnomon.tables import Table
 
 
 class Result(_gnomon._Result):
-    """Reads a result: history, stored steps, fields, contact surfaces. Arrays are copies. Without `t` the last stored
-    step is meant."""
+    """Reads a result: history, stored steps, fields, contact surfaces. Arrays are copies.
+
+    Members: status, wall_seconds, problem, integrator, versions, times (of the stored steps), field_names,
+    contact(t), field(name, t), grid(), model(). Without `t` the last stored step is meant.
+
+    >>> import gnomon, numpy, pathlib, tempfile
+    >>> folder = tempfile.TemporaryDirectory()
+    >>> file = pathlib.Path(folder.name, "pin.h5")
+    >>> scene = gnomon.Scene.example("pin_on_flat/small_deformation.toml", {"mesh.elements": [6, 6], "time.end": 20})
+    >>> outcome = gnomon.run(scene, file)
+    >>> result = gnomon.Result(file)
+    >>> result.status, result.scene["time.end"], float(result.times[-1])
+    ('finished', 20.0, 20.0)
+    >>> numpy.allclose(result.contact()["wear_depth"].max(), numpy.linalg.norm(result.field("shape"), axis=1).max())
+    True
+    """
 
     def history(self):
         """A Table with one row per step, the start first."""
@@ -15,5 +29,5 @@ class Result(_gnomon._Result):
 
     @property
     def scene(self):
-        """The resolved scene of the run."""
-        return Scene.from_text(self.scene_text, name="the scene of the result")
+        """The resolved scene of the run. A mesh that it names may not be there any more: model() has it."""
+        return Scene.from_text(self._scene.resolved(), name="the scene of the result")

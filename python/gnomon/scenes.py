@@ -1,6 +1,8 @@
 """Scenes: from files, texts and dictionaries, with the same checks and messages."""
 
 import collections.abc
+import copy
+import functools
 import pathlib
 import tomllib
 
@@ -109,17 +111,21 @@ class Scene(_gnomon.Scene):
         """The same scene with other values of keys."""
         return Scene._from_text(self.resolved(), str(self.path), values)
 
+    @functools.cached_property
+    def _values(self):
+        return tomllib.loads(self.resolved())  # once: a scene does not change
+
     def to_dict(self):
         """All keys that have a value, defaults included, as nested dictionaries."""
-        return tomllib.loads(self.resolved())
+        return copy.deepcopy(self._values)
 
     def __getitem__(self, key):
-        table = self.to_dict()
+        table = self._values
         for part in key.split("."):
             if not isinstance(table, dict) or part not in table:
                 raise KeyError(key)
             table = table[part]
-        return table
+        return copy.deepcopy(table)
 
     def __repr__(self):
         return f"<gnomon.Scene {self['problem']} {self.path}>"

@@ -62,7 +62,18 @@ class Study:
 
 
 def study(file, folder, *, jobs=None, resume=False):
-    """Makes the study of a study file in `folder` and returns its Study; needs the program gnomon."""
+    """Makes the study of a study file in `folder` and returns its Study; needs the program gnomon.
+
+    >>> import gnomon, pathlib, tempfile
+    >>> folder = tempfile.TemporaryDirectory()
+    >>> file = pathlib.Path(folder.name, "rates.toml")
+    >>> scene = gnomon.Scene.example("dahlquist/decay.toml")
+    >>> text = f'scene = "{scene.path}"\\nreference = "none"\\n[[sweep]]\\nkey = "dahlquist.rate_real"\\n'
+    >>> _ = file.write_text(text + "values = [-1.0, -2.0]\\n")
+    >>> made = gnomon.study(file, pathlib.Path(folder.name, "rates"))
+    >>> made.table["dahlquist.rate_real"].tolist(), list(made.table["status"])
+    ([-1.0, -2.0], ['finished', 'finished'])
+    """
     command = [_program(), "study", str(file), "-o", str(folder), "--quiet"]
     command += ["--jobs", str(jobs)] if jobs else []
     command += ["--resume"] if resume else []

@@ -4,7 +4,16 @@ import collections.abc
 
 
 class Table(collections.abc.Mapping):
-    """Columns by name; `index` is the column that orders the rows."""
+    """Columns by name; `index` is the column that orders the rows.
+
+    >>> import gnomon
+    >>> scene = gnomon.Scene.example("dahlquist/decay.toml", {"integrator.step": 1.0, "time.end": 2.0})
+    >>> history = gnomon.run(scene).history
+    >>> history["t"].tolist(), "worn_volume" in history
+    ([0.0, 1.0, 2.0], False)
+    >>> history.to_pandas().index.name  # doctest: +SKIP
+    't'
+    """
 
     def __init__(self, columns, index):
         self._columns, self.index = dict(columns), index

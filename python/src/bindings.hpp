@@ -33,7 +33,7 @@ void add_extensions(py::module_& module);
 
 /// A scene and its model, which Python objects share; their calls take turns.
 struct SharedModel {
-  explicit SharedModel(const Scene& scene);
+  explicit SharedModel(Setup made) : setup(std::move(made)) {}
   Setup setup;
   std::recursive_mutex busy;  // a callback of a run may ask its model
 };
@@ -61,12 +61,17 @@ auto with_model(SharedModel& model, Action&& action) {
 class SystemHandle {
 public:
   explicit SystemHandle(std::shared_ptr<SharedModel> owner) : owner_(std::move(owner)) {}
-  explicit SystemHandle(const System& system) : system_(&system) {}
+  SystemHandle(const System& system, Counters& counters) : system_(&system), counters_(&counters) {}
   /// The run has ended.
-  void end() { system_ = nullptr; }
+  void end() {
+    system_ = nullptr;
+    counters_ = nullptr;
+  }
   /// Throws Error after that.
   const System& system() const;
   const Structure& structure() const { return system().structure(); }
+  /// Those of the run, if there is one.
+  Counters* counters() const { return counters_; }
   /// with_model() for the owner, if there is one.
   template <class Action>
   auto compute(Action&& action) const {
@@ -79,6 +84,7 @@ public:
 private:
   std::shared_ptr<SharedModel> owner_;
   const System* system_ = nullptr;
+  Counters* counters_ = nullptr;
 };
 
 /// An array that owns the values.
@@ -151,7 +157,7 @@ auto held(Lambda lambda) {
   return held(+lambda);
 }
 
-/// `size` numbers. Throws InputError that names them if there are others.
+/// `size` numbers; `what` names them in the message of an InputError.
 std::vector<double> numbers(const py::object& given, long size, const std::string& what);
 
 }  // namespace gnomon::python

@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include <charconv>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
@@ -26,15 +27,23 @@ auto in_python(Action&& action) {
   }
 }
 
+/// The number that a text begins with; 0 without one, or of a range ("1-5").
+int order_of(const std::string& text) {
+  int order = 0;
+  const char* const end = text.data() + text.size();
+  const auto [behind, error] = std::from_chars(text.data(), end, order);
+  return error == std::errc() && behind == end ? order : 0;
+}
+
 /// An object of Python with advance(state, until), which returns the next State.
 class PythonStepper : public Stepper {
 public:
-  PythonStepper(const std::shared_ptr<Immortal>& make, const System& system,
-                const IntegratorSettings& settings)
-      : settings_(settings) {
+  PythonStepper(const std::shared_ptr<Immortal>& make, int order, const System& system,
+                const IntegratorSettings& settings, Counters& counters)
+      : Stepper(counters), order_(order), settings_(settings) {
     in_python([&] {
       using namespace py::literals;
-      handle_ = std::make_shared<SystemHandle>(system);
+      handle_ = std::make_shared<SystemHandle>(system, counters);
       const py::dict given("step"_a = settings.step, "rtol"_a = settings.rtol,
                            "atol"_a = settings.atol, "end"_a = settings.end,
                            "scale"_a = settings.scale, "max_step"_a = settings.max_step);
@@ -47,9 +56,19 @@ public:
     object_ = {};
   }
 
-  StepReport advance(State& state, double t_stop) override {
-    State next = in_python([&] { return next_state(state, t_stop); });
-    StepReport report{.step = next.t - state.t, .order = 1};
+private:
+  StepReport take_step(State& state, double t_stop) override {
+    int order = order_;
+    State next = in_python([&] {
+      State result = next_state(state, t_stop);
+      // A method of variable order says of every step by which it was taken.
+      const py::object own = py::getattr(object_, "order", py::int_(order));
+      if (!py::isinstance<py::int_>(own))
+        throw py::type_error("the order of an integrator in Python: expected a whole number");
+      order = own.cast<int>();
+      return result;
+    });
+    StepReport report{.step = next.t - state.t, .order = order};
     if (settings_.integrand)
       report.integral = report.step / 2 *
                         (settings_.integrand({state.t, state.y, state.ydot}) +
@@ -58,7 +77,6 @@ public:
     return report;
   }
 
-private:
   State next_state(const State& state, double t_stop) const {
     const py::object result = object_.attr("advance")(state, t_stop);
     if (!py::isinstance<State>(result))
@@ -77,6 +95,7 @@ private:
     return next;
   }
 
+  const int order_;
   IntegratorSettings settings_;
   std::shared_ptr<SystemHandle> handle_;
   py::object object_;
@@ -97,22 +116,23 @@ void add_or_replace(Entry entry) {
 void register_integrator(const std::string& name, py::object make, const std::string& help,
                          const std::string& order, bool fixed_steps) {
   const auto kept = std::make_shared<Immortal>(std::move(make));
-  add_or_replace<Integrator>(
-      {.name = name,
-       .family = "Python",
-       .order = order,
-       .error_estimate = "its own",
-       .stability = "not known",
-       .driver = "Python",
-       .help = help,
-       .fixed_steps = fixed_steps,
-       .locates_events = false,
-       .one_step = false,
-       .table = [](const IntegratorSettings&) { return std::nullopt; },
-       .make = [kept](const System& system, const IntegratorSettings& settings,
-                      Counters&) -> std::unique_ptr<Stepper> {
-         return std::make_unique<PythonStepper>(kept, system, settings);
-       }});
+  add_or_replace<Integrator>({.name = name,
+                              .family = "Python",
+                              .order = order,
+                              .error_estimate = "its own",
+                              .stability = "not known",
+                              .driver = "Python",
+                              .help = help,
+                              .fixed_steps = fixed_steps,
+                              .locates_events = false,
+                              .one_step = false,
+                              .table = [](const IntegratorSettings&) { return std::nullopt; },
+                              .make = [kept, number = order_of(order)](
+                                          const System& system, const IntegratorSettings& settings,
+                                          Counters& counters) -> std::unique_ptr<Stepper> {
+                                return std::make_unique<PythonStepper>(kept, number, system,
+                                                                       settings, counters);
+                              }});
 }
 
 /// The function's rate at p v h q.
@@ -169,8 +189,14 @@ void register_wear_law(const std::string& name, py::object rate,
   add_or_replace<WearLawKind>(
       {.name = name, .help = help, .keys = keys_of(constants), .make = [=](const Scene& scene) {
          std::map<std::string, double> values;
-         for (const auto& [constant, own] : constants)
-           values[constant] = scene.real_if("wear." + constant).value_or(own);
+         for (const auto& [constant, own] : constants) {
+           const std::string key = "wear." + constant;
+           if (!scene.knows(key))
+             throw InputError(scene.where("wear.law") + ": the law \"" + name +
+                              "\" was registered again, with the constant " + constant +
+                              ", after this scene was read; expected a scene that is read again");
+           values[constant] = scene.real_if(key).value_or(own);
+         }
          return WearLaw({.rate = [kept, values](const WearInput& at, std::span<const char>) {
            return in_python([&] { return wear_rate(kept->object, at, values); });
          }});

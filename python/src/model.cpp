@@ -1,5 +1,6 @@
 // Models, states and systems: the contract of include/gnomon/system/system.hpp.
 
+#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/rates.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
@@ -7,8 +8,6 @@
 #include "bindings.hpp"
 
 namespace gnomon::python {
-
-SharedModel::SharedModel(const Scene& scene) : setup(set_up(scene)) {}
 
 const System& SystemHandle::system() const {
   if (owner_) return owner_->setup.model->system();
@@ -111,11 +110,17 @@ py::array_t<double> switching(const SystemHandle& handle, double t, const py::ob
 /// its rates.
 State consistent(const SystemHandle& handle, double t, const py::object& y) {
   State state{t, numbers(y, handle.structure().size, "y"), {}};
+  const std::string at = "t = " + std::string(py::str(py::float_(t)));
+  if (!std::isfinite(t)) throw InputError(at + ": expected a finite time");
+  for (std::size_t i = 0; i < state.y.size(); ++i)
+    if (!std::isfinite(state.y[i]))  // as a method arrives at that is not stable
+      throw SolutionError("no equilibrium at " + at + ": y[" + std::to_string(i) +
+                          "] is not a finite number");
   handle.compute([&](const System& system) {
-    Counters counters;
+    Counters own;
+    Counters& counters = handle.counters() ? *handle.counters() : own;
     const std::string reason = AlgebraicSolver(system, counters).solve(t, state.y);
-    if (!reason.empty())
-      throw SolutionError("no equilibrium at t = " + std::to_string(t) + ": " + reason);
+    if (!reason.empty()) throw SolutionError("no equilibrium at " + at + ": " + reason);
     set_rates(system, nullptr, state);
   });
   return state;
@@ -228,7 +233,7 @@ void add_model(py::module_& module) {
   py::class_<SharedModel, Shared>(module, "Model", "What a problem makes of a scene.")
       .def(py::init(held([](const Scene& scene) {
              const py::gil_scoped_release without_interpreter;
-             return std::make_shared<SharedModel>(scene);
+             return std::make_shared<SharedModel>(set_up(scene));
            })),
            py::arg("scene"))
       .def_property_readonly("_scene",

@@ -4,6 +4,7 @@
 
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/results.hpp>
+#include <gnomon/run/setup.hpp>
 
 #include "bindings.hpp"
 
@@ -41,6 +42,11 @@ py::object field(const ResultReader& reader, const std::string& name, std::optio
   return array(std::move(field.values), {rows, columns});
 }
 
+Scene scene_of(const ResultReader& reader) {
+  return scene_of_result(reader, "the scene of the result", {},
+                         "load it by gnomon.load_plugin, or register the law or integrator again");
+}
+
 }  // namespace
 
 void add_results(py::module_& module) {
@@ -60,6 +66,12 @@ void add_results(py::module_& module) {
       .def_property_readonly("scene_text",
                              held([](const ResultReader& r) { return r.header().scene; }),
                              "The resolved scene as TOML text.")
+      .def_property_readonly("_scene", held(scene_of))
+      .def("model", held([](const ResultReader& r) {
+             const py::gil_scoped_release without_interpreter;
+             return std::make_shared<SharedModel>(set_up_again(scene_of(r), r.grid()));
+           }),
+           "The Model of the run, with the mesh that the result keeps.")
       .def_property_readonly("versions",
                              held([](const ResultReader& r) { return r.header().versions; }),
                              "Versions of gnomon and its libraries that made it.")

@@ -51,15 +51,16 @@ public:
   Callbacks(Shared model, py::object on_step)
       : model_(std::move(model)), on_step_(std::move(on_step)) {}
 
+  /// States are copied only for a callback, which may keep them.
   RunHooks hooks() {
-    return {.on_step = [this](const HistoryRow& row) { step(row); },
-            .on_state = [this](const State& state) { state_ = state; },
-            .interrupted = [this] { return interrupted(); }};
+    RunHooks hooks{.on_step = [this](const HistoryRow& row) { step(row); },
+                   .interrupted = [this] { return interrupted(); }};
+    if (!on_step_.is_none()) hooks.on_state = [this](const State& state) { state_ = state; };
+    return hooks;
   }
   void raise_if_raised() {
     if (raised_) throw *raised_;
   }
-  const State& state() const { return state_; }
   const std::vector<HistoryRow>& rows() const { return rows_; }
 
 private:
@@ -119,7 +120,7 @@ py::dict run_model(const Shared& model, const std::optional<fs::path>& result, b
                   "diagnosis"_a = outcome.diagnosis, "warnings"_a = outcome.warnings,
                   "counters"_a = dict_of(outcome.counters), "wall_seconds"_a = outcome.wall_seconds,
                   "summary"_a = summary, "history"_a = dict_of_rows(callbacks.rows()),
-                  "state"_a = outcome.last ? py::cast(callbacks.state()) : py::object(py::none()));
+                  "state"_a = outcome.state);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/results/results.hpp>
+#include <gnomon/run/setup.hpp>
 #include <gnomon/run/summary.hpp>
 #include <gnomon/scene/scene.hpp>
 #include <map>
@@ -95,10 +96,11 @@ void print_history(const HistoryRow& last) {
 
 /// For each node of the contact surface the name of its wearing surface, that of the first in the
 /// scene where two meet; empty where the scene has one wearing surface, or does not name it.
-std::vector<std::string> surface_names(const ResultReader& result, const ContactSurface& contact) {
+std::vector<std::string> surface_names(const ResultReader& result, const ContactSurface& contact,
+                                       const std::filesystem::path& file) {
   const std::optional<Grid> grid = result.grid();
   if (!grid || grid->parts.empty()) return {};  // of a built-in problem
-  const Scene scene = parse_scene(result.header().scene, "the scene of the result", {}, key_table);
+  const Scene scene = scene_of_result(result, file);
   if (!scene.knows("wear.on") || scene.texts("wear.on").size() < 2) return {};
   std::map<int, std::string> name_of;
   for (const std::string& name : scene.texts("wear.on"))
@@ -160,7 +162,14 @@ int info_command(const std::filesystem::path& file) {
 }
 
 int scene_command(const std::filesystem::path& file) {
-  fmt::print("{}", ResultReader(file).header().scene);
+  const ResultReader result(file);
+  const std::optional<Grid> grid = result.grid();
+  if (grid && !grid->parts.empty())  // else the problem makes its mesh itself
+    fmt::print(
+        "# The mesh is in the result too: gnomon mesh {} -o PART.msh writes it, for mesh.file "
+        "in the place of what\n# [mesh] says below.\n\n",
+        file.string());
+  fmt::print("{}", result.header().scene);
   return success;
 }
 
@@ -187,7 +196,7 @@ int contact_command(const std::filesystem::path& file, const std::string& time) 
   std::optional<double> stored;
   if (!time.empty()) stored = stored_time(result.stored_times(), time, file.string());
   const ContactSurface surface = result.contact(stored);
-  const std::vector<std::string> names = surface_names(result, surface);
+  const std::vector<std::string> names = surface_names(result, surface, file);
   std::string header = "node";
   for (const char* ending : {"XYZ0", "XYZ", "xyz"})
     for (int i = 0; i < surface.dim; ++i)

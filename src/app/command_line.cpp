@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/run/plugin.hpp>
@@ -31,6 +32,14 @@ const std::string& known_integrator(const std::string& name) {
     throw InputError(fmt::format("--integrator: {}", error.what()));
   }
   return name;
+}
+
+/// Loads a plug-in, also into the processes that this one starts, as the runs of a study are.
+void load_for_all(const std::filesystem::path& plugin) {
+  load_plugin(plugin);
+  const char* earlier = std::getenv("GNOMON_PLUGINS");
+  const std::string name = std::filesystem::absolute(plugin).string();
+  setenv("GNOMON_PLUGINS", (earlier ? earlier + (":" + name) : name).c_str(), 1);
 }
 
 void add_run_options(CLI::App* command, std::filesystem::path& summary, bool& quiet) {
@@ -274,7 +283,7 @@ int CommandLine::operator()(int argc, char** argv) {
   }
   if (!command_) throw InputError("expected a command, see `gnomon help`");
   load_plugins_of_environment();
-  for (const std::filesystem::path& plugin : plugins_) load_plugin(plugin);
+  for (const std::filesystem::path& plugin : plugins_) load_for_all(plugin);
   return command_();
 }
 

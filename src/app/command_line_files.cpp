@@ -11,8 +11,8 @@ void CommandLine::add_inspection() {
       "list",
       "Lists integrators, wear laws, materials, shapes, terms, problems, scenes or studies");
   list->add_option("SUBJECT", subject_,
-                   "integrators, laws, materials, shapes, terms, problems, scenes or studies")
-      ->required()
+                   "integrators, laws, materials, shapes, terms, problems, scenes or studies; "
+                   "default: these names")
       ->type_name("");
   list->callback([this] { command_ = [this] { return list_command(subject_); }; });
 
@@ -42,12 +42,16 @@ void CommandLine::add_inspection() {
 }
 
 void CommandLine::add_meshes() {
-  CLI::App* mesh =
-      app_.add_subcommand("mesh", "Reads or makes a mesh (.msh, .geo, .step) and describes it");
+  CLI::App* mesh = app_.add_subcommand(
+      "mesh", "Reads or makes a mesh (.msh, .geo, .step, .h5) and describes it");
   CLI::App* part =
       app_.add_subcommand("new", "Writes a commented scene for a mesh or geometry of one's own");
   for (CLI::App* command : {mesh, part}) {
-    command->add_option("FILE", result_, "Mesh (.msh) or geometry (.geo, .step)")
+    command
+        ->add_option("FILE", result_,
+                     command == mesh ? "Mesh (.msh), geometry (.geo, .step), or result (.h5) whose "
+                                       "mesh came from a file"
+                                     : "Mesh (.msh) or geometry (.geo, .step)")
         ->required()
         ->type_name("");
     command->add_option("--size", size_, "Longest edge where the geometry asks for no smaller one")

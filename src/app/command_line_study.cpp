@@ -84,7 +84,9 @@ void CommandLine::add_parts_of_study(CLI::App* study) {
   CLI::App* run = study->add_subcommand(
       "run", "Does runs of a planned study that are not done and that nobody else is doing");
   add_planned_folder(run, study_);
-  run->add_option("NUMBERS", study_.numbers, "Numbers of the runs in plan.csv: 3, 3-7 or 3,5,9-12")
+  run->add_option("NUMBERS", study_.numbers,
+                  "Runs by their numbers in plan.csv: one (3), a range (3-7), or several of both "
+                  "with commas and without blanks (3,5,9-12)")
       ->required()
       ->type_name("");
   add_jobs(run, study_.jobs);

@@ -104,7 +104,10 @@ const std::vector<std::string>& list_subjects() {
 }
 
 int list_command(const std::string& what) {
-  if (what == "integrators") {
+  if (what.empty()) {
+    fmt::print("gnomon list SUBJECT, with SUBJECT one of\n  {}\n",
+               fmt::join(list_subjects(), "\n  "));
+  } else if (what == "integrators") {
     fmt::print("{}", list_integrators());
   } else if (what == "problems") {
     fmt::print("{}", list_entries<Problem>());

@@ -12,6 +12,7 @@
 #include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/mesh/mesh_writing.hpp>
 #include <gnomon/results/result_files.hpp>
+#include <gnomon/results/results.hpp>
 #include <gnomon/terms/solid.hpp>
 
 #include "app/commands.hpp"
@@ -19,6 +20,7 @@
 #include "app/new_scene.hpp"
 #include "app/program.hpp"
 #include "app/text_table.hpp"
+#include "model/stored_part.hpp"
 
 namespace gnomon::app {
 
@@ -30,6 +32,29 @@ ImportedMesh read(const std::filesystem::path& file, std::optional<double> size)
   if (size == 0)  // which would mean: as the geometry asks for
     throw InputError(file.string() + ": size 0: expected a positive length");
   return read_mesh_file(file, {.size = size.value_or(0)});
+}
+
+/// What `show` does with the body of a mesh, or of a result that has its mesh from a file.
+template <class Show>
+void with_body(const std::filesystem::path& file, std::optional<double> size, const Show& show) {
+  if (is_result(file)) {
+    const std::optional<Grid> grid = ResultReader(file).grid();
+    if (size || !grid || grid->parts.empty())
+      throw InputError(fmt::format(
+          "{}: {}", file.string(),
+          size ? "is a result, whose mesh is made already, so it takes no size"
+               : "expected a result with a mesh from a file; gnomon made the mesh of this one"));
+    if (grid->cell == Grid::Cell::quadrilateral)
+      show(part_of_grid<2>(*grid, file.string()));
+    else
+      show(part_of_grid<3>(*grid, file.string()));
+    return;
+  }
+  ImportedMesh mesh = read(file, size);
+  if (mesh.dimension == 2)
+    show(check_mesh<2>(std::move(mesh)));
+  else
+    show(check_mesh<3>(std::move(mesh)));
 }
 
 template <int dim>
@@ -88,17 +113,12 @@ int mesh_command(const std::filesystem::path& file, std::optional<double> size,
   if (for_gmsh && is_taken(written))
     throw InputError(written.string() + " exists; give another name with --output");
   if (!written.empty() && !for_gmsh) check_drawing(written);
-  const auto show = [&](const auto& body) {
+  with_body(file, size, [&](const auto& body) {
     print_mesh(body);
     if (for_gmsh) write_file(written, gmsh_text(body), Earlier::refused);
     if (for_gmsh) fmt::print("mesh: {}\n", written.string());
     if (!written.empty() && !for_gmsh) draw_mesh(body, written);
-  };
-  ImportedMesh mesh = read(file, size);
-  if (mesh.dimension == 2)
-    show(check_mesh<2>(std::move(mesh)));
-  else
-    show(check_mesh<3>(std::move(mesh)));
+  });
   return success;
 }
 

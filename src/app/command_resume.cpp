@@ -39,17 +39,17 @@ const std::vector<std::string>& changeable_keys() {
                                                 "output.last",
                                                 "output.settle",
                                                 "output.checkpoints",
+                                                "output.checkpoint_seconds",
                                                 "solver.method",
                                                 "solver.preconditioner"};
   return keys;
 }
 
 Scene changed_scene(const ResultReader& earlier, const ResumeOptions& options) {
-  const std::string name = options.result.string(), text = earlier.header().scene;
-  const Scene old = parse_scene(text, name, {}, key_table);
+  const Scene old = scene_of_result(earlier, options.result);
   std::vector<std::string> overrides = options.overrides;
   if (options.end) overrides.push_back(fmt::format("time.end={}", *options.end));
-  Scene scene = parse_scene(text, name, overrides, key_table);
+  Scene scene = scene_of_result(earlier, options.result, overrides);
   for (const std::string& key : Scene::differing_keys(old, scene))
     if (std::ranges::find(changeable_keys(), key) == changeable_keys().end())
       throw InputError(fmt::format("--set {}: resuming can change only {}", key,
@@ -170,6 +170,7 @@ int resume_command(const ResumeOptions& options) {
   write_summary(files, summary_json(setup.scene, header, settings, outcome, setup.model->remarks()),
                 replaced);
   return report_end(outcome, {.result = options.result,
+                              .has_mesh = setup.model->grid().has_value(),
                               .kept = !replaced,
                               .quiet = options.quiet,
                               .table = options.summary != "-"});

@@ -43,6 +43,7 @@ int run_command(const RunOptions& given) {
                 summary_json(setup.scene, header, settings, outcome, setup.model->remarks()),
                 outcome.last.has_value());
   return report_end(outcome, {.result = options.result,
+                              .has_mesh = setup.model->grid().has_value(),
                               .kept = earlier && !outcome.last,
                               .quiet = options.quiet,
                               .table = options.summary != "-"});

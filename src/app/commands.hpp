@@ -71,6 +71,7 @@ int study_collect_command(const StudyCommandOptions& options);
 /// Throws Error when a case is wrong, hung or crashed.
 int extremes_command(const ExtremesOptions& options);
 int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
+/// `what` empty: the subjects.
 int list_command(const std::string& what);
 int info_command(const std::filesystem::path& result);
 /// `time` as it was printed: "350", "350 s"; empty: the last one.
@@ -79,7 +80,7 @@ int contact_command(const std::filesystem::path& result, const std::string& time
 int scene_command(const std::filesystem::path& result);
 /// One line for each step, the start first: time, step, counters, scalars.
 int history_command(const std::filesystem::path& result);
-/// What a mesh has: cells, named parts, remarks. `size`: longest edge for a geometry. `written`: a
+/// What a mesh, or that of a result, has: cells, named parts, remarks. `size`: longest edge for a geometry. `written`: a
 /// picture of it, a file for ParaView, or the mesh that a run would use (.msh, a new file); empty:
 /// none.
 int mesh_command(const std::filesystem::path& file, std::optional<double> size,

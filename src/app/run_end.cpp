@@ -34,8 +34,10 @@ void print_summary(const RunOutcome& outcome, const EndReport& report) {
   if (report.kept)
     fmt::print("the earlier {} is kept, because it goes further\n", report.result.string());
   else
-    fmt::print("result: {} (for ParaView: {})\n", report.result.string(),
-               sidecar_of(report.result).string());
+    fmt::print("result: {}{}\n", report.result.string(),
+               report.has_mesh
+                   ? fmt::format(" (for ParaView: {})", sidecar_of(report.result).string())
+                   : "");
 }
 
 int exit_code(const RunOutcome& outcome) {

@@ -22,9 +22,10 @@ RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, Res
 /// Which messages a run prints at its end, and for which file.
 struct EndReport {
   std::filesystem::path result;
-  bool kept = false;   ///< an earlier result of this name was not replaced
-  bool quiet = false;  ///< errors only
-  bool table = true;   ///< the scalars at the end, unless quiet
+  bool has_mesh = true;  ///< so that there is a file for ParaView beside it
+  bool kept = false;     ///< an earlier result of this name was not replaced
+  bool quiet = false;    ///< errors only
+  bool table = true;     ///< the scalars at the end, unless quiet
 };
 
 /// Prints it and returns the exit code. Throws SolutionError when the run failed.

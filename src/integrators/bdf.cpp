@@ -7,7 +7,6 @@
 #include <gnomon/integrators/closings.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 #include <gnomon/integrators/rates.hpp>
-#include <gnomon/integrators/step_account.hpp>
 #include <gnomon/integrators/stop_rules.hpp>
 #include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
@@ -45,10 +44,10 @@ private:
   bool cross_event(State& state, bool at_root, StepReport& report);
   void restart(const State& state);
   StepReport skip_to(State& state, double t);
-  void account_for_rejected(StepAccount& account);
+  void count_rejected();
   bool vanishes(double step);
   double take_integral();
-  int step(double t_stop, State& reached, StepAccount& account);
+  int step(double t_stop, State& reached);
   double settling_stop(const std::optional<Settling>& settling, double t, double t_stop) const;
   bool needs_settling(const std::optional<Settling>& settling, double t,
                       const State& reached) const;
@@ -234,16 +233,16 @@ StepReport BdfSolver::Memory::skip_to(State& state, double t) {
   state.t = t;
   restart(state);
   if (branch()) state.branch = *branch();
-  return StepAccount(counters_).accept(step, 1);
+  return {.step = step, .order = 1};
 }
 
 /// Counts the attempts that IDA rejected in the last step.
-void BdfSolver::Memory::account_for_rejected(StepAccount& account) {
+void BdfSolver::Memory::count_rejected() {
   long error_fails = 0, newton_fails = 0;
   check(IDAGetNumErrTestFails(ida_.get(), &error_fails), "IDAGetNumErrTestFails");
   check(IDAGetNumStepSolveFails(ida_.get(), &newton_fails), "IDAGetNumStepSolveFails");
   const long rejected = error_fails + newton_fails;
-  account.reject(rejected - std::exchange(rejected_, rejected));
+  counters_.rejected_steps += rejected - std::exchange(rejected_, rejected);
 }
 
 /// Where the solution ends, steps succeed but become ever smaller. Returns true if this persists.
@@ -285,14 +284,14 @@ bool BdfSolver::Memory::needs_settling(const std::optional<Settling>& settling, 
 }
 
 /// One step of IDA at most to t_stop, in `reached`.
-int BdfSolver::Memory::step(double t_stop, State& reached, StepAccount& account) {
+int BdfSolver::Memory::step(double t_stop, State& reached) {
   void* ida = ida_.get();
   check(IDASetInitStep(ida, std::exchange(first_step_, 0)), "IDASetInitStep");  // 0: IDA's choice
   check(IDASetStopTime(ida, t_stop), "IDASetStopTime");
   const double t = reached.t;
   const int flag = IDASolve(ida, t_stop, &reached.t, y_.get(), ydot_.get(), IDA_ONE_STEP);
   guard_.rethrow();
-  account_for_rejected(account);
+  count_rejected();
   if (flag < 0 || vanishes(reached.t - t)) fail(flag, t);
   std::copy(view(y_.get()).begin(), view(y_.get()).end(), reached.y.begin());
   set_rates(system_, branch(), reached);
@@ -311,20 +310,18 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   t_stop = settling_stop(settling, state.t, t_stop);
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
   if (t_stop - state.t <= nothing * t_stop) return skip_to(state, t_stop);
-  StepAccount account(counters_);
   State reached = state;  // an event that cannot be crossed leaves the last good state
-  int flag = step(t_stop, reached, account);
+  int flag = step(t_stop, reached);
   if (needs_settling(settling, state.t, reached)) {
-    account.reject();
+    ++counters_.rejected_steps;
     restart(state);
     first_step_ = settling->begin - state.t;
     reached = state;
-    flag = step(settling->begin, reached, account);
+    flag = step(settling->begin, reached);
   }
   int order = 0;
   check(IDAGetLastOrder(ida_.get(), &order), "IDAGetLastOrder");
-  StepReport report = account.accept(reached.t - state.t, order);
-  report.integral = take_integral();
+  StepReport report{.step = reached.t - state.t, .order = order, .integral = take_integral()};
   const bool event = branch() && cross_event(reached, flag == IDA_ROOT_RETURN, report);
   if (event || is_breakpoint(system_.structure(), reached.t)) restart(reached);
   if (branch()) reached.branch = *branch();
@@ -345,10 +342,10 @@ void BdfSolver::Memory::fail(int flag, double t) const {
 }
 
 BdfSolver::BdfSolver(const System& system, const IntegratorSettings& settings, Counters& counters)
-    : memory_(std::make_unique<Memory>(system, settings, counters)) {}
+    : Stepper(counters), memory_(std::make_unique<Memory>(system, settings, counters)) {}
 BdfSolver::~BdfSolver() = default;
 
-StepReport BdfSolver::advance(State& state, double t_stop) {
+StepReport BdfSolver::take_step(State& state, double t_stop) {
   return memory_->advance(state, t_stop);
 }
 

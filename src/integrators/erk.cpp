@@ -7,7 +7,6 @@
 #include <gnomon/integrators/erk.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 #include <gnomon/integrators/rates.hpp>
-#include <gnomon/integrators/step_account.hpp>
 #include <gnomon/integrators/step_size.hpp>
 #include <gnomon/integrators/stop_rules.hpp>
 #include <gnomon/integrators/stop_times.hpp>
@@ -244,7 +243,6 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
     restart(state, proposal_);  // ERKStep has kept the rate before the jump
   void* erk = erk_.get();
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
-  StepAccount account(counters_);
   sunrealtype t = state.t;
   for (int failures = 0;; ++failures) {
     set_step(state, t_stop);
@@ -256,7 +254,7 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
     guard_.rethrow();
     long error_fails = 0;
     check(ARKodeGetNumErrTestFails(erk, &error_fails), "ARKodeGetNumErrTestFails");
-    account.reject(error_fails - std::exchange(rejected_, error_fails));
+    counters_.rejected_steps += error_fails - std::exchange(rejected_, error_fails);
     if (done) break;
     double tried = t - state.t;
     if (flag < 0) check(ARKodeGetCurrentStep(erk, &tried), "ARKodeGetCurrentStep");
@@ -266,22 +264,22 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
       throw SolutionError(
           fmt::format("{} cannot continue from t = {:.6g}: code {}{}{}", table_.name, state.t, flag,
                       guard_.recoverable().empty() ? "" : "; last: ", guard_.recoverable()));
-    account.reject();
+    ++counters_.rejected_steps;
     restart(state, std::min(tried, t_stop - state.t) / 2);
   }
   if (settings_.step > 0)
     proposal_ = std::min(settings_.step, 2 * proposal_);
   else
     check(ARKodeGetCurrentStep(erk, &proposal_), "ARKodeGetCurrentStep");
-  StepReport report = account.accept(t - state.t, table_.order);
-  report.integral = integral(state, t - state.t);
+  const StepReport report{
+      .step = t - state.t, .order = table_.order, .integral = integral(state, t - state.t)};
   state = whole_;
   return report;
 }
 
 ErkSolver::ErkSolver(const System& system, const IntegratorSettings& settings, Counters& counters,
                      const std::string& table)
-    : memory_(std::make_unique<Memory>(system, settings, counters, table)) {}
+    : Stepper(counters), memory_(std::make_unique<Memory>(system, settings, counters, table)) {}
 ErkSolver::~ErkSolver() = default;
 
 std::vector<double> ErkSolver::memory() const {
@@ -293,7 +291,7 @@ void ErkSolver::restore(const State&, std::span<const double> memory) {
   memory_->restore(memory.front());
 }
 
-StepReport ErkSolver::advance(State& state, double t_stop) {
+StepReport ErkSolver::take_step(State& state, double t_stop) {
   return memory_->advance(state, t_stop);
 }
 

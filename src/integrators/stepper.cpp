@@ -48,7 +48,8 @@ private:
 OneStepStepper::OneStepStepper(const System& system, const IntegratorSettings& settings,
                                Counters& counters, std::unique_ptr<OneStepMethod> method, int order,
                                int error_order)
-    : system_(system),
+    : Stepper(counters),
+      system_(system),
       settings_(settings),
       counters_(counters),
       method_(std::move(method)),
@@ -176,11 +177,11 @@ void OneStepStepper::begin_behind_kink(State& state, const Landing& landing) con
   set_rates_behind_jump(system_, located ? &branch : state.own_branch(), state);
 }
 
-StepReport OneStepStepper::report(const Step& step, StepAccount& account) const {
-  StepReport report = account.accept(step.landing.h, step.settles ? 1 : order_);
-  report.switched = step.landing.switched;
-  report.integral = step.landing.attempt.integral;
-  return report;
+StepReport OneStepStepper::report(const Step& step) const {
+  return {.step = step.landing.h,
+          .order = step.settles ? 1 : order_,
+          .switched = step.landing.switched,
+          .integral = step.landing.attempt.integral};
 }
 
 /// The active set with which a step ends in `state`, events included.
@@ -248,7 +249,7 @@ OneStepStepper::Step OneStepStepper::next_step(const State& state, double t_stop
   return ordinary_step(state, settling->begin, account);
 }
 
-StepReport OneStepStepper::advance(State& state, double t_stop) {
+StepReport OneStepStepper::take_step(State& state, double t_stop) {
   if (!begun_) begin(state);
   StepAccount account(counters_);
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
@@ -260,7 +261,7 @@ StepReport OneStepStepper::advance(State& state, double t_stop) {
   if (!fixed() && step.landing.switched > 0)
     proposal_ =
         std::min(proposal_, first_step(state, system_.structure(), settings_, error_order_));
-  return report(step, account);
+  return report(step);
 }
 
 }  // namespace gnomon

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/counter_shape.hpp>
+#include <gnomon/scene/registry.hpp>
 #include <limits>
 
 namespace gnomon {
@@ -11,6 +12,12 @@ namespace {
 constexpr double never = std::numeric_limits<double>::infinity();
 
 }  // namespace
+
+template <int dim>
+CounterShape<dim>::CounterShape(Function distance, double reach)
+    : distance_(std::move(distance)), reach_(reach) {
+  if (!distance_) throw RegistrationError("the shape of a counter-body is made without `distance`");
+}
 
 template <int dim>
 SignedDistance<dim> CounterShape<dim>::at(const Vector<dim>& x) const {

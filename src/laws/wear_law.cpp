@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/wear_law.hpp>
+#include <gnomon/scene/registry.hpp>
 
 namespace gnomon {
 
@@ -55,7 +56,11 @@ WearLaw::WearLaw() {
 }
 
 WearLaw::WearLaw(Definition definition)
-    : definition_(std::make_shared<const Definition>(std::move(definition))) {}
+    : definition_(std::make_shared<const Definition>(std::move(definition))) {
+  if (!definition_->rate) throw RegistrationError("it is made without `rate`");
+  if (kinks() > 0 && !definition_->switching)
+    throw RegistrationError("it is made with `kinks`, but without `switching`");
+}
 
 WearRate WearLaw::rate(const WearInput& at, std::span<const char> branches) const {
   WearRate rate;

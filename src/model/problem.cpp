@@ -54,10 +54,18 @@ bool has_key(const std::vector<Key>& table, const std::string& name) {
 void add_law_key(std::vector<Key>& table, const Key& key, const std::string& law) {
   const auto same = std::find_if(table.begin(), table.end(),
                                  [&](const Key& other) { return other.name == key.name; });
-  if (same == table.end())
+  const auto chosen = [law](const Scene& scene) { return scene.text("wear.law") == law; };
+  if (same == table.end()) {
     table.push_back(key);
-  else if (same->kind != key.kind || same->presence != key.presence ||
-           same->default_value != key.default_value)
+    table.back().applies = chosen;
+    return;
+  }
+  if (same->applies)  // of another law
+    same->applies = [chosen, other = same->applies](const Scene& scene) {
+      return other(scene) || chosen(scene);
+    };
+  if (same->kind != key.kind || same->presence != key.presence ||
+      same->default_value != key.default_value)
     throw RegistrationError("the wear law " + law + " has the key " + key.name +
                             " with another kind or default than the key of this name that is "
                             "known, expected another name or the same");
@@ -73,6 +81,23 @@ void add_wear_laws(std::vector<Key>& table) {
     for (const Key& key : kind.keys) add_law_key(table, key, kind.name);
 }
 
+/// Whether a scene gives something for one of the keys.
+bool gives_any(const Scene& scene, const std::vector<Key>& keys) {
+  return std::any_of(keys.begin(), keys.end(), [&](const Key& key) {
+    return !scene.chosen_names(key.name).empty() ||
+           (scene.knows(key.name) && scene.has(key.name) && !scene.is_default(key.name));
+  });
+}
+
+/// Adds the keys of the registered terms.
+void add_terms(std::vector<Key>& table) {
+  for (const AddedTerm& term : AddedTerms::all())
+    for (Key key : term.keys) {
+      key.applies = [&term](const Scene& scene) { return gives_any(scene, term.keys); };
+      table.push_back(std::move(key));
+    }
+}
+
 }  // namespace
 
 std::vector<Key> own_keys(const Problem& problem) {
@@ -83,9 +108,7 @@ std::vector<Key> own_keys(const Problem& problem) {
   }
   for (const char* material : {"body.material", "shape.energy"}) add_material_keys(keys, material);
   add_wear_laws(keys);
-  if (has_key(keys, "body.young_modulus"))
-    for (const AddedTerm& term : AddedTerms::all())
-      keys.insert(keys.end(), term.keys.begin(), term.keys.end());
+  if (has_key(keys, "body.young_modulus")) add_terms(keys);
   return keys;
 }
 

@@ -37,7 +37,12 @@ std::vector<std::array<double, 3>> some_of(const std::vector<std::array<double, 
 
 WearLaw read_wear_law(const Scene& scene) {
   if (scene.text("wear.law") != "expression") require_no_expression(scene);
-  return Registry<WearLawKind>::find(scene.text("wear.law"), "wear law").make(scene);
+  const WearLawKind& kind = Registry<WearLawKind>::find(scene.text("wear.law"), "wear law");
+  try {
+    return kind.make(scene);
+  } catch (const RegistrationError& error) {
+    throw RegistrationError("the wear law \"" + kind.name + "\": " + error.what());
+  }
 }
 
 namespace {

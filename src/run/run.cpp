@@ -19,6 +19,7 @@ namespace gnomon {
 namespace {
 
 using Status = RunOutcome::Status;
+using Clock = std::chrono::steady_clock;
 
 /// The times of the stored states after the start.
 std::vector<double> settled_times(const StorePolicy& policy, double end) {
@@ -35,6 +36,7 @@ public:
         integrator_(integrator),
         settings_(settings),
         checkpoint_work_(policy.checkpoint_work),
+        checkpoint_seconds_(policy.checkpoint_seconds),
         schedule_(policy, settings.end),
         writer_(writer),
         hooks_(hooks),
@@ -68,7 +70,8 @@ public:
     outcome_.counters = counters_;
     outcome_.chattering_nodes = memory_.chattering.nodes();
     if (writer_) writer_->close(outcome_.text(), outcome_.wall_seconds);
-    return outcome_;
+    if (outcome_.last) outcome_.state = std::move(state());
+    return std::move(outcome_);
   }
 
 private:
@@ -78,7 +81,7 @@ private:
     store();
     if (hooks_.interrupted()) return;
     make_stepper();
-    if (checkpoint_work_ > 0) checkpoint();
+    if (checkpoint_work_ > 0 || clock_is_due()) checkpoint();
   }
 
   void resume(const Resumption& from) {
@@ -115,7 +118,10 @@ private:
       progress.require(state().t, counters_);
       if (damping_) require_damping();
       if (schedule_.wants(state().t, counters_.steps)) store();
-      if (checkpoint_due()) checkpoint();
+      if (checkpoint_due())
+        checkpoint();
+      else if (clock_is_due())
+        write_checkpoint();
     }
     if (damping_) judge_damping();
     return Status::finished;
@@ -184,22 +190,32 @@ private:
     return checkpoint_work_ > 0 && (work() >= next_checkpoint_ || memory_.state.t >= settings_.end);
   }
 
+  bool clock_is_due() const {
+    const std::chrono::duration<double> passed = Clock::now() - checkpointed_;
+    return checkpoint_seconds_ > 0 && passed.count() >= checkpoint_seconds_;
+  }
+
   /// Where the run ends before its end, so that no step is lost. A run that goes on from here
   /// restarts its method where the uninterrupted one did not.
   void checkpoint_interrupted() {
-    if (stepper_ && checkpoint_rows_ != last_checkpoint_.rows) checkpoint();
+    if (stepper_ && checkpoint_rows_ != last_checkpoint_.rows) write_checkpoint();
   }
 
   /// A one-step method then restarts as it would when resumed: without kept factors and without
   /// states for first guesses.
   void checkpoint() {
+    write_checkpoint();
+    next_checkpoint_ = work() + checkpoint_work_;
+    if (integrator_.one_step) stepper_.reset();
+  }
+
+  void write_checkpoint() {
     memory_.stepper = stepper_->memory();
     ++last_checkpoint_.number;
     last_checkpoint_.numbers = packed(memory_, model_.system().structure());
     if (writer_) writer_->checkpoint(last_checkpoint_);
     checkpoint_rows_ = last_checkpoint_.rows;
-    next_checkpoint_ = work() + checkpoint_work_;
-    if (integrator_.one_step) stepper_.reset();
+    checkpointed_ = Clock::now();
   }
 
   /// Called while an exception is propagated; further exceptions are ignored.
@@ -213,19 +229,19 @@ private:
   State& state() { return memory_.state; }
   long work() const { return counters_.steps + counters_.newton_iterations; }
   double elapsed() const {
-    const auto now = std::chrono::steady_clock::now();
-    return earlier_seconds_ + std::chrono::duration<double>(now - begin_).count();
+    return earlier_seconds_ + std::chrono::duration<double>(Clock::now() - begin_).count();
   }
 
   const Model& model_;
   const Integrator& integrator_;
   IntegratorSettings settings_;
   const long checkpoint_work_;
+  const double checkpoint_seconds_;
   StoreSchedule schedule_;
   ResultWriter* writer_;
   const RunHooks& hooks_;
 
-  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  const Clock::time_point begin_ = Clock::now();
   double earlier_seconds_ = 0;
   Counters counters_;
   RunMemory memory_;
@@ -239,6 +255,7 @@ private:
   Checkpoint last_checkpoint_{-1, 0, 0, {}};  // with the present numbers of rows and stored steps
   long checkpoint_rows_ = 0;                  // rows at the last checkpoint that was written
   long next_checkpoint_ = 0;                  // value of work() at which it is due
+  Clock::time_point checkpointed_ = begin_;   // when the last one was written
 };
 
 }  // namespace

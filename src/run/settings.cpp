@@ -54,6 +54,7 @@ StorePolicy store_policy(const Scene& scene) {
   policy.last = scene.flag("output.last");
   policy.settle = scene.flag("output.settle");
   policy.checkpoint_work = scene.integer("output.checkpoints");
+  policy.checkpoint_seconds = scene.real("output.checkpoint_seconds");
   std::sort(policy.times.begin(), policy.times.end());
   policy.times.erase(std::unique(policy.times.begin(), policy.times.end()), policy.times.end());
   const auto behind = std::upper_bound(policy.times.begin(), policy.times.end(), end);

@@ -93,7 +93,22 @@ Setup completed(Scene scene, std::unique_ptr<Model> model) {
 
 Setup set_up(Scene scene) {
   auto model = make_model(scene);
-  return completed(std::move(scene), std::move(model));
+  return completed(scene.with_absolute_files(), std::move(model));
+}
+
+Scene scene_of_result(const ResultReader& result, const std::filesystem::path& file,
+                      const std::vector<std::string>& overrides, const std::string& to_load) {
+  const auto read = [&](const std::vector<std::string>& changes) {
+    return parse_scene(result.header().scene, file.string(), changes, key_table);
+  };
+  const Scene scene = [&] {
+    try {
+      return read({});
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}; if the run had a plug-in, {}", error.what(), to_load));
+    }
+  }();
+  return overrides.empty() ? scene : read(overrides);
 }
 
 Setup set_up_again(Scene scene, const std::optional<Grid>& grid) {

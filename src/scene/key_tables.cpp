@@ -119,8 +119,15 @@ std::vector<Key> output_keys() {
        .default_value = 200L,
        .range = non_negative,
        .help = "steps plus Newton iterations between checkpoints (gnomon resume); 0: only where "
-               "the run "
-               "is interrupted"},
+               "the run is interrupted, and those of checkpoint_seconds"},
+      {.name = "output.checkpoint_seconds",
+       .unit = "s",
+       .presence = defaulted,
+       .default_value = 0.0,
+       .range = non_negative,
+       .help = "wall time after which a checkpoint follows the step, besides those of checkpoints: "
+               "it does not change the run, but a run that continues from it agrees within the "
+               "tolerance of Newton's method only; 0: none"},
   };
 }
 

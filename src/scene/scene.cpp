@@ -104,6 +104,16 @@ Scene Scene::without(const std::string& key) const {
   return result;
 }
 
+Scene Scene::with_absolute_files() const {
+  Scene result = *this;
+  for (Entry& entry : result.entries_)
+    if (entry.key.names_file && entry.value) {
+      const auto file = path_.parent_path() / value_as<std::string>(entry.key.name, entry.value);
+      entry.value = std::filesystem::absolute(file).lexically_normal().string();
+    }
+  return result;
+}
+
 std::vector<std::string> Scene::differing_keys(const Scene& a, const Scene& b) {
   const auto value_in = [](const Scene& scene, const std::string& name) {
     for (const Entry& entry : scene.entries_)
@@ -129,7 +139,10 @@ bool operator==(const Scene& a, const Scene& b) {
 
 std::string Scene::resolved() const {
   std::vector<Key> keys;
-  for (const Entry& entry : entries_) keys.push_back(entry.key);
+  for (const auto& [key, value, origin] : entries_) {
+    const bool is_given = value && value != key.default_value;
+    if (is_given || !key.applies || key.applies(*this)) keys.push_back(key);
+  }
   std::string text;
   for (const KeyGroup& group : group_keys(keys)) {
     if (!group.name.empty()) text += fmt::format("\n[{}]\n", group.name);

@@ -40,6 +40,10 @@ std::string last_part(const std::string& label) {
   return label.substr(label.rfind('.', label.find('=')) + 1);
 }
 
+/// What a run that is killed may lose, small beside the time slots of clusters; writing is cheap
+/// beside it.
+constexpr double checkpoint_seconds = 10;
+
 /// Of scene keys, in the place of what the scene file gives for them.
 using Values = std::map<std::string, RawValue>;
 
@@ -177,16 +181,6 @@ private:
     return scene_file_.scene(overrides, key_table);
   }
 
-  /// Files are beside the scene of the study, but its runs are elsewhere.
-  static Scene with_whole_paths(Scene scene) {
-    for (const char* key : {"mesh.file", "mesh.geometry", "counter_body.file"})
-      if (scene.knows(key) && scene.has(key))
-        scene = scene.with(
-            key,
-            fs::absolute(scene.path().parent_path() / scene.text(key)).lexically_normal().string());
-    return scene;
-  }
-
   static std::vector<std::string> override_texts(const Values& values) {
     std::vector<std::string> texts;
     for (const auto& [key, value] : values) texts.push_back(key + "=" + toml_text(value));
@@ -236,7 +230,9 @@ private:
     overrides[fixed ? "integrator.step" : "integrator.rtol"] = raw_value(setting.value);
     overrides["output.every"] = raw_value(0L);
     overrides["output.last"] = raw_value(true);
-    overrides["output.checkpoints"] = raw_value(0L);  // runs are redone, and costs compared
+    // Costs are compared, so checkpoints must not change a run: they follow the clock alone.
+    overrides["output.checkpoints"] = raw_value(0L);
+    overrides.try_emplace("output.checkpoint_seconds", raw_value(checkpoint_seconds));
     overrides["output.times"] = raw_value(study_.sweep.back().times);
     return overrides;
   }
@@ -245,7 +241,7 @@ private:
     const auto overrides = overrides_of(method, setting);
     const bool fixed = setting.kind == Kind::step;
     return guarded(title(method, setting), [&] {
-      Scene scene = with_whole_paths(scene_with(overrides));
+      Scene scene = scene_with(overrides).with_absolute_files();
       if (!fixed) scene = scene.without("integrator.step");
       store_policy(scene);
       chosen_integrator(scene);

@@ -22,7 +22,8 @@ std::string owner(const std::string& key, bool has_methods) {
   if (key == "integrator.step") return by_method("steps");
   if (key == "integrator.rtol") return by_method("tolerances");
   if (key == "output.times") return "`times`";
-  if (key == "output.settle") return {};  // changes steps, not what is stored
+  // They change steps, or what a stopped run loses, not what is stored.
+  if (key == "output.settle" || key == "output.checkpoint_seconds") return {};
   if (key.starts_with("output.")) return "the study itself";
   return {};
 }

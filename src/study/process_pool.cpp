@@ -12,7 +12,9 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <gnomon/base/error.hpp>
+#include <sstream>
 #include <thread>
 
 namespace gnomon::study {
@@ -113,6 +115,27 @@ bool ProcessPool::reap(const Ended& ended) {
 void ProcessPool::wait(const Ended& ended) {
   kill_the_late();
   if (!reap(ended) && running() > 0) pause();
+}
+
+ProcessEnd ProcessPool::so_far(std::size_t index) const {
+  ProcessEnd end;
+  const auto child = std::ranges::find(children_, index, &Child::index);
+  if (child == children_.end()) return end;
+  std::istringstream stat(process_stat(child->process));
+  std::string field;
+  for (int i = 3; i < 14; ++i) stat >> field;  // from the state of the process on
+  double user = 0, system = 0;                 // [ticks]
+  if (stat >> user >> system)
+    end.cpu_seconds = (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+  return end;
+}
+
+std::string process_stat(long process) {
+  std::ifstream stream(fmt::format("/proc/{}/stat", process));
+  std::string line;
+  std::getline(stream, line);
+  const std::size_t name_end = line.rfind(')');  // the name may hold anything
+  return name_end == std::string::npos ? std::string() : line.substr(name_end + 1);
 }
 
 void ProcessPool::pause() {

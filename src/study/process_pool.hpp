@@ -19,6 +19,10 @@ struct Command {
   double limit = 0;                    ///< wall time after which it is killed [s]; 0: no limit
 };
 
+/// What Linux tells of a process of this machine, from its state on (field 3 of /proc/PID/stat);
+/// empty if there is none.
+std::string process_stat(long process);
+
 /// The processes of a pool end with the pool, and with the process that made it, however that
 /// process ends.
 class ProcessPool {
@@ -36,6 +40,8 @@ public:
   void kill(std::size_t index);
   /// Starts a command; `index` names it in wait(). Throws Error.
   void start(std::size_t index, const Command& command);
+  /// The costs of a running command; of one that does not run any more, none.
+  ProcessEnd so_far(std::size_t index) const;
   /// A short time.
   static void pause();
   /// Reports the processes that have ended; waits a short time if there are none.

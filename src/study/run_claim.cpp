@@ -40,10 +40,7 @@ std::string first_line(const fs::path& file) {
 /// When a process of this machine was started, in a form that no later process with its number has;
 /// empty if there is none.
 std::string start_of(long process) {
-  const std::string line = first_line(fmt::format("/proc/{}/stat", process));
-  const std::size_t name_end = line.rfind(')');  // the name may hold anything
-  if (name_end == std::string::npos) return {};
-  std::istringstream fields(line.substr(name_end + 1));
+  std::istringstream fields(process_stat(process));
   std::string field;
   for (int i = 3; i <= 22; ++i) fields >> field;
   return field;
@@ -103,10 +100,16 @@ bool has_ended(const fs::path& attempt) {
   return fs::exists(attempt / ended_file, ignored) || is_dead(read_json(attempt / owner_file));
 }
 
-std::optional<EndedAttempt> ended_attempt(const fs::path& attempt) {
+/// What an attempt has told of itself, at its end or before: costs, versions.
+Json account_of(const fs::path& attempt) {
   const Json ended = read_json(attempt / ended_file);
-  if (ended.value("versions", Json()) != Json(library_versions())) return std::nullopt;
-  return EndedAttempt{attempt, ended.value("cpu_seconds", 0.0), ended.value("peak_memory_mb", 0.0)};
+  return ended.empty() ? read_json(attempt / owner_file) : ended;
+}
+
+void add_account(nlohmann::ordered_json& json, const ProcessEnd& sum) {
+  json["cpu_seconds"] = sum.cpu_seconds;
+  json["peak_memory_mb"] = sum.peak_memory_mb;
+  json["versions"] = library_versions();
 }
 
 [[noreturn]] void fail(const fs::path& folder, int error) {
@@ -124,8 +127,11 @@ bool make_alone(const fs::path& folder) {
 
 double reached_by_attempts(const fs::path& study, const std::string& name) {
   const fs::path attempts = attempts_of(study, name);
-  const int latest = latest_attempt(attempts);
-  return read_json(attempts / std::to_string(latest) / ended_file).value("reached", 0.0);
+  double reached = 0;
+  for (int number = latest_attempt(attempts); number > 0; --number)
+    reached =
+        std::max(reached, checkpointed_time(RunFiles::in(attempts / std::to_string(number), name)));
+  return reached;
 }
 
 RunClaim::RunClaim(fs::path study, std::string name, int number)
@@ -153,10 +159,26 @@ std::optional<RunClaim> RunClaim::take(const fs::path& study, const std::string&
       fs::remove(claim.folder_, error);
       continue;
     }
-    if (latest > 0) claim.before_ = ended_attempt(before);
-    claim.beat();
+    claim.before_ = claim.attempt_before();
+    claim.beat(claim.before_ ? claim.before_->sum : ProcessEnd{});
     return claim;
   }
+}
+
+/// The latest with a result: one after it may have been lost before it took the result over.
+std::optional<EndedAttempt> RunClaim::attempt_before() const {
+  for (int number = number_ - 1; number > 0; --number) {
+    const fs::path attempt = folder_.parent_path() / std::to_string(number);
+    std::error_code ignored;
+    if (!fs::exists(RunFiles::in(attempt, name_).result, ignored)) continue;
+    const Json account = account_of(attempt);
+    if (account.value("versions", Json()) != Json(library_versions())) return std::nullopt;
+    EndedAttempt before{attempt, has_ended(attempt), {}};
+    before.sum.cpu_seconds = account.value("cpu_seconds", 0.0);
+    before.sum.peak_memory_mb = account.value("peak_memory_mb", 0.0);
+    return before;
+  }
+  return std::nullopt;
 }
 
 std::optional<Sign> RunClaim::sign(const fs::path& study, const std::string& name) {
@@ -171,7 +193,7 @@ bool RunClaim::is_latest() const {
   return latest_attempt(folder_.parent_path()) == number_;
 }
 
-bool RunClaim::beat() {
+bool RunClaim::beat(const ProcessEnd& sum) {
   if (!is_latest()) return false;
   nlohmann::ordered_json owner;
   owner["host"] = host_name();
@@ -179,16 +201,14 @@ bool RunClaim::beat() {
   owner["start"] = start_of(getpid());
   owner["place"] = place_of_processes();
   owner["beat"] = ++beats_;
+  add_account(owner, sum);
   write_file(folder_ / owner_file, owner.dump(2) + "\n", Earlier::replaced);
   return true;
 }
 
 void RunClaim::end(const ProcessEnd& sum) const {
   nlohmann::ordered_json ended;
-  ended["cpu_seconds"] = sum.cpu_seconds;
-  ended["peak_memory_mb"] = sum.peak_memory_mb;
-  ended["reached"] = reached_time(files());
-  ended["versions"] = library_versions();
+  add_account(ended, sum);
   write_file(folder_ / ended_file, ended.dump(2) + "\n", Earlier::replaced);
 }
 

@@ -26,14 +26,15 @@ struct Sign {
   }
 };
 
-/// An attempt that ended before the run did, because it was interrupted.
+/// An attempt that ended, or was lost, before the run did, and has left a result.
 struct EndedAttempt {
   std::filesystem::path folder;
-  double cpu_seconds = 0;  ///< of all attempts so far
-  double peak_memory_mb = 0;
+  bool at_rest = false;  ///< nobody writes the result any more; a lost owner might
+  ProcessEnd sum;        ///< costs of it and of those that it continued, as far as it told them
 };
 
-/// The simulated time that interrupted attempts at a run have reached; 0 without any.
+/// The simulated time from which a run would go on by what earlier attempts have left; 0 without
+/// any.
 double reached_by_attempts(const std::filesystem::path& folder, const std::string& name);
 
 class RunClaim {
@@ -48,11 +49,12 @@ public:
 
   /// The files of this attempt.
   RunFiles files() const { return RunFiles::in(folder_, name_); }
-  /// The attempt before, if it was interrupted.
+  /// The last attempt before that has left a result.
   const std::optional<EndedAttempt>& before() const { return before_; }
 
-  /// Gives a sign of life. False if another process has taken the run over in the meantime.
-  bool beat();
+  /// Gives a sign of life, with the costs so far. False if another process has
+  /// taken the run over in the meantime.
+  bool beat(const ProcessEnd& sum);
   /// Gives the run back, to be continued from the files of this attempt.
   void end(const ProcessEnd& sum) const;
   /// Moves the files to FOLDER/runs, the one that makes the run count as done last. False, and
@@ -64,6 +66,7 @@ public:
 private:
   RunClaim(std::filesystem::path study, std::string name, int number);
   bool is_latest() const;
+  std::optional<EndedAttempt> attempt_before() const;
 
   std::filesystem::path study_, folder_;
   std::string name_;

@@ -124,10 +124,23 @@ bool is_interrupted(const RunFiles& files) {
   return summary.is_object() && summary.value("status", "") == "interrupted";
 }
 
-double reached_time(const RunFiles& files) {
-  const Json summary = read_json(files.summary);
-  const auto t = summary.find("t");
-  return t != summary.end() && t->is_number() ? t->get<double>() : 0.0;
+double checkpointed_time(const RunFiles& files) try {
+  const ResultReader result(files.result);
+  const std::vector<Checkpoint> checkpoints = result.checkpoints();
+  const std::vector<HistoryRow> history = result.history();
+  const auto rows = checkpoints.empty() ? 0 : static_cast<std::size_t>(checkpoints.back().rows);
+  return rows > 0 && rows <= history.size() ? history[rows - 1].t : 0;
+} catch (const InputError&) {
+  return 0;
+}
+
+bool copy_at_rest(const fs::path& from, const fs::path& to) {
+  std::error_code error, ignored;
+  const auto written = fs::last_write_time(from, error);
+  if (!error) fs::copy_file(from, to, error);
+  if (!error && fs::last_write_time(from, error) == written && !error) return true;
+  fs::remove(to, ignored);
+  return false;
 }
 
 void remove_result(const RunFiles& files) {

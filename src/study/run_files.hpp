@@ -48,8 +48,11 @@ std::optional<RunRecord> read_record(const RunFiles& files, const StudyRun& run)
 
 /// Whether the run ended because it was asked to, with a summary that says so.
 bool is_interrupted(const RunFiles& files);
-/// The time of the last good state in the summary; 0 without one.
-double reached_time(const RunFiles& files);
+/// The time from which the result can be continued; 0 without a checkpoint.
+double checkpointed_time(const RunFiles& files);
+/// Copies a file that a lost process might still write. False, and there is no copy, if it did so
+/// in the meantime, or the file cannot be copied.
+bool copy_at_rest(const std::filesystem::path& from, const std::filesystem::path& to);
 /// Removes the result and its sidecar.
 void remove_result(const RunFiles& files);
 /// The text of a file; empty if there is none.

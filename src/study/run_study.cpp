@@ -141,34 +141,42 @@ private:
     pool_.start(run, command);
   }
 
-  /// Takes the result of an attempt at the same run that was interrupted, to be resumed.
-  bool take_over(std::size_t run, const RunClaim& claim) const {
-    if (!claim.before()) return false;
-    const RunFiles mine = claim.files(),
-                   before = RunFiles::in(claim.before()->folder, study_.runs[run].name);
-    std::error_code error;
-    if (!fs::exists(before.result, error) || read_text(before.scene) != study_.runs[run].scene)
-      return false;
-    fs::rename(before.result, mine.result, error);
-    if (error) return false;
-    fs::rename(before.sidecar, mine.sidecar, error);
-    return true;
+  RunFiles files_before(std::size_t run, const RunClaim& claim) const {
+    return RunFiles::in(claim.before()->folder, study_.runs[run].name);
   }
 
-  /// Of a run with its attempts before.
-  static ProcessEnd sum_of(const RunClaim& claim, ProcessEnd end) {
-    if (!claim.before()) return end;
-    end.cpu_seconds += claim.before()->cpu_seconds;
-    end.peak_memory_mb = std::max(end.peak_memory_mb, claim.before()->peak_memory_mb);
+  /// Takes the result of an attempt at the same run that was interrupted or lost, to be resumed.
+  bool take_over(std::size_t run, const RunClaim& claim) const {
+    if (!claim.before()) return false;
+    const RunFiles mine = claim.files(), before = files_before(run, claim);
+    if (read_text(before.scene) != study_.runs[run].scene) return false;
+    std::error_code error, ignored;
+    if (!claim.before()->at_rest) {
+      fs::copy_file(before.sidecar, mine.sidecar, ignored);
+      return copy_at_rest(before.result, mine.result);
+    }
+    fs::rename(before.result, mine.result, error);
+    if (!error) fs::rename(before.sidecar, mine.sidecar, ignored);
+    return !error;
+  }
+
+  /// Of a run with the attempts that it continues.
+  static ProcessEnd sum_of(const Active& active, ProcessEnd end) {
+    if (!active.resumed) return end;
+    const ProcessEnd& before = active.claim.before()->sum;
+    end.cpu_seconds += before.cpu_seconds;
+    end.peak_memory_mb = std::max(end.peak_memory_mb, before.peak_memory_mb);
     return end;
   }
 
   void finish(std::size_t run, const ProcessEnd& end) {
     const auto found = claims_.find(run);
     Active& active = found->second;
-    const ProcessEnd sum = sum_of(active.claim, end);
+    const ProcessEnd sum = sum_of(active, end);
     if (active.resumed && end.signal == 0 && end.exit_code == 2) {
-      remove_result(active.claim.files());  // not to be resumed: the next attempt begins anew
+      // Not to be resumed: the next attempt begins anew.
+      remove_result(active.claim.files());
+      remove_result(files_before(run, active.claim));
       active.claim.end({});
       waiting_.push_back({run, std::nullopt});
     } else if (was_interrupted(active.claim.files(), end)) {
@@ -211,7 +219,7 @@ private:
     next_sign_ = after(options_.lost_after / 6);
     for (auto active = claims_.begin(); active != claims_.end();) {
       const std::size_t run = active->first;
-      const bool mine = active->second.claim.beat();
+      const bool mine = active->second.claim.beat(sum_of(active->second, pool_.so_far(run)));
       if (!mine) pool_.kill(run);
       active = mine ? std::next(active) : claims_.erase(active);
       if (!mine) waiting_.push_back({run, std::nullopt});

@@ -72,25 +72,25 @@ private:
 class ExactDecay : public Stepper {
 public:
   ExactDecay(const IntegratorSettings& settings, Counters& counters, double fail_at)
-      : step_(settings.step),
+      : Stepper(counters),
+        step_(settings.step),
         integrand_(settings.integrand),
         counters_(counters),
         fail_at_(fail_at) {}
 
-  StepReport advance(State& state, double t_stop) override {
+private:
+  StepReport take_step(State& state, double t_stop) override {
     if (state.t >= fail_at_) throw SolutionError("inverted element 7");
     const bool lands = state.t + step_ >= t_stop * (1 - 1e-12);
     const double t = lands ? t_stop : state.t + step_;
-    StepReport report{.step = t - state.t, .order = 1, .newton_iterations = 2};
+    StepReport report{.step = t - state.t, .order = 1};
     const double mean = (std::exp(-state.t) - std::exp(-t)) / report.step;
     if (integrand_) report.integral = report.step * integrand_({.t = t, .y = {&mean, 1}});
     state = {t, {std::exp(-t)}, {-std::exp(-t)}};
-    ++counters_.steps;
-    counters_.newton_iterations += report.newton_iterations;
+    counters_.newton_iterations += 2;
     return report;
   }
 
-private:
   double step_;
   std::function<double(const Point&)> integrand_;
   Counters& counters_;

@@ -101,7 +101,7 @@ TEST_F(PartCommands, SceneAndHistoryComeBackFromAResult) {
   ASSERT_EQ(run(300).exit_code, 0);
   const Outcome scene = gnomon({"scene", "a.h5"});
   EXPECT_EQ(scene.exit_code, 0);
-  EXPECT_THAT(scene.out, HasSubstr("geometry = \"block_on_ring.geo\""));
+  EXPECT_THAT(scene.out, HasSubstr("geometry = \"" + (folder() / "block_on_ring.geo").string()));
   const Outcome history = gnomon({"history", "a.h5"});
   ASSERT_EQ(history.exit_code, 0);
   EXPECT_THAT(history.out, testing::StartsWith("t,step,order,newton_iterations,"));
@@ -109,6 +109,49 @@ TEST_F(PartCommands, SceneAndHistoryComeBackFromAResult) {
   const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
   const long lines = std::count(history.out.begin(), history.out.end(), '\n');
   EXPECT_EQ(lines, json["steps"].get<long>() + 2);  // with the header and the start
+}
+
+// Somewhere else, with nothing but the result: the mesh is in it.
+TEST_F(PartCommands, TheMeshComesBackFromAResult) {
+  ASSERT_EQ(run(300).exit_code, 0);
+  std::filesystem::create_directory(folder() / "elsewhere");
+  std::filesystem::rename(folder() / "a.h5", folder() / "elsewhere/a.h5");
+  std::filesystem::remove(folder() / "block_on_ring.geo");
+  const Outcome scene = gnomon({"scene", "elsewhere/a.h5"});
+  EXPECT_THAT(scene.out, HasSubstr("# The mesh is in the result too: gnomon mesh elsewhere/a.h5 "
+                                   "-o PART.msh writes it"));
+  const Outcome mesh = gnomon({"mesh", "elsewhere/a.h5", "-o", "again.msh"});
+  ASSERT_EQ(mesh.exit_code, 0) << mesh.err;
+  EXPECT_THAT(mesh.out, HasSubstr("quadrilaterals, area 32 mm^2"));
+  EXPECT_THAT(mesh.out, testing::ContainsRegex("surface +[0-9]+ +3.2 +flat, normal \\[0, 1\\]"));
+
+  std::string text = scene.out;
+  const std::size_t begin = text.find("geometry = "), end = text.find('\n', begin);
+  text.replace(begin, end - begin, "file = \"again.msh\"");
+  write("again.toml", text);
+  const Outcome again = gnomon({"run", "again.toml", "--set", "mesh.factor=1", "-o", "b.h5",
+                                "--quiet", "--summary", "t.json"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const auto summary = [&](const char* file) {
+    return nlohmann::json::parse(test::read_text(folder() / file));
+  };
+  const auto first = summary("s.json"), second = summary("t.json");
+  EXPECT_EQ(second["unknowns"], first["unknowns"]);
+  for (const char* name : {"worn_volume", "max_pressure", "element_quality"})
+    EXPECT_NEAR(second[name].get<double>() / first[name].get<double>(), 1, 1e-6) << name;
+}
+
+TEST_F(PartCommands, MeshRefusesResultsWithoutAMeshFromAFile) {
+  ASSERT_EQ(gnomon({"run", test::pin, "--set", test::coarse, "--set", "time.end=1", "-o", "pin.h5",
+                    "--quiet"})
+                .exit_code,
+            0);
+  const Outcome outcome = gnomon({"mesh", "pin.h5"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err,
+            "gnomon: pin.h5: expected a result with a mesh from a file; gnomon made the mesh of "
+            "this one\n");
+  EXPECT_THAT(gnomon({"scene", "pin.h5"}).out, testing::StartsWith("problem = "));
 }
 
 TEST_F(PartCommands, CheckTellsAllMistakesOfAPartAtOnce) {

@@ -286,7 +286,24 @@ TEST_F(Program, StopsWhenThePinIsWornAway) {
   EXPECT_GE(observation_of(last.scalars).element_volume.value(), 0.01);
 }
 
+TEST_F(Program, NamesAFileForParaViewOnlyWhereThereIsAMesh) {
+  const std::string springs = GNOMON_SOURCE_DIR "/problems/winkler/pin.toml";
+  const Outcome none = gnomon({"run", springs, "--set", "foundation.points=21", "--set",
+                               "time.end=10", "-o", "springs.h5"});
+  ASSERT_EQ(none.exit_code, 0) << none.err;
+  EXPECT_THAT(none.out, testing::EndsWith("\nresult: springs.h5\n"));
+  EXPECT_THAT(gnomon({"resume", "springs.h5", "--end", "20"}).out,
+              testing::EndsWith("\nresult: springs.h5\n"));
+  const Outcome mesh =
+      gnomon({"run", test::pin, "--set", test::coarse, "--set", "time.end=1", "-o", "pin.h5"});
+  EXPECT_THAT(mesh.out, testing::EndsWith("\nresult: pin.h5 (for ParaView: pin.xdmf)\n"));
+}
+
 TEST_F(Program, ListsAndHelp) {
+  const Outcome subjects = gnomon({"list"});
+  EXPECT_EQ(subjects.exit_code, 0);
+  EXPECT_THAT(subjects.out,
+              testing::AllOf(HasSubstr("\n  integrators\n"), HasSubstr("\n  terms\n")));
   EXPECT_THAT(gnomon({"list", "integrators"}).out, HasSubstr("backward-euler"));
   EXPECT_THAT(gnomon({"list", "problems"}).out, HasSubstr("pin_on_flat"));
   EXPECT_THAT(gnomon({"list", "scenes"}).out, HasSubstr("small_deformation.toml"));

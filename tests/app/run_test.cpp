@@ -69,8 +69,12 @@ TEST_F(RunTest, RecordsTheStartAndEveryStep) {
   ASSERT_EQ(history.size(), 5u);
   EXPECT_EQ(history[0].counters.newton_iterations, 3);
   EXPECT_EQ(history[4].counters.newton_iterations, 11);
-  EXPECT_EQ(history[4].counters.steps, 4);
+  EXPECT_EQ(history[4].counters.steps, 4);  // which the method itself does not count
+  EXPECT_EQ(history[4].step.newton_iterations, 2);
+  EXPECT_FALSE(history[4].step.restarted);
   EXPECT_EQ(history[4].step.step, 0.5);
+  EXPECT_EQ(outcome.state->t, 2);
+  EXPECT_NEAR(outcome.state->y[0], std::exp(-2.0), 1e-15);
 }
 
 TEST_F(RunTest, SumsWhatTheMethodIntegratesOfTheWearFlux) {
@@ -137,13 +141,12 @@ TEST_F(RunTest, FailureStoresTheLastGoodState) {
 TEST_F(RunTest, ARunThatNoLongerGetsAnywhereEnds) {
   struct Vanishing : Stepper {
     Counters& counters;
-    explicit Vanishing(Counters& c) : counters(c) {}
-    StepReport advance(State& state, double) override {
+    explicit Vanishing(Counters& c) : Stepper(c), counters(c) {}
+    StepReport take_step(State& state, double) override {
       const double step = (1 - state.t) / 10;
       state.t += step;
-      ++counters.steps;
       counters.newton_iterations += 100;
-      return {.step = step, .order = 1, .newton_iterations = 100};
+      return {.step = step, .order = 1};
     }
     std::vector<double> memory() const override { return {}; }
     void restore(const State&, std::span<const double>) override {}
@@ -164,6 +167,7 @@ TEST_F(RunTest, FailureOfTheStartLeavesNoResult) {
   const RunOutcome outcome = run_decay({});
   EXPECT_EQ(outcome.status, Status::failed);
   EXPECT_FALSE(outcome.last);
+  EXPECT_FALSE(outcome.state);
   EXPECT_EQ(outcome.counters.newton_iterations, 3);
   EXPECT_EQ(outcome.text(), "failed: no equilibrium");
   EXPECT_FALSE(std::filesystem::exists(file()));

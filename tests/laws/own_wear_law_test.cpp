@@ -1,6 +1,8 @@
 // A user's wear law in C++, in one file and without other changes: a scene chooses it by wear.law,
 // with a key that the registration adds.
 
+#include <gmock/gmock.h>
+
 #include <gnomon/laws/catalogue.hpp>
 
 #include "support/pin.hpp"
@@ -9,6 +11,9 @@ namespace gnomon {
 namespace {
 
 using namespace testing;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::ThrowsMessage;
 
 /// Sarkar: k p v sqrt(1 + 3 f^2), from the pressure and the frictional traction q / v together.
 WearLaw sarkar(double coefficient, double amplification) {
@@ -60,6 +65,19 @@ TEST(OwnWearLaw, KeepsTheJacobianExact) {
   check_jacobian(model->system(), 0, y, 0.2);
 }
 
+// So that a result can be read without laws that are known, but that it did not choose.
+TEST(OwnWearLaw, ItsKeysAreStoredWithTheScenesThatChooseIt) {
+  const auto stored = [](const Overrides& overrides) {
+    const Scene scene = pin_scene(overrides);
+    const std::string text = scene.resolved();
+    EXPECT_TRUE(parse_scene(text, "resolved", {}, key_table) == scene);
+    return text.find("amplification") != std::string::npos;
+  };
+  EXPECT_FALSE(stored({}));
+  EXPECT_TRUE(stored({"wear.law=sarkar"}));
+  EXPECT_TRUE(stored({"wear.amplification=2"}));  // given, in vain
+}
+
 // Otherwise each would silently get the default of the first.
 TEST(OwnWearLaw, SharesAKeyOnlyWithTheSameDefault) {
   const auto law = [](const std::string& name, double value) {
@@ -76,6 +94,29 @@ TEST(OwnWearLaw, SharesAKeyOnlyWithTheSameDefault) {
   EXPECT_THROW(key_table("winkler"), RegistrationError);
   Registry<WearLawKind>::put(law("second", 1));
   EXPECT_NO_THROW(key_table("winkler"));
+  for (const char* name : {"first", "second"})
+    EXPECT_THAT(pin_scene({std::string("wear.law=") + name}).resolved(), HasSubstr("shared = 1"));
+  EXPECT_THAT(pin_scene({}).resolved(), Not(HasSubstr("shared")));
+}
+
+// It would end in a call of nothing, in the middle of a run.
+TEST(OwnWearLaw, IsRefusedWithoutItsFunctions) {
+  const auto refused = [](auto&& make, const std::string& reason) {
+    EXPECT_THAT(make, ThrowsMessage<RegistrationError>(HasSubstr(reason)));
+  };
+  refused([] { Registry<WearLawKind>::add({.name = "half", .help = "", .keys = {}, .make = {}}); },
+          "\"half\" is registered without `make`");
+  refused([] { WearLaw({.rate = {}}); }, "without `rate`");
+  refused([] { WearLaw({.rate = [](auto&&...) { return WearRate{}; }, .kinks = 1}); },
+          "without `switching`");
+  Registry<WearLawKind>::put({.name = "no-rate", .help = "", .keys = {}, .make = [](const Scene&) {
+                                return WearLaw({.rate = {}});
+                              }});
+  refused(
+      [] {
+        pin_model({elements(3), "wear.law=no-rate"});
+      },
+      "the wear law \"no-rate\": it is made without `rate`");
 }
 
 }  // namespace

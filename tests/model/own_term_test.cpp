@@ -114,6 +114,18 @@ TEST(OwnTerm, ItsKeysAreCheckedLikeAllOthers) {
   EXPECT_THROW(pin_scene({"springs.stifness=1"}), InputError);
 }
 
+// So that a result can be read without terms that are known, but that its scene did not request.
+TEST(OwnTerm, ItsKeysAreStoredWithTheScenesThatRequestIt) {
+  const auto stored = [](const Overrides& overrides) {
+    const Scene scene = pin_scene(overrides);
+    const std::string text = scene.resolved();
+    EXPECT_TRUE(parse_scene(text, "resolved", {}, key_table) == scene);
+    return text;
+  };
+  EXPECT_THAT(stored({}), ::testing::Not(::testing::HasSubstr("springs")));
+  EXPECT_THAT(stored({"springs.stiffness=50"}), ::testing::HasSubstr("\non = \"top\""));
+}
+
 TEST(OwnTerm, AnUnknownPartIsToldWithTheNamesThatThereAre) {
   EXPECT_THAT(
       [] {

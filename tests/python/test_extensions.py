@@ -1,4 +1,6 @@
 import math
+import subprocess
+import sys
 
 import gnomon
 import numpy
@@ -55,6 +57,61 @@ def test_exceptions_of_a_law_come_back(pin):
     gnomon.register_wear_law("python-broken", broken)
     with pytest.raises(ZeroDivisionError, match="of the law"):
         gnomon.run(pin.with_({"wear.law": "python-broken"}))
+
+
+def heun(scene, name, **registered):
+    gnomon.register_integrator(name, Heun, **registered)
+    return gnomon.run(scene.with_({"integrator.name": name, "integrator.step": 10, "time.end": 50}))
+
+
+@pytest.mark.parametrize("given, expected", [({"order": "2"}, 2), ({"order": 2}, 2), ({"order": "1-2"}, 0), ({}, 0)])
+def test_steps_are_counted_and_have_the_order_that_was_registered(springs, given, expected):
+    outcome = heun(springs, "python-counted", **given)
+    assert outcome.counters["steps"] == 5 == outcome.summary["steps"]
+    assert outcome.history["order"].tolist() == [0] + 5 * [expected]
+    # The work of system.consistent: at least one iteration in each of two solves.
+    assert (outcome.history["newton_iterations"][1:] >= 2).all()
+    start = gnomon.run(springs, on_step=lambda step: True).counters["newton_iterations"]
+    assert outcome.counters["newton_iterations"] == start + outcome.history["newton_iterations"][1:].sum()
+
+
+def test_a_method_of_variable_order_tells_it(springs):
+    class Varies(Heun):
+        def advance(self, state, until):
+            self.order = 1 + int(state.t) // 10
+            return super().advance(state, until)
+
+    gnomon.register_integrator("python-varies", Varies, order="1-5")
+    changed = {"integrator.name": "python-varies", "integrator.step": 10, "time.end": 50}
+    assert gnomon.run(springs.with_(changed)).history["order"].tolist() == [0, 1, 2, 3, 4, 5]
+
+
+def test_a_law_with_other_constants_needs_scenes_that_know_them(springs):
+    gnomon.register_wear_law("python-changes", lambda p, v, h, q, t, s, x, K: K * p * v, {"K": 1e-7})
+    before = springs.with_({"wear.law": "python-changes", "time.end": 10})
+    gnomon.register_wear_law("python-changes", lambda p, v, h, q, t, s, x, C: C * p * v, {"C": 1e-7})
+    with pytest.raises(gnomon.InputError, match="wear.law.*registered again, with the constant C"):
+        gnomon.run(before)
+    assert gnomon.run(springs.with_({"wear.law": "python-changes", "time.end": 10})).status == "finished"
+
+
+def test_a_result_with_a_law_that_is_not_there_says_how_it_is_loaded(springs, tmp_path):
+    gnomon.register_wear_law("python-stored", lambda p, v, h, q, t, s, x: 1e-7 * p * v)
+    gnomon.run(springs.with_({"wear.law": "python-stored", "time.end": 5}), tmp_path / "used.h5")
+    gnomon.run(springs.with_({"time.end": 5}), tmp_path / "unused.h5")
+    assert gnomon.Result(tmp_path / "used.h5").scene["wear.law"] == "python-stored"
+
+    def resume(name):
+        return subprocess.run([gnomon.studies._program(), "resume", name, "--end", "10", "--quiet"], cwd=tmp_path,
+                              capture_output=True, text=True, check=False)
+
+    assert resume("unused.h5").returncode == 0
+    refused = resume("used.h5")
+    assert refused.returncode == 2 and refused.stderr.count("\n") == 1
+    assert "wear.law" in refused.stderr and "if the run had a plug-in, load it by --plugin" in refused.stderr
+    program = f"import gnomon; gnomon.Result({str(tmp_path / 'used.h5')!r}).scene"
+    other = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert "gnomon.InputError: " in other.stderr and "load it by gnomon.load_plugin" in other.stderr
 
 
 def test_a_name_of_python_may_be_registered_again(pin):

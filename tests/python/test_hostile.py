@@ -43,7 +43,8 @@ nan, inf = float("nan"), float("inf")
     (lambda: gnomon.Study("nowhere"), gnomon.InputError),
     (lambda: gnomon.study("nowhere.toml", "/nowhere"), gnomon.InputError),
     (lambda: gnomon.load_plugin(__file__), gnomon.InputError),
-    (lambda: gnomon.register_integrator("x", 3, order=2), TypeError),
+    (lambda: gnomon.register_integrator("x", 3), TypeError),
+    (lambda: gnomon.register_integrator("x", abs, order=[2]), TypeError),
     (lambda: gnomon.register_wear_law("x", None, constants=[1]), TypeError),
 ])
 def test_wrong_arguments(make, expected):
@@ -57,6 +58,7 @@ def test_wrong_arguments(make, expected):
     lambda model, state: model.system.residual(0, state.y.reshape(1, -1), state.ydot),
     lambda model, state: model.system._jacobian(0, [], [], 1),
     lambda model, state: model.system.switching(0, [1.0] * 5),
+    lambda model, state: model.system.consistent(0, state.y[:-1]),
     lambda model, state: model.observe(gnomon.State(0, [1], [1])),
     lambda model, state: model.fields(gnomon.State(0, [], [])),
     lambda model, state: model.contact(gnomon.State(0, [1], [1])),
@@ -74,8 +76,11 @@ def test_wrong_arrays_states_and_times(springs, use):
 def test_states_that_are_no_numbers(pin):
     model = gnomon.Model(pin)
     start = model.start()
-    with pytest.raises(gnomon.Error):
+    with pytest.raises(gnomon.SolutionError, match=r"t = 0.0: y\[0\] is not a finite number"):
         model.system.consistent(0, start.y * nan)
+    for time in (nan, inf, -inf):
+        with pytest.raises(gnomon.InputError, match="expected a finite time"):
+            model.system.consistent(time, start.y)
     with pytest.raises(gnomon.Error):
         model.system.residual(0, start.y * 1e200, start.ydot)
 

@@ -1,4 +1,5 @@
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -64,6 +65,21 @@ def test_a_run_that_fails_says_why(pin):
         gnomon.run(torn)
     assert error.value.outcome.status == "failed"
     assert gnomon.run(torn, check=False).diagnosis == str(error.value)
+
+
+def test_a_result_has_the_model_with_its_mesh(tmp_path):
+    example = gnomon.Scene.example("worn_body/block_on_ring.toml").path
+    for name in ("block_on_ring.toml", "block_on_ring.geo"):
+        shutil.copy(example.parent / name, tmp_path)
+    changed = {"mesh.factor": 4, "time.end": 100, "output.times": []}
+    outcome = gnomon.run(gnomon.Scene(tmp_path / "block_on_ring.toml", changed), tmp_path / "r.h5")
+    result = gnomon.Result(tmp_path / "r.h5")
+    assert result.scene["mesh.geometry"] == str(tmp_path / "block_on_ring.geo")
+    (tmp_path / "block_on_ring.geo").unlink()
+    with pytest.raises(gnomon.InputError, match="block_on_ring.geo"):
+        gnomon.Model(result.scene)
+    observed = result.model().observe(outcome.state)
+    assert observed["worn_volume"] == pytest.approx(outcome.history["worn_volume"][-1], rel=1e-12)
 
 
 def test_results_are_not_overwritten(pin, tmp_path):

@@ -1,4 +1,5 @@
 import pickle
+import tomllib
 
 import gnomon
 import numpy
@@ -25,6 +26,16 @@ def test_values_are_read_and_replaced(pin):
     assert softer != pin and softer != 3
     with pytest.raises(KeyError):
         pin["body.none"]
+
+
+def test_a_scene_is_parsed_once(pin, monkeypatch):
+    texts = []
+    loads = tomllib.loads
+    monkeypatch.setattr(gnomon.scenes.tomllib, "loads", lambda text: texts.append(text) or loads(text))
+    assert pin["time.end"] == 20 and pin["body.young_modulus"] == 640
+    pin["mesh.elements"].append(3)  # of a copy
+    pin.to_dict()["time"]["end"] = 3
+    assert pin["mesh.elements"] == [6, 6] and pin["time"]["end"] == 20 and len(texts) == 1
 
 
 def test_all_mistakes_are_told_with_their_lines():

@@ -169,8 +169,10 @@ TEST_F(Resume, GoesOnFromBeforeAFailureWithAnotherTolerance) {
     const gnomon::Setup setup = set_up(GNOMON_SOURCE_DIR "/problems/" + pin, overrides);
     Integrator fails = chosen_integrator(setup.scene);
     struct Stops : Stepper {
+      Counters unused;  // the method inside counts
       std::unique_ptr<Stepper> inner;
-      StepReport advance(State& state, double t_stop) override {
+      Stops() : Stepper(unused) {}
+      StepReport take_step(State& state, double t_stop) override {
         if (state.t > 100) throw SolutionError("an element is inverted");
         return inner->advance(state, t_stop);
       }
@@ -279,6 +281,35 @@ TEST_F(Resume, ARunOfOneStepAtATimeComesToItsEnd) {
   ASSERT_EQ(slots.size(), whole.size());
   const double worn = observation_of(whole.back().scalars).worn_volume.value();
   EXPECT_NEAR(observation_of(slots.back().scalars).worn_volume.value(), worn, 1e-8 * worn);
+}
+
+// A checkpoint by the clock is no event of the run: with one after every step it is the same run.
+TEST_F(Resume, CheckpointsByTheClockDoNotChangeTheRun) {
+  for (const char* method : {"esdirk-3", "bdf"}) {
+    Overrides none = coarse({std::string("integrator.name=") + method});
+    none[2] = "output.checkpoints=0";
+    Overrides often = none;
+    often.push_back("output.checkpoint_seconds=1e-9");
+    const RunOutcome whole = run_scene(pin, none, file("whole"));
+    run_scene(pin, often, file("often"));
+    const std::vector<HistoryRow> a = ResultReader(file("whole")).history();
+    const std::vector<HistoryRow> b = ResultReader(file("often")).history();
+    ASSERT_EQ(a.size(), b.size());
+    EXPECT_EQ(a.back().t, b.back().t);
+    EXPECT_EQ(a.back().counters.factorizations, b.back().counters.factorizations);
+    for (std::size_t i = 0; i < a.back().scalars.size(); ++i)
+      EXPECT_EQ(a.back().scalars[i].value, b.back().scalars[i].value) << a.back().scalars[i].name;
+
+    const long cut = whole.counters.steps / 2;
+    run_scene(pin, often, file("cut"), cut, Cut::killed);
+    EXPECT_EQ(ResultReader(file("cut")).checkpoints().back().rows, cut + 1);  // the last step
+    ASSERT_EQ(resume(file("cut")), 0);
+    const ResultReader resumed(file("cut"));
+    EXPECT_EQ(resumed.status(), "finished");
+    const double worn = observation_of(a.back().scalars).worn_volume.value();
+    EXPECT_NEAR(observation_of(resumed.history().back().scalars).worn_volume.value(), worn,
+                1e-4 * worn);
+  }
 }
 
 TEST_F(Resume, BeginsAtTheStartWithoutACheckpoint) {

@@ -77,5 +77,25 @@ TEST(Registry, TellsOfStaticRegistrationsAtTheFirstUse) {
   EXPECT_THROW(Registry<StaticThing>::find("one", "thing"), RegistrationError);
 }
 
+struct Part {
+  std::string name;
+  int (*make)() = nullptr;
+  std::string missing() const { return make ? "" : "make"; }
+};
+
+// It would end in a call of nothing, later and somewhere else.
+TEST(Registry, RefusesAnEntryWithoutAMemberThatIsNeeded) {
+  const auto refused = [](auto&& add, const std::string& reason) {
+    EXPECT_THAT(add, testing::ThrowsMessage<RegistrationError>(testing::HasSubstr(reason)));
+  };
+  const std::string reason = "\"half\" is registered without `make`";
+  refused([] { Registry<Part>::add({"half"}); }, reason);
+  refused([] { Registry<Part>::put({"half"}); }, reason);
+  refused([] { Registry<Part>::add({"", [] { return 1; }}); }, "\"\" is registered without `name`");
+  EXPECT_TRUE(Registry<Part>::all().empty());
+  const Registration<Part> statically({"half"});
+  refused([] { Registry<Part>::all(); }, reason);
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -22,10 +22,12 @@ namespace fs = std::filesystem;
 
 class Parts : public test::StudyTest {
 protected:
-  /// A sweep of the pin without references, with one run for each step.
-  void write_study(const std::string& steps) const {
-    write("study.toml",
-          "reference = \"none\"\n" + head() + method("backward-euler", "steps = [" + steps + "]"));
+  /// A sweep of the pin without references, with one run for each step. It makes no checkpoints by
+  /// the clock, unless `set` gives their time.
+  void write_study(const std::string& steps,
+                   const std::string& set = "output.checkpoint_seconds = 0.0\n") const {
+    write("study.toml", "reference = \"none\"\n" + head() + set +
+                            method("backward-euler", "steps = [" + steps + "]"));
   }
 
   Outcome plan(const std::vector<std::string>& further = {}) const {
@@ -121,9 +123,51 @@ TEST_F(Parts, AnInterruptedRunGoesOnWhereItWas) {
   const ResultReader result(folder() / "out/runs" / (slow + ".h5"));
   EXPECT_EQ(result.status(), "finished");
   EXPECT_EQ(result.history().size(), 5001u);
-  // Runs of studies make checkpoints only where they are interrupted.
+  // Besides those by the clock, runs of studies make checkpoints only where they are interrupted.
   ASSERT_THAT(result.checkpoints(), SizeIs(1));
   EXPECT_EQ(result.checkpoints().back().rows, rows_before);
+}
+
+/// Waits until a run has made so many steps.
+void wait_for_rows(const fs::path& result, std::size_t rows) {
+  const auto enough = [&] {
+    try {
+      return ResultReader(result).history().size() >= rows;
+    } catch (const InputError&) {
+      return false;
+    }
+  };
+  for (int i = 0; i < 3000 && !enough(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
+
+// As when a time slot ends before the step, or a machine is lost: nothing is written at the end.
+TEST_F(Parts, AKilledRunGoesOnFromItsLastCheckpoint) {
+  write("study.toml", "reference = \"none\"\n" + head() +
+                          "output.checkpoint_seconds = 0.01\nintegrator.max_step = 0.02\n" +
+                          method("bdf", "tolerances = [1e-3]"));
+  ASSERT_EQ(plan().exit_code, 0);
+  const std::string name = "bdf__rtol-0.001";
+  const pid_t first = start(run("1"));
+  const fs::path attempt = begun(name);
+  wait_for_rows(attempt / (name + ".h5"), 300);
+  kill(first, SIGKILL);
+  EXPECT_EQ(finish(first).exit_code, -SIGKILL);
+  const auto checkpoints = ResultReader(attempt / (name + ".h5")).checkpoints();
+  ASSERT_THAT(checkpoints, testing::Not(testing::IsEmpty()));
+  const auto rows = static_cast<std::size_t>(checkpoints.back().rows);
+  ASSERT_GT(rows, 200u);
+
+  const Outcome second = gnomon(run("1"));
+  EXPECT_EQ(second.exit_code, 0) << second.err;
+  const ResultReader result(folder() / "out/runs" / (name + ".h5"));
+  EXPECT_EQ(result.status(), "finished");
+  // bdf begins at order one where it goes on.
+  const std::vector<HistoryRow> history = result.history();
+  ASSERT_GT(history.size(), rows);
+  EXPECT_EQ(history[rows].step.order, 1);
+  EXPECT_GT(history[rows - 1].step.order, 1);
+  EXPECT_FALSE(fs::exists(folder() / "out/tries" / name));
 }
 
 TEST_F(Parts, BadInputIsOneLine) {

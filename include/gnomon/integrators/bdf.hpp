@@ -12,9 +12,9 @@ class BdfSolver : public Stepper {
 public:
   BdfSolver(const System& system, const IntegratorSettings& settings, Counters& counters);
   ~BdfSolver() override;
-  StepReport advance(State& state, double t_stop) override;
 
 private:
+  StepReport take_step(State& state, double t_stop) override;
   class Memory;
   std::unique_ptr<Memory> memory_;
 };

@@ -16,11 +16,11 @@ public:
   ErkSolver(const System& system, const IntegratorSettings& settings, Counters& counters,
             const std::string& table);
   ~ErkSolver() override;
-  StepReport advance(State& state, double t_stop) override;
   std::vector<double> memory() const override;
   void restore(const State& state, std::span<const double> memory) override;
 
 private:
+  StepReport take_step(State& state, double t_stop) override;
   class Memory;
   std::unique_ptr<Memory> memory_;
 };

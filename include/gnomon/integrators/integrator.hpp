@@ -42,9 +42,9 @@ struct IntegratorSettings {
 /// Report on one accepted step.
 struct StepReport {
   double step = 0;             ///< its size [time]
-  int order = 0;               ///< order of the method that took it
-  long newton_iterations = 0;  ///< spent on it, including rejected attempts
-  bool restarted = false;      ///< one or more attempts were rejected before this one was accepted
+  int order = 0;               ///< order of the method that took it; 0: not known
+  long newton_iterations = 0;  ///< spent on it, including rejected attempts; set by advance()
+  bool restarted = false;      ///< attempts were rejected before it was accepted; set by advance()
   int switched = 0;            ///< contact nodes whose change of state was located at its end
   /// Integral of the integrand over the step, by the formula that the method applies to the rates
   /// of the differential components [unit of the integrand x time]. So if a component has the rate
@@ -56,12 +56,15 @@ struct StepReport {
 /// Advances a state. Made for one run; holds the method's memory.
 class Stepper {
 public:
+  /// `counters`: those of the run. advance() counts the steps there; a method counts all other
+  /// work: attempts that it rejects, Newton iterations.
+  explicit Stepper(Counters& counters) : counted_(counters) {}
   virtual ~Stepper() = default;
   /// Takes one accepted step from `state`, ending at t_stop at the latest (exactly at t_stop if the
   /// step would pass it), and also on the breakpoints of the system (Structure). Updates `state`
   /// to a consistent state. Throws SolutionError when no step can be taken; `state` is then
   /// unchanged (the last good one).
-  virtual StepReport advance(State& state, double t_stop) = 0;
+  StepReport advance(State& state, double t_stop);
 
   /// The data of earlier steps, besides the state, that the next step uses, as numbers for a
   /// checkpoint; their count is always the same.
@@ -69,6 +72,12 @@ public:
   /// Called before the first step: continues from a state that a stepper of the same method
   /// reached, with the memory that it had there.
   virtual void restore(const State&, std::span<const double> /*memory*/) {}
+
+private:
+  /// What advance() does, besides counting.
+  virtual StepReport take_step(State& state, double t_stop) = 0;
+
+  Counters& counted_;
 };
 
 struct Integrator {
@@ -90,6 +99,10 @@ struct Integrator {
   /// The coefficients, for Runge-Kutta methods (the Euler schemes and theta included).
   std::function<std::optional<ButcherTable>(const IntegratorSettings&)> table;
   std::function<std::unique_ptr<Stepper>(const System&, const IntegratorSettings&, Counters&)> make;
+
+  /// What a registration needs and this value lacks (Registry). A method without a table says so:
+  /// `table` returns nothing.
+  std::string missing() const { return !table ? "table" : !make ? "make" : ""; }
 };
 
 using Integrators = Registry<Integrator>;

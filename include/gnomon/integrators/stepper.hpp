@@ -22,7 +22,6 @@ public:
   /// `error_order`: the estimated error of a step of size h is of order h^(error_order + 1).
   OneStepStepper(const System& system, const IntegratorSettings& settings, Counters& counters,
                  std::unique_ptr<OneStepMethod> method, int order, int error_order);
-  StepReport advance(State& state, double t_stop) override;
   std::vector<double> memory() const override;
   void restore(const State& state, std::span<const double> memory) override;
 
@@ -38,6 +37,7 @@ private:
     bool settles = false;  // by short steps
     bool lands() const { return plan.lands && landing.h == plan.h; }
   };
+  StepReport take_step(State& state, double t_stop) override;
   void begin(const State& state);
   Plan plan(const State& state, double t_stop, double h) const;
   Step next_step(const State& state, double t_stop, StepAccount& account);
@@ -48,7 +48,7 @@ private:
   Landing step_over(const State& state, const Plan& plan, const AttemptOptions& options);
   bool acceptable(const Attempt& attempt) const;
   void accept(State& state, const Step& step);
-  StepReport report(const Step& step, StepAccount& account) const;
+  StepReport report(const Step& step) const;
   void begin_behind_kink(State& state, const Landing& landing) const;
   double after_success(const Plan& plan, const Landing& landing);
   bool fixed() const { return settings_.step > 0; }

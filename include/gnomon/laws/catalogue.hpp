@@ -24,6 +24,8 @@ struct CounterShapeKind {
   std::vector<Key> keys;
   /// Throws InputError. In 3D the section is not read.
   std::function<CounterShape<dim>(const Scene&, Section)> make;
+
+  std::string missing() const { return make ? "" : "make"; }  ///< for Registry
 };
 
 /// The vector that a key of `dim` reals gives. Throws InputError if it is zero.
@@ -40,6 +42,8 @@ struct WearLawKind {
   /// because they are in the tables of all scenes.
   std::vector<Key> keys;
   std::function<WearLaw(const Scene&)> make;
+
+  std::string missing() const { return make ? "" : "make"; }  ///< for Registry
 };
 
 /// The variables of a wear law that is an expression: p v h q t s x0 y0 z0, as in WearInput.

@@ -27,7 +27,8 @@ public:
 
   /// `reach` [length]: further than this from the origin its surface is straight (a plane, an
   /// infinite cylinder) or not there (a ball).
-  CounterShape(Function distance, double reach) : distance_(std::move(distance)), reach_(reach) {}
+  /// Throws RegistrationError without a distance.
+  CounterShape(Function distance, double reach);
 
   /// Throws RecoverableError where there is no distance, and where x is inside and has no normal
   /// (in the centre of a ball) or several.

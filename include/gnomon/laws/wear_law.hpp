@@ -60,6 +60,7 @@ public:
   };
 
   WearLaw();  ///< no wear
+  /// Throws RegistrationError without a rate, or with kinks but without switching functions.
   explicit WearLaw(Definition definition);
 
   /// Throws RecoverableError if the law has no finite value or derivative.

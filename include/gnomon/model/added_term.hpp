@@ -20,6 +20,11 @@ struct AddedTerm {
   /// its keys contradict each other.
   std::function<AddedTermFactory<2>(const Scene&)> in_the_plane;
   std::function<AddedTermFactory<3>(const Scene&)> in_space;
+
+  /// For Registry. A term of one dimension alone refuses, or is no term, in the other.
+  std::string missing() const {
+    return !in_the_plane ? "in_the_plane" : !in_space ? "in_space" : "";
+  }
 };
 
 using AddedTerms = Registry<AddedTerm>;

@@ -28,6 +28,8 @@ struct Problem {
   /// For a scene with mistaken keys, of which no model is made: what else is wrong in the rest of
   /// it, where required keys may have no value.
   std::function<void(const Scene&, Mistakes&)> further_mistakes = nullptr;
+
+  std::string missing() const { return make ? "" : "make"; }  ///< for Registry
 };
 
 using Problems = Registry<Problem>;

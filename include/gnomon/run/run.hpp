@@ -24,6 +24,9 @@ struct StorePolicy {
   /// one-step method restarts there, so that a run that continues from it takes the same steps. A
   /// run that is interrupted (RunHooks) always writes one where it ends.
   long checkpoint_work = 0;
+  /// Wall time after which one more is written behind the step, or the start [s]; 0: none. The
+  /// method does not restart there, so that the run is the same with and without them.
+  double checkpoint_seconds = 0;
 };
 
 /// The `output.*` keys. Throws InputError for times that are too close or too many.
@@ -50,6 +53,7 @@ struct RunOutcome {
   Status status = Status::finished;
   std::string diagnosis;           ///< when failed
   std::optional<HistoryRow> last;  ///< of the last good state; absent if the start failed
+  std::optional<State> state;      ///< the last good one; absent if the start failed
   Counters counters;               ///< work of the whole run, including failed attempts
   double wall_seconds = 0;
   /// Contact nodes that left contact twice or more between two breakpoints of the load: an

@@ -26,7 +26,18 @@ Scene checked_scene(const std::filesystem::path& scene, const std::vector<std::s
 Scene checked_scene_of_text(const std::string& text, const std::string& name,
                             const std::vector<std::string>& overrides);
 
-/// Makes the model of a checked scene, which may take long.
+/// How a program that has the options of gnomon gets a plug-in, for messages.
+inline constexpr const char* plugin_option =
+    "load it by --plugin FILE.so before the command, or by GNOMON_PLUGINS=FILE.so";
+
+/// The scene of a result. Where this gnomon does not know what the scene names, the message of the
+/// InputError says how a plug-in is loaded (`to_load`), which the run may have had.
+Scene scene_of_result(const ResultReader& result, const std::filesystem::path& file,
+                      const std::vector<std::string>& overrides = {},
+                      const std::string& to_load = plugin_option);
+
+/// Makes the model of a checked scene, which may take long. Files that the scene names are absolute
+/// paths from there on.
 Setup set_up(Scene scene);
 /// The same from the mesh that a result keeps.
 Setup set_up_again(Scene scene, const std::optional<Grid>& grid);

@@ -13,7 +13,7 @@
 
 namespace gnomon {
 
-/// Two registrations of one name.
+/// A registration that cannot be used: of a name that is taken, or without a member that is needed.
 struct RegistrationError : Error {
   using Error::Error;
 };
@@ -22,13 +22,15 @@ struct RegistrationError : Error {
 /// programs and plug-ins that hide their own symbols. Empty at first.
 std::shared_ptr<void>& registered_of_type(const char* type);
 
-/// All registered values of type T, sorted by name. T has a member `std::string name`. Members
-/// throw RegistrationError after two registrations of one name.
+/// All registered values of type T, sorted by name. T has a member `std::string name`, and perhaps
+/// `std::string missing() const`: the name of a member that every entry needs and this one lacks.
+/// Members throw RegistrationError for, and after a static registration of, an entry that cannot
+/// be used.
 template <class T>
 class Registry {
 public:
   static const std::list<T>& all() {
-    if (!twice().empty()) refuse(twice());
+    if (!fault().empty()) throw RegistrationError(fault());
     return entries();
   }
 
@@ -47,15 +49,19 @@ public:
   }
 
   static void add(T entry) {
+    require_whole(entry);
     auto& list = entries();
     const auto place = std::lower_bound(list.begin(), list.end(), entry,
                                         [](const T& a, const T& b) { return a.name < b.name; });
-    if (place != list.end() && place->name == entry.name) refuse(entry.name);
+    if (place != list.end() && place->name == entry.name)
+      throw RegistrationError("\"" + entry.name +
+                              "\" is registered twice, expected another name for one of the two");
     list.insert(place, std::move(entry));
   }
 
   /// As add(), but it takes the place of an entry of that name.
   static void put(T entry) {
+    require_whole(entry);
     for (T& earlier : entries())
       if (earlier.name == entry.name) {
         earlier = std::move(entry);
@@ -66,22 +72,24 @@ public:
 
   /// As add(), but the error is thrown by the first use, where it can be caught and reported.
   static void add_statically(T entry) {
-    const std::string name = entry.name;
     try {
       add(std::move(entry));
-    } catch (const RegistrationError&) {
-      twice() = name;
+    } catch (const RegistrationError& error) {
+      fault() = error.what();
     }
   }
 
 private:
-  [[noreturn]] static void refuse(const std::string& name) {
-    throw RegistrationError("\"" + name +
-                            "\" is registered twice, expected another name for one of the two");
+  static void require_whole(const T& entry) {
+    std::string missing = entry.name.empty() ? "name" : "";
+    if constexpr (requires { entry.missing(); })
+      if (missing.empty()) missing = entry.missing();
+    if (!missing.empty())
+      throw RegistrationError("\"" + entry.name + "\" is registered without `" + missing + "`");
   }
   struct Kept {
     std::list<T> entries;  // what it holds stays where it is
-    std::string twice;     // a name that was registered twice
+    std::string fault;     // of a static registration
   };
   static Kept& kept() {
     static Kept* const found = [] {
@@ -91,7 +99,7 @@ private:
     }();
     return *found;
   }
-  static std::string& twice() { return kept().twice; }
+  static std::string& fault() { return kept().fault; }
   static std::list<T>& entries() { return kept().entries; }
 };
 

@@ -36,6 +36,8 @@ inline constexpr Range positive_quantity{.min = 1e-30, .max = 1e30};
 /// the steps.
 inline constexpr Range relative_tolerance{.min = 1e-13, .max = 0.1};
 
+class Scene;
+
 /// Specification of one scene key.
 struct Key {
   enum class Presence { required, defaulted, optional };
@@ -54,7 +56,12 @@ struct Key {
   std::vector<std::string> choices{};  ///< texts only; empty means any text
   std::size_t length = 0;              ///< arrays only; 0 means any length
   bool or_single = false;              ///< `reals` only: a number stands for an array of it
+  bool names_file = false;             ///< texts only: relative to the folder of the scene
   std::string help{};                  ///< one line
+  /// Keys of registered laws and terms: whether a scene has a use for the key. Where it has none,
+  /// resolved() leaves the key out if it has its default, so that the scene can be read without
+  /// laws that it does not choose. Empty: always.
+  std::function<bool(const Scene&)> applies{};
 };
 
 /// Keys that every scene has, for every problem: `problem` and those of the tables `time`,
@@ -91,12 +98,15 @@ public:
   /// several keys.
   std::string where(const std::string& key) const;
   /// The complete scene as TOML text, with one `key = value  # [unit] help` per line, grouped in
-  /// tables, including defaults. Loading this text gives an equal scene.
+  /// tables, including defaults that apply (Key::applies). Loading this text gives an equal scene.
   std::string resolved() const;
   /// The same scene with another value of a key.
   Scene with(const std::string& key, SceneValue value) const;
   /// The same scene with an optional key absent.
   Scene without(const std::string& key) const;
+  /// The same scene with absolute paths of the files that it names (Key::names_file), for a copy of
+  /// it in another folder.
+  Scene with_absolute_files() const;
 
   /// The keys, in the order of the tables, whose values differ between the scenes; an absent
   /// key differs from one with a value.

@@ -19,9 +19,9 @@ namespace gnomon {
 
 /// A hyperelastic law under its name.
 struct MaterialLaw {
-  std::string name;           ///< "neo-hookean"
-  std::string help;           ///< one line
-  const LawKernels* kernels;  ///< &law_kernels<Law>, solid_kernels.hpp
+  std::string name;                     ///< "neo-hookean"
+  std::string help;                     ///< one line
+  const LawKernels* kernels = nullptr;  ///< &law_kernels<Law>, solid_kernels.hpp
   /// Keys of the law's ratios, named without their table: "mooney_ratio". They must be optional;
   /// scenes may give them only if they choose this law.
   std::vector<Key> keys{};
@@ -32,6 +32,8 @@ struct MaterialLaw {
   /// Approximate factor by which the forces of nearly collapsed elements exceed those of eq. (38);
   /// rounding errors grow with them.
   double collapse_force = 1;
+
+  std::string missing() const { return kernels ? "" : "kernels"; }  ///< for Registry
 };
 
 using MaterialLaws = Registry<MaterialLaw>;

@@ -45,6 +45,7 @@ std::vector<Key> keys(int dim) {
        .kind = KeyKind::text,
        .presence = Key::Presence::optional,
        .absent_meaning = "counter_body.points",
+       .names_file = true,
        .help = "file with the points of the curve, two numbers per line; beside the scene"},
       {.name = "counter_body.closed",
        .kind = KeyKind::flag,

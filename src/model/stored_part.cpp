@@ -1,11 +1,11 @@
-#include "stored_part.hpp"
+#include "model/stored_part.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 
-namespace gnomon::part {
+namespace gnomon {
 
 namespace {
 
@@ -72,4 +72,4 @@ template std::vector<MeshPart> stored_parts(const ImportedBody<3>&);
 template ImportedBody<2> part_of_grid(const Grid&, const std::string&);
 template ImportedBody<3> part_of_grid(const Grid&, const std::string&);
 
-}  // namespace gnomon::part
+}  // namespace gnomon

@@ -4,7 +4,7 @@
 #include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/model/model.hpp>
 
-namespace gnomon::part {
+namespace gnomon {
 
 /// The parts of a mesh that the body is made of, beside its nodes and cells.
 template <int dim>
@@ -14,4 +14,4 @@ std::vector<MeshPart> stored_parts(const ImportedBody<dim>& part);
 template <int dim>
 ImportedBody<dim> part_of_grid(const Grid& grid, const std::string& file);
 
-}  // namespace gnomon::part
+}  // namespace gnomon
