@@ -167,7 +167,8 @@ std::string completion_of_values() {
       "  case $option in\n"
       "    --integrator) COMPREPLY=($(compgen -W \"{}\" -- \"$word\")); return ;;\n"
       "    --executor) COMPREPLY=($(compgen -W \"local slurm\" -- \"$word\")); return ;;\n"
-      "    --set) COMPREPLY=($(compgen -S = -W \"{}\" -- \"$word\")); compopt -o nospace; return "
+      "    --set) COMPREPLY=($(compgen -S = -W \"{}\" -- \"$word\")); compopt -o nospace +o "
+      "filenames; return "
       ";;\n"
       "  esac\n",
       values, fmt::join(Integrators::names(), " "), keys);
@@ -181,6 +182,14 @@ std::string words_of(const CLI::App& command) {
   return words;
 }
 
+/// What `gnomon help` explains; scene is a topic and a command.
+std::string topics(const CLI::App& app) {
+  std::set<std::string> names(help_topics().begin(), help_topics().end());
+  names.insert("commands");
+  for (const CLI::App* command : commands(app)) names.insert(command->get_name());
+  return fmt::format("{}", fmt::join(names, " "));
+}
+
 }  // namespace
 
 std::string bash_completion(const CLI::App& app) {
@@ -192,10 +201,7 @@ std::string bash_completion(const CLI::App& app) {
   add(" ", names + long_options(app));
   for (const CLI::App* command : commands(app)) {
     const std::string name = command->get_name();
-    if (name == "help")
-      add("help ", fmt::format("{} commands {}", fmt::join(help_topics(), " "), names));
-    else
-      add(name + " ", words_of(*command));
+    add(name + " ", name == "help" ? topics(app) : words_of(*command));
     for (const CLI::App* part : commands(*command))
       add(name + " " + part->get_name(), words_of(*part));
   }
