@@ -152,8 +152,9 @@ private:
     if (read_text(before.scene) != study_.runs[run].scene) return false;
     std::error_code error, ignored;
     if (!claim.before()->at_rest) {
+      if (!copy_at_rest(before.result, mine.result)) return false;  // a new run writes both files
       fs::copy_file(before.sidecar, mine.sidecar, ignored);
-      return copy_at_rest(before.result, mine.result);
+      return true;
     }
     fs::rename(before.result, mine.result, error);
     if (!error) fs::rename(before.sidecar, mine.sidecar, ignored);

@@ -102,7 +102,7 @@ TEST_F(Parts, ALostRunIsDoneByAnotherProcess) {
   EXPECT_EQ(second.exit_code, 0) << second.err;
   EXPECT_THAT(second.out, Not(HasSubstr("left to other")));
   const fs::path result = folder() / "out/runs" / (slow + ".h5");
-  ASSERT_TRUE(fs::exists(result));
+  ASSERT_TRUE(fs::exists(result)) << second.out << second.err;
   const auto written = fs::last_write_time(result);
   kill(first, SIGCONT);
   EXPECT_EQ(finish(first).exit_code, 0);
