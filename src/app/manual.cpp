@@ -167,9 +167,10 @@ std::string completion_of_values() {
       "  case $option in\n"
       "    --integrator) COMPREPLY=($(compgen -W \"{}\" -- \"$word\")); return ;;\n"
       "    --executor) COMPREPLY=($(compgen -W \"local slurm\" -- \"$word\")); return ;;\n"
-      "    --set) COMPREPLY=($(compgen -S = -W \"{}\" -- \"$word\")); compopt -o nospace +o "
-      "filenames; return "
-      ";;\n"
+      "    --set)\n"
+      "      COMPREPLY=($(compgen -S = -W \"{}\" -- \"$word\"))\n"
+      "      compopt -o nospace +o filenames  # which would write KEY\\=\n"
+      "      return ;;\n"
       "  esac\n",
       values, fmt::join(Integrators::names(), " "), keys);
 }

@@ -2,10 +2,9 @@
 #include <gnomon/laws/catalogue.hpp>
 
 namespace {
-const gnomon::Registration<gnomon::WearLawKind> registration({.name = "archard",
-                                                              .help = "another one of this name",
-                                                              .keys = {},
-                                                              .make = [](const gnomon::Scene&) {
-                                                                return gnomon::WearLaw();
-                                                              }});
+const gnomon::Registration<gnomon::WearLawKind> registration(
+    {.name = "archard",
+     .help = "another one of this name",
+     .keys = {},
+     .make = [](const gnomon::Scene&) { return gnomon::WearLaw(); }});
 }  // namespace
