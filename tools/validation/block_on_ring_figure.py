@@ -1,16 +1,11 @@
-#!/usr/bin/env python3
-"""Draws docs/block_on_ring.png: the worn block after 3600 m, measured and computed
-(docs/validation.md)."""
+"""The figure of the worn block after 3600 m, measured and computed, in the gallery."""
 
 import csv
 import math
-import sys
 
 from block_on_ring import COMPLIANCE, RADIUS, closed_form, worn_area
-from program import ROOT, SCENES, run
-
-sys.path.insert(0, str(ROOT / "tools" / "plot"))
-from figures import style  # noqa: E402  (the style of all figures)
+from figures import style
+from program import SCENES
 
 DATA = SCENES / "block_on_ring"
 END = 7200.0
@@ -64,15 +59,10 @@ def differences(axes, nodes):
     style.legend(axes, columns=2)
 
 
-def main():
-    nodes = run(SCENES / "block_on_ring.toml").contact(END)
-    style.apply()
+def drawn(nodes):
+    """The figure of a worn contact surface."""
     figure = style.figure(style.DOUBLE, 0.42 * style.DOUBLE)
     left, right = figure.subplots(1, 2)
     profiles(left, nodes)
     differences(right, nodes)
-    figure.savefig(ROOT / "docs" / "block_on_ring.png", dpi=200)
-
-
-if __name__ == "__main__":
-    main()
+    return figure
