@@ -40,7 +40,8 @@ def filled(text):
 
 def table(head, rows):
     lines = [head, ["---"] * len(head), *rows]
-    return "\n".join("| " + " | ".join(map(str, line)) + " |" for line in lines) + "\n"
+    text = "\n".join("| " + " | ".join(map(str, line)) + " |" for line in lines) + "\n"
+    return text.replace(" %", "\N{NO-BREAK SPACE}%").replace("|  |", "| |")
 
 
 def file_names(name, count):
