@@ -11,8 +11,6 @@ class Table(collections.abc.Mapping):
     >>> history = gnomon.run(scene).history
     >>> history["t"].tolist(), "worn_volume" in history
     ([0.0, 1.0, 2.0], False)
-    >>> history.to_pandas().index.name  # doctest: +SKIP
-    't'
     """
 
     def __init__(self, columns, index):

@@ -45,7 +45,9 @@ TEST(CounterSurface, EnclosesADiskAndABall) {
     for (const Vector<2>& x : disk.points) EXPECT_NEAR((x - Vector<2>(0.1, -0.1)).norm(), 1, 1e-14);
     const double missing = M_PI - enclosed(disk);
     EXPECT_GT(missing, 0);
-    if (before > 0) EXPECT_NEAR(std::log2(before / missing), 2, 0.3);
+    if (before > 0) {
+      EXPECT_NEAR(std::log2(before / missing), 2, 0.3);
+    }
     before = missing;
   }
   const auto sphere = surface_of<3>(ball<3>({0, 0, 0.1}, 1), around_ball, 24);

@@ -68,7 +68,8 @@ manual() {
     _gnomon 2>/dev/null || true  # the code of the last search
     [[ ${COMPREPLY[*]} =~ ^($1)$ ]] || fail "${*:2} is completed to ${COMPREPLY[*]}, expected $1"
   }
-  cd "$work"
+  # A folder of its own: the checks beside this one write files whose names would be completed, too.
+  rm -rf "$work/completion" && mkdir "$work/completion" && cd "$work/completion"
   completed ".*esdirk-3 .*" run x.toml --integrator esd
   completed "esdirk-5 ?.*" run x.toml --integrator = esdirk-5
   completed "stability" sta

@@ -14,11 +14,11 @@ namespace gnomon {
 
 /// The steps whose fields are stored, in addition to the start.
 struct StorePolicy {
-  long every = 0;              ///< every n-th step; 0: none
-  std::vector<double> times;   ///< at these times, ascending, in (0, end]
-  std::vector<double> beyond;  ///< times of the scene after the end, ascending: not stored
-  bool last = true;            ///< at the end of the run
-  bool settle = false;         ///< with settled pressures (IntegratorSettings::settled)
+  long every = 0;                   ///< every n-th step; 0: none
+  std::vector<double> times = {};   ///< at these times, ascending, in (0, end]
+  std::vector<double> beyond = {};  ///< times of the scene after the end, ascending: not stored
+  bool last = true;                 ///< at the end of the run
+  bool settle = false;              ///< with settled pressures (IntegratorSettings::settled)
   /// A checkpoint (Checkpoint) is written at the start, at the end, and after the step with which
   /// this many steps and Newton iterations have been made since the last; 0: none of these. A
   /// one-step method restarts there, so that a run that continues from it takes the same steps. A

@@ -22,19 +22,20 @@ namespace gnomon {
 /// Sizes and constants of a system that do not change during a run.
 struct Structure {
   long size = 0;
-  SparsePattern pattern;              ///< of J, the union over all states
-  std::vector<int> group;             ///< size entries: rows of one node share a number (ordering)
-  std::vector<char> differential;     ///< size entries: 1 where ydot enters F
-  std::vector<double> row_scale;      ///< size entries: magnitude of F_i, in the unit of the row
-  std::vector<double> unknown_scale;  ///< size entries: typical |y_i|
-  std::vector<int> switch_node;       ///< one per switching function: the mesh node it belongs to
-  std::vector<double> breakpoints;    ///< ascending times at which F may have a kink in t
-  LinearSolverChoice solver;
+  SparsePattern pattern = {};   ///< of J, the union over all states
+  std::vector<int> group = {};  ///< size entries: rows of one node share a number (ordering)
+  std::vector<char> differential = {};  ///< size entries: 1 where ydot enters F
+  std::vector<double> row_scale = {};   ///< size entries: magnitude of F_i, in the unit of the row
+  std::vector<double> unknown_scale = {};  ///< size entries: typical |y_i|
+  std::vector<int> switch_node = {};  ///< one per switching function: the mesh node it belongs to
+  std::vector<double> breakpoints = {};  ///< ascending times at which F may have a kink in t
+  LinearSolverChoice solver = {};
   // For solvers by blocks; empty where a system has no such blocks.
-  std::vector<Block> blocks;
-  std::vector<int> block;                       ///< size entries: in `blocks`
-  std::vector<char> component;                  ///< size entries: 0, 1, 2 of a vector, else 0
-  std::vector<std::array<double, 3>> position;  ///< of a `group`, initial configuration [length]
+  std::vector<Block> blocks = {};
+  std::vector<int> block = {};       ///< size entries: in `blocks`
+  std::vector<char> component = {};  ///< size entries: 0, 1, 2 of a vector, else 0
+  /// Of a `group`, initial configuration [length].
+  std::vector<std::array<double, 3>> position = {};
   /// Of the mesh, for geometric multigrid; null or empty where it is not needed or not possible.
   std::shared_ptr<const std::vector<NodeInterpolation>> coarsening = {};
 
