@@ -1,5 +1,7 @@
 #include "keys.hpp"
 
+#include <gnomon/laws/cycle_scene.hpp>
+
 #include "loads.hpp"
 #include "shape_support.hpp"
 #include "supports.hpp"
@@ -94,7 +96,7 @@ std::vector<Key> shared_keys() {
 std::vector<Key> part_keys() {
   std::vector<Key> keys = mesh_keys();
   for (const auto& more :
-       {own_keys(), support_keys(), load_keys(), shared_keys(), shape_support_keys()})
+       {own_keys(), support_keys(), load_keys(), cycle_keys(), shared_keys(), shape_support_keys()})
     keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }

@@ -81,8 +81,9 @@ template <int dim>
 void add_dead_load(Field::Values forces, LoadHistory history, WornBody<dim>& body) {
   body.added_terms.push_back(
       [forces = std::move(forces), history = std::move(history)](
-          const WornBody<dim>&, const WornBodyFields& fields, const Numbering& numbering) {
-        return std::make_unique<Loads<dim>>(numbering, fields.u, forces, history,
+          const WornBody<dim>& whole, const WornBodyFields& fields, const Numbering& numbering) {
+        return std::make_unique<Loads<dim>>(numbering, fields.u, forces,
+                                            history.times_factor(whole.load_factor(fields.phase)),
                                             Loads<dim>::Purpose::acts);
       });
 }
@@ -125,11 +126,12 @@ Vector<dim> read_load(const Scene& scene, const std::string& load, const Importe
     Vector<dim> sum = Vector<dim>::Zero();
     for (const auto& patch : contact_patches<dim>(part.mesh, facets, {}, section))
       sum -= pressure * patch.initial_area * patch.initial_normal;
-    body.added_terms.push_back(
-        [=](const WornBody<dim>& whole, const WornBodyFields& fields, const Numbering& numbering) {
-          return std::make_unique<PressureLoad<dim>>(whole.mesh, facets, pressure, history,
-                                                     numbering, fields.u, fields.d, section);
-        });
+    body.added_terms.push_back([=](const WornBody<dim>& whole, const WornBodyFields& fields,
+                                   const Numbering& numbering) {
+      return std::make_unique<PressureLoad<dim>>(whole.mesh, facets,
+                                                 whole.load_factor(fields.phase) * pressure,
+                                                 history, numbering, fields.u, fields.d, section);
+    });
     return sum;
   }
   const Vector<dim> vector = read_vector<dim>(scene, key);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/model/wear_scene.hpp>
+#include <limits>
 #include <numeric>
 
 namespace gnomon::part {
@@ -76,8 +77,11 @@ Indentation by_overlap(const GapProfile& gaps, double depth, double modulus, boo
 template <int dim>
 GapProfile gaps_of(const WornBody<dim>& body) {
   std::vector<double> gaps, areas;
+  const std::vector<Phase<dim>> phases = body.phases();
   for (const auto& patch : body.contact_nodes) {
-    const double travel = body.contact.counter_body.travel_to(body.mesh.nodes[patch.node]);
+    double travel = std::numeric_limits<double>::infinity();
+    for (const Phase<dim>& phase : phases)
+      travel = std::min(travel, phase.counter_body.travel_to(body.mesh.nodes[patch.node]));
     if (!std::isfinite(travel)) continue;
     gaps.push_back(travel);
     areas.push_back(patch.initial_area);

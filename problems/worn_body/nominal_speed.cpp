@@ -13,15 +13,21 @@ namespace {
 
 template <int dim>
 using Patches = std::vector<const ContactPatch<dim>*>;
+/// The counter-body at several positions of a cycle, or where it is.
+template <int dim>
+using Instants = std::vector<CounterBody<dim>>;
 
 /// The contact nodes that touch first.
 template <int dim>
-Patches<dim> first_touch(const Scene& scene, const WornBody<dim>& body) {
+Patches<dim> first_touch(const Scene& scene, const Instants<dim>& instants,
+                         const WornBody<dim>& body) {
   double least = std::numeric_limits<double>::infinity();
   Vector<dim> outward = Vector<dim>::Zero();
   Patches<dim> touching;
   for (const auto& patch : body.contact_nodes) {
-    const double travel = body.contact.counter_body.travel_to(patch.initial_position);
+    double travel = std::numeric_limits<double>::infinity();
+    for (const CounterBody<dim>& other : instants)
+      travel = std::min(travel, other.travel_to(patch.initial_position));
     if (travel < least) {
       least = travel;
       outward.setZero();
@@ -44,17 +50,21 @@ Patches<dim> first_touch(const Scene& scene, const WornBody<dim>& body) {
   return touching;
 }
 
-/// |v| of the counter-body's surface at a point.
+/// |v| of the counter-body's surface at a point, its mean over the instants.
 template <int dim>
-double speed_at(const CounterBody<dim>& other, const Vector<dim>& point) {
-  auto motion = other.motion;
-  motion.reference = point - other.position;
-  return motion.nominal_speed(Vector<dim>::Zero());
+double speed_at(const Instants<dim>& instants, const Vector<dim>& point) {
+  double sum = 0;
+  for (const CounterBody<dim>& other : instants) {
+    auto motion = other.motion;
+    motion.reference = point - other.position;
+    sum += motion.nominal_speed(Vector<dim>::Zero());
+  }
+  return sum / static_cast<double>(instants.size());
 }
 
 /// By the nodes' shares of the surface.
 template <int dim>
-double mean_speed(const CounterBody<dim>& other, const Patches<dim>& patches) {
+double mean_speed(const Instants<dim>& other, const Patches<dim>& patches) {
   double sum = 0, area = 0;
   for (const auto* patch : patches) {
     sum += patch->initial_area * speed_at<dim>(other, patch->initial_position);
@@ -66,7 +76,7 @@ double mean_speed(const CounterBody<dim>& other, const Patches<dim>& patches) {
 /// The middle of the nodes. Where the counter-body turns about it, the one of them whose speed is
 /// nearest to their mean.
 template <int dim>
-Vector<dim> typical_point(const CounterBody<dim>& other, const Patches<dim>& patches) {
+Vector<dim> typical_point(const Instants<dim>& other, const Patches<dim>& patches) {
   Vector<dim> sum = Vector<dim>::Zero();
   for (const auto* patch : patches) sum += patch->initial_position;
   Vector<dim> point = sum / static_cast<double>(patches.size());
@@ -83,21 +93,25 @@ Vector<dim> typical_point(const CounterBody<dim>& other, const Patches<dim>& pat
 }  // namespace
 
 template <int dim>
-Scene with_speed(const Scene& scene, WornBody<dim>& body) {
-  CounterBody<dim>& other = body.contact.counter_body;
-  Patches<dim> touching = first_touch(scene, body), all;
+Scene with_speed(const Scene& scene, const std::optional<PartCycle<dim>>& cycle,
+                 WornBody<dim>& body) {
+  CounterBody<dim>& rest = body.contact.counter_body;
+  const Instants<dim> other = instants(body, cycle);
+  Patches<dim> touching = first_touch(scene, other, body), all;
   for (const auto& patch : body.contact_nodes) all.push_back(&patch);
   // A ball that turns about the node where it touches slides where it will touch later.
   constexpr double nothing = 1e-9;
   if (mean_speed<dim>(other, touching) <= nothing * mean_speed<dim>(other, all)) touching = all;
-  other.motion.reference = typical_point<dim>(other, touching) - other.position;
+  const Vector<dim> point = typical_point<dim>(other, touching);
+  rest.motion.reference = point - rest.position;
   if (scene.has("wear.velocity")) return scene;
-  return scene.with("wear.velocity", other.motion.nominal_speed(Vector<dim>::Zero()));
+  return scene.with("wear.velocity", speed_at<dim>(other, point));
 }
 
 template <int dim>
-void remark_on_speeds(const Scene& scene, WornBody<dim>& body) {
-  const CounterBody<dim>& other = body.contact.counter_body;
+void remark_on_speeds(const Scene& scene, const std::optional<PartCycle<dim>>& cycle,
+                      WornBody<dim>& body) {
+  const Instants<dim> other = instants(body, cycle);
   Patches<dim> all;
   for (const auto& patch : body.contact_nodes) all.push_back(&patch);
   if (mean_speed<dim>(other, all) == 0 && scene.real("wear.coefficient") > 0)
@@ -106,7 +120,7 @@ void remark_on_speeds(const Scene& scene, WornBody<dim>& body) {
         "nothing wears");
   const auto is_turned_about = [&other](const ContactPatch<dim>& patch) {
     const double speed = speed_at<dim>(other, patch.initial_position);
-    return speed * speed < velocity_variance<dim>(patch, other.motion);
+    return speed * speed < velocity_variance<dim>(patch, other.front().motion);
   };
   if (dim == 3 && std::ranges::any_of(body.contact_nodes, is_turned_about))
     body.remarks.push_back(
@@ -114,9 +128,9 @@ void remark_on_speeds(const Scene& scene, WornBody<dim>& body) {
         "accurate to first order in the size of the facets, compare a finer mesh");
 }
 
-template void remark_on_speeds(const Scene&, WornBody<2>&);
-template void remark_on_speeds(const Scene&, WornBody<3>&);
-template Scene with_speed(const Scene&, WornBody<2>&);
-template Scene with_speed(const Scene&, WornBody<3>&);
+template void remark_on_speeds(const Scene&, const std::optional<PartCycle<2>>&, WornBody<2>&);
+template void remark_on_speeds(const Scene&, const std::optional<PartCycle<3>>&, WornBody<3>&);
+template Scene with_speed(const Scene&, const std::optional<PartCycle<2>>&, WornBody<2>&);
+template Scene with_speed(const Scene&, const std::optional<PartCycle<3>>&, WornBody<3>&);
 
 }  // namespace gnomon::part

@@ -24,6 +24,7 @@
 #include "magnitudes.hpp"
 #include "model/stored_part.hpp"
 #include "nominal_speed.hpp"
+#include "phases.hpp"
 #include "shape_support.hpp"
 #include "supports.hpp"
 #include "surface_laws.hpp"
@@ -146,8 +147,16 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
     body->contact_nodes =
         contact_patches<dim>(body->mesh, wearing, part.exterior, body->element.section);
   });
-  const bool presses = mistakes.collect([&] { take_counter_body(scene, *body); });
-  if (wears && presses) mistakes.collect([&] { scene = with_speed(scene, *body); });
+  std::optional<PartCycle<dim>> cycle;
+  const bool presses = mistakes.collect([&] {
+    take_counter_body(scene, *body);
+    cycle = read_part_cycle(scene, *body);
+  });
+  if (wears && presses)
+    mistakes.collect([&] {
+      scene = with_speed(scene, cycle, *body);
+      if (cycle) make_phases(scene, *cycle, *body);
+    });
   if (!scene.has("wear.velocity")) scene = scene.with("wear.velocity", 1.0);  // after a mistake
   mistakes.collect([&] { read_supports(scene, part, *body); });
   Vector<dim> load = Vector<dim>::Zero();
@@ -155,8 +164,10 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
   if (wears) mistakes.collect([&] { require_free_contact(scene, part, *body); });
   if (wears) mistakes.collect([&] { read_wear_laws(scene, part, *body); });
   mistakes.require_none();
-  const double force =
-      body->counter_force.value_or(std::abs(load.dot(body->contact.counter_body.approach)));
+  double most_load = body->cycle.empty() ? 1 : 0;
+  for (const Phase<dim>& phase : body->cycle) most_load = std::max(most_load, phase.load);
+  const double force = body->counter_force.value_or(
+      most_load * std::abs(load.dot(body->contact.counter_body.approach)));
   const double overlap = given_overlap(scene, *body);
   if (force == 0 && overlap == 0)
     throw InputError(scene.path().string() +
@@ -175,7 +186,7 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
         "the mesh moves within {:.3g} mm of the wearing surfaces (shape.reach)", reach));
   warn_of_coarse_contact(magnitudes, *body);
   remark_on_loads(scene, *body);
-  remark_on_speeds(scene, *body);
+  remark_on_speeds(scene, cycle, *body);
   read_worn_body(scene, magnitudes.facet, *body);
   require_surface_laws(scene, *body);
   require_moving_shape(scene, *body);

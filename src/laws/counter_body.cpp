@@ -12,15 +12,15 @@ Tensor<3> spin_about(const Vector<3>& axis, double rate) {
   return Tensor<3>{{0, -a[2], a[1]}, {a[2], 0, -a[0]}, {-a[1], a[0], 0}};
 }
 
-/// By Rodrigues' formula: with the rate a = |spin| / sqrt 2 and W = spin / a,
-/// 1 + sin(a t) W + (1 - cos(a t)) W^2.
+/// By Rodrigues' formula: with a = |spin| / sqrt 2, W = spin / a and the angle phi = a (start +
+/// rate t), 1 + sin(phi) W + (1 - cos(phi)) W^2.
 template <int dim>
 Tensor<dim> Turning<dim>::rotation(double t) const {
-  const double rate = spin.norm() / std::sqrt(2.0);
-  if (rate == 0) return Tensor<dim>::Identity();
-  const Tensor<dim> W = spin / rate;
-  const double half = std::sin(rate * t / 2);
-  return Tensor<dim>::Identity() + std::sin(rate * t) * W + 2 * half * half * W * W;
+  const double a = spin.norm() / std::sqrt(2.0);
+  if (a == 0) return Tensor<dim>::Identity();
+  const Tensor<dim> W = spin / a;
+  const double angle = a * (start + rate * t), half = std::sin(angle / 2);
+  return Tensor<dim>::Identity() + std::sin(angle) * W + 2 * half * half * W * W;
 }
 
 namespace {

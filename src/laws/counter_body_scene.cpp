@@ -58,28 +58,6 @@ Scene of_shape(Scene scene, const CounterShapeKind<dim>& kind) {
   return scene;
 }
 
-/// A point of the axis of rotation, by default the middle of the shape.
-template <int dim>
-Vector<dim> rotation_center(const Scene& scene) {
-  for (const char* key : {"counter_body.motion.center", "counter_body.center", "counter_body.apex"})
-    if (given(scene, key)) return read_point<dim>(scene, key);
-  throw InputError(scene.where("counter_body.motion.rotation") +
-                   ": expected also counter_body.motion.center, a point of the axis of rotation");
-}
-
-template <int dim>
-Tensor<dim> rotation_spin(const Scene& scene, double rate) {
-  if constexpr (dim == 2) {
-    return spin_in_plane(rate);
-  } else {
-    for (const char* key : {"counter_body.motion.axis", "counter_body.axis"})
-      if (given(scene, key)) return spin_about(read_direction<3>(scene, key), rate);
-    throw InputError(scene.where("counter_body.motion.rotation") +
-                     ": expected also counter_body.motion.axis, the direction of the axis of "
-                     "rotation");
-  }
-}
-
 /// About r = 0: out of the plane of the section, which does not change.
 void read_meridian_motion(const Scene& scene, RigidMotion<2>& motion) {
   if (motion.velocity[0] != 0)
@@ -103,9 +81,10 @@ void read_motion(const Scene& scene, Section section, CounterBody<dim>& body) {
   }
   const double rate = scene.real_if("counter_body.motion.rotation").value_or(0);
   if (rate == 0) return;
-  const Vector<dim> center = rotation_center<dim>(scene);
+  const std::string rotation = "counter_body.motion.rotation";
+  const Vector<dim> center = rotation_center<dim>(scene, rotation);
   const double across = body.motion.across;
-  body.motion = rigid_motion<dim>(velocity, rotation_spin<dim>(scene, rate), center);
+  body.motion = rigid_motion<dim>(velocity, rotation_spin<dim>(scene, rate, rotation), center);
   body.motion.across = across;
   if (turns_into_itself(body.shape, body.motion.spin, center)) return;
   if (!velocity.isZero(0))
@@ -174,6 +153,27 @@ void read_press(const Scene& scene, Section section, PressedCounterBody<dim>& re
 }  // namespace
 
 template <int dim>
+Vector<dim> rotation_center(const Scene& scene, const std::string& rotation) {
+  for (const char* key : {"counter_body.motion.center", "counter_body.center", "counter_body.apex"})
+    if (given(scene, key)) return read_point<dim>(scene, key);
+  throw InputError(scene.where(rotation) +
+                   ": expected also counter_body.motion.center, a point of the axis of rotation");
+}
+
+template <int dim>
+Tensor<dim> rotation_spin(const Scene& scene, double rate, const std::string& rotation) {
+  if constexpr (dim == 2) {
+    return spin_in_plane(rate);
+  } else {
+    for (const char* key : {"counter_body.motion.axis", "counter_body.axis"})
+      if (given(scene, key)) return spin_about(read_direction<3>(scene, key), rate);
+    throw InputError(scene.where(rotation) +
+                     ": expected also counter_body.motion.axis, the direction of the axis of "
+                     "rotation");
+  }
+}
+
+template <int dim>
 PressedCounterBody<dim> read_counter_body(const Scene& scene, Section section) {
   check_dimension<dim>(scene);
   const auto& kind =
@@ -186,6 +186,10 @@ PressedCounterBody<dim> read_counter_body(const Scene& scene, Section section) {
   return result;
 }
 
+template Vector<2> rotation_center(const Scene&, const std::string&);
+template Vector<3> rotation_center(const Scene&, const std::string&);
+template Tensor<2> rotation_spin(const Scene&, double, const std::string&);
+template Tensor<3> rotation_spin(const Scene&, double, const std::string&);
 template PressedCounterBody<2> read_counter_body<2>(const Scene&, Section);
 template PressedCounterBody<3> read_counter_body<3>(const Scene&, Section);
 

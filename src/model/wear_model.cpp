@@ -79,54 +79,66 @@ double displacement_gradient(const CellState<dim>& at, [[maybe_unused]] Section 
   return CellPoint<dim>(CellBasis<dim>::instance().centroid, at.X, at.u).H.norm();
 }
 
-/// The part of an observation that is a sum over contact nodes.
+/// The part of an observation that is a sum over contact nodes: nodes in contact in any phase, the
+/// mean force, the largest pressure.
 template <int dim>
-void observe_contact(const std::vector<ContactNode<dim>>& nodes, double copies,
+void observe_contact(const std::vector<PhaseContact<dim>>& phases, double copies,
                      Observation& observed) {
   double force = 0, pressure = 0;
-  long active = 0;
-  for (const ContactNode<dim>& node : nodes) {
-    force -= copies * node.area * node.traction;
-    pressure = std::max(pressure, -node.traction);
-    active += node.active;
-  }
-  observed.contact_nodes = sum_over_processes(double(active));
+  std::vector<char> active(phases.front().nodes.size(), 0);
+  for (const auto& [weight, nodes] : phases)
+    for (std::size_t c = 0; c < nodes.size(); ++c) {
+      force -= weight * copies * nodes[c].area * nodes[c].traction;
+      pressure = std::max(pressure, -nodes[c].traction);
+      if (nodes[c].active) active[c] = 1;
+    }
+  observed.contact_nodes = sum_over_processes(double(std::ranges::count(active, 1)));
   observed.contact_force = sum_over_processes(force);
   observed.max_pressure = largest_over_processes(pressure);
 }
 
-/// Volume per time [length^dim / time].
+/// Volume per time, mean over the cycle [length^dim / time].
 template <int dim>
-double wear_flux_of(const std::vector<ContactNode<dim>>& nodes, double copies) {
+double wear_flux_of(const std::vector<PhaseContact<dim>>& phases, double copies) {
   double flux = 0;
-  for (const ContactNode<dim>& node : nodes) flux += copies * node.area * node.wear_rate;
+  for (const auto& [weight, nodes] : phases)
+    for (const ContactNode<dim>& node : nodes) flux += weight * copies * node.area * node.wear_rate;
   return sum_over_processes(flux);
 }
 
-/// The part of an observation that needs a sweep over the cells.
+/// The part of an observation that needs a sweep over the cells, but no displacements.
 template <int dim>
-void observe_cells(const WornBody<dim>& body, const NodalField<dim>& d, const NodalField<dim>& u,
-                   Observation& observed) {
-  const bool small_strains = body.element.kinematics == Kinematics::small;
-  double worn = 0, quality = 1, least = 1, gradient = 0;
+void observe_cells(const WornBody<dim>& body, const NodalField<dim>& d, Observation& observed) {
+  double worn = 0, quality = 1, least = 1;
   for (const auto& cell : body.mesh.cells) {
-    const CellState<dim> at(body.mesh, cell, d, u);
-    const double before = cell_volume<dim>(at.initial, body.element.section),
-                 after = cell_volume<dim>(at.X, body.element.section);
+    const CellNodal<dim> initial = body.mesh.positions(cell);
+    CellNodal<dim> X = initial;
+    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) X.row(a) += d.row(cell[a]);
+    const double before = cell_volume<dim>(initial, body.element.section),
+                 after = cell_volume<dim>(X, body.element.section);
     worn += before - after;
     least = std::min(least, after / before);
-    quality = std::min(quality, scaled_jacobian<dim>(at.X));
-    if (small_strains)
-      gradient = std::max(gradient, displacement_gradient<dim>(at, body.element.section));
+    quality = std::min(quality, scaled_jacobian<dim>(X));
   }
   worn = sum_over_processes(worn) * body.copies;
   observed.worn_volume = worn;
   observed.element_quality = -largest_over_processes(-quality);
   observed.element_volume = -largest_over_processes(-least);
-  if (small_strains) observed.displacement_gradient = largest_over_processes(gradient);
   if (!body.section) return;
   observed.worn_volume = worn * body.section->path / body.section->length;
   observed.groove_section = worn / body.section->length;
+}
+
+/// The largest displacement gradient of this and the phases observed before, with small strains.
+template <int dim>
+void observe_strains(const WornBody<dim>& body, const NodalField<dim>& d, const NodalField<dim>& u,
+                     Observation& observed) {
+  if (body.element.kinematics != Kinematics::small) return;
+  double gradient = observed.displacement_gradient.value_or(0);
+  for (const auto& cell : body.mesh.cells)
+    gradient = std::max(gradient, displacement_gradient<dim>(CellState<dim>(body.mesh, cell, d, u),
+                                                             body.element.section));
+  observed.displacement_gradient = largest_over_processes(gradient);
 }
 
 /// The box in which the counter-body is shown; that of a body of revolution ends at the axis.
@@ -161,39 +173,58 @@ template <int dim>
 std::vector<BlockSize> WearModel<dim>::blocks() const {
   const Structure& structure = system_.structure();
   std::vector<BlockSize> blocks;
-  for (const Block& block : structure.blocks)
-    blocks.push_back({block.name, block.symbol, 0, block.where});
-  for (int block : structure.block) ++blocks[block].size;
+  std::vector<std::size_t> listed;  // of each block: where it is counted
+  for (const Block& block : structure.blocks) {
+    const auto same = std::ranges::find(blocks, block.name, &BlockSize::name);
+    listed.push_back(static_cast<std::size_t>(same - blocks.begin()));
+    if (same == blocks.end()) blocks.push_back({block.name, block.symbol, 0, block.where});
+  }
+  for (int block : structure.block) ++blocks[listed[static_cast<std::size_t>(block)]].size;
   return blocks;
 }
 
 template <int dim>
-std::vector<ContactNode<dim>> WearModel<dim>::contact_nodes(const FieldValues<dim>& values,
-                                                            const State& state) const {
-  return equations_.contact_nodes(system_, values,
-                                  {.t = state.t, .y = state.y, .branch = state.own_branch()});
+std::vector<PhaseContact<dim>> WearModel<dim>::contacts(const FieldValues<dim>& values,
+                                                        const Point& at) const {
+  std::vector<PhaseContact<dim>> result;
+  for (std::size_t p = 0; p < equations_.phases().size(); ++p)
+    result.push_back(
+        {equations_.phases()[p].weight, equations_.contact_nodes(system_, values, at, p)});
+  return result;
+}
+
+template <int dim>
+std::vector<PhaseContact<dim>> WearModel<dim>::contacts(const FieldValues<dim>& values,
+                                                        const State& state) const {
+  return contacts(values, {.t = state.t, .y = state.y, .branch = state.own_branch()});
 }
 
 template <int dim>
 Observation WearModel<dim>::observe(const State& state) const {
-  const WornBodyFields& fields = equations_.fields();
   const FieldValues<dim> values = system_.values(state.t, state.y);
-  const std::vector<ContactNode<dim>> nodes = contact_nodes(values, state);
+  const std::vector<PhaseContact<dim>> phases = contacts(values, state);
   Observation observed{.dim = body().element.section == Section::meridian ? 3 : dim};
-  observe_contact(nodes, body().copies, observed);
-  observed.wear_flux = wear_flux_of(nodes, body().copies);
-  observe_cells(body(), values.vector(fields.d), values.vector(fields.u), observed);
-  if (body().counter_force) observed.approach = values.scalar(fields.w)[0];
-  if constexpr (dim == 2)
-    observed.contact_half_width = contact_half_width(body(), fields, values, nodes);
+  observe_contact(phases, body().copies, observed);
+  observed.wear_flux = wear_flux_of(phases, body().copies);
+  observe_cells(body(), values.vector(equations_.fields().d), observed);
+  for (std::size_t p = 0; p < phases.size(); ++p) {
+    const WornBodyFields& fields = equations_.fields(p);
+    observe_strains(body(), values.vector(fields.d), values.vector(fields.u), observed);
+    if (equations_.phases()[p].force)
+      observed.approach =
+          observed.approach.value_or(0) + phases[p].weight * values.scalar(fields.w)[0];
+    if constexpr (dim == 2)
+      observed.contact_half_width =
+          std::max(observed.contact_half_width.value_or(0),
+                   contact_half_width(body(), fields, values, phases[p].nodes));
+  }
   return observed;
 }
 
 template <int dim>
 std::function<double(const Point&)> WearModel<dim>::wear_flux() const {
   return [this](const Point& at) {
-    return wear_flux_of(equations_.contact_nodes(system_, system_.values(at.t, at.y), at),
-                        body().copies);
+    return wear_flux_of(contacts(system_.values(at.t, at.y), at), body().copies);
   };
 }
 
@@ -227,11 +258,11 @@ std::vector<GridField> WearModel<dim>::fields(const State& state) const {
   const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
         &nodal_d = values.vector(equations_.fields().d);
   const WornBody<dim>& body = this->body();
-  const std::vector<ContactNode<dim>> nodes = contact_nodes(values, state);
   GridField pressure{"pressure", "MPa", GridField::On::nodes, 1, {}};
   pressure.values.assign(body.mesh.nodes.size(), 0.0);
-  for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c)
-    pressure.values[body.contact_nodes[c].node] = std::max(0.0, -nodes[c].traction);
+  for (const auto& [weight, nodes] : contacts(values, state))
+    for (std::size_t c = 0; c < nodes.size(); ++c)
+      pressure.values[body.contact_nodes[c].node] += weight * std::max(0.0, -nodes[c].traction);
   GridField stress{"equivalent_stress", "MPa", GridField::On::cells, 1, {}};
   GridField quality{"element_quality", "", GridField::On::cells, 1, {}};
   for (const auto& cell : body.mesh.cells) {
@@ -249,31 +280,43 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
   const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
         &nodal_d = values.vector(equations_.fields().d);
   const WornBody<dim>& body = this->body();
-  const std::vector<ContactNode<dim>> nodes = contact_nodes(values, state);
+  const std::vector<PhaseContact<dim>> phases = contacts(values, state);
   ContactSurface surface;
   surface.dim = dim;
-  for (int c = 0; c < static_cast<int>(body.contact_nodes.size()); ++c) {
+  for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {
     const int node = body.contact_nodes[c].node;
-    const ContactNode<dim>& contact = nodes[c];
+    double pressure = 0;
+    int active = 0;
+    for (const auto& [weight, nodes] : phases) {
+      pressure += weight * std::max(0.0, -nodes[c].traction);
+      active = std::max<int>(active, nodes[c].active);
+    }
     const Vector<dim> d = nodal_d.row(node).transpose();
     const Vector<dim> u = nodal_u.row(node).transpose();
     surface.node.push_back(node);
     surface.initial.push_back(in_space<dim>(body.mesh.nodes[node]));
     surface.worn.push_back(in_space<dim>(body.mesh.nodes[node] + d));
     surface.current.push_back(in_space<dim>(body.mesh.nodes[node] + d + u));
-    surface.pressure.push_back(std::max(0.0, -contact.traction));
+    surface.pressure.push_back(pressure);
     surface.wear_depth.push_back(d.norm());
-    surface.active.push_back(contact.active);
+    surface.active.push_back(active);
   }
+  if (phases.size() > 1)
+    for (std::size_t p = 0; p < phases.size(); ++p) {
+      surface.phase_position.push_back(equations_.phases()[p].position);
+      for (const ContactNode<dim>& contact : phases[p].nodes)
+        surface.phase_pressure.push_back(std::max(0.0, -contact.traction));
+    }
   return surface;
 }
 
 template <int dim>
 std::optional<CounterSurface> WearModel<dim>::counter_surface(const State& state) const {
   constexpr int cells_along = dim == 2 ? 128 : 32;
-  const CounterBody<dim>& other = body().contact.counter_body;
+  const CounterBody<dim>& other = equations_.phases().front().counter_body;
   double w = other.travel ? other.travel->factor(state.t) : 0;
-  if (body().counter_force) w += system_.values(state.t, state.y).scalar(equations_.fields().w)[0];
+  if (equations_.phases().front().force)
+    w += system_.values(state.t, state.y).scalar(equations_.fields().w)[0];
   const FacetedSurface<dim> within = zero_level<dim>(
       [&](const Vector<dim>& x) { return other.unchecked_distance(other.seen(x, w), state.t); },
       surroundings_, cells_along);

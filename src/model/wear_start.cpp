@@ -23,20 +23,23 @@ constexpr int max_iterations = 15;
 constexpr double rough_tolerance = 1e-3;
 
 /// Moves body and counter-body together, or apart, until they touch at a point, so that the first
-/// matrix is not singular: moves the counter-body if it is free, otherwise the body.
+/// matrix is not singular: moves the counter-body if it is free, otherwise the body. A counter-body
+/// that passes by in a phase leaves the body as it is.
 template <int dim>
-void close_initial_gap(const WornBodyEquations<dim>& equations, FieldValues<dim>& values) {
+void close_initial_gap(const WornBodyEquations<dim>& equations, std::size_t phase,
+                       FieldValues<dim>& values) {
   const WornBody<dim>& body = equations.body();
-  const CounterBody<dim>& other = body.contact.counter_body;
+  const CounterBody<dim>& other = equations.phases()[phase].counter_body;
   if (other.travel) return;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& patch : body.contact_nodes)
     least = std::min(least, other.travel_to(body.mesh.nodes[patch.node]));
-  if (body.counter_force) {
-    values.scalar(equations.fields().w)[0] = least;
+  if (!std::isfinite(least)) return;
+  if (equations.phases()[phase].force) {
+    values.scalar(equations.fields(phase).w)[0] = least;
     return;
   }
-  NodalField<dim>& u = values.vector(equations.fields().u);
+  NodalField<dim>& u = values.vector(equations.fields(phase).u);
   for (Eigen::Index node = 0; node < u.rows(); ++node)
     for (int i = 0; i < dim; ++i)
       if (!body.displacement_fixed(node, i)) u(node, i) = -least * other.approach[i];
@@ -72,13 +75,23 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
   std::optional<NewtonSolver> solver;
   bool exact = false;
   const NonlinearFunction function = algebraic_function(contact);
-  close_initial_gap(equations, values);
-  const int w = contact.numbering().number(equations.fields().w, 0);
-  const double touching = w < 0 ? 0 : values.scalar(equations.fields().w)[0];
+  struct Approach {
+    int w;            // number of the unknown
+    double touching;  // its value
+  };
+  std::vector<Approach> approaches;
+  for (std::size_t p = 0; p < equations.phases().size(); ++p) {
+    close_initial_gap(equations, p, values);
+    const FieldId field = equations.fields(p).w;
+    if (const int w = contact.numbering().number(field, 0); w >= 0)
+      approaches.push_back({w, values.scalar(field)[0]});
+  }
   bool loaded = false;
   const LoadSolve solve = [&](double fraction, std::span<double> y) {
     contact.set_load_fraction(fraction);
-    if (!loaded && w >= 0) y[w] = touching + indentation(equations.body(), fraction);
+    if (!loaded)
+      for (const Approach& at : approaches)
+        y[at.w] = at.touching + indentation(equations.body(), fraction);
     if (!solver || exact != (fraction == 1)) {
       exact = fraction == 1;
       NewtonOptions newton{.max_iterations = max_iterations};

@@ -124,21 +124,29 @@ WornSurface<dim> worn_surface(const WornBody<dim>& body, const WornBodyFields& f
 }
 
 template <int dim>
-ContactState<dim> contact_state(const WornBody<dim>& body, const WornBodyFields& fields) {
-  return {fields.u,           fields.lambda,    fields.w,          body.mesh,        body.contact,
-          body.contact_nodes, body.wear_weight, body.further_wear, body.wear_surface};
+ContactState<dim> contact_state(const WornBody<dim>& body, const Phase<dim>& phase,
+                                const WornBodyFields& fields) {
+  ContactState<dim> state{fields.u,         fields.lambda,       fields.w,
+                          body.mesh,        body.contact,        body.contact_nodes,
+                          body.wear_weight, body.further_wear,   body.wear_surface,
+                          phase.weight,     body.nominal_speed()};
+  state.parameters.counter_body = phase.counter_body;
+  return state;
 }
 
 }  // namespace
 
 template <int dim>
 WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const WornBody<dim>> body)
-    : body_(std::move(body)) {
+    : body_(std::move(body)), phases_(body_->phases()) {
   auto composition = std::make_shared<Composition<dim>>();
   composition->fields = std::make_shared<const FieldSet>(make_fields());
   add_terms(composition->terms);
-  composition->prescribed = body_->prescribed_displacement;
-  for (PrescribedValues& held : composition->prescribed) held.field = fields_.u;
+  for (const WornBodyFields& fields : fields_)
+    for (PrescribedValues held : body_->prescribed_displacement) {
+      held.field = fields.u;
+      composition->prescribed.push_back(std::move(held));
+    }
   composition->position = positions(body_->mesh);
   composition->solver = body_->solver;
   composition->coarsening = coarsening(*body_);
@@ -150,34 +158,47 @@ WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const WornBody<dim>> b
 template <int dim>
 void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   using Made = std::unique_ptr<Term<dim>>;
-  terms.push_back([body = body_, f = fields_](const Numbering& numbering) -> Made {
-    return std::make_unique<BodyTerm<dim>>(body->mesh, body->material, body->element, numbering,
-                                           f.u, f.d);
-  });
-  terms.push_back([body = body_, f = fields_](const Numbering& numbering) -> Made {
-    return std::make_unique<Loads<dim>>(numbering, f.u, body->load, body->load_history);
-  });
-  if (body_->counter_force)
-    terms.push_back([body = body_, f = fields_](const Numbering& numbering) -> Made {
-      return std::make_unique<Loads<dim>>(
-          numbering, f.w, Field::Values::Constant(1, 1, *body->counter_force), body->load_history);
-    });
-  terms.push_back([body = body_, f = fields_](const Numbering& numbering) -> Made {
+  for (std::size_t p = 0; p < phases_.size(); ++p) add_equilibrium(p, terms);
+  terms.push_back([body = body_, f = fields()](const Numbering& numbering) -> Made {
     return std::make_unique<MeshMotion<dim>>(body->mesh, body->section ? &*body->section : nullptr,
                                              body->shape_along, body->mesh_motion, numbering, f.d,
                                              f.mu);
   });
-  contact_term_ = terms.size();
-  terms.push_back([body = body_, f = fields_](const Numbering& numbering) -> Made {
-    return std::make_unique<ContactTerm<dim>>(contact_state(*body, f), worn_surface(*body, f),
-                                              numbering);
-  });
-  terms.push_back([body = body_, f = fields_](const Numbering& numbering) -> Made {
+  for (std::size_t p = 0; p < phases_.size(); ++p) {
+    contact_terms_.push_back(terms.size());
+    terms.push_back(
+        [body = body_, phase = phases_[p], f = fields_[p]](const Numbering& numbering) -> Made {
+          return std::make_unique<ContactTerm<dim>>(contact_state(*body, phase, f),
+                                                    worn_surface(*body, f), numbering);
+        });
+  }
+  terms.push_back([body = body_, f = fields()](const Numbering& numbering) -> Made {
     return std::make_unique<ShapeEvolution<dim>>(numbering, worn_surface(*body, f));
   });
   for (const AddedTermFactory<dim>& make : body_->added_terms)
-    terms.push_back([body = body_, f = fields_, make](const Numbering& numbering) -> Made {
-      return make(*body, f, numbering);
+    for (const WornBodyFields& fields : fields_)
+      terms.push_back([body = body_, f = fields, make](const Numbering& numbering) -> Made {
+        return make(*body, f, numbering);
+      });
+}
+
+/// The rows of u and w, without contact.
+template <int dim>
+void WornBodyEquations<dim>::add_equilibrium(std::size_t p, std::vector<TermFactory<dim>>& terms) {
+  using Made = std::unique_ptr<Term<dim>>;
+  terms.push_back([body = body_, f = fields_[p]](const Numbering& numbering) -> Made {
+    return std::make_unique<BodyTerm<dim>>(body->mesh, body->material, body->element, numbering,
+                                           f.u, f.d);
+  });
+  terms.push_back([body = body_, f = fields_[p],
+                   factor = phases_[p].load](const Numbering& numbering) -> Made {
+    return std::make_unique<Loads<dim>>(numbering, f.u, factor * body->load, body->load_history);
+  });
+  if (phases_[p].force)
+    terms.push_back([body = body_, f = fields_[p],
+                     force = *phases_[p].force](const Numbering& numbering) -> Made {
+      return std::make_unique<Loads<dim>>(numbering, f.w, Field::Values::Constant(1, 1, force),
+                                          body->load_history);
     });
 }
 
@@ -186,22 +207,36 @@ FieldSet WornBodyEquations<dim>::make_fields() {
   const Scales scales = above_rounding(*body_);
   FieldSet set;
   set.nodes = static_cast<int>(body_->mesh.nodes.size());
-  const int displacement = set.add({"displacement", "u", "all nodes", Role::stiffness});
+  fields_.resize(phases_.size());
+  const auto of_phase = [](Block block, std::size_t phase) {
+    block.owner = static_cast<int>(phase);
+    return block;
+  };
+  for (std::size_t p = 0; p < phases_.size(); ++p) {
+    const int displacement =
+        set.add(of_phase({"displacement", "u", "all nodes", Role::stiffness}, p));
+    fields_[p].u = set.add(displacement_field(*body_, scales, displacement));
+  }
   const int interior = set.add({"shape", "d", "nodes off the contact surface", Role::extension});
   const int surface =
       set.add({"worn_surface", "d", "contact nodes (differential)", Role::evolution});
-  const int multiplier =
-      set.add({"contact_multiplier", "lambda", "contact nodes", Role::multiplier});
-  fields_.u = set.add(displacement_field(*body_, scales, displacement));
-  fields_.d = set.add(shape_field(*body_, scales, interior, surface));
-  fields_.lambda = set.add(multiplier_field(*body_, scales, multiplier));
-  if (body_->counter_force) {
-    const int rigid = set.add({"rigid_motion", "w", "counter-body", Role::rigid});
-    fields_.w = set.add(rigid_motion_field(set.nodes, scales, rigid));
+  const FieldId d = set.add(shape_field(*body_, scales, interior, surface));
+  for (std::size_t p = 0; p < phases_.size(); ++p) {
+    const int multiplier =
+        set.add(of_phase({"contact_multiplier", "lambda", "contact nodes", Role::multiplier}, p));
+    fields_[p].lambda = set.add(multiplier_field(*body_, scales, multiplier));
+  }
+  for (std::size_t p = 0; p < phases_.size(); ++p) {
+    fields_[p].d = d;
+    fields_[p].phase = p;
+    if (!phases_[p].force) continue;
+    const int rigid = set.add(of_phase({"rigid_motion", "w", "counter-body", Role::rigid}, p));
+    fields_[p].w = set.add(rigid_motion_field(set.nodes, scales, rigid));
   }
   if (body_->constraint == ConstraintForm::multiplier) {
     const int reaction = set.add({"shape_multiplier", "mu", "contact nodes", Role::reaction});
-    fields_.mu = set.add(shape_multiplier_field(*body_, scales, reaction));
+    const FieldId mu = set.add(shape_multiplier_field(*body_, scales, reaction));
+    for (WornBodyFields& fields : fields_) fields.mu = mu;
   }
   return set;
 }
@@ -223,14 +258,16 @@ BlockSelection WornBodyEquations<dim>::deformation() const {
 }
 
 template <int dim>
-const ContactTerm<dim>& WornBodyEquations<dim>::contact(const ComposedSystem<dim>& system) const {
-  return dynamic_cast<const ContactTerm<dim>&>(system.term(contact_term_));
+const ContactTerm<dim>& WornBodyEquations<dim>::contact(const ComposedSystem<dim>& system,
+                                                        std::size_t phase) const {
+  return dynamic_cast<const ContactTerm<dim>&>(system.term(contact_terms_[phase]));
 }
 
 template <int dim>
 std::vector<ContactNode<dim>> WornBodyEquations<dim>::contact_nodes(
-    const ComposedSystem<dim>& system, const FieldValues<dim>& values, const Point& at) const {
-  return contact(system).nodes(system.evaluation(at, values, contact_term_));
+    const ComposedSystem<dim>& system, const FieldValues<dim>& values, const Point& at,
+    std::size_t phase) const {
+  return contact(system, phase).nodes(system.evaluation(at, values, contact_terms_[phase]));
 }
 
 template class WornBodyEquations<2>;

@@ -121,7 +121,9 @@ void read_worn_body(const Scene& scene, double facet, WornBody<dim>& body) {
   body.constraint = scene.text("shape.constraint") == "eliminated" ? ConstraintForm::eliminated
                                                                    : ConstraintForm::multiplier;
   CounterBody<dim>& counter_body = body.contact.counter_body;
-  counter_body.position -= scene.real("contact.initial_gap") * counter_body.approach;
+  const Vector<dim> apart = scene.real("contact.initial_gap") * counter_body.approach;
+  counter_body.position -= apart;
+  for (Phase<dim>& phase : body.cycle) phase.counter_body.position -= apart;
   if (scene.knows("load.times")) body.load_history = read_load_history(scene);
   for (auto& term : added_terms<dim>(scene)) body.added_terms.push_back(std::move(term));
   body.augmentation = scene.real("shape.augmentation") * shape_young / facet * body.scales.duration;

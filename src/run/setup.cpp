@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <gnomon/base/error.hpp>
+#include <gnomon/laws/cycle_scene.hpp>
 #include <gnomon/laws/profile.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/results/result_files.hpp>
@@ -86,7 +87,7 @@ Scene with_choices(const Scene& scene, const LinearSolverChoice& solver) {
 Setup completed(Scene scene, std::unique_ptr<Model> model) {
   Scene complete = with_choices(scene, model->system().structure().solver);
   if (scene.knows("counter_body.file")) complete = with_profile_points(complete);
-  return {std::move(complete), std::move(model)};
+  return {with_cycle_tables(complete), std::move(model)};
 }
 
 }  // namespace

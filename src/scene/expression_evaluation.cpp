@@ -144,6 +144,10 @@ double ForwardRun<Switching>::result_of(const Instruction& in) {
       return std::log(a);
     case Operation::square_root:
       return std::sqrt(a);
+    case Operation::sine:
+      return std::sin(a);
+    case Operation::cosine:
+      return std::cos(a);
     case Operation::absolute:
       return first_or_second(in, a, -a, -a);
     case Operation::maximum:
@@ -225,6 +229,12 @@ void add_adjoints(const ExpressionProgram& program, const Instruction& in, const
       break;
     case Operation::square_root:
       adjoint[in.a] += own / (2 * result);
+      break;
+    case Operation::sine:
+      adjoint[in.a] += own * std::cos(a);
+      break;
+    case Operation::cosine:
+      adjoint[in.a] -= own * std::sin(a);
       break;
     case Operation::absolute:
       adjoint[in.a] += work.choice[at] ? own : -own;

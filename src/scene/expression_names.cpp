@@ -19,7 +19,8 @@ constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
 constexpr ExpressionFunction functions[] = {
     {"exp", Operation::exponential, 1, 1},     {"log", Operation::logarithm, 1, 1},
-    {"sqrt", Operation::square_root, 1, 1},    {"abs", Operation::absolute, 1, 1},
+    {"sqrt", Operation::square_root, 1, 1},    {"sin", Operation::sine, 1, 1},
+    {"cos", Operation::cosine, 1, 1},          {"abs", Operation::absolute, 1, 1},
     {"pow", Operation::power, 2, 2},           {"min", Operation::minimum, 2, any_number},
     {"max", Operation::maximum, 2, any_number}};
 
@@ -95,7 +96,7 @@ void check_expression_names(const ExpressionNames& names) {
     if (is_reserved(name))
       throw ExpressionError(
           fmt::format("the name {} is reserved in expressions, expected another "
-                      "name than exp, log, sqrt, abs, pow, min, max, if, and, or",
+                      "name than exp, log, sqrt, sin, cos, abs, pow, min, max, if, and, or",
                       quote(name)));
     if (!seen.insert(name).second)
       throw ExpressionError(

@@ -20,6 +20,8 @@ enum class Operation : std::uint8_t {
   exponential,
   logarithm,
   square_root,
+  sine,
+  cosine,
   absolute,
   maximum,
   minimum,

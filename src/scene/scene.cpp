@@ -96,6 +96,18 @@ Scene Scene::with(const std::string& key, SceneValue value) const {
   return result;
 }
 
+Scene Scene::with(Key key, SceneValue value) const {
+  if (knows(key.name)) return with(key.name, std::move(value));
+  Scene result = *this;
+  const std::string table = key.name.substr(0, key.name.find('.') + 1);
+  auto place = result.entries_.end();
+  while (place != result.entries_.begin() && !std::prev(place)->key.name.starts_with(table))
+    --place;
+  if (place == result.entries_.begin()) place = result.entries_.end();
+  result.entries_.insert(place, {std::move(key), std::move(value), path_.string()});
+  return result;
+}
+
 Scene Scene::without(const std::string& key) const {
   if (entry(key).key.presence != Key::Presence::optional)
     throw std::logic_error("scene key `" + key + "` is not optional");

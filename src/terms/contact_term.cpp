@@ -12,9 +12,7 @@ ContactTerm<dim>::ContactTerm(const ContactState<dim>& state, const WornSurface<
       evolution_(numbering, surface),
       u_numbers_(numbering.nodal<dim>(state.u)),
       d_numbers_(numbering.nodal<dim>(surface.d)),
-      w_number_(numbering.number(state.w, 0)),
-      nominal_speed_(
-          state.parameters.counter_body.motion.nominal_speed(state.parameters.streaming)) {
+      w_number_(numbering.number(state.w, 0)) {
   surfaces_.assign(1 + state.further_wear.size(), state.parameters);
   for (std::size_t k = 1; k < surfaces_.size(); ++k) surfaces_[k].wear = state.further_wear[k - 1];
   for (int c = 0; c < count(); ++c) {
@@ -100,7 +98,7 @@ ContactInput<dim> ContactTerm<dim>::gather(const Evaluation<dim>& at, int c) con
                           PatchNodal<dim>(size, dim),
                           at.values.scalar(state_.lambda)[c],
                           motion(at),
-                          {.time = at.t, .slid = nominal_speed_ * at.t, .within = at.within}};
+                          {.time = at.t, .slid = state_.nominal_speed * at.t, .within = at.within}};
   for (Eigen::Index p = 0; p < size; ++p) {
     const int node = patch.nodes[p];
     input.X.row(p) = state_.mesh.nodes[node].transpose() + d.row(node);

@@ -38,7 +38,7 @@ const std::string rest = "expected an operator or the end of the text, got ";
 const std::string one_more_argument = "expected \")\" or \",\" in the arguments of ";
 const std::string known_names =
     "there are the variables p, v, slip; constants k, zero; tables hardness; functions exp, log, "
-    "sqrt, abs, pow, min, max, if";
+    "sqrt, sin, cos, abs, pow, min, max, if";
 
 struct Mistake {
   std::string text, message;
@@ -289,7 +289,7 @@ TEST(BadExpressionNames, AreRefused) {
     EXPECT_THAT(complaint_of_names({{"v", name}, {}, {}}),
                 HasSubstr("cannot stand in an expression"))
         << name;
-  for (const char* name : {"exp", "log", "sqrt", "abs", "pow", "min", "max", "if", "and", "or"})
+  for (const char* name : {"exp", "log", "sqrt", "sin", "cos", "abs", "pow", "min", "max", "if", "and", "or"})
     EXPECT_THAT(complaint_of_names({{}, {{name, 1}}, {}}), HasSubstr("is reserved in expressions"));
   EXPECT_EQ(complaint_of_names({{"p", "v", "p"}, {}, {}}),
             "the name \"p\" is declared twice, expected distinct names");

@@ -138,10 +138,11 @@ INSTANTIATE_TEST_SUITE_P(
                   if (real(p) >= 2) return real(v) <= 1 ? p : p * p;
                   return real(s) > 3 ? v * s : v * t;
                 }),
-        formula("AllFunctions", "exp(-p) + log(1 + v) + sqrt(s) + pow(t, p) + abs(p - v)", "pvst",
+        formula("AllFunctions",
+                "exp(-p) + log(1 + v) + sqrt(s) + sin(s) * cos(t) + pow(t, p) + abs(p - v)", "pvst",
                 [](auto p, auto v, auto s, auto t) {
-                  return std::exp(-p) + std::log(1. + v) + std::sqrt(s) + std::pow(t, p) +
-                         magnitude(p - v);
+                  return std::exp(-p) + std::log(1. + v) + std::sqrt(s) +
+                         std::sin(s) * std::cos(t) + std::pow(t, p) + magnitude(p - v);
                 }),
         formula("ManyArguments", "min(p, v, s, t/2) * max(p, v, s, t)", "pvst",
                 [](auto p, auto v, auto s, auto t) {

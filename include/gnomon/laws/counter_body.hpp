@@ -50,13 +50,16 @@ Tensor<2> spin_in_plane(double rate);
 /// The spin of a rotation about a direction of any length, by the right-hand rule [1 / time].
 Tensor<3> spin_about(const Vector<3>& axis, double rate);
 
-/// A shape that turns, with a constant spin about a point at rest: a cam.
+/// A shape that turns, with a constant spin about a point at rest: a cam. In a phase of a cycle it
+/// has turned and stays.
 template <int dim>
 struct Turning {
   Tensor<dim> spin;    ///< skew [1 / time]
   Vector<dim> centre;  ///< in the coordinates of the shape
+  double rate = 1;     ///< 0: it stays
+  double start = 0;    ///< how long it has turned at t = 0 [time]
 
-  /// The rotation from t = 0, exp(t spin).
+  /// The rotation from the place of the shape, exp((start + rate t) spin).
   Tensor<dim> rotation(double t) const;
 };
 

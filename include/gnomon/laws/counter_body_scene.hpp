@@ -32,4 +32,13 @@ struct PressedCounterBody {
 template <int dim>
 PressedCounterBody<dim> read_counter_body(const Scene& scene, Section section = Section::plane);
 
+/// A point of the axis of a rotation that the key `rotation` gives: counter_body.motion.center, by
+/// default the middle of the shape. Throws InputError.
+template <int dim>
+Vector<dim> rotation_center(const Scene& scene, const std::string& rotation);
+/// The spin of a rotation with that rate; in space about counter_body.motion.axis, by default the
+/// axis of the shape. Throws InputError.
+template <int dim>
+Tensor<dim> rotation_spin(const Scene& scene, double rate, const std::string& rotation);
+
 }  // namespace gnomon

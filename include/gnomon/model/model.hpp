@@ -40,9 +40,13 @@ struct ContactSurface {
   std::vector<std::array<double, 3>> initial;  ///< X^, initial configuration [length]
   std::vector<std::array<double, 3>> worn;     ///< X, undeformed (worn) configuration [length]
   std::vector<std::array<double, 3>> current;  ///< x, deformed configuration [length]
-  std::vector<double> pressure;                ///< nominal contact pressure, >= 0 [stress]
+  std::vector<double> pressure;                ///< nominal contact pressure, >= 0 [stress]; over a
+                                               ///< cycle its mean
   std::vector<double> wear_depth;              ///< |X - X^| [length]
-  std::vector<int> active;                     ///< 1 where in contact
+  std::vector<int> active;                     ///< 1 where in contact, in any phase of a cycle
+  // Of a cycle:
+  std::vector<double> phase_position{};  ///< tau of each phase
+  std::vector<double> phase_pressure{};  ///< phases x contact nodes [stress]
 };
 
 /// The surface of the counter-body near the body, for figures and viewers. A facet has the

@@ -8,6 +8,13 @@
 
 namespace gnomon {
 
+/// The contact law at every contact node in a phase.
+template <int dim>
+struct PhaseContact {
+  double weight;  ///< of the phase
+  std::vector<ContactNode<dim>> nodes;
+};
+
 template <int dim>
 class WearModel : public Model {
 public:
@@ -22,7 +29,9 @@ public:
   State start(Counters& counters) const override;
   /// All members; only some bodies have groove_section (a groove), approach (w, if the counter-body
   /// moves), displacement_gradient (small strains) and contact_half_width (2D). Forces and volumes
-  /// are those of the whole body, of which only a part may be modelled because of symmetry.
+  /// are those of the whole body, of which only a part may be modelled because of symmetry. Over a
+  /// cycle: nodes that touch in any phase, mean force, wear flux and approach, largest pressure,
+  /// displacement gradient and half width.
   Observation observe(const State& state) const override;
   /// Costs one pass over the contact nodes and no pass over the cells.
   std::function<double(const Point&)> wear_flux() const override;
@@ -38,9 +47,9 @@ public:
   const WornBodyEquations<dim>& equations() const { return equations_; }
 
 private:
-  /// The contact law at every contact node, on the state's own smooth branch.
-  std::vector<ContactNode<dim>> contact_nodes(const FieldValues<dim>& values,
-                                              const State& state) const;
+  /// The contact law at every contact node, phase by phase; on the state's own smooth branch.
+  std::vector<PhaseContact<dim>> contacts(const FieldValues<dim>& values, const Point& at) const;
+  std::vector<PhaseContact<dim>> contacts(const FieldValues<dim>& values, const State& state) const;
 
   Box<dim> surroundings_;  ///< in which the counter-body is shown
   WornBodyEquations<dim> equations_;

@@ -40,14 +40,28 @@ inline double regularization_unit(double young, double facet, const Scales& scal
   return std::min(young / facet, far_above * occurring);
 }
 
-/// The positions of the fields of a worn body in its FieldSet.
+/// The positions of the fields of a worn body in its FieldSet. Of a cycle each phase has its own u,
+/// lambda and w; d and mu are those of all.
 struct WornBodyFields {
   FieldId u = FieldId::none;       ///< displacement, all nodes
   FieldId d = FieldId::none;       ///< shape, all nodes; differential on the contact surface
   FieldId lambda = FieldId::none;  ///< contact multiplier, contact nodes
   FieldId mu = FieldId::none;      ///< shape multiplier, contact nodes; only in that form
   FieldId w =
-      FieldId::none;  ///< rigid motion of the counter-body, a single value; only under a force
+      FieldId::none;      ///< rigid motion of the counter-body, a single value; only under a force
+  std::size_t phase = 0;  ///< that u, lambda and w belong to
+};
+
+/// A contact state: one of the phases of a cycle, or the only one.
+template <int dim>
+struct Phase {
+  double position = 0;              ///< tau, in the cycle
+  double weight = 1;                ///< omega, part of the mean over the cycle
+  CounterBody<dim> counter_body{};  ///< where it is in this phase, and how it moves
+  /// The force that presses the counter-body along its `approach`, at factor one of the history;
+  /// without it the counter-body does not move.
+  std::optional<double> force{};
+  double load = 1;  ///< factor of the loads on the body
 };
 
 template <int dim>
@@ -85,6 +99,7 @@ struct WornBody {
   /// counter-body does not move.
   std::optional<double> counter_force;
   LoadHistory load_history;             ///< factor of `load` and of `counter_force`
+  std::vector<Phase<dim>> cycle;        ///< its phases; empty: one steady state
   std::optional<CrossSection> section;  ///< 3D only: uniform along x
   /// One entry per contact node: its part in the wear rate of its shape unknowns, by default 1;
   /// with a section, the length that it represents divided by the length of the path.
@@ -99,6 +114,20 @@ struct WornBody {
   LinearSolverChoice solver;
   double memory = 0;  ///< Model::memory()
 
+  /// The contact states: the phases of the cycle, or the steady state.
+  std::vector<Phase<dim>> phases() const {
+    if (!cycle.empty()) return cycle;
+    return {{.counter_body = contact.counter_body, .force = counter_force}};
+  }
+  /// Factor of the loads on the body in a phase.
+  double load_factor(std::size_t phase) const { return cycle.empty() ? 1 : cycle[phase].load; }
+  /// The speed at which the bodies slide, its mean over the cycle [length / time].
+  double nominal_speed() const {
+    double sum = 0;
+    for (const Phase<dim>& phase : phases())
+      sum += phase.weight * phase.counter_body.motion.nominal_speed(contact.streaming);
+    return sum;
+  }
   /// Projector on the directions in which the shape of a node may move.
   Tensor<dim> shape_free(int node) const {
     if (const auto along = shape_along.find(node); along != shape_along.end()) return along->second;

@@ -16,33 +16,38 @@ namespace gnomon {
 ///   d (interior)     auxiliary equilibrium, eq. 20                                      [force]
 ///   d (contact)      ddot + Wdot N, eq. 14                                        [length/time]
 ///   mu               auxiliary equilibrium minus A^ mu^, eq. 29 (multiplier form)       [force]
-/// With a cross-section, Wdot N of eq. 14 is averaged along the path (sec. 4.3).
+/// With a cross-section, Wdot N of eq. 14 is averaged along the path (sec. 4.3). In a cycle the
+/// first three are those of each phase, and Wdot N is the mean over the phases (docs/cycles.md).
 template <int dim>
 class WornBodyEquations {
 public:
   explicit WornBodyEquations(std::shared_ptr<const WornBody<dim>> body);
 
   const WornBody<dim>& body() const { return *body_; }
-  const WornBodyFields& fields() const { return fields_; }
+  /// The contact states: the phases of a cycle, or a single one.
+  const std::vector<Phase<dim>>& phases() const { return phases_; }
+  const WornBodyFields& fields(std::size_t phase = 0) const { return fields_[phase]; }
   const std::shared_ptr<const Composition<dim>>& composition() const { return composition_; }
   /// Equilibrium and contact at a frozen shape: rows 1-3.
   BlockSelection deformation() const;
-  /// The contact term of a system of this composition.
-  const ContactTerm<dim>& contact(const ComposedSystem<dim>& system) const;
-  /// The contact law at every contact node, on the smooth branch of the point. `values`: those of
-  /// its y.
+  /// The contact term of a phase, in a system of this composition.
+  const ContactTerm<dim>& contact(const ComposedSystem<dim>& system, std::size_t phase = 0) const;
+  /// The contact law at every contact node in a phase, on the smooth branch of the point. `values`:
+  /// those of its y.
   std::vector<ContactNode<dim>> contact_nodes(const ComposedSystem<dim>& system,
-                                              const FieldValues<dim>& values,
-                                              const Point& at) const;
+                                              const FieldValues<dim>& values, const Point& at,
+                                              std::size_t phase = 0) const;
 
 private:
   FieldSet make_fields();
   void add_terms(std::vector<TermFactory<dim>>& terms);
+  void add_equilibrium(std::size_t phase, std::vector<TermFactory<dim>>& terms);
   BlockSelection selection(bool deformation, bool mesh_motion) const;
 
   std::shared_ptr<const WornBody<dim>> body_;
-  WornBodyFields fields_;
-  std::size_t contact_term_ = 0;  // in the composition
+  std::vector<Phase<dim>> phases_;
+  std::vector<WornBodyFields> fields_;      // of each phase
+  std::vector<std::size_t> contact_terms_;  // in the composition, of each phase
   std::shared_ptr<const Composition<dim>> composition_;
 };
 

@@ -2,8 +2,8 @@
 // evaluated with its exact gradient at every contact node in every iteration.
 //
 // Numbers (2, 0.5, 2e-9), names, + - * / ^ and parentheses, with the precedence of mathematics:
-// -x^2 is -(x^2), and x^y^z is x^(y^z). Functions: exp log sqrt abs pow(a, b), min and max of two
-// or more, if(condition, a, b); a table is called as a function of one argument. A condition
+// -x^2 is -(x^2), and x^y^z is x^(y^z). Functions: exp log sqrt sin cos abs pow(a, b), min and max
+// of two or more, if(condition, a, b); a table is called as a function of one argument. A condition
 // compares by < <= > >= and joins comparisons by `and` and `or`, of which `and` binds tighter.
 #pragma once
 

@@ -102,6 +102,9 @@ public:
   std::string resolved() const;
   /// The same scene with another value of a key.
   Scene with(const std::string& key, SceneValue value) const;
+  /// The same scene with a key that is not in its table, in the place of a "*": it stands behind
+  /// the others of its table.
+  Scene with(Key key, SceneValue value) const;
   /// The same scene with an optional key absent.
   Scene without(const std::string& key) const;
   /// The same scene with absolute paths of the files that it names (Key::names_file), for a copy of

@@ -16,7 +16,7 @@ struct ContactState {
   FieldId lambda = FieldId::none;  ///< contact multiplier, at the contact nodes
   FieldId w = FieldId::none;  ///< rigid motion along `approach`, a single value; none: no motion
   const Mesh<dim>& mesh;
-  const ContactParameters<dim>& parameters;
+  ContactParameters<dim> parameters;  ///< those of all phases of a cycle but for the counter-body
   const std::vector<ContactPatch<dim>>& patches;
   /// Part of each contact node in the wear rate of its shape unknowns; empty: 1. With a section,
   /// the length that the node represents divided by the length of the path.
@@ -25,6 +25,8 @@ struct ContactState {
   /// each contact node; empty: all nodes belong to the first.
   const std::vector<WearLaw>& further_wear;
   const std::vector<int>& wear_surface;
+  double part = 1;           ///< of the mean over a cycle: the weight of its phase
+  double nominal_speed = 0;  ///< at which the bodies slide [length / time]
 };
 
 template <int dim>
@@ -64,7 +66,9 @@ private:
   NodeBranch branch(const Evaluation<dim>& at, int c) const;
   ContactNode<dim> node(const Evaluation<dim>& at, int c) const;
   Local tangent(const Evaluation<dim>& at, int c) const;
-  double weight(int c) const { return state_.wear_weight.empty() ? 1 : state_.wear_weight[c]; }
+  double weight(int c) const {
+    return state_.part * (state_.wear_weight.empty() ? 1 : state_.wear_weight[c]);
+  }
   const ContactParameters<dim>& parameters(int c) const {
     return surfaces_[state_.wear_surface.empty() ? 0 : state_.wear_surface[c]];
   }
@@ -82,7 +86,6 @@ private:
   std::vector<int> lambda_numbers_;
   int w_number_;
   std::vector<std::size_t> first_switch_ = {0};  // of each node; last: their number
-  double nominal_speed_;                         // at which the bodies slide [length / time]
   double overlap_ = 0;                 // of the body at rest, by the given motion at t = 0 [length]
   std::vector<std::vector<int>> map_;  // of each node: positions, column by column; -1: none
 };

@@ -1,0 +1,158 @@
+#include "phases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/laws/counter_body_scene.hpp>
+#include <gnomon/laws/cycle_scene.hpp>
+#include <gnomon/laws/sign_changes.hpp>
+
+#include "histories.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+constexpr int samples = 64;  // positions at which a cycle is looked at before its phases are known
+
+template <int dim>
+void check_displacement(const Scene& scene, Cycle& cycle) {
+  if (dim == 3 || section_of(scene) == Section::plane) return;
+  for (const char* key : {"cycle.x", "cycle.y"})
+    if (given(scene, key))
+      throw InputError(scene.where(key) +
+                       ": expected only cycle.z, along the axis, in an axisymmetric scene");
+  std::swap(cycle.displacement[1], cycle.displacement[2]);  // coordinates (r, z)
+}
+
+template <int dim>
+CycleAxis<dim> read_axis(const Scene& scene, const CounterBody<dim>& body) {
+  CycleAxis<dim> axis;
+  if (!given(scene, "cycle.rotation")) return axis;
+  if (dim == 2 && section_of(scene) == Section::meridian) {
+    axis.meridian = true;
+    return axis;
+  }
+  axis.centre = rotation_center<dim>(scene, "cycle.rotation");
+  axis.spin = rotation_spin<dim>(scene, 1, "cycle.rotation");
+  axis.turns_shape = !turns_into_itself(body.shape, axis.spin, axis.centre);
+  return axis;
+}
+
+/// The force of a free counter-body keeps it where it is.
+template <int dim>
+void take_force(const Scene& scene, const Cycle& cycle, WornBody<dim>& body) {
+  if (!cycle.force) return;
+  if (body.counter_force)
+    throw InputError(scene.where("cycle.force") +
+                     ": expected either cycle.force or counter_body.press.force, got both");
+  if (!given(scene, "counter_body.press.direction"))
+    throw InputError(scene.where("cycle.force") + ": expected also counter_body.press.direction");
+  if (given(scene, "counter_body.press.approach"))
+    throw InputError(scene.where("cycle.force") +
+                     ": expected no counter_body.press.approach beside a force");
+  double most = 0;
+  for (int k = 0; k < samples; ++k) most = std::max(most, cycle.force->value(double(k) / samples));
+  body.counter_force = most;
+}
+
+template <int dim>
+Phase<dim> phase_at(const Scene& scene, const CyclePoint& point, const PartCycle<dim>& part,
+                    const WornBody<dim>& body) {
+  const CounterBody<dim>& rest = body.contact.counter_body;
+  const double tau = point.position;
+  Phase<dim> phase{.position = tau,
+                   .weight = point.weight,
+                   .counter_body = counter_body_at<dim>(rest, part.cycle, part.axis, tau),
+                   .force = body.counter_force};
+  phase.counter_body.motion.reference += rest.position - phase.counter_body.position;
+  if (part.cycle.load) phase.load = part.cycle.load->value(tau);
+  if (!part.cycle.force) return phase;
+  phase.force = part.cycle.force->value(tau);
+  if (!(*phase.force >= 1e-6 * *body.counter_force))
+    throw InputError(fmt::format(
+        "{}: expected a force above zero (1e-6 of the largest or more) in every phase, got {:g} at "
+        "tau = {:g}: without a force the place of the counter-body is not determined",
+        scene.where("cycle.force"), *phase.force, tau));
+  return phase;
+}
+
+/// Where the speed at the reference is zero and changes its sign, |v| has a kink.
+template <int dim>
+std::vector<double> reversals(const PartCycle<dim>& part, const CounterBody<dim>& rest) {
+  const auto velocity = [&](double tau) {
+    const CounterBody<dim> body = counter_body_at<dim>(rest, part.cycle, part.axis, tau);
+    const Vector<dim> place = rest.motion.reference + rest.position - body.position;
+    Eigen::Matrix<double, dim + 1, 1> v;
+    v << body.motion.template at<double>(place), body.motion.template across_at<double>(place);
+    return v;
+  };
+  double most = 0;
+  for (int k = 0; k < samples; ++k) most = std::max(most, velocity(double(k) / samples).norm());
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i <= dim; ++i) all.push_back(i);
+  std::vector<double> found = sign_changes(
+      [&](double tau, std::span<double> values) {
+        const auto v = velocity(tau);
+        std::copy(v.begin(), v.end(), values.begin());
+      },
+      all.size(), all, 1);
+  // The sign of a jump changes, too, but its place is a kink of a function.
+  std::erase_if(found, [&](double tau) { return tau >= 1 || velocity(tau).norm() > 1e-6 * most; });
+  return found;
+}
+
+}  // namespace
+
+template <int dim>
+std::optional<PartCycle<dim>> read_part_cycle(const Scene& scene, WornBody<dim>& body) {
+  std::optional<Cycle> cycle = read_cycle(scene);
+  if (!cycle) return {};
+  if (body.contact.counter_body.turning)
+    throw InputError(scene.where("counter_body.motion.rotation") +
+                     ": expected cycle.rotation instead in a scene with a cycle, because the shape "
+                     "changes its place when it turns");
+  check_displacement<dim>(scene, *cycle);
+  take_force(scene, *cycle, body);
+  const CycleAxis<dim> axis = read_axis(scene, body.contact.counter_body);
+  return PartCycle<dim>{std::move(*cycle), axis};
+}
+
+template <int dim>
+std::vector<CounterBody<dim>> instants(const WornBody<dim>& body,
+                                       const std::optional<PartCycle<dim>>& cycle) {
+  const CounterBody<dim>& rest = body.contact.counter_body;
+  if (!cycle) return {rest};
+  std::vector<CounterBody<dim>> result;
+  for (int k = 0; k < samples; ++k)
+    result.push_back(counter_body_at<dim>(rest, cycle->cycle, cycle->axis, (k + 0.5) / samples));
+  return result;
+}
+
+template <int dim>
+void make_phases(const Scene& scene, const PartCycle<dim>& part, WornBody<dim>& body) {
+  std::vector<double> kinks = part.cycle.kinks();
+  const std::vector<double> rests = reversals(part, body.contact.counter_body);
+  kinks.insert(kinks.end(), rests.begin(), rests.end());
+  std::sort(kinks.begin(), kinks.end());
+  // A corner of a table is also where the velocity changes its sign.
+  constexpr double same = 1e-9;
+  kinks.erase(
+      std::unique(kinks.begin(), kinks.end(), [](double a, double b) { return b - a < same; }),
+      kinks.end());
+  for (const CyclePoint& point : read_cycle_points(scene, kinks))
+    body.cycle.push_back(phase_at(scene, point, part, body));
+}
+
+template std::optional<PartCycle<2>> read_part_cycle(const Scene&, WornBody<2>&);
+template std::optional<PartCycle<3>> read_part_cycle(const Scene&, WornBody<3>&);
+template std::vector<CounterBody<2>> instants(const WornBody<2>&,
+                                              const std::optional<PartCycle<2>>&);
+template std::vector<CounterBody<3>> instants(const WornBody<3>&,
+                                              const std::optional<PartCycle<3>>&);
+template void make_phases(const Scene&, const PartCycle<2>&, WornBody<2>&);
+template void make_phases(const Scene&, const PartCycle<3>&, WornBody<3>&);
+
+}  // namespace gnomon::part

@@ -1,0 +1,160 @@
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <gnomon/laws/cycle.hpp>
+#include <gnomon/laws/sign_changes.hpp>
+#include <numeric>
+#include <span>
+
+namespace gnomon {
+
+CycleFunction::CycleFunction(Expression expression) : expression_(std::move(expression)) {}
+
+double CycleFunction::value(double tau) const {
+  return expression_.value(std::span(&tau, 1));
+}
+
+double CycleFunction::slope(double tau) const {
+  double slope = 0;
+  expression_.value_and_gradient(std::span(&tau, 1), std::span(&slope, 1));
+  return slope;
+}
+
+std::vector<double> CycleFunction::kinks() const {
+  std::vector<std::size_t> all(expression_.kinks());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<double> found = sign_changes(
+      [this](double tau, std::span<double> values) {
+        expression_.switching(std::span(&tau, 1), values);
+      },
+      all.size(), all, 1);
+  std::erase_if(found, [](double tau) { return tau >= 1; });
+  return found;
+}
+
+std::vector<double> Cycle::kinks() const {
+  std::vector<double> all;
+  for (const auto* function :
+       {&displacement[0], &displacement[1], &displacement[2], &rotation, &force, &load}) {
+    if (!*function) continue;
+    const std::vector<double> own = (*function)->kinks();
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+namespace {
+
+/// Gauss's points in (0, 1) and their weights: eigenvalues of the matrix of Legendre's recurrence,
+/// and squares of the first components of its eigenvectors (G. Golub and J. Welsch, Math. Comp. 23
+/// (1969) 221).
+std::vector<CyclePoint> gauss_points(int count) {
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(count);
+  Eigen::VectorXd beside(std::max(0, count - 1));
+  for (int k = 1; k < count; ++k) beside[k - 1] = k / std::sqrt(4.0 * k * k - 1);
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(diagonal, beside);
+  std::vector<CyclePoint> points;
+  for (int k = 0; k < count; ++k) {
+    const double first = solver.eigenvectors()(0, k);
+    points.push_back({(1 + solver.eigenvalues()[k]) / 2, first * first});
+  }
+  return points;
+}
+
+/// How many of `count` points each part gets, one or more, by its length: the next point goes where
+/// a point stands for most.
+std::vector<int> share(int count, const std::vector<double>& lengths) {
+  std::vector<int> points(lengths.size(), 1);
+  for (int k = static_cast<int>(lengths.size()); k < count; ++k) {
+    std::size_t neediest = 0;
+    for (std::size_t i = 1; i < lengths.size(); ++i)
+      if (lengths[i] * points[neediest] > lengths[neediest] * points[i]) neediest = i;
+    ++points[neediest];
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<CyclePoint> cycle_points(int count, const std::vector<double>& kinks) {
+  std::vector<CyclePoint> points;
+  if (kinks.empty() || count < static_cast<int>(kinks.size())) {
+    for (int p = 0; p < count; ++p) points.push_back({double(p) / count, 1.0 / count});
+    return points;
+  }
+  std::vector<double> lengths;
+  for (std::size_t k = 0; k < kinks.size(); ++k)
+    lengths.push_back(k + 1 < kinks.size() ? kinks[k + 1] - kinks[k]
+                                           : 1 + kinks.front() - kinks.back());
+  const std::vector<int> shares = share(count, lengths);
+  for (std::size_t k = 0; k < kinks.size(); ++k)
+    for (const CyclePoint& point : gauss_points(shares[k])) {
+      const double tau = kinks[k] + lengths[k] * point.position;
+      points.push_back({tau < 1 ? tau : tau - 1, lengths[k] * point.weight});
+    }
+  std::sort(points.begin(), points.end(),
+            [](const CyclePoint& a, const CyclePoint& b) { return a.position < b.position; });
+  return points;
+}
+
+std::vector<CyclePoint> cycle_points(const std::vector<double>& positions) {
+  std::vector<CyclePoint> points;
+  const std::size_t count = positions.size();
+  for (std::size_t p = 0; p < count; ++p) {
+    const double before = p == 0 ? positions.back() - 1 : positions[p - 1];
+    const double behind = p + 1 == count ? positions.front() + 1 : positions[p + 1];
+    points.push_back({positions[p], (behind - before) / 2});
+  }
+  return points;
+}
+
+namespace {
+
+/// Adds the displacement and its velocity.
+template <int dim>
+void displace(const Cycle& cycle, double tau, CounterBody<dim>& body) {
+  for (int i = 0; i < 3; ++i) {
+    if (!cycle.displacement[i]) continue;
+    const double speed = cycle.displacement[i]->slope(tau) / cycle.period;
+    if (i < dim) {
+      body.position[i] += cycle.displacement[i]->value(tau);
+      body.motion.velocity[i] += speed;
+    } else {
+      body.motion.across += speed;
+    }
+  }
+}
+
+template <int dim>
+void turn(const Cycle& cycle, const CycleAxis<dim>& axis, double tau, CounterBody<dim>& body) {
+  const double rate = cycle.rotation->slope(tau) / cycle.period;
+  if (axis.meridian) {
+    body.motion.across_by_x[0] += rate;
+    return;
+  }
+  body.motion.spin += rate * axis.spin;
+  body.motion.velocity -= rate * axis.spin * axis.centre;
+  if (axis.turns_shape)
+    body.turning = Turning<dim>{axis.spin, axis.centre, 0, cycle.rotation->value(tau)};
+}
+
+}  // namespace
+
+template <int dim>
+CounterBody<dim> counter_body_at(const CounterBody<dim>& body, const Cycle& cycle,
+                                 const CycleAxis<dim>& axis, double tau) {
+  CounterBody<dim> result = body;
+  displace(cycle, tau, result);
+  if (cycle.rotation) turn(cycle, axis, tau, result);
+  return result;
+}
+
+template CounterBody<2> counter_body_at(const CounterBody<2>&, const Cycle&, const CycleAxis<2>&,
+                                        double);
+template CounterBody<3> counter_body_at(const CounterBody<3>&, const Cycle&, const CycleAxis<3>&,
+                                        double);
+
+}  // namespace gnomon

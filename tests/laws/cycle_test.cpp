@@ -1,0 +1,178 @@
+// Cycles of motion and load: functions of the position, quadrature, and the counter-body in a
+// phase.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gnomon/laws/cycle.hpp>
+#include <gnomon/laws/cycle_scene.hpp>
+#include <numbers>
+
+namespace gnomon {
+namespace {
+
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+CycleFunction function(const std::string& text) {
+  ExpressionNames names;
+  names.variables = {"tau"};
+  names.constants["pi"] = std::numbers::pi;
+  names.tables.emplace("triangle", PiecewiseLinear({0, 0.25, 0.75, 1}, {0, 2, -2, 0}));
+  return CycleFunction(Expression(text, names));
+}
+
+double mean(const std::vector<CyclePoint>& points, const auto& f) {
+  double sum = 0;
+  for (const CyclePoint& point : points) sum += point.weight * f(point.position);
+  return sum;
+}
+
+TEST(CycleFunction, SlopeIsTheDerivative) {
+  const CycleFunction f = function("0.1 * sin(2*pi*tau) + tau^2");
+  for (const double tau : {0.0, 0.1, 0.37, 0.9}) {
+    const double step = 1e-6;
+    EXPECT_NEAR(f.slope(tau), (f.value(tau + step) - f.value(tau - step)) / (2 * step), 1e-8);
+  }
+}
+
+TEST(CycleFunction, KnowsItsKinks) {
+  EXPECT_THAT(function("sin(2*pi*tau)").kinks(), testing::IsEmpty());
+  EXPECT_THAT(function("abs(tau - 0.3)").kinks(), ElementsAre(DoubleNear(0.3, 1e-12)));
+  EXPECT_THAT(function("triangle(tau)").kinks(),
+              ElementsAre(DoubleNear(0.25, 1e-12), DoubleNear(0.75, 1e-12)));
+}
+
+// The trapezoidal rule integrates trigonometric polynomials below degree P exactly.
+TEST(CyclePoints, EqualOnesAreExactForTrigonometricPolynomials) {
+  const std::vector<CyclePoint> points = cycle_points(8, {});
+  ASSERT_EQ(points.size(), 8u);
+  for (int degree = 1; degree < 8; ++degree)
+    EXPECT_NEAR(mean(points, [&](double tau) { return std::cos(2 * M_PI * degree * tau + 1); }), 0,
+                1e-14);
+  EXPECT_NEAR(mean(points, [](double tau) { return std::cos(2 * M_PI * 8 * tau); }), 1, 1e-14);
+}
+
+// Gauss's formula with n points is exact for polynomials of degree 2 n - 1 between the kinks.
+TEST(CyclePoints, GaussBetweenKinksIsExactForPieces) {
+  const std::vector<double> kinks = {0.2, 0.8};
+  const std::vector<CyclePoint> points = cycle_points(10, kinks);
+  ASSERT_EQ(points.size(), 10u);
+  const auto piece =
+      [](double tau) {  // a parabola in one part, a cubic around the end in the other
+        const double s = tau < 0.5 ? tau : tau - 1;
+        return tau > 0.2 && tau < 0.8 ? tau * tau : s * s * s + 0.5;
+      };
+  const double exact = (0.512 - 0.008) / 3 + 0.5 * 0.4;
+  EXPECT_NEAR(mean(points, piece), exact, 1e-14);
+  EXPECT_TRUE(std::ranges::is_sorted(points, {}, &CyclePoint::position));
+}
+
+// |cos| has its kinks where the motion reverses: spectral between them, of order two without.
+TEST(CyclePoints, KinksMatterForTheMeanSpeed) {
+  const auto speed = [](double tau) { return std::abs(std::cos(2 * M_PI * tau)); };
+  EXPECT_NEAR(mean(cycle_points(16, {0.25, 0.75}), speed), 2 / M_PI, 1e-12);
+  const double coarse = std::abs(mean(cycle_points(18, {}), speed) - 2 / M_PI);
+  const double fine = std::abs(mean(cycle_points(38, {}), speed) - 2 / M_PI);
+  EXPECT_GT(fine, 1e-5);
+  EXPECT_NEAR(std::log(coarse / fine) / std::log(38.0 / 18), 2, 0.2);
+}
+
+TEST(CyclePoints, ChosenPositionsHaveHalfOfTheirDistances) {
+  const std::vector<CyclePoint> points = cycle_points({0.1, 0.2, 0.6});
+  EXPECT_THAT(
+      (std::vector{points[0].weight, points[1].weight, points[2].weight}),
+      ElementsAre(DoubleNear(0.3, 1e-15), DoubleNear(0.25, 1e-15), DoubleNear(0.45, 1e-15)));
+}
+
+// The velocity of a point of the surface is the derivative of where the motion carries it.
+TEST(CycleCounterBody, MovesWithTheDerivativeOfItsPlace) {
+  Cycle cycle;
+  cycle.period = 2;
+  cycle.displacement = {function("0.3 * sin(2*pi*tau)"), function("0.1 * cos(2*pi*tau)"),
+                        function("tau")};
+  cycle.rotation = function("0.4 * sin(2*pi*tau)");
+  const CycleAxis<2> axis{spin_in_plane(1), Vector<2>(0.5, 1), true};
+  CounterBody<2> body;
+  body.shape = ball<2>(Vector<2>(0, 2), 1);
+  const Vector<2> mark(0.2, 1.1);  // of the shape
+  const auto place = [&](double tau) {
+    const CounterBody<2> at = counter_body_at<2>(body, cycle, axis, tau);
+    return Vector<2>(at.position + axis.centre + at.turning->rotation(7) * (mark - axis.centre));
+  };
+  const double tau = 0.15, step = 1e-6;
+  const CounterBody<2> at = counter_body_at<2>(body, cycle, axis, tau);
+  const Vector<2> velocity = at.motion.at<double>(Vector<2>(place(tau) - at.position));
+  const Vector<2> expected = (place(tau + step) - place(tau - step)) / (2 * step * cycle.period);
+  EXPECT_NEAR((velocity - expected).norm(), 0, 1e-8);
+  EXPECT_GT(expected.norm(), 0.1);
+  EXPECT_NEAR(at.motion.across_at<double>(mark), 0.5, 1e-12);
+}
+
+std::vector<Key> keys_of(const std::string&) {
+  std::vector<Key> keys = {run_keys().front()};
+  keys.insert(keys.end(), cycle_keys().begin(), cycle_keys().end());
+  return keys;
+}
+
+Scene reread(const std::string& text) {
+  return parse_scene(text, "result", {}, keys_of);
+}
+
+Scene scene_of(const std::string& text, const std::filesystem::path& folder = {}) {
+  return parse_scene("problem = \"none\"\n" + text, (folder / "scene.toml").string(), {}, keys_of);
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    const Scene scene = scene_of(text);
+    if (read_cycle(scene)) read_cycle_points(scene, {});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CycleScene, ReadsExpressionsAndTables) {
+  const Scene scene = scene_of(
+      "[cycle]\nperiod = 2.0\nphases = 4\nx = \"0.5 * gait(tau)\"\n"
+      "tables.gait = { x = [0.0, 0.5, 1.0], y = [0.0, 2.0, 0.0] }\n");
+  const auto cycle = read_cycle(scene);
+  ASSERT_TRUE(cycle);
+  EXPECT_DOUBLE_EQ(cycle->displacement[0]->value(0.25), 0.5);
+  EXPECT_DOUBLE_EQ(cycle->displacement[0]->slope(0.25), 2);
+  EXPECT_EQ(read_cycle_points(scene, {}).size(), 4u);
+}
+
+TEST(CycleScene, AResultNeedsNoFile) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "gnomon_cycle_tables";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "gait.csv") << "tau, force\n0, 100\n0.5, 300\n1, 100\n";
+  const std::string text = "[cycle]\nperiod = 1.0\nphases = [0.0, 0.5]\nforce = \"gait.csv\"\n";
+  const Scene scene = scene_of(text, folder);
+  EXPECT_DOUBLE_EQ(read_cycle(scene)->force->value(0.25), 200);
+  const std::string alone = with_cycle_tables(scene).resolved();
+  std::filesystem::remove_all(folder);
+  EXPECT_THROW(read_cycle(scene), InputError);
+  EXPECT_DOUBLE_EQ(read_cycle(reread(alone))->force->value(0.25), 200);
+}
+
+TEST(CycleScene, RefusesWhatItCannotUse) {
+  const std::string begin = "[cycle]\nperiod = 1.0\n";
+  EXPECT_THAT(refusal("[cycle]\nx = \"tau\"\n"), HasSubstr("cycle.x`: expected also cycle.period"));
+  EXPECT_THAT(refusal(begin), HasSubstr("expected also cycle.phases"));
+  EXPECT_THAT(refusal(begin + "phases = 2.5\n"), HasSubstr("got 2.5"));
+  EXPECT_THAT(refusal(begin + "phases = [0.5, 0.2]\n"), HasSubstr("got 0.2 at place 2"));
+  EXPECT_THAT(refusal(begin + "phases = []\n"), HasSubstr("got none"));
+  EXPECT_THAT(refusal(begin + "phases = 4\nx = \"sin(t)\"\n"), HasSubstr("unknown name \"t\""));
+  EXPECT_THAT(refusal(begin + "phases = 4\nx = \"log(tau - 0.5)\"\n"), HasSubstr("finite value"));
+  EXPECT_THAT(refusal(begin + "phases = 4\nforce = \"none.csv\"\n"), HasSubstr("there is none"));
+  EXPECT_EQ(refusal(begin + "phases = 4\nx = \"sin(2*pi*tau)\"\n"), "");
+}
+
+}  // namespace
+}  // namespace gnomon
