@@ -7,7 +7,6 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/counter_body_scene.hpp>
 #include <gnomon/laws/cycle_scene.hpp>
-#include <gnomon/laws/sign_changes.hpp>
 
 #include "histories.hpp"
 
@@ -79,26 +78,31 @@ Phase<dim> phase_at(const Scene& scene, const CyclePoint& point, const PartCycle
   return phase;
 }
 
+/// Of its surface at a point, the component out of the plane last [length / time].
+template <int dim>
+Eigen::Matrix<double, dim + 1, 1> velocity_at(const CounterBody<dim>& body,
+                                              const Vector<dim>& point) {
+  const Vector<dim> place = point - body.position;
+  Eigen::Matrix<double, dim + 1, 1> v;
+  v << body.motion.template at<double>(place), body.motion.template across_at<double>(place);
+  return v;
+}
+
 /// Where the speed at the reference is zero and changes its sign, |v| has a kink.
 template <int dim>
 std::vector<double> reversals(const PartCycle<dim>& part, const CounterBody<dim>& rest) {
+  const Vector<dim> place = rest.motion.reference + rest.position;
   const auto velocity = [&](double tau) {
-    const CounterBody<dim> body = counter_body_at<dim>(rest, part.cycle, part.axis, tau);
-    const Vector<dim> place = rest.motion.reference + rest.position - body.position;
-    Eigen::Matrix<double, dim + 1, 1> v;
-    v << body.motion.template at<double>(place), body.motion.template across_at<double>(place);
-    return v;
+    return velocity_at<dim>(counter_body_at<dim>(rest, part.cycle, part.axis, tau), place);
   };
   double most = 0;
   for (int k = 0; k < samples; ++k) most = std::max(most, velocity(double(k) / samples).norm());
-  std::vector<std::size_t> all;
-  for (std::size_t i = 0; i <= dim; ++i) all.push_back(i);
-  std::vector<double> found = sign_changes(
+  std::vector<double> found = sign_changes_in_cycle(
       [&](double tau, std::span<double> values) {
         const auto v = velocity(tau);
         std::copy(v.begin(), v.end(), values.begin());
       },
-      all.size(), all, 1);
+      dim + 1);
   // The sign of a jump changes, too, but its place is a kink of a function.
   std::erase_if(found, [&](double tau) { return tau >= 1 || velocity(tau).norm() > 1e-6 * most; });
   return found;
@@ -146,6 +150,33 @@ void make_phases(const Scene& scene, const PartCycle<dim>& part, WornBody<dim>& 
     body.cycle.push_back(phase_at(scene, point, part, body));
 }
 
+template <int dim>
+void require_gross_sliding(const Scene& scene, const PartCycle<dim>& cycle,
+                           const WornBody<dim>& body) {
+  const double friction = scene.real("friction.coefficient"), nu = scene.real("body.poisson_ratio");
+  const CounterBody<dim>& rest = body.contact.counter_body;
+  const Vector<dim> place = rest.motion.reference + rest.position;
+  const auto velocity = [&](double tau) {
+    return velocity_at<dim>(counter_body_at<dim>(rest, cycle.cycle, cycle.axis, tau), place);
+  };
+  int reversals = 0;
+  double path = 0;
+  for (int k = 0; k < samples; ++k) {
+    const auto v = velocity((k + 0.5) / samples);
+    if (v.dot(velocity(k + 1 == samples ? 0.5 / samples : (k + 1.5) / samples)) < 0) ++reversals;
+    path += v.norm() * cycle.cycle.period / samples;
+  }
+  if (reversals == 0) return;
+  const double amplitude = path / reversals / 2;
+  const double shear = friction * (2 - nu) / (2 * (1 - nu)) * body.scales.displacement;
+  if (amplitude < shear)
+    throw InputError(fmt::format(
+        "{}: expected bodies that slide over the whole contact, but the amplitude of the motion, "
+        "{:.2g} mm, is less than the elastic shear of the contact, about {:.2g} mm: a part of it "
+        "would stick (partial slip), which depends on the path within the cycle",
+        scene.where("friction.coefficient"), amplitude, shear));
+}
+
 template std::optional<PartCycle<2>> read_part_cycle(const Scene&, WornBody<2>&);
 template std::optional<PartCycle<3>> read_part_cycle(const Scene&, WornBody<3>&);
 template std::vector<CounterBody<2>> instants(const WornBody<2>&,
@@ -154,5 +185,7 @@ template std::vector<CounterBody<3>> instants(const WornBody<3>&,
                                               const std::optional<PartCycle<3>>&);
 template void make_phases(const Scene&, const PartCycle<2>&, WornBody<2>&);
 template void make_phases(const Scene&, const PartCycle<3>&, WornBody<3>&);
+template void require_gross_sliding(const Scene&, const PartCycle<2>&, const WornBody<2>&);
+template void require_gross_sliding(const Scene&, const PartCycle<3>&, const WornBody<3>&);
 
 }  // namespace gnomon::part

@@ -31,4 +31,11 @@ std::vector<CounterBody<dim>> instants(const WornBody<dim>& body,
 template <int dim>
 void make_phases(const Scene& scene, const PartCycle<dim>& cycle, WornBody<dim>& body);
 
+/// Refuses a motion to and fro that is shorter than the elastic shear of the contact: part of the
+/// contact would stick, which depends on the path within the cycle. By Mindlin's formula for round
+/// bodies (K. L. Johnson, Contact Mechanics, eq. 7.43); `body` has its scales. Throws InputError.
+template <int dim>
+void require_gross_sliding(const Scene& scene, const PartCycle<dim>& cycle,
+                           const WornBody<dim>& body);
+
 }  // namespace gnomon::part

@@ -177,6 +177,7 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
   const Magnitudes magnitudes = find_magnitudes(
       scene, force, overlap, force * body->load_history.integral(scene.real("time.end")), *body);
   body->scales = magnitudes.scales;
+  if (cycle) require_gross_sliding(scene, *cycle, *body);
   body->shape_fixed = NodalFlags<dim>::Zero(body->displacement_fixed.rows(), dim);
   if constexpr (dim == 2)
     if (body->element.section == Section::meridian) hold_on_axis(*body);

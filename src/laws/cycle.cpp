@@ -21,14 +21,41 @@ double CycleFunction::slope(double tau) const {
 }
 
 std::vector<double> CycleFunction::kinks() const {
-  std::vector<std::size_t> all(expression_.kinks());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  std::vector<double> found = sign_changes(
+  std::vector<double> found = sign_changes_in_cycle(
       [this](double tau, std::span<double> values) {
         expression_.switching(std::span(&tau, 1), values);
       },
-      all.size(), all, 1);
-  std::erase_if(found, [](double tau) { return tau >= 1; });
+      expression_.kinks());
+  const double end = 1 - 1e-12;
+  double size = 0, steepness = 0;
+  for (int k = 0; k < 100; ++k) {
+    size = std::max(size, std::abs(value(k / 100.0)));
+    steepness = std::max(steepness, std::abs(slope(k / 100.0)));
+  }
+  const bool ends_as_it_begins = std::abs(value(end) - value(0)) <= 1e-9 * size &&
+                                 std::abs(slope(end) - slope(0)) <= 1e-9 * steepness;
+  if (!ends_as_it_begins && (found.empty() || found.front() > 0)) found.insert(found.begin(), 0);
+  return found;
+}
+
+std::vector<double> sign_changes_in_cycle(
+    const std::function<void(double tau, std::span<double> values)>& functions, std::size_t count) {
+  // The search begins inside, where hardly any function changes its sign.
+  constexpr double begin = 0.123456789;
+  const auto position = [](double t) { return begin + t < 1 ? begin + t : begin + t - 1; };
+  std::vector<std::size_t> all(count);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<double> found = sign_changes(
+      [&](double t, std::span<double> values) { functions(position(t), values); }, count, all, 1);
+  constexpr double rounding = 1e-12;
+  for (double& t : found) {
+    t = position(t);
+    if (t < rounding || t > 1 - rounding) t = 0;
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(
+      std::unique(found.begin(), found.end(), [](double a, double b) { return b - a < rounding; }),
+      found.end());
   return found;
 }
 

@@ -1,3 +1,4 @@
+#include <Eigen/LU>
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/linear/block_preconditioner.hpp>
@@ -73,10 +74,10 @@ struct BlockPreconditioner::Blocks {
   std::vector<RankOneTerm> terms;  // of which the change has to consist
   JacobianBlock mesh_motion_row, multiplier_row, rigid_row, rigid_column;
   std::vector<int> core, multipliers;
-  int rigid = -1;
-  bool bordered = false;       // the two below belong to J and the set-up
-  std::vector<double> border;  // core solution for the column of w
-  double schur = 1;            // Schur complement of w
+  std::vector<int> rigid;                      // w, one for each contact state
+  bool bordered = false;                       // the two below belong to J and the set-up
+  std::vector<std::vector<double>> border;     // core solutions for the columns of w
+  Eigen::PartialPivLU<Eigen::MatrixXd> schur;  // of J_ww, the Schur complement
   std::vector<double> work;
 
   explicit Blocks(const Structure& s)
@@ -93,12 +94,9 @@ struct BlockPreconditioner::Blocks {
         rigid_column(s, core_roles, {Role::rigid}),
         core(unknowns_of(s, core_roles)),
         multipliers(unknowns_of(s, {Role::reaction})),
-        border(s.size),
-        work(s.size) {
-    const std::vector<int> scalars = unknowns_of(s, {Role::rigid});
-    if (scalars.size() > 1) throw Error("the block solver supports only one scalar rigid motion");
-    if (!scalars.empty()) rigid = scalars.front();
-  }
+        rigid(unknowns_of(s, {Role::rigid})),
+        border(rigid.size(), std::vector<double>(s.size)),
+        work(s.size) {}
 
   double diagonal(int i) const { return J[structure.pattern.find(i, i)]; }
 
@@ -114,25 +112,42 @@ struct BlockPreconditioner::Blocks {
     contact.recover(s, z);
   }
 
-  /// Solves for a unit of w: then z_core = -border, and `schur` is the Schur complement of J_ww.
+  /// Solves for a unit of each w: then z_core = -border, and `schur` is the Schur complement of
+  /// J_ww.
   void make_border() {
-    std::fill(border.begin(), border.end(), 0.0);
-    std::fill(work.begin(), work.end(), 0.0);
-    border[rigid] = -1;
-    rigid_column.subtract(J, border, work);
-    border[rigid] = 0;
-    solve_core(work, border);
-    std::fill(work.begin(), work.end(), 0.0);
-    rigid_row.subtract(J, border, work);
-    schur = diagonal(rigid) + work[rigid];
-    if (schur == 0) schur = 1;  // nothing carries the force: the outer iteration will fail
+    const auto count = static_cast<Eigen::Index>(rigid.size());
+    Eigen::MatrixXd complement = Eigen::MatrixXd::Zero(count, count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      std::vector<double>& column = border[static_cast<std::size_t>(k)];
+      const int w = rigid[static_cast<std::size_t>(k)];
+      std::fill(column.begin(), column.end(), 0.0);
+      std::fill(work.begin(), work.end(), 0.0);
+      column[w] = -1;
+      rigid_column.subtract(J, column, work);
+      column[w] = 0;
+      solve_core(work, column);
+      std::fill(work.begin(), work.end(), 0.0);
+      rigid_row.subtract(J, column, work);
+      for (Eigen::Index l = 0; l < count; ++l)
+        complement(l, k) = work[rigid[static_cast<std::size_t>(l)]];
+      complement(k, k) += diagonal(w);
+      // Nothing carries the force: the outer iteration will fail.
+      if (complement.col(k).isZero(0)) complement(k, k) = 1;
+    }
+    schur.compute(complement);
     bordered = true;
   }
 
   void solve_rigid(std::span<double> s, std::span<double> z) const {
     rigid_row.subtract(J, z, s);
-    z[rigid] = s[rigid] / schur;
-    for (int i : core) z[i] -= border[i] * z[rigid];
+    Eigen::VectorXd right(static_cast<Eigen::Index>(rigid.size()));
+    for (std::size_t k = 0; k < rigid.size(); ++k)
+      right[static_cast<Eigen::Index>(k)] = s[rigid[k]];
+    const Eigen::VectorXd w = schur.solve(right);
+    for (std::size_t k = 0; k < rigid.size(); ++k) {
+      const double value = z[rigid[k]] = w[static_cast<Eigen::Index>(k)];
+      for (int i : core) z[i] -= border[k][i] * value;
+    }
   }
 };
 
@@ -186,11 +201,11 @@ double BlockPreconditioner::set_up_cost() const {
 
 void BlockPreconditioner::apply(std::span<const double> r, std::span<double> z) {
   Blocks& b = *blocks_;
-  if (b.rigid >= 0 && !b.bordered) b.make_border();
+  if (!b.rigid.empty() && !b.bordered) b.make_border();
   std::copy(r.begin(), r.end(), b.work.begin());
   std::fill(z.begin(), z.end(), 0.0);
   b.solve_core(b.work, z);
-  if (b.rigid >= 0) b.solve_rigid(b.work, z);
+  if (!b.rigid.empty()) b.solve_rigid(b.work, z);
   b.mesh_motion_row.subtract(b.J, z, b.work);
   b.mesh_motion.solve(b.work, z);
   b.multiplier_row.subtract(b.J, z, b.work);

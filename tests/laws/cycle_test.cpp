@@ -42,9 +42,13 @@ TEST(CycleFunction, SlopeIsTheDerivative) {
 
 TEST(CycleFunction, KnowsItsKinks) {
   EXPECT_THAT(function("sin(2*pi*tau)").kinks(), testing::IsEmpty());
-  EXPECT_THAT(function("abs(tau - 0.3)").kinks(), ElementsAre(DoubleNear(0.3, 1e-12)));
+  EXPECT_THAT(function("abs(sin(2*pi*tau - 1))").kinks(),
+              ElementsAre(DoubleNear(0.5 / M_PI, 1e-12), DoubleNear(0.5 + 0.5 / M_PI, 1e-12)));
+  // These end otherwise than they begin.
+  EXPECT_THAT(function("abs(tau - 0.5)").kinks(), ElementsAre(0, DoubleNear(0.5, 1e-12)));
+  EXPECT_THAT(function("tau").kinks(), ElementsAre(0));
   EXPECT_THAT(function("triangle(tau)").kinks(),
-              ElementsAre(DoubleNear(0.25, 1e-12), DoubleNear(0.75, 1e-12)));
+              ElementsAre(0, DoubleNear(0.25, 1e-12), DoubleNear(0.75, 1e-12)));
 }
 
 // The trapezoidal rule integrates trigonometric polynomials below degree P exactly.

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <gnomon/laws/counter_body.hpp>
 #include <gnomon/scene/expression.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace gnomon {
@@ -21,7 +23,8 @@ public:
   double value(double tau) const;
   /// Its derivative by tau; at a kink that of one side.
   double slope(double tau) const;
-  /// Positions in (0, 1), ascending, at which it may have a corner or a jump.
+  /// Positions in [0, 1), ascending, at which it may have a corner or a jump; 0 where it ends
+  /// otherwise than it begins.
   std::vector<double> kinks() const;
 
 private:
@@ -36,9 +39,14 @@ struct Cycle {
   std::optional<CycleFunction> force;     ///< that presses the counter-body [force]
   std::optional<CycleFunction> load;      ///< factor of the loads on the worn body
 
-  /// Positions in (0, 1), ascending, at which one of the functions may have a corner or a jump.
+  /// Positions in [0, 1), ascending, at which one of the functions may have a corner or a jump.
   std::vector<double> kinks() const;
 };
+
+/// Positions in [0, 1), ascending, at which one of `count` functions of the position changes its
+/// sign, also from the end of the cycle to its begin (sign_changes.hpp).
+std::vector<double> sign_changes_in_cycle(
+    const std::function<void(double tau, std::span<double> values)>& functions, std::size_t count);
 
 /// A position in the cycle with its part of the mean over the cycle.
 struct CyclePoint {

@@ -1,0 +1,232 @@
+// Cycles: a flat that a reciprocating cylinder wears, against steady sliding, the balance of what
+// wears, and derivatives.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/integrators/stepper.hpp>
+#include <gnomon/newton/algebraic_solver.hpp>
+
+#include "part/part_scene.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+using ::testing::HasSubstr;
+
+class Cycles : public ::testing::Test {
+protected:
+  void SetUp() override {
+    if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
+    folder_.write("flat.geo", R"(Point(1) = {-0.4, -0.4, 0};
+Point(2) = { 0.4, -0.4, 0};
+Point(3) = { 0.4, 0, 0};
+Point(4) = {-0.4, 0, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+DefineConstant[ n = 24 ];
+Transfinite Curve {1, 3} = n + 1;
+Transfinite Curve {2, 4} = n / 4 + 1;
+Transfinite Surface {1};
+Recombine Surface {1};
+Physical Curve("bottom") = {1};
+Physical Curve("surface") = {3};
+Physical Surface("flat") = {1};
+)");
+  }
+
+  /// `motion`: what [cycle] or [counter_body.motion] gives.
+  std::string text(const std::string& motion, const std::string& press = "force = 18.5") const {
+    return fmt::format(R"(problem = "worn_body"
+mesh.geometry = "flat.geo"
+body = {{ young_modulus = 1e4, poisson_ratio = 0.3 }}
+support = [ {{ on = "bottom" }} ]
+wear = {{ on = ["surface"], coefficient = 2.9e-6 }}
+time.end = 100.0
+integrator = {{ name = "esdirk-3", rtol = 1e-4 }}
+[counter_body]
+shape = "cylinder"
+radius = 6.0
+center = [0.0, 6.0]
+press = {{ direction = [0.0, -1.0]{}{} }}
+{}
+)",
+                       press.empty() ? "" : ", ", press, motion);
+  }
+  std::unique_ptr<Model> model(const std::string& text, const Overrides& overrides = {}) const {
+    return make_model(load_scene(folder_.write("flat.toml", text), overrides, key_table));
+  }
+  std::string refusal(const std::string& text, const Overrides& overrides = {}) const {
+    try {
+      model(text, overrides);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  SceneFolder folder_;
+};
+
+const std::string reciprocating =
+    "[cycle]\nperiod = 1.0\nphases = 6\nx = \"0.1 * sin(2*pi*tau)\"\n";
+
+TEST_F(Cycles, OnePhaseIsTheSteadyState) {
+  const auto steady = model(text("motion.velocity = [0.4, 0.0]")),
+             cycle = model(text("[cycle]\nperiod = 2.0\nphases = 1\nx = \"0.8 * (tau - 0.5)\""));
+  const ModelRun expected = run_model(*steady, "esdirk-3", 0, 1e-4, 100),
+                 actual = run_model(*cycle, "esdirk-3", 0, 1e-4, 100);
+  EXPECT_EQ(actual.counters.newton_iterations, expected.counters.newton_iterations);
+  const std::vector<double>& scale = steady->system().structure().unknown_scale;
+  for (std::size_t i = 0; i < scale.size(); ++i)
+    EXPECT_NEAR(actual.last().y[i], expected.last().y[i], 1e-9 * scale[i]);
+}
+
+/// Four amplitudes a period; the force along the press, whatever the slope of the scar's sides.
+TEST_F(Cycles, LoseWhatTheForceAndThePathSay) {
+  const std::string triangle =
+      "[cycle]\nperiod = 1.0\nphases = 6\nx = \"0.1 * (1 - 4 * abs(tau - 0.5))\"\n";
+  const auto flat =
+      model(text(triangle), {"counter_body.radius=60.0", "counter_body.center=[0, 60]"});
+  for (const char* integrator : {"esdirk-3", "bdf", "forward-euler"}) {
+    const double step = std::string(integrator) == "forward-euler" ? 0.5 : 0;
+    const ModelRun run = run_model(*flat, integrator, step, 1e-4, 100);
+    const double expected = 2.9e-6 * 18.5 * 4 * 0.1 * 100;
+    EXPECT_NEAR(observed(*flat, run.last(), "worn_volume") / expected, 1, 1e-5) << integrator;
+    EXPECT_NEAR(observed(*flat, run.last(), "contact_force") / 18.5, 1, 1e-5) << integrator;
+  }
+}
+
+TEST_F(Cycles, WearTheSameOnBothSides) {
+  const auto flat = model(text(reciprocating));
+  const ModelRun run = run_model(*flat, "esdirk-3", 0, 1e-4, 100);
+  const ContactSurface surface = flat->contact(run.last()).value();
+  const std::size_t count = surface.node.size();
+  ASSERT_EQ(surface.phase_position.size(), 6u);
+  ASSERT_EQ(surface.phase_pressure.size(), 6 * count);
+  double deepest = 0;
+  for (std::size_t c = 0; c < count; ++c)
+    for (std::size_t other = 0; other < count; ++other)
+      if (std::abs(surface.initial[c][0] + surface.initial[other][0]) < 1e-9) {
+        EXPECT_NEAR(surface.worn[c][1], surface.worn[other][1], 1e-7);
+        deepest = std::max(deepest, -surface.worn[c][1]);
+      }
+  EXPECT_GT(deepest, 1e-3);
+}
+
+TEST_F(Cycles, JacobianEqualsFiniteDifferences) {
+  for (const char* constraint : {"eliminated", "multiplier"}) {
+    const auto flat =
+        model(text("[cycle]\nperiod = 1.0\nphases = 3\nx = \"0.1 * sin(2*pi*tau)\"\nforce = \"20 + "
+                   "10*cos(2*pi*tau)\"\nrotation = \"0.01 * sin(2*pi*tau)\"\nload = \"tau\"\n",
+                   ""),
+              {fmt::format("shape.constraint={}", constraint), "mesh.factor=3",
+               "friction.coefficient=0.3"});
+    Counters counters;
+    std::vector<double> y = flat->start(counters).y;
+    const Structure& structure = flat->system().structure();
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] += 0.02 * structure.unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
+    check_jacobian(flat->system(), 0, y, 0.2, nullptr, 1e-4);
+    for (const AlgebraicStage& stage : flat->system().algebraic_stages()) {
+      stage.freeze(0, y);
+      std::vector<double> part;
+      for (int unknown : stage.unknowns) part.push_back(y[unknown]);
+      check_jacobian(*stage.system, 0, part, 0, nullptr, 1e-4);
+    }
+  }
+}
+
+TEST_F(Cycles, BothSolversAgree) {
+  const auto run = [&](const char* method) {
+    const auto flat = model(text(reciprocating), {fmt::format("solver.method={}", method)});
+    return observed(*flat, run_model(*flat, "bdf", 0, 1e-6, 100).last(), "max_pressure");
+  };
+  EXPECT_NEAR(run("block") / run("direct"), 1, 1e-5);
+}
+
+/// A held counter-body: the worn volume is less, because pressures fall; phases far away do not
+/// wear.
+TEST_F(Cycles, PhasesWithoutContactDoNotWear) {
+  const std::string held = "approach = 0.002";
+  const auto flux = [&](const std::string& phases, const std::string& x) {
+    const auto flat =
+        model(text("[cycle]\nperiod = 1.0\nphases = " + phases + "\nx = \"" + x + "\"\n", held));
+    Counters counters;
+    return observed(*flat, flat->start(counters), "wear_flux");
+  };
+  // Two of four equal phases are 5 mm away, where the cylinder passes beside the flat's end.
+  const double there = flux("1", "0.4 * (tau - 0.5)"),
+               half = flux("[0.0, 0.25, 0.5, 0.75]",
+                           "if(tau < 0.3, 0, 5) + 0.4 * tau - "
+                           "if(tau < 0.2, 0, if(tau < 0.3, 0.1, 0))");
+  EXPECT_GT(there, 0);
+  EXPECT_NEAR(half / there, 0.5, 1e-9);
+}
+
+/// Every cycle through its phases as ordinary time, by forward Euler: the shape of one phase is the
+/// start of the next.
+std::vector<double> worn_through_every_cycle(const std::vector<std::unique_ptr<Model>>& phases,
+                                             double period, double end) {
+  Counters counters;
+  State state = phases.front()->start(counters);
+  const double step = period / double(phases.size());
+  const std::vector<char>& differential = phases.front()->system().structure().differential;
+  for (long k = 0; k < std::lround(end / step); ++k) {
+    const System& system = phases[static_cast<std::size_t>(k) % phases.size()]->system();
+    EXPECT_EQ(AlgebraicSolver(system, counters).solve(state.t, state.y), "");
+    set_rates(system, nullptr, state);
+    for (std::size_t i = 0; i < state.y.size(); ++i)
+      if (differential[i]) state.y[i] += step * state.ydot[i];
+  }
+  std::vector<double> worn;
+  for (std::size_t i = 0; i < state.y.size(); ++i)
+    if (differential[i]) worn.push_back(state.y[i]);
+  return worn;
+}
+
+/// The same wear in fewer and longer cycles: the mean over a cycle differs from the run through all
+/// of them by the wear of one cycle, in the first order.
+TEST_F(Cycles, DifferFromTheRunThroughAllByTheWearOfOneCycle) {
+  const auto scene = [&](const std::string& phases) {
+    return text("[cycle]\nperiod = 1.0\nphases = " + phases + "\nx = \"0.1 * sin(2*pi*tau)\"\n");
+  };
+  const std::vector<std::string> positions = {"0.05", "0.3", "0.55", "0.8"};
+  const auto mean = model(scene("[0.05, 0.3, 0.55, 0.8]"));
+  const State averaged = run_model(*mean, "esdirk-4", 0, 1e-7, 40).last();
+  std::vector<double> expected;
+  for (std::size_t i = 0; i < averaged.y.size(); ++i)
+    if (mean->system().structure().differential[i]) expected.push_back(averaged.y[i]);
+  std::vector<std::unique_ptr<Model>> phases;
+  for (const std::string& position : positions)
+    phases.push_back(model(scene("[" + position + "]")));
+  std::vector<double> differences;
+  for (const double period : {4.0, 2.0, 1.0, 0.5}) {
+    const std::vector<double> worn = worn_through_every_cycle(phases, period, 40);
+    ASSERT_EQ(worn.size(), expected.size());
+    double difference = 0;
+    for (std::size_t i = 0; i < worn.size(); ++i)
+      difference = std::max(difference, std::abs(worn[i] - expected[i]));
+    differences.push_back(difference);
+  }
+  EXPECT_NEAR(std::log2(differences[0] / differences[3]) / 3, 1, 0.15);
+  EXPECT_LT(differences[3], 0.02 * -*std::ranges::min_element(expected));
+}
+
+TEST_F(Cycles, RefuseWhatTheyCannotDo) {
+  EXPECT_THAT(refusal(text(reciprocating + "force = \"10.0\"\n")),
+              HasSubstr("cycle.force`: expected either cycle.force or counter_body.press.force"));
+  EXPECT_THAT(refusal(text(reciprocating + "force = \"10 * sin(2*pi*tau)\"\n", "")),
+              HasSubstr("expected a force above zero"));
+  const std::string short_motion =
+      text("[cycle]\nperiod = 1.0\nphases = 4\nx = \"1e-4 * sin(2*pi*tau)\"\n");
+  EXPECT_THAT(refusal(short_motion, {"friction.coefficient=0.5"}), HasSubstr("partial slip"));
+  EXPECT_EQ(refusal(short_motion), "");
+  EXPECT_EQ(refusal(text(reciprocating + "force = \"10.0\"\n", "")), "");
+}
+
+}  // namespace
+}  // namespace gnomon
