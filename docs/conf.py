@@ -70,7 +70,7 @@ def prepare(app, name, source):
     """Makes a page of the site of a page of docs/."""
     text = source[0]
     if name == "changelog":
-        text = text.replace("](docs/", "](")
+        text = re.sub(r"\[docs/(?:\w+/)*(\w+)\.md\]\(", r"[\1](", text).replace("](docs/", "](")
     text = linked_outside(name.count("/"))(text)
     if name == "index":
         text += "\n" + toctrees(text)

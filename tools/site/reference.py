@@ -19,8 +19,10 @@ def asked(program, *words):
 
 
 def escaped(text):
-    """Text in Markdown; words that are commands, keys or files are set as code."""
+    """Text in Markdown; words that are commands, keys or files are set as code, names of pages as links."""
     text = re.sub(r"([\\*_$|<>\[\]])", r"\\\1", text)
+    text = re.sub(r"(?<![`\w/])docs/([\w\\]+)\.md",
+                  lambda page: f"[{page[1]}](../{page[1]}.md)".replace("\\", ""), text)
     return re.sub(r"`([^`]*)`", lambda code: "`" + code[1].replace("\\", "") + "`", text)
 
 

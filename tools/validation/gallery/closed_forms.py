@@ -215,8 +215,8 @@ methods ([integrators](integrators.md)).""", punch),
 The pin of the paper's sec. 4.1. A rigid pin would wear to the half width a with 2 a^3/(3 R) = k F v t. An
 elastic one is wider by a part in proportion to 1/E.""", rigid_limit),
     Entry("clutch", "Lining of a disc clutch", """
-A flat ring is worn by a disc that turns, so that the sliding speed is omega r. All of the surface wears alike
-in the end, with the pressure F/(2 pi r (b - a)).""", clutch),
+A flat ring is worn by a disc that turns, so that the sliding speed is omega r. In the end all of the surface
+wears at the same rate, with the pressure F/(2 pi r (b - a)).""", clutch),
     Entry("rigid-ball", "Worn ball and the rigid limit, in space", """
 The ball of the paper's sec. 4.2 with friction, E = 100 GPa. Such a stiff ball wears to a spherical cap of the
 volume K f F v t, and the pressure becomes uniform on its circle: lines. Dots are gnomon's nodes.""", rigid_ball),
