@@ -114,11 +114,22 @@ std::vector<Key> own_keys(const Problem& problem) {
   return keys;
 }
 
+namespace {
+
+/// Whether the steps of the scene's integrator can settle pressures (output.settle).
+bool can_settle(const Scene& scene) {
+  return !scene.has("integrator.step") &&
+         Integrators::find(scene.text("integrator.name"), "integrator").settles;
+}
+
+}  // namespace
+
 std::vector<Key> key_table(const std::string& problem) {
   std::vector<Key> table = run_keys();
   for (Key& key : table) {
     if (key.name == "problem") key.choices = {problem};
     if (key.name == "integrator.name") key.choices = Integrators::names();
+    if (key.name == "output.settle") key.applies = can_settle;
   }
   const std::vector<Key> own = own_keys(Problems::find(problem, "problem"));
   table.insert(table.end(), own.begin(), own.end());
