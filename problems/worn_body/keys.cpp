@@ -84,7 +84,7 @@ std::vector<Key> shared_keys() {
     if (key.name == "wear.coefficient") key.range.min = 0;  // a contact analysis
     if (key.name == "solver.method") {
       key.presence = optional;
-      key.absent_meaning = "direct in the plane, block in space";
+      key.absent_meaning = "block";
     }
     keys.push_back(std::move(key));
   }

@@ -27,6 +27,7 @@ int check_command(const std::filesystem::path& scene, const std::vector<std::str
   for (const std::string& remark : setup.model->remarks()) fmt::print("# {}\n", remark);
   if (const std::string dropped = dropped_times_text(setup.scene); !dropped.empty())
     fmt::print("# {}\n", dropped);
+  for (const std::string& idle : idle_keys_texts(setup.scene)) fmt::print("# {}\n", idle);
   for (const std::string& name : unused_wear_names(setup.scene))
     fmt::print("# {} is given, but wear.rate does not use it\n", name);
   return success;

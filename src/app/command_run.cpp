@@ -28,6 +28,7 @@ int run_command(const RunOptions& given) {
   const Setup setup = set_up(std::move(scene));
   if (!options.quiet) {
     print_remarks({dropped_times_text(setup.scene)});
+    print_remarks(idle_keys_texts(setup.scene));
     print_remarks(setup.model->remarks());
   }
   const RunHeader header = run_header(setup);

@@ -6,42 +6,59 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/installation.hpp>
 #include <iterator>
+#include <optional>
 
 namespace gnomon::app {
 
 namespace {
 
-/// Exit code of `python3 ARGUMENTS`.
-int python(const std::vector<std::string>& arguments, const std::string& log) {
+constexpr int cannot_start = 127;
+
+/// Status of `python3 ARGUMENTS` as of waitpid(); nothing if there was no process.
+std::optional<int> python(const std::vector<std::string>& arguments, const std::string& log) {
   std::vector<char*> argv = {const_cast<char*>("python3")};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   const pid_t process = fork();
-  if (process < 0) return -1;
+  if (process < 0) return {};
   if (process == 0) {
     const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     dup2(out, STDOUT_FILENO);
     dup2(out, STDERR_FILENO);
     execvp(argv[0], argv.data());
-    _exit(127);
+    _exit(cannot_start);
   }
   int status = 0;
   while (waitpid(process, &status, 0) < 0)
-    if (errno != EINTR) return -1;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    if (errno != EINTR) return {};
+  return status;
+}
+
+std::string text_of(const std::filesystem::path& log) {
+  std::ifstream stream(log, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Why a program failed that printed nothing.
+std::string why_silent(const std::optional<int>& status) {
+  if (!status) return "a process for drawing cannot be started";
+  if (WIFSIGNALED(*status))
+    return fmt::format("drawing was ended by signal {} ({})", WTERMSIG(*status),
+                       strsignal(WTERMSIG(*status)));
+  if (WEXITSTATUS(*status) == cannot_start)
+    return fmt::format("drawing needs Python 3 and the packages {}", drawing_packages);
+  return fmt::format("the drawing program ended with exit code {} and no message",
+                     WEXITSTATUS(*status));
 }
 
 /// The last line that a failed program printed, without the name of the program before it.
-std::string last_line(const std::filesystem::path& log) {
-  std::ifstream stream(log, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
+std::string last_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  if (text.empty())
-    return fmt::format("drawing needs Python 3 and the packages {}", drawing_packages);
   std::string line = text.substr(text.rfind('\n') + 1);  // npos + 1 is zero
   if (const std::string name = "gnomon: "; line.starts_with(name)) line.erase(0, name.size());
   return line;
@@ -59,12 +76,16 @@ ScriptEnd run_plotting_script(const std::vector<std::string>& arguments,
   try {
     words = {plotting_script().string()};
   } catch (const Error& error) {
-    return {1, error.what()};
+    return {.exit_code = 1, .complaint = error.what(), .printed = {}};
   }
   words.insert(words.end(), arguments.begin(), arguments.end());
-  ScriptEnd end{python(words, log.string()), {}};
+  const std::optional<int> status = python(words, log.string());
+  ScriptEnd end{.exit_code = status && WIFEXITED(*status) ? WEXITSTATUS(*status) : -1,
+                .complaint = {},
+                .printed = text_of(log)};
   if (end.exit_code != 0) {
-    end.complaint = last_line(log);
+    end.complaint = last_line(end.printed);
+    if (end.complaint.empty() || end.exit_code < 0) end.complaint = why_silent(status);
   } else {
     std::error_code error;
     std::filesystem::remove(log, error);

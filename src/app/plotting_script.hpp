@@ -12,8 +12,9 @@ inline constexpr const char* drawing_packages = "python3-matplotlib python3-h5py
 
 /// How the script ended; `complaint`: why, if its exit code is not zero.
 struct ScriptEnd {
-  int exit_code = 0;
+  int exit_code = 0;      ///< negative: it has none
   std::string complaint;  ///< one line, without the name of the program
+  std::string printed;    ///< all of it
 };
 
 /// The script, gnomon_plot.py. Throws Error if it is not installed.

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/model/memory_estimate.hpp>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace gnomon {
 
@@ -98,6 +101,48 @@ double estimated_memory(const MeshSize& mesh, const LinearSolverChoice& solver) 
 
 double available_memory() {
   return std::min({free_of_system(), free_of_control_group(), free_addresses()});
+}
+
+namespace {
+
+using Method = LinearSolverChoice::Method;
+using Preconditioner = LinearSolverChoice::Preconditioner;
+
+/// As the keys of a scene.
+std::string keys_of(const LinearSolverChoice& solver) {
+  if (solver.method == Method::direct) return "solver.method = \"direct\"";
+  return fmt::format("solver.preconditioner = \"{}\"",
+                     solver.preconditioner == Preconditioner::factor ? "factor" : "multigrid");
+}
+
+/// Solvers that need less memory, and what makes a scene use them.
+std::vector<std::pair<LinearSolverChoice, std::string>> thriftier(
+    const LinearSolverChoice& solver) {
+  std::vector<std::pair<LinearSolverChoice, std::string>> choices;
+  LinearSolverChoice block = solver;
+  block.method = Method::block;
+  const bool direct = solver.method == Method::direct;
+  if (direct) choices.emplace_back(block, "solver.method = \"block\"");
+  if (block.preconditioner == Preconditioner::factor && has_multigrid()) {
+    block.preconditioner = Preconditioner::multigrid;
+    choices.emplace_back(block, (direct ? "solver.method = \"block\" with " : "") + keys_of(block));
+  }
+  return choices;
+}
+
+}  // namespace
+
+std::string missing_memory_text(const MeshSize& mesh, const LinearSolverChoice& solver,
+                                double available) {
+  const double needed = estimated_memory(mesh, solver);
+  if (needed <= available) return {};
+  std::string text =
+      fmt::format("about {} of memory with {}, {} are available; expected a coarser mesh",
+                  memory_text(needed), keys_of(solver), memory_text(available));
+  for (const auto& [choice, keys] : thriftier(solver))
+    if (const double less = estimated_memory(mesh, choice); less <= available)
+      return text + fmt::format(", or {}, which needs about {}", keys, memory_text(less));
+  return text;
 }
 
 std::string memory_text(double bytes) {

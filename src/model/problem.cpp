@@ -19,17 +19,19 @@ double estimated_memory(const Scene& scene) {
 
 namespace {
 
-/// In space, where the estimate by the keys is rough, what is needed at least; when the mesh
-/// exists, it is estimated again.
-double certain_memory(const Scene& scene, const MeshSize& mesh) {
-  return estimated_memory(mesh, linear_solver_of(scene, mesh)) / (mesh.dim == 3 ? 2 : 1);
+/// In space, where the estimate by the keys is rough, only what is certainly too much is refused;
+/// when the mesh exists, its memory is estimated again.
+void require_memory_by_keys(const Scene& scene, const MeshSize& mesh) {
+  const LinearSolverChoice solver = linear_solver_of(scene, mesh);
+  if (mesh.dim == 3 && estimated_memory(mesh, solver) / 2 <= available_memory()) return;
+  require_memory(scene, mesh, solver);
 }
 
 }  // namespace
 
 std::unique_ptr<Model> make_model(const Scene& scene) {
   const Problem& problem = Problems::find(scene.text("problem"), "problem");
-  if (problem.mesh_size) require_memory(scene, certain_memory(scene, problem.mesh_size(scene)));
+  if (problem.mesh_size) require_memory_by_keys(scene, problem.mesh_size(scene));
   return problem.make(scene);
 }
 
@@ -112,11 +114,22 @@ std::vector<Key> own_keys(const Problem& problem) {
   return keys;
 }
 
+namespace {
+
+/// Whether the steps of the scene's integrator can settle pressures (output.settle).
+bool can_settle(const Scene& scene) {
+  return !scene.has("integrator.step") &&
+         Integrators::find(scene.text("integrator.name"), "integrator").settles;
+}
+
+}  // namespace
+
 std::vector<Key> key_table(const std::string& problem) {
   std::vector<Key> table = run_keys();
   for (Key& key : table) {
     if (key.name == "problem") key.choices = {problem};
     if (key.name == "integrator.name") key.choices = Integrators::names();
+    if (key.name == "output.settle") key.applies = can_settle;
   }
   const std::vector<Key> own = own_keys(Problems::find(problem, "problem"));
   table.insert(table.end(), own.begin(), own.end());

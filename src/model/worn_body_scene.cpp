@@ -82,7 +82,7 @@ void choose_solver(const Scene& scene, WornBody<dim>& body) {
     if (size.shapes > 0) size.shape_factor = factor_entries_of<dim>(body.mesh, body.shape_fixed);
   }
   body.memory = estimated_memory(size, body.solver);
-  require_memory(scene, body.memory);
+  require_memory(scene, size, body.solver);
 }
 
 }  // namespace
@@ -176,12 +176,10 @@ double load_impulse(const Scene& scene) {
   return scene.real("load.force") * read_load_history(scene).integral(scene.real("time.end"));
 }
 
-void require_memory(const Scene& scene, double needed) {
-  const double available = available_memory();
-  if (needed > available)
-    throw InputError(fmt::format(
-        "{}: its mesh needs about {} of memory, {} are available; expected a coarser mesh",
-        scene.path().string(), memory_text(needed), memory_text(available)));
+void require_memory(const Scene& scene, const MeshSize& mesh, const LinearSolverChoice& solver) {
+  if (const std::string missing = missing_memory_text(mesh, solver, available_memory());
+      !missing.empty())
+    throw InputError(fmt::format("{}: its mesh needs {}", scene.path().string(), missing));
 }
 
 LinearSolverChoice linear_solver_of(const Scene& scene, const MeshSize& mesh) {

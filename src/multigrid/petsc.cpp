@@ -23,6 +23,9 @@ void initialize_petsc() {
   check(PetscOptionsSetValue(nullptr, "-no_signal_handler", "true"));
   check(PetscOptionsSetValue(nullptr, "-skip_petscrc", "true"));
   check(PetscInitializeNoArguments());
+  // Algebraic multigrid asks for options of its own accord: those of PETSC_OPTIONS and of files of
+  // the user would change the solver of a run without a trace in its result.
+  check(PetscOptionsClear(nullptr));
   check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
   std::atexit([] { PetscFinalize(); });
 }

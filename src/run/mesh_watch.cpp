@@ -2,12 +2,49 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <gnomon/base/error.hpp>
+#include <gnomon/terms/solid.hpp>
 
 namespace gnomon {
 
 namespace {
 constexpr double sound = 1;  // volume and quality where a model has no mesh
+constexpr double nearly_folded = 0.1;
+
+template <int dim>
+double least_quality(const Grid& grid) {
+  constexpr int corners = Mesh<dim>::cell_nodes;
+  double least = sound;
+  for (std::size_t first = 0; first + corners <= grid.cells.size(); first += corners) {
+    CellNodal<dim> X;
+    for (int a = 0; a < corners; ++a)
+      for (int i = 0; i < dim; ++i) X(a, i) = grid.points[grid.cells[first + a]][i];
+    least = std::min(least, scaled_jacobian<dim>(X));
+  }
+  return least;
+}
+
+std::string folding_text(double quality, double initial) {
+  if (initial >= nearly_folded)
+    return fmt::format(
+        "an element of the worn mesh is nearly folded: its scaled Jacobian is {:.2g}", quality);
+  if (quality < initial / 2)
+    return fmt::format(
+        "an element of the worn mesh is nearly folded: its scaled Jacobian is {:.2g}, that of the "
+        "mesh was {:.2g} from the start",
+        quality, initial);
+  return fmt::format(
+      "an element of the mesh is nearly folded, as it was from the start: its scaled Jacobian is "
+      "{:.2g}, and was {:.2g} before any wear",
+      quality, initial);
+}
+}  // namespace
+
+double initial_quality(const std::optional<Grid>& grid) {
+  if (!grid) return sound;
+  return grid->cell == Grid::Cell::quadrilateral ? least_quality<2>(*grid)
+                                                 : least_quality<3>(*grid);
 }
 
 void require_sound_mesh(const Observation& observed) {
@@ -24,7 +61,7 @@ void require_sound_mesh(const Observation& observed) {
         "an element of the worn mesh is folded: its scaled Jacobian is {:.2g}", quality));
 }
 
-std::vector<MeshWarning> mesh_warnings(const Observation& observed) {
+std::vector<MeshWarning> mesh_warnings(const Observation& observed, double initial) {
   const double volume = observed.element_volume.value_or(sound);
   const double quality = observed.element_quality.value_or(sound);
   std::vector<MeshWarning> warnings;
@@ -33,11 +70,9 @@ std::vector<MeshWarning> mesh_warnings(const Observation& observed) {
         {"wear",
          fmt::format("an element is worn down to {:.2g} of its volume; at 0.01 the run ends",
                      volume)});
-  else if (quality < 0.1)
-    warnings.push_back(
-        {"wear",
-         fmt::format("an element of the worn mesh is nearly folded: its scaled Jacobian is {:.2g}",
-                     quality)});
+  else if (quality < nearly_folded)
+    warnings.push_back({initial < nearly_folded && quality >= initial / 2 ? "mesh" : "wear",
+                        folding_text(quality, initial)});
   const double gradient = observed.displacement_gradient.value_or(0);
   if (gradient > 0.5)
     warnings.push_back(

@@ -40,7 +40,8 @@ public:
         schedule_(policy, settings.end),
         writer_(writer),
         hooks_(hooks),
-        wear_integral_(model) {
+        wear_integral_(model),
+        initial_quality_(initial_quality(model.grid())) {
     settings_.integrand = model.wear_flux();
     if (policy.settle && integrator.settles)
       settings_.settled = settled_times(policy, settings.end);
@@ -167,7 +168,7 @@ private:
       state() = before;
       throw;
     }
-    for (const MeshWarning& warning : mesh_warnings(observed))
+    for (const MeshWarning& warning : mesh_warnings(observed, initial_quality_))
       if (warned_of_.insert(warning.about).second)
         warn(fmt::format("at t = {:g} s {}", state().t, warning.text));
   }
@@ -248,7 +249,8 @@ private:
   std::optional<DampingWatch> damping_;
   std::unique_ptr<Stepper> stepper_;
   WearIntegral wear_integral_;
-  Observation observed_;  // of the last good state
+  const double initial_quality_;  // of the mesh, also where the run resumes
+  Observation observed_;          // of the last good state
   RunOutcome outcome_;
   std::set<std::string> warned_of_;
   std::optional<double> stored_at_;

@@ -1,12 +1,14 @@
 // The settings of a run from the `integrator.*` and `output.*` keys of a scene.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/same_time.hpp>
 #include <gnomon/model/controlled_settings.hpp>
 #include <gnomon/run/run.hpp>
+#include <map>
 
 namespace gnomon {
 
@@ -76,6 +78,32 @@ std::string dropped_times_text(const Scene& scene) {
       "{} of output.times, from {:g} s on, {} after time.end = {:g} s and {} not stored",
       beyond.size(), beyond.front(), beyond.size() == 1 ? "lies" : "lie", scene.real("time.end"),
       beyond.size() == 1 ? "is" : "are");
+}
+
+namespace {
+
+/// Why the scene has no use for one of its keys; empty where others say it, or nobody needs to
+/// know.
+std::string why_idle(const Scene& scene, const std::string& key) {
+  if (key == "solver.preconditioner") return "solver.method is \"direct\"";
+  if (key == "output.settle" && !scene.flag(key)) return {};
+  if (!key.starts_with("integrator.") && key != "output.settle") return {};
+  if (scene.has("integrator.step")) return "steps are fixed (integrator.step)";
+  return scene.text("integrator.name") + " does not settle pressures";
+}
+
+}  // namespace
+
+std::vector<std::string> idle_keys_texts(const Scene& scene) {
+  std::map<std::string, std::vector<std::string>> keys_by_reason;
+  for (const std::string& key : scene.idle_keys())
+    if (const std::string reason = why_idle(scene, key); !reason.empty())
+      keys_by_reason[reason].push_back(key);
+  std::vector<std::string> texts;
+  for (const auto& [reason, keys] : keys_by_reason)
+    texts.push_back(fmt::format("{} {} no effect: {}", fmt::join(keys, ", "),
+                                keys.size() == 1 ? "has" : "have", reason));
+  return texts;
 }
 
 const Integrator& chosen_integrator(const Scene& scene) {

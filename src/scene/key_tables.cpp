@@ -14,6 +14,10 @@ constexpr Range non_negative{.min = 0};
 // Wide enough for every set of units, and far from where rounding errors exceed differences.
 constexpr Range duration{.min = 1e-6, .max = 1e12};
 
+bool follows_error(const Scene& scene) {
+  return !scene.has("integrator.step");
+}
+
 std::vector<Key> integrator_keys() {
   return {
       {.name = "integrator.name",
@@ -30,26 +34,30 @@ std::vector<Key> integrator_keys() {
        .presence = defaulted,
        .default_value = 1e-4,
        .range = relative_tolerance,
-       .help = "relative tolerance of the worn surface per step, when steps follow the error"},
+       .help = "relative tolerance of the worn surface per step, when steps follow the error",
+       .applies = follows_error},
       {.name = "integrator.atol",
        .unit = "mm",
        .presence = optional,
        .absent_meaning = "rtol times the mean wear depth at time.end",
        .range = {.min = 1e-20},
-       .help = "absolute tolerance of the worn surface per step, when steps follow the error"},
+       .help = "absolute tolerance of the worn surface per step, when steps follow the error",
+       .applies = follows_error},
       {.name = "integrator.nonlinear_fraction",
        .presence = defaulted,
        .default_value = 0.01,
        .range = {.min = 0, .max = 0.5},
        .help =
            "part of the tolerated error of a step that Newton's iterations may leave, when steps "
-           "follow the error; 0: they go on to rounding, 1e-11 of the scaled residual"},
+           "follow the error; 0: they go on to rounding, 1e-11 of the scaled residual",
+       .applies = follows_error},
       {.name = "integrator.max_step",
        .unit = "s",
        .presence = optional,
        .absent_meaning = "no bound",
        .range = duration,
-       .help = "longest step, when steps follow the error"},
+       .help = "longest step, when steps follow the error",
+       .applies = follows_error},
       {.name = "integrator.max_order",
        .kind = KeyKind::integer,
        .presence = defaulted,
@@ -305,6 +313,11 @@ std::vector<Key> shape_keys() {
   };
 }
 
+/// A problem may choose the method where the scene does not.
+bool solves_by_blocks(const Scene& scene) {
+  return !scene.has("solver.method") || scene.text("solver.method") == "block";
+}
+
 std::vector<Key> solver_keys() {
   return {
       {.name = "solver.method",
@@ -321,7 +334,8 @@ std::vector<Key> solver_keys() {
        .choices = {"factor", "multigrid"},
        .help =
            "how solver.method = \"block\" solves with the stiffness: by Cholesky factors, or by "
-           "multigrid, along the grid lines of the mesh where it has them (needs PETSc)"},
+           "multigrid, along the grid lines of the mesh where it has them (needs PETSc)",
+       .applies = solves_by_blocks},
   };
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "scene/chosen_name.hpp"
+#include "scene/key_check.hpp"
 #include "scene/table_layout.hpp"
 #include "scene/toml_text.hpp"
 
@@ -68,6 +69,14 @@ bool Scene::is_default(const std::string& key) const {
   return entry(key).value == entry(key).key.default_value;
 }
 
+std::vector<std::string> Scene::idle_keys() const {
+  std::vector<std::string> keys;
+  for (const Entry& entry : entries_)
+    if (!entry.origin.empty() && entry.key.applies && !entry.key.applies(*this))
+      keys.push_back(entry.key.name);
+  return keys;
+}
+
 std::optional<double> Scene::real_if(const std::string& key) const {
   return has(key) ? std::optional(real(key)) : std::nullopt;
 }
@@ -80,7 +89,8 @@ std::vector<std::string> Scene::chosen_names(const std::string& key) const {
 }
 
 std::string Scene::where(const std::string& key) const {
-  return entry(key).origin;
+  const std::string& origin = entry(key).origin;
+  return origin.empty() ? message_about(path_.string(), 0, key) : origin;
 }
 
 std::optional<SceneValue>& Scene::value(const std::string& key) {

@@ -143,7 +143,7 @@ private:
   /// Values that the key does not accept are reported by check() and left out.
   Scene::Entry resolve(const Key& key, const std::set<std::string>& meant,
                        Mistakes& mistakes) const {
-    Scene::Entry entry{key, std::nullopt, message_about(name_, 0, key.name)};
+    Scene::Entry entry{key, std::nullopt, {}};
     if (key.presence == Key::Presence::defaulted) entry.value = key.default_value;
     for (const auto* values : {&overrides_, &in_file_})
       if (const GivenValue* given = find(*values, key.name)) {
@@ -153,7 +153,7 @@ private:
         return entry;
       }
     if (key.presence == Key::Presence::required && !meant.contains(key.name))
-      mistakes.collect([&] { refuse_missing_key(entry.origin, key); });
+      mistakes.collect([&] { refuse_missing_key(message_about(name_, 0, key.name), key); });
     return entry;
   }
 

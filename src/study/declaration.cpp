@@ -104,9 +104,9 @@ private:
                                    toml_text(declaration_.scene.string())));
     scene_ = load_scene(declaration_.scene, {}, key_table);
     scene_keys_.keys = key_table(scene_.text("problem"));
-    scene_keys_.has_methods =
-        !top.has("reference") ||
-        std::ranges::find(document_.tables, "method", &RawTable::name) != document_.tables.end();
+    if (top.has("reference") &&
+        std::ranges::find(document_.tables, "method", &RawTable::name) == document_.tables.end())
+      scene_keys_.method = MethodFrom::scene;
   }
 
   /// A parameter sweep needs no method: the scene has one.
@@ -153,7 +153,7 @@ private:
             fmt::format("{}: `{}` is swept twice, expected once", sweep.origin, sweep.key));
     if (const RawValue& first = keyed.open_values().front(); !find_key(scene_keys_.keys, sweep.key))
       refuse_unknown_key(sweep.origin, sweep.key, first, scene_keys_.keys, "gnomon help scene");
-    require_settable(sweep.key, sweep.origin, scene_keys_.has_methods);
+    require_settable(sweep.key, sweep.origin, scene_keys_.method);
     sweep_values(sweep, keyed);
     return sweep;
   }
@@ -222,9 +222,11 @@ private:
   }
 
   Method reference(const RawTable& table) const {
+    SceneKeys scene_keys = scene_keys_;
+    scene_keys.method = MethodFrom::reference;
     const KeyedTable keyed(
         declaration_.file, table.line, table.entries,
-        {.prefix = "reference.", .keys = reference_keys(), .scene_keys = &scene_keys_});
+        {.prefix = "reference.", .keys = reference_keys(), .scene_keys = &scene_keys});
     Method method = common_of(keyed);
     method.ladder = {{Kind::tolerance, keyed.real("tolerance")}};
     return method;

@@ -12,12 +12,18 @@ namespace gnomon::study {
 namespace {
 
 /// What gives this key in place of the study's settings; empty if nothing does.
-std::string owner(const std::string& key, bool has_methods) {
+std::string owner(const std::string& key, MethodFrom method) {
   const auto by_method = [&](const char* name) {
-    return has_methods ? fmt::format("`method.{}`", name)
-                       : fmt::format("the scene, or by `{}` of a [[method]]", name);
+    return method == MethodFrom::method
+               ? fmt::format("`method.{}`", name)
+               : fmt::format("the scene, or by `{}` of a [[method]]", name);
   };
   if (key == "problem") return "the scene";
+  if (method == MethodFrom::reference) {
+    if (key == "integrator.name") return "`reference.integrator`";
+    if (key == "integrator.rtol") return "`reference.tolerance`";
+    if (key == "integrator.step") return "`reference.tolerance`, which chooses the steps";
+  }
   if (key == "integrator.name") return by_method("integrator");
   if (key == "integrator.step") return by_method("steps");
   if (key == "integrator.rtol") return by_method("tolerances");
@@ -37,8 +43,8 @@ void require_not_of_the_top(const std::string& name, const std::string& origin) 
 
 }  // namespace
 
-void require_settable(const std::string& key, const std::string& origin, bool has_methods) {
-  if (const std::string by = owner(key, has_methods); !by.empty())
+void require_settable(const std::string& key, const std::string& origin, MethodFrom method) {
+  if (const std::string by = owner(key, method); !by.empty())
     throw InputError(fmt::format("{}: expected another key, `{}` is given by {}", origin, key, by));
 }
 
@@ -49,7 +55,7 @@ SceneSetting scene_setting(const std::string& name, const RawValue& raw, const s
     require_not_of_the_top(name, origin);
     refuse_unknown_key(origin, name, raw, scene_keys.keys, "gnomon help scene");
   }
-  require_settable(name, origin, scene_keys.has_methods);
+  require_settable(name, origin, scene_keys.method);
   if (scene_keys.impossible == Impossible::kept &&
       std::holds_alternative<Complaint>(check_value(*key, raw)))
     return {name, raw, origin};

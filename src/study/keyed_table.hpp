@@ -19,15 +19,18 @@ struct SceneSetting {
   std::string origin;  ///< beginning of a message about it
 };
 
+/// What gives a run its integrator, and this its step or tolerance.
+enum class MethodFrom { method, reference, scene };
+
 /// The scene keys that a study can set.
 struct SceneKeys {
   std::vector<Key> keys;
   Impossible impossible = Impossible::refused;  ///< values of these
-  bool has_methods = true;                      ///< false: a sweep by the integrator of the scene
+  MethodFrom method = MethodFrom::method;       ///< scene: a sweep by the scene's integrator
 };
 
 /// Refuses keys that a study gives itself; `origin` begins the message. Throws InputError.
-void require_settable(const std::string& key, const std::string& origin, bool has_methods);
+void require_settable(const std::string& key, const std::string& origin, MethodFrom method);
 
 /// Checks `raw` for the scene key `name`; `origin` begins the message. Refuses keys that a study
 /// gives itself, and values that are none of the key's unless impossible ones are kept. Throws

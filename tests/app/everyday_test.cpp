@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
+#include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/results/results.hpp>
 #include <thread>
 
@@ -124,6 +126,43 @@ TEST_F(Everyday, TimesBehindAnEarlierEndAreDroppedWithAWord) {
                                   "output.times=[50, 500, 1000]", "-o", "a.h5"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("2 of output.times, from 500 s on, lie after time.end"));
+}
+
+TEST_F(Everyday, KeysWithoutAnEffectAreNamed) {
+  const std::vector<std::string> settings = {"--set", coarse,
+                                             "--set", "time.end=10",
+                                             "--set", "integrator.step=5",
+                                             "--set", "integrator.rtol=1e-3"};
+  const auto with_settings = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), settings.begin(), settings.end());
+    return gnomon(arguments);
+  };
+  const std::string remark = "integrator.rtol has no effect: steps are fixed (integrator.step)\n";
+  EXPECT_THAT(with_settings({"check", pin}).out, HasSubstr("\n# " + remark));
+  const Outcome outcome = with_settings({"run", pin, "-o", "a.h5"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr(remark));
+  EXPECT_THAT(with_settings({"run", pin, "-o", "b.h5", "--quiet"}).err, IsEmpty());
+}
+
+// They would change the solver without a trace in the result.
+TEST_F(Everyday, OptionsOfPetscAreNotRead) {
+  if (!has_multigrid()) GTEST_SKIP() << "needs PETSc";
+  const auto krylov_iterations = [&] {
+    const Outcome outcome =
+        gnomon({"run", GNOMON_SOURCE_DIR "/problems/ball_on_flat/small_deformation.toml", "--set",
+                "mesh.elements=[4,1,2]", "--set", "time.end=1", "--set", "output.times=[]", "--set",
+                "solver.preconditioner=multigrid", "--quiet", "--force", "-o", "a.h5"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return ResultReader(folder() / "a.h5").history().back().counters.krylov_iterations;
+  };
+  const long expected = krylov_iterations();
+  EXPECT_GT(expected, 0);
+  write(".petscrc", "-mg_levels_ksp_max_it 9\n");
+  EXPECT_EQ(krylov_iterations(), expected);
+  setenv("PETSC_OPTIONS", "-mg_levels_ksp_max_it 9", 1);
+  EXPECT_EQ(krylov_iterations(), expected);
+  unsetenv("PETSC_OPTIONS");
 }
 
 TEST_F(Everyday, InfoShortensLongListsAndTheSceneStaysWhole) {

@@ -97,7 +97,9 @@ TEST_F(Memory, TooLargeAMeshIsRefusedWithTheFigures) {
   for (const char* command : {"run", "check", "stability"}) {
     const Outcome outcome = gnomon({command, test::pin, "--set", "mesh.elements=[1000,1000]"});
     EXPECT_EQ(outcome.exit_code, 2) << command;
-    EXPECT_THAT(outcome.err, ContainsRegex("needs about 12 GB of memory, 1[.][0-9]+ GB are"));
+    EXPECT_THAT(outcome.err,
+                ContainsRegex("needs about 12 GB of memory with "
+                              "solver[.]preconditioner = \"factor\", 1[.][0-9]+ GB are"));
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
   // Too little for the libraries and the buffer of OpenBLAS, which would wait for it for ever.
@@ -105,9 +107,50 @@ TEST_F(Memory, TooLargeAMeshIsRefusedWithTheFigures) {
   setrlimit(RLIMIT_AS, &small);
   const Outcome outcome = gnomon({"run", test::pin});
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-  EXPECT_THAT(outcome.err, ContainsRegex("needs about 45 MB of memory, [0-9]+ MB are available"));
+  EXPECT_THAT(outcome.err,
+              ContainsRegex("needs about 45 MB of memory with .*, [0-9]+ MB are available"));
   setrlimit(RLIMIT_AS, &old);
   EXPECT_TRUE(files().empty());
+}
+
+// A body of 100,000 nodes in space.
+TEST(MissingMemory, IsToldWithTheSolverAndAThriftierOne) {
+  using Choice = LinearSolverChoice;
+  const MeshSize mesh{.dim = 3, .nodes = 1e5, .displacements = 3e5};
+  const Choice direct{Choice::Method::direct, Choice::Preconditioner::factor},
+      factor{Choice::Method::block, Choice::Preconditioner::factor},
+      multigrid{Choice::Method::block, Choice::Preconditioner::multigrid};
+  const double by_direct = estimated_memory(mesh, direct),
+               by_factor = estimated_memory(mesh, factor),
+               by_multigrid = estimated_memory(mesh, multigrid);
+  ASSERT_LT(by_multigrid, 0.5 * by_factor);
+  ASSERT_LT(by_factor, 0.5 * by_direct);
+  EXPECT_EQ(missing_memory_text(mesh, direct, by_direct), "");
+
+  const auto text = [&](const Choice& solver, double available) {
+    return missing_memory_text(mesh, solver, available);
+  };
+  const std::string needed =
+      "about " + memory_text(by_factor) + " of memory with solver.preconditioner = \"factor\", ";
+  const std::string thrifty =
+      ", or solver.preconditioner = \"multigrid\", which needs about " + memory_text(by_multigrid);
+  if (has_multigrid()) {
+    EXPECT_EQ(text(factor, by_multigrid), needed + memory_text(by_multigrid) +
+                                              " are available; expected a coarser mesh" + thrifty);
+  }
+  EXPECT_EQ(text(factor, 1e6), needed + "1 MB are available; expected a coarser mesh");
+  EXPECT_THAT(text(direct, by_factor),
+              HasSubstr("with solver.method = \"direct\", " + memory_text(by_factor) +
+                        " are available; expected a coarser mesh, or solver.method = \"block\", "
+                        "which needs about " +
+                        memory_text(by_factor)));
+  if (has_multigrid()) {
+    EXPECT_THAT(text(direct, by_multigrid),
+                HasSubstr("mesh, or solver.method = \"block\" with solver.preconditioner = "
+                          "\"multigrid\", which needs about " +
+                          memory_text(by_multigrid)));
+  }
+  EXPECT_THAT(text(multigrid, 1e6), testing::EndsWith("expected a coarser mesh"));
 }
 
 TEST_F(Memory, IsToldByCheck) {

@@ -219,6 +219,37 @@ TEST(Settings, TimesBehindTheEndAreDroppedWithAWord) {
   EXPECT_EQ(dropped_times_text(pin_scene({"output.times=[1000]"})), "");
 }
 
+TEST(Settings, KeysWithoutAnEffectAreNamed) {
+  const std::string step = "integrator.step=5";  // the scene has integrator.rtol
+  EXPECT_THAT(idle_keys_texts(pin_scene({step})),
+              ElementsAre("integrator.rtol has no effect: steps are fixed (integrator.step)"));
+  EXPECT_THAT(
+      idle_keys_texts(pin_scene({step, "integrator.max_step=2", "integrator.atol=1e-6",
+                                 "integrator.nonlinear_fraction=0.01", "output.settle=true"})),
+      ElementsAre("integrator.rtol, integrator.atol, integrator.nonlinear_fraction, "
+                  "integrator.max_step, output.settle have no effect: steps are fixed "
+                  "(integrator.step)"));
+  EXPECT_THAT(idle_keys_texts(pin_scene({"integrator.name=erk-3", "output.settle=true"})),
+              ElementsAre("output.settle has no effect: erk-3 does not settle pressures"));
+  EXPECT_THAT(idle_keys_texts(pin_scene({"solver.method=direct", "solver.preconditioner=factor"})),
+              ElementsAre("solver.preconditioner has no effect: solver.method is \"direct\""));
+}
+
+TEST(Settings, DefaultsAndKeysWithAnEffectAreNotNamed) {
+  EXPECT_THAT(idle_keys_texts(pin_scene({})), ElementsAre());
+  EXPECT_THAT(idle_keys_texts(pin_scene({"integrator.name=erk-3", "output.settle=false"})),
+              ElementsAre());
+  EXPECT_THAT(idle_keys_texts(pin_scene({"integrator.rtol=1e-3", "integrator.max_step=2",
+                                         "output.settle=true", "solver.preconditioner=factor"})),
+              ElementsAre());
+  // The scene in full, as `gnomon check` prints it and results keep it, gives only what has one.
+  const Scene fixed =
+      pin_scene({"integrator.name=erk-3", "integrator.step=5", "solver.method=direct"});
+  const Scene again = parse_scene(fixed.resolved(), "again.toml", {}, key_table);
+  EXPECT_EQ(again, fixed);
+  EXPECT_THAT(idle_keys_texts(again), ElementsAre());
+}
+
 TEST(Settings, AnIntervalStoresAtItsMultiplesBesideTheTimes) {
   EXPECT_THAT(store_policy(pin_scene({"output.interval=400"})).times, ElementsAre(400, 800));
   EXPECT_THAT(store_policy(pin_scene({"output.interval=500"})).times, ElementsAre(500, 1000));

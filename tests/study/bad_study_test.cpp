@@ -118,6 +118,14 @@ const Case cases[] = {
      "tolerances = [1e-3]\n",
      {"study.toml:6: key `sweep.key`: expected another key, `integrator.rtol` is given by "
       "`method.tolerances`"}},
+    {"ToleranceOfAReference",
+     "[[reference]]\nintegrator = \"bdf\"\ntolerance = 1e-7\nset.integrator.rtol = 1e-3\n",
+     {"study.toml:8: key `reference.set.integrator.rtol`: expected another key, `integrator.rtol` "
+      "is given by `reference.tolerance`"}},
+    {"StepOfAReference",
+     "[[reference]]\nintegrator = \"esdirk-3\"\ntolerance = 1e-7\nset.integrator.step = 5.0\n",
+     {"study.toml:8: key `reference.set.integrator.step`: expected another key, `integrator.step` "
+      "is given by `reference.tolerance`, which chooses the steps"}},
     {"StoredSteps", "output.every = 1\n", {"study.toml:5", "given by the study itself"}},
     {"SweptValue",
      "[[sweep]]\nkey = \"mesh.elements\"\nvalues = [[8, 8], 8]\n",

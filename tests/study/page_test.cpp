@@ -132,6 +132,35 @@ TEST_F(Pages, AStudySucceedsWithoutThem) {
   EXPECT_FALSE(fs::exists(folder() / "out/index.html"));
 }
 
+TEST_F(Pages, WithoutFiguresTheReasonIsTold) {
+  if (!test::can_draw()) GTEST_SKIP() << test::drawing_needs;
+  write("study.toml", head() + "[[sweep]]\nkey = \"body.young_modulus\"\nvalues = [-1.0]\n" +
+                          loose + method("bdf", "tolerances = [0.1]"));
+  const Outcome refused = gnomon({"extremes", "study.toml", "-o", "out"});
+  EXPECT_EQ(refused.exit_code, 0) << refused.err;
+  EXPECT_THAT(refused.out, HasSubstr("\nno figures: accuracy: no case with error control has a "
+                                     "difference\n1 cases: 1 refused\n"));
+  EXPECT_TRUE(fs::exists(folder() / "out/index.html"));
+
+  fs::create_directory(folder() / "programs");
+  const auto draw_by = [&](const std::string& script) {
+    write("programs/python3", "#!/bin/sh\n" + script + "\n");
+    fs::permissions(folder() / "programs/python3", fs::perms::owner_all);
+    const std::string path = getenv("PATH");
+    setenv("PATH", ((folder() / "programs").string() + ":" + path).c_str(), 1);
+    const Outcome outcome = gnomon({"extremes", "study.toml", "-o", "out", "--resume"});
+    setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  };
+  EXPECT_THAT(draw_by("echo drawn in part; kill -9 $$"),
+              HasSubstr("\nno page: drawing was ended by signal 9 (Killed); `gnomon plot out` "));
+  EXPECT_THAT(draw_by("exit 3"), HasSubstr("\nno page: the drawing program ended with exit code 3 "
+                                           "and no message; `gnomon plot out` draws it\n"));
+  EXPECT_THAT(draw_by("echo Traceback >&2; echo 'ModuleNotFoundError: numpy' >&2; exit 1"),
+              HasSubstr("\nno page: ModuleNotFoundError: numpy; `gnomon plot out` draws it\n"));
+}
+
 // A result that is damaged after its run: the tables are there nevertheless.
 TEST_F(Pages, WithoutFiguresTheyHaveTheirTables) {
   if (!test::can_draw()) GTEST_SKIP() << test::drawing_needs;

@@ -29,6 +29,12 @@ double estimated_memory(const MeshSize& mesh, const LinearSolverChoice& solver);
 /// is known.
 double available_memory();
 
+/// What a run needs by its solver that is more than `available` [bytes], with the linear solver
+/// that the estimate is for and, where another one gets by with what is available, that one: "1 GB
+/// of memory with ...; expected ...". Empty if there is enough.
+std::string missing_memory_text(const MeshSize& mesh, const LinearSolverChoice& solver,
+                                double available);
+
 /// "3.2 GB".
 std::string memory_text(double bytes);
 

@@ -41,8 +41,8 @@ double load_impulse(const Scene& scene);
 /// The choice by the `solver.*` keys and the size of the mesh.
 LinearSolverChoice linear_solver_of(const Scene& scene, const MeshSize& mesh);
 
-/// Throws InputError where a run needs more memory [bytes] than is available.
-void require_memory(const Scene& scene, double needed);
+/// Throws InputError where a run by this solver needs more memory than is available.
+void require_memory(const Scene& scene, const MeshSize& mesh, const LinearSolverChoice& solver);
 
 /// Nodal dead loads of a uniform traction on a boundary part: its integral over the part is
 /// `resultant` [force; per thickness of a plane body; of a body of revolution the part's area is

@@ -58,9 +58,9 @@ struct Key {
   bool or_single = false;              ///< `reals` only: a number stands for an array of it
   bool names_file = false;             ///< texts only: relative to the folder of the scene
   std::string help{};                  ///< one line
-  /// Keys of registered laws and terms: whether a scene has a use for the key. Where it has none,
-  /// resolved() leaves the key out if it has its default, so that the scene can be read without
-  /// laws that it does not choose. Empty: always.
+  /// Whether a scene has a use for the key. Where it has none, resolved() leaves the key out if it
+  /// has its default, so that the scene can be read without laws that it does not choose. Empty:
+  /// always.
   std::function<bool(const Scene&)> applies{};
 };
 
@@ -88,6 +88,9 @@ public:
   bool knows(const std::string& key) const;  ///< whether the key is in the table of the scene
   std::optional<double> real_if(const std::string& key) const;
   bool is_default(const std::string& key) const;  ///< whether a key has its default value
+  /// The keys that the file or an override gives, be it with their defaults, and for which the
+  /// scene has no use (Key::applies).
+  std::vector<std::string> idle_keys() const;
   /// The names that the scene gives in place of the "*" or "#" in a key of the table, ascending.
   std::vector<std::string> chosen_names(const std::string& key) const;
 
@@ -123,7 +126,7 @@ private:
   struct Entry {
     Key key;
     std::optional<SceneValue> value;
-    std::string origin;
+    std::string origin;  ///< where it was given, for messages; empty: nowhere
   };
   const Entry& entry(const std::string& key) const;
   std::optional<SceneValue>& value(const std::string& key);
