@@ -24,6 +24,7 @@ using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 class Program : public test::ProgramTest {
 protected:
@@ -111,7 +112,7 @@ TEST_F(Program, CheckSaysWhatTheSizeDecides) {
             .out;
       };
   EXPECT_THAT(check("solver.method=block"), HasSubstr("\npreconditioner = \"factor\""));
-  EXPECT_THAT(check("solver.method=direct"), HasSubstr("\n# preconditioner = ..."));
+  EXPECT_THAT(check("solver.method=direct"), Not(HasSubstr("preconditioner = ")));
 }
 
 TEST_F(Program, ContactPrintsCsvInFullPrecision) {
