@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <metis.h>
-#include <toml++/impl/version.h>
+#include <toml++/toml.h>
 #include <umfpack.h>
 
 #include <CLI/Version.hpp>
