@@ -82,8 +82,8 @@ void add_dead_load(Field::Values forces, LoadHistory history, WornBody<dim>& bod
   body.added_terms.push_back(
       [forces = std::move(forces), history = std::move(history)](
           const WornBody<dim>& whole, const WornBodyFields& fields, const Numbering& numbering) {
-        return std::make_unique<Loads<dim>>(numbering, fields.u, forces,
-                                            history.times_factor(whole.load_factor(fields.phase)),
+        return std::make_unique<Loads<dim>>(numbering, fields.u,
+                                            whole.load_factor(fields.phase) * forces, history,
                                             Loads<dim>::Purpose::acts);
       });
 }

@@ -78,11 +78,13 @@ Phase<dim> phase_at(const Scene& scene, const CyclePoint& point, const PartCycle
   return phase;
 }
 
-/// Of its surface at a point, the component out of the plane last [length / time].
+/// The velocity of its surface at the reference of its motion, the component out of the plane last
+/// [length / time].
 template <int dim>
-Eigen::Matrix<double, dim + 1, 1> velocity_at(const CounterBody<dim>& body,
-                                              const Vector<dim>& point) {
-  const Vector<dim> place = point - body.position;
+Eigen::Matrix<double, dim + 1, 1> velocity_at(const PartCycle<dim>& part,
+                                              const CounterBody<dim>& rest, double tau) {
+  const CounterBody<dim> body = counter_body_at<dim>(rest, part.cycle, part.axis, tau);
+  const Vector<dim> place = rest.motion.reference + rest.position - body.position;
   Eigen::Matrix<double, dim + 1, 1> v;
   v << body.motion.template at<double>(place), body.motion.template across_at<double>(place);
   return v;
@@ -91,10 +93,7 @@ Eigen::Matrix<double, dim + 1, 1> velocity_at(const CounterBody<dim>& body,
 /// Where the speed at the reference is zero and changes its sign, |v| has a kink.
 template <int dim>
 std::vector<double> reversals(const PartCycle<dim>& part, const CounterBody<dim>& rest) {
-  const Vector<dim> place = rest.motion.reference + rest.position;
-  const auto velocity = [&](double tau) {
-    return velocity_at<dim>(counter_body_at<dim>(rest, part.cycle, part.axis, tau), place);
-  };
+  const auto velocity = [&](double tau) { return velocity_at(part, rest, tau); };
   double most = 0;
   for (int k = 0; k < samples; ++k) most = std::max(most, velocity(double(k) / samples).norm());
   std::vector<double> found = sign_changes_in_cycle(
@@ -104,7 +103,7 @@ std::vector<double> reversals(const PartCycle<dim>& part, const CounterBody<dim>
       },
       dim + 1);
   // The sign of a jump changes, too, but its place is a kink of a function.
-  std::erase_if(found, [&](double tau) { return tau >= 1 || velocity(tau).norm() > 1e-6 * most; });
+  std::erase_if(found, [&](double tau) { return velocity(tau).norm() > 1e-6 * most; });
   return found;
 }
 
@@ -155,10 +154,7 @@ void require_gross_sliding(const Scene& scene, const PartCycle<dim>& cycle,
                            const WornBody<dim>& body) {
   const double friction = scene.real("friction.coefficient"), nu = scene.real("body.poisson_ratio");
   const CounterBody<dim>& rest = body.contact.counter_body;
-  const Vector<dim> place = rest.motion.reference + rest.position;
-  const auto velocity = [&](double tau) {
-    return velocity_at<dim>(counter_body_at<dim>(rest, cycle.cycle, cycle.axis, tau), place);
-  };
+  const auto velocity = [&](double tau) { return velocity_at(cycle, rest, tau); };
   int reversals = 0;
   double path = 0;
   for (int k = 0; k < samples; ++k) {

@@ -28,6 +28,7 @@ namespace {
 /// memory of the method must not depend on them.
 const std::vector<std::string>& changeable_keys() {
   static const std::vector<std::string> keys = {"time.end",
+                                                "time.cycles",
                                                 "integrator.rtol",
                                                 "integrator.atol",
                                                 "integrator.nonlinear_fraction",

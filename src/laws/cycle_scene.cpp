@@ -6,6 +6,8 @@
 #include <gnomon/laws/profile.hpp>
 #include <numbers>
 
+#include "laws/expression_tables.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -30,6 +32,11 @@ std::vector<Key> make_keys() {
            .absent_meaning = "no cycle",
            .range = positive_quantity,
            .help = "duration of a cycle of motion and load, over which wear is averaged"},
+          {.name = "time.cycles",
+           .presence = optional,
+           .absent_meaning = "time.end is given",
+           .range = positive_quantity,
+           .help = "end of the run in cycles, instead of time.end"},
           {.name = "cycle.phases",
            .kind = KeyKind::reals,
            .presence = optional,
@@ -78,38 +85,18 @@ struct Points {
 
 Points points_of_file(const Scene& scene, const std::string& key) {
   Points points;
-  try {
-    for (const Vector<2>& point : read_points(scene.path().parent_path() / scene.text(key))) {
-      points.x.push_back(point[0]);
-      points.y.push_back(point[1]);
-    }
-  } catch (const InputError& error) {
-    throw InputError(scene.where(key) + ": " + error.what());
+  for (const Vector<2>& point : read_points(scene, key)) {
+    points.x.push_back(point[0]);
+    points.y.push_back(point[1]);
   }
   return points;
-}
-
-PiecewiseLinear table_of(const Points& points, const std::string& where) {
-  try {
-    return {points.x, points.y};
-  } catch (const ExpressionError& error) {
-    throw InputError(where + ": " + error.what());
-  }
 }
 
 ExpressionNames names_of(const Scene& scene) {
   ExpressionNames names;
   names.variables = {"tau"};
   names.constants["pi"] = std::numbers::pi;
-  for (const std::string& name : scene.chosen_names("cycle.tables.*.x")) {
-    const std::string x = "cycle.tables." + name + ".x", y = "cycle.tables." + name + ".y";
-    if (std::ranges::count(scene.chosen_names("cycle.tables.*.y"), name) == 0)
-      throw InputError(scene.where(x) + ": expected also " + y);
-    if (is_taken_in_expressions(name, names))
-      throw InputError(fmt::format("{}: expected another name, there are already the {}",
-                                   scene.where(x), describe_expression_names(names)));
-    names.tables.emplace(name, table_of({scene.reals(x), scene.reals(y)}, scene.where(x)));
-  }
+  add_tables(scene, "cycle.tables", SplineCurve::max_points, names);
   return names;
 }
 
@@ -128,13 +115,14 @@ Key table_key(const std::string& name, char axis) {
   return {};
 }
 
-std::optional<CycleFunction> read_function(const Scene& scene, const std::string& key) {
+std::optional<CycleFunction> read_function(const Scene& scene, const std::string& key,
+                                           ExpressionNames names) {
   if (!scene.has(key)) return {};
   std::string text = scene.text(key);
-  ExpressionNames names = names_of(scene);
   if (is_file(text)) {
     const std::string name = file_table(key);
-    names.tables.insert_or_assign(name, table_of(points_of_file(scene, key), scene.where(key)));
+    const Points points = points_of_file(scene, key);
+    names.tables.insert_or_assign(name, linear_table(points.x, points.y, scene.where(key)));
     text = name + "(tau)";
   }
   try {
@@ -154,10 +142,8 @@ std::optional<CycleFunction> read_function(const Scene& scene, const std::string
 /// Without a period nothing of [cycle] has a meaning.
 void require_nothing_else(const Scene& scene) {
   for (const Key& key : cycle_keys())
-    for (const std::string& name : key.name.find('*') != std::string::npos
-                                       ? std::vector<std::string>()
-                                       : std::vector<std::string>{key.name})
-      if (scene.has(name)) throw InputError(scene.where(name) + ": expected also cycle.period");
+    if (scene.knows(key.name) && scene.has(key.name))
+      throw InputError(scene.where(key.name) + ": expected also cycle.period");
 }
 
 }  // namespace
@@ -177,11 +163,13 @@ std::optional<Cycle> read_cycle(const Scene& scene) {
     throw InputError(scene.where("cycle.period") + ": expected also cycle.phases");
   Cycle cycle;
   cycle.period = scene.real("cycle.period");
-  cycle.displacement = {read_function(scene, "cycle.x"), read_function(scene, "cycle.y"),
-                        read_function(scene, "cycle.z")};
-  cycle.rotation = read_function(scene, "cycle.rotation");
-  cycle.force = read_function(scene, "cycle.force");
-  cycle.load = read_function(scene, "cycle.load");
+  const auto read = [&scene, names = names_of(scene)](const char* key) {
+    return read_function(scene, key, names);
+  };
+  cycle.displacement = {read("cycle.x"), read("cycle.y"), read("cycle.z")};
+  cycle.rotation = read("cycle.rotation");
+  cycle.force = read("cycle.force");
+  cycle.load = read("cycle.load");
   return cycle;
 }
 

@@ -7,12 +7,6 @@ namespace gnomon {
 LoadHistory::LoadHistory(std::vector<double> times, std::vector<double> factors)
     : times_(std::move(times)), factors_(std::move(factors)) {}
 
-LoadHistory LoadHistory::times_factor(double number) const {
-  LoadHistory result = *this;
-  for (double& factor : result.factors_) factor *= number;
-  return result;
-}
-
 double LoadHistory::factor(double t, double within) const {
   const auto behind = std::upper_bound(times_.begin(), times_.end(), within);
   if (behind == times_.begin()) return factors_.front();

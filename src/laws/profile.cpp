@@ -118,6 +118,14 @@ std::vector<Vector<2>> read_points(const std::filesystem::path& file) {
   return parse_points({std::istreambuf_iterator<char>(stream), {}}, file.string());
 }
 
+std::vector<Vector<2>> read_points(const Scene& scene, const std::string& key) {
+  try {
+    return read_points(scene.path().parent_path() / scene.text(key));
+  } catch (const InputError& error) {
+    throw InputError(scene.where(key) + ": " + error.what());
+  }
+}
+
 namespace {
 
 std::vector<Vector<2>> points_of(const Scene& scene) {
@@ -127,13 +135,7 @@ std::vector<Vector<2>> points_of(const Scene& scene) {
         fmt::format("{}: a profile has its points either in counter_body.points or in "
                     "counter_body.file, got {}",
                     shape_origin(scene), inlined ? "both" : "neither"));
-  if (from_file) {
-    try {
-      return read_points(scene.path().parent_path() / scene.text("counter_body.file"));
-    } catch (const InputError& error) {
-      throw InputError(scene.where("counter_body.file") + ": " + error.what());
-    }
-  }
+  if (from_file) return read_points(scene, "counter_body.file");
   const std::vector<double>& flat = scene.reals("counter_body.points");
   if (flat.size() % 2 != 0)
     throw InputError(fmt::format(

@@ -50,6 +50,14 @@ void require_one_section(const WornBody<dim>& body) {
         throw Error("a worn body: its contact nodes and its element are of different sections");
 }
 
+/// X = X^ + d, one row per node.
+template <int dim>
+CellNodal<dim> worn_positions(CellNodal<dim> initial, const typename Mesh<dim>::Cell& cell,
+                              const NodalField<dim>& d) {
+  for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) initial.row(a) += d.row(cell[a]);
+  return initial;
+}
+
 /// A cell with its nodal values, one row per node.
 template <int dim>
 struct CellState {
@@ -57,11 +65,8 @@ struct CellState {
 
   CellState(const Mesh<dim>& mesh, const typename Mesh<dim>::Cell& cell,
             const NodalField<dim>& nodal_d, const NodalField<dim>& nodal_u)
-      : initial(mesh.positions(cell)), X(initial) {
-    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) {
-      X.row(a) += nodal_d.row(cell[a]);
-      u.row(a) = nodal_u.row(cell[a]);
-    }
+      : initial(mesh.positions(cell)), X(worn_positions<dim>(initial, cell, nodal_d)) {
+    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) u.row(a) = nodal_u.row(cell[a]);
   }
 };
 
@@ -111,9 +116,8 @@ template <int dim>
 void observe_cells(const WornBody<dim>& body, const NodalField<dim>& d, Observation& observed) {
   double worn = 0, quality = 1, least = 1;
   for (const auto& cell : body.mesh.cells) {
-    const CellNodal<dim> initial = body.mesh.positions(cell);
-    CellNodal<dim> X = initial;
-    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) X.row(a) += d.row(cell[a]);
+    const CellNodal<dim> initial = body.mesh.positions(cell),
+                         X = worn_positions<dim>(initial, cell, d);
     const double before = cell_volume<dim>(initial, body.element.section),
                  after = cell_volume<dim>(X, body.element.section);
     worn += before - after;

@@ -125,11 +125,11 @@ WornSurface<dim> worn_surface(const WornBody<dim>& body, const WornBodyFields& f
 
 template <int dim>
 ContactState<dim> contact_state(const WornBody<dim>& body, const Phase<dim>& phase,
-                                const WornBodyFields& fields) {
-  ContactState<dim> state{fields.u,         fields.lambda,       fields.w,
-                          body.mesh,        body.contact,        body.contact_nodes,
-                          body.wear_weight, body.further_wear,   body.wear_surface,
-                          phase.weight,     body.nominal_speed()};
+                                const WornBodyFields& fields, double nominal_speed) {
+  ContactState<dim> state{fields.u,         fields.lambda,     fields.w,
+                          body.mesh,        body.contact,      body.contact_nodes,
+                          body.wear_weight, body.further_wear, body.wear_surface,
+                          phase.weight,     nominal_speed};
   state.parameters.counter_body = phase.counter_body;
   return state;
 }
@@ -164,13 +164,14 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
                                              body->shape_along, body->mesh_motion, numbering, f.d,
                                              f.mu);
   });
+  const double speed = body_->nominal_speed();
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     contact_terms_.push_back(terms.size());
-    terms.push_back(
-        [body = body_, phase = phases_[p], f = fields_[p]](const Numbering& numbering) -> Made {
-          return std::make_unique<ContactTerm<dim>>(contact_state(*body, phase, f),
-                                                    worn_surface(*body, f), numbering);
-        });
+    terms.push_back([body = body_, phase = phases_[p], f = fields_[p],
+                     speed](const Numbering& numbering) -> Made {
+      return std::make_unique<ContactTerm<dim>>(contact_state(*body, phase, f, speed),
+                                                worn_surface(*body, f), numbering);
+    });
   }
   terms.push_back([body = body_, f = fields()](const Numbering& numbering) -> Made {
     return std::make_unique<ShapeEvolution<dim>>(numbering, worn_surface(*body, f));

@@ -149,7 +149,8 @@ std::vector<Key> make_run_keys() {
        .unit = "s",
        .presence = required,
        .range = duration,
-       .help = "end of the run, which begins at t = 0"},
+       .or_product = {"time.cycles", "cycle.period"},
+       .help = "end of the run, which begins at t = 0; in scenes with a cycle also as time.cycles"},
   };
   for (const auto& part : {integrator_keys(), output_keys()})
     keys.insert(keys.end(), part.begin(), part.end());

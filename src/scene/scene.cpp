@@ -114,7 +114,7 @@ Scene Scene::with(Key key, SceneValue value) const {
   while (place != result.entries_.begin() && !std::prev(place)->key.name.starts_with(table))
     --place;
   if (place == result.entries_.begin()) place = result.entries_.end();
-  result.entries_.insert(place, {std::move(key), std::move(value), path_.string()});
+  result.entries_.insert(place, {std::move(key), std::move(value), {}});
   return result;
 }
 

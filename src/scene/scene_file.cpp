@@ -83,6 +83,8 @@ public:
       else
         for (const std::string& name : given_names_of(key))
           scene.entries_.push_back(resolve(*find_key({key}, name), meant, mistakes));
+    for (Scene::Entry& entry : scene.entries_)
+      if (!entry.key.or_product.empty()) mistakes.collect([&] { multiply(entry, scene, meant); });
     return scene;
   }
 
@@ -152,9 +154,39 @@ private:
         if (const auto* value = std::get_if<SceneValue>(&checked)) entry.value = *value;
         return entry;
       }
-    if (key.presence == Key::Presence::required && !meant.contains(key.name))
+    if (key.presence == Key::Presence::required && key.or_product.empty() &&
+        !meant.contains(key.name))
       mistakes.collect([&] { refuse_missing_key(message_about(name_, 0, key.name), key); });
     return entry;
+  }
+
+  /// Gives the entry the value of its product (Key::or_product) where the scene has that. The first
+  /// factor, whose only use this is, is left out then. An override goes before the file.
+  void multiply(Scene::Entry& entry, Scene& scene, const std::set<std::string>& meant) const {
+    const std::string& first = entry.key.or_product.front();
+    const bool by_product = scene.knows(first) && scene.has(first);
+    if (by_product && entry.value) {
+      const bool overridden = find(overrides_, entry.key.name);
+      if (overridden == (find(overrides_, first) != nullptr))
+        throw InputError(fmt::format("{}: expected either {} or {}, got both", scene.where(first),
+                                     entry.key.name, first));
+      if (overridden) return scene.value(first).reset();
+    }
+    if (!by_product && !entry.value && !meant.contains(entry.key.name) && !meant.contains(first))
+      refuse_missing_key(message_about(name_, 0, entry.key.name), entry.key);
+    if (!by_product) return;
+    double product = 1;
+    for (const std::string& factor : entry.key.or_product) {
+      if (!scene.has(factor))
+        throw InputError(fmt::format("{}: expected also {}", scene.where(first), factor));
+      product *= scene.real(factor);
+    }
+    entry.origin = scene.where(first);
+    const auto checked = check_value(entry.key, RawValue{RawScalar(product)});
+    if (const auto* complaint = std::get_if<Complaint>(&checked))
+      throw InputError(entry.origin + ": as " + entry.key.name + " " + complaint->text);
+    entry.value = std::get<SceneValue>(checked);
+    scene.value(first).reset();
   }
 
   const std::string& name_;

@@ -176,7 +176,7 @@ private:
     method.name = keyed.has("name") ? keyed.text("name") : method.integrator;
     method.settings = keyed.settings();
     for (const SceneSetting& setting : method.settings)
-      if (setting.key == "time.end")
+      if (setting.key == "time.end" || setting.key == "time.cycles")
         throw InputError(setting.origin +
                          ": cannot differ between methods, expected it in [set] or a [[sweep]]");
     method.origin = keyed.where("integrator");

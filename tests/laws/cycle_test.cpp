@@ -165,6 +165,42 @@ TEST(CycleScene, AResultNeedsNoFile) {
   EXPECT_DOUBLE_EQ(read_cycle(reread(alone))->force->value(0.25), 200);
 }
 
+std::vector<Key> run_keys_too(const std::string&) {
+  std::vector<Key> keys = run_keys();
+  keys.insert(keys.end(), cycle_keys().begin(), cycle_keys().end());
+  return keys;
+}
+
+Scene timed(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const std::string head = "problem = \"none\"\n[integrator]\nname = \"bdf\"\n";
+  return parse_scene(head + text, "scene.toml", overrides, run_keys_too);
+}
+
+std::string timed_refusal(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    timed(text, overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CycleScene, CyclesTimesThePeriodAreTheEnd) {
+  const std::string cycle = "[cycle]\nperiod = 0.5\nphases = 4\n";
+  const Scene scene = timed("[time]\ncycles = 18000\n" + cycle);
+  EXPECT_EQ(scene.real("time.end"), 9000);
+  // The end is kept, so that a result can be resumed to another one.
+  const Scene again = parse_scene(scene.resolved(), "result", {"time.cycles=20000"}, run_keys_too);
+  EXPECT_EQ(again.real("time.end"), 10000);
+  EXPECT_EQ(timed("[time]\ncycles = 18000\n" + cycle, {"time.end=10"}).real("time.end"), 10);
+  EXPECT_THAT(timed_refusal("[time]\ncycles = 4\nend = 2.0\n" + cycle),
+              HasSubstr("time.cycles`: expected either time.end or time.cycles, got both"));
+  EXPECT_THAT(timed_refusal("[time]\ncycles = 4\n"), HasSubstr("expected also cycle.period"));
+  EXPECT_THAT(timed_refusal(cycle), HasSubstr("key `time.end`: missing"));
+  EXPECT_THAT(timed_refusal("[time]\ncycles = 1e29\n[cycle]\nperiod = 1e29\nphases = 1\n"),
+              HasSubstr("as time.end expected a number"));
+}
+
 TEST(CycleScene, RefusesWhatItCannotUse) {
   const std::string begin = "[cycle]\nperiod = 1.0\n";
   EXPECT_THAT(refusal("[cycle]\nx = \"tau\"\n"), HasSubstr("cycle.x`: expected also cycle.period"));

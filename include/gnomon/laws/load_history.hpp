@@ -14,9 +14,6 @@ public:
   /// As many times as factors, at least one; `times` strictly ascending.
   LoadHistory(std::vector<double> times, std::vector<double> factors);
 
-  /// The same, multiplied by a number.
-  LoadHistory times_factor(double number) const;
-
   double factor(double t) const { return factor(t, t); }
   /// The factor at t on the straight line that is valid immediately after the time `within`.
   double factor(double t, double within) const;

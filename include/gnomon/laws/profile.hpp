@@ -17,6 +17,9 @@ CounterShape<2> profile(const SplineCurve& curve);
 /// one line without numbers before them is a header, empty lines and those with # are left out.
 /// Throws InputError with file and line.
 std::vector<Vector<2>> read_points(const std::filesystem::path& file);
+/// The same of the file that a key of the scene names, beside the scene; the message begins with
+/// the place in the scene.
+std::vector<Vector<2>> read_points(const Scene& scene, const std::string& key);
 /// The same of a text; `name` stands for the file in messages.
 std::vector<Vector<2>> parse_points(const std::string& text, const std::string& name);
 

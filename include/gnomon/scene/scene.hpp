@@ -57,7 +57,10 @@ struct Key {
   std::size_t length = 0;              ///< arrays only; 0 means any length
   bool or_single = false;              ///< `reals` only: a number stands for an array of it
   bool names_file = false;             ///< texts only: relative to the folder of the scene
-  std::string help{};                  ///< one line
+  /// `required` numbers only: keys, each with a number, whose product may stand instead. Empty:
+  /// none.
+  std::vector<std::string> or_product{};
+  std::string help{};  ///< one line
   /// Whether a scene has a use for the key. Where it has none, resolved() leaves the key out if it
   /// has its default, so that the scene can be read without laws that it does not choose. Empty:
   /// always.

@@ -6,6 +6,8 @@
 #include <gnomon/laws/sign_changes.hpp>
 #include <memory>
 
+#include "laws/expression_tables.hpp"
+
 namespace gnomon {
 
 const std::vector<std::string>& wear_law_variables() {
@@ -131,41 +133,9 @@ WearLaw expression_wear_law(const Expression& rate, double end, double nominal_s
 
 namespace {
 
-/// The piecewise linear function that the scene calls `name`.
-PiecewiseLinear read_table(const Scene& scene, const std::string& name) {
-  const std::string x = "wear.tables." + name + ".x", y = "wear.tables." + name + ".y";
-  const auto given = [&](const char* key) {
-    const std::vector<std::string> names = scene.chosen_names(key);
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
-  if (!given("wear.tables.*.x") || !given("wear.tables.*.y")) {
-    const std::string& there = given("wear.tables.*.x") ? x : y;
-    throw InputError(scene.where(there) + ": expected x and y of the table");
-  }
-  // Of p, v, h, q or a position, each is a switching function of every contact node; of t or s, a
-  // breakpoint at which a step ends.
-  constexpr std::size_t most = 1000;
-  if (scene.reals(x).size() > most)
-    throw InputError(fmt::format("{}: expected at most {} points of a table, got {}",
-                                 scene.where(x), most, scene.reals(x).size()));
-  try {
-    return {scene.reals(x), scene.reals(y)};
-  } catch (const ExpressionError& error) {
-    throw InputError(scene.where(x) + ": " + error.what());
-  }
-}
-
 /// Springs have no friction.
 double friction_of(const Scene& scene) {
   return scene.knows("friction.coefficient") ? scene.real("friction.coefficient") : 0;
-}
-
-/// Throws InputError for a name that the scene chooses, with this key, and that is taken.
-void require_free(const Scene& scene, const std::string& key, const std::string& name,
-                  const ExpressionNames& names) {
-  if (is_taken_in_expressions(name, names))
-    throw InputError(fmt::format("{}: expected another name, there are already the {}, and, or",
-                                 scene.where(key), describe_expression_names(names)));
 }
 
 /// k, f, the constants and the tables of the scene.
@@ -179,16 +149,13 @@ ExpressionNames read_names(const Scene& scene) {
     if (name == "k" || name == "f")
       throw InputError(scene.where(key) +
                        ": expected another name: k is wear.coefficient, f friction.coefficient");
-    require_free(scene, key, name, names);
+    require_free_name(scene, key, name, names);
     names.constants[name] = scene.real(key);
   }
-  for (const char* key : {"wear.tables.*.x", "wear.tables.*.y"})
-    for (const std::string& name : scene.chosen_names(key)) {
-      if (names.tables.contains(name)) continue;  // by its x
-      require_free(scene, std::string(key).replace(std::string(key).find('*'), 1, name), name,
-                   names);
-      names.tables.emplace(name, read_table(scene, name));
-    }
+  // Of p, v, h, q or a position, each point is a switching function of every contact node; of t or
+  // s, a breakpoint at which a step ends.
+  constexpr std::size_t most = 1000;
+  add_tables(scene, "wear.tables", most, names);
   return names;
 }
 
