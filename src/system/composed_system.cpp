@@ -1,5 +1,8 @@
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <gnomon/system/composed_system.hpp>
 
 namespace gnomon {
@@ -27,6 +30,7 @@ void ComposedSystem<dim>::build_structure() {
     TermStructure part{.pattern = builder};
     term->declare(part);
     slow_.push_back(part.slow);
+    sweeps_.push_back(part.sweeps_cells);
     auto& nodes = structure_.switch_node;
     nodes.insert(nodes.end(), part.switch_node.begin(), part.switch_node.end());
     first_switch_.push_back(nodes.size());
@@ -100,8 +104,44 @@ template <int dim>
 void ComposedSystem<dim>::residual(const Point& at, std::span<double> F) const {
   fill(at.y, time(at), within(at), values_);
   std::fill(F.begin(), F.end(), 0.0);
+  for_terms(std::nullopt,
+            [&](std::size_t k) { terms_[k]->add_residual(evaluation(at, values_, k), F); });
+}
+
+namespace {
+
+/// work(k) for every entry k of `terms`, each by one thread where there are more entries than
+/// threads; otherwise one after the other, each by all threads. The first exception in the order of
+/// the entries is thrown again.
+template <class Work>
+void divide_among_threads(const std::vector<std::size_t>& terms, const Work& work) {
+  const auto count = static_cast<long>(terms.size());
+  const int threads = omp_get_max_threads();
+  if (threads == 1 || count <= threads) {
+    for (std::size_t k : terms) work(k);
+    return;
+  }
+  std::vector<std::exception_ptr> errors(terms.size());
+#pragma omp parallel for schedule(dynamic)
+  for (long i = 0; i < count; ++i) try {
+      work(terms[i]);
+    } catch (...) {
+      errors[i] = std::current_exception();
+    }
+  for (const std::exception_ptr& error : errors)
+    if (error) std::rethrow_exception(error);
+}
+
+}  // namespace
+
+template <int dim>
+template <class Work>
+void ComposedSystem<dim>::for_terms(std::optional<bool> slow, const Work& work) const {
+  std::vector<std::size_t> sweeping, others;
   for (std::size_t k = 0; k < terms_.size(); ++k)
-    terms_[k]->add_residual(evaluation(at, values_, k), F);
+    if (!slow || *slow == bool(slow_[k])) (sweeps_[k] ? sweeping : others).push_back(k);
+  divide_among_threads(sweeping, work);
+  for (std::size_t k : others) work(k);
 }
 
 namespace {
@@ -154,8 +194,9 @@ template <int dim>
 void ComposedSystem<dim>::jacobian(const Point& at, double alpha, std::span<double> values) const {
   fill(at.y, time(at), within(at), values_);
   const auto add = [&](bool slow) {
-    for (std::size_t k = 0; k < terms_.size(); ++k)
-      if (slow_[k] == slow) terms_[k]->add_jacobian(evaluation(at, values_, k), alpha, values);
+    for_terms(slow, [&](std::size_t k) {
+      terms_[k]->add_jacobian(evaluation(at, values_, k), alpha, values);
+    });
   };
   SlowPart* const slow = shared_.empty() ? nullptr : at.slow;
   if (slow && serves(*slow, at.y)) {

@@ -15,6 +15,7 @@ template <int dim>
 void BodyTerm<dim>::declare(TermStructure& structure) const {
   cells_.add_to_pattern(structure.pattern);
   structure.slow = dim == 3;  // in the plane assembly is cheap beside factors
+  structure.sweeps_cells = true;
 }
 
 template <int dim>

@@ -103,6 +103,7 @@ void MeshMotion<dim>::declare(TermStructure& structure) const {
   section_ ? section_->cells.add_to_pattern(structure.pattern)
            : whole_->cells.add_to_pattern(structure.pattern);
   structure.slow = dim == 3;  // in the plane assembly is cheap beside factors
+  structure.sweeps_cells = true;
 }
 
 template <int dim>

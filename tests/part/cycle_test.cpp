@@ -8,71 +8,13 @@
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 
-#include "part/part_scene.hpp"
+#include "part/cyclic_flat.hpp"
 
 namespace gnomon {
 namespace {
 
 using namespace testing;
 using ::testing::HasSubstr;
-
-class Cycles : public ::testing::Test {
-protected:
-  void SetUp() override {
-    if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
-    folder_.write("flat.geo", R"(Point(1) = {-0.4, -0.4, 0};
-Point(2) = { 0.4, -0.4, 0};
-Point(3) = { 0.4, 0, 0};
-Point(4) = {-0.4, 0, 0};
-Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
-Curve Loop(1) = {1, 2, 3, 4};
-Plane Surface(1) = {1};
-DefineConstant[ n = 24 ];
-Transfinite Curve {1, 3} = n + 1;
-Transfinite Curve {2, 4} = n / 4 + 1;
-Transfinite Surface {1};
-Recombine Surface {1};
-Physical Curve("bottom") = {1};
-Physical Curve("surface") = {3};
-Physical Surface("flat") = {1};
-)");
-  }
-
-  /// `motion`: what [cycle] or [counter_body.motion] gives.
-  std::string text(const std::string& motion, const std::string& press = "force = 18.5") const {
-    return fmt::format(R"(problem = "worn_body"
-mesh.geometry = "flat.geo"
-body = {{ young_modulus = 1e4, poisson_ratio = 0.3 }}
-support = [ {{ on = "bottom" }} ]
-wear = {{ on = ["surface"], coefficient = 2.9e-6 }}
-time.end = 100.0
-integrator = {{ name = "esdirk-3", rtol = 1e-4 }}
-[counter_body]
-shape = "cylinder"
-radius = 6.0
-center = [0.0, 6.0]
-press = {{ direction = [0.0, -1.0]{}{} }}
-{}
-)",
-                       press.empty() ? "" : ", ", press, motion);
-  }
-  std::unique_ptr<Model> model(const std::string& text, const Overrides& overrides = {}) const {
-    return make_model(load_scene(folder_.write("flat.toml", text), overrides, key_table));
-  }
-  std::string refusal(const std::string& text, const Overrides& overrides = {}) const {
-    try {
-      model(text, overrides);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
-  }
-
-  SceneFolder folder_;
-};
-
-const std::string reciprocating =
-    "[cycle]\nperiod = 1.0\nphases = 6\nx = \"0.1 * sin(2*pi*tau)\"\n";
 
 TEST_F(Cycles, OnePhaseIsTheSteadyState) {
   const auto steady = model(text("motion.velocity = [0.4, 0.0]")),

@@ -70,6 +70,9 @@ private:
   void keep(SlowPart& slow, std::span<const double> y, std::span<const double> values) const;
   /// Values of all fields at y, and those that are prescribed at t on the smooth part of `within`.
   void fill(std::span<const double> y, double t, double within, FieldValues<dim>& values) const;
+  /// work(k) for all terms, or for those that are slow, or not; terms that sweep over cells first.
+  template <class Work>
+  void for_terms(std::optional<bool> slow, const Work& work) const;
   double time(const Point& at) const { return frozen_time_.value_or(at.t); }
   double within(const Point& at) const { return frozen_time_.value_or(at.within.value_or(at.t)); }
 
@@ -78,6 +81,7 @@ private:
   std::vector<std::unique_ptr<Term<dim>>> terms_;
   std::vector<std::size_t> first_switch_;  // of each term, and last their total number
   std::vector<char> slow_;                 // 1 for each term whose derivatives are slow
+  std::vector<char> sweeps_;               // 1 for each term that sweeps over cells
   std::vector<int> shared_;                // entries of J to which terms add that are not slow
   Structure structure_;
   std::optional<double> frozen_time_;

@@ -17,6 +17,9 @@ struct TermStructure {
   std::vector<int> switch_node = {};     ///< mesh node of each switching function of the term
   std::vector<double> breakpoints = {};  ///< times at which the term may have a kink in t
   bool slow = false;  ///< its derivatives change slowly and are expensive (SlowPart)
+  /// It sweeps over all cells of a mesh, and no other term of the system that does so adds to its
+  /// rows: such terms are evaluated at the same time, each by one thread, where there are many.
+  bool sweeps_cells = false;
 };
 
 /// The point at which a term is evaluated.

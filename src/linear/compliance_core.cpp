@@ -1,0 +1,228 @@
+#include "linear/compliance_core.hpp"
+
+#include <algorithm>
+#include <gnomon/base/error.hpp>
+#include <set>
+
+namespace gnomon {
+
+namespace {
+
+using Values = ContactCompliance::Values;
+
+std::vector<std::array<int, ContactCompliance::most>> numbers_in_block(const PhaseContact& phase,
+                                                                       const SymmetricPart& part) {
+  std::vector<std::array<int, ContactCompliance::most>> numbers;
+  for (const PhaseContact::Node& node : phase.nodes) {
+    auto& of_node = numbers.emplace_back(node.u);
+    for (int& number : of_node)
+      if (number >= 0) number = part.number(number);
+  }
+  return numbers;
+}
+
+Values components(const PhaseContact::Node& node, std::span<const double> x) {
+  Values values = Values::Zero();
+  for (int k = 0; k < ContactCompliance::most; ++k)
+    if (node.u[k] >= 0) values[k] = x[node.u[k]];
+  return values;
+}
+
+}  // namespace
+
+ComplianceCore::ComplianceCore(const Structure& structure)
+    : structure_(structure),
+      by_factors_(structure.solver.preconditioner == LinearSolverChoice::Preconditioner::factor),
+      stiffness_(structure, Role::stiffness, false),
+      contacts_(structure, stiffness_.owners()),
+      compliance_(numbers_in_block(contacts_.phases().front(), stiffness_.part())),
+      systems_(stiffness_.owners()),
+      contact_columns_(structure, {Role::stiffness, Role::evolution, Role::rigid},
+                       {Role::multiplier, Role::rigid}),
+      wear_by_displacement_(structure, {Role::evolution}, {Role::stiffness}),
+      wear_block_(structure, {Role::evolution}),
+      contact_(structure.size) {}
+
+void ComplianceCore::refresh(std::span<const double> J) {
+  J_ = J;
+  contacts_.update(J);
+  wear_block_.factorize(J);
+}
+
+double ComplianceCore::cost_of_columns(long columns) const {
+  // Factors solve for many columns together.
+  const double column = by_factors_ ? 0.25 : 1;
+  const double application = 1 + 2 * column * static_cast<double>(stiffness_.owners());
+  return column * static_cast<double>(columns) / application;
+}
+
+double ComplianceCore::update_cost() const {
+  return cost_of_columns(compliance_.missing(contacts_.touching()));
+}
+
+double ComplianceCore::set_up_cost() const {
+  return cost_of_columns(
+      compliance_.columns() +
+      static_cast<long>(stiffness_.solver().set_up_cost() * (by_factors_ ? 4 : 1)));
+}
+
+int ComplianceCore::set_up(bool) {
+  stiffness_.gather(J_);
+  const int factorizations = stiffness_.set_up("the stiffness of the body");
+  compliance_.clear();
+  update();
+  return factorizations;
+}
+
+void ComplianceCore::update() {
+  compliance_.solve(contacts_.touching(), stiffness_);
+  number_.assign(contacts_.surfaces(), -1);
+  int count = 0;
+  for (const PhaseContact& phase : contacts_.phases())
+    for (const ClosedNode& node : phase.closed)
+      if (node.surface >= 0 && number_[node.surface] < 0) number_[node.surface] = count++;
+  Eigen::MatrixXd wear = Eigen::MatrixXd::Identity(count, count);
+  for (std::size_t p = 0; p < systems_.size(); ++p) make_system(p, wear);
+  if (count > 0) wear_.compute(wear);
+  right_of_wear_.resize(count);
+}
+
+/// The columns of K^-1 (B, J_uw) at the closed nodes, three rows each.
+Eigen::MatrixXd ComplianceCore::response(const PhaseContact& phase) const {
+  const auto count = static_cast<Eigen::Index>(phase.closed.size());
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(ContactCompliance::most * count, count + 1);
+  for (Eigen::Index k = 0; k < count; ++k)
+    for (Eigen::Index l = 0; l < count; ++l) {
+      const auto G = compliance_.at(phase.closed[k].node, phase.closed[l].node);
+      auto rows = moved.middleRows<ContactCompliance::most>(ContactCompliance::most * k);
+      rows.col(l) = G * phase.closed[l].B;
+      rows.col(count) += G * phase.closed[l].uw;
+    }
+  return moved;
+}
+
+void ComplianceCore::make_system(std::size_t p, Eigen::MatrixXd& wear) {
+  const PhaseContact& phase = contacts_.phases()[p];
+  const auto count = static_cast<Eigen::Index>(phase.closed.size());
+  const Eigen::Index size = count + (phase.rigid >= 0 ? 1 : 0);
+  PhaseSystem& system = systems_[p];
+  const Eigen::MatrixXd moved = response(phase).leftCols(size);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
+  Eigen::MatrixXd& V = system.wear = Eigen::MatrixXd::Zero(count, size);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const ClosedNode& node = phase.closed[k];
+    const auto here = moved.middleRows<ContactCompliance::most>(ContactCompliance::most * k);
+    A.row(k) -= node.L.transpose() * here;
+    A(k, k) += node.ll;
+    V.row(k) -= node.cu_m.transpose() * here;
+    V(k, k) += node.e_m;
+    if (phase.rigid < 0) continue;
+    A(k, count) += node.lw;
+    V(k, count) += node.cw_m;
+    A(count, k) += node.wl;
+    A.row(count) -= node.wu.transpose() * here;
+  }
+  if (phase.rigid >= 0) {
+    A(count, count) += J_[structure_.pattern.find(phase.rigid, phase.rigid)];
+    // Nothing carries the force: the outer iteration will fail.
+    if (A.col(count).isZero(0)) A(count, count) = 1;
+  }
+  if (size == 0) return;
+  system.A.compute(A);
+  Eigen::MatrixXd driven = Eigen::MatrixXd::Zero(size, count);
+  for (Eigen::Index k = 0; k < count; ++k) driven(k, k) = phase.closed[k].a_m;
+  const Eigen::MatrixXd fed_back = V * system.A.solve(driven);
+  for (Eigen::Index k = 0; k < count; ++k)
+    for (Eigen::Index l = 0; l < count; ++l)
+      if (const int i = of_surface(phase.closed[k]), j = of_surface(phase.closed[l]);
+          i >= 0 && j >= 0)
+        wear(i, j) -= fed_back(k, l);
+}
+
+int ComplianceCore::of_surface(const ClosedNode& node) const {
+  return node.surface < 0 ? -1 : number_[node.surface];
+}
+
+/// Open nodes have a row of their own.
+void ComplianceCore::solve_open(std::span<double> s, std::span<double> z) const {
+  for (const PhaseContact& phase : contacts_.phases()) {
+    auto closed = phase.closed.begin();
+    for (std::size_t c = 0; c < phase.nodes.size(); ++c) {
+      if (closed != phase.closed.end() && closed->node == static_cast<int>(c)) {
+        ++closed;
+        continue;
+      }
+      const int l = phase.nodes[c].multiplier;
+      const double own = J_[structure_.pattern.find(l, l)];
+      z[l] = own == 0 ? s[l] : s[l] / own;
+    }
+  }
+  contact_columns_.subtract(J_, z, s);
+}
+
+/// f of every phase, and q.
+void ComplianceCore::make_right_sides(std::span<const double> s, std::span<const double> x0) {
+  right_of_wear_.setZero();
+  for (std::size_t p = 0; p < systems_.size(); ++p) {
+    const PhaseContact& phase = contacts_.phases()[p];
+    const auto count = static_cast<Eigen::Index>(phase.closed.size());
+    Eigen::VectorXd& f = systems_[p].right;
+    f = Eigen::VectorXd::Zero(count + (phase.rigid >= 0 ? 1 : 0));
+    if (phase.rigid >= 0) f[count] = s[phase.rigid];
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const ClosedNode& node = phase.closed[k];
+      const Values x = components(phase.nodes[node.node], x0);
+      f[k] = s[node.multiplier] - contacts_.shape_part(node, s) - node.L.dot(x);
+      if (phase.rigid >= 0) f[count] -= node.wu.dot(x);
+      if (const int i = of_surface(node); i >= 0) right_of_wear_[i] += node.cu_m.dot(x);
+    }
+  }
+}
+
+/// The multipliers of closed nodes and the rigid motions, into contact_.
+void ComplianceCore::solve_contact() {
+  for (std::size_t p = 0; p < systems_.size(); ++p) {
+    PhaseSystem& system = systems_[p];
+    const PhaseContact& phase = contacts_.phases()[p];
+    if (system.right.size() == 0) continue;
+    const Eigen::VectorXd worn = system.wear * system.A.solve(system.right);
+    for (std::size_t k = 0; k < phase.closed.size(); ++k)
+      if (const int i = of_surface(phase.closed[k]); i >= 0)
+        right_of_wear_[i] += worn[static_cast<Eigen::Index>(k)];
+  }
+  if (right_of_wear_.size() > 0) right_of_wear_ = wear_.solve(right_of_wear_).eval();
+  std::fill(contact_.begin(), contact_.end(), 0.0);
+  for (std::size_t p = 0; p < systems_.size(); ++p) {
+    PhaseSystem& system = systems_[p];
+    const PhaseContact& phase = contacts_.phases()[p];
+    if (system.right.size() == 0) continue;
+    for (std::size_t k = 0; k < phase.closed.size(); ++k)
+      if (const int i = of_surface(phase.closed[k]); i >= 0)
+        system.right[static_cast<Eigen::Index>(k)] += phase.closed[k].a_m * right_of_wear_[i];
+    const Eigen::VectorXd y = system.A.solve(system.right);
+    for (std::size_t k = 0; k < phase.closed.size(); ++k)
+      contact_[phase.closed[k].multiplier] = y[static_cast<Eigen::Index>(k)];
+    if (phase.rigid >= 0) contact_[phase.rigid] = y[y.size() - 1];
+  }
+}
+
+void ComplianceCore::solve(std::span<double> s, std::span<double> z) {
+  solve_open(s, z);
+  stiffness_.scatter(stiffness_.solve(s), z);
+  make_right_sides(s, z);
+  solve_contact();
+  contact_columns_.subtract(J_, contact_, s);
+  stiffness_.scatter(stiffness_.solve(s), z);
+  for (const PhaseContact& phase : contacts_.phases()) {
+    for (const ClosedNode& node : phase.closed) z[node.multiplier] = contact_[node.multiplier];
+    if (phase.rigid >= 0) z[phase.rigid] = contact_[phase.rigid];
+  }
+  wear_by_displacement_.subtract(J_, z, s);
+  wear_block_.solve(s, z);
+}
+
+std::unique_ptr<CoreSolver> make_compliance_core(const Structure& structure) {
+  return std::make_unique<ComplianceCore>(structure);
+}
+
+}  // namespace gnomon

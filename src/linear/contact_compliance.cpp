@@ -1,0 +1,58 @@
+#include "linear/contact_compliance.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace gnomon {
+
+ContactCompliance::ContactCompliance(std::vector<std::array<int, most>> nodes)
+    : nodes_(std::move(nodes)) {
+  clear();
+}
+
+void ContactCompliance::clear() {
+  first_column_.assign(nodes_.size(), -1);
+  G_.resize(most * static_cast<long>(nodes_.size()), 0);
+}
+
+long ContactCompliance::missing(const std::vector<int>& nodes) const {
+  return most * std::ranges::count_if(nodes, [this](int node) { return first_column_[node] < 0; });
+}
+
+void ContactCompliance::solve(const std::vector<int>& nodes, StiffnessBlock& stiffness) {
+  constexpr long together = 20;  // nodes per solve
+  std::vector<int> fresh;
+  std::ranges::copy_if(nodes, std::back_inserter(fresh),
+                       [this](int node) { return first_column_[node] < 0; });
+  if (fresh.empty()) return;
+  long column = G_.cols();
+  G_.conservativeResize(Eigen::NoChange, column + most * static_cast<long>(fresh.size()));
+  Eigen::MatrixXd forces, moved;
+  for (std::size_t start = 0; start < fresh.size(); start += together) {
+    const long count = std::min<long>(together, static_cast<long>(fresh.size() - start));
+    forces.setZero(stiffness.size(), most * count);
+    moved.resizeLike(forces);
+    for (long k = 0; k < count; ++k)
+      for (int i = 0; i < most; ++i)
+        if (const int number = nodes_[fresh[start + k]][i]; number >= 0)
+          forces(number, most * k + i) = 1;
+    const auto entries = static_cast<std::size_t>(forces.size());
+    stiffness.solver().apply({forces.data(), entries}, {moved.data(), entries});
+    for (long k = 0; k < count; ++k, column += most) {
+      first_column_[fresh[start + k]] = static_cast<int>(column);
+      for (std::size_t node = 0; node < nodes_.size(); ++node)
+        for (int i = 0; i < most; ++i) {
+          const int number = nodes_[node][i];
+          for (int j = 0; j < most; ++j)
+            G_(most * static_cast<long>(node) + i, column + j) =
+                number < 0 ? 0 : moved(number, most * k + j);
+        }
+    }
+  }
+}
+
+ContactCompliance::Square ContactCompliance::at(int node, int loaded) const {
+  return G_.block<most, most>(most * static_cast<long>(node), first_column_[loaded]);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,134 @@
+#include <Eigen/LU>
+#include <algorithm>
+#include <gnomon/linear/jacobian_block.hpp>
+
+#include "linear/contact_elimination.hpp"
+#include "linear/core_solver.hpp"
+#include "linear/low_rank_update.hpp"
+#include "linear/stiffness_block.hpp"
+
+namespace gnomon {
+
+namespace {
+
+constexpr Roles core_roles = {Role::stiffness, Role::multiplier, Role::evolution};
+
+/// The stiffness with springs is solved, and the scalar rigid motions are bordered.
+class SpringCore : public CoreSolver {
+public:
+  explicit SpringCore(const Structure& s)
+      : structure_(s),
+        by_factors_(s.solver.preconditioner == LinearSolverChoice::Preconditioner::factor),
+        stiffness_(s, Role::stiffness, true),
+        contact_(s, by_factors_),
+        rigid_row_(s, {Role::rigid}, core_roles),
+        rigid_column_(s, core_roles, {Role::rigid}),
+        core_(unknowns_of(s, core_roles)),
+        rigid_(unknowns_of(s, {Role::rigid})),
+        border_(rigid_.size(), std::vector<double>(s.size)),
+        work_(s.size) {}
+
+  void refresh(std::span<const double> J) override {
+    J_ = J;
+    contact_.update(J);
+    terms_ = contact_.low_rank_terms(stiffness_.part());
+    bordered_ = false;
+  }
+  double update_cost() const override {
+    // Factors solve for many columns together.
+    const double cost_of_a_column = by_factors_ ? 0.25 : 1;
+    return cost_of_a_column * static_cast<double>(change_.columns_to_solve(terms_));
+  }
+  void update() override {
+    if (!stiffness_.empty()) change_.set(terms_, stiffness_.solver(), stiffness_.size());
+  }
+  int set_up(bool whole) override {
+    contact_.add_springs(stiffness_.part(), stiffness_.gather(J_));
+    terms_ = contact_.low_rank_terms(stiffness_.part());  // common wear alone
+    // With multigrid the columns cost more than the set-up: they are kept until fresh ones are
+    // needed.
+    if (by_factors_ || whole) change_.clear();
+    const int factorizations = stiffness_.set_up("the stiffness of the body");
+    update();
+    bordered_ = false;
+    return factorizations;
+  }
+  double set_up_cost() const override {
+    return stiffness_.empty() ? 0 : stiffness_.solver().set_up_cost();
+  }
+  void solve(std::span<double> s, std::span<double> z) override {
+    if (!rigid_.empty() && !bordered_) make_border();
+    solve_free(s, z);
+    if (!rigid_.empty()) solve_rigid(s, z);
+  }
+
+private:
+  /// Solves the rows of u, lambda and c; s is changed.
+  void solve_free(std::span<double> s, std::span<double> z) {
+    contact_.condense(s);
+    const std::span<double> x = stiffness_.solve(s);
+    change_.correct(x);
+    stiffness_.scatter(x, z);
+    contact_.recover(s, z);
+  }
+
+  /// Solves for a unit of each w: then z = -border, and `schur_` is the Schur complement of J_ww.
+  void make_border() {
+    const auto count = static_cast<Eigen::Index>(rigid_.size());
+    Eigen::MatrixXd complement = Eigen::MatrixXd::Zero(count, count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      std::vector<double>& column = border_[static_cast<std::size_t>(k)];
+      const int w = rigid_[static_cast<std::size_t>(k)];
+      std::fill(column.begin(), column.end(), 0.0);
+      std::fill(work_.begin(), work_.end(), 0.0);
+      column[w] = -1;
+      rigid_column_.subtract(J_, column, work_);
+      column[w] = 0;
+      solve_free(work_, column);
+      std::fill(work_.begin(), work_.end(), 0.0);
+      rigid_row_.subtract(J_, column, work_);
+      for (Eigen::Index l = 0; l < count; ++l)
+        complement(l, k) = work_[rigid_[static_cast<std::size_t>(l)]];
+      complement(k, k) += J_[structure_.pattern.find(w, w)];
+      // Nothing carries the force: the outer iteration will fail.
+      if (complement.col(k).isZero(0)) complement(k, k) = 1;
+    }
+    schur_.compute(complement);
+    bordered_ = true;
+  }
+
+  void solve_rigid(std::span<double> s, std::span<double> z) const {
+    rigid_row_.subtract(J_, z, s);
+    Eigen::VectorXd right(static_cast<Eigen::Index>(rigid_.size()));
+    for (std::size_t k = 0; k < rigid_.size(); ++k)
+      right[static_cast<Eigen::Index>(k)] = s[rigid_[k]];
+    const Eigen::VectorXd w = schur_.solve(right);
+    for (std::size_t k = 0; k < rigid_.size(); ++k) {
+      const double value = z[rigid_[k]] = w[static_cast<Eigen::Index>(k)];
+      for (int i : core_) z[i] -= border_[k][i] * value;
+    }
+  }
+
+  const Structure& structure_;
+  std::span<const double> J_;
+  const bool by_factors_;
+  StiffnessBlock stiffness_;
+  ContactElimination contact_;
+  LowRankUpdate change_;            // of the stiffness
+  std::vector<RankOneTerm> terms_;  // of which the change has to consist
+  JacobianBlock rigid_row_, rigid_column_;
+  std::vector<int> core_;
+  std::vector<int> rigid_;                      // w
+  bool bordered_ = false;                       // the two below belong to J and the set-up
+  std::vector<std::vector<double>> border_;     // solutions for the columns of w
+  Eigen::PartialPivLU<Eigen::MatrixXd> schur_;  // of J_ww, the Schur complement
+  std::vector<double> work_;
+};
+
+}  // namespace
+
+std::unique_ptr<CoreSolver> make_spring_core(const Structure& structure) {
+  return std::make_unique<SpringCore>(structure);
+}
+
+}  // namespace gnomon
