@@ -21,7 +21,8 @@ constexpr double megabyte = 1e6, kilobyte = 1e3;
 
 double in_the_plane(const MeshSize& mesh, bool direct) {
   const double growth = std::log2(std::max(2.0, mesh.nodes));
-  return kilobyte * mesh.nodes * (direct ? 11 + 0.5 * growth : 5 + 0.35 * growth);
+  if (direct) return kilobyte * mesh.nodes * mesh.phases * (11 + 0.5 * growth);
+  return kilobyte * mesh.nodes * (5 + 0.35 * growth + 3.5 * (mesh.phases - 1));
 }
 
 /// Entries of the Cholesky factors of three unknowns at each node of a compact body.
@@ -39,13 +40,14 @@ double factor_memory(double analysed, double unknowns) {
 
 double in_space(const MeshSize& mesh, const LinearSolverChoice& solver) {
   const double u = mesh.displacements / 3, d = mesh.shapes / 3;
-  if (!solver.uses_factors()) return 26 * megabyte + kilobyte * (25.6 * u + 12.3 * d);
+  const double further = kilobyte * 11.5 * u * (mesh.phases - 1);  // share the factors
+  if (!solver.uses_factors()) return 26 * megabyte + kilobyte * (25.6 * u + 12.3 * d) + further;
   const double stiffness = factor_memory(mesh.displacement_factor, mesh.displacements);
   if (solver.method == LinearSolverChoice::Method::direct) {
     const double together = std::pow(1 + mesh.shapes / std::max(1.0, mesh.displacements), 2);
-    return kilobyte * 24 * u + 4 * together * stiffness;
+    return mesh.phases * (kilobyte * 24 * u + 4 * together * stiffness);
   }
-  return kilobyte * (25.8 * u + 5.9 * d) + stiffness +
+  return kilobyte * (25.8 * u + 5.9 * d) + further + stiffness +
          factor_memory(mesh.shape_factor, mesh.shapes);
 }
 

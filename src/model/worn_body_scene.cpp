@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/same_time.hpp>
@@ -64,7 +65,9 @@ double factor_entries_of(const Mesh<dim>& mesh, const NodalFlags<dim>& held) {
 
 template <int dim>
 MeshSize size_of(const WornBody<dim>& body) {
-  MeshSize size{.dim = dim, .nodes = double(body.mesh.nodes.size())};
+  MeshSize size{.dim = dim,
+                .nodes = double(body.mesh.nodes.size()),
+                .phases = std::max(1.0, double(body.cycle.size()))};
   if (dim == 2) return size;
   size.grid_lines = !semi_coarsening(body.mesh).empty();
   size.displacements = double((body.displacement_fixed.array() == 0).count());

@@ -10,6 +10,7 @@ namespace gnomon {
 struct MeshSize {
   int dim = 2;
   double nodes = 0;
+  double phases = 1;        ///< contact states
   bool grid_lines = false;  ///< in all directions, so that multigrid can follow them
   // In space:
   double displacements = 0;  ///< unknowns
