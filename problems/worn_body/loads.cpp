@@ -81,9 +81,8 @@ template <int dim>
 void add_dead_load(Field::Values forces, LoadHistory history, WornBody<dim>& body) {
   body.added_terms.push_back(
       [forces = std::move(forces), history = std::move(history)](
-          const WornBody<dim>& whole, const WornBodyFields& fields, const Numbering& numbering) {
-        return std::make_unique<Loads<dim>>(numbering, fields.u,
-                                            whole.load_factor(fields.phase) * forces, history,
+          const WornBody<dim>&, const WornBodyFields& fields, const Numbering& numbering) {
+        return std::make_unique<Loads<dim>>(numbering, fields.u, fields.load * forces, history,
                                             Loads<dim>::Purpose::acts);
       });
 }
@@ -128,8 +127,7 @@ Vector<dim> read_load(const Scene& scene, const std::string& load, const Importe
       sum -= pressure * patch.initial_area * patch.initial_normal;
     body.added_terms.push_back([=](const WornBody<dim>& whole, const WornBodyFields& fields,
                                    const Numbering& numbering) {
-      return std::make_unique<PressureLoad<dim>>(whole.mesh, facets,
-                                                 whole.load_factor(fields.phase) * pressure,
+      return std::make_unique<PressureLoad<dim>>(whole.mesh, facets, fields.load * pressure,
                                                  history, numbering, fields.u, fields.d, section);
     });
     return sum;

@@ -9,6 +9,7 @@
 #include <gnomon/laws/cycle_scene.hpp>
 
 #include "histories.hpp"
+#include "model/phase_error.hpp"
 
 namespace gnomon::part {
 
@@ -134,8 +135,11 @@ std::vector<CounterBody<dim>> instants(const WornBody<dim>& body,
   return result;
 }
 
+namespace {
+
+/// Of the mean over the cycle: corners of the functions, and reversals.
 template <int dim>
-void make_phases(const Scene& scene, const PartCycle<dim>& part, WornBody<dim>& body) {
+std::vector<double> kinks_of(const PartCycle<dim>& part, const WornBody<dim>& body) {
   std::vector<double> kinks = part.cycle.kinks();
   const std::vector<double> rests = reversals(part, body.contact.counter_body);
   kinks.insert(kinks.end(), rests.begin(), rests.end());
@@ -145,8 +149,46 @@ void make_phases(const Scene& scene, const PartCycle<dim>& part, WornBody<dim>& 
   kinks.erase(
       std::unique(kinks.begin(), kinks.end(), [](double a, double b) { return b - a < same; }),
       kinks.end());
-  for (const CyclePoint& point : read_cycle_points(scene, kinks))
-    body.cycle.push_back(phase_at(scene, point, part, body));
+  return kinks;
+}
+
+}  // namespace
+
+template <int dim>
+void make_phases(const Scene& scene, const PartCycle<dim>& part, WornBody<dim>& body) {
+  body.refined_cycle = [scene, part, kinks = kinks_of(part, body)](const WornBody<dim>& of,
+                                                                   int refinement) {
+    std::vector<Phase<dim>> phases;
+    for (const CyclePoint& point : read_cycle_points(scene, kinks, refinement))
+      phases.push_back(phase_at(scene, point, part, of));
+    return phases;
+  };
+  body.cycle = body.refined_cycle(body, 1);
+}
+
+template <int dim>
+std::shared_ptr<WornBody<dim>> with_chosen_phases(
+    const Scene& scene, const std::function<std::shared_ptr<WornBody<dim>>(long phases)>& with) {
+  constexpr long fewest = 4, most = 256;
+  const double tolerance = phase_tolerance(scene);
+  auto body = with(fewest);
+  PhaseError chosen{0, fewest, 0};
+  std::string why;
+  try {
+    chosen = choose_phases<dim>(body, tolerance, most);
+    why = std::isfinite(chosen.error)
+              ? fmt::format("the mean over them has an error of about {:.1g}", chosen.error)
+              : fmt::format(
+                    "the mean over fewer has an error of more than {:g}, and more are not "
+                    "tried",
+                    tolerance);
+  } catch (const SolutionError& error) {
+    why = std::string("more cannot be compared: ") + error.what();
+  }
+  if (chosen.phases != fewest) body = with(chosen.phases);
+  body->remarks.push_back(
+      fmt::format("cycle.phases = \"auto\": {} phases, {}", chosen.phases, why));
+  return body;
 }
 
 template <int dim>
@@ -181,6 +223,10 @@ template std::vector<CounterBody<3>> instants(const WornBody<3>&,
                                               const std::optional<PartCycle<3>>&);
 template void make_phases(const Scene&, const PartCycle<2>&, WornBody<2>&);
 template void make_phases(const Scene&, const PartCycle<3>&, WornBody<3>&);
+template std::shared_ptr<WornBody<2>> with_chosen_phases(
+    const Scene&, const std::function<std::shared_ptr<WornBody<2>>(long)>&);
+template std::shared_ptr<WornBody<3>> with_chosen_phases(
+    const Scene&, const std::function<std::shared_ptr<WornBody<3>>(long)>&);
 template void require_gross_sliding(const Scene&, const PartCycle<2>&, const WornBody<2>&);
 template void require_gross_sliding(const Scene&, const PartCycle<3>&, const WornBody<3>&);
 

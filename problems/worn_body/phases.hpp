@@ -1,9 +1,11 @@
 // The phases of a scene with [cycle].
 #pragma once
 
+#include <functional>
 #include <gnomon/laws/cycle.hpp>
 #include <gnomon/model/worn_body.hpp>
 #include <gnomon/scene/scene.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,10 +28,17 @@ template <int dim>
 std::vector<CounterBody<dim>> instants(const WornBody<dim>& body,
                                        const std::optional<PartCycle<dim>>& cycle);
 
-/// Fills in body.cycle: the phases of cycle.phases. Kinks are those of the functions, and where the
-/// counter-body comes to rest at the reference of its motion. Throws InputError.
+/// Fills in body.cycle and .refined_cycle: the phases of cycle.phases. Kinks are those of the
+/// functions, and where the counter-body comes to rest at the reference of its motion. Throws
+/// InputError.
 template <int dim>
 void make_phases(const Scene& scene, const PartCycle<dim>& cycle, WornBody<dim>& body);
+
+/// The body `with` a number of phases that fits the tolerance of the scene (phase_tolerance()) at
+/// the initial shape; a remark says which. Where the deformation is not found, the fewest.
+template <int dim>
+std::shared_ptr<WornBody<dim>> with_chosen_phases(
+    const Scene& scene, const std::function<std::shared_ptr<WornBody<dim>>(long phases)>& with);
 
 /// Refuses a motion to and fro that is shorter than the elastic shear of the contact: part of the
 /// contact would stick, which depends on the path within the cycle. By Mindlin's formula for round

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/counter_body_scene.hpp>
+#include <gnomon/laws/cycle_scene.hpp>
 #include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/model/problem.hpp>
@@ -130,9 +131,9 @@ void take_counter_body(const Scene& scene, WornBody<dim>& body) {
   choose_approach(scene, body);
 }
 
-/// The model, or all mistakes that can be found without solving anything.
+/// The body, or all mistakes that can be found without solving anything.
 template <int dim>
-std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
+std::shared_ptr<WornBody<dim>> make_body(Scene scene, const ImportedBody<dim>& part) {
   auto body = std::make_shared<WornBody<dim>>();
   body->mesh = part.mesh;
   body->parts = stored_parts(part);
@@ -192,7 +193,14 @@ std::unique_ptr<Model> make_part(Scene scene, const ImportedBody<dim>& part) {
   require_surface_laws(scene, *body);
   require_moving_shape(scene, *body);
   require_held(scene, part, *body);
-  return std::make_unique<WearModel<dim>>(std::move(body));
+  return body;
+}
+
+template <int dim>
+std::unique_ptr<Model> make_part(const Scene& scene, const ImportedBody<dim>& part) {
+  const auto with = [&](long phases) { return make_body<dim>(with_phases(scene, phases), part); };
+  return std::make_unique<WearModel<dim>>(
+      chooses_phases(scene) ? with_chosen_phases<dim>(scene, with) : make_body<dim>(scene, part));
 }
 
 template <int dim>

@@ -9,7 +9,7 @@ class Result(_gnomon._Result):
     """Reads a result: history, stored steps, fields, contact surfaces. Arrays are copies.
 
     Members: status, wall_seconds, problem, integrator, versions, times (of the stored steps), field_names,
-    contact(t), field(name, t), grid(), model(). Without `t` the last stored step is meant.
+    contact(t), field(name, t), grid(), model(), phase_errors. Without `t` the last stored step is meant.
 
     >>> import gnomon, numpy, pathlib, tempfile
     >>> folder = tempfile.TemporaryDirectory()

@@ -55,11 +55,18 @@ py::dict dict_of(const std::vector<Scalar>& scalars) {
 
 py::dict dict_of(const ContactSurface& surface) {
   using namespace py::literals;
-  return py::dict("node"_a = array(surface.node), "initial"_a = array_of_points(surface.initial),
-                  "worn"_a = array_of_points(surface.worn),
-                  "current"_a = array_of_points(surface.current),
-                  "pressure"_a = array(surface.pressure),
-                  "wear_depth"_a = array(surface.wear_depth), "active"_a = array(surface.active));
+  py::dict made("node"_a = array(surface.node), "initial"_a = array_of_points(surface.initial),
+                "worn"_a = array_of_points(surface.worn),
+                "current"_a = array_of_points(surface.current),
+                "pressure"_a = array(surface.pressure),
+                "wear_depth"_a = array(surface.wear_depth), "active"_a = array(surface.active));
+  if (surface.phase_position.empty()) return made;
+  const auto phases = static_cast<py::ssize_t>(surface.phase_position.size()),
+             nodes = static_cast<py::ssize_t>(surface.node.size());
+  made["phase_position"] = array(surface.phase_position);
+  made["phase_weight"] = array(surface.phase_weight);
+  made["phase_pressure"] = array(surface.phase_pressure, {phases, nodes});
+  return made;
 }
 
 py::object dict_of(const std::optional<Grid>& grid) {

@@ -84,7 +84,17 @@ void add_results(py::module_& module) {
       .def("contact", held([](const ResultReader& r, std::optional<double> t) {
              return dict_of(r.contact(t));
            }),
-           py::arg("t") = py::none(), "The contact surface at a stored time, as arrays by name.")
+           py::arg("t") = py::none(),
+           "The contact surface at a stored time, as arrays by name; of a cycle also phase_position, "
+           "phase_weight and phase_pressure [phases, nodes].")
+      .def_property_readonly("phase_errors", held([](const ResultReader& r) {
+                               py::list errors;
+                               for (const PhaseError& at : r.phase_errors())
+                                 errors.append(py::make_tuple(at.t, at.phases, at.error));
+                               return errors;
+                             }),
+                             "Of a cycle: (t, phases, error) of each estimate of the error of the "
+                             "mean over its phases.")
       .def("field", held(field), py::arg("name"), py::arg("t") = py::none(),
            "A field at a stored time: one value or vector for each node or cell.")
       .def("grid", held([](const ResultReader& r) { return dict_of(r.grid()); }),

@@ -157,6 +157,8 @@ int info_command(const std::filesystem::path& file) {
     fmt::print("\nno state is recorded, not even the start\n");
   else
     print_history(history.back());
+  if (const std::string text = phase_error_text(result.phase_errors()); !text.empty())
+    fmt::print("{}\n", text);
   fmt::print("\nscene (gnomon scene prints it in full):\n{}", shortened_scene(header.scene));
   return success;
 }

@@ -76,6 +76,7 @@ std::optional<Resumption> last_checkpoint(const ResultReader& earlier, const std
   from.row = history[rows - 1];
   if (stored > 0) from.stored = times[stored - 1];
   from.wall_seconds = earlier.wall_seconds();
+  from.phase_errors = start_errors(earlier);
   return from;
 }
 

@@ -31,6 +31,8 @@ void print_summary(const RunOutcome& outcome, const EndReport& report) {
   if (const std::string ledger = ledger_text(observation_of(outcome.last->scalars));
       !ledger.empty())
     fmt::print("{}\n", ledger);
+  if (const std::string text = phase_error_text(outcome.phase_errors); !text.empty())
+    fmt::print("{}\n", text);
   if (report.kept)
     fmt::print("the earlier {} is kept, because it goes further\n", report.result.string());
   else

@@ -138,6 +138,17 @@ std::vector<CyclePoint> cycle_points(const std::vector<double>& positions) {
   return points;
 }
 
+std::vector<double> with_middles(const std::vector<double>& positions) {
+  std::vector<double> result = positions;
+  for (std::size_t p = 0; p < positions.size(); ++p) {
+    const double next = p + 1 < positions.size() ? positions[p + 1] : positions.front() + 1;
+    const double middle = (positions[p] + next) / 2;
+    result.push_back(middle < 1 ? middle : middle - 1);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 namespace {
 
 /// Adds the displacement and its velocity.

@@ -43,7 +43,9 @@ std::vector<Key> make_keys() {
            .absent_meaning = "needed by cycle.period",
            .range = {.min = 0, .max = most_phases},
            .or_single = true,
-           .help = "phases of a cycle: their number, or their positions in [0, 1), ascending"},
+           .or_text = "auto",
+           .help = "phases of a cycle: their number, their positions in [0, 1), ascending, or "
+                   "\"auto\": a number that fits integrator.rtol"},
           function_key("cycle.x", "mm", "displacement of the counter-body along x" + how),
           function_key("cycle.y", "mm", "along y"),
           function_key("cycle.z", "mm",
@@ -173,7 +175,12 @@ std::optional<Cycle> read_cycle(const Scene& scene) {
   return cycle;
 }
 
-std::vector<CyclePoint> read_cycle_points(const Scene& scene, const std::vector<double>& kinks) {
+std::vector<CyclePoint> read_cycle_points(const Scene& scene, const std::vector<double>& kinks,
+                                          int refinement) {
+  if (chooses_phases(scene))
+    throw InputError(scene.where("cycle.phases") +
+                     ": expected a number of phases, or positions: this problem does not choose "
+                     "them");
   const std::vector<double>& phases = scene.reals("cycle.phases");
   const auto refuse = [&](const std::string& got) {
     throw InputError(
@@ -184,12 +191,27 @@ std::vector<CyclePoint> read_cycle_points(const Scene& scene, const std::vector<
   if (phases.empty()) refuse("none");
   if (phases.size() == 1 && phases[0] >= 1) {
     if (phases[0] != std::round(phases[0])) refuse(fmt::format("{}", phases[0]));
-    return cycle_points(static_cast<int>(phases[0]), kinks);
+    return cycle_points(refinement * static_cast<int>(phases[0]), kinks);
   }
   for (std::size_t p = 0; p < phases.size(); ++p)
     if (!(phases[p] < 1) || (p > 0 && !(phases[p] > phases[p - 1])))
       refuse(fmt::format("{} at place {}", phases[p], p + 1));
-  return cycle_points(phases);
+  std::vector<double> positions = phases;
+  for (int finer = 1; finer < refinement; finer *= 2) positions = with_middles(positions);
+  return cycle_points(positions);
+}
+
+bool chooses_phases(const Scene& scene) {
+  return scene.knows("cycle.phases") && scene.has_text_instead("cycle.phases");
+}
+
+Scene with_phases(const Scene& scene, long count) {
+  return scene.with("cycle.phases", std::vector<double>{static_cast<double>(count)});
+}
+
+double phase_tolerance(const Scene& scene) {
+  return scene.has("integrator.step") ? phase_tolerance_of_fixed_steps
+                                      : scene.real("integrator.rtol");
 }
 
 Scene with_cycle_tables(const Scene& scene) {

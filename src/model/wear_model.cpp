@@ -308,6 +308,7 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
   if (phases.size() > 1)
     for (std::size_t p = 0; p < phases.size(); ++p) {
       surface.phase_position.push_back(equations_.phases()[p].position);
+      surface.phase_weight.push_back(phases[p].weight);
       for (const ContactNode<dim>& contact : phases[p].nodes)
         surface.phase_pressure.push_back(std::max(0.0, -contact.traction));
     }

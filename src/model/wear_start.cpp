@@ -31,9 +31,11 @@ void close_initial_gap(const WornBodyEquations<dim>& equations, std::size_t phas
   const WornBody<dim>& body = equations.body();
   const CounterBody<dim>& other = equations.phases()[phase].counter_body;
   if (other.travel) return;
+  const NodalField<dim>& d = values.vector(equations.fields().d);
   double least = std::numeric_limits<double>::infinity();
   for (const auto& patch : body.contact_nodes)
-    least = std::min(least, other.travel_to(body.mesh.nodes[patch.node]));
+    least = std::min(least,
+                     other.travel_to(body.mesh.nodes[patch.node] + d.row(patch.node).transpose()));
   if (!std::isfinite(least)) return;
   if (equations.phases()[phase].force) {
     values.scalar(equations.fields(phase).w)[0] = least;

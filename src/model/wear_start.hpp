@@ -17,7 +17,8 @@ namespace gnomon {
 template <int dim>
 RampOptions ramp_options(const WornBody<dim>& body);
 
-/// Brings `values` (zero displacement) into equilibrium with the whole load at t = 0 by a ramp.
+/// Brings `values` (zero displacement; any shape) into equilibrium with the whole load, at t = 0 or
+/// the time at which `contact` is frozen with the shape, by a ramp.
 /// Increments below the whole load are solved only roughly, because they only give first guesses.
 /// `contact`: the system of WornBodyEquations::deformation(); its load fraction keeps the value at
 /// which the ramp ended.

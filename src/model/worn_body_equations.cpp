@@ -138,7 +138,12 @@ ContactState<dim> contact_state(const WornBody<dim>& body, const Phase<dim>& pha
 
 template <int dim>
 WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const WornBody<dim>> body)
-    : body_(std::move(body)), phases_(body_->phases()) {
+    : WornBodyEquations(body, body->phases()) {}
+
+template <int dim>
+WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const WornBody<dim>> body,
+                                          std::vector<Phase<dim>> phases)
+    : body_(std::move(body)), phases_(std::move(phases)) {
   auto composition = std::make_shared<Composition<dim>>();
   composition->fields = std::make_shared<const FieldSet>(make_fields());
   add_terms(composition->terms);
@@ -229,7 +234,7 @@ FieldSet WornBodyEquations<dim>::make_fields() {
   }
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     fields_[p].d = d;
-    fields_[p].phase = p;
+    fields_[p].load = phases_[p].load;
     if (!phases_[p].force) continue;
     const int rigid = set.add(of_phase({"rigid_motion", "w", "counter-body", Role::rigid}, p));
     fields_[p].w = set.add(rigid_motion_field(set.nodes, scales, rigid));

@@ -16,6 +16,16 @@ void copy_step(const ResultReader& from, std::size_t step, double t,
            from.counter_surface(step));
 }
 
+}  // namespace
+
+std::vector<PhaseError> start_errors(const ResultReader& from) {
+  std::vector<PhaseError> errors = from.phase_errors();
+  std::erase_if(errors, [](const PhaseError& error) { return error.t > 0; });
+  return errors;
+}
+
+namespace {
+
 /// Called before anything is written: with a time that is too late the copy would replace the
 /// result.
 void require_together(std::span<const HistoryRow> history, std::span<const double> stored) {
@@ -49,8 +59,9 @@ void copy_to_last_checkpoint(const ResultReader& from, const std::vector<std::st
       ++step;
     }
     // In the file they come after the start.
-    if (row == 0)
-      for (const Checkpoint& checkpoint : checkpoints) to.checkpoint(checkpoint);
+    if (row > 0) continue;
+    for (const PhaseError& error : start_errors(from)) to.append(error);
+    for (const Checkpoint& checkpoint : checkpoints) to.checkpoint(checkpoint);
   }
 }
 

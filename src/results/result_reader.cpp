@@ -12,6 +12,7 @@
 #include "results/hdf5_values.hpp"
 #include "results/history_table.hpp"
 #include "results/layout.hpp"
+#include "results/phase_tables.hpp"
 #include "results/stored_mesh.hpp"
 #include "results/write_claim.hpp"
 
@@ -266,10 +267,17 @@ std::vector<Checkpoint> ResultReader::checkpoints() const {
   });
 }
 
+std::vector<PhaseError> ResultReader::phase_errors() const {
+  return file_->guarded([&] { return layout::read_phase_errors(file_->gnomon()); });
+}
+
 ContactSurface ResultReader::contact(std::optional<double> t) const {
   return file_->guarded([&] {
     const std::size_t step = find_step(file_->times(), t);
-    return read_contact(file_->gnomon(), "contact/" + layout::step_path(step));
+    const std::string path = layout::step_path(step);
+    ContactSurface contact = read_contact(file_->gnomon(), "contact/" + path);
+    layout::read_phases(file_->gnomon(), path, contact);
+    return contact;
   });
 }
 

@@ -11,6 +11,7 @@
 #include "results/hdf5_values.hpp"
 #include "results/history_table.hpp"
 #include "results/layout.hpp"
+#include "results/phase_tables.hpp"
 #include "results/replaced_file.hpp"
 #include "results/result_parts.hpp"
 #include "results/stored_mesh.hpp"
@@ -31,6 +32,7 @@ public:
   ~File();
 
   void append(const HistoryRow& row);
+  void append(const PhaseError& error);
   void store(double t, const std::vector<GridField>& fields,
              const std::optional<ContactSurface>& contact,
              const std::optional<CounterSurface>& counter_body);
@@ -51,6 +53,7 @@ private:
   void flush();
   void check_field(const GridField& field) const;
   Handle open_steps(hid_t parent);
+  void store_phases(const std::string& name, const ContactSurface& contact);
 
   std::filesystem::path path_;
   Earlier earlier_;
@@ -59,9 +62,11 @@ private:
   bool has_rows_ = false;  // on the disk
   double reached_ = 0;
   std::optional<hdf5::CrashSafeFile> disk_;
-  Handle file_, gnomon_, steps_, contacts_, counters_;  // released in reverse order, the file last
+  // Released in reverse order, the file last.
+  Handle file_, gnomon_, steps_, contacts_, counters_, phases_;
   hdf5::GrowingTable history_, stored_;
   layout::CheckpointTable checkpoints_;
+  layout::PhaseErrorTable phase_errors_;
   layout::CounterSurfaces surfaces_;
   std::vector<layout::Column> columns_;
   std::optional<XdmfSidecar> sidecar_;
@@ -102,7 +107,7 @@ void ResultWriter::File::check_earlier() const {
 
 void ResultWriter::File::create(const RunHeader& header, const std::optional<Grid>& grid) {
   file_ = layout::create_file(*disk_, part_of(path_));
-  gnomon_ = create_group(file_.id(), "gnomon", 8);
+  gnomon_ = create_group(file_.id(), "gnomon", 10);
   layout::write_header(gnomon_.id(), header);
   stored_ = hdf5::GrowingTable::create(gnomon_.id(), "stored", layout::stored_type());
   contacts_ = create_group(gnomon_.id(), "contact", layout::kStepsPerGroup);
@@ -141,9 +146,11 @@ void ResultWriter::File::discard() noexcept {
 ResultWriter::File::~File() {
   const hdf5::Session session;
   if (!published_) discard();
+  phase_errors_ = {};
   checkpoints_ = {};
   stored_ = {};
   history_ = {};
+  phases_ = {};
   counters_ = {};
   contacts_ = {};
   steps_ = {};
@@ -227,6 +234,11 @@ Handle ResultWriter::File::open_steps(hid_t parent) {
   return own(H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, "open a group");
 }
 
+void ResultWriter::File::store_phases(const std::string& name, const ContactSurface& contact) {
+  if (!phases_) phases_ = layout::create_phase_group(gnomon_.id(), contact);
+  layout::write_phases(open_steps(phases_.id()).id(), name, contact);
+}
+
 void ResultWriter::File::store(double t, const std::vector<GridField>& fields,
                                const std::optional<ContactSurface>& contact,
                                const std::optional<CounterSurface>& counter_body) {
@@ -241,6 +253,7 @@ void ResultWriter::File::store(double t, const std::vector<GridField>& fields,
     for (const GridField& field : fields) layout::write_field(step.id(), field);
     const Handle contacts = open_steps(contacts_.id());
     if (contact) layout::write_contact(contacts.id(), name, *contact);
+    if (contact && !contact->phase_position.empty()) store_phases(name, *contact);
     const Handle counters = open_steps(counters_.id());
     surface = surfaces_.put(counters.id(), name, "/counter_body/" + path, counter_body);
     if (surface) layout::write_surface_names(step.id(), *surface);
@@ -253,6 +266,12 @@ void ResultWriter::File::store(double t, const std::vector<GridField>& fields,
   stored_.append(&row);
   flush();
   if (sidecar_) sidecar_->add_step(t, "/" + whole, fields, surface);
+}
+
+void ResultWriter::File::append(const PhaseError& error) {
+  if (!phase_errors_) phase_errors_ = layout::PhaseErrorTable::create(gnomon_.id());
+  phase_errors_.append(error);
+  flush();
 }
 
 void ResultWriter::File::checkpoint(const Checkpoint& checkpoint) {
@@ -288,6 +307,10 @@ ResultWriter::~ResultWriter() = default;
 
 void ResultWriter::append(const HistoryRow& row) {
   file_->guarded([&] { file_->append(row); });
+}
+
+void ResultWriter::append(const PhaseError& error) {
+  file_->guarded([&] { file_->append(error); });
 }
 
 void ResultWriter::store(double t, const std::vector<GridField>& fields,

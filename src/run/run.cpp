@@ -3,6 +3,7 @@
 #include <chrono>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/stop_times.hpp>
+#include <gnomon/laws/cycle_scene.hpp>
 #include <gnomon/run/run.hpp>
 #include <set>
 
@@ -37,6 +38,7 @@ public:
         settings_(settings),
         checkpoint_work_(policy.checkpoint_work),
         checkpoint_seconds_(policy.checkpoint_seconds),
+        estimates_phases_(policy.phase_errors),
         schedule_(policy, settings.end),
         writer_(writer),
         hooks_(hooks),
@@ -60,6 +62,12 @@ public:
       close_quietly(error.what());
       throw;
     }
+    if (outcome_.status == Status::finished)
+      if (const std::string text =
+              phase_warning(outcome_.phase_errors,
+                            settings_.step > 0 ? phase_tolerance_of_fixed_steps : settings_.rtol);
+          !text.empty())
+        warn(text);
     if (outcome_.status != Status::failed)
       for (const std::string& text :
            end_warnings(observed_, invisible_volume(model_.grid(), observed_.dim),
@@ -81,6 +89,7 @@ private:
     record({}, model_.observe(state()));
     store();
     if (hooks_.interrupted()) return;
+    estimate_phase_error();
     make_stepper();
     if (checkpoint_work_ > 0 || clock_is_due()) checkpoint();
   }
@@ -92,6 +101,7 @@ private:
     counters_ = from.row.counters;
     observed_ = observation_of(from.row.scalars);
     wear_integral_.resume(observed_);
+    outcome_.phase_errors = from.phase_errors;
     outcome_.last = from.row;
     last_checkpoint_ = from.checkpoint;
     checkpoint_rows_ = from.checkpoint.rows;
@@ -125,6 +135,8 @@ private:
         write_checkpoint();
     }
     if (damping_) judge_damping();
+    stepper_.reset();  // its memory is needed
+    estimate_phase_error();
     return Status::finished;
   }
 
@@ -180,6 +192,26 @@ private:
                      model_.counter_surface(state()));
     ++last_checkpoint_.stored;
     stored_at_ = state().t;
+  }
+
+  std::string unknown_phase_error(const char* reason) const {
+    return fmt::format("the error of the mean over the phases at t = {:g} s is not known: {}",
+                       memory_.state.t, reason);
+  }
+
+  /// Beside the run: its steps and its counters are the same without it.
+  void estimate_phase_error() {
+    if (!estimates_phases_) return;
+    try {
+      const std::optional<PhaseError> error = model_.phase_error(state());
+      if (!error) return;
+      if (writer_) writer_->append(*error);
+      outcome_.phase_errors.push_back(*error);
+    } catch (const SolutionError& error) {
+      warn(unknown_phase_error(error.what()));
+    } catch (const InputError& error) {
+      warn(unknown_phase_error(error.what()));
+    }
   }
 
   void make_stepper() {
@@ -238,6 +270,7 @@ private:
   IntegratorSettings settings_;
   const long checkpoint_work_;
   const double checkpoint_seconds_;
+  const bool estimates_phases_;
   StoreSchedule schedule_;
   ResultWriter* writer_;
   const RunHooks& hooks_;

@@ -57,6 +57,7 @@ StorePolicy store_policy(const Scene& scene) {
   policy.settle = scene.flag("output.settle");
   policy.checkpoint_work = scene.integer("output.checkpoints");
   policy.checkpoint_seconds = scene.real("output.checkpoint_seconds");
+  policy.phase_errors = scene.flag("output.phase_errors");
   std::sort(policy.times.begin(), policy.times.end());
   policy.times.erase(std::unique(policy.times.begin(), policy.times.end()), policy.times.end());
   const auto behind = std::upper_bound(policy.times.begin(), policy.times.end(), end);

@@ -86,6 +86,7 @@ Scene with_choices(const Scene& scene, const LinearSolverChoice& solver) {
 
 Setup completed(Scene scene, std::unique_ptr<Model> model) {
   Scene complete = with_choices(scene, model->system().structure().solver);
+  if (chooses_phases(scene)) complete = with_phases(complete, model->phases());
   if (scene.knows("counter_body.file")) complete = with_profile_points(complete);
   return {with_cycle_tables(complete), std::move(model)};
 }

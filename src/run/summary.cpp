@@ -37,6 +37,13 @@ void add_counters(Json& json, const Counters& counters) {
   json["preconditioner_setups"] = counters.preconditioner_setups;
 }
 
+/// Of a cycle.
+void add_phase_errors(Json& json, const RunOutcome& outcome) {
+  json["phase_errors"] = Json::array();
+  for (const PhaseError& at : outcome.phase_errors)
+    json["phase_errors"].push_back({{"t", at.t}, {"phases", at.phases}, {"error", at.error}});
+}
+
 void add_scalars(Json& json, const RunOutcome& outcome) {
   // Included even if they are absent, so that scripts find the keys in every summary.
   for (const char* name : {"contact_nodes", "contact_force", "max_pressure", "worn_volume",
@@ -93,6 +100,7 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
   json["remarks"] = remarks;
   json["warnings"] = outcome.warnings;
   json["chattering_nodes"] = outcome.chattering_nodes;
+  add_phase_errors(json, outcome);
   json["wall_seconds"] = outcome.wall_seconds;
   add_scalars(json, outcome);
   Json unknowns = Json::object();
@@ -101,6 +109,14 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
   json["versions"] = header.versions;
   // Paths are bytes, JSON is UTF-8: invalid characters are replaced.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string phase_error_text(const std::vector<PhaseError>& errors) {
+  if (errors.empty()) return {};
+  std::string text = fmt::format("error of the mean over {} phases:", errors.front().phases);
+  for (const PhaseError& at : errors)
+    text += fmt::format("{} {:.1e} at t = {:g} s", &at == errors.data() ? "" : ",", at.error, at.t);
+  return text;
 }
 
 std::string ledger_text(const Observation& observed) {

@@ -40,6 +40,7 @@ std::string number_expectation(const Key& key) {
   else
     text += " in " + interval(key.range);
   if (!key.unit.empty()) text += " [" + key.unit + "]";
+  if (!key.or_text.empty()) text += ", or " + toml_text(key.or_text);
   return text;
 }
 
@@ -74,6 +75,10 @@ template <class T>
 std::variant<SceneValue, Complaint> check_numbers(const Key& key, const RawValue& raw) {
   if (const auto* scalar = std::get_if<RawScalar>(&raw.content); scalar && key.or_single)
     if (const auto value = number<T>(key, *scalar)) return SceneValue(std::vector<T>{*value});
+  if (!key.or_text.empty())
+    if (const auto* scalar = std::get_if<RawScalar>(&raw.content))
+      if (const auto* text = std::get_if<std::string>(scalar); text && *text == key.or_text)
+        return SceneValue(*text);
   const auto* array = std::get_if<RawArray>(&raw.content);
   if (!array || (key.length && array->size() != key.length)) return complain(key, describe(raw));
   std::vector<T> values;

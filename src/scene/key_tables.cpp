@@ -18,6 +18,10 @@ bool follows_error(const Scene& scene) {
   return !scene.has("integrator.step");
 }
 
+bool has_cycle(const Scene& scene) {
+  return scene.knows("cycle.period") && scene.has("cycle.period");
+}
+
 std::vector<Key> integrator_keys() {
   return {
       {.name = "integrator.name",
@@ -136,6 +140,13 @@ std::vector<Key> output_keys() {
        .help = "wall time after which a checkpoint follows the step, besides those of checkpoints: "
                "it does not change the run, but a run that continues from it agrees within the "
                "tolerance of Newton's method only; 0: none"},
+      {.name = "output.phase_errors",
+       .kind = KeyKind::flag,
+       .presence = defaulted,
+       .default_value = true,
+       .help = "estimate the error of the mean over the phases of a cycle, with twice as many, at "
+               "the start and at the end of the run",
+       .applies = has_cycle},
   };
 }
 

@@ -60,6 +60,11 @@ bool Scene::has(const std::string& key) const {
   return entry(key).value.has_value();
 }
 
+bool Scene::has_text_instead(const std::string& key) const {
+  const Entry& found = entry(key);
+  return !found.key.or_text.empty() && found.value == SceneValue(found.key.or_text);
+}
+
 bool Scene::knows(const std::string& key) const {
   return std::any_of(entries_.begin(), entries_.end(),
                      [&](const Entry& entry) { return entry.key.name == key; });

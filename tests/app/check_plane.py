@@ -11,8 +11,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 sys.path.insert(0, sys.argv[1])
 sys.dont_write_bytecode = True
-from figures import counter, groups, mesh, plane, pressure, shape, style  # noqa: E402
-from figures.result import Item, Result, Surface  # noqa: E402
+from figures import counter, curves, cycle, groups, mesh, plane, pressure, shape, style  # noqa: E402
+from figures.result import Clock, Item, Result, Surface  # noqa: E402
 
 style.apply()
 N = (16, 4)
@@ -63,6 +63,7 @@ def result(width=1.0, surface=None, stress=None):
               "equivalent_stress": np.arange(len(cells)) if stress is None else stress}
     return types.SimpleNamespace(
         points=points, cells=cells, dim=2, times=np.array([0.0, 100.0]), axes=("x", "y"),
+        clock=Clock("s", 1.0),
         some_steps=lambda most: [1], contact=lambda _: table(width),
         field=lambda _, name: fields[name], counter_body=lambda _: surface)
 
@@ -113,10 +114,20 @@ plain = mesh.draw(result(width=10.0))
 assert not [axes for axes in plain.axes if "contact" in axes.get_title()], "all is in contact"
 
 # The coordinates of a body of revolution have their own names.
-def axes_of(plane_key):
-    scene = f'problem = "worn_body"\n[body]\nplane = "{plane_key}"\n'.encode()
-    return Result.axes.func(types.SimpleNamespace(_read=lambda _: Item(scene, {})))
+def result_of(table):
+    made = Result.__new__(Result)
+    made._read = lambda _: Item(f'problem = "worn_body"\n{table}'.encode(), {})
+    return made
 
+
+def axes_of(plane_key):
+    return result_of(f'[body]\nplane = "{plane_key}"\n').axes
+
+
+# Where the scene has a cycle, its cycles count the time.
+assert result_of("[time]\nend = 3.0  # [s]\n").clock.text(100.0) == "100 s"
+counted = result_of("[time]\nend = 3.0\n\n[cycle]\nperiod = 2.5e-1  # [s] duration\n").clock
+assert counted.text(100.0) == "400 cycles"
 
 assert axes_of("strain")[:2] == ("x", "y") and axes_of("axisymmetric") == ("r", "z")
 turned = result(surface=floor)
@@ -161,8 +172,8 @@ assert [text.get_text() for text in figure.legends[0].get_texts()] == ["0 s", "1
 
 
 # Wear that a deep surface would hide is drawn by its depth; rows that are not joined leave a gap.
-def bore(depth):
-    angle = np.linspace(-1.5, 1.5, 41)
+def bore(depth, half=1.5):
+    angle = np.linspace(-half, half, 41)
     x, y = 10 * np.sin(angle), -10 * np.cos(angle)
     deep = depth * np.maximum(np.cos(3 * angle), 0) * (np.abs(angle) < 0.6)
     node = np.arange(41)
@@ -171,7 +182,7 @@ def bore(depth):
                "wear_depth": deep}
     made = np.rec.fromarrays(list(columns.values()), names=list(columns))
     return types.SimpleNamespace(cells=ring[np.arange(40) != 5], dim=2, times=np.array([0.0, 9.0]),
-                                 axes=("x", "y"), some_steps=lambda most: [1],
+                                 axes=("x", "y"), clock=Clock("s", 1.0), some_steps=lambda most: [1],
                                  contact=lambda step: made)
 
 
@@ -218,3 +229,22 @@ for stretch in ([1, 0.1, 1], [1, 4, 1], [0.02, 4, 1]):
     figure = groups.draw(groups.Part("body", points * stretch, cells), long)
     assert not outside(figure), (stretch, outside(figure))
     assert figure.axes[0].get_window_extent().height > 0.4 * figure.bbox.height, stretch
+
+# A phase stands for the part of the cycle to the middles between it and its neighbours.
+borders = cycle.parts_of_cycle(np.array([0.0, 0.5, 0.75]))
+assert np.allclose(borders[3:7], [-0.125, 0.25, 0.625, 0.875]) and len(borders) == 10
+assert (np.diff(borders) > 0).all() and borders[0] < 0 and borders[-1] > 1
+
+# Over a cycle, the map of each time has the pressures of its phases on the initial surface.
+steady = table(1.0)
+cyclic = result()
+cyclic.clock = Clock("cycles", 0.5)
+cyclic.phases = np.array([0.25, 0.75])
+cyclic.phase_pressure = lambda step: np.stack([steady["pressure"], 0 * steady["pressure"]])
+cyclic_map = cycle.draw(cyclic)
+assert not overlaps(cyclic_map) and not outside(cyclic_map)
+assert {axes.get_title() for axes in cyclic_map.axes} >= {"$t$ = 0 cycles", "$t$ = 200 cycles"}
+where, values = cycle.map_of(cyclic, curves.of(cyclic)[0], 1)
+assert (np.diff(where) > 0).all() and values.shape == (2, len(where))
+assert (values[0][np.abs(where) <= 1] == 5).all() and not values[1].any()
+assert not cycle.goes_back(cyclic) and cycle.goes_back(bore(0.01, 2.5))

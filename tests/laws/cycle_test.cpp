@@ -93,6 +93,15 @@ TEST(CyclePoints, ChosenPositionsHaveHalfOfTheirDistances) {
       ElementsAre(DoubleNear(0.3, 1e-15), DoubleNear(0.25, 1e-15), DoubleNear(0.45, 1e-15)));
 }
 
+TEST(CyclePoints, MiddlesGoAroundTheCycle) {
+  EXPECT_THAT(with_middles({0.1, 0.2, 0.6}),
+              ElementsAre(DoubleNear(0.1, 1e-15), DoubleNear(0.15, 1e-15), DoubleNear(0.2, 1e-15),
+                          DoubleNear(0.4, 1e-15), DoubleNear(0.6, 1e-15), DoubleNear(0.85, 1e-15)));
+  EXPECT_THAT(with_middles({0.4, 0.9}),
+              ElementsAre(DoubleNear(0.15, 1e-15), 0.4, DoubleNear(0.65, 1e-15), 0.9));
+  EXPECT_THAT(with_middles({0.3}), ElementsAre(0.3, DoubleNear(0.8, 1e-15)));
+}
+
 // The velocity of a point of the surface is the derivative of where the motion carries it.
 TEST(CycleCounterBody, MovesWithTheDerivativeOfItsPlace) {
   Cycle cycle;
@@ -150,6 +159,21 @@ TEST(CycleScene, ReadsExpressionsAndTables) {
   EXPECT_DOUBLE_EQ(cycle->displacement[0]->value(0.25), 0.5);
   EXPECT_DOUBLE_EQ(cycle->displacement[0]->slope(0.25), 2);
   EXPECT_EQ(read_cycle_points(scene, {}).size(), 4u);
+}
+
+TEST(CycleScene, PhasesAreAutoOrNumbers) {
+  const auto scene = [](const std::string& phases) {
+    return scene_of("[cycle]\nperiod = 1.0\nphases = " + phases + "\n");
+  };
+  const Scene chooses = scene("\"auto\"");
+  EXPECT_TRUE(chooses_phases(chooses));
+  EXPECT_FALSE(chooses_phases(scene("8")));
+  EXPECT_TRUE(chooses_phases(reread(chooses.resolved())));
+  EXPECT_EQ(read_cycle_points(with_phases(chooses, 8), {}, 2).size(), 16u);
+  EXPECT_EQ(read_cycle_points(scene("[0.0, 0.5]"), {}, 4).size(), 8u);
+  EXPECT_THAT(refusal("[cycle]\nperiod = 1.0\nphases = \"auto\"\n"),
+              HasSubstr("this problem does not choose them"));
+  EXPECT_THAT(refusal("[cycle]\nperiod = 1.0\nphases = \"many\"\n"), HasSubstr("or \"auto\", got"));
 }
 
 TEST(CycleScene, AResultNeedsNoFile) {

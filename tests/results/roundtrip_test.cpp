@@ -122,6 +122,9 @@ TEST(ResultFile, FindsTheContactSurfaceAtATime) {
   EXPECT_EQ(contact.pressure, expected.pressure);
   EXPECT_EQ(contact.wear_depth, expected.wear_depth);
   EXPECT_EQ(contact.active, expected.active);
+  EXPECT_EQ(contact.phase_position, expected.phase_position);
+  EXPECT_EQ(contact.phase_weight, expected.phase_weight);
+  EXPECT_EQ(contact.phase_pressure, expected.phase_pressure);
   EXPECT_EQ(reader.contact({}).wear_depth.front(), 1);
   EXPECT_EQ(reader.contact(0.500004).wear_depth.front(), 0.5);  // as printed with six digits
   EXPECT_THROW(reader.contact(0.50001), InputError);
@@ -130,6 +133,28 @@ TEST(ResultFile, FindsTheContactSurfaceAtATime) {
               ThrowsMessage<InputError>(HasSubstr("t = 0.6; next to it are t = 0.5 and 1")));
   EXPECT_THAT([&] { reader.contact(2); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("t = 2; next to it are t = 1"))));
+}
+
+TEST(ResultFile, ReturnsTheErrorsOfTheMeanOverPhases) {
+  const auto folder = synthetic::folder("phases");
+  {
+    ResultWriter writer(folder / "r.h5", synthetic::header(), std::nullopt);
+    writer.append(synthetic::row(0));
+    writer.append(PhaseError{0, 16, 0.25});
+    EXPECT_EQ(ResultReader(folder / "r.h5").phase_errors().size(), 1u);
+    writer.append(PhaseError{40, 16, 1e-3});
+    writer.close("finished", 1);
+  }
+  const ResultReader reader(folder / "r.h5");
+  const std::vector<PhaseError> errors = reader.phase_errors();
+  ASSERT_EQ(errors.size(), 2u);
+  EXPECT_EQ(errors[1].t, 40);
+  EXPECT_EQ(errors[1].phases, 16);
+  EXPECT_EQ(errors[1].error, 1e-3);
+  ASSERT_EQ(start_errors(reader).size(), 1u);
+  EXPECT_EQ(start_errors(reader).front().error, 0.25);
+  write(folder / "steady.h5", synthetic::grid(4, 3))->close("finished", 1);
+  EXPECT_TRUE(ResultReader(folder / "steady.h5").phase_errors().empty());
 }
 
 // Points and facets that have not changed are those of an earlier step.

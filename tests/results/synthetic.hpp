@@ -99,7 +99,8 @@ inline std::vector<GridField> fields(const Grid& grid, double t) {
   return {displacement, shape, pressure, stress, quality};
 }
 
-/// Five nodes at x = 0..4 whose wear depth is t and whose pressure is 10 i + t.
+/// Five nodes at x = 0..4 whose wear depth is t and whose pressure is 10 i + t; of a cycle of two
+/// phases.
 inline ContactSurface contact(double t) {
   ContactSurface contact;
   for (int i = 0; i < 5; ++i) {
@@ -111,6 +112,9 @@ inline ContactSurface contact(double t) {
     contact.wear_depth.push_back(t);
     contact.active.push_back(i < 3 ? 1 : 0);
   }
+  contact.phase_position = {0.25, 0.75};
+  contact.phase_weight = {0.5, 0.5};
+  for (int k = 0; k < 10; ++k) contact.phase_pressure.push_back(k + t);
   return contact;
 }
 

@@ -63,6 +63,9 @@ std::vector<CyclePoint> cycle_points(int count, const std::vector<double>& kinks
 /// neighbours, around the cycle.
 std::vector<CyclePoint> cycle_points(const std::vector<double>& positions);
 
+/// Chosen positions and the middles between them, around the cycle; all in [0, 1), ascending.
+std::vector<double> with_middles(const std::vector<double>& positions);
+
 /// The axis about which Cycle::rotation turns a counter-body: through `centre`, in the coordinates
 /// of its shape.
 template <int dim>

@@ -16,8 +16,19 @@ const std::vector<Key>& cycle_keys();
 std::optional<Cycle> read_cycle(const Scene& scene);
 
 /// The phases of cycle.phases: so many, as cycle_points() distributes them between the `kinks`, or
-/// at chosen positions. Throws InputError.
-std::vector<CyclePoint> read_cycle_points(const Scene& scene, const std::vector<double>& kinks);
+/// at chosen positions. With a `refinement`, a power of two, so many times as many: between chosen
+/// positions their middles. Throws InputError, also where the program is to choose their number.
+std::vector<CyclePoint> read_cycle_points(const Scene& scene, const std::vector<double>& kinks,
+                                          int refinement = 1);
+
+/// Whether the program is to choose the number of phases: cycle.phases = "auto".
+bool chooses_phases(const Scene& scene);
+/// The same scene with this number of phases.
+Scene with_phases(const Scene& scene, long count);
+/// What the error of the mean over the phases is compared with: integrator.rtol; for fixed steps,
+/// which have no tolerance, this.
+inline constexpr double phase_tolerance_of_fixed_steps = 1e-3;
+double phase_tolerance(const Scene& scene);
 
 /// The same scene with the tables of files (*.csv) in it.
 Scene with_cycle_tables(const Scene& scene);

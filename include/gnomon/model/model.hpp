@@ -46,6 +46,7 @@ struct ContactSurface {
   std::vector<int> active;                     ///< 1 where in contact, in any phase of a cycle
   // Of a cycle:
   std::vector<double> phase_position{};  ///< tau of each phase
+  std::vector<double> phase_weight{};    ///< its part of the mean
   std::vector<double> phase_pressure{};  ///< phases x contact nodes [stress]
 };
 
@@ -64,6 +65,13 @@ struct BlockSize {
   std::string symbol;  ///< "u", "d", "lambda", ...
   long size = 0;       ///< number of unknowns
   std::string where;   ///< "all nodes", "contact nodes", ...
+};
+
+/// The error of the mean over the phases of a cycle (docs/cycles.md).
+struct PhaseError {
+  double t = 0;      ///< of the state [time]
+  long phases = 0;   ///< P
+  double error = 0;  ///< of the mean wear rate over P phases against that over 2 P, relative
 };
 
 class Model {
@@ -86,6 +94,12 @@ public:
   /// integral over time is wear_integral. Empty: there is no wear. Keeps a reference to the model.
   /// Throws like residual().
   virtual std::function<double(const Point&)> wear_flux() const { return {}; }
+  /// Of a cycle: at how many phases the deformation is taken.
+  virtual long phases() const { return 1; }
+  /// Of a cycle: the error of the mean over its phases at a consistent state, estimated with twice
+  /// as many. Absent without a cycle, and where nothing wears. Throws InputError or SolutionError
+  /// where other phases have no deformation.
+  virtual std::optional<PhaseError> phase_error(const State&) const { return {}; }
   /// Typical size of the differential components over the run, for absolute tolerances: the mean
   /// wear depth.
   virtual double differential_scale() const = 0;

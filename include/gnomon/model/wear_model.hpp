@@ -35,6 +35,8 @@ public:
   Observation observe(const State& state) const override;
   /// Costs one pass over the contact nodes and no pass over the cells.
   std::function<double(const Point&)> wear_flux() const override;
+  long phases() const override { return static_cast<long>(equations_.phases().size()); }
+  std::optional<PhaseError> phase_error(const State& state) const override;
   double differential_scale() const override { return body().scales.wear_depth; }
   std::optional<Grid> grid() const override;
   std::vector<GridField> fields(const State& state) const override;

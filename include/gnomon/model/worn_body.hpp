@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <gnomon/laws/load_history.hpp>
 #include <gnomon/mesh/mesh_part.hpp>
 #include <gnomon/system/composed_system.hpp>
@@ -48,8 +49,8 @@ struct WornBodyFields {
   FieldId lambda = FieldId::none;  ///< contact multiplier, contact nodes
   FieldId mu = FieldId::none;      ///< shape multiplier, contact nodes; only in that form
   FieldId w =
-      FieldId::none;      ///< rigid motion of the counter-body, a single value; only under a force
-  std::size_t phase = 0;  ///< that u, lambda and w belong to
+      FieldId::none;  ///< rigid motion of the counter-body, a single value; only under a force
+  double load = 1;    ///< factor of the loads on the body in the phase of u, lambda and w
 };
 
 /// A contact state: one of the phases of a cycle, or the only one.
@@ -98,8 +99,11 @@ struct WornBody {
   /// The force that presses the counter-body along its `approach`, at factor one; without it the
   /// counter-body does not move.
   std::optional<double> counter_force;
-  LoadHistory load_history;             ///< factor of `load` and of `counter_force`
-  std::vector<Phase<dim>> cycle;        ///< its phases; empty: one steady state
+  LoadHistory load_history;       ///< factor of `load` and of `counter_force`
+  std::vector<Phase<dim>> cycle;  ///< its phases; empty: one steady state
+  /// The phases of a cycle of this body, a power of two times as many (1: `cycle`), for the error
+  /// of the mean over them. Throws InputError. Empty: there is no cycle.
+  std::function<std::vector<Phase<dim>>(const WornBody& body, int refinement)> refined_cycle;
   std::optional<CrossSection> section;  ///< 3D only: uniform along x
   /// One entry per contact node: its part in the wear rate of its shape unknowns, by default 1;
   /// with a section, the length that it represents divided by the length of the path.
@@ -119,8 +123,6 @@ struct WornBody {
     if (!cycle.empty()) return cycle;
     return {{.counter_body = contact.counter_body, .force = counter_force}};
   }
-  /// Factor of the loads on the body in a phase.
-  double load_factor(std::size_t phase) const { return cycle.empty() ? 1 : cycle[phase].load; }
   /// The speed at which the bodies slide, its mean over the cycle [length / time].
   double nominal_speed() const {
     double sum = 0;

@@ -22,8 +22,11 @@ template <int dim>
 class WornBodyEquations {
 public:
   explicit WornBodyEquations(std::shared_ptr<const WornBody<dim>> body);
+  /// The same in other phases of its cycle.
+  WornBodyEquations(std::shared_ptr<const WornBody<dim>> body, std::vector<Phase<dim>> phases);
 
   const WornBody<dim>& body() const { return *body_; }
+  const std::shared_ptr<const WornBody<dim>>& shared_body() const { return body_; }
   /// The contact states: the phases of a cycle, or a single one.
   const std::vector<Phase<dim>>& phases() const { return phases_; }
   const WornBodyFields& fields(std::size_t phase = 0) const { return fields_[phase]; }

@@ -69,6 +69,8 @@ public:
   void store(double t, const std::vector<GridField>& fields,
              const std::optional<ContactSurface>& contact,
              const std::optional<CounterSurface>& counter_body = {});
+  /// Of a cycle: an error of the mean over its phases.
+  void append(const PhaseError& error);
   /// Stores a checkpoint; it replaces the one before the last.
   void checkpoint(const Checkpoint& checkpoint);
   /// Records how the run ended: "finished", "interrupted", "failed: ..." (the first 1024 bytes),
@@ -96,6 +98,8 @@ public:
   /// The history, one row per step, the start first.
   std::vector<HistoryRow> history() const;
   std::vector<double> stored_times() const;
+  /// Of a cycle: the errors of the mean over its phases, in ascending order of time.
+  std::vector<PhaseError> phase_errors() const;
   /// The complete checkpoints, in ascending order: two, one or none.
   std::vector<Checkpoint> checkpoints() const;
   /// Contact surface of the stored step at `t`, or of the last one. The step must be within 1e-9 of
@@ -114,6 +118,10 @@ private:
   class File;
   std::unique_ptr<File> file_;
 };
+
+/// Of a cycle: the error of the mean over its phases at the start, if there is one. That of the end
+/// does not belong to a run that goes on.
+std::vector<PhaseError> start_errors(const ResultReader& from);
 
 /// Writes to `to` the contents that a result had at its last checkpoint, in their original order,
 /// and its checkpoints. `fields`: the names in the order in which fields are written. Throws like

@@ -27,6 +27,8 @@ struct StorePolicy {
   /// Wall time after which one more is written behind the step, or the start [s]; 0: none. The
   /// method does not restart there, so that the run is the same with and without them.
   double checkpoint_seconds = 0;
+  /// Of a cycle: the error of the mean over its phases is estimated at the start and at the end.
+  bool phase_errors = false;
 };
 
 /// The `output.*` keys. Throws InputError for times that are too close or too many.
@@ -63,6 +65,8 @@ struct RunOutcome {
   /// Contact nodes that left contact twice or more between two breakpoints of the load: an
   /// oscillation.
   long chattering_nodes = 0;
+  /// Of a cycle: the errors of the mean over its phases, at the start and at the end.
+  std::vector<PhaseError> phase_errors;
   /// The warnings of the run, one line each: reasons why its numbers may be worthless.
   std::vector<std::string> warnings;
 
@@ -84,9 +88,10 @@ struct RunHooks {
 /// The point at which an earlier run stopped, for a run that continues from there.
 struct Resumption {
   Checkpoint checkpoint;
-  HistoryRow row;                ///< of the history at the checkpoint
-  std::optional<double> stored;  ///< time of the last stored step up to the checkpoint
-  double wall_seconds = 0;       ///< spent so far
+  HistoryRow row;                        ///< of the history at the checkpoint
+  std::optional<double> stored;          ///< time of the last stored step up to the checkpoint
+  double wall_seconds = 0;               ///< spent so far
+  std::vector<PhaseError> phase_errors;  ///< at the start
 };
 
 /// The state of a checkpoint. Throws InputError if it is not a state of the model.

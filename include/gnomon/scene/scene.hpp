@@ -56,6 +56,7 @@ struct Key {
   std::vector<std::string> choices{};  ///< texts only; empty means any text
   std::size_t length = 0;              ///< arrays only; 0 means any length
   bool or_single = false;              ///< `reals` only: a number stands for an array of it
+  std::string or_text{};               ///< `reals` only: a text that may stand instead
   bool names_file = false;             ///< texts only: relative to the folder of the scene
   /// `required` numbers only: keys, each with a number, whose product may stand instead. Empty:
   /// none.
@@ -87,7 +88,9 @@ public:
   const std::vector<long>& integers(const std::string& key) const;
   const std::vector<double>& reals(const std::string& key) const;
   const std::vector<std::string>& texts(const std::string& key) const;
-  bool has(const std::string& key) const;    ///< false for an absent optional key
+  bool has(const std::string& key) const;  ///< false for an absent optional key
+  /// Whether the key has the text that may stand instead of its numbers (Key::or_text).
+  bool has_text_instead(const std::string& key) const;
   bool knows(const std::string& key) const;  ///< whether the key is in the table of the scene
   std::optional<double> real_if(const std::string& key) const;
   bool is_default(const std::string& key) const;  ///< whether a key has its default value

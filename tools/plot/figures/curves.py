@@ -10,18 +10,21 @@ from .complaints import Unsuitable
 class Curve:
     """Rows of the contact table along a curve, by column and in the order of its `axis`."""
 
-    def __init__(self, axis, where, at, axis_name=None):
-        self.axis, self.where, self.at = axis, where, at
+    def __init__(self, result, axis, where, of, axis_name=None):
+        """`of(table)`: the rows along the curve of a contact table."""
+        self.result, self.axis, self.where, self.of = result, axis, where, of
         self.axis_name = axis_name or axis
+
+    def at(self, step):
+        return self.of(self.result.contact(step))
 
 
 def of(result):
     if result.dim == 2:
-        return [Curve("x", "", lambda step: in_order(result.contact(step), "x"),
-                      result.axes[0])]
+        return [Curve(result, "x", "", lambda table: in_order(table, "x"), result.axes[0])]
     edges = edges_of(space.contact_faces(result))
-    return [Curve("x", "$y$ = 0", lambda step: cut(result.contact(step), edges, "y", "x")),
-            Curve("y", "$x$ = 0", lambda step: cut(result.contact(step), edges, "x", "y"))]
+    return [Curve(result, "x", "$y$ = 0", lambda table: cut(table, edges, "y", "x")),
+            Curve(result, "y", "$x$ = 0", lambda table: cut(table, edges, "x", "y"))]
 
 
 def in_order(table, axis):

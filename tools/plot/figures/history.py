@@ -12,8 +12,9 @@ def draw(result):
         raise Unsuitable("no step was taken")
     figure = style.figure(height=1.15 * style.SINGLE)
     sizes, orders, iterations = figure.subplots(3, 1, sharex=True, height_ratios=[2.2, 1, 1.2])
-    edges = table["t"]
-    draw_sizes(sizes, table)
+    unit, seconds = result.clock
+    edges = table["t"] / seconds
+    draw_sizes(sizes, table, seconds)
     orders.stairs(table["order"][1:], edges, baseline=None, color=style.COLOURS[0])
     highest = max(int(table["order"].max()), 2)
     orders.set_ylim(0.5, highest + 0.5)
@@ -22,19 +23,20 @@ def draw(result):
                       color=style.COLOURS[4])
     iterations.set_ylim(bottom=0)
     iterations.yaxis.get_major_locator().set_params(integer=True)
-    sizes.set_ylabel("step size [s]")
+    sizes.set_ylabel("step size [s]" if unit == "s" else "accepted jump\n[cycles]")
     orders.set_ylabel("order")
     iterations.set_ylabel("Newton\niterations")
-    iterations.set_xlabel("time [s]")
+    iterations.set_xlabel("time [s]" if unit == "s" else unit)
     iterations.set_xlim(edges[0], edges[-1])
     figure.align_ylabels()
     return figure
 
 
-def draw_sizes(axes, table):
+def draw_sizes(axes, table, seconds):
     """Events below, rejections on the step that followed them."""
-    end, size = table["t"][1:], table["step_size"][1:]
-    axes.stairs(size, table["t"], baseline=None, color=style.COLOURS[0], linewidth=0.9)
+    time, size = table["t"] / seconds, table["step_size"][1:] / seconds
+    end = time[1:]
+    axes.stairs(size, time, baseline=None, color=style.COLOURS[0], linewidth=0.9)
     axes.plot(end - 0.5 * size, size, linestyle="", marker=".", markersize=2.5, clip_on=False,
               color=style.COLOURS[0])
     if size.max() > 20 * size.min() > 0:

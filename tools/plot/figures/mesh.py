@@ -26,7 +26,7 @@ class State:
     """A stored step: the worn body, the deformed one, its stress and where it is in contact."""
 
     def __init__(self, result, step):
-        self.step, self.time = step, f"$t$ = {style.number(result.times[step])} s"
+        self.step, self.time = step, "$t$ = " + result.clock.text(result.times[step])
         self.worn = result.points + result.field(step, "shape")
         self.deformed = self.worn + result.field(step, "displacement")
         self.stress = result.field(step, "equivalent_stress")

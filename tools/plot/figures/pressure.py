@@ -21,13 +21,13 @@ def draw(result):
     looks = [{"color": "black", "linestyle": "--", "linewidth": 0.8},
              *({"color": colour} for colour in style.sequence(len(steps) - 1))]
     groups = groups_of([peak(states) for states in zip(*tables)])
-    figure, rows = panels_for(lines, len(groups))
+    figure, rows = panels_for(lines, len(groups), name_of(result))
     handles = {}
     for panels, group in zip(rows, groups):
         for axes, line, states in zip(panels, lines, tables):
             for k in group:
                 handles[k] = profile(axes, line, states[k], **looks[k])
-                handles[k].set_label(f"{style.number(result.times[steps[k]])} s")
+                handles[k].set_label(result.clock.text(result.times[steps[k]]))
             frame(axes, states, line.axis)
         end_at(panels[0], [states[k] for states in tables for k in group])
     style.legend_above_all(figure, [handles[k] for k in range(len(steps))])
@@ -47,7 +47,8 @@ def draw_two(first, second):
     lines, others = curves.of(first), curves.of(second)
     tables = [[(line.at(i), other.at(j)) for i, j in pairs] for line, other in zip(lines, others)]
     groups = groups_of([peak(sum(states, ())) for states in zip(*tables)])
-    figure, (*rows, below) = panels_for(lines, len(groups), differences=True)
+    figure, (*rows, below) = panels_for(lines, len(groups), name_of(first),
+                                          differences=True)
     colours = style.sequence(len(pairs))
     for panels, group in zip(rows, groups):
         for axes, line, other, states in zip(panels, lines, others, tables):
@@ -60,7 +61,7 @@ def draw_two(first, second):
         for (one, two), colour in zip(states, colours):
             lower.plot(*difference(one, two, line.axis), color=colour)
         frame(lower, [table for pair in states for table in pair], line.axis)
-    times = [Line2D([], [], color=colour, label=f"{style.number(first.times[i])} s")
+    times = [Line2D([], [], color=colour, label=first.clock.text(first.times[i]))
              for (i, _), colour in zip(pairs, colours)]
     names = [Line2D([], [], color="black", linestyle=dashes, label=title(result))
              for result, dashes in ((first, "-"), (second, style.DASHES))]
@@ -89,7 +90,12 @@ def title(result):
     return f"{result.name} ({len(result.history) - 1} steps)"
 
 
-def panels_for(lines, rows, differences=False):
+def name_of(result):
+    """Of a cycle, what is stored with the contact surface is the mean over it."""
+    return "contact pressure" if result.clock.unit == "s" else "mean contact pressure"
+
+
+def panels_for(lines, rows, pressure_name, differences=False):
     """One column per curve; rows of pressures and a lower one for differences."""
     width = style.SINGLE if len(lines) == 1 else style.DOUBLE
     shares = [1.7] * rows + [1.0] * differences
@@ -97,7 +103,7 @@ def panels_for(lines, rows, differences=False):
     panels = figure.subplots(len(shares), len(lines), sharex="col", sharey="row", squeeze=False,
                              height_ratios=shares)
     for axes in panels[:rows, 0]:
-        axes.set_ylabel("contact pressure [MPa]")
+        axes.set_ylabel(f"{pressure_name} [MPa]")
     if differences:
         panels[-1, 0].set_ylabel("second − first\n[MPa]")
     for axes, line in zip(panels[-1], lines):

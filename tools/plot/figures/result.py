@@ -1,5 +1,6 @@
 """Reads a result file of gnomon: the layout is that of docs/results.md."""
 
+import re
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
@@ -8,6 +9,7 @@ from typing import NamedTuple
 import h5py
 import numpy
 
+from . import style
 from .complaints import BadInput, Unsuitable, reason_of
 
 
@@ -16,6 +18,16 @@ class Surface(NamedTuple):
 
     points: object
     facets: object
+
+
+class Clock(NamedTuple):
+    """How figures count time: in seconds, or in cycles where the scene has one."""
+
+    unit: str
+    seconds: float
+
+    def text(self, t):
+        return f"{style.number(t / self.seconds)} {self.unit}"
 
 
 class Item(NamedTuple):
@@ -148,11 +160,37 @@ class Result:
             raise self._bad("counter_body", "a facet has points that it does not have")
         return Surface(points, facets)
 
+    @property
+    def has_phases(self):
+        return self._read("gnomon/phase_pressure") is not None
+
+    @cached_property
+    def phases(self):
+        """Positions in the cycle of the phases at which pressures are stored."""
+        return self._array("gnomon/phase_pressure/position", "it has no phases of a cycle")
+
+    def phase_pressure(self, step):
+        """At a stored step: one row per phase, one column per node of the contact surface."""
+        where = f"gnomon/phase_pressure/{self._groups[step]}"
+        values = self._array(where, "no pressures of phases are stored")
+        if values.shape != (len(self.phases), len(self.contact(step))):
+            raise self._bad(where, "its size is not that of phases and contact surface")
+        return values
+
+    @cached_property
+    def _scene(self):
+        scene = self._read("gnomon/scene")
+        return "" if scene is None else _text(scene.data)
+
+    @cached_property
+    def clock(self):
+        period = re.search(r"\n\[cycle\]\nperiod = ([0-9.e+-]+)", self._scene)
+        return Clock("cycles", float(period[1])) if period else Clock("s", 1.0)
+
     @cached_property
     def axes(self):
         """Names of the coordinates."""
-        scene = self._read("gnomon/scene")
-        turned = scene is not None and '\nplane = "axisymmetric"' in _text(scene.data)
+        turned = '\nplane = "axisymmetric"' in self._scene
         return ("r", "z") if turned else ("x", "y", "z")
 
     @cached_property

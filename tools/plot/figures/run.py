@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy
 
-from . import critical, errors, extremes, groups, history, mesh, output, page, parameters, pressure
-from . import shape, shapes, spectrum, study, style, surface, tables, wear, work
+from . import critical, cycle, errors, extremes, groups, history, mesh, output, page, parameters
+from . import pressure, shape, shapes, spectrum, study, style, surface, tables, wear, work
 from .complaints import BadInput, Unsuitable, reason_of
 from .result import Result
 
@@ -19,6 +19,7 @@ RESULT_FIGURES = {
     "wear": wear.draw,
     "pressure-map": surface.draw,
 }
+CYCLE_FIGURES = {"cycle": cycle.draw}  # of results with phases
 
 
 # Exceptions that occur when numbers are damaged or do not have the right format.
@@ -138,7 +139,8 @@ def jobs_of(kind, target):
 
 def draw_result(path, sink):
     with Result(path) as result:
-        for name, drawer in RESULT_FIGURES.items():
+        drawers = RESULT_FIGURES | (CYCLE_FIGURES if result.has_phases else {})
+        for name, drawer in drawers.items():
             sink.draw(f"{result.name}-{name}", drawer, result)
 
 

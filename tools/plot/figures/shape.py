@@ -26,7 +26,7 @@ def draw(result):
     for step, colour in zip(steps, style.sequence(len(steps))):
         table = result.contact(step)
         axes.plot(*joined(breaks, table["X"], table["Y"]), color=colour)
-        handles.append(Line2D([], [], color=colour, label=f"{style.number(result.times[step])} s"))
+        handles.append(Line2D([], [], color=colour, label=result.clock.text(result.times[step])))
         for panel in below:
             panel.plot(*joined(breaks, along(first), table["wear_depth"]), color=colour)
     frame(axes, last)
@@ -38,11 +38,12 @@ def draw(result):
         frame_depths(panel, along(first), last)
         panel.set_xlabel("length along the initial surface [mm]")
         panel.set_ylabel("wear depth [mm]")
+    columns = min(4, style.legend_columns(handles, 0.9 * style.SINGLE))
     heights = [ratio] + [DEPTHS] * len(below)
     axes.get_gridspec().set_height_ratios(heights)
     figure.set_figheight(sum(heights) * 0.86 * style.SINGLE + 0.52 * len(heights)
-                         + 0.15 * -(-len(handles) // 4))
-    style.legend(axes, handles, columns=4)
+                         + 0.15 * -(-len(handles) // columns))
+    style.legend(axes, handles, columns=columns)
     return figure
 
 

@@ -27,7 +27,7 @@ def draw(result):
     panels = figure.subplots(1, len(steps), sharex=True, sharey=True, squeeze=False)[0]
     for axes, step, (points, quads, pressure) in zip(panels, steps, maps):
         paint(figure, axes, points, quads, pressure)
-        axes.set_title(f"$t$ = {style.number(result.times[step])} s")
+        axes.set_title("$t$ = " + result.clock.text(result.times[step]))
         axes.set_xlabel(f"${NAMES[across[0]]}$ [mm]")
     panels[0].xaxis.set_major_locator(MaxNLocator(4))
     panels[0].set_ylabel(f"${NAMES[across[1]]}$ [mm]")

@@ -16,14 +16,15 @@ def draw(result):
     unit = result.history_units.get("worn_volume", "")
     figure = style.figure(height=0.95 * style.SINGLE)
     volumes, difference = figure.subplots(2, 1, sharex=True, height_ratios=[1.6, 1])
-    t, volume, integral = table["t"], table["worn_volume"], table["wear_integral"]
+    unit_of_time, seconds = result.clock
+    t, volume, integral = table["t"] / seconds, table["worn_volume"], table["wear_integral"]
     volumes.plot(t, volume, color=style.COLOURS[0], label="worn volume")
     volumes.plot(t, integral, color=style.COLOURS[1], linestyle=(0, (4, 3)), label="wear integral")
     volumes.set_ylim(bottom=0)
     volumes.set_ylabel(f"wear [{power(unit)}]")
     style.legend(volumes, columns=2)
     draw_difference(difference, t, volume, integral)
-    difference.set_xlabel("time [s]")
+    difference.set_xlabel("time [s]" if unit_of_time == "s" else unit_of_time)
     difference.set_xlim(t[0], t[-1])
     figure.align_ylabels()
     return figure

@@ -1,0 +1,63 @@
+// The error of the mean over the phases of a cycle, estimated with twice as many.
+#pragma once
+
+#include <gnomon/base/counters.hpp>
+#include <gnomon/model/model.hpp>
+#include <gnomon/model/worn_body_equations.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace gnomon {
+
+/// The deformation of a body in any phases of its cycle, at a fixed shape and time. What is known
+/// of some phases gives the first guesses for others. At most as many phases as the body has, or
+/// half of those that are asked for, are solved at a time, for they take memory.
+template <int dim>
+class FixedShape {
+public:
+  /// The unworn shape at t = 0.
+  explicit FixedShape(std::shared_ptr<const WornBody<dim>> body);
+  /// The shape and time of a state, whose `values` of these equations are the first guesses.
+  FixedShape(std::shared_ptr<const WornBody<dim>> body, double t,
+             const WornBodyEquations<dim>& equations, const FieldValues<dim>& values);
+
+  /// Mean wear rate over the phases at every contact node [length / time]. Throws SolutionError.
+  std::vector<double> mean_rate(const std::vector<Phase<dim>>& phases);
+  /// A part of its volume: of every contact node, known after mean_rate() [length^(dim - 1)].
+  const std::vector<double>& areas() const { return areas_; }
+
+private:
+  struct Known {
+    double position;
+    NodalField<dim> u;
+    Eigen::VectorXd lambda;
+    double w;
+    std::vector<double> rate;  // empty: a guess, not solved here
+  };
+  void solve(const std::vector<Phase<dim>>& phases);
+  void find_deformation(const WornBodyEquations<dim>& equations, ComposedSystem<dim>& deformation,
+                        std::vector<double>& y) const;
+  const Known& nearest(double position) const;
+  bool is_solved(double position) const;
+
+  std::shared_ptr<const WornBody<dim>> body_;
+  double t_ = 0;
+  NodalField<dim> d_;
+  std::vector<Known> known_;
+  std::vector<double> areas_;
+};
+
+/// The difference of mean wear rates as a part of the finer one, each the sum over the surface;
+/// nothing where nothing wears.
+std::optional<double> relative_difference(const std::vector<double>& areas,
+                                          const std::vector<double>& coarse,
+                                          const std::vector<double>& fine);
+
+/// Twice, four times, ... as many phases as the body has, until the error at the initial shape is
+/// within the tolerance, or until there are `most`. The error is absent where nothing wears, and
+/// infinite where it is not known, because no more phases are tried. Throws SolutionError.
+template <int dim>
+PhaseError choose_phases(std::shared_ptr<const WornBody<dim>> body, double tolerance, long most);
+
+}  // namespace gnomon

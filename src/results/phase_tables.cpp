@@ -1,0 +1,104 @@
+#include "results/phase_tables.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+#include "results/hdf5_values.hpp"
+#include "results/layout.hpp"
+#include "results/result_parts.hpp"
+
+namespace gnomon::layout {
+
+using hdf5::check;
+using hdf5::Failure;
+using hdf5::Handle;
+using hdf5::own;
+
+namespace {
+
+constexpr const char* kPressure = "phase_pressure";
+constexpr const char* kErrors = "phase_errors";
+
+/// A row of "gnomon/phase_errors".
+struct ErrorRow {
+  double t;
+  std::int64_t phases;
+  double error;
+};
+
+Handle error_type() {
+  Handle type = own(H5Tcreate(H5T_COMPOUND, sizeof(ErrorRow)), H5Tclose, "describe a table");
+  const auto insert = [&](const char* name, std::size_t offset, hid_t member) {
+    check(H5Tinsert(type.id(), name, offset, member), "describe a table");
+  };
+  insert("t", offsetof(ErrorRow, t), H5T_NATIVE_DOUBLE);
+  insert("phases", offsetof(ErrorRow, phases), H5T_NATIVE_INT64);
+  insert("error", offsetof(ErrorRow, error), H5T_NATIVE_DOUBLE);
+  return type;
+}
+
+/// One number for each phase.
+std::vector<double> read_of_phases(hid_t gnomon, const char* name) {
+  hdf5::Doubles read = hdf5::read_doubles(gnomon, std::string(kPressure) + "/" + name);
+  if (read.extents.size() != 1) throw Failure("cannot read the phases: they are not a list");
+  return std::move(read.values);
+}
+
+}  // namespace
+
+Handle create_phase_group(hid_t gnomon, const ContactSurface& contact) {
+  Handle group = create_group(gnomon, kPressure, kStepsPerGroup);
+  const hsize_t phases = contact.phase_position.size();
+  hdf5::write_dataset(group.id(), "position", {phases}, contact.phase_position.data());
+  hdf5::write_dataset(group.id(), "weight", {phases}, contact.phase_weight.data());
+  return group;
+}
+
+void write_phases(hid_t group, const std::string& name, const ContactSurface& contact) {
+  const hsize_t phases = contact.phase_position.size(), nodes = contact.node.size();
+  if (contact.phase_pressure.size() != phases * nodes)
+    throw Failure("cannot write the pressures of phases: they are not phases times nodes");
+  hdf5::write_dataset(group, name, {phases, nodes}, contact.phase_pressure.data(),
+                      hdf5::Storage::compressed);
+}
+
+void read_phases(hid_t gnomon, const std::string& step, ContactSurface& contact) {
+  const std::string path = std::string(kPressure) + "/" + step;
+  if (!hdf5::exists(gnomon, kPressure) || !hdf5::exists(gnomon, path)) return;
+  contact.phase_position = read_of_phases(gnomon, "position");
+  contact.phase_weight = read_of_phases(gnomon, "weight");
+  hdf5::Doubles pressure = hdf5::read_doubles(gnomon, path);
+  const std::vector<hsize_t> expected = {contact.phase_position.size(), contact.node.size()};
+  if (pressure.extents != expected || contact.phase_weight.size() != expected[0])
+    throw Failure("cannot read the pressures of phases: they are not phases times nodes");
+  contact.phase_pressure = std::move(pressure.values);
+}
+
+PhaseErrorTable PhaseErrorTable::create(hid_t gnomon) {
+  PhaseErrorTable result;
+  result.table_ = hdf5::GrowingTable::create(gnomon, kErrors, error_type());
+  return result;
+}
+
+void PhaseErrorTable::append(const PhaseError& error) {
+  const ErrorRow row{error.t, error.phases, error.error};
+  table_.append(&row);
+}
+
+std::vector<PhaseError> read_phase_errors(hid_t gnomon) {
+  if (!hdf5::exists(gnomon, kErrors)) return {};
+  const Handle dataset =
+      own(H5Dopen2(gnomon, kErrors, H5P_DEFAULT), H5Dclose, "read the errors of the mean");
+  const auto extents = hdf5::extents_of(dataset.id());
+  if (extents.size() != 1) throw Failure("cannot read the errors of the mean: they are no table");
+  std::vector<ErrorRow> rows(extents.front());
+  if (!rows.empty())
+    check(H5Dread(dataset.id(), error_type().id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()),
+          "read the errors of the mean");
+  std::vector<PhaseError> errors;
+  for (const ErrorRow& row : rows)
+    errors.push_back({row.t, count_of(row.phases, "read the errors of the mean"), row.error});
+  return errors;
+}
+
+}  // namespace gnomon::layout

@@ -1,0 +1,35 @@
+// Of a cycle: the pressures in its phases, and the errors of the mean over them.
+#pragma once
+
+#include <hdf5.h>
+
+#include <gnomon/model/model.hpp>
+#include <string>
+#include <vector>
+
+#include "results/growing_table.hpp"
+#include "results/hdf5_handles.hpp"
+
+namespace gnomon::layout {
+
+/// "gnomon/phase_pressure", with the positions and weights of the phases.
+hdf5::Handle create_phase_group(hid_t gnomon, const ContactSurface& contact);
+void write_phases(hid_t group, const std::string& name, const ContactSurface& contact);
+/// Fills in the phases of a contact surface, if it has any; `step`: its path below the group.
+void read_phases(hid_t gnomon, const std::string& step, ContactSurface& contact);
+
+/// "gnomon/phase_errors".
+class PhaseErrorTable {
+public:
+  PhaseErrorTable() = default;
+  static PhaseErrorTable create(hid_t gnomon);
+  void append(const PhaseError& error);
+  explicit operator bool() const { return static_cast<bool>(table_); }
+
+private:
+  hdf5::GrowingTable table_;
+};
+/// Empty where there is no such table.
+std::vector<PhaseError> read_phase_errors(hid_t gnomon);
+
+}  // namespace gnomon::layout

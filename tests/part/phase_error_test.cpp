@@ -1,0 +1,176 @@
+// The error of the mean over the phases of a cycle: its estimate against the error itself, and the
+// number of phases that a run chooses by it.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <gnomon/laws/cycle_scene.hpp>
+#include <gnomon/run/run.hpp>
+#include <gnomon/run/setup.hpp>
+#include <gnomon/run/summary.hpp>
+#include <nlohmann/json.hpp>
+
+#include "part/part_scene.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+/// A cylinder that slides to and fro on a flat, or goes on and is only modulated.
+class PhaseErrors : public ::testing::Test {
+protected:
+  void SetUp() override {
+    if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
+    folder_.write("flat.geo", R"(Point(1) = {-0.4, -0.4, 0};
+Point(2) = { 0.4, -0.4, 0};
+Point(3) = { 0.4, 0, 0};
+Point(4) = {-0.4, 0, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Transfinite Curve {1, 3} = 25;
+Transfinite Curve {2, 4} = 5;
+Transfinite Surface {1};
+Recombine Surface {1};
+Physical Curve("bottom") = {1};
+Physical Curve("surface") = {3};
+Physical Surface("flat") = {1};
+)");
+  }
+
+  std::filesystem::path scene(const std::string& phases, const std::string& motion = "") const {
+    return folder_.write("flat.toml", fmt::format(R"(problem = "worn_body"
+mesh.geometry = "flat.geo"
+body = {{ young_modulus = 1e4, poisson_ratio = 0.3, kinematics = "small" }}
+support = [ {{ on = "bottom" }} ]
+wear = {{ on = ["surface"], coefficient = 2.9e-6 }}
+time.end = 20.0
+integrator = {{ name = "esdirk-3", rtol = 1e-3 }}
+[counter_body]
+shape = "cylinder"
+radius = 6.0
+center = [0.0, 6.0]
+press = {{ direction = [0.0, -1.0], force = 18.5 }}
+{}
+[cycle]
+period = 1.0
+phases = {}
+x = "0.1 * sin(2*pi*tau)"
+)",
+                                                  motion, phases));
+  }
+  Setup setup(const std::string& phases, const std::string& motion = "",
+              const Overrides& overrides = {}) const {
+    return set_up(scene(phases, motion), overrides);
+  }
+  /// At the initial shape.
+  double estimate(const std::string& phases, const std::string& motion = "") const {
+    const Setup of = setup(phases, motion);
+    Counters counters;
+    return of.model->phase_error(of.model->start(counters)).value().error;
+  }
+  /// Rates of the worn surface at the start, from the rows of the system itself.
+  std::vector<double> rates(int phases, const std::string& motion) const {
+    const Setup of = setup(fmt::format("{}", phases), motion);
+    Counters counters;
+    const State start = of.model->start(counters);
+    std::vector<double> found;
+    for (std::size_t i = 0; i < start.y.size(); ++i)
+      if (of.model->system().structure().differential[i]) found.push_back(start.ydot[i]);
+    return found;
+  }
+
+  SceneFolder folder_;
+};
+
+const std::string sliding_on = "motion.velocity = [2.0, 0.0]";  // never at rest
+
+TEST_F(PhaseErrors, AreEstimatedWithinAFactorOfTwo) {
+  for (const std::string& motion : {std::string(), sliding_on}) {
+    const std::vector<double> exact = rates(192, motion);
+    double last = 1;
+    for (const int phases : {8, 16}) {
+      const std::vector<double> mean = rates(phases, motion);
+      double difference = 0, whole = 0;  // the surface is flat and its nodes are equally far apart
+      for (std::size_t i = 0; i < exact.size(); ++i) {
+        difference += std::abs(mean[i] - exact[i]);
+        whole += std::abs(exact[i]);
+      }
+      const double error = difference / whole, guess = estimate(fmt::format("{}", phases), motion);
+      EXPECT_GT(guess, 0.5 * error) << phases << " phases, " << motion;
+      EXPECT_LT(guess, 2 * error) << phases << " phases, " << motion;
+      EXPECT_LT(error, 0.7 * last) << phases << " phases, " << motion;
+      last = error;
+    }
+  }
+}
+
+/// Chosen positions: with the middles between them, which are those of twice as many.
+TEST_F(PhaseErrors, OfChosenPositionsAreThoseOfAsManyPhases) {
+  EXPECT_NEAR(estimate("[0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875]", sliding_on) /
+                  estimate("8", sliding_on),
+              1, 1e-6);
+}
+
+TEST_F(PhaseErrors, AbsentWithoutACycle) {
+  std::string text = text_of(scene("4"));
+  text.erase(text.find("[cycle]"));
+  text.insert(text.find("press ="), "motion.velocity = [0.4, 0.0]\n");
+  const Setup steady = set_up(folder_.write("steady.toml", text), {});
+  Counters counters;
+  EXPECT_FALSE(steady.model->phase_error(steady.model->start(counters)));
+}
+
+TEST_F(PhaseErrors, ChooseTheFewestPhasesWithinTheTolerance) {
+  long last = 0;
+  for (const double rtol : {0.1, 0.02}) {
+    const Setup chosen = setup("\"auto\"", "", {fmt::format("integrator.rtol={}", rtol)});
+    const long phases = chosen.model->phases();
+    EXPECT_GT(phases, last);
+    EXPECT_EQ(chosen.scene.reals("cycle.phases"), std::vector<double>{double(phases)});
+    EXPECT_LE(estimate(fmt::format("{}", phases)), rtol);
+    if (phases > 4) EXPECT_GT(estimate(fmt::format("{}", phases / 2)), rtol);
+    EXPECT_THAT(chosen.model->remarks().back(),
+                HasSubstr(fmt::format("cycle.phases = \"auto\": {} phases", phases)));
+    last = phases;
+  }
+}
+
+/// Estimates do not change the run; they are in its outcome, its summary and its warnings.
+TEST_F(PhaseErrors, AreReportedBesideTheRun) {
+  const auto run_of = [&](const char* estimated) {
+    const Setup of = setup("6", "", {std::string("output.phase_errors=") + estimated});
+    const IntegratorSettings settings = integrator_settings(of.scene, *of.model);
+    const RunOutcome outcome = run(*of.model, chosen_integrator(of.scene), settings,
+                                   store_policy(of.scene), nullptr, RunHooks());
+    return std::pair(outcome, summary_json(of.scene, run_header(of), settings, outcome, {}));
+  };
+  const auto [with, summary] = run_of("true");
+  const auto [without, short_summary] = run_of("false");
+  EXPECT_TRUE(without.phase_errors.empty());
+  EXPECT_EQ(with.counters.newton_iterations, without.counters.newton_iterations);
+  EXPECT_EQ(with.state->y, without.state->y);
+  ASSERT_EQ(with.phase_errors.size(), 2u);
+  EXPECT_EQ(with.phase_errors[0].t, 0);
+  EXPECT_EQ(with.phase_errors[1].t, 20);
+  EXPECT_NEAR(with.phase_errors[0].error / estimate("6"), 1, 1e-6);
+  // The contact has grown wider.
+  EXPECT_LT(with.phase_errors[1].error, with.phase_errors[0].error);
+  const auto json = nlohmann::json::parse(summary);
+  ASSERT_EQ(json.at("phase_errors").size(), 2u);
+  EXPECT_EQ(json.at("phase_errors")[1].at("phases"), 6);
+  EXPECT_EQ(json.at("phase_errors")[1].at("error"), with.phase_errors[1].error);
+  EXPECT_TRUE(nlohmann::json::parse(short_summary).at("phase_errors").empty());
+  ASSERT_FALSE(with.warnings.empty());
+  EXPECT_THAT(with.warnings.front(),
+              AllOf(HasSubstr("the mean over 6 phases has an error of about"),
+                    HasSubstr("more than 0.001")));
+  EXPECT_TRUE(without.warnings.empty());
+}
+
+}  // namespace
+}  // namespace gnomon
