@@ -11,10 +11,12 @@
 //   delta:  sum_i A_i p_i - F = 0
 //
 // so that with the default the wear flux, sum_i A_i k v p_i, is k v F exactly. The switching
-// functions are K_w g_i, and the kinks of the wear law.
+// functions are K_w g_i, and the kinks of the wear law. In a cycle (docs/cycles.md) each phase has
+// its p_i and delta, by its own force or with its own given delta, and d the mean of their wear.
 //
-// Closed form of the continuum for that default. The contact half width a grows; at its edge p = d
-// = 0, so that delta = a^2/(2R), and the balance of forces with the worn area k v F t gives
+// Closed form of the continuum for that default in steady sliding. The contact half width a grows;
+// at its edge p = d = 0, so that delta = a^2/(2R), and the balance of forces with the worn area k v
+// F t gives
 //
 //   2 a^3/(3R) = F/K_w + k v F t:   a = a_0 s^(1/3),  delta = delta_0 s^(2/3),  s = 1 + kappa t,
 //
@@ -37,6 +39,7 @@
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 
+#include "phases.hpp"
 #include "winkler_system.hpp"
 
 namespace gnomon {
@@ -44,6 +47,7 @@ namespace gnomon {
 namespace {
 
 using winkler::Foundation;
+using winkler::Phase;
 using winkler::WinklerSystem;
 
 /// Integral over [low, high] by Gauss-Legendre with ten points in each panel of length at most one.
@@ -67,47 +71,57 @@ double integral(double low, double high, const Function& f) {
 
 class WinklerModel : public Model {
 public:
-  /// `linear`: the wear rate is proportional to the pressure, so that the solution is known.
-  WinklerModel(std::shared_ptr<const Foundation> foundation, bool linear)
-      : foundation_(std::move(foundation)), linear_(linear), system_(foundation_, true) {}
+  /// `steady`: one phase, whose wear rate is proportional to the pressure: the solution is known.
+  WinklerModel(std::shared_ptr<const Foundation> foundation, bool steady)
+      : foundation_(std::move(foundation)), steady_(steady), system_(foundation_, true) {}
 
   const System& system() const override { return system_; }
   std::vector<BlockSize> blocks() const override {
     const long n = system_.points();
     return {{"worn_surface", "d", n, "points (differential)"},
-            {"pressure", "p", n, "points"},
-            {"approach", "delta", 1, "the pin"}};
+            {"pressure", "p", n * system_.phases(), "points, each phase"},
+            {"approach", "delta", system_.phases(), "the pin, each phase"}};
   }
 
   State start(Counters& counters) const override {
     const Foundation& f = *foundation_;
     State state{0, std::vector<double>(system_.structure().size, 0.0), {}};
     // From full contact Newton only ever opens points: the force is convex in delta.
-    state.y[system_.delta()] = f.profile(f.width / 2) + f.mean_pressure() / f.modulus;
+    for (int q = 0; q < system_.phases(); ++q) {
+      const Phase& phase = f.phases[q];
+      state.y[system_.delta(q)] =
+          phase.held ? phase.press : f.profile(f.width / 2) + phase.press / f.width / f.modulus;
+    }
     const std::string reason = AlgebraicSolver(system_, counters).solve(state.t, state.y);
     if (!reason.empty()) throw SolutionError("no equilibrium at t = 0: " + reason);
     set_rates(system_, nullptr, state);
     return state;
   }
 
-  /// The same scalars as for a worn body (WearModel), without the quality of elements.
+  /// The same scalars as for a worn body (WearModel), without the quality of elements: of a cycle
+  /// mean force and flux, the largest pressure and half width.
   Observation observe(const State& state) const override {
     const Foundation& f = *foundation_;
-    double force = 0, worn = 0, pressure = 0;
+    const int phases = system_.phases();
+    double force = 0, worn = 0, pressure = 0, half_width = 0;
     long active = 0;
     for (int i = 0; i < system_.points(); ++i) {
-      force += f.area[i] * state.y[system_.p(i)];
       worn += f.area[i] * state.y[system_.d(i)];
-      pressure = std::max(pressure, state.y[system_.p(i)]);
-      active += system_.gap(state.y, i) <= 0;
+      active += touches(state.y, i);
+      for (int q = 0; q < phases; ++q) {
+        const double p = state.y[system_.p(i, q)];
+        force += f.phases[q].weight * f.area[i] * p;
+        pressure = std::max(pressure, p);
+      }
     }
+    for (int q = 0; q < phases; ++q) half_width = std::max(half_width, half_width_in(q, state.y));
     Observation observed;
     observed.contact_nodes = double(active);
     observed.contact_force = force;
     observed.max_pressure = pressure;
     observed.worn_volume = worn;
     observed.wear_flux = flux({.t = state.t, .y = state.y, .branch = state.own_branch()});
-    observed.contact_half_width = half_width(state.y);
+    observed.contact_half_width = half_width;
     return observed;
   }
   std::function<double(const Point&)> wear_flux() const override {
@@ -121,16 +135,22 @@ public:
   std::optional<ContactSurface> contact(const State& state) const override {
     const Foundation& f = *foundation_;
     ContactSurface surface;
-    for (int i = 0; i < system_.points(); ++i) {
+    const int n = system_.points(), phases = system_.phases();
+    for (int i = 0; i < n; ++i) {
       const double y = f.profile(f.x[i]), d = state.y[system_.d(i)];
-      const double gap = system_.gap(state.y, i);
+      double mean = 0;
+      for (int q = 0; q < phases; ++q) mean += f.phases[q].weight * pressure(state.y, i, q);
       surface.node.push_back(i);
       surface.initial.push_back({f.x[i], y, 0});
       surface.worn.push_back({f.x[i], y + d, 0});
-      surface.current.push_back({f.x[i], std::max(0.0, gap), 0});
-      surface.pressure.push_back(std::max(0.0, state.y[system_.p(i)]));
+      surface.current.push_back({f.x[i], std::max(0.0, system_.gap(state.y, i, 0)), 0});
+      surface.pressure.push_back(mean);
       surface.wear_depth.push_back(d);
-      surface.active.push_back(gap <= 0);
+      surface.active.push_back(touches(state.y, i));
+    }
+    for (int q = 0; phases > 1 && q < phases; ++q) {
+      surface.phase_position.push_back(f.phases[q].position);
+      for (int i = 0; i < n; ++i) surface.phase_pressure.push_back(pressure(state.y, i, q));
     }
     return surface;
   }
@@ -138,7 +158,7 @@ public:
   std::optional<State> exact(double t) const override {
     constexpr double memory = 40;  // exp(-40) is below rounding
     const Foundation& f = *foundation_;
-    if (!linear_) return std::nullopt;
+    if (!steady_) return std::nullopt;
     const double a_0 = std::cbrt(1.5 * f.radius * f.force / f.modulus);
     const double kappa = f.modulus * f.wear_by_pressure, s = 1 + kappa * t;
     if (a_0 * std::cbrt(s) > f.width / 2) return std::nullopt;
@@ -162,20 +182,29 @@ private:
   double flux(const Point& at) const {
     double sum = 0;
     for (int i = 0; i < system_.points(); ++i)
-      sum += foundation_->area[i] * system_.wear(at, i).value;
+      sum += foundation_->area[i] * system_.mean_wear(at, i);
     return sum;
+  }
+  double pressure(std::span<const double> y, int i, int q) const {
+    return std::max(0.0, y[system_.p(i, q)]);
+  }
+  /// In any phase.
+  bool touches(std::span<const double> y, int i) const {
+    for (int q = 0; q < system_.phases(); ++q)
+      if (system_.gap(y, i, q) <= 0) return true;
+    return false;
   }
 
   /// Half the distance between the zeros of the gap, linear between points.
-  double half_width(std::span<const double> y) const {
+  double half_width_in(int phase, std::span<const double> y) const {
     const int n = system_.points();
     int first = 0, last = n - 1;
-    while (first < n && system_.gap(y, first) > 0) ++first;
-    while (last > first && system_.gap(y, last) > 0) --last;
+    while (first < n && system_.gap(y, first, phase) > 0) ++first;
+    while (last > first && system_.gap(y, last, phase) > 0) --last;
     if (first == n) return 0;
     const auto edge = [&](int in, int out) {
       if (out < 0 || out >= n) return foundation_->x[in];
-      const double g_in = system_.gap(y, in), g_out = system_.gap(y, out);
+      const double g_in = system_.gap(y, in, phase), g_out = system_.gap(y, out, phase);
       return foundation_->x[in] +
              (foundation_->x[out] - foundation_->x[in]) * g_in / (g_in - g_out);
     };
@@ -183,7 +212,7 @@ private:
   }
 
   std::shared_ptr<const Foundation> foundation_;
-  bool linear_;
+  bool steady_;
   WinklerSystem system_;
 };
 
@@ -207,8 +236,9 @@ std::vector<Key> keys() {
        .default_value = 401L,
        .range = {.min = 3, .max = 1000000},
        .help = "number of springs over the width, both ends included"}};
+  for (const Key& key : winkler::phase_keys()) result.push_back(key);
   for (const Key& key : worn_body_keys(2))
-    if (key.name == "load.force" || (key.name.starts_with("wear.") && key.name != "wear.normal")) {
+    if (key.name.starts_with("wear.") && key.name != "wear.normal" && key.name != "wear.velocity") {
       result.push_back(key);
       if (key.name == "wear.rate") result.back().default_value = archard_rate;
     }
@@ -222,13 +252,23 @@ bool has_archard_rate(const Scene& scene) {
           (scene.text("wear.rate") == archard_rate || scene.text("wear.rate") == "k * p * v"));
 }
 
+/// The largest force of a phase; of a held flat that of the springs of the unworn pin.
+double typical_force(const Foundation& f) {
+  double most = 0;
+  for (const Phase& phase : f.phases) {
+    double force = phase.held ? 0 : phase.press;
+    for (std::size_t i = 0; phase.held && i < f.x.size(); ++i)
+      force += f.area[i] * f.modulus * std::max(0.0, phase.press - f.profile(f.x[i]));
+    most = std::max(most, force);
+  }
+  return most;
+}
+
 std::unique_ptr<Model> make(const Scene& scene) {
   auto f = std::make_shared<Foundation>();
   f->radius = scene.real("pin.radius");
   f->width = scene.real("pin.width");
   f->modulus = scene.real("foundation.modulus");
-  f->force = scene.real("load.force");
-  f->speed = scene.real("wear.velocity");
   f->duration = scene.real("time.end");
   const long n = scene.integer("foundation.points");
   const double spacing = f->width / double(n - 1);
@@ -236,8 +276,15 @@ std::unique_ptr<Model> make(const Scene& scene) {
     f->x.push_back(f->width * (double(i) / double(n - 1) - 0.5));
     f->area.push_back(i == 0 || i == n - 1 ? spacing / 2 : spacing);
   }
-  f->wear = read_wear_law(scene);
-  f->wear_by_pressure = wear_by_pressure(scene, f->wear, {.pressure = f->mean_pressure()});
+  f->phases = winkler::read_phases(scene);
+  f->force = typical_force(*f);
+  if (!(f->force > 0))
+    throw InputError(scene.where("cycle.y") +
+                     ": expected a flat that presses the pin, y > 0, in some phase");
+  f->speed = winkler::mean_speed(f->phases);
+  const Scene sliding = scene.with("wear.velocity", f->speed);
+  f->wear = read_wear_law(sliding);
+  f->wear_by_pressure = wear_by_pressure(sliding, f->wear, {.pressure = f->mean_pressure()});
   if (f->wear_by_pressure == 0)
     throw InputError(
         scene.where("wear.rate") +
@@ -245,8 +292,9 @@ std::unique_ptr<Model> make(const Scene& scene) {
   WearCircumstances circumstances{
       .pressure = f->mean_pressure(), .depth = f->mean_depth(), .initial = {}};
   for (const double x : f->x) circumstances.initial.push_back({x, f->profile(x), 0});
-  require_law(scene, f->wear, circumstances);
-  return std::make_unique<WinklerModel>(std::move(f), has_archard_rate(scene));
+  require_law(sliding, f->wear, circumstances);
+  const bool cyclic = scene.has("cycle.period");
+  return std::make_unique<WinklerModel>(std::move(f), !cyclic && has_archard_rate(scene));
 }
 
 const Registration<Problem> registration({

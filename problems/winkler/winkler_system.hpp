@@ -8,114 +8,112 @@
 #include <utility>
 #include <vector>
 
+#include "phases.hpp"
+
 namespace gnomon::winkler {
 
 /// Data of the pin and its springs, and the trapezoidal points.
 struct Foundation {
-  double radius, width;      ///< R, L [mm]
-  double modulus;            ///< K_w [MPa/mm]
-  double force, speed;       ///< F [N/mm], v [mm/s]
-  WearLaw wear;              ///< of p, v, t, s, x0 and h = d
-  double wear_by_pressure;   ///< typical Wdot / p [mm/s/MPa]
-  double duration;           ///< of the run [s]
-  std::vector<double> x;     ///< positions of the points [mm]
-  std::vector<double> area;  ///< A_i [mm]
+  double radius, width;       ///< R, L [mm]
+  double modulus;             ///< K_w [MPa/mm]
+  std::vector<Phase> phases;  ///< of the flat; one without a cycle
+  double force, speed;        ///< typical F [N/mm] and mean v [mm/s] over the cycle
+  WearLaw wear;               ///< of p, v, t, s, x0 and h = d
+  double wear_by_pressure;    ///< typical Wdot / p [mm/s/MPa]
+  double duration;            ///< of the run [s]
+  std::vector<double> x;      ///< positions of the points [mm]
+  std::vector<double> area;   ///< A_i [mm]
 
   double profile(double at) const { return at * at / (2 * radius); }
   double mean_pressure() const { return force / width; }
   double mean_depth() const { return wear_by_pressure * mean_pressure() * duration; }
 };
 
-/// Unknowns d_0, p_0, d_1, p_1, ..., delta; or p_0, p_1, ..., delta with d frozen. The Jacobian is
-/// an arrow: delta is coupled with every point, a point with nothing else.
+/// Unknowns d_0, p_0, d_1, p_1, ..., delta; or p_0, p_1, ..., delta with d frozen. In a cycle of P
+/// phases every point has P pressures after its d, and there are P deltas. The Jacobian is an
+/// arrow: a delta is coupled with every point, a point with no other.
 class WinklerSystem : public System {
 public:
   WinklerSystem(std::shared_ptr<const Foundation> foundation, bool coupled)
       : foundation_(std::move(foundation)), coupled_(coupled), frozen_(points(), 0.0) {
-    const int n = points(), size = delta() + 1;
-    PatternBuilder builder(size);
-    for (int i = 0; i < n; ++i) {
-      builder.add({p(i), delta()}, {p(i)});
-      builder.add({p(i)}, {delta()});
-      if (coupled_) builder.add({d(i)}, {p(i)}), builder.add({d(i), p(i)}, {d(i)});
-    }
-    structure_.size = size;
-    structure_.pattern = builder.build();
-    const Foundation& f = *foundation_;
-    structure_.group.assign(size, n);
-    structure_.differential.assign(size, 0);
-    structure_.row_scale.assign(size, f.force);
-    structure_.unknown_scale.assign(size, f.mean_pressure() / f.modulus);
-    for (int i = 0; i < n; ++i) {
-      structure_.switch_node.insert(structure_.switch_node.end(), switches(), i);
-      structure_.group[p(i)] = i;
-      structure_.row_scale[p(i)] = structure_.unknown_scale[p(i)] = f.mean_pressure();
-      if (!coupled_) continue;
-      structure_.group[d(i)] = i;
-      structure_.differential[d(i)] = 1;
-      structure_.row_scale[d(i)] = f.mean_depth() / f.duration;
-      structure_.unknown_scale[d(i)] = f.mean_depth();
-    }
-    structure_.breakpoints = f.wear.breakpoints();
-    for (int i = 0; i < n; ++i) {
-      in_p_.push_back({position(p(i), p(i)), position(delta(), p(i)), position(p(i), delta())});
-      if (coupled_)
-        in_d_.push_back({position(d(i), d(i)), position(d(i), p(i)), position(p(i), d(i))});
-    }
+    structure_.pattern = pattern();
+    set_magnitudes();
+    structure_.breakpoints = foundation_->wear.breakpoints();
+    for (int i = 0; i < points(); ++i)
+      for (int q = 0; q < phases(); ++q) {
+        places_.push_back(
+            {position(p(i, q), p(i, q)), position(delta(q), p(i, q)), position(p(i, q), delta(q))});
+        if (!coupled_) continue;
+        places_.back().wear = position(d(i), p(i, q));
+        places_.back().depth = position(p(i, q), d(i));
+      }
+    for (int q = 0; q < phases(); ++q) in_delta_.push_back(position(delta(q), delta(q)));
+    for (int i = 0; coupled_ && i < points(); ++i) in_d_.push_back(position(d(i), d(i)));
   }
 
   const Structure& structure() const override { return structure_; }
 
   void residual(const Point& at, std::span<double> F) const override {
     const Foundation& f = *foundation_;
-    double force = 0;
-    for (int i = 0; i < points(); ++i) {
-      const double pressure = at.y[p(i)], spring = f.modulus * gap(at.y, i);
-      F[p(i)] = pressure + (closed(at.branch, i, spring) ? spring : 0);
-      if (coupled_) F[d(i)] = at.ydot[d(i)] - wear(at, i).value;
-      force += f.area[i] * pressure;
+    for (int q = 0; q < phases(); ++q) {
+      const Phase& phase = f.phases[q];
+      F[delta(q)] = phase.held ? at.y[delta(q)] - phase.press : -phase.press;
     }
-    F[delta()] = force - f.force;
+    for (int i = 0; i < points(); ++i) {
+      if (coupled_) F[d(i)] = at.ydot[d(i)] - mean_wear(at, i);
+      for (int q = 0; q < phases(); ++q) {
+        const double pressure = at.y[p(i, q)], spring = f.modulus * gap(at.y, i, q);
+        F[p(i, q)] = pressure + (closed(at.branch, i, q, spring) ? spring : 0);
+        if (!f.phases[q].held) F[delta(q)] += f.area[i] * pressure;
+      }
+    }
   }
 
   void jacobian(const Point& at, double alpha, std::span<double> values) const override {
     const Foundation& f = *foundation_;
     std::fill(values.begin(), values.end(), 0.0);
+    for (int q = 0; q < phases(); ++q) values[in_delta_[q]] = f.phases[q].held;
     for (int i = 0; i < points(); ++i) {
-      const double by_gap = closed(at.branch, i, f.modulus * gap(at.y, i)) ? f.modulus : 0;
-      values[in_p_[i].diagonal] = 1;
-      values[in_p_[i].row] = f.area[i];
-      values[in_p_[i].column] = -by_gap;
-      if (!coupled_) continue;
-      const WearRate rate = wear(at, i);
-      values[in_d_[i].diagonal] = alpha - rate.by_depth;
-      values[in_d_[i].row] = -rate.by_pressure;
-      values[in_d_[i].column] = by_gap;
+      if (coupled_) values[in_d_[i]] = alpha;
+      for (int q = 0; q < phases(); ++q) {
+        const Place& place = places_[i * phases() + q];
+        const bool in_contact = closed(at.branch, i, q, f.modulus * gap(at.y, i, q));
+        const double by_gap = in_contact ? f.modulus : 0;
+        values[place.diagonal] = 1;
+        values[place.force] = f.phases[q].held ? 0 : f.area[i];
+        values[place.approach] = -by_gap;
+        if (!coupled_) continue;
+        const WearRate rate = wear(at, i, q);
+        values[in_d_[i]] -= f.phases[q].weight * rate.by_depth;
+        values[place.wear] = -f.phases[q].weight * rate.by_pressure;
+        values[place.depth] = by_gap;
+      }
     }
   }
 
   void switching(double t, std::span<const double> y, std::span<double> values) const override {
     const Point at{.t = t, .y = y};
-    for (int i = 0; i < points(); ++i) {
-      const std::span<double> own = values.subspan(first_switch(i), switches());
-      own.front() = foundation_->modulus * gap(y, i);
-      foundation_->wear.switching(wear_input(at, i), own.subspan(1));
-    }
+    for (int i = 0; i < points(); ++i)
+      for (int q = 0; q < phases(); ++q) {
+        const std::span<double> own = values.subspan(first_switch(i, q), switches());
+        own.front() = foundation_->modulus * gap(y, i, q);
+        foundation_->wear.switching(wear_input(at, i, q), own.subspan(1));
+      }
   }
 
-  /// Wear rate of a point of the coupled system, on its branch. A point without pressure has none.
-  WearRate wear(const Point& at, int i) const {
-    const auto branches =
-        at.branch ? std::span<const char>(*at.branch).subspan(first_switch(i) + 1, switches() - 1)
-                  : std::span<const char>();
-    return foundation_->wear.rate(wear_input(at, i), branches);
+  /// Mean wear rate of a point of the coupled system over the cycle, on its branch.
+  double mean_wear(const Point& at, int i) const {
+    double sum = 0;
+    for (int q = 0; q < phases(); ++q) sum += foundation_->phases[q].weight * wear(at, i, q).value;
+    return sum;
   }
 
   std::vector<AlgebraicStage> algebraic_stages() const override {
     auto algebraic = std::make_unique<WinklerSystem>(foundation_, false);
     AlgebraicStage stage;
-    for (int i = 0; i < points(); ++i) stage.unknowns.push_back(p(i));
-    stage.unknowns.push_back(delta());
+    for (int i = 0; i < points(); ++i)
+      for (int q = 0; q < phases(); ++q) stage.unknowns.push_back(p(i, q));
+    for (int q = 0; q < phases(); ++q) stage.unknowns.push_back(delta(q));
     stage.freeze = [this, system = algebraic.get()](double, std::span<const double> y) {
       for (int i = 0; i < points(); ++i) system->frozen_[i] = y[d(i)];
     };
@@ -126,39 +124,90 @@ public:
   }
 
   int points() const { return static_cast<int>(foundation_->x.size()); }
-  int d(int i) const { return 2 * i; }
-  int p(int i) const { return coupled_ ? 2 * i + 1 : i; }
-  int delta() const { return (coupled_ ? 2 : 1) * points(); }
+  int phases() const { return static_cast<int>(foundation_->phases.size()); }
+  int d(int i) const { return (phases() + 1) * i; }
+  int p(int i, int q) const { return coupled_ ? d(i) + 1 + q : phases() * i + q; }
+  int delta(int q) const { return (phases() + (coupled_ ? 1 : 0)) * points() + q; }
   /// Negative where the springs are compressed [length].
-  double gap(std::span<const double> y, int i) const {
-    return foundation_->profile(foundation_->x[i]) + (coupled_ ? y[d(i)] : frozen_[i]) - y[delta()];
+  double gap(std::span<const double> y, int i, int q) const {
+    return foundation_->profile(foundation_->x[i]) + (coupled_ ? y[d(i)] : frozen_[i]) -
+           y[delta(q)];
   }
 
 private:
   struct Place {
-    int diagonal, row, column;  // positions in the values
+    int diagonal, force, approach;  // positions in the values
+    int wear = -1, depth = -1;
   };
-  WearInput wear_input(const Point& at, int i) const {
+
+  SparsePattern pattern() const {
+    PatternBuilder builder(delta(phases()));
+    for (int i = 0; i < points(); ++i) {
+      if (coupled_) builder.add({d(i)}, {d(i)});
+      for (int q = 0; q < phases(); ++q) {
+        builder.add({p(i, q), delta(q)}, {p(i, q), delta(q)});
+        if (coupled_) builder.add({d(i)}, {p(i, q)}), builder.add({p(i, q)}, {d(i)});
+      }
+    }
+    return builder.build();
+  }
+
+  void set_magnitudes() {
     const Foundation& f = *foundation_;
-    return {.pressure = at.y[p(i)],
-            .speed = f.speed,
+    const int n = points(), size = delta(phases());
+    const double compression = f.mean_pressure() / f.modulus;
+    structure_.size = size;
+    structure_.group.assign(size, n);
+    structure_.differential.assign(size, 0);
+    structure_.row_scale.assign(size, f.mean_pressure());
+    structure_.unknown_scale.assign(size, f.mean_pressure());
+    for (int q = 0; q < phases(); ++q) {
+      structure_.row_scale[delta(q)] = f.phases[q].held ? compression : f.force;
+      structure_.unknown_scale[delta(q)] = compression;
+    }
+    for (int i = 0; i < n; ++i) {
+      structure_.switch_node.insert(structure_.switch_node.end(), phases() * switches(), i);
+      for (int q = 0; q < phases(); ++q) structure_.group[p(i, q)] = i;
+      if (!coupled_) continue;
+      structure_.group[d(i)] = i;
+      structure_.differential[d(i)] = 1;
+      structure_.row_scale[d(i)] = f.mean_depth() / f.duration;
+      structure_.unknown_scale[d(i)] = f.mean_depth();
+    }
+  }
+
+  /// Wear rate in a phase. A point without pressure has none.
+  WearRate wear(const Point& at, int i, int q) const {
+    const auto branches =
+        at.branch
+            ? std::span<const char>(*at.branch).subspan(first_switch(i, q) + 1, switches() - 1)
+            : std::span<const char>();
+    return foundation_->wear.rate(wear_input(at, i, q), branches);
+  }
+  WearInput wear_input(const Point& at, int i, int q) const {
+    const Foundation& f = *foundation_;
+    return {.pressure = at.y[p(i, q)],
+            .speed = f.phases[q].speed,
             .depth = coupled_ ? at.y[d(i)] : frozen_[i],
             .moment = {.time = at.t, .slid = f.speed * at.t, .within = at.within.value_or(at.t)},
             .initial = {f.x[i], f.profile(f.x[i]), 0}};
   }
-  /// Contact, then the kinks of the wear law.
+  /// Contact in a phase, then the kinks of the wear law.
   std::size_t switches() const { return 1 + foundation_->wear.kinks(); }
-  std::size_t first_switch(int i) const { return static_cast<std::size_t>(i) * switches(); }
+  std::size_t first_switch(int i, int q) const {
+    return (static_cast<std::size_t>(i) * phases() + q) * switches();
+  }
   int position(int row, int column) const { return structure_.pattern.find(row, column); }
-  bool closed(const ActiveSet* branch, int i, double switching) const {
-    return branch ? (*branch)[first_switch(i)] != 0 : switching <= 0;
+  bool closed(const ActiveSet* branch, int i, int q, double switching) const {
+    return branch ? (*branch)[first_switch(i, q)] != 0 : switching <= 0;
   }
 
   std::shared_ptr<const Foundation> foundation_;
   bool coupled_;
   std::vector<double> frozen_;  // d
   Structure structure_;
-  std::vector<Place> in_p_, in_d_;
+  std::vector<Place> places_;  // of each point, phase by phase
+  std::vector<int> in_d_, in_delta_;
 };
 
 }  // namespace gnomon::winkler

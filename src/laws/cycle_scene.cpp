@@ -77,6 +77,11 @@ const std::vector<std::string>& function_names() {
   return names;
 }
 
+/// A problem has those keys that have a meaning for it.
+bool given(const Scene& scene, const std::string& key) {
+  return scene.knows(key) && scene.has(key);
+}
+
 bool is_file(const std::string& text) {
   return text.ends_with(".csv");
 }
@@ -119,7 +124,7 @@ Key table_key(const std::string& name, char axis) {
 
 std::optional<CycleFunction> read_function(const Scene& scene, const std::string& key,
                                            ExpressionNames names) {
-  if (!scene.has(key)) return {};
+  if (!given(scene, key)) return {};
   std::string text = scene.text(key);
   if (is_file(text)) {
     const std::string name = file_table(key);
@@ -144,7 +149,7 @@ std::optional<CycleFunction> read_function(const Scene& scene, const std::string
 /// Without a period nothing of [cycle] has a meaning.
 void require_nothing_else(const Scene& scene) {
   for (const Key& key : cycle_keys())
-    if (scene.knows(key.name) && scene.has(key.name))
+    if (given(scene, key.name))
       throw InputError(scene.where(key.name) + ": expected also cycle.period");
 }
 
@@ -218,7 +223,7 @@ Scene with_cycle_tables(const Scene& scene) {
   if (!scene.knows("cycle.period")) return scene;
   Scene result = scene;
   for (const std::string& key : function_names()) {
-    if (!scene.has(key) || !is_file(scene.text(key))) continue;
+    if (!given(scene, key) || !is_file(scene.text(key))) continue;
     const Points points = points_of_file(scene, key);
     const std::string name = file_table(key);
     result = result.with(table_key(name, 'x'), points.x)
