@@ -74,17 +74,34 @@ Indentation by_overlap(const GapProfile& gaps, double depth, double modulus, boo
   return {depth, area, modulus / width_of(area, solid) * gaps.volume(depth)};
 }
 
+/// The travel of a phase's counter-body to each contact node; under a force from where it touches
+/// first, which is a different place in each phase (the lift of a cam).
+template <int dim>
+std::vector<double> travels(const Phase<dim>& phase, const WornBody<dim>& body) {
+  std::vector<double> result;
+  double first = std::numeric_limits<double>::infinity();
+  for (const auto& patch : body.contact_nodes) {
+    result.push_back(phase.counter_body.travel_to(body.mesh.nodes[patch.node]));
+    first = std::min(first, result.back());
+  }
+  if (phase.force && std::isfinite(first))
+    for (double& travel : result) travel -= first;
+  return result;
+}
+
+/// The least of all phases.
 template <int dim>
 GapProfile gaps_of(const WornBody<dim>& body) {
+  std::vector<double> least(body.contact_nodes.size(), std::numeric_limits<double>::infinity());
+  for (const Phase<dim>& phase : body.phases()) {
+    const std::vector<double> travel = travels(phase, body);
+    for (std::size_t c = 0; c < least.size(); ++c) least[c] = std::min(least[c], travel[c]);
+  }
   std::vector<double> gaps, areas;
-  const std::vector<Phase<dim>> phases = body.phases();
-  for (const auto& patch : body.contact_nodes) {
-    double travel = std::numeric_limits<double>::infinity();
-    for (const Phase<dim>& phase : phases)
-      travel = std::min(travel, phase.counter_body.travel_to(body.mesh.nodes[patch.node]));
-    if (!std::isfinite(travel)) continue;
-    gaps.push_back(travel);
-    areas.push_back(patch.initial_area);
+  for (std::size_t c = 0; c < least.size(); ++c) {
+    if (!std::isfinite(least[c])) continue;
+    gaps.push_back(least[c]);
+    areas.push_back(body.contact_nodes[c].initial_area);
   }
   return {gaps, areas};
 }

@@ -50,6 +50,14 @@ SignedDistance<dim> CounterBody<dim>::unchecked_distance(const Vector<dim>& seen
   return turned(turning, seen, t, [this](const Vector<dim>& x) { return shape.unchecked(x); });
 }
 
+template <int dim>
+double CounterBody<dim>::travel_to(const Vector<dim>& x) const {
+  const Vector<dim> at = x - position;
+  if (!turning) return shape.travel_to(at, approach);
+  const Tensor<dim> back = turning->rotation(0).transpose();
+  return shape.travel_to(turning->centre + back * (at - turning->centre), back * approach);
+}
+
 template struct Turning<2>;
 template struct Turning<3>;
 template struct CounterBody<2>;

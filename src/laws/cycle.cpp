@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gnomon/laws/cycle.hpp>
 #include <gnomon/laws/sign_changes.hpp>
+#include <numbers>
 #include <numeric>
 #include <span>
 
@@ -20,7 +21,7 @@ double CycleFunction::slope(double tau) const {
   return slope;
 }
 
-std::vector<double> CycleFunction::kinks() const {
+std::vector<double> CycleFunction::kinks(double turn) const {
   std::vector<double> found = sign_changes_in_cycle(
       [this](double tau, std::span<double> values) {
         expression_.switching(std::span(&tau, 1), values);
@@ -32,8 +33,10 @@ std::vector<double> CycleFunction::kinks() const {
     size = std::max(size, std::abs(value(k / 100.0)));
     steepness = std::max(steepness, std::abs(slope(k / 100.0)));
   }
-  const bool ends_as_it_begins = std::abs(value(end) - value(0)) <= 1e-9 * size &&
-                                 std::abs(slope(end) - slope(0)) <= 1e-9 * steepness;
+  double jump = value(end) - value(0);
+  if (turn > 0) jump = std::remainder(jump, turn);
+  const bool ends_as_it_begins =
+      std::abs(jump) <= 1e-9 * size && std::abs(slope(end) - slope(0)) <= 1e-9 * steepness;
   if (!ends_as_it_begins && (found.empty() || found.front() > 0)) found.insert(found.begin(), 0);
   return found;
 }
@@ -64,7 +67,8 @@ std::vector<double> Cycle::kinks() const {
   for (const auto* function :
        {&displacement[0], &displacement[1], &displacement[2], &rotation, &force, &load}) {
     if (!*function) continue;
-    const std::vector<double> own = (*function)->kinks();
+    const std::vector<double> own =
+        (*function)->kinks(function == &rotation ? 2 * std::numbers::pi : 0);
     all.insert(all.end(), own.begin(), own.end());
   }
   std::sort(all.begin(), all.end());

@@ -248,6 +248,8 @@ std::vector<AlgebraicStage> ComposedSystem<dim>::algebraic_stages() const {
   std::vector<AlgebraicStage> stages;
   for (const BlockSelection& selected : composition_->stages) {
     auto part = std::make_unique<ComposedSystem<dim>>(composition_, selected);
+    // A single layer of elements has no shape unknowns off the worn surface.
+    if (part->numbering_.size() == 0) continue;
     AlgebraicStage stage;
     stage.unknowns.resize(static_cast<std::size_t>(part->numbering_.size()));
     for (std::size_t f = 0; f < composition_->fields->fields.size(); ++f) {

@@ -51,6 +51,20 @@ TEST(CycleFunction, KnowsItsKinks) {
               ElementsAre(0, DoubleNear(0.25, 1e-12), DoubleNear(0.75, 1e-12)));
 }
 
+/// A body that has turned round is where it was.
+TEST(CycleFunction, WholeTurnsAreNoJump) {
+  const double turn = 2 * std::numbers::pi;
+  EXPECT_THAT(function("2*pi*tau").kinks(turn), testing::IsEmpty());
+  EXPECT_THAT(function("0.3 - 4*pi*tau + 0.1*sin(2*pi*tau)").kinks(turn), testing::IsEmpty());
+  EXPECT_THAT(function("pi*tau").kinks(turn), ElementsAre(0));
+  EXPECT_THAT(function("2*pi*tau^2").kinks(turn), ElementsAre(0));  // with another speed
+  Cycle cycle;
+  cycle.rotation = function("2*pi*tau");
+  EXPECT_THAT(cycle.kinks(), testing::IsEmpty());
+  cycle.displacement[0] = function("2*pi*tau");
+  EXPECT_THAT(cycle.kinks(), ElementsAre(0));
+}
+
 // The trapezoidal rule integrates trigonometric polynomials below degree P exactly.
 TEST(CyclePoints, EqualOnesAreExactForTrigonometricPolynomials) {
   const std::vector<CyclePoint> points = cycle_points(8, {});
@@ -124,6 +138,23 @@ TEST(CycleCounterBody, MovesWithTheDerivativeOfItsPlace) {
   EXPECT_NEAR((velocity - expected).norm(), 0, 1e-8);
   EXPECT_GT(expected.norm(), 0.1);
   EXPECT_NEAR(at.motion.across_at<double>(mark), 0.5, 1e-12);
+}
+
+/// An eccentric cylinder lifts by what its centre does.
+TEST(CycleCounterBody, TouchesWhereItHasTurnedTo) {
+  Cycle cycle;
+  cycle.rotation = function("2*pi*tau");
+  CounterBody<2> body;
+  body.shape = ball<2>(Vector<2>(0.5, 0), 2);
+  const CycleAxis<2> axis{spin_in_plane(1), Vector<2>(0, 0), true};
+  for (const double tau : {0.0, 0.1, 0.25, 0.6, 0.75}) {
+    const CounterBody<2> at = counter_body_at<2>(body, cycle, axis, tau);
+    const double angle = 2 * M_PI * tau;
+    const Vector<2> above(0.5 * std::cos(angle), 5);  // the centre
+    EXPECT_NEAR(at.travel_to(above), 5 - 2 - 0.5 * std::sin(angle), 1e-12);
+    const Vector<2> beside(0.3, 5);
+    EXPECT_NEAR(at.distance(at.seen(beside, at.travel_to(beside)), 0).gap, 0, 1e-12);
+  }
 }
 
 std::vector<Key> keys_of(const std::string&) {

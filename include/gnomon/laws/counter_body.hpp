@@ -87,7 +87,7 @@ struct CounterBody {
   SignedDistance<dim> unchecked_distance(const Vector<dim>& seen, double t) const;
   /// The w at which it touches x at t = 0 when it comes from afar [length]; infinite where it
   /// passes by.
-  double travel_to(const Vector<dim>& x) const { return shape.travel_to(x - position, approach); }
+  double travel_to(const Vector<dim>& x) const;
 };
 
 }  // namespace gnomon

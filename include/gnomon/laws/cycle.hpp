@@ -24,8 +24,8 @@ public:
   /// Its derivative by tau; at a kink that of one side.
   double slope(double tau) const;
   /// Positions in [0, 1), ascending, at which it may have a corner or a jump; 0 where it ends
-  /// otherwise than it begins.
-  std::vector<double> kinks() const;
+  /// otherwise than it begins, save for whole turns of an angle (0: it is none).
+  std::vector<double> kinks(double turn = 0) const;
 
 private:
   Expression expression_;
