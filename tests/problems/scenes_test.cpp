@@ -53,8 +53,7 @@ Overrides coarse(const std::string& scene) {
     return {"mesh.factor=3", "time.end=20", "output.times=[]"};
   if (scene.starts_with("worn_body/ball_in_")) return {"mesh.factor=3"};
   if (scene == "worn_body/ball.toml") return {"mesh.factor=3", "time.end=100", "output.times=[]"};
-  if (scene == "worn_body/bushing.toml")
-    return {"mesh.factor=2", "time.end=1", "output.times=[]"};
+  if (scene == "worn_body/bushing.toml") return {"mesh.factor=2", "time.end=1", "output.times=[]"};
   return {};
 }
 

@@ -209,7 +209,7 @@ TEST(ResultFile, NeedsNeitherMeshNorContactNorSteps) {
   const auto file = synthetic::folder("scalar") / "r.h5";
   std::ofstream(std::filesystem::path(file).replace_extension(".xdmf")) << "of an earlier run";
   EXPECT_TRUE(is_taken(sidecar_of(file)));
-  ResultWriter(file, synthetic::header(), std::nullopt, Earlier::replaced).append({});
+  ResultWriter(file, synthetic::header(), std::nullopt, Earlier::replaced).append(HistoryRow{});
   EXPECT_FALSE(is_taken(sidecar_of(file)));
   std::filesystem::remove(file);
   ResultWriter writer(file, synthetic::header(), std::nullopt);
