@@ -49,13 +49,13 @@ def main():
     style.apply()
     expected = worn_area()
     print(f"k times force times path: {expected:.6f} mm^2\n")
-    phases = compare(SCENE, "cycle.phases", (8, 12, 16, 24, 32, 48), 96)
+    phases = compare(SCENE, "cycle.phases", (8, 12, 16, 24, 32, 48), 64)
     table(["phases", "area against k times force times path"],
           [[value, percent(done.history()[-1]["worn_volume"] / expected, 3)]
            for value, done in phases.items()])
     compare(SCENE, "integrator.rtol", ("1e-1", "1e-2", "1e-3", "1e-4"), "1e-5", "cycle.phases=16")
     if len(sys.argv) > 1:
-        figure = drawn({value: phases[value] for value in (8, 16, 32, 48, 96)}, 96)
+        figure = drawn({value: phases[value] for value in (8, 16, 32, 64)}, 64)
         figure.savefig(pathlib.Path(sys.argv[1]) / "cam_phases.png", dpi=200)
 
 
