@@ -172,7 +172,8 @@ private:
                                      entry.key.name, first));
       if (overridden) return scene.value(first).reset();
     }
-    if (!by_product && !entry.value && !meant.contains(entry.key.name) && !meant.contains(first))
+    const bool given = find(overrides_, entry.key.name) || find(in_file_, entry.key.name);
+    if (!by_product && !given && !meant.contains(entry.key.name) && !meant.contains(first))
       refuse_missing_key(message_about(name_, 0, entry.key.name), entry.key);
     if (!by_product) return;
     double product = 1;

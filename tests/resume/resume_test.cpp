@@ -335,7 +335,7 @@ TEST_F(Resume, RefusesInOneLine) {
   refused("r", {}, 90.0, "expected at least");
   refused("r", {"time.end=70"}, {}, "expected at least");
   refused("r", {"body.young_modulus=20"}, {},
-          "--set body.young_modulus: resuming can change only time.end, integrator.rtol");
+          "--set body.young_modulus: resuming can change only time.end, time.cycles");
   refused("r", {"integrator.name=theta"}, {}, "resuming can change only");
   refused("r", {"mesh.elements=[9,9]"}, {}, "resuming can change only");
   refused("r", {"mesh.element=[9,9]"}, {}, "did you mean");
