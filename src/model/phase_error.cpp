@@ -21,9 +21,9 @@ double distance(double a, double b) {
   return std::min(apart, 1 - apart);
 }
 
-/// Forces to eight digits are enough for an estimate of an error.
+/// Forces to six digits are enough for an estimate of an error.
 constexpr NewtonOptions rough_newton{
-    .tolerance = 1e-8, .acceptable = 1e-7, .max_iterations = 60, .keep_factors = true};
+    .tolerance = 1e-6, .acceptable = 1e-5, .max_iterations = 60, .keep_factors = true};
 
 }  // namespace
 
@@ -33,17 +33,29 @@ FixedShape<dim>::FixedShape(std::shared_ptr<const WornBody<dim>> body)
       d_(NodalField<dim>::Zero(static_cast<Eigen::Index>(body_->mesh.nodes.size()), dim)) {}
 
 template <int dim>
-FixedShape<dim>::FixedShape(std::shared_ptr<const WornBody<dim>> body, double t,
-                            const WornBodyEquations<dim>& equations, const FieldValues<dim>& values)
-    : body_(std::move(body)), t_(t), d_(values.vector(equations.fields().d)) {
-  for (std::size_t p = 0; p < equations.phases().size(); ++p) {
-    const WornBodyFields& fields = equations.fields(p);
-    known_.push_back({equations.phases()[p].position,
-                      values.vector(fields.u),
-                      values.scalar(fields.lambda),
-                      equations.phases()[p].force ? values.scalar(fields.w)[0] : 0,
-                      {}});
+FixedShape<dim>::FixedShape(double t, const WornBodyEquations<dim>& equations,
+                            const FieldValues<dim>& values,
+                            const std::vector<PhaseContact<dim>>& contacts)
+    : body_(equations.shared_body()), t_(t), d_(values.vector(equations.fields().d)) {
+  for (std::size_t p = 0; p < contacts.size(); ++p)
+    keep(equations.phases()[p], equations.fields(p), values, contacts[p].nodes);
+}
+
+template <int dim>
+void FixedShape<dim>::keep(const Phase<dim>& phase, const WornBodyFields& fields,
+                           const FieldValues<dim>& values,
+                           const std::vector<ContactNode<dim>>& nodes) {
+  Known known{phase.position,
+              values.vector(fields.u),
+              values.scalar(fields.lambda),
+              phase.force ? values.scalar(fields.w)[0] : 0,
+              {}};
+  areas_.clear();
+  for (const ContactNode<dim>& node : nodes) {
+    known.rate.push_back(node.wear_rate);
+    areas_.push_back(node.area);  // those of the shape, the same in all phases
   }
+  known_.push_back(std::move(known));
 }
 
 template <int dim>
@@ -53,11 +65,10 @@ auto FixedShape<dim>::nearest(double position) const -> const Known& {
 }
 
 template <int dim>
-bool FixedShape<dim>::is_solved(double position) const {
+bool FixedShape<dim>::is_known(double position) const {
   constexpr double rounding = 1e-12;
-  return std::ranges::any_of(known_, [&](const Known& known) {
-    return !known.rate.empty() && distance(known.position, position) < rounding;
-  });
+  return std::ranges::any_of(
+      known_, [&](const Known& known) { return distance(known.position, position) < rounding; });
 }
 
 /// From the guess, or by a load ramp where that fails.
@@ -100,39 +111,26 @@ void FixedShape<dim>::solve(const std::vector<Phase<dim>>& phases) {
   deformation.numbering().gather(values, y);
   find_deformation(equations, deformation, y);
   values = deformation.values(t_, y);
-  areas_.clear();
-  for (std::size_t p = 0; p < phases.size(); ++p) {
-    const WornBodyFields& fields = equations.fields(p);
-    Known found{phases[p].position,
-                values.vector(fields.u),
-                values.scalar(fields.lambda),
-                phases[p].force ? values.scalar(fields.w)[0] : 0,
-                {}};
-    for (const ContactNode<dim>& node :
-         equations.contact_nodes(deformation, values, {.t = t_, .y = y}, p)) {
-      found.rate.push_back(node.wear_rate);
-      if (p == 0) areas_.push_back(node.area);
-    }
-    known_.push_back(std::move(found));
-  }
+  for (std::size_t p = 0; p < phases.size(); ++p)
+    keep(phases[p], equations.fields(p), values,
+         equations.contact_nodes(deformation, values, {.t = t_, .y = y}, p));
 }
 
 template <int dim>
 std::vector<double> FixedShape<dim>::mean_rate(const std::vector<Phase<dim>>& phases) {
-  std::vector<Phase<dim>> unsolved;
+  std::vector<Phase<dim>> unknown;
   for (const Phase<dim>& phase : phases)
-    if (!is_solved(phase.position)) unsolved.push_back(phase);
+    if (!is_known(phase.position)) unknown.push_back(phase);
   const std::size_t at_a_time = std::max(body_->cycle.size(), (phases.size() + 1) / 2);
-  for (std::size_t first = 0; first < unsolved.size(); first += at_a_time) {
-    const std::size_t count = std::min(at_a_time, unsolved.size() - first);
-    const auto begin = unsolved.begin() + static_cast<std::ptrdiff_t>(first);
+  for (std::size_t first = 0; first < unknown.size(); first += at_a_time) {
+    const std::size_t count = std::min(at_a_time, unknown.size() - first);
+    const auto begin = unknown.begin() + static_cast<std::ptrdiff_t>(first);
     solve({begin, begin + static_cast<std::ptrdiff_t>(count)});
   }
-  std::erase_if(known_, [](const Known& known) { return known.rate.empty(); });
   std::vector<double> mean(body_->contact_nodes.size(), 0.0);
   for (const Phase<dim>& phase : phases) {
-    const Known& solved = nearest(phase.position);
-    for (std::size_t c = 0; c < mean.size(); ++c) mean[c] += phase.weight * solved.rate[c];
+    const Known& known = nearest(phase.position);
+    for (std::size_t c = 0; c < mean.size(); ++c) mean[c] += phase.weight * known.rate[c];
   }
   return mean;
 }
@@ -152,7 +150,8 @@ std::optional<double> relative_difference(const std::vector<double>& areas,
 template <int dim>
 PhaseError choose_phases(std::shared_ptr<const WornBody<dim>> body, double tolerance, long most) {
   FixedShape<dim> shape(body);
-  PhaseError chosen{0, static_cast<long>(body->cycle.size()), std::numeric_limits<double>::infinity()};
+  PhaseError chosen{0, static_cast<long>(body->cycle.size()),
+                    std::numeric_limits<double>::infinity()};
   std::vector<double> coarse = shape.mean_rate(body->cycle);
   for (int refinement = 2; chosen.phases < most; refinement *= 2) {
     const std::vector<double> fine = shape.mean_rate(body->refined_cycle(*body, refinement));
@@ -169,8 +168,8 @@ PhaseError choose_phases(std::shared_ptr<const WornBody<dim>> body, double toler
 template <int dim>
 std::optional<PhaseError> WearModel<dim>::phase_error(const State& state) const {
   if (!body().refined_cycle) return {};
-  FixedShape<dim> shape(equations_.shared_body(), state.t, equations_,
-                        system_.values(state.t, state.y));
+  const FieldValues<dim> values = system_.values(state.t, state.y);
+  FixedShape<dim> shape(state.t, equations_, values, contacts(values, state));
   const std::vector<double> coarse = shape.mean_rate(body().cycle);
   const std::vector<double> fine = shape.mean_rate(body().refined_cycle(body(), 2));
   const auto error = relative_difference(shape.areas(), coarse, fine);

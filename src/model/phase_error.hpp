@@ -2,8 +2,7 @@
 #pragma once
 
 #include <gnomon/base/counters.hpp>
-#include <gnomon/model/model.hpp>
-#include <gnomon/model/worn_body_equations.hpp>
+#include <gnomon/model/wear_model.hpp>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,9 +17,9 @@ class FixedShape {
 public:
   /// The unworn shape at t = 0.
   explicit FixedShape(std::shared_ptr<const WornBody<dim>> body);
-  /// The shape and time of a state, whose `values` of these equations are the first guesses.
-  FixedShape(std::shared_ptr<const WornBody<dim>> body, double t,
-             const WornBodyEquations<dim>& equations, const FieldValues<dim>& values);
+  /// The shape and time of a state, whose phases are known: its values, and contact in each phase.
+  FixedShape(double t, const WornBodyEquations<dim>& equations, const FieldValues<dim>& values,
+             const std::vector<PhaseContact<dim>>& contacts);
 
   /// Mean wear rate over the phases at every contact node [length / time]. Throws SolutionError.
   std::vector<double> mean_rate(const std::vector<Phase<dim>>& phases);
@@ -33,13 +32,15 @@ private:
     NodalField<dim> u;
     Eigen::VectorXd lambda;
     double w;
-    std::vector<double> rate;  // empty: a guess, not solved here
+    std::vector<double> rate;  // of wear, at every contact node
   };
   void solve(const std::vector<Phase<dim>>& phases);
   void find_deformation(const WornBodyEquations<dim>& equations, ComposedSystem<dim>& deformation,
                         std::vector<double>& y) const;
+  void keep(const Phase<dim>& phase, const WornBodyFields& fields, const FieldValues<dim>& values,
+            const std::vector<ContactNode<dim>>& nodes);
   const Known& nearest(double position) const;
-  bool is_solved(double position) const;
+  bool is_known(double position) const;
 
   std::shared_ptr<const WornBody<dim>> body_;
   double t_ = 0;

@@ -60,7 +60,7 @@ void copy_to_last_checkpoint(const ResultReader& from, const std::vector<std::st
     }
     // In the file they come after the start.
     if (row > 0) continue;
-    for (const PhaseError& error : start_errors(from)) to.append(error);
+    for (const PhaseError& error : start_errors(from)) to.append_phase_error(error);
     for (const Checkpoint& checkpoint : checkpoints) to.checkpoint(checkpoint);
   }
 }

@@ -32,7 +32,7 @@ public:
   ~File();
 
   void append(const HistoryRow& row);
-  void append(const PhaseError& error);
+  void append_phase_error(const PhaseError& error);
   void store(double t, const std::vector<GridField>& fields,
              const std::optional<ContactSurface>& contact,
              const std::optional<CounterSurface>& counter_body);
@@ -268,7 +268,7 @@ void ResultWriter::File::store(double t, const std::vector<GridField>& fields,
   if (sidecar_) sidecar_->add_step(t, "/" + whole, fields, surface);
 }
 
-void ResultWriter::File::append(const PhaseError& error) {
+void ResultWriter::File::append_phase_error(const PhaseError& error) {
   if (!phase_errors_) phase_errors_ = layout::PhaseErrorTable::create(gnomon_.id());
   phase_errors_.append(error);
   flush();
@@ -309,8 +309,8 @@ void ResultWriter::append(const HistoryRow& row) {
   file_->guarded([&] { file_->append(row); });
 }
 
-void ResultWriter::append(const PhaseError& error) {
-  file_->guarded([&] { file_->append(error); });
+void ResultWriter::append_phase_error(const PhaseError& error) {
+  file_->guarded([&] { file_->append_phase_error(error); });
 }
 
 void ResultWriter::store(double t, const std::vector<GridField>& fields,

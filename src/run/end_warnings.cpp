@@ -29,12 +29,12 @@ std::vector<std::string> end_warnings(const Observation& last, double invisible,
   return warnings;
 }
 
-std::string phase_warning(const std::vector<PhaseError>& errors, double tolerance) {
-  if (errors.empty() || errors.back().error <= tolerance) return {};
+std::string phase_warning(const PhaseError& at_start, double tolerance) {
+  if (at_start.error <= tolerance) return {};
   return fmt::format(
-      "the mean over {} phases has an error of about {:.1g} at the end, more than {:g}, the "
-      "tolerance of the steps: more phases make it smaller (cycle.phases)",
-      errors.back().phases, errors.back().error, tolerance);
+      "the mean over {} phases has an error of about {:.1g}, more than {:g}, the tolerance of the "
+      "steps, and so may the worn shape: more phases make it smaller (cycle.phases)",
+      at_start.phases, at_start.error, tolerance);
 }
 
 }  // namespace gnomon

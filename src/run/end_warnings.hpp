@@ -1,4 +1,4 @@
-// Warnings at the end of a run that has finished but whose numbers are worthless.
+// Warnings about the numbers of a run: why they may be worthless, or less accurate than asked for.
 #pragma once
 
 #include <gnomon/integrators/integrator.hpp>
@@ -13,8 +13,10 @@ namespace gnomon {
 std::vector<std::string> end_warnings(const Observation& last, double invisible,
                                       long chattering_nodes, const Integrator& integrator);
 
-/// Warns of an error of the mean over the phases of a cycle at the end that is larger than the
-/// tolerance; empty otherwise.
-std::string phase_warning(const std::vector<PhaseError>& errors, double tolerance);
+/// Warns of an error of the mean over the phases of a cycle at the start that is larger than the
+/// tolerance: about as large may that of the worn shape be; empty otherwise. At the end the shape
+/// has the traces of the phases, so that the error of the mean there is several times that of the
+/// shape.
+std::string phase_warning(const PhaseError& at_start, double tolerance);
 
 }  // namespace gnomon

@@ -62,12 +62,6 @@ public:
       close_quietly(error.what());
       throw;
     }
-    if (outcome_.status == Status::finished)
-      if (const std::string text =
-              phase_warning(outcome_.phase_errors,
-                            settings_.step > 0 ? phase_tolerance_of_fixed_steps : settings_.rtol);
-          !text.empty())
-        warn(text);
     if (outcome_.status != Status::failed)
       for (const std::string& text :
            end_warnings(observed_, invisible_volume(model_.grid(), observed_.dim),
@@ -205,8 +199,11 @@ private:
     try {
       const std::optional<PhaseError> error = model_.phase_error(state());
       if (!error) return;
-      if (writer_) writer_->append(*error);
+      if (writer_) writer_->append_phase_error(*error);
       outcome_.phase_errors.push_back(*error);
+      if (state().t > 0) return;
+      const double tolerance = settings_.step > 0 ? phase_tolerance_of_fixed_steps : settings_.rtol;
+      if (const std::string text = phase_warning(*error, tolerance); !text.empty()) warn(text);
     } catch (const SolutionError& error) {
       warn(unknown_phase_error(error.what()));
     } catch (const InputError& error) {

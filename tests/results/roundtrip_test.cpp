@@ -140,9 +140,9 @@ TEST(ResultFile, ReturnsTheErrorsOfTheMeanOverPhases) {
   {
     ResultWriter writer(folder / "r.h5", synthetic::header(), std::nullopt);
     writer.append(synthetic::row(0));
-    writer.append(PhaseError{0, 16, 0.25});
+    writer.append_phase_error(PhaseError{0, 16, 0.25});
     EXPECT_EQ(ResultReader(folder / "r.h5").phase_errors().size(), 1u);
-    writer.append(PhaseError{40, 16, 1e-3});
+    writer.append_phase_error(PhaseError{40, 16, 1e-3});
     writer.close("finished", 1);
   }
   const ResultReader reader(folder / "r.h5");

@@ -70,7 +70,7 @@ public:
              const std::optional<ContactSurface>& contact,
              const std::optional<CounterSurface>& counter_body = {});
   /// Of a cycle: an error of the mean over its phases.
-  void append(const PhaseError& error);
+  void append_phase_error(const PhaseError& error);
   /// Stores a checkpoint; it replaces the one before the last.
   void checkpoint(const Checkpoint& checkpoint);
   /// Records how the run ended: "finished", "interrupted", "failed: ..." (the first 1024 bytes),
