@@ -40,6 +40,10 @@ Overrides coarse(const std::string& scene) {
     return {"mesh.factor=2", "time.end=40", "output.times=[]"};
   if (scene == "worn_body/cylinder_on_flat.toml")
     return {"mesh.factor=3", "cycle.phases=4", "time.end=400", "output.times=[]"};
+  if (scene == "worn_body/cylinder_worn.toml")
+    return {"mesh.factor=3", "time.end=400", "output.times=[]"};
+  if (scene == "worn_body/held_cylinder.toml")
+    return {"mesh.factor=3", "cycle.phases=4", "time.end=400"};
   if (scene == "worn_body/half_round_ring.toml")
     return {"mesh.factor=2", "time.end=0.3", "output.times=[]"};
   if (scene.find("axisymmetric") != std::string::npos || scene == "worn_body/hertz_cylinder.toml")
