@@ -1,6 +1,10 @@
 # Warnings and instrumentation that every target of the project shares.
 add_library(gnomon_settings INTERFACE)
 target_compile_options(gnomon_settings INTERFACE -Wall -Wextra -Wpedantic)
+# GCC 13 and 14 take any reference that a function returns for one to its arguments, even where it refers to a member.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+  target_compile_options(gnomon_settings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-dangling-reference>)
+endif()
 # __FILE__ is relative, so that no binary names the folder where it was built.
 target_compile_options(gnomon_settings INTERFACE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 if(GNOMON_SANITIZE)

@@ -57,6 +57,17 @@ void with_body(const std::filesystem::path& file, std::optional<double> size, co
     show(check_mesh<3>(std::move(mesh)));
 }
 
+/// Names of the coordinates. A file with a mesh does not say what its plane is; a result does.
+std::string axes_of(const std::filesystem::path& file, int dim) {
+  if (dim == 3) return "x y z";
+  if (!is_result(file)) return "x y";
+  // As the scene of a result is written, so that results of other versions and plug-ins are told,
+  // too.
+  const bool turned =
+      ResultReader(file).header().scene.find("\nplane = \"axisymmetric\"") != std::string::npos;
+  return turned ? "r z" : "x y";
+}
+
 template <int dim>
 std::string direction_text(const Mesh<dim>& mesh,
                            const std::vector<typename Mesh<dim>::Facet>& facets) {
@@ -113,11 +124,11 @@ int mesh_command(const std::filesystem::path& file, std::optional<double> size,
   if (for_gmsh && is_taken(written))
     throw InputError(written.string() + " exists; give another name with --output");
   if (!written.empty() && !for_gmsh) check_drawing(written);
-  with_body(file, size, [&](const auto& body) {
+  with_body(file, size, [&]<int dim>(const ImportedBody<dim>& body) {
     print_mesh(body);
     if (for_gmsh) write_file(written, gmsh_text(body), Earlier::refused);
     if (for_gmsh) fmt::print("mesh: {}\n", written.string());
-    if (!written.empty() && !for_gmsh) draw_mesh(body, written);
+    if (!written.empty() && !for_gmsh) draw_mesh(body, axes_of(file, dim), written);
   });
   return success;
 }

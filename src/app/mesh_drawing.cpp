@@ -87,8 +87,8 @@ void check_drawing(const fs::path& file) {
 }
 
 template <int dim>
-void draw_mesh(const ImportedBody<dim>& body, const fs::path& file) {
-  const std::string view = mesh_view(grid_of(body));
+void draw_mesh(const ImportedBody<dim>& body, const std::string& axes, const fs::path& file) {
+  const std::string view = mesh_view(grid_of(body), axes);
   if (file.extension() == ".xdmf") {
     write_file(file, view, Earlier::replaced);
   } else {
@@ -97,7 +97,7 @@ void draw_mesh(const ImportedBody<dim>& body, const fs::path& file) {
   fmt::print("{}\n", file.string());
 }
 
-template void draw_mesh(const ImportedBody<2>&, const fs::path&);
-template void draw_mesh(const ImportedBody<3>&, const fs::path&);
+template void draw_mesh(const ImportedBody<2>&, const std::string&, const fs::path&);
+template void draw_mesh(const ImportedBody<3>&, const std::string&, const fs::path&);
 
 }  // namespace gnomon::app

@@ -49,9 +49,10 @@ void add_grid(std::string& text, const Grid& grid, const std::string& name,
 
 }  // namespace
 
-std::string mesh_view(const Grid& grid) {
+std::string mesh_view(const Grid& grid, const std::string& axes) {
   const bool flat = grid.cell == Grid::Cell::quadrilateral;
   std::string text = std::string(xdmf_head) + view_begin;
+  text += fmt::format("      <Information Name=\"axes\" Value=\"{}\"/>\n", axes);
   add_grid(text, grid, "body", grid.cells, flat ? 4 : 8, flat ? "Quadrilateral" : "Hexahedron");
   for (const MeshPart& part : grid.parts) {
     if (part.kind == MeshPart::Kind::exterior || part.nodes.empty()) continue;

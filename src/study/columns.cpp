@@ -121,8 +121,10 @@ std::vector<StudyColumn> sweep_columns(const Study& study) {
     const bool numbers = std::ranges::all_of(study.sweep, [i](const SweepPoint& point) {
       return number_in(point.values[i].second).has_value();
     });
-    columns.push_back({{study.sweep.front().values[i].first, "", numbers ? Kind::real : Kind::text,
-                        "sweep", "swept key of the scene"},
+    const std::string& key = study.sweep.front().values[i].first;
+    const auto unit = study.units.find(key);
+    columns.push_back({{key, unit == study.units.end() ? "" : unit->second,
+                        numbers ? Kind::real : Kind::text, "sweep", "swept key of the scene"},
                        [&study, i, numbers](const StudyRow& row) {
                          const std::string& value = study.sweep[row.point.sweep].values[i].second;
                          return numbers ? maybe(number_in(value)) : CellValue(value);

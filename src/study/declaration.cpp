@@ -151,8 +151,11 @@ private:
       if (earlier.key == sweep.key)
         throw InputError(
             fmt::format("{}: `{}` is swept twice, expected once", sweep.origin, sweep.key));
-    if (const RawValue& first = keyed.open_values().front(); !find_key(scene_keys_.keys, sweep.key))
-      refuse_unknown_key(sweep.origin, sweep.key, first, scene_keys_.keys, "gnomon help scene");
+    const std::optional<Key> key = find_key(scene_keys_.keys, sweep.key);
+    if (!key)
+      refuse_unknown_key(sweep.origin, sweep.key, keyed.open_values().front(), scene_keys_.keys,
+                         "gnomon help scene");
+    sweep.unit = key->unit;
     require_settable(sweep.key, sweep.origin, scene_keys_.method);
     sweep_values(sweep, keyed);
     return sweep;

@@ -23,6 +23,7 @@ struct Method {
 /// A [[sweep]].
 struct Sweep {
   std::string key;
+  std::string unit;  ///< of the key
   std::vector<SceneSetting> values;
   std::vector<std::string> labels;  ///< of the values: "20", "20x40"
   std::string origin;

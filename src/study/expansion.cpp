@@ -66,6 +66,7 @@ public:
     study_.scene = declaration.scene;
     study_.text = declaration.text;
     study_.compared = declaration.compared;
+    for (const Sweep& sweep : declaration.sweeps) study_.units[sweep.key] = sweep.unit;
     if (const auto& self = declaration.self_reference)
       study_.self_reference = title(declaration.methods[self->method], self->setting);
   }

@@ -103,6 +103,7 @@ Study study_of(const Json& json, const fs::path& folder) {
   study.text = text_of(folder / text_file);
   study.self_reference = json.at("self_reference");
   study.compared = json.at("compared");
+  study.units = json.value("units", study.units);  // plans of earlier versions have none
   for (const Json& point : json.at("sweep")) study.sweep.push_back(sweep_point(point));
   for (const Json& point : json.at("points")) study.points.push_back(study_point(point));
   for (const Json& run : json.at("runs"))
@@ -165,6 +166,7 @@ void write_plan(const fs::path& folder, const Study& study) {
   json["scene"] = study.scene.string();
   json["self_reference"] = study.self_reference;
   json["compared"] = study.compared;
+  json["units"] = study.units;
   json["sweep"] = array_of(study.sweep);
   json["points"] = array_of(study.points);
   json["runs"] = array_of(study.runs);

@@ -3,12 +3,15 @@
 usage: check_study.py FOLDER_OF_THE_PLOTS
 """
 
+import json
 import math
+import pathlib
 import sys
+import tempfile
 
 sys.path.insert(0, sys.argv[1])
 sys.dont_write_bytecode = True
-from figures import errors, style, work  # noqa: E402
+from figures import errors, parameters, style, work  # noqa: E402
 from figures.complaints import Unsuitable  # noqa: E402
 from figures.study import Run  # noqa: E402
 
@@ -55,3 +58,13 @@ try:
     raise AssertionError("without a sweep there is nothing to compare")
 except Unsuitable:
     pass
+
+# A parameter sweep: the swept key with the unit that study.json has for it.
+rows = [{"status": "finished", "sweep": f"body.young_modulus={value}", "method": "bdf", "setting_kind": "rtol",
+         "setting": "1e-3", "body.young_modulus": value, "worn_volume": value} for value in ("20", "640")]
+with tempfile.TemporaryDirectory() as folder:
+    table = pathlib.Path(folder) / "study.csv"
+    assert parameters.draw(table, rows).axes[0].get_xlabel() == "body.young_modulus"
+    columns = [{"name": "body.young_modulus", "unit": "MPa"}]
+    table.with_suffix(".json").write_text(json.dumps({"columns": columns}))
+    assert parameters.draw(table, rows).axes[0].get_xlabel() == "body.young_modulus [MPa]"

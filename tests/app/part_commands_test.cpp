@@ -141,6 +141,19 @@ TEST_F(PartCommands, TheMeshComesBackFromAResult) {
     EXPECT_NEAR(second[name].get<double>() / first[name].get<double>(), 1, 1e-6) << name;
 }
 
+// A file with a mesh does not say that it is a section of a body of revolution; its result does.
+TEST_F(PartCommands, TheMeshOfAResultHasTheAxesOfItsPlane) {
+  ASSERT_EQ(run(1).exit_code, 0);
+  ASSERT_EQ(gnomon({"mesh", "a.h5", "-o", "plane.xdmf"}).exit_code, 0);
+  EXPECT_THAT(test::read_text(folder() / "plane.xdmf"), HasSubstr("\"axes\" Value=\"x y\""));
+  const Outcome outcome =
+      gnomon({"run", (shipped / "hertz_ball_axisymmetric.toml").string(), "--set", "mesh.factor=6",
+              "--set", "time.end=1", "--set", "output.times=[]", "-o", "ball.h5", "--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  ASSERT_EQ(gnomon({"mesh", "ball.h5", "-o", "section.xdmf"}).exit_code, 0);
+  EXPECT_THAT(test::read_text(folder() / "section.xdmf"), HasSubstr("\"axes\" Value=\"r z\""));
+}
+
 TEST_F(PartCommands, MeshRefusesResultsWithoutAMeshFromAFile) {
   ASSERT_EQ(gnomon({"run", test::pin, "--set", test::coarse, "--set", "time.end=1", "-o", "pin.h5",
                     "--quiet"})

@@ -194,6 +194,14 @@ TEST_F(StudyRuns, AParameterSweepNeedsNoMethodAndNoReference) {
     EXPECT_EQ(row.at("integrator.events"), "ignore");
   }
   EXPECT_EQ(rows[1].at("load.force"), "20");
+  for (const auto& column : json()["columns"]) {
+    if (column["name"] == "load.force") {
+      EXPECT_EQ(column["unit"], "N/mm");
+    }
+    if (column["name"] == "integrator.events") {
+      EXPECT_EQ(column["unit"], "");
+    }
+  }
   EXPECT_EQ(json()["compared"], false);
   EXPECT_FALSE(json()["sweep"][0].contains("reference"));
 }

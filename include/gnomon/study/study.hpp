@@ -7,6 +7,7 @@
 #include <gnomon/base/counters.hpp>
 #include <gnomon/model/model.hpp>
 #include <gnomon/scene/scene.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,6 +60,7 @@ struct Study {
   std::string self_reference;  ///< "backward-euler step 0.78125"; empty if there is none
   bool compared = true;        ///< false: without references, no errors (reference = "none")
   std::vector<SweepPoint> sweep;
+  std::map<std::string, std::string> units;  ///< of the swept keys; "" for those that have none
   std::vector<StudyPoint> points;
   std::vector<StudyRun> runs;  ///< of points and references; equal scenes are one run
 };

@@ -27,16 +27,18 @@ class Part(NamedTuple):
 
 
 def read(path):
-    """The grids of a file of `gnomon mesh`; the body is the first."""
+    """Of a file of `gnomon mesh`: the names of the coordinates, the body, and its parts."""
     try:
-        grids = tree.parse(path).getroot().findall("./Domain/Grid/Grid")
+        root = tree.parse(path).getroot()
+        axes = root.find("./Domain/Grid/Information[@Name='axes']").get("Value").split()
+        grids = root.findall("./Domain/Grid/Grid")
         parts = [Part(grid.get("Name"), numbers(grid.find("Geometry/DataItem"), float),
                       numbers(grid.find("Topology/DataItem"), int)) for grid in grids]
     except (tree.ParseError, AttributeError, ValueError) as error:
         raise BadInput(f"cannot read {path}: {error}; expected a mesh of gnomon") from error
     if not parts:
         raise BadInput(f"{path} holds no mesh of gnomon")
-    return parts
+    return axes, parts[0], parts[1:]
 
 
 def numbers(item, kind):
@@ -44,8 +46,8 @@ def numbers(item, kind):
     return numpy.array(item.text.split(), dtype=kind).reshape(rows, columns)
 
 
-def draw(body, parts):
-    return draw_plane(body, parts) if body.cells.shape[1] == 4 else draw_space(body, parts)
+def draw(body, parts, axes=("x", "y")):
+    return draw_plane(body, parts, axes) if body.cells.shape[1] == 4 else draw_space(body, parts)
 
 
 def colours_of(parts):
@@ -54,7 +56,7 @@ def colours_of(parts):
     return palette[:len(parts)]
 
 
-def draw_plane(body, parts):
+def draw_plane(body, parts, names):
     low, high = plane.widened(plane.box(body.points, margin=0.12), 0, NARROWEST)
     ratio = (high[1] - low[1]) / (high[0] - low[0])
     width = WIDTH * min(1, TALLEST / ratio)
@@ -71,7 +73,7 @@ def draw_plane(body, parts):
         for chain in chains(part.cells) if len(parts) <= MANY else []:
             labels.append(note(axes, part.name, colour, *anchor(ends[chain])))
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal",
-             xlabel="$x$ [mm]", ylabel="$y$ [mm]")
+             xlabel=f"${names[0]}$ [mm]", ylabel=f"${names[1]}$ [mm]")
     finish(figure, handles, labels)
     return figure
 

@@ -1,9 +1,10 @@
 """Results of a parameter sweep (a study with reference = "none") against what was swept."""
 
+import json
 import math
 
 from . import style, tables
-from .complaints import Unsuitable
+from .complaints import BadInput, Unsuitable
 from .study import distinct
 
 SHOWN = {"worn_volume": "worn volume", "max_pressure": "largest pressure [MPa]",
@@ -25,16 +26,33 @@ def draw(path, rows):
         raise Unsuitable("no run finished, or no number was swept")
     across = max(keys, key=lambda key: len(distinct(row[key] for row in rows)))
     curves = distinct(curve_of(row, across) for row in rows)
+    label = with_unit(across, units(path))
     figure = style.figure(style.DOUBLE, 0.4 * style.DOUBLE)
     panels = figure.subplots(1, len(shown), squeeze=False)[0]
     handles = []
     for axes, name in zip(panels, shown):
         handles = [draw_curve(axes, path, rows, across, name, curve, colour)
                    for curve, colour in zip(curves, style.sequence(len(curves)))]
-        axes.set_xlabel(across)
+        axes.set_xlabel(label)
         axes.set_ylabel(SHOWN[name])
     style.legend_above_all(figure, [handle for handle in handles if handle.get_label()])
     return figure
+
+
+def units(path):
+    """Of the columns, from study.json beside the table; none where only the table was kept."""
+    path = path.with_suffix(".json")
+    if not path.exists():
+        return {}
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+        return {column["name"]: column["unit"] for column in data["columns"]}
+    except (ValueError, TypeError, KeyError) as error:
+        raise BadInput(f"{path} is damaged: {error}") from error
+
+
+def with_unit(key, known):
+    return f"{key} [{known[key]}]" if known.get(key) else key
 
 
 def draw_curve(axes, path, rows, across, name, curve, colour):

@@ -56,9 +56,9 @@ def draw_with_page(drawer, target, sink, subject):
 def draw_mesh(target, file):
     """A mesh and its named parts as FILE.png or FILE.svg."""
     style.apply()
-    body, *parts = groups.read(target)
+    axes, body, parts = groups.read(target)
     kind = file.suffix.removeprefix(".")
-    (picture,) = output.render(groups.draw(body, parts), file.stem, (kind,)).values()
+    (picture,) = output.render(groups.draw(body, parts, axes), file.stem, (kind,)).values()
     file.write_bytes(picture)
 
 

@@ -1,0 +1,133 @@
+// How IDA is set up for a model, and what it calls.
+#include <algorithm>
+#include <cmath>
+#include <gnomon/integrators/stop_rules.hpp>
+
+#include "integrators/bdf_memory.hpp"
+
+namespace gnomon {
+
+using namespace sundials;
+
+namespace {
+/// How many steps need to damp a closing.
+constexpr int steps_to_damp = 5;
+}  // namespace
+
+BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settings,
+                          Counters& counters)
+    : system_(system),
+      settings_(settings),
+      counters_(counters),
+      norm_(system.structure(), settings),
+      y_(make_vector(system.structure().size, context_)),
+      ydot_(make_vector(system.structure().size, context_)),
+      id_(make_vector(system.structure().size, context_)),
+      probe_(make_vector(system.structure().size, context_)),
+      integral_(make_vector(1, context_)),
+      matrix_(make_matrix(system.structure().pattern, context_)),
+      linear_(make_linear_solver(system.structure(), counters, guard_, context_, request_)) {
+  const auto& differential = system.structure().differential;
+  std::copy(differential.begin(), differential.end(), view(id_.get()).begin());
+  const auto state_at = [this](N_Vector ycor) {
+    N_Vector predicted = nullptr;
+    sunrealtype t, gamma;
+    N_Vector yy, yp, res;
+    void* user = nullptr;
+    check(
+        IDAGetNonlinearSystemData(ida_.get(), &t, &predicted, &res, &yy, &yp, &res, &gamma, &user),
+        "IDAGetNonlinearSystemData");
+    N_VLinearSum(1.0, predicted, 1.0, ycor, probe_.get());
+    return Point{t, view(probe_.get())};
+  };
+  const auto branch_at = [this](const Point& at) {
+    return branch() ? *branch() : active_set(system_, at.t, at.y);
+  };
+  nonlinear_ = make_semismooth_newton(system.structure(), counters, guard_,
+                                      within_time_error(newton_in_ida, settings.nonlinear_fraction),
+                                      state_at, branch_at, id_.get(), request_, slow_, context_);
+}
+
+void BdfSolver::Memory::begin(const State& state) {
+  std::copy(state.y.begin(), state.y.end(), view(y_.get()).begin());
+  std::copy(state.ydot.begin(), state.ydot.end(), view(ydot_.get()).begin());
+  ida_.reset(IDACreate(context_));
+  void* ida = ida_.get();
+  check(ida, "IDACreate");
+  GNOMON_SILENCE(IDASetErrHandlerFn, ida);
+  check(IDAInit(ida, &Memory::residual, state.t, y_.get(), ydot_.get()), "IDAInit");
+  check(IDASetUserData(ida, this), "IDASetUserData");
+  check(IDAWFtolerances(ida, &Memory::weights), "IDAWFtolerances");
+  check(IDASetId(ida, id_.get()), "IDASetId");
+  check(IDASetSuppressAlg(ida, SUNTRUE), "IDASetSuppressAlg");
+  check(IDASetMaxOrd(ida, settings_.max_order), "IDASetMaxOrd");
+  // Where the solution ends, IDA would take ever smaller steps without an end. This limit ends
+  // failing steps; vanishes() ends those that succeed.
+  check(IDASetMinStep(ida, shortest_step(settings_)), "IDASetMinStep");
+  if (settings_.max_step > 0) check(IDASetMaxStep(ida, settings_.max_step), "IDASetMaxStep");
+  // Failures in one step; practically unlimited, because nearly every failure divides the step by
+  // four.
+  constexpr int most_failures = 30;
+  check(IDASetMaxErrTestFails(ida, most_failures), "IDASetMaxErrTestFails");
+  check(IDASetMaxConvFails(ida, most_failures), "IDASetMaxConvFails");
+  check(IDASetLinearSolver(ida, linear_.get(), matrix_.get()), "IDASetLinearSolver");
+  check(IDASetJacFn(ida, &Memory::jacobian), "IDASetJacFn");
+  check(IDASetNonlinearSolver(ida, nonlinear_.get()), "IDASetNonlinearSolver");
+  if (settings_.locate_events) {
+    branch_.emplace(system_, state.t, state.y, settings_.end);
+    check(IDARootInit(ida, branch_->size(), &Memory::switching), "IDARootInit");
+    check(IDASetNoInactiveRootWarn(ida), "IDASetNoInactiveRootWarn");
+  }
+  if (!settings_.settled.empty()) closings_.emplace(steps_to_damp).begin(active(state));
+  if (settings_.integrand)
+    check(IDAQuadInit(ida, &Memory::integrand, integral_.get()), "IDAQuadInit");
+  begun_ = true;
+}
+
+int BdfSolver::Memory::residual(sunrealtype t, N_Vector y, N_Vector ydot, N_Vector F, void* data) {
+  Memory& self = *static_cast<Memory*>(data);
+  return self.guard_.run([&] {
+    ++self.counters_.residual_evaluations;
+    self.system_.residual({t, view(y), view(ydot), self.branch(), self.from_}, view(F));
+    require_finite(view(F), "the residual");
+  });
+}
+
+int BdfSolver::Memory::jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_Vector ydot,
+                                N_Vector, SUNMatrix J, void* data, N_Vector, N_Vector, N_Vector) {
+  Memory& self = *static_cast<Memory*>(data);
+  return self.guard_.run([&] {
+    ++self.counters_.jacobian_evaluations;
+    self.system_.jacobian({t, view(y), view(ydot), self.branch(), self.from_, &self.slow_}, alpha,
+                          values(J));
+  });
+}
+
+// IDA averages the masked squares over ALL components; the factor makes it the mean over the
+// differential ones, so that the meaning of rtol does not depend on the number of algebraic
+// unknowns.
+int BdfSolver::Memory::weights(N_Vector y, N_Vector w, void* data) {
+  const Memory& self = *static_cast<Memory*>(data);
+  const double spread = std::sqrt(double(view(y).size()) / double(self.norm_.components().size()));
+  for (std::size_t i = 0; i < view(y).size(); ++i)
+    view(w)[i] = spread * self.norm_.weight(view(y)[i]);
+  return 0;
+}
+
+int BdfSolver::Memory::switching(sunrealtype t, N_Vector y, N_Vector, sunrealtype* values,
+                                 void* data) {
+  Memory& self = *static_cast<Memory*>(data);
+  return self.guard_.run(
+      [&] { self.system_.switching(t, view(y), std::span<double>(values, self.branch_->size())); });
+}
+
+// IDA integrates it by its own formula, order and step; it does not take part in the error test.
+int BdfSolver::Memory::integrand(sunrealtype t, N_Vector y, N_Vector ydot, N_Vector value,
+                                 void* data) {
+  Memory& self = *static_cast<Memory*>(data);
+  return self.guard_.run([&] {
+    view(value)[0] = self.settings_.integrand({t, view(y), view(ydot), self.branch(), self.from_});
+  });
+}
+
+}  // namespace gnomon
