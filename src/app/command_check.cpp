@@ -8,12 +8,14 @@
 
 #include "app/commands.hpp"
 #include "app/program.hpp"
+#include "app/progress.hpp"
 #include "app/text_table.hpp"
 
 namespace gnomon::app {
 
-int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
-  const Setup setup = set_up(scene, overrides);
+namespace {
+
+std::string text_of(const Setup& setup) {
   TextTable table({{"# unknowns"}, {"symbol"}, {"size", TextTable::Align::right}, {"on"}});
   long total = 0;
   for (const BlockSize& block : setup.model->blocks()) {
@@ -21,15 +23,27 @@ int check_command(const std::filesystem::path& scene, const std::vector<std::str
     total += block.size;
   }
   table.add({"# all", "", fmt::format("{}", total), ""});
-  fmt::print("{}\n{}", setup.scene.resolved(), table.text());
+  std::string text = fmt::format("{}\n{}", setup.scene.resolved(), table.text());
   if (const double memory = setup.model->memory(); memory > 0)
-    fmt::print("# a run takes about {} of memory\n", memory_text(memory));
-  for (const std::string& remark : setup.model->remarks()) fmt::print("# {}\n", remark);
+    text += fmt::format("# a run takes about {} of memory\n", memory_text(memory));
+  for (const std::string& remark : setup.model->remarks()) text += fmt::format("# {}\n", remark);
   if (const std::string dropped = dropped_times_text(setup.scene); !dropped.empty())
-    fmt::print("# {}\n", dropped);
-  for (const std::string& idle : idle_keys_texts(setup.scene)) fmt::print("# {}\n", idle);
+    text += fmt::format("# {}\n", dropped);
+  for (const std::string& idle : idle_keys_texts(setup.scene)) text += fmt::format("# {}\n", idle);
   for (const std::string& name : unused_wear_names(setup.scene))
-    fmt::print("# {} is given, but wear.rate does not use it\n", name);
+    text += fmt::format("# {} is given, but wear.rate does not use it\n", name);
+  return text;
+}
+
+std::string checked(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
+  const LiveLine line(making_the_model);
+  return text_of(set_up(scene, overrides));
+}
+
+}  // namespace
+
+int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
+  fmt::print("{}", checked(scene, overrides));
   return success;
 }
 

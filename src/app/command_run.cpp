@@ -12,6 +12,7 @@
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/output_files.hpp"
+#include "app/progress.hpp"
 #include "app/run_end.hpp"
 
 namespace gnomon::app {
@@ -25,7 +26,10 @@ int run_command(const RunOptions& given) {
   const bool earlier = is_taken(options.result);
 
   if (!options.quiet) warn_of_slow_blas();
-  const Setup setup = set_up(std::move(scene));
+  const Setup setup = [&] {
+    const LiveLine line(making_the_model, options.quiet);
+    return set_up(std::move(scene));
+  }();
   if (!options.quiet) {
     print_remarks({dropped_times_text(setup.scene)});
     print_remarks(idle_keys_texts(setup.scene));

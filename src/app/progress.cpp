@@ -73,6 +73,15 @@ std::string progress_text(const HistoryRow& row, double end, double elapsed, std
   return joined(items).substr(0, width);
 }
 
+LiveLine::LiveLine(const std::string& text, bool quiet)
+    : shown_(Progress::mode_for_stderr(quiet) == Progress::Mode::live) {
+  if (shown_) put("\r" + text + "\x1b[K");
+}
+
+LiveLine::~LiveLine() {
+  if (shown_) put("\r\x1b[K");
+}
+
 Progress::Progress(Mode mode, double end) : mode_(mode), end_(end) {
   if (mode_ == Mode::live) put("\rcomputing the equilibrium at t = 0\x1b[K");
 }

@@ -17,6 +17,22 @@ std::string progress_text(const HistoryRow& row, double end, double elapsed,
 /// "0:42", "12:05", "3:00:10".
 std::string clock_text(double seconds);
 
+/// A line on a terminal while something takes long, which is gone when that ends; nothing
+/// elsewhere.
+class LiveLine {
+public:
+  explicit LiveLine(const std::string& text, bool quiet = false);
+  ~LiveLine();
+  LiveLine(const LiveLine&) = delete;
+  LiveLine& operator=(const LiveLine&) = delete;
+
+private:
+  bool shown_;
+};
+
+/// What it says while a mesh is read or made, and the equations on it.
+inline constexpr const char* making_the_model = "making the model";
+
 class Progress {
 public:
   enum class Mode { live, lines, none };

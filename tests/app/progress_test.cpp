@@ -2,7 +2,12 @@
 
 #include "app/progress.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
 
 #include "app/text_table.hpp"
 
@@ -44,6 +49,31 @@ TEST(ProgressText, LeavesOutWholeItemsOnANarrowTerminal) {
 
 TEST(ProgressText, StartHasNoStepYet) {
   EXPECT_EQ(progress_text({}, 1000, 10), "t 0 of 1000 s");
+}
+
+/// What a terminal gets on stderr while `show` runs.
+template <class Show>
+std::string on_a_terminal(const Show& show) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  EXPECT_EQ(grantpt(terminal) + unlockpt(terminal), 0);
+  const int end = open(ptsname(terminal), O_RDWR | O_NOCTTY);
+  const int earlier = dup(STDERR_FILENO);
+  dup2(end, STDERR_FILENO);
+  show();
+  dup2(earlier, STDERR_FILENO);
+  std::string text(1000, '\0');
+  fcntl(terminal, F_SETFL, O_NONBLOCK);
+  const ssize_t count = read(terminal, text.data(), text.size());
+  for (const int file : {terminal, end, earlier}) close(file);
+  return text.substr(0, std::max<ssize_t>(count, 0));
+}
+
+TEST(LiveLine, IsOnATerminalAloneAndGoneAtTheEnd) {
+  EXPECT_EQ(on_a_terminal([] { const LiveLine line("making"); }), "\rmaking\x1b[K\r\x1b[K");
+  EXPECT_EQ(on_a_terminal([] { const LiveLine line("making", true); }), "");
+  testing::internal::CaptureStderr();  // a file
+  { const LiveLine line("making"); }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(ClockText, CountsUpToHours) {
