@@ -1,4 +1,4 @@
-// gnomon compare: a table of results, with the paper's error relative to one of them.
+// gnomon compare: a table of results, with their errors against one of them.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +11,7 @@
 
 #include "app/commands.hpp"
 #include "app/program.hpp"
-#include "app/shape_error.hpp"
+#include "app/result_errors.hpp"
 #include "app/text_table.hpp"
 
 namespace gnomon::app {
@@ -82,16 +82,17 @@ std::string name_and_status(const std::filesystem::path& file, const ResultReade
   return fmt::format("{} (at t = {:g} s: {})", file.filename().string(), t, status);
 }
 
-void add_row(TextTable& table, const std::filesystem::path& file, const ShapeErrors& errors) {
+void add_row(TextTable& table, const std::filesystem::path& file, const ResultErrors& errors) {
   const ResultReader result(file);
   const std::vector<HistoryRow> history = result.history();
   const HistoryRow last = history.empty() ? HistoryRow{} : history.back();
   const Counters& c = last.counters;
+  const ResultError error = errors.against(file, result);
   const auto count = [](long value) { return fmt::format("{}", value); };
   table.add({result.header().integrator, setting(scene_of(result.header(), file)), count(c.steps),
              count(c.rejected_steps), count(c.newton_iterations), count(c.factorizations),
-             fmt::format("{:.2f}", result.wall_seconds()), worn_volume(last),
-             errors.against(file, result), name_and_status(file, result, last.t)});
+             fmt::format("{:.2f}", result.wall_seconds()), worn_volume(last), error.shape,
+             error.pressure, name_and_status(file, result, last.t)});
 }
 
 }  // namespace
@@ -99,7 +100,7 @@ void add_row(TextTable& table, const std::filesystem::path& file, const ShapeErr
 int compare_command(const std::vector<std::filesystem::path>& results,
                     const std::filesystem::path& reference) {
   const std::filesystem::path& chosen = reference.empty() ? results.back() : reference;
-  const ShapeErrors errors{chosen};
+  const ResultErrors errors{chosen};
   TextTable table({{"integrator"},
                    {"setting"},
                    {"steps", Align::right},
@@ -109,11 +110,13 @@ int compare_command(const std::vector<std::filesystem::path>& results,
                    {"wall [s]", Align::right},
                    {"worn volume", Align::right},
                    {"shape error [mm]", Align::right},
+                   {"pressure error [MPa]", Align::right},
                    {"result"}});
   for (const auto& file : results) add_row(table, file, errors);
   fmt::print(
       "{}\nshape error: Euclidean norm of the differences of worn contact-node positions to the\n"
-      "reference, {}, in the last stored state\n",
+      "reference, {}, in the last stored state;\n"
+      "pressure error: largest difference of a nodal contact pressure\n",
       table.text(), chosen.string());
   SceneDifferences differences;
   differences.add(chosen);
