@@ -156,7 +156,7 @@ def check_special_values(folder):
             row["marked"] = []
     reader = rendered("study", folder, uncompared)
     assert len(reader.tables) == 1 and "References" not in reader.texts["h2"]
-    assert texts_of(reader.tables[0][0])[0] == "body.young_modulus"
+    assert texts_of(reader.tables[0][0])[0] == "body.young_modulus MPa"
     assert any(text.startswith("worn volume") for text in texts_of(reader.tables[0][0]))
 
     reader = rendered("study", folder, lambda data: None, {"<b>": Unsuitable("nothing & nobody")})
