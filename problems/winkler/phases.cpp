@@ -15,18 +15,11 @@ namespace {
 
 /// The corners of the functions, and where the flat reverses: there |v| has one.
 std::vector<double> kinks_of(const Cycle& cycle) {
-  std::vector<double> kinks = cycle.kinks();
-  if (const auto& x = cycle.displacement[0]) {
-    const std::vector<double> reversals = sign_changes_in_cycle(
+  std::vector<double> reversals;
+  if (const auto& x = cycle.displacement[0])
+    reversals = sign_changes_in_cycle(
         [&x](double tau, std::span<double> values) { values[0] = x->slope(tau); }, 1);
-    kinks.insert(kinks.end(), reversals.begin(), reversals.end());
-  }
-  std::sort(kinks.begin(), kinks.end());
-  constexpr double same = 1e-9;
-  kinks.erase(
-      std::unique(kinks.begin(), kinks.end(), [](double a, double b) { return b - a < same; }),
-      kinks.end());
-  return kinks;
+  return merged_kinks(cycle.kinks(), reversals);
 }
 
 /// Refuses two keys that say the same, and none of them.

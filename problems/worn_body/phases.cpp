@@ -140,16 +140,7 @@ namespace {
 /// Of the mean over the cycle: corners of the functions, and reversals.
 template <int dim>
 std::vector<double> kinks_of(const PartCycle<dim>& part, const WornBody<dim>& body) {
-  std::vector<double> kinks = part.cycle.kinks();
-  const std::vector<double> rests = reversals(part, body.contact.counter_body);
-  kinks.insert(kinks.end(), rests.begin(), rests.end());
-  std::sort(kinks.begin(), kinks.end());
-  // A corner of a table is also where the velocity changes its sign.
-  constexpr double same = 1e-9;
-  kinks.erase(
-      std::unique(kinks.begin(), kinks.end(), [](double a, double b) { return b - a < same; }),
-      kinks.end());
-  return kinks;
+  return merged_kinks(part.cycle.kinks(), reversals(part, body.contact.counter_body));
 }
 
 }  // namespace

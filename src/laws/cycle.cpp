@@ -62,6 +62,16 @@ std::vector<double> sign_changes_in_cycle(
   return found;
 }
 
+std::vector<double> merged_kinks(std::vector<double> kinks, const std::vector<double>& more) {
+  kinks.insert(kinks.end(), more.begin(), more.end());
+  std::sort(kinks.begin(), kinks.end());
+  constexpr double same = 1e-9;
+  kinks.erase(
+      std::unique(kinks.begin(), kinks.end(), [](double a, double b) { return b - a < same; }),
+      kinks.end());
+  return kinks;
+}
+
 std::vector<double> Cycle::kinks() const {
   std::vector<double> all;
   for (const auto* function :

@@ -7,26 +7,31 @@
 
 namespace gnomon::testing {
 
+/// Of 24 elements along its surface, and `high` below it; groups: bottom, surface.
+inline std::string flat_geometry(int high) {
+  return fmt::format(R"(Point(1) = {{-0.4, -0.4, 0}};
+Point(2) = {{ 0.4, -0.4, 0}};
+Point(3) = {{ 0.4, 0, 0}};
+Point(4) = {{-0.4, 0, 0}};
+Line(1) = {{1, 2}}; Line(2) = {{2, 3}}; Line(3) = {{3, 4}}; Line(4) = {{4, 1}};
+Curve Loop(1) = {{1, 2, 3, 4}};
+Plane Surface(1) = {{1}};
+Transfinite Curve {{1, 3}} = 25;
+Transfinite Curve {{2, 4}} = {};
+Transfinite Surface {{1}};
+Recombine Surface {{1}};
+Physical Curve("bottom") = {{1}};
+Physical Curve("surface") = {{3}};
+Physical Surface("flat") = {{1}};
+)",
+                     high + 1);
+}
+
 class Cycles : public ::testing::Test {
 protected:
   void SetUp() override {
     if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
-    folder_.write("flat.geo", R"(Point(1) = {-0.4, -0.4, 0};
-Point(2) = { 0.4, -0.4, 0};
-Point(3) = { 0.4, 0, 0};
-Point(4) = {-0.4, 0, 0};
-Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
-Curve Loop(1) = {1, 2, 3, 4};
-Plane Surface(1) = {1};
-DefineConstant[ n = 24 ];
-Transfinite Curve {1, 3} = n + 1;
-Transfinite Curve {2, 4} = n / 4 + 1;
-Transfinite Surface {1};
-Recombine Surface {1};
-Physical Curve("bottom") = {1};
-Physical Curve("surface") = {3};
-Physical Surface("flat") = {1};
-)");
+    folder_.write("flat.geo", flat_geometry(6));
   }
 
   /// `motion`: what [cycle] or [counter_body.motion] gives.

@@ -11,7 +11,7 @@
 #include <gnomon/run/summary.hpp>
 #include <nlohmann/json.hpp>
 
-#include "part/part_scene.hpp"
+#include "part/cyclic_flat.hpp"
 
 namespace gnomon {
 namespace {
@@ -25,21 +25,7 @@ class PhaseErrors : public ::testing::Test {
 protected:
   void SetUp() override {
     if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
-    folder_.write("flat.geo", R"(Point(1) = {-0.4, -0.4, 0};
-Point(2) = { 0.4, -0.4, 0};
-Point(3) = { 0.4, 0, 0};
-Point(4) = {-0.4, 0, 0};
-Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
-Curve Loop(1) = {1, 2, 3, 4};
-Plane Surface(1) = {1};
-Transfinite Curve {1, 3} = 25;
-Transfinite Curve {2, 4} = 5;
-Transfinite Surface {1};
-Recombine Surface {1};
-Physical Curve("bottom") = {1};
-Physical Curve("surface") = {3};
-Physical Surface("flat") = {1};
-)");
+    folder_.write("flat.geo", flat_geometry(4));
   }
 
   std::filesystem::path scene(const std::string& phases, const std::string& motion = "") const {
@@ -133,7 +119,9 @@ TEST_F(PhaseErrors, ChooseTheFewestPhasesWithinTheTolerance) {
     EXPECT_GT(phases, last);
     EXPECT_EQ(chosen.scene.reals("cycle.phases"), std::vector<double>{double(phases)});
     EXPECT_LE(estimate(fmt::format("{}", phases)), rtol);
-    if (phases > 4) EXPECT_GT(estimate(fmt::format("{}", phases / 2)), rtol);
+    if (phases > 4) {
+      EXPECT_GT(estimate(fmt::format("{}", phases / 2)), rtol);
+    }
     EXPECT_THAT(chosen.model->remarks().back(),
                 HasSubstr(fmt::format("cycle.phases = \"auto\": {} phases", phases)));
     last = phases;

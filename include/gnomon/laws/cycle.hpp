@@ -48,6 +48,10 @@ struct Cycle {
 std::vector<double> sign_changes_in_cycle(
     const std::function<void(double tau, std::span<double> values)>& functions, std::size_t count);
 
+/// The positions of both, ascending; of those that differ by rounding the first: a corner of a
+/// table is also where a velocity changes its sign.
+std::vector<double> merged_kinks(std::vector<double> kinks, const std::vector<double>& more);
+
 /// A position in the cycle with its part of the mean over the cycle.
 struct CyclePoint {
   double position = 0;  ///< tau
