@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <functional>
 #include <gnomon/laws/cycle_scene.hpp>
 #include <set>
 #include <string>
@@ -50,6 +51,20 @@ void require_forces(const Scene& scene, const std::vector<Phase>& phases) {
           scene.where("cycle.force"), phase.press, phase.position));
 }
 
+/// What a phase stands for, from points of its interval: the whole path, and the mean force or
+/// approach on it.
+void stand_for(const std::vector<CyclePoint>& interval,
+               const std::function<Phase(const CyclePoint&)>& phase_at, Phase& phase) {
+  double path = 0, press = 0;
+  for (const CyclePoint& point : interval) {
+    const Phase at = phase_at(point);
+    path += at.weight * at.speed;
+    press += at.weight * at.speed * at.press;
+  }
+  phase.speed = path / phase.weight;
+  if (path > 0) phase.press = press / path;
+}
+
 }  // namespace
 
 std::vector<Key> phase_keys() {
@@ -80,16 +95,20 @@ std::vector<Phase> read_phases(const Scene& scene) {
   const double speed = scene.real_if("wear.velocity").value_or(0);
   if (!cycle) return {{.speed = speed, .press = force}};
   const auto &x = cycle->displacement[0], &y = cycle->displacement[1];
-  std::vector<Phase> phases;
-  for (const CyclePoint& point : read_cycle_points(scene, kinks_of(*cycle))) {
+  const auto phase_at = [&](const CyclePoint& point) {
     const double tau = point.position;
-    phases.push_back({.position = tau,
-                      .weight = point.weight,
-                      .speed = x ? std::abs(x->slope(tau)) / cycle->period : speed,
-                      .held = y.has_value(),
-                      .press = y              ? y->value(tau)
-                               : cycle->force ? cycle->force->value(tau)
-                                              : force});
+    return Phase{.position = tau,
+                 .weight = point.weight,
+                 .speed = x ? std::abs(x->slope(tau)) / cycle->period : speed,
+                 .held = y.has_value(),
+                 .press = y ? y->value(tau) : cycle->force ? cycle->force->value(tau) : force};
+  };
+  const CycleQuadrature quadrature = read_cycle_quadrature(scene, kinks_of(*cycle));
+  std::vector<Phase> phases;
+  for (const CyclePoint& point : quadrature.points()) phases.push_back(phase_at(point));
+  if (quadrature.stands_for_intervals()) {
+    const auto intervals = quadrature.intervals();
+    for (std::size_t p = 0; p < phases.size(); ++p) stand_for(intervals[p], phase_at, phases[p]);
   }
   if (cycle->force) require_forces(scene, phases);
   if (!(mean_speed(phases) > 0))

@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "phases.hpp"
+
 namespace gnomon::part {
 
 namespace {
@@ -105,7 +107,8 @@ Scene with_speed(const Scene& scene, const std::optional<PartCycle<dim>>& cycle,
   const Vector<dim> point = typical_point<dim>(other, touching);
   rest.motion.reference = point - rest.position;
   if (scene.has("wear.velocity")) return scene;
-  return scene.with("wear.velocity", speed_at<dim>(other, point));
+  return scene.with("wear.velocity",
+                    cycle ? mean_speed(*cycle, body) : speed_at<dim>(other, point));
 }
 
 template <int dim>

@@ -4,7 +4,7 @@
 #include <gnomon/model/worn_body.hpp>
 #include <gnomon/scene/scene.hpp>
 
-#include "phases.hpp"
+#include "part_cycle.hpp"
 
 namespace gnomon::part {
 

@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <gnomon/laws/counter_body_scene.hpp>
 #include <gnomon/laws/cycle_scene.hpp>
 
-#include "histories.hpp"
 #include "model/phase_error.hpp"
 
 namespace gnomon::part {
@@ -18,48 +16,16 @@ namespace {
 constexpr int samples = 64;  // positions at which a cycle is looked at before its phases are known
 
 template <int dim>
-void check_displacement(const Scene& scene, Cycle& cycle) {
-  if (dim == 3 || section_of(scene) == Section::plane) return;
-  for (const char* key : {"cycle.x", "cycle.y"})
-    if (given(scene, key))
-      throw InputError(scene.where(key) +
-                       ": expected only cycle.z, along the axis, in an axisymmetric scene");
-  std::swap(cycle.displacement[1], cycle.displacement[2]);  // coordinates (r, z)
+void require_force(const Scene& scene, const Phase<dim>& phase, double largest) {
+  if (!(*phase.force >= 1e-6 * largest))
+    throw InputError(fmt::format(
+        "{}: expected a force above zero (1e-6 of the largest or more) in every phase, got {:g} at "
+        "tau = {:g}: without a force the place of the counter-body is not determined",
+        scene.where("cycle.force"), *phase.force, phase.position));
 }
 
 template <int dim>
-CycleAxis<dim> read_axis(const Scene& scene, const CounterBody<dim>& body) {
-  CycleAxis<dim> axis;
-  if (!given(scene, "cycle.rotation")) return axis;
-  if (dim == 2 && section_of(scene) == Section::meridian) {
-    axis.meridian = true;
-    return axis;
-  }
-  axis.centre = rotation_center<dim>(scene, "cycle.rotation");
-  axis.spin = rotation_spin<dim>(scene, 1, "cycle.rotation");
-  axis.turns_shape = !turns_into_itself(body.shape, axis.spin, axis.centre);
-  return axis;
-}
-
-/// The force of a free counter-body keeps it where it is.
-template <int dim>
-void take_force(const Scene& scene, const Cycle& cycle, WornBody<dim>& body) {
-  if (!cycle.force) return;
-  if (body.counter_force)
-    throw InputError(scene.where("cycle.force") +
-                     ": expected either cycle.force or counter_body.press.force, got both");
-  if (!given(scene, "counter_body.press.direction"))
-    throw InputError(scene.where("cycle.force") + ": expected also counter_body.press.direction");
-  if (given(scene, "counter_body.press.approach"))
-    throw InputError(scene.where("cycle.force") +
-                     ": expected no counter_body.press.approach beside a force");
-  double most = 0;
-  for (int k = 0; k < samples; ++k) most = std::max(most, cycle.force->value(double(k) / samples));
-  body.counter_force = most;
-}
-
-template <int dim>
-Phase<dim> phase_at(const Scene& scene, const CyclePoint& point, const PartCycle<dim>& part,
+Phase<dim> phase_at(const CyclePoint& point, const PartCycle<dim>& part,
                     const WornBody<dim>& body) {
   const CounterBody<dim>& rest = body.contact.counter_body;
   const double tau = point.position;
@@ -69,32 +35,100 @@ Phase<dim> phase_at(const Scene& scene, const CyclePoint& point, const PartCycle
                    .force = body.counter_force};
   phase.counter_body.motion.reference += rest.position - phase.counter_body.position;
   if (part.cycle.load) phase.load = part.cycle.load->value(tau);
-  if (!part.cycle.force) return phase;
-  phase.force = part.cycle.force->value(tau);
-  if (!(*phase.force >= 1e-6 * *body.counter_force))
-    throw InputError(fmt::format(
-        "{}: expected a force above zero (1e-6 of the largest or more) in every phase, got {:g} at "
-        "tau = {:g}: without a force the place of the counter-body is not determined",
-        scene.where("cycle.force"), *phase.force, tau));
+  if (part.cycle.force) phase.force = part.cycle.force->value(tau);
   return phase;
 }
 
-/// The velocity of its surface at the reference of its motion, the component out of the plane last
-/// [length / time].
 template <int dim>
-Eigen::Matrix<double, dim + 1, 1> velocity_at(const PartCycle<dim>& part,
-                                              const CounterBody<dim>& rest, double tau) {
-  const CounterBody<dim> body = counter_body_at<dim>(rest, part.cycle, part.axis, tau);
-  const Vector<dim> place = rest.motion.reference + rest.position - body.position;
+std::vector<Phase<dim>> phases_at(const std::vector<CyclePoint>& points, const PartCycle<dim>& part,
+                                  const WornBody<dim>& body) {
+  std::vector<Phase<dim>> phases;
+  for (const CyclePoint& point : points) phases.push_back(phase_at(point, part, body));
+  return phases;
+}
+
+/// Velocity of the surface at a point, the component out of the plane last.
+template <int dim>
+Eigen::Matrix<double, dim + 1, 1> velocity_of(const RigidMotion<dim>& motion,
+                                              const Vector<dim>& place) {
   Eigen::Matrix<double, dim + 1, 1> v;
-  v << body.motion.template at<double>(place), body.motion.template across_at<double>(place);
+  v << motion.template at<double>(place), motion.template across_at<double>(place);
   return v;
+}
+
+template <int dim>
+void add(double factor, const RigidMotion<dim>& motion, RigidMotion<dim>& sum) {
+  sum.velocity += factor * motion.velocity;
+  sum.spin += factor * motion.spin;
+  sum.across += factor * motion.across;
+  sum.across_by_x += factor * motion.across_by_x;
+}
+
+/// What a phase stands for, from instants of its interval: the whole path at the reference, in the
+/// direction of the fastest; and the force and load with which it was made, so that their products
+/// with the path are exact. What moves against this direction counts with its path, too.
+template <int dim>
+void stand_for(const std::vector<Phase<dim>>& interval, Phase<dim>& phase) {
+  RigidMotion<dim>& motion = phase.counter_body.motion;
+  const auto velocity = [&](const Phase<dim>& at) {
+    return velocity_of(at.counter_body.motion, motion.reference);
+  };
+  const Phase<dim>& fastest = *std::ranges::max_element(
+      interval, {}, [&](const Phase<dim>& at) { return velocity(at).norm(); });
+  const Eigen::Matrix<double, dim + 1, 1> direction = velocity(fastest);
+  RigidMotion<dim> sum{.reference = motion.reference};
+  double time = 0, path = 0, force = 0, load = 0;
+  for (const Phase<dim>& at : interval) {
+    const auto v = velocity(at);
+    add(v.dot(direction) < 0 ? -at.weight : at.weight, at.counter_body.motion, sum);
+    const double part = direction.isZero(0) ? at.weight : at.weight * v.norm();
+    time += at.weight, path += part;
+    force += part * at.force.value_or(0), load += part * at.load;
+  }
+  motion = {.reference = motion.reference};
+  add(1 / time, sum, motion);
+  if (phase.force) phase.force = force / path;
+  phase.load = load / path;
+}
+
+/// Where a motion reverses, its direction would be that of a rounding error.
+template <int dim>
+void bring_to_rest(std::vector<Phase<dim>>& phases) {
+  constexpr double rounding = 1e-9;
+  double velocity = 0, spin = 0, across = 0, across_by_x = 0;
+  for (const Phase<dim>& phase : phases) {
+    const RigidMotion<dim>& motion = phase.counter_body.motion;
+    velocity = std::max(velocity, motion.velocity.norm());
+    spin = std::max(spin, motion.spin.norm());
+    across = std::max(across, std::abs(motion.across));
+    across_by_x = std::max(across_by_x, motion.across_by_x.norm());
+  }
+  for (Phase<dim>& phase : phases) {
+    RigidMotion<dim>& motion = phase.counter_body.motion;
+    if (motion.velocity.norm() <= rounding * velocity) motion.velocity.setZero();
+    if (motion.spin.norm() <= rounding * spin) motion.spin.setZero();
+    if (std::abs(motion.across) <= rounding * across) motion.across = 0;
+    if (motion.across_by_x.norm() <= rounding * across_by_x) motion.across_by_x.setZero();
+  }
+}
+
+template <int dim>
+std::vector<Phase<dim>> phases_of(const CycleQuadrature& quadrature, const PartCycle<dim>& part,
+                                  const WornBody<dim>& body) {
+  std::vector<Phase<dim>> phases = phases_at(quadrature.points(), part, body);
+  if (quadrature.stands_for_intervals()) {
+    const std::vector<std::vector<CyclePoint>> intervals = quadrature.intervals();
+    for (std::size_t p = 0; p < phases.size(); ++p)
+      stand_for(phases_at(intervals[p], part, body), phases[p]);
+  }
+  bring_to_rest(phases);
+  return phases;
 }
 
 /// Where the speed at the reference is zero and changes its sign, |v| has a kink.
 template <int dim>
-std::vector<double> reversals(const PartCycle<dim>& part, const CounterBody<dim>& rest) {
-  const auto velocity = [&](double tau) { return velocity_at(part, rest, tau); };
+std::vector<double> reversals(const PartCycle<dim>& part, const WornBody<dim>& body) {
+  const auto velocity = [&](double tau) { return surface_velocity(part, body, tau); };
   double most = 0;
   for (int k = 0; k < samples; ++k) most = std::max(most, velocity(double(k) / samples).norm());
   std::vector<double> found = sign_changes_in_cycle(
@@ -108,53 +142,57 @@ std::vector<double> reversals(const PartCycle<dim>& part, const CounterBody<dim>
   return found;
 }
 
-}  // namespace
-
-template <int dim>
-std::optional<PartCycle<dim>> read_part_cycle(const Scene& scene, WornBody<dim>& body) {
-  std::optional<Cycle> cycle = read_cycle(scene);
-  if (!cycle) return {};
-  if (body.contact.counter_body.turning)
-    throw InputError(scene.where("counter_body.motion.rotation") +
-                     ": expected cycle.rotation instead in a scene with a cycle, because the shape "
-                     "changes its place when it turns");
-  check_displacement<dim>(scene, *cycle);
-  take_force(scene, *cycle, body);
-  const CycleAxis<dim> axis = read_axis(scene, body.contact.counter_body);
-  return PartCycle<dim>{std::move(*cycle), axis};
-}
-
-template <int dim>
-std::vector<CounterBody<dim>> instants(const WornBody<dim>& body,
-                                       const std::optional<PartCycle<dim>>& cycle) {
-  const CounterBody<dim>& rest = body.contact.counter_body;
-  if (!cycle) return {rest};
-  std::vector<CounterBody<dim>> result;
-  for (int k = 0; k < samples; ++k)
-    result.push_back(counter_body_at<dim>(rest, cycle->cycle, cycle->axis, (k + 0.5) / samples));
-  return result;
-}
-
-namespace {
-
 /// Of the mean over the cycle: corners of the functions, and reversals.
 template <int dim>
 std::vector<double> kinks_of(const PartCycle<dim>& part, const WornBody<dim>& body) {
-  return merged_kinks(part.cycle.kinks(), reversals(part, body.contact.counter_body));
+  return merged_kinks(part.cycle.kinks(), reversals(part, body));
+}
+
+template <int dim>
+void remark_on_means(const CycleQuadrature& quadrature, double tolerance, WornBody<dim>& body) {
+  const double error =
+      error_of_motion(body.cycle, body.phase_set(body, {PhaseSet::Kind::fine}));
+  if (!(error > tolerance)) return;
+  const std::string parts =
+      quadrature.parts() > 0
+          ? fmt::format(" (the cycle has {} corners and reversals)", quadrature.parts())
+          : "";
+  body.remarks.push_back(fmt::format(
+      "cycle.phases: the mean of speed or force over {} phases has an error of {:.2g} %{}; take "
+      "more phases",
+      body.cycle.size(), 100 * error, parts));
 }
 
 }  // namespace
 
 template <int dim>
+Eigen::Matrix<double, dim + 1, 1> surface_velocity(const PartCycle<dim>& part,
+                                                   const WornBody<dim>& body, double tau) {
+  const Phase<dim> phase = phase_at({.position = tau}, part, body);
+  const RigidMotion<dim>& motion = phase.counter_body.motion;
+  return velocity_of(motion, motion.reference);
+}
+
+template <int dim>
+double mean_speed(const PartCycle<dim>& part, const WornBody<dim>& body) {
+  double sum = 0;
+  for (const CyclePoint& point : CycleQuadrature(1, kinks_of(part, body)).fine_points())
+    sum += point.weight * surface_velocity(part, body, point.position).norm();
+  return sum;
+}
+
+template <int dim>
 void make_phases(const Scene& scene, const PartCycle<dim>& part, WornBody<dim>& body) {
-  body.refined_cycle = [scene, part, kinks = kinks_of(part, body)](const WornBody<dim>& of,
-                                                                   int refinement) {
-    std::vector<Phase<dim>> phases;
-    for (const CyclePoint& point : read_cycle_points(scene, kinks, refinement))
-      phases.push_back(phase_at(scene, point, part, of));
-    return phases;
+  const CycleQuadrature quadrature = read_cycle_quadrature(scene, kinks_of(part, body));
+  body.phase_set = [part, quadrature](const WornBody<dim>& of, const PhaseSet& set) {
+    const CycleQuadrature finer = quadrature.refined(set.times);
+    if (set.kind == PhaseSet::Kind::fine) return phases_at(finer.fine_points(), part, of);
+    return phases_of(set.kind == PhaseSet::Kind::own ? finer : finer.comparison(), part, of);
   };
-  body.cycle = body.refined_cycle(body, 1);
+  body.cycle = body.phase_set(body, {});
+  if (part.cycle.force)
+    for (const Phase<dim>& phase : body.cycle) require_force(scene, phase, *body.counter_force);
+  remark_on_means(quadrature, phase_tolerance(scene), body);
 }
 
 template <int dim>
@@ -182,43 +220,17 @@ std::shared_ptr<WornBody<dim>> with_chosen_phases(
   return body;
 }
 
-template <int dim>
-void require_gross_sliding(const Scene& scene, const PartCycle<dim>& cycle,
-                           const WornBody<dim>& body) {
-  const double friction = scene.real("friction.coefficient"), nu = scene.real("body.poisson_ratio");
-  const CounterBody<dim>& rest = body.contact.counter_body;
-  const auto velocity = [&](double tau) { return velocity_at(cycle, rest, tau); };
-  int reversals = 0;
-  double path = 0;
-  for (int k = 0; k < samples; ++k) {
-    const auto v = velocity((k + 0.5) / samples);
-    if (v.dot(velocity(k + 1 == samples ? 0.5 / samples : (k + 1.5) / samples)) < 0) ++reversals;
-    path += v.norm() * cycle.cycle.period / samples;
-  }
-  if (reversals == 0) return;
-  const double amplitude = path / reversals / 2;
-  const double shear = friction * (2 - nu) / (2 * (1 - nu)) * body.scales.displacement;
-  if (amplitude < shear)
-    throw InputError(fmt::format(
-        "{}: expected bodies that slide over the whole contact, but the amplitude of the motion, "
-        "{:.2g} mm, is less than the elastic shear of the contact, about {:.2g} mm: a part of it "
-        "would stick (partial slip), which depends on the path within the cycle",
-        scene.where("friction.coefficient"), amplitude, shear));
-}
-
-template std::optional<PartCycle<2>> read_part_cycle(const Scene&, WornBody<2>&);
-template std::optional<PartCycle<3>> read_part_cycle(const Scene&, WornBody<3>&);
-template std::vector<CounterBody<2>> instants(const WornBody<2>&,
-                                              const std::optional<PartCycle<2>>&);
-template std::vector<CounterBody<3>> instants(const WornBody<3>&,
-                                              const std::optional<PartCycle<3>>&);
 template void make_phases(const Scene&, const PartCycle<2>&, WornBody<2>&);
 template void make_phases(const Scene&, const PartCycle<3>&, WornBody<3>&);
 template std::shared_ptr<WornBody<2>> with_chosen_phases(
     const Scene&, const std::function<std::shared_ptr<WornBody<2>>(long)>&);
 template std::shared_ptr<WornBody<3>> with_chosen_phases(
     const Scene&, const std::function<std::shared_ptr<WornBody<3>>(long)>&);
-template void require_gross_sliding(const Scene&, const PartCycle<2>&, const WornBody<2>&);
-template void require_gross_sliding(const Scene&, const PartCycle<3>&, const WornBody<3>&);
+template Eigen::Matrix<double, 3, 1> surface_velocity(const PartCycle<2>&, const WornBody<2>&,
+                                                      double);
+template Eigen::Matrix<double, 4, 1> surface_velocity(const PartCycle<3>&, const WornBody<3>&,
+                                                      double);
+template double mean_speed(const PartCycle<2>&, const WornBody<2>&);
+template double mean_speed(const PartCycle<3>&, const WornBody<3>&);
 
 }  // namespace gnomon::part

@@ -18,6 +18,7 @@
 #include <map>
 
 #include "conflicts.hpp"
+#include "gross_sliding.hpp"
 #include "groups.hpp"
 #include "histories.hpp"
 #include "keys.hpp"

@@ -74,7 +74,7 @@ std::vector<Key> press_keys(std::size_t dim) {
        .unit = "mm",
        .presence = optional,
        .absent_meaning = "it does not move",
-       .or_single = true,
+       .or_single = Range{},
        .help = "how far it has moved along press.direction: one number, or numbers at press.times, "
                "straight between them"},
       {.name = "counter_body.press.times",

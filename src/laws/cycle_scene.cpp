@@ -42,7 +42,7 @@ std::vector<Key> make_keys() {
            .presence = optional,
            .absent_meaning = "needed by cycle.period",
            .range = {.min = 0, .max = most_phases},
-           .or_single = true,
+           .or_single = Range{.min = 1, .max = most_phases},
            .or_text = "auto",
            .help = "phases of a cycle: their number, their positions in [0, 1), ascending, or "
                    "\"auto\": a number that fits integrator.rtol"},
@@ -180,8 +180,7 @@ std::optional<Cycle> read_cycle(const Scene& scene) {
   return cycle;
 }
 
-std::vector<CyclePoint> read_cycle_points(const Scene& scene, const std::vector<double>& kinks,
-                                          int refinement) {
+CycleQuadrature read_cycle_quadrature(const Scene& scene, std::vector<double> kinks) {
   if (chooses_phases(scene))
     throw InputError(scene.where("cycle.phases") +
                      ": expected a number of phases, or positions: this problem does not choose "
@@ -196,14 +195,12 @@ std::vector<CyclePoint> read_cycle_points(const Scene& scene, const std::vector<
   if (phases.empty()) refuse("none");
   if (phases.size() == 1 && phases[0] >= 1) {
     if (phases[0] != std::round(phases[0])) refuse(fmt::format("{}", phases[0]));
-    return cycle_points(refinement * static_cast<int>(phases[0]), kinks);
+    return {static_cast<int>(phases[0]), std::move(kinks)};
   }
   for (std::size_t p = 0; p < phases.size(); ++p)
     if (!(phases[p] < 1) || (p > 0 && !(phases[p] > phases[p - 1])))
       refuse(fmt::format("{} at place {}", phases[p], p + 1));
-  std::vector<double> positions = phases;
-  for (int finer = 1; finer < refinement; finer *= 2) positions = with_middles(positions);
-  return cycle_points(positions);
+  return {phases, std::move(kinks)};
 }
 
 bool chooses_phases(const Scene& scene) {

@@ -1,13 +1,13 @@
 #include "model/phase_error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/processes.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <limits>
-#include <span>
 
 #include "model/wear_start.hpp"
 
@@ -121,7 +121,8 @@ std::vector<double> FixedShape<dim>::mean_rate(const std::vector<Phase<dim>>& ph
   std::vector<Phase<dim>> unknown;
   for (const Phase<dim>& phase : phases)
     if (!is_known(phase.position)) unknown.push_back(phase);
-  const std::size_t at_a_time = std::max(body_->cycle.size(), (phases.size() + 1) / 2);
+  constexpr std::size_t cheap = 16;
+  const std::size_t at_a_time = std::max(body_->cycle.size(), cheap);
   for (std::size_t first = 0; first < unknown.size(); first += at_a_time) {
     const std::size_t count = std::min(at_a_time, unknown.size() - first);
     const auto begin = unknown.begin() + static_cast<std::ptrdiff_t>(first);
@@ -135,50 +136,91 @@ std::vector<double> FixedShape<dim>::mean_rate(const std::vector<Phase<dim>>& ph
   return mean;
 }
 
-std::optional<double> relative_difference(const std::vector<double>& areas,
-                                          const std::vector<double>& coarse,
-                                          const std::vector<double>& fine) {
-  double difference = 0, whole = 0;
+namespace {
+
+template <int dim>
+double mean(const std::vector<Phase<dim>>& phases, const auto& f) {
+  double sum = 0;
+  for (const Phase<dim>& phase : phases) sum += phase.weight * f(phase);
+  return sum;
+}
+
+/// Volumes per time.
+struct RateDifference {
+  double difference = 0;  ///< of mean wear rates, its absolute value summed up over the surface
+  double whole = 0;       ///< of the second
+};
+
+RateDifference compare_rates(const std::vector<double>& areas, const std::vector<double>& coarse,
+                             const std::vector<double>& fine) {
+  RateDifference result;
   for (std::size_t c = 0; c < areas.size(); ++c) {
-    difference += areas[c] * std::abs(coarse[c] - fine[c]);
-    whole += areas[c] * std::abs(fine[c]);
+    result.difference += areas[c] * std::abs(coarse[c] - fine[c]);
+    result.whole += areas[c] * std::abs(fine[c]);
   }
-  difference = sum_over_processes(difference), whole = sum_over_processes(whole);
-  return whole > 0 ? std::optional(difference / whole) : std::nullopt;
+  return {sum_over_processes(result.difference), sum_over_processes(result.whole)};
+}
+
+}  // namespace
+
+template <int dim>
+double error_of_motion(const std::vector<Phase<dim>>& phases, const std::vector<Phase<dim>>& fine) {
+  using Function = double (*)(const Phase<dim>&);
+  constexpr Function speed = [](const Phase<dim>& phase) {
+    return phase.counter_body.motion.nominal_speed(Vector<dim>::Zero());
+  };
+  const std::array<Function, 3> functions = {
+      speed, [](const Phase<dim>& phase) { return phase.force.value_or(0) * speed(phase); },
+      [](const Phase<dim>& phase) { return phase.load * speed(phase); }};
+  double error = 0;
+  for (const Function f : functions) {
+    const double size = mean(fine, [&](const Phase<dim>& phase) { return std::abs(f(phase)); });
+    if (size > 0) error = std::max(error, std::abs(mean(phases, f) - mean(fine, f)) / size);
+  }
+  return error;
 }
 
 template <int dim>
 PhaseError choose_phases(std::shared_ptr<const WornBody<dim>> body, double tolerance, long most) {
-  FixedShape<dim> shape(body);
-  PhaseError chosen{0, static_cast<long>(body->cycle.size()),
-                    std::numeric_limits<double>::infinity()};
-  std::vector<double> coarse = shape.mean_rate(body->cycle);
-  for (int refinement = 2; chosen.phases < most; refinement *= 2) {
-    const std::vector<double> fine = shape.mean_rate(body->refined_cycle(*body, refinement));
+  using enum PhaseSet::Kind;
+  const std::vector<Phase<dim>> instants = body->phase_set(*body, {fine});
+  for (int times = 1;; times *= 2) {
+    const std::vector<Phase<dim>> phases = body->phase_set(*body, {own, times});
+    const auto count = static_cast<long>(phases.size());
+    if (count >= most) return {0, count, std::numeric_limits<double>::infinity()};
+    const double of_motion = error_of_motion(phases, instants);
+    if (of_motion > tolerance) continue;
+    FixedShape<dim> shape(body);
+    const std::vector<double> mean = shape.mean_rate(phases);
+    const auto [difference, whole] = compare_rates(
+        shape.areas(), mean, shape.mean_rate(body->phase_set(*body, {comparison, times})));
     // Where nothing wears, the phases may all have missed the contact.
-    if (const auto error = relative_difference(shape.areas(), coarse, fine);
-        error && *error <= tolerance)
-      return {0, chosen.phases, *error};
-    chosen.phases *= 2;
-    coarse = fine;
+    if (whole > 0 && difference <= tolerance * whole)
+      return {0, count, std::max(of_motion, difference / whole)};
   }
-  return chosen;
 }
 
 template <int dim>
 std::optional<PhaseError> WearModel<dim>::phase_error(const State& state) const {
-  if (!body().refined_cycle) return {};
+  if (!body().phase_set) return {};
+  using enum PhaseSet::Kind;
   const FieldValues<dim> values = system_.values(state.t, state.y);
   FixedShape<dim> shape(state.t, equations_, values, contacts(values, state));
-  const std::vector<double> coarse = shape.mean_rate(body().cycle);
-  const std::vector<double> fine = shape.mean_rate(body().refined_cycle(body(), 2));
-  const auto error = relative_difference(shape.areas(), coarse, fine);
-  if (!error) return {};
-  return PhaseError{state.t, phases(), *error};
+  const std::vector<double> mean = shape.mean_rate(body().cycle);
+  auto [difference, whole] =
+      compare_rates(shape.areas(), mean, shape.mean_rate(body().phase_set(body(), {comparison})));
+  // Bodies that hardly touch any more: what is lost is then small beside what is worn already.
+  if (state.t > 0)
+    whole = std::max(whole, observe(state).worn_volume.value() / (body().copies * state.t));
+  if (!(whole > 0)) return {};
+  const double of_motion = error_of_motion(body().cycle, body().phase_set(body(), {fine}));
+  return PhaseError{state.t, phases(), std::max(of_motion, difference / whole)};
 }
 
 template class FixedShape<2>;
 template class FixedShape<3>;
+template double error_of_motion(const std::vector<Phase<2>>&, const std::vector<Phase<2>>&);
+template double error_of_motion(const std::vector<Phase<3>>&, const std::vector<Phase<3>>&);
 template PhaseError choose_phases(std::shared_ptr<const WornBody<2>>, double, long);
 template PhaseError choose_phases(std::shared_ptr<const WornBody<3>>, double, long);
 template std::optional<PhaseError> WearModel<2>::phase_error(const State&) const;

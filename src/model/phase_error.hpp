@@ -1,4 +1,4 @@
-// The error of the mean over the phases of a cycle, estimated with twice as many.
+// The error of the mean over the phases of a cycle, estimated with other phases.
 #pragma once
 
 #include <gnomon/base/counters.hpp>
@@ -11,7 +11,7 @@ namespace gnomon {
 
 /// The deformation of a body in any phases of its cycle, at a fixed shape and time. What is known
 /// of some phases gives the first guesses for others. At most as many phases as the body has, or
-/// half of those that are asked for, are solved at a time, for they take memory.
+/// some, are solved at a time, for they take memory.
 template <int dim>
 class FixedShape {
 public:
@@ -49,15 +49,14 @@ private:
   std::vector<double> areas_;
 };
 
-/// The difference of mean wear rates as a part of the finer one, each the sum over the surface;
-/// nothing where nothing wears.
-std::optional<double> relative_difference(const std::vector<double>& areas,
-                                          const std::vector<double>& coarse,
-                                          const std::vector<double>& fine);
+/// The error of the means of speed, and of its products with force and load, over the phases:
+/// against `fine` ones, as a part of the latter. Nothing is solved.
+template <int dim>
+double error_of_motion(const std::vector<Phase<dim>>& phases, const std::vector<Phase<dim>>& fine);
 
-/// Twice, four times, ... as many phases as the body has, until the error at the initial shape is
-/// within the tolerance, or until there are `most`. The error is absent where nothing wears, and
-/// infinite where it is not known, because no more phases are tried. Throws SolutionError.
+/// As many phases as the body has, twice, four times, ... until the error at the initial shape is
+/// within the tolerance, or until there are `most`: then the error is infinite, because it is not
+/// known. Throws SolutionError.
 template <int dim>
 PhaseError choose_phases(std::shared_ptr<const WornBody<dim>> body, double tolerance, long most);
 

@@ -22,6 +22,10 @@ bool is_integral(KeyKind kind) {
   return kind == KeyKind::integer || kind == KeyKind::integers;
 }
 
+bool has_limits(const Range& range) {
+  return !std::isinf(range.min) || !std::isinf(range.max);
+}
+
 std::string interval(const Range& range) {
   return fmt::format("{}{:g}, {:g}{}", range.min_open || std::isinf(range.min) ? '(' : '[',
                      range.min, range.max, range.max_open || std::isinf(range.max) ? ')' : ']');
@@ -34,11 +38,13 @@ std::string number_expectation(const Key& key) {
                       : fmt::format("an array of {}s", text);
   else
     text = (is_integral(key.kind) ? "an " : "a ") + text;
-  if (key.or_single) text = "a number, or " + text;
-  if (std::isinf(key.range.min) && std::isinf(key.range.max))
-    text += is_integral(key.kind) ? "" : ", finite";
-  else
+  if (key.or_single)
+    text = (has_limits(*key.or_single) ? "a number in " + interval(*key.or_single) : "a number") +
+           ", or " + text;
+  if (has_limits(key.range))
     text += " in " + interval(key.range);
+  else
+    text += is_integral(key.kind) ? "" : ", finite";
   if (!key.unit.empty()) text += " [" + key.unit + "]";
   if (!key.or_text.empty()) text += ", or " + toml_text(key.or_text);
   return text;
@@ -74,7 +80,8 @@ std::variant<SceneValue, Complaint> check_number(const Key& key, const RawValue&
 template <class T>
 std::variant<SceneValue, Complaint> check_numbers(const Key& key, const RawValue& raw) {
   if (const auto* scalar = std::get_if<RawScalar>(&raw.content); scalar && key.or_single)
-    if (const auto value = number<T>(key, *scalar)) return SceneValue(std::vector<T>{*value});
+    if (const auto value = number<T>(key, *scalar); value && inside(*key.or_single, *value))
+      return SceneValue(std::vector<T>{*value});
   if (!key.or_text.empty())
     if (const auto* scalar = std::get_if<RawScalar>(&raw.content))
       if (const auto* text = std::get_if<std::string>(scalar); text && *text == key.or_text)

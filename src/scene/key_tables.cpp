@@ -144,7 +144,7 @@ std::vector<Key> output_keys() {
        .kind = KeyKind::flag,
        .presence = defaulted,
        .default_value = true,
-       .help = "estimate the error of the mean over the phases of a cycle, with twice as many, at "
+       .help = "estimate the error of the mean over the phases of a cycle, with other ones, at "
                "the start and at the end of the run",
        .applies = has_cycle},
   };

@@ -1,5 +1,4 @@
-// Cycles of motion and load: functions of the position, quadrature, and the counter-body in a
-// phase.
+// Cycles of motion and load: functions of the position, the counter-body in a phase, and [cycle].
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,12 +23,6 @@ CycleFunction function(const std::string& text) {
   names.constants["pi"] = std::numbers::pi;
   names.tables.emplace("triangle", PiecewiseLinear({0, 0.25, 0.75, 1}, {0, 2, -2, 0}));
   return CycleFunction(Expression(text, names));
-}
-
-double mean(const std::vector<CyclePoint>& points, const auto& f) {
-  double sum = 0;
-  for (const CyclePoint& point : points) sum += point.weight * f(point.position);
-  return sum;
 }
 
 TEST(CycleFunction, SlopeIsTheDerivative) {
@@ -63,57 +56,6 @@ TEST(CycleFunction, WholeTurnsAreNoJump) {
   EXPECT_THAT(cycle.kinks(), testing::IsEmpty());
   cycle.displacement[0] = function("2*pi*tau");
   EXPECT_THAT(cycle.kinks(), ElementsAre(0));
-}
-
-// The trapezoidal rule integrates trigonometric polynomials below degree P exactly.
-TEST(CyclePoints, EqualOnesAreExactForTrigonometricPolynomials) {
-  const std::vector<CyclePoint> points = cycle_points(8, {});
-  ASSERT_EQ(points.size(), 8u);
-  for (int degree = 1; degree < 8; ++degree)
-    EXPECT_NEAR(mean(points, [&](double tau) { return std::cos(2 * M_PI * degree * tau + 1); }), 0,
-                1e-14);
-  EXPECT_NEAR(mean(points, [](double tau) { return std::cos(2 * M_PI * 8 * tau); }), 1, 1e-14);
-}
-
-// Gauss's formula with n points is exact for polynomials of degree 2 n - 1 between the kinks.
-TEST(CyclePoints, GaussBetweenKinksIsExactForPieces) {
-  const std::vector<double> kinks = {0.2, 0.8};
-  const std::vector<CyclePoint> points = cycle_points(10, kinks);
-  ASSERT_EQ(points.size(), 10u);
-  const auto piece =
-      [](double tau) {  // a parabola in one part, a cubic around the end in the other
-        const double s = tau < 0.5 ? tau : tau - 1;
-        return tau > 0.2 && tau < 0.8 ? tau * tau : s * s * s + 0.5;
-      };
-  const double exact = (0.512 - 0.008) / 3 + 0.5 * 0.4;
-  EXPECT_NEAR(mean(points, piece), exact, 1e-14);
-  EXPECT_TRUE(std::ranges::is_sorted(points, {}, &CyclePoint::position));
-}
-
-// |cos| has its kinks where the motion reverses: spectral between them, of order two without.
-TEST(CyclePoints, KinksMatterForTheMeanSpeed) {
-  const auto speed = [](double tau) { return std::abs(std::cos(2 * M_PI * tau)); };
-  EXPECT_NEAR(mean(cycle_points(16, {0.25, 0.75}), speed), 2 / M_PI, 1e-12);
-  const double coarse = std::abs(mean(cycle_points(18, {}), speed) - 2 / M_PI);
-  const double fine = std::abs(mean(cycle_points(38, {}), speed) - 2 / M_PI);
-  EXPECT_GT(fine, 1e-5);
-  EXPECT_NEAR(std::log(coarse / fine) / std::log(38.0 / 18), 2, 0.2);
-}
-
-TEST(CyclePoints, ChosenPositionsHaveHalfOfTheirDistances) {
-  const std::vector<CyclePoint> points = cycle_points({0.1, 0.2, 0.6});
-  EXPECT_THAT(
-      (std::vector{points[0].weight, points[1].weight, points[2].weight}),
-      ElementsAre(DoubleNear(0.3, 1e-15), DoubleNear(0.25, 1e-15), DoubleNear(0.45, 1e-15)));
-}
-
-TEST(CyclePoints, MiddlesGoAroundTheCycle) {
-  EXPECT_THAT(with_middles({0.1, 0.2, 0.6}),
-              ElementsAre(DoubleNear(0.1, 1e-15), DoubleNear(0.15, 1e-15), DoubleNear(0.2, 1e-15),
-                          DoubleNear(0.4, 1e-15), DoubleNear(0.6, 1e-15), DoubleNear(0.85, 1e-15)));
-  EXPECT_THAT(with_middles({0.4, 0.9}),
-              ElementsAre(DoubleNear(0.15, 1e-15), 0.4, DoubleNear(0.65, 1e-15), 0.9));
-  EXPECT_THAT(with_middles({0.3}), ElementsAre(0.3, DoubleNear(0.8, 1e-15)));
 }
 
 // The velocity of a point of the surface is the derivative of where the motion carries it.
@@ -174,7 +116,7 @@ Scene scene_of(const std::string& text, const std::filesystem::path& folder = {}
 std::string refusal(const std::string& text) {
   try {
     const Scene scene = scene_of(text);
-    if (read_cycle(scene)) read_cycle_points(scene, {});
+    if (read_cycle(scene)) read_cycle_quadrature(scene, {});
   } catch (const InputError& error) {
     return error.what();
   }
@@ -189,7 +131,7 @@ TEST(CycleScene, ReadsExpressionsAndTables) {
   ASSERT_TRUE(cycle);
   EXPECT_DOUBLE_EQ(cycle->displacement[0]->value(0.25), 0.5);
   EXPECT_DOUBLE_EQ(cycle->displacement[0]->slope(0.25), 2);
-  EXPECT_EQ(read_cycle_points(scene, {}).size(), 4u);
+  EXPECT_EQ(read_cycle_quadrature(scene, {}).points().size(), 4u);
 }
 
 TEST(CycleScene, PhasesAreAutoOrNumbers) {
@@ -200,8 +142,12 @@ TEST(CycleScene, PhasesAreAutoOrNumbers) {
   EXPECT_TRUE(chooses_phases(chooses));
   EXPECT_FALSE(chooses_phases(scene("8")));
   EXPECT_TRUE(chooses_phases(reread(chooses.resolved())));
-  EXPECT_EQ(read_cycle_points(with_phases(chooses, 8), {}, 2).size(), 16u);
-  EXPECT_EQ(read_cycle_points(scene("[0.0, 0.5]"), {}, 4).size(), 8u);
+  const auto count = [](const Scene& of, int times) {
+    return read_cycle_quadrature(of, {}).refined(times).points().size();
+  };
+  EXPECT_EQ(count(with_phases(chooses, 8), 2), 16u);
+  EXPECT_EQ(count(scene("[0.0, 0.5]"), 4), 8u);
+  EXPECT_EQ(count(scene("[0.25]"), 1), 1u);
   EXPECT_THAT(refusal("[cycle]\nperiod = 1.0\nphases = \"auto\"\n"),
               HasSubstr("this problem does not choose them"));
   EXPECT_THAT(refusal("[cycle]\nperiod = 1.0\nphases = \"many\"\n"), HasSubstr("or \"auto\", got"));
@@ -261,6 +207,8 @@ TEST(CycleScene, RefusesWhatItCannotUse) {
   EXPECT_THAT(refusal("[cycle]\nx = \"tau\"\n"), HasSubstr("cycle.x`: expected also cycle.period"));
   EXPECT_THAT(refusal(begin), HasSubstr("expected also cycle.phases"));
   EXPECT_THAT(refusal(begin + "phases = 2.5\n"), HasSubstr("got 2.5"));
+  EXPECT_THAT(refusal(begin + "phases = 0\n"), HasSubstr("expected a number in [1, 4096], or"));
+  EXPECT_THAT(refusal(begin + "phases = 0.5\n"), HasSubstr("got 0.5"));
   EXPECT_THAT(refusal(begin + "phases = [0.5, 0.2]\n"), HasSubstr("got 0.2 at place 2"));
   EXPECT_THAT(refusal(begin + "phases = []\n"), HasSubstr("got none"));
   EXPECT_THAT(refusal(begin + "phases = 4\nx = \"sin(t)\"\n"), HasSubstr("unknown name \"t\""));

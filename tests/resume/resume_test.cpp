@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <gnomon/base/error.hpp>
+#include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/run/summary.hpp>
 
 #include "resume/runs.hpp"
@@ -119,6 +120,29 @@ TEST_F(Resume, BdfGoesOnToItsTolerance) {
   const double deepest = *std::max_element(expected.begin(), expected.end());
   for (std::size_t i = 0; i < depth.size(); ++i)
     EXPECT_NEAR(depth[i], expected[i], 1e-4 * deepest) << i;
+}
+
+// Of a cycle whose number of phases was chosen: it keeps this number.
+TEST_F(Resume, OfACycleIsTheUninterruptedRunByteByByte) {
+  if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
+  const std::string flat = "worn_body/cylinder_on_flat.toml";
+  for (const char* phases : {"4", "\"auto\""}) {
+    SCOPED_TRACE(phases);
+    const Overrides overrides = {"mesh.factor=4",       "time.cycles=2000",
+                                 "output.times=[700]",  "integrator.rtol=1e-2",
+                                 "output.checkpoints=2", std::string("cycle.phases=") + phases};
+    const RunOutcome whole = run_scene(flat, overrides, file("whole"));
+    ASSERT_EQ(whole.status, RunOutcome::Status::finished);
+    ASSERT_GE(whole.counters.steps, 4);
+    for (const long cut : {1L, whole.counters.steps - 1}) {
+      run_scene(flat, overrides, file("cut"), cut, Cut::killed);
+      ASSERT_EQ(resume(file("cut")), 0);
+      expect_same(file("cut"), file("whole"));
+    }
+    const auto errors = ResultReader(file("cut")).phase_errors();
+    ASSERT_EQ(errors.size(), 2u);
+    EXPECT_EQ(errors[0].error, ResultReader(file("whole")).phase_errors()[0].error);
+  }
 }
 
 TEST_F(Resume, GoesOnToALaterEnd) {

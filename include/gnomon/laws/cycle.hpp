@@ -1,14 +1,12 @@
-// Motion and load that repeat: their functions of the position in a cycle, the phases at which they
-// are taken, and the counter-body in a phase (docs/cycles.md; the paper, sec. 2.1: the time scale
-// of the deformation).
+// Motion and load that repeat: their functions of the position in a cycle, and the counter-body at a
+// position (docs/cycles.md; the paper, sec. 2.1: the time scale of the deformation). The positions
+// of the phases: cycle_quadrature.hpp.
 #pragma once
 
 #include <array>
-#include <functional>
 #include <gnomon/laws/counter_body.hpp>
 #include <gnomon/scene/expression.hpp>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace gnomon {
@@ -42,33 +40,6 @@ struct Cycle {
   /// Positions in [0, 1), ascending, at which one of the functions may have a corner or a jump.
   std::vector<double> kinks() const;
 };
-
-/// Positions in [0, 1), ascending, at which one of `count` functions of the position changes its
-/// sign, also from the end of the cycle to its begin (sign_changes.hpp).
-std::vector<double> sign_changes_in_cycle(
-    const std::function<void(double tau, std::span<double> values)>& functions, std::size_t count);
-
-/// The positions of both, ascending; of those that differ by rounding the first: a corner of a
-/// table is also where a velocity changes its sign.
-std::vector<double> merged_kinks(std::vector<double> kinks, const std::vector<double>& more);
-
-/// A position in the cycle with its part of the mean over the cycle.
-struct CyclePoint {
-  double position = 0;  ///< tau
-  double weight = 1;    ///< omega; the sum over the points is 1
-};
-
-/// Points of a quadrature over the cycle, ascending. Without kinks equal weights at 0, 1/P, ...:
-/// spectrally accurate for a smooth periodic integrand. With kinks, at which the integrand has
-/// corners, Gauss's formula between them, with about as many points in each part as its length
-/// demands, one or more; with fewer points than parts, equal weights.
-std::vector<CyclePoint> cycle_points(int count, const std::vector<double>& kinks);
-/// The same at chosen positions in [0, 1), ascending: each has half of the distances to its
-/// neighbours, around the cycle.
-std::vector<CyclePoint> cycle_points(const std::vector<double>& positions);
-
-/// Chosen positions and the middles between them, around the cycle; all in [0, 1), ascending.
-std::vector<double> with_middles(const std::vector<double>& positions);
 
 /// The axis about which Cycle::rotation turns a counter-body: through `centre`, in the coordinates
 /// of its shape.

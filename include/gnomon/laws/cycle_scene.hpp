@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gnomon/laws/cycle.hpp>
+#include <gnomon/laws/cycle_quadrature.hpp>
 #include <gnomon/scene/scene.hpp>
 #include <optional>
 #include <vector>
@@ -15,11 +16,9 @@ const std::vector<Key>& cycle_keys();
 /// InputError for an expression or a file that cannot be read, and for keys without a period.
 std::optional<Cycle> read_cycle(const Scene& scene);
 
-/// The phases of cycle.phases: so many, as cycle_points() distributes them between the `kinks`, or
-/// at chosen positions. With a `refinement`, a power of two, so many times as many: between chosen
-/// positions their middles. Throws InputError, also where the program is to choose their number.
-std::vector<CyclePoint> read_cycle_points(const Scene& scene, const std::vector<double>& kinks,
-                                          int refinement = 1);
+/// cycle.phases: so many phases, or at chosen positions, of a cycle with these kinks. Throws
+/// InputError, also where the program is to choose their number.
+CycleQuadrature read_cycle_quadrature(const Scene& scene, std::vector<double> kinks);
 
 /// Whether the program is to choose the number of phases: cycle.phases = "auto".
 bool chooses_phases(const Scene& scene);

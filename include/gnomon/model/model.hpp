@@ -71,7 +71,7 @@ struct BlockSize {
 struct PhaseError {
   double t = 0;      ///< of the state [time]
   long phases = 0;   ///< P
-  double error = 0;  ///< of the mean wear rate over P phases against that over 2 P, relative
+  double error = 0;  ///< of the mean wear rate over P phases, relative
 };
 
 class Model {
@@ -96,8 +96,9 @@ public:
   virtual std::function<double(const Point&)> wear_flux() const { return {}; }
   /// Of a cycle: at how many phases the deformation is taken.
   virtual long phases() const { return 1; }
-  /// Of a cycle: the error of the mean over its phases at a consistent state, estimated with twice
-  /// as many. Absent without a cycle, and where nothing wears. Throws InputError or SolutionError
+  /// Of a cycle: the error of the mean over its phases at a consistent state, estimated with others,
+  /// as a part of the mean wear rate now or until now, whichever is larger. Absent without a cycle,
+  /// and where nothing wears. Throws InputError or SolutionError
   /// where other phases have no deformation.
   virtual std::optional<PhaseError> phase_error(const State&) const { return {}; }
   /// Typical size of the differential components over the run, for absolute tolerances: the mean

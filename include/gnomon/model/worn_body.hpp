@@ -65,6 +65,17 @@ struct Phase {
   double load = 1;  ///< factor of the loads on the body
 };
 
+/// Phases of a cycle, a power of two times as many as a body has.
+struct PhaseSet {
+  enum class Kind {
+    own,         ///< as the body would have them
+    comparison,  ///< that `own` is compared with (CycleQuadrature::comparison)
+    fine         ///< thousands, for the means of motion and load alone
+  };
+  Kind kind = Kind::own;
+  int times = 1;
+};
+
 template <int dim>
 struct WornBody;
 
@@ -101,9 +112,9 @@ struct WornBody {
   std::optional<double> counter_force;
   LoadHistory load_history;       ///< factor of `load` and of `counter_force`
   std::vector<Phase<dim>> cycle;  ///< its phases; empty: one steady state
-  /// The phases of a cycle of this body, a power of two times as many (1: `cycle`), for the error
-  /// of the mean over them. Throws InputError. Empty: there is no cycle.
-  std::function<std::vector<Phase<dim>>(const WornBody& body, int refinement)> refined_cycle;
+  /// Other phases of a cycle of this body, by its position and force, for the error of the mean
+  /// over `cycle`. Throws InputError. Empty: there is no cycle.
+  std::function<std::vector<Phase<dim>>(const WornBody& body, const PhaseSet& set)> phase_set;
   std::optional<CrossSection> section;  ///< 3D only: uniform along x
   /// One entry per contact node: its part in the wear rate of its shape unknowns, by default 1;
   /// with a section, the length that it represents divided by the length of the path.

@@ -55,7 +55,8 @@ struct Key {
   Range range{};                       ///< numbers only
   std::vector<std::string> choices{};  ///< texts only; empty means any text
   std::size_t length = 0;              ///< arrays only; 0 means any length
-  bool or_single = false;              ///< `reals` only: a number stands for an array of it
+  /// `reals` only: a number in this range, instead of an array of it.
+  std::optional<Range> or_single{};
   std::string or_text{};               ///< `reals` only: a text that may stand instead
   bool names_file = false;             ///< texts only: relative to the folder of the scene
   /// `required` numbers only: keys, each with a number, whose product may stand instead. Empty:
