@@ -61,11 +61,13 @@ std::string on_a_terminal(const Show& show) {
   dup2(end, STDERR_FILENO);
   show();
   dup2(earlier, STDERR_FILENO);
-  std::string text(1000, '\0');
-  fcntl(terminal, F_SETFL, O_NONBLOCK);
-  const ssize_t count = read(terminal, text.data(), text.size());
-  for (const int file : {terminal, end, earlier}) close(file);
-  return text.substr(0, std::max<ssize_t>(count, 0));
+  close(earlier);
+  close(end);  // so that reading ends with an error; what was written may arrive in pieces
+  std::string text;
+  char piece[100];
+  for (ssize_t count; (count = read(terminal, piece, sizeof piece)) > 0;) text.append(piece, count);
+  close(terminal);
+  return text;
 }
 
 TEST(LiveLine, IsOnATerminalAloneAndGoneAtTheEnd) {
