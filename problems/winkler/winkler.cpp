@@ -150,6 +150,7 @@ public:
     }
     for (int q = 0; phases > 1 && q < phases; ++q) {
       surface.phase_position.push_back(f.phases[q].position);
+      surface.phase_weight.push_back(f.phases[q].weight);
       for (int i = 0; i < n; ++i) surface.phase_pressure.push_back(pressure(state.y, i, q));
     }
     return surface;

@@ -2,30 +2,19 @@
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
-#include <set>
 
 namespace gnomon {
 
 namespace {
 
-using Values = ContactCompliance::Values;
-
-std::vector<std::array<int, ContactCompliance::most>> numbers_in_block(const PhaseContact& phase,
-                                                                       const SymmetricPart& part) {
-  std::vector<std::array<int, ContactCompliance::most>> numbers;
-  for (const PhaseContact::Node& node : phase.nodes) {
-    auto& of_node = numbers.emplace_back(node.u);
+std::vector<NodeUnknowns> numbers_in_block(const PhaseContact& phase, const SymmetricPart& part) {
+  std::vector<NodeUnknowns> numbers;
+  for (const ContactEntries::Node& node : phase.nodes) {
+    NodeUnknowns& of_node = numbers.emplace_back(node.u);
     for (int& number : of_node)
       if (number >= 0) number = part.number(number);
   }
   return numbers;
-}
-
-Values components(const PhaseContact::Node& node, std::span<const double> x) {
-  Values values = Values::Zero();
-  for (int k = 0; k < ContactCompliance::most; ++k)
-    if (node.u[k] >= 0) values[k] = x[node.u[k]];
-  return values;
 }
 
 }  // namespace
@@ -49,21 +38,23 @@ void ComplianceCore::refresh(std::span<const double> J) {
   wear_block_.factorize(J);
 }
 
-double ComplianceCore::cost_of_columns(long columns) const {
+double ComplianceCore::cost_of_column() const {
   // Factors solve for many columns together.
-  const double column = by_factors_ ? 0.25 : 1;
-  const double application = 1 + 2 * column * static_cast<double>(stiffness_.owners());
-  return column * static_cast<double>(columns) / application;
+  return by_factors_ ? 0.25 : 1;
+}
+
+double ComplianceCore::in_applications(double solves) const {
+  return solves / (1 + 2 * cost_of_column() * static_cast<double>(stiffness_.owners()));
 }
 
 double ComplianceCore::update_cost() const {
-  return cost_of_columns(compliance_.missing(contacts_.touching()));
+  const auto missing = static_cast<double>(compliance_.missing(contacts_.touching()));
+  return in_applications(cost_of_column() * missing);
 }
 
 double ComplianceCore::set_up_cost() const {
-  return cost_of_columns(
-      compliance_.columns() +
-      static_cast<long>(stiffness_.solver().set_up_cost() * (by_factors_ ? 4 : 1)));
+  const auto columns = static_cast<double>(compliance_.columns());
+  return in_applications(cost_of_column() * columns + stiffness_.solver().set_up_cost());
 }
 
 int ComplianceCore::set_up(bool) {
@@ -76,11 +67,11 @@ int ComplianceCore::set_up(bool) {
 
 void ComplianceCore::update() {
   compliance_.solve(contacts_.touching(), stiffness_);
-  number_.assign(contacts_.surfaces(), -1);
+  number_.assign(contacts_.entries().surfaces().size(), -1);
   int count = 0;
   for (const PhaseContact& phase : contacts_.phases())
     for (const ClosedNode& node : phase.closed)
-      if (node.surface >= 0 && number_[node.surface] < 0) number_[node.surface] = count++;
+      if (node.on.surface >= 0 && number_[node.on.surface] < 0) number_[node.on.surface] = count++;
   Eigen::MatrixXd wear = Eigen::MatrixXd::Identity(count, count);
   for (std::size_t p = 0; p < systems_.size(); ++p) make_system(p, wear);
   if (count > 0) wear_.compute(wear);
@@ -90,11 +81,11 @@ void ComplianceCore::update() {
 /// The columns of K^-1 (B, J_uw) at the closed nodes, three rows each.
 Eigen::MatrixXd ComplianceCore::response(const PhaseContact& phase) const {
   const auto count = static_cast<Eigen::Index>(phase.closed.size());
-  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(ContactCompliance::most * count, count + 1);
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(most_components * count, count + 1);
   for (Eigen::Index k = 0; k < count; ++k)
     for (Eigen::Index l = 0; l < count; ++l) {
       const auto G = compliance_.at(phase.closed[k].node, phase.closed[l].node);
-      auto rows = moved.middleRows<ContactCompliance::most>(ContactCompliance::most * k);
+      auto rows = moved.middleRows<most_components>(most_components * k);
       rows.col(l) = G * phase.closed[l].B;
       rows.col(count) += G * phase.closed[l].uw;
     }
@@ -111,7 +102,7 @@ void ComplianceCore::make_system(std::size_t p, Eigen::MatrixXd& wear) {
   Eigen::MatrixXd& V = system.wear = Eigen::MatrixXd::Zero(count, size);
   for (Eigen::Index k = 0; k < count; ++k) {
     const ClosedNode& node = phase.closed[k];
-    const auto here = moved.middleRows<ContactCompliance::most>(ContactCompliance::most * k);
+    const auto here = moved.middleRows<most_components>(most_components * k);
     A.row(k) -= node.L.transpose() * here;
     A(k, k) += node.ll;
     V.row(k) -= node.cu_m.transpose() * here;
@@ -140,7 +131,7 @@ void ComplianceCore::make_system(std::size_t p, Eigen::MatrixXd& wear) {
 }
 
 int ComplianceCore::of_surface(const ClosedNode& node) const {
-  return node.surface < 0 ? -1 : number_[node.surface];
+  return node.on.surface < 0 ? -1 : number_[node.on.surface];
 }
 
 /// Open nodes have a row of their own.
@@ -171,8 +162,8 @@ void ComplianceCore::make_right_sides(std::span<const double> s, std::span<const
     if (phase.rigid >= 0) f[count] = s[phase.rigid];
     for (Eigen::Index k = 0; k < count; ++k) {
       const ClosedNode& node = phase.closed[k];
-      const Values x = components(phase.nodes[node.node], x0);
-      f[k] = s[node.multiplier] - contacts_.shape_part(node, s) - node.L.dot(x);
+      const NodeValues x = values_at(phase.nodes[node.node].u, x0);
+      f[k] = s[node.multiplier] - contacts_.entries().shape_part(node.on, s) - node.L.dot(x);
       if (phase.rigid >= 0) f[count] -= node.wu.dot(x);
       if (const int i = of_surface(node); i >= 0) right_of_wear_[i] += node.cu_m.dot(x);
     }

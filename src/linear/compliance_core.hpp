@@ -57,7 +57,8 @@ private:
     Eigen::MatrixXd wear;   ///< V, a row per closed node
     Eigen::VectorXd right;  ///< f
   };
-  double cost_of_columns(long columns) const;
+  double cost_of_column() const;  // in solves with K
+  double in_applications(double solves) const;
   Eigen::MatrixXd response(const PhaseContact& phase) const;
   void make_system(std::size_t p, Eigen::MatrixXd& wear);
   int of_surface(const ClosedNode& node) const;

@@ -5,18 +5,18 @@
 
 namespace gnomon {
 
-ContactCompliance::ContactCompliance(std::vector<std::array<int, most>> nodes)
-    : nodes_(std::move(nodes)) {
+ContactCompliance::ContactCompliance(std::vector<NodeUnknowns> nodes) : nodes_(std::move(nodes)) {
   clear();
 }
 
 void ContactCompliance::clear() {
   first_column_.assign(nodes_.size(), -1);
-  G_.resize(most * static_cast<long>(nodes_.size()), 0);
+  G_.resize(most_components * static_cast<long>(nodes_.size()), 0);
 }
 
 long ContactCompliance::missing(const std::vector<int>& nodes) const {
-  return most * std::ranges::count_if(nodes, [this](int node) { return first_column_[node] < 0; });
+  return most_components *
+         std::ranges::count_if(nodes, [this](int node) { return first_column_[node] < 0; });
 }
 
 void ContactCompliance::solve(const std::vector<int>& nodes, StiffnessBlock& stiffness) {
@@ -26,33 +26,35 @@ void ContactCompliance::solve(const std::vector<int>& nodes, StiffnessBlock& sti
                        [this](int node) { return first_column_[node] < 0; });
   if (fresh.empty()) return;
   long column = G_.cols();
-  G_.conservativeResize(Eigen::NoChange, column + most * static_cast<long>(fresh.size()));
+  G_.conservativeResize(Eigen::NoChange,
+                        column + most_components * static_cast<long>(fresh.size()));
   Eigen::MatrixXd forces, moved;
   for (std::size_t start = 0; start < fresh.size(); start += together) {
     const long count = std::min<long>(together, static_cast<long>(fresh.size() - start));
-    forces.setZero(stiffness.size(), most * count);
+    forces.setZero(stiffness.size(), most_components * count);
     moved.resizeLike(forces);
     for (long k = 0; k < count; ++k)
-      for (int i = 0; i < most; ++i)
+      for (int i = 0; i < most_components; ++i)
         if (const int number = nodes_[fresh[start + k]][i]; number >= 0)
-          forces(number, most * k + i) = 1;
+          forces(number, most_components * k + i) = 1;
     const auto entries = static_cast<std::size_t>(forces.size());
     stiffness.solver().apply({forces.data(), entries}, {moved.data(), entries});
-    for (long k = 0; k < count; ++k, column += most) {
+    for (long k = 0; k < count; ++k, column += most_components) {
       first_column_[fresh[start + k]] = static_cast<int>(column);
       for (std::size_t node = 0; node < nodes_.size(); ++node)
-        for (int i = 0; i < most; ++i) {
+        for (int i = 0; i < most_components; ++i) {
           const int number = nodes_[node][i];
-          for (int j = 0; j < most; ++j)
-            G_(most * static_cast<long>(node) + i, column + j) =
-                number < 0 ? 0 : moved(number, most * k + j);
+          for (int j = 0; j < most_components; ++j)
+            G_(most_components * static_cast<long>(node) + i, column + j) =
+                number < 0 ? 0 : moved(number, most_components * k + j);
         }
     }
   }
 }
 
-ContactCompliance::Square ContactCompliance::at(int node, int loaded) const {
-  return G_.block<most, most>(most * static_cast<long>(node), first_column_[loaded]);
+NodeSquare ContactCompliance::at(int node, int loaded) const {
+  return G_.block<most_components, most_components>(most_components * static_cast<long>(node),
+                                                    first_column_[loaded]);
 }
 
 }  // namespace gnomon

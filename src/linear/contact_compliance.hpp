@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "linear/node_values.hpp"
 #include "linear/stiffness_block.hpp"
 
 namespace gnomon {
@@ -12,14 +13,8 @@ namespace gnomon {
 /// are solved for when they are first needed, and kept until K is set up again.
 class ContactCompliance {
 public:
-  static constexpr int most = 3;  // components of a node
-  /// By component; zero for those that a node lacks.
-  using Values = Eigen::Matrix<double, most, 1>;
-  using Square = Eigen::Matrix<double, most, most>;
-
-  /// `nodes`: of every contact node the numbers of its displacements in the block, -1 for those
-  /// that it lacks.
-  explicit ContactCompliance(std::vector<std::array<int, most>> nodes);
+  /// `nodes`: of every contact node the numbers of its displacements in the block.
+  explicit ContactCompliance(std::vector<NodeUnknowns> nodes);
 
   void clear();
   /// How many columns solve() would have to solve for.
@@ -27,11 +22,11 @@ public:
   /// Makes the columns of these nodes available.
   void solve(const std::vector<int>& nodes, StiffnessBlock& stiffness);
   /// Displacement of `node` under unit forces at `loaded`, whose columns are available.
-  Square at(int node, int loaded) const;
+  NodeSquare at(int node, int loaded) const;
   long columns() const { return G_.cols(); }
 
 private:
-  std::vector<std::array<int, most>> nodes_;
+  std::vector<NodeUnknowns> nodes_;
   std::vector<int> first_column_;  // in G_, of every node; -1: not available
   Eigen::MatrixXd G_;              // a row per component of every node
 };

@@ -1,58 +1,24 @@
 #include "linear/contact_elimination.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <gnomon/base/error.hpp>
 #include <numeric>
 
 namespace gnomon {
 
-void ContactElimination::NodeUnknowns::add(int number) {
-  if (size == most) throw Error("a contact node with more than three displacements");
-  data[size++] = number;
-}
-
 ContactElimination::ContactElimination(const Structure& structure, bool follows_springs)
-    : structure_(structure),
-      follows_springs_(follows_springs),
+    : follows_springs_(follows_springs),
+      entries_(structure),
+      surface_(entries_.surfaces().size()),
+      contact_(entries_.nodes().size()),
       wear_row_(structure, {Role::evolution}, {Role::stiffness, Role::multiplier}),
-      wear_block_(structure, {Role::evolution}) {
-  const auto& [group, pattern] = std::tie(structure.group, structure.pattern);
-  const int groups = group.empty() ? 0 : *std::max_element(group.begin(), group.end()) + 1;
-  std::vector<int> surface_of(groups, -1), contact_of(structure.size, -1);
-  for (int i : unknowns_of(structure, {Role::evolution})) {
-    if (surface_of[group[i]] < 0) {
-      surface_of[group[i]] = static_cast<int>(surface_.size());
-      surface_.emplace_back();
-    }
-    surface_[surface_of[group[i]]].unknowns.add(i);
-  }
-  for (int i : unknowns_of(structure, {Role::multiplier})) {
-    contact_of[i] = static_cast<int>(contact_.size());
-    contact_.emplace_back().multiplier = i;
-  }
-  for (int j = 0; j < pattern.size(); ++j)
-    for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k) {
-      const int row = pattern.row_index[k], c = contact_of[row];
-      if (c < 0) continue;
-      // The pattern may have the displacements around; the gap contains those of the node.
-      if (structure.role(j) == Role::stiffness && group[j] == group[row]) contact_[c].u.add(j);
-      if (structure.role(j) == Role::evolution)
-        contact_[c].candidates.push_back(surface_of[group[j]]);
-    }
-  work_.resize(contact_.size());
-}
-
-double ContactElimination::entry(int row, int column) const {
-  const int position = structure_.pattern.find(row, column);
-  return position < 0 ? 0 : J_[position];
-}
+      wear_block_(structure, {Role::evolution}),
+      work_(contact_.size()) {}
 
 void ContactElimination::update(std::span<const double> J) {
   J_ = J;
-  for (SurfaceNode& node : surface_) update_surface(node);
-  for (ContactNode& node : contact_) update_contact(node);
+  entries_.update(J);
+  for (std::size_t c = 0; c < contact_.size(); ++c) update_contact(c);
   share_surfaces();
   for (ContactNode& node : contact_) update_spring(node);
   for (SurfaceNode& node : surface_) update_gamma(node);
@@ -60,48 +26,24 @@ void ContactElimination::update(std::span<const double> J) {
   wear_block_.factorize(J);
 }
 
-void ContactElimination::update_surface(SurfaceNode& node) const {
-  const int n = node.unknowns.size;
-  Square block = Square::Identity();
-  for (int k = 0; k < n; ++k)
-    for (int l = 0; l < n; ++l) block(k, l) = entry(node.unknowns[k], node.unknowns[l]);
-  node.inverse = block.inverse();
-}
-
-ContactElimination::Values ContactElimination::surface_row(int multiplier, int surface) const {
-  const NodeUnknowns& c = surface_[surface].unknowns;
-  Values row = Values::Zero();
-  for (int k = 0; k < c.size; ++k) row[k] = entry(multiplier, c[k]);
-  return row;
-}
-
-void ContactElimination::update_contact(ContactNode& node) const {
-  const int l = node.multiplier, n = node.u.size;
-  Square K = Square::Zero();
-  for (int k = 0; k < n; ++k) {
-    node.B[k] = entry(node.u[k], l);
-    node.C[k] = entry(l, node.u[k]);
-    for (int m = 0; m < n; ++m) K(k, m) = entry(node.u[k], node.u[m]);
+void ContactElimination::update_contact(std::size_t c) {
+  ContactNode& node = contact_[c];
+  const ContactEntries::Node& at = entries_.nodes()[c];
+  const int l = at.multiplier;
+  NodeSquare K;
+  for (int k = 0; k < most_components; ++k) {
+    node.B[k] = entries_.at(at.u[k], l);
+    node.C[k] = entries_.at(l, at.u[k]);
+    for (int m = 0; m < most_components; ++m) K(k, m) = entries_.at(at.u[k], at.u[m]);
   }
-  node.D = -entry(l, l);  // share_surfaces() adds a J_cl
+  node.D = -entries_.at(l, l);  // share_surfaces() adds a J_cl
   node.a_m = node.e_m = 0;
-  // The pattern of the row has the shape of all nodes around; the gap contains that of one, which
-  // has nonzero entries.
-  node.surface = -1;
-  double largest = 0;
-  for (int candidate : node.candidates)
-    if (const double size = surface_row(l, candidate).norm(); size > largest) {
-      largest = size;
-      node.surface = candidate;
-    }
-  if (node.surface >= 0) {
-    const NodeUnknowns& c = surface_[node.surface].unknowns;
-    node.a = surface_[node.surface].inverse.transpose() * surface_row(l, node.surface);
-    node.e = Values::Zero();
-    for (int k = 0; k < c.size; ++k) {
-      node.e[k] = entry(c[k], l);
-      for (int m = 0; m < n; ++m) node.C[m] -= node.a[k] * entry(c[k], node.u[m]);
-    }
+  node.on = entries_.on_surface(at);
+  if (node.on.surface >= 0) {
+    const NodeUnknowns& surface = entries_.surfaces()[node.on.surface];
+    for (int k = 0; k < most_components; ++k)
+      for (int m = 0; m < most_components; ++m)
+        node.C[m] -= node.on.a[k] * entries_.at(surface[k], at.u[m]);
   }
   node.CB = node.C.dot(node.B);
   node.own_stiffness = node.CB == 0 ? 0 : node.C.dot(K * node.C) / node.C.squaredNorm();
@@ -112,21 +54,21 @@ void ContactElimination::update_contact(ContactNode& node) const {
 void ContactElimination::share_surfaces() {
   for (SurfaceNode& surface : surface_) surface.closed.clear();
   for (std::size_t c = 0; c < contact_.size(); ++c)
-    if (contact_[c].surface >= 0 && contact_[c].CB != 0)
-      surface_[contact_[c].surface].closed.push_back(static_cast<int>(c));
+    if (contact_[c].on.surface >= 0 && contact_[c].CB != 0)
+      surface_[contact_[c].on.surface].closed.push_back(static_cast<int>(c));
   for (SurfaceNode& surface : surface_) {
     if (surface.closed.size() < 2) {
-      for (int c : surface.closed) contact_[c].D += contact_[c].a.dot(contact_[c].e);
+      for (int c : surface.closed) contact_[c].D += contact_[c].on.a.dot(contact_[c].on.e);
       continue;
     }
     Values sum = Values::Zero();
-    for (int c : surface.closed) sum += contact_[c].e;
+    for (int c : surface.closed) sum += contact_[c].on.e;
     if (sum == Values::Zero()) continue;  // nothing wears
     const Values m = sum.stableNormalized();
     for (int c : surface.closed) {
       ContactNode& node = contact_[c];
-      node.a_m = node.a.dot(m);
-      node.e_m = node.e.dot(m);
+      node.a_m = node.on.a.dot(m);
+      node.e_m = node.on.e.dot(m);
     }
   }
 }
@@ -154,15 +96,18 @@ void ContactElimination::update_gamma(SurfaceNode& surface) const {
 
 void ContactElimination::add_springs(const SymmetricPart& part, std::vector<double>& values) {
   moved_.clear();
-  for (ContactNode& node : contact_) {
+  for (std::size_t c = 0; c < contact_.size(); ++c) {
+    ContactNode& node = contact_[c];
     node.spring_at_setup = node.spring;
     node.has_moved = false;
     if (node.spring == 0) continue;
     node.direction_at_setup = node.C.normalized();
-    for (int k = 0; k < node.u.size; ++k)
+    const NodeUnknowns& u = entries_.nodes()[c].u;
+    for (int k = 0; k < most_components; ++k)
       for (int m = 0; m <= k; ++m)
-        values[part.find(node.u[k], node.u[m])] +=
-            node.spring * node.direction_at_setup[k] * node.direction_at_setup[m];
+        if (u[k] >= 0 && u[m] >= 0)
+          values[part.find(u[k], u[m])] +=
+              node.spring * node.direction_at_setup[k] * node.direction_at_setup[m];
   }
 }
 
@@ -184,9 +129,13 @@ void ContactElimination::find_moved_springs() {
 
 namespace {
 
-void append(SparseVector& vector, const SymmetricPart& part, int unknown, double value) {
-  vector.index.push_back(part.number(unknown));
-  vector.value.push_back(value);
+void append(SparseVector& vector, const SymmetricPart& part, const NodeUnknowns& unknowns,
+            const NodeValues& values) {
+  for (int k = 0; k < most_components; ++k)
+    if (unknowns[k] >= 0) {
+      vector.index.push_back(part.number(unknowns[k]));
+      vector.value.push_back(values[k]);
+    }
 }
 
 }  // namespace
@@ -195,7 +144,7 @@ void append(SparseVector& vector, const SymmetricPart& part, int unknown, double
 RankOneTerm ContactElimination::moved_spring(int c, const SymmetricPart& part) const {
   const ContactNode& node = contact_[c];
   RankOneTerm term{c, node.spring - node.spring_at_setup, {}, {}};
-  for (int k = 0; k < node.u.size; ++k) append(term.u, part, node.u[k], node.direction_at_setup[k]);
+  append(term.u, part, entries_.nodes()[c].u, node.direction_at_setup);
   term.v = term.u;
   return term;
 }
@@ -208,11 +157,9 @@ RankOneTerm ContactElimination::common_wear(int s, const SymmetricPart& part) co
   for (int c : surface_[s].closed) {
     const ContactNode& node = contact_[c];
     const double B_by_C = node.CB / node.C.squaredNorm();
-    const Values u = node.C * (B_by_C * node.a_m / node.D), v = node.C * (node.e_m / node.D);
-    for (int k = 0; k < node.u.size; ++k) {
-      append(term.u, part, node.u[k], u[k]);
-      append(term.v, part, node.u[k], v[k]);
-    }
+    const NodeUnknowns& u = entries_.nodes()[c].u;
+    append(term.u, part, u, node.C * (B_by_C * node.a_m / node.D));
+    append(term.v, part, u, node.C * (node.e_m / node.D));
   }
   const double length = std::sqrt(
       std::inner_product(term.u.value.begin(), term.u.value.end(), term.u.value.begin(), 0.0));
@@ -245,27 +192,25 @@ void ContactElimination::solve_D(std::vector<double>& r) const {
 
 void ContactElimination::condense(std::span<double> s) {
   for (std::size_t i = 0; i < contact_.size(); ++i) {
-    const ContactNode& node = contact_[i];
-    double& right = s[node.multiplier];
-    if (node.surface >= 0) {
-      const NodeUnknowns& c = surface_[node.surface].unknowns;
-      for (int k = 0; k < c.size; ++k) right -= node.a[k] * s[c[k]];
-    }
+    double& right = s[entries_.nodes()[i].multiplier];
+    right -= entries_.shape_part(contact_[i].on, s);
     work_[i] = right;
   }
   solve_D(work_);
-  for (std::size_t i = 0; i < contact_.size(); ++i)
-    for (int k = 0; k < contact_[i].u.size; ++k) s[contact_[i].u[k]] += contact_[i].B[k] * work_[i];
+  for (std::size_t i = 0; i < contact_.size(); ++i) {
+    const NodeUnknowns& u = entries_.nodes()[i].u;
+    for (int k = 0; k < most_components; ++k)
+      if (u[k] >= 0) s[u[k]] += contact_[i].B[k] * work_[i];
+  }
 }
 
 void ContactElimination::recover(std::span<double> s, std::span<double> z) {
   for (std::size_t i = 0; i < contact_.size(); ++i) {
-    const ContactNode& node = contact_[i];
-    work_[i] = -s[node.multiplier];
-    for (int k = 0; k < node.u.size; ++k) work_[i] += node.C[k] * z[node.u[k]];
+    const ContactEntries::Node& at = entries_.nodes()[i];
+    work_[i] = contact_[i].C.dot(values_at(at.u, z)) - s[at.multiplier];
   }
   solve_D(work_);
-  for (std::size_t i = 0; i < contact_.size(); ++i) z[contact_[i].multiplier] = work_[i];
+  for (std::size_t i = 0; i < contact_.size(); ++i) z[entries_.nodes()[i].multiplier] = work_[i];
   wear_row_.subtract(J_, z, s);
   wear_block_.solve(s, z);
 }

@@ -1,13 +1,12 @@
 // The worn surface and the contact multipliers of a coupled Jacobian, eliminated node by node.
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <gnomon/linear/jacobian_block.hpp>
 #include <gnomon/system/system.hpp>
 #include <span>
 #include <vector>
 
+#include "linear/contact_entries.hpp"
 #include "linear/factored_block.hpp"
 #include "linear/low_rank_update.hpp"
 
@@ -70,28 +69,14 @@ public:
   void recover(std::span<double> s, std::span<double> z);
 
 private:
-  static constexpr int most = 3;   // components of a node
-  using Values = Eigen::Vector3d;  // by component; zero for those that a node lacks
-  using Square = Eigen::Matrix3d;
-  struct NodeUnknowns {
-    std::array<int, most> data{};  // their numbers in J
-    int size = 0;
-    int operator[](int k) const { return data[k]; }
-    void add(int number);
-  };
-  /// The unknowns c with one number of Structure::group: of one node, or of a line of a groove.
+  using Values = NodeValues;
   struct SurfaceNode {
-    NodeUnknowns unknowns;
-    Square inverse = Square::Zero();  ///< J_cc^-1
-    std::vector<int> closed;          ///< contact nodes upon it, in contact_
-    double gamma = 0;                 ///< as above
+    std::vector<int> closed;  ///< contact nodes upon it, in contact_
+    double gamma = 0;         ///< as above
   };
   struct ContactNode {
-    int multiplier = 0;           ///< number of l in J
-    NodeUnknowns u;               ///< the node's own displacements
-    std::vector<int> candidates;  ///< in surface_: all that the row of l may contain
-    int surface = -1;             ///< the one that it does contain; -1: none
-    Values B = Values::Zero(), C = Values::Zero(), a = Values::Zero(), e = Values::Zero();
+    ContactEntries::OnSurface on;
+    Values B = Values::Zero(), C = Values::Zero();
     double CB = 0;               ///< C.B; zero: open
     double D = 1;                ///< of D_0
     double a_m = 0, e_m = 0;     ///< of a shared surface node, else zero
@@ -102,10 +87,7 @@ private:
     bool has_moved = false;  ///< since then, so far that low_rank_terms() makes up for it
   };
 
-  double entry(int row, int column) const;
-  void update_surface(SurfaceNode& node) const;
-  Values surface_row(int multiplier, int surface) const;
-  void update_contact(ContactNode& node) const;
+  void update_contact(std::size_t c);
   void share_surfaces();
   void update_spring(ContactNode& node) const;
   void update_gamma(SurfaceNode& surface) const;
@@ -114,12 +96,12 @@ private:
   RankOneTerm common_wear(int s, const SymmetricPart& part) const;
   void solve_D(std::vector<double>& r) const;
 
-  const Structure& structure_;
   const bool follows_springs_;
   std::span<const double> J_;
+  ContactEntries entries_;
   std::vector<SurfaceNode> surface_;
-  std::vector<ContactNode> contact_;
-  std::vector<int> moved_;  // in contact_
+  std::vector<ContactNode> contact_;  // by node of entries_
+  std::vector<int> moved_;            // in contact_
   JacobianBlock wear_row_;
   FactoredBlock wear_block_;
   std::vector<double> work_;  // of contact_

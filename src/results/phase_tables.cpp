@@ -47,8 +47,10 @@ std::vector<double> read_of_phases(hid_t gnomon, const char* name) {
 }  // namespace
 
 Handle create_phase_group(hid_t gnomon, const ContactSurface& contact) {
-  Handle group = create_group(gnomon, kPressure, kStepsPerGroup);
   const hsize_t phases = contact.phase_position.size();
+  if (contact.phase_weight.size() != phases)
+    throw Failure("cannot write the phases: positions and weights are not equally many");
+  Handle group = create_group(gnomon, kPressure, kStepsPerGroup);
   hdf5::write_dataset(group.id(), "position", {phases}, contact.phase_position.data());
   hdf5::write_dataset(group.id(), "weight", {phases}, contact.phase_weight.data());
   return group;

@@ -295,6 +295,13 @@ TEST_F(Program, StopsWhenThePinIsWornAway) {
   EXPECT_GE(observation_of(last.scalars).element_volume.value(), 0.01);
 }
 
+TEST_F(Program, StoresThePhasesOfSprings) {
+  const std::string springs = GNOMON_SOURCE_DIR "/problems/winkler/cycle.toml";
+  const Outcome run = gnomon({"run", springs, "--set", "time.cycles=100", "-o", "springs.h5"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, testing::EndsWith("\nresult: springs.h5\n"));
+}
+
 TEST_F(Program, NamesAFileForParaViewOnlyWhereThereIsAMesh) {
   const std::string springs = GNOMON_SOURCE_DIR "/problems/winkler/pin.toml";
   const Outcome none = gnomon({"run", springs, "--set", "foundation.points=21", "--set",

@@ -101,6 +101,30 @@ TEST_P(EveryScene, StartsConsistently) {
     ASSERT_LE(std::abs(F[i]), 1e-8 * structure.row_scale[i]) << "row " << i;
 }
 
+TEST_P(EveryScene, ItsSurfaceIsWholeAndThePressureTheMeanOfThePhases) {
+  const auto model = model_of(GetParam(), coarse(GetParam()));
+  Counters counters;
+  const std::optional<ContactSurface> surface = model->contact(model->start(counters));
+  if (!surface) return;
+  const std::size_t nodes = surface->node.size(), phases = surface->phase_position.size();
+  for (const std::size_t size : {surface->initial.size(), surface->worn.size(),
+                                 surface->current.size(), surface->pressure.size(),
+                                 surface->wear_depth.size(), surface->active.size()})
+    EXPECT_EQ(size, nodes);
+  ASSERT_EQ(surface->phase_weight.size(), phases);
+  ASSERT_EQ(surface->phase_pressure.size(), phases * nodes);
+  double sum = 0, largest = 0;
+  for (double weight : surface->phase_weight) sum += weight;
+  EXPECT_NEAR(sum, phases > 0 ? 1 : 0, 1e-12);
+  for (double p : surface->phase_pressure) largest = std::max(largest, p);
+  for (std::size_t i = 0; phases > 0 && i < nodes; ++i) {
+    double mean = 0;
+    for (std::size_t q = 0; q < phases; ++q)
+      mean += surface->phase_weight[q] * surface->phase_pressure[q * nodes + i];
+    EXPECT_NEAR(surface->pressure[i], mean, 1e-9 * largest) << "node " << i;
+  }
+}
+
 /// Explicit methods would need tens of thousands of steps.
 bool is_stiff(const std::string& scene) {
   return scene == "dahlquist/stiff.toml" || scene.starts_with("ball_on") ||
