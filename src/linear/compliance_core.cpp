@@ -1,7 +1,8 @@
 #include "linear/compliance_core.hpp"
 
 #include <algorithm>
-#include <gnomon/base/error.hpp>
+
+#include "base/threads.hpp"
 
 namespace gnomon {
 
@@ -72,8 +73,10 @@ void ComplianceCore::update() {
   for (const PhaseContact& phase : contacts_.phases())
     for (const ClosedNode& node : phase.closed)
       if (node.on.surface >= 0 && number_[node.on.surface] < 0) number_[node.on.surface] = count++;
+  divide_among_threads(static_cast<long>(systems_.size()), [this](long p) { make_system(p); });
   Eigen::MatrixXd wear = Eigen::MatrixXd::Identity(count, count);
-  for (std::size_t p = 0; p < systems_.size(); ++p) make_system(p, wear);
+  for (std::size_t p = 0; p < systems_.size(); ++p)
+    couple(contacts_.phases()[p], systems_[p], wear);
   if (count > 0) wear_.compute(wear);
   right_of_wear_.resize(count);
 }
@@ -92,7 +95,7 @@ Eigen::MatrixXd ComplianceCore::response(const PhaseContact& phase) const {
   return moved;
 }
 
-void ComplianceCore::make_system(std::size_t p, Eigen::MatrixXd& wear) {
+void ComplianceCore::make_system(std::size_t p) {
   const PhaseContact& phase = contacts_.phases()[p];
   const auto count = static_cast<Eigen::Index>(phase.closed.size());
   const Eigen::Index size = count + (phase.rigid >= 0 ? 1 : 0);
@@ -122,12 +125,18 @@ void ComplianceCore::make_system(std::size_t p, Eigen::MatrixXd& wear) {
   system.A.compute(A);
   Eigen::MatrixXd driven = Eigen::MatrixXd::Zero(size, count);
   for (Eigen::Index k = 0; k < count; ++k) driven(k, k) = phase.closed[k].a_m;
-  const Eigen::MatrixXd fed_back = V * system.A.solve(driven);
+  system.fed_back = V * system.A.solve(driven);
+}
+
+/// Subtracts V_p A_p^-1 (a.m).
+void ComplianceCore::couple(const PhaseContact& phase, const PhaseSystem& system,
+                            Eigen::MatrixXd& wear) const {
+  const auto count = static_cast<Eigen::Index>(phase.closed.size());
   for (Eigen::Index k = 0; k < count; ++k)
     for (Eigen::Index l = 0; l < count; ++l)
       if (const int i = of_surface(phase.closed[k]), j = of_surface(phase.closed[l]);
           i >= 0 && j >= 0)
-        wear(i, j) -= fed_back(k, l);
+        wear(i, j) -= system.fed_back(k, l);
 }
 
 int ComplianceCore::of_surface(const ClosedNode& node) const {

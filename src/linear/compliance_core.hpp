@@ -54,13 +54,15 @@ public:
 private:
   struct PhaseSystem {
     Eigen::PartialPivLU<Eigen::MatrixXd> A;
-    Eigen::MatrixXd wear;   ///< V, a row per closed node
-    Eigen::VectorXd right;  ///< f
+    Eigen::MatrixXd wear;      ///< V, a row per closed node
+    Eigen::MatrixXd fed_back;  ///< V A^-1 (a.m)
+    Eigen::VectorXd right;     ///< f
   };
   double cost_of_column() const;  // in solves with K
   double in_applications(double solves) const;
   Eigen::MatrixXd response(const PhaseContact& phase) const;
-  void make_system(std::size_t p, Eigen::MatrixXd& wear);
+  void make_system(std::size_t p);
+  void couple(const PhaseContact& phase, const PhaseSystem& system, Eigen::MatrixXd& wear) const;
   int of_surface(const ClosedNode& node) const;
   void solve_open(std::span<double> s, std::span<double> z) const;
   void make_right_sides(std::span<const double> s, std::span<const double> x0);

@@ -1,9 +1,8 @@
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <gnomon/system/composed_system.hpp>
+
+#include "base/threads.hpp"
 
 namespace gnomon {
 
@@ -108,39 +107,13 @@ void ComposedSystem<dim>::residual(const Point& at, std::span<double> F) const {
             [&](std::size_t k) { terms_[k]->add_residual(evaluation(at, values_, k), F); });
 }
 
-namespace {
-
-/// work(k) for every entry k of `terms`, each by one thread where there are more entries than
-/// threads; otherwise one after the other, each by all threads. The first exception in the order of
-/// the entries is thrown again.
-template <class Work>
-void divide_among_threads(const std::vector<std::size_t>& terms, const Work& work) {
-  const auto count = static_cast<long>(terms.size());
-  const int threads = omp_get_max_threads();
-  if (threads == 1 || count <= threads) {
-    for (std::size_t k : terms) work(k);
-    return;
-  }
-  std::vector<std::exception_ptr> errors(terms.size());
-#pragma omp parallel for schedule(dynamic)
-  for (long i = 0; i < count; ++i) try {
-      work(terms[i]);
-    } catch (...) {
-      errors[i] = std::current_exception();
-    }
-  for (const std::exception_ptr& error : errors)
-    if (error) std::rethrow_exception(error);
-}
-
-}  // namespace
-
 template <int dim>
 template <class Work>
 void ComposedSystem<dim>::for_terms(std::optional<bool> slow, const Work& work) const {
   std::vector<std::size_t> sweeping, others;
   for (std::size_t k = 0; k < terms_.size(); ++k)
     if (!slow || *slow == bool(slow_[k])) (sweeps_[k] ? sweeping : others).push_back(k);
-  divide_among_threads(sweeping, work);
+  divide_among_threads(static_cast<long>(sweeping.size()), [&](long i) { work(sweeping[i]); });
   for (std::size_t k : others) work(k);
 }
 
@@ -162,6 +135,7 @@ double ComposedSystem<dim>::change_of_strain(std::span<const double> y0,
   const SparsePattern& pattern = structure_.pattern;
   const auto place = [this](int i) { return structure_.position[structure_.group[i]]; };
   double largest = 0;
+#pragma omp parallel for reduction(max : largest)
   for (int j = 0; j < pattern.size(); ++j) {
     const int kind = motion(structure_.role(j));
     if (kind == 0) continue;
