@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <functional>
 #include <gnomon/laws/cycle_scene.hpp>
 #include <set>
 #include <string>
@@ -51,18 +50,33 @@ void require_forces(const Scene& scene, const std::vector<Phase>& phases) {
           scene.where("cycle.force"), phase.press, phase.position));
 }
 
+using PhaseAt = std::function<Phase(const CyclePoint&)>;
+
+std::vector<Phase> phases_at(const std::vector<CyclePoint>& points, const PhaseAt& phase_at) {
+  std::vector<Phase> phases;
+  for (const CyclePoint& point : points) phases.push_back(phase_at(point));
+  return phases;
+}
+
 /// What a phase stands for, from points of its interval: the whole path, and the mean force or
 /// approach on it.
-void stand_for(const std::vector<CyclePoint>& interval,
-               const std::function<Phase(const CyclePoint&)>& phase_at, Phase& phase) {
+void stand_for(const std::vector<Phase>& interval, Phase& phase) {
   double path = 0, press = 0;
-  for (const CyclePoint& point : interval) {
-    const Phase at = phase_at(point);
+  for (const Phase& at : interval) {
     path += at.weight * at.speed;
     press += at.weight * at.speed * at.press;
   }
   phase.speed = path / phase.weight;
   if (path > 0) phase.press = press / path;
+}
+
+std::vector<Phase> phases_of(const CycleQuadrature& quadrature, const PhaseAt& phase_at) {
+  std::vector<Phase> phases = phases_at(quadrature.points(), phase_at);
+  if (!quadrature.stands_for_intervals()) return phases;
+  const std::vector<std::vector<CyclePoint>> intervals = quadrature.intervals();
+  for (std::size_t p = 0; p < phases.size(); ++p)
+    stand_for(phases_at(intervals[p], phase_at), phases[p]);
+  return phases;
 }
 
 }  // namespace
@@ -87,33 +101,37 @@ std::vector<Key> phase_keys() {
   return keys;
 }
 
-std::vector<Phase> read_phases(const Scene& scene) {
+FlatMotion read_flat_motion(const Scene& scene) {
   require_one_of(scene, {"load.force", "cycle.force", "cycle.y"});
   require_one_of(scene, {"wear.velocity", "cycle.x"});
   const std::optional<Cycle> cycle = read_cycle(scene);
   const double force = scene.real_if("load.force").value_or(0);
   const double speed = scene.real_if("wear.velocity").value_or(0);
-  if (!cycle) return {{.speed = speed, .press = force}};
-  const auto &x = cycle->displacement[0], &y = cycle->displacement[1];
-  const auto phase_at = [&](const CyclePoint& point) {
+  if (!cycle) return {.phases = {{.speed = speed, .press = force}}, .phase_set = {}};
+  const CycleQuadrature quadrature = read_cycle_quadrature(scene, kinks_of(*cycle));
+  const PhaseAt phase_at = [cycle = *cycle, force, speed](const CyclePoint& point) {
+    const auto &x = cycle.displacement[0], &y = cycle.displacement[1];
     const double tau = point.position;
     return Phase{.position = tau,
                  .weight = point.weight,
-                 .speed = x ? std::abs(x->slope(tau)) / cycle->period : speed,
+                 .speed = x ? std::abs(x->slope(tau)) / cycle.period : speed,
                  .held = y.has_value(),
-                 .press = y ? y->value(tau) : cycle->force ? cycle->force->value(tau) : force};
+                 .press = y             ? y->value(tau)
+                          : cycle.force ? cycle.force->value(tau)
+                                        : force};
   };
-  const CycleQuadrature quadrature = read_cycle_quadrature(scene, kinks_of(*cycle));
-  std::vector<Phase> phases;
-  for (const CyclePoint& point : quadrature.points()) phases.push_back(phase_at(point));
-  if (quadrature.stands_for_intervals()) {
-    const auto intervals = quadrature.intervals();
-    for (std::size_t p = 0; p < phases.size(); ++p) stand_for(intervals[p], phase_at, phases[p]);
-  }
-  if (cycle->force) require_forces(scene, phases);
-  if (!(mean_speed(phases) > 0))
+  FlatMotion motion;
+  motion.phase_set = [quadrature, phase_at](const PhaseSet& set) {
+    const CycleQuadrature finer = quadrature.refined(set.times);
+    if (set.kind == PhaseSet::Kind::fine) return phases_at(finer.fine_points(), phase_at);
+    return phases_of(set.kind == PhaseSet::Kind::own ? finer : finer.comparison(), phase_at);
+  };
+  motion.phases = motion.phase_set({});
+  motion.parts = quadrature.parts();
+  if (cycle->force) require_forces(scene, motion.phases);
+  if (!(mean_speed(motion.phases) > 0))
     throw InputError(scene.where("cycle.x") + ": expected a flat that slides in some phase");
-  return phases;
+  return motion;
 }
 
 double mean_speed(const std::vector<Phase>& phases) {

@@ -2,6 +2,8 @@
 // [cycle].
 #pragma once
 
+#include <functional>
+#include <gnomon/laws/phase_mean.hpp>
 #include <gnomon/scene/scene.hpp>
 #include <vector>
 
@@ -19,10 +21,18 @@ struct Phase {
 /// Keys of load.force, wear.velocity and [cycle]: what presses and moves the flat.
 std::vector<Key> phase_keys();
 
+/// Phases of a cycle.
+using PhaseSource = std::function<std::vector<Phase>(const PhaseSet&)>;
+
 /// One phase by load.force and wear.velocity; with a cycle those of cycle.phases, with cycle.force
-/// or the approach cycle.y instead of the force, and the speed of cycle.x instead of wear.velocity.
-/// Throws InputError.
-std::vector<Phase> read_phases(const Scene& scene);
+/// or the approach cycle.y instead of the force, and the speed of cycle.x instead of wear.velocity;
+/// then also where others of the cycle come from. Throws InputError.
+struct FlatMotion {
+  std::vector<Phase> phases;
+  PhaseSource phase_set;  ///< empty: there is no cycle
+  int parts = 0;          ///< of the cycle between corners and reversals
+};
+FlatMotion read_flat_motion(const Scene& scene);
 
 /// The mean speed over the cycle [mm/s].
 double mean_speed(const std::vector<Phase>& phases);

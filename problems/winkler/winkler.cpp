@@ -36,10 +36,10 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/model/problem.hpp>
-#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 
-#include "phases.hpp"
+#include "foundation_scene.hpp"
+#include "phase_error.hpp"
 #include "winkler_system.hpp"
 
 namespace gnomon {
@@ -81,6 +81,14 @@ public:
     return {{"worn_surface", "d", n, "points (differential)"},
             {"pressure", "p", n * system_.phases(), "points, each phase"},
             {"approach", "delta", system_.phases(), "the pin, each phase"}};
+  }
+
+  std::vector<std::string> remarks() const override { return foundation_->remarks; }
+  long phases() const override { return system_.phases(); }
+  std::optional<PhaseError> phase_error(const State& state) const override {
+    std::vector<double> depths;
+    for (int i = 0; i < system_.points(); ++i) depths.push_back(state.y[system_.d(i)]);
+    return winkler::phase_error(*foundation_, state.t, depths);
   }
 
   State start(Counters& counters) const override {
@@ -217,91 +225,15 @@ private:
   WinklerSystem system_;
 };
 
-/// The factors are in the order of the equations above.
-constexpr const char* archard_rate = "k * v * p";
-
-std::vector<Key> keys() {
-  std::vector<Key> result = {
-      {.name = "pin.radius",
-       .unit = "mm",
-       .range = positive_quantity,
-       .help = "radius of curvature R of the pin's surface y = x^2/(2R)"},
-      {.name = "pin.width", .unit = "mm", .range = positive_quantity, .help = "width L of the pin"},
-      {.name = "foundation.modulus",
-       .unit = "MPa/mm",
-       .range = positive_quantity,
-       .help = "modulus K_w of the springs: pressure per unit of compression"},
-      {.name = "foundation.points",
-       .kind = KeyKind::integer,
-       .presence = Key::Presence::defaulted,
-       .default_value = 401L,
-       .range = {.min = 3, .max = 1000000},
-       .help = "number of springs over the width, both ends included"}};
-  for (const Key& key : winkler::phase_keys()) result.push_back(key);
-  for (const Key& key : worn_body_keys(2))
-    if (key.name.starts_with("wear.") && key.name != "wear.normal" && key.name != "wear.velocity") {
-      result.push_back(key);
-      if (key.name == "wear.rate") result.back().default_value = archard_rate;
-    }
-  return result;
-}
-
-/// Whether the wear rate is k v p, for which the closed form holds.
-bool has_archard_rate(const Scene& scene) {
-  return scene.text("wear.law") == "archard" ||
-         (scene.text("wear.law") == "expression" &&
-          (scene.text("wear.rate") == archard_rate || scene.text("wear.rate") == "k * p * v"));
-}
-
-/// The largest force of a phase; of a held flat that of the springs of the unworn pin.
-double typical_force(const Foundation& f) {
-  double most = 0;
-  for (const Phase& phase : f.phases) {
-    double force = phase.held ? 0 : phase.press;
-    for (std::size_t i = 0; phase.held && i < f.x.size(); ++i)
-      force += f.area[i] * f.modulus * std::max(0.0, phase.press - f.profile(f.x[i]));
-    most = std::max(most, force);
-  }
-  return most;
-}
-
 std::unique_ptr<Model> make(const Scene& scene) {
-  auto f = std::make_shared<Foundation>();
-  f->radius = scene.real("pin.radius");
-  f->width = scene.real("pin.width");
-  f->modulus = scene.real("foundation.modulus");
-  f->duration = scene.real("time.end");
-  const long n = scene.integer("foundation.points");
-  const double spacing = f->width / double(n - 1);
-  for (long i = 0; i < n; ++i) {
-    f->x.push_back(f->width * (double(i) / double(n - 1) - 0.5));
-    f->area.push_back(i == 0 || i == n - 1 ? spacing / 2 : spacing);
-  }
-  f->phases = winkler::read_phases(scene);
-  f->force = typical_force(*f);
-  if (!(f->force > 0))
-    throw InputError(scene.where("cycle.y") +
-                     ": expected a flat that presses the pin, y > 0, in some phase");
-  f->speed = winkler::mean_speed(f->phases);
-  const Scene sliding = scene.with("wear.velocity", f->speed);
-  f->wear = read_wear_law(sliding);
-  f->wear_by_pressure = wear_by_pressure(sliding, f->wear, {.pressure = f->mean_pressure()});
-  if (f->wear_by_pressure == 0)
-    throw InputError(
-        scene.where("wear.rate") +
-        ": expected a law that wears the centre of this pin; the springs have no friction");
-  WearCircumstances circumstances{
-      .pressure = f->mean_pressure(), .depth = f->mean_depth(), .initial = {}};
-  for (const double x : f->x) circumstances.initial.push_back({x, f->profile(x), 0});
-  require_law(sliding, f->wear, circumstances);
-  const bool cyclic = scene.has("cycle.period");
-  return std::make_unique<WinklerModel>(std::move(f), !cyclic && has_archard_rate(scene));
+  const bool known = !scene.has("cycle.period") && winkler::has_archard_rate(scene);
+  return std::make_unique<WinklerModel>(winkler::read_foundation(scene), known);
 }
 
 const Registration<Problem> registration({
     .name = "winkler",
     .help = "2D parabolic pin on a bed of springs, worn by a sliding rigid flat; solved exactly",
-    .keys = keys(),
+    .keys = winkler::foundation_keys(),
     .make = make,
 });
 

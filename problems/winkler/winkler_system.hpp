@@ -5,6 +5,7 @@
 #include <gnomon/laws/wear_law.hpp>
 #include <gnomon/system/system.hpp>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,20 +15,32 @@ namespace gnomon::winkler {
 
 /// Data of the pin and its springs, and the trapezoidal points.
 struct Foundation {
-  double radius, width;       ///< R, L [mm]
-  double modulus;             ///< K_w [MPa/mm]
-  std::vector<Phase> phases;  ///< of the flat; one without a cycle
-  double force, speed;        ///< typical F [N/mm] and mean v [mm/s] over the cycle
-  WearLaw wear;               ///< of p, v, t, s, x0 and h = d
-  double wear_by_pressure;    ///< typical Wdot / p [mm/s/MPa]
-  double duration;            ///< of the run [s]
-  std::vector<double> x;      ///< positions of the points [mm]
-  std::vector<double> area;   ///< A_i [mm]
+  double radius, width;              ///< R, L [mm]
+  double modulus;                    ///< K_w [MPa/mm]
+  std::vector<Phase> phases;         ///< of the flat; one without a cycle
+  PhaseSource phase_set;             ///< other phases of the cycle; empty: there is no cycle
+  double force, speed;               ///< typical F [N/mm] and mean v [mm/s] over the cycle
+  WearLaw wear;                      ///< of p, v, t, s, x0 and h = d
+  double wear_by_pressure;           ///< typical Wdot / p [mm/s/MPa]
+  double duration;                   ///< of the run [s]
+  std::vector<double> x;             ///< positions of the points [mm]
+  std::vector<double> area;          ///< A_i [mm]
+  std::vector<std::string> remarks;  ///< for the user
 
   double profile(double at) const { return at * at / (2 * radius); }
   double mean_pressure() const { return force / width; }
   double mean_depth() const { return wear_by_pressure * mean_pressure() * duration; }
 };
+
+/// What a wear law sees of a point in a phase; `seen` has pressure, depth and the time, and gets
+/// the rest.
+inline WearInput wear_input(const Foundation& f, const Phase& phase, std::size_t point,
+                            WearInput seen) {
+  seen.speed = phase.speed;
+  seen.moment.slid = f.speed * seen.moment.time;
+  seen.initial = {f.x[point], f.profile(f.x[point]), 0};
+  return seen;
+}
 
 /// Unknowns d_0, p_0, d_1, p_1, ..., delta; or p_0, p_1, ..., delta with d frozen. In a cycle of P
 /// phases every point has P pressures after its d, and there are P deltas. The Jacobian is an
@@ -185,12 +198,10 @@ private:
     return foundation_->wear.rate(wear_input(at, i, q), branches);
   }
   WearInput wear_input(const Point& at, int i, int q) const {
-    const Foundation& f = *foundation_;
-    return {.pressure = at.y[p(i, q)],
-            .speed = f.phases[q].speed,
-            .depth = coupled_ ? at.y[d(i)] : frozen_[i],
-            .moment = {.time = at.t, .slid = f.speed * at.t, .within = at.within.value_or(at.t)},
-            .initial = {f.x[i], f.profile(f.x[i]), 0}};
+    const WearMoment moment{.time = at.t, .within = at.within.value_or(at.t)};
+    return winkler::wear_input(
+        *foundation_, foundation_->phases[q], i,
+        {.pressure = at.y[p(i, q)], .depth = coupled_ ? at.y[d(i)] : frozen_[i], .moment = moment});
   }
   /// Contact in a phase, then the kinks of the wear law.
   std::size_t switches() const { return 1 + foundation_->wear.kinks(); }

@@ -148,21 +148,6 @@ std::vector<double> kinks_of(const PartCycle<dim>& part, const WornBody<dim>& bo
   return merged_kinks(part.cycle.kinks(), reversals(part, body));
 }
 
-template <int dim>
-void remark_on_means(const CycleQuadrature& quadrature, double tolerance, WornBody<dim>& body) {
-  const double error =
-      error_of_motion(body.cycle, body.phase_set(body, {PhaseSet::Kind::fine}));
-  if (!(error > tolerance)) return;
-  const std::string parts =
-      quadrature.parts() > 0
-          ? fmt::format(" (the cycle has {} corners and reversals)", quadrature.parts())
-          : "";
-  body.remarks.push_back(fmt::format(
-      "cycle.phases: the mean of speed or force over {} phases has an error of {:.2g} %{}; take "
-      "more phases",
-      body.cycle.size(), 100 * error, parts));
-}
-
 }  // namespace
 
 template <int dim>
@@ -192,31 +177,27 @@ void make_phases(const Scene& scene, const PartCycle<dim>& part, WornBody<dim>& 
   body.cycle = body.phase_set(body, {});
   if (part.cycle.force)
     for (const Phase<dim>& phase : body.cycle) require_force(scene, phase, *body.counter_force);
-  remark_on_means(quadrature, phase_tolerance(scene), body);
+  const double error = error_of_motion(body.cycle, body.phase_set(body, {PhaseSet::Kind::fine}));
+  const std::string remark = remark_on_motion(
+      error, phase_tolerance(scene), static_cast<long>(body.cycle.size()), quadrature.parts());
+  if (!remark.empty()) body.remarks.push_back(remark);
 }
 
 template <int dim>
 std::shared_ptr<WornBody<dim>> with_chosen_phases(
     const Scene& scene, const std::function<std::shared_ptr<WornBody<dim>>(long phases)>& with) {
-  constexpr long fewest = 4, most = 256;
   const double tolerance = phase_tolerance(scene);
-  auto body = with(fewest);
-  PhaseError chosen{0, fewest, 0};
-  std::string why;
+  auto body = with(fewest_chosen_phases);
+  std::string remark;
   try {
-    chosen = choose_phases<dim>(body, tolerance, most);
-    why = std::isfinite(chosen.error)
-              ? fmt::format("the mean over them has an error of about {:.1g}", chosen.error)
-              : fmt::format(
-                    "the mean over fewer has an error of more than {:g}, and more are not "
-                    "tried",
-                    tolerance);
+    const ChosenPhases chosen = choose_phases<dim>(body, tolerance);
+    remark = remark_on_choice(chosen, tolerance);
+    if (chosen.count != fewest_chosen_phases) body = with(chosen.count);
   } catch (const SolutionError& error) {
-    why = std::string("more cannot be compared: ") + error.what();
+    remark = fmt::format("cycle.phases = \"auto\": {} phases, more cannot be compared: {}",
+                         fewest_chosen_phases, error.what());
   }
-  if (chosen.phases != fewest) body = with(chosen.phases);
-  body->remarks.push_back(
-      fmt::format("cycle.phases = \"auto\": {} phases, {}", chosen.phases, why));
+  body->remarks.push_back(remark);
   return body;
 }
 

@@ -1,7 +1,6 @@
 #include "model/phase_error.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/processes.hpp>
@@ -136,21 +135,6 @@ std::vector<double> FixedShape<dim>::mean_rate(const std::vector<Phase<dim>>& ph
   return mean;
 }
 
-namespace {
-
-template <int dim>
-double mean(const std::vector<Phase<dim>>& phases, const auto& f) {
-  double sum = 0;
-  for (const Phase<dim>& phase : phases) sum += phase.weight * f(phase);
-  return sum;
-}
-
-/// Volumes per time.
-struct RateDifference {
-  double difference = 0;  ///< of mean wear rates, its absolute value summed up over the surface
-  double whole = 0;       ///< of the second
-};
-
 RateDifference compare_rates(const std::vector<double>& areas, const std::vector<double>& coarse,
                              const std::vector<double>& fine) {
   RateDifference result;
@@ -161,43 +145,41 @@ RateDifference compare_rates(const std::vector<double>& areas, const std::vector
   return {sum_over_processes(result.difference), sum_over_processes(result.whole)};
 }
 
-}  // namespace
-
 template <int dim>
 double error_of_motion(const std::vector<Phase<dim>>& phases, const std::vector<Phase<dim>>& fine) {
-  using Function = double (*)(const Phase<dim>&);
-  constexpr Function speed = [](const Phase<dim>& phase) {
+  const auto speed = [](const Phase<dim>& phase) {
     return phase.counter_body.motion.nominal_speed(Vector<dim>::Zero());
   };
-  const std::array<Function, 3> functions = {
-      speed, [](const Phase<dim>& phase) { return phase.force.value_or(0) * speed(phase); },
-      [](const Phase<dim>& phase) { return phase.load * speed(phase); }};
-  double error = 0;
-  for (const Function f : functions) {
-    const double size = mean(fine, [&](const Phase<dim>& phase) { return std::abs(f(phase)); });
-    if (size > 0) error = std::max(error, std::abs(mean(phases, f) - mean(fine, f)) / size);
-  }
-  return error;
+  return std::max({error_of_mean(phases, fine, speed),
+                   error_of_mean(phases, fine,
+                                 [&](const Phase<dim>& phase) {
+                                   return phase.force.value_or(0) * speed(phase);
+                                 }),
+                   error_of_mean(phases, fine, [&](const Phase<dim>& phase) {
+                     return phase.load * speed(phase);
+                   })});
 }
 
 template <int dim>
-PhaseError choose_phases(std::shared_ptr<const WornBody<dim>> body, double tolerance, long most) {
+ChosenPhases choose_phases(std::shared_ptr<const WornBody<dim>> body, double tolerance) {
   using enum PhaseSet::Kind;
-  const std::vector<Phase<dim>> instants = body->phase_set(*body, {fine});
-  for (int times = 1;; times *= 2) {
-    const std::vector<Phase<dim>> phases = body->phase_set(*body, {own, times});
-    const auto count = static_cast<long>(phases.size());
-    if (count >= most) return {0, count, std::numeric_limits<double>::infinity()};
-    const double of_motion = error_of_motion(phases, instants);
-    if (of_motion > tolerance) continue;
+  const auto set = [&](PhaseSet::Kind kind, int times) {
+    return body->phase_set(*body, {kind, times});
+  };
+  const auto error = [&](int times) {
+    const std::vector<Phase<dim>> phases = set(own, times);
+    const double of_motion = error_of_motion(phases, set(fine, 1));
+    if (of_motion > tolerance) return of_motion;
     FixedShape<dim> shape(body);
     const std::vector<double> mean = shape.mean_rate(phases);
-    const auto [difference, whole] = compare_rates(
-        shape.areas(), mean, shape.mean_rate(body->phase_set(*body, {comparison, times})));
+    const auto [difference, whole] =
+        compare_rates(shape.areas(), mean, shape.mean_rate(set(comparison, times)));
     // Where nothing wears, the phases may all have missed the contact.
-    if (whole > 0 && difference <= tolerance * whole)
-      return {0, count, std::max(of_motion, difference / whole)};
-  }
+    if (!(whole > 0)) return std::numeric_limits<double>::infinity();
+    return std::max(of_motion, difference / whole);
+  };
+  return choose_phases(
+      tolerance, [&](int times) { return static_cast<long>(set(own, times).size()); }, error);
 }
 
 template <int dim>
@@ -221,8 +203,8 @@ template class FixedShape<2>;
 template class FixedShape<3>;
 template double error_of_motion(const std::vector<Phase<2>>&, const std::vector<Phase<2>>&);
 template double error_of_motion(const std::vector<Phase<3>>&, const std::vector<Phase<3>>&);
-template PhaseError choose_phases(std::shared_ptr<const WornBody<2>>, double, long);
-template PhaseError choose_phases(std::shared_ptr<const WornBody<3>>, double, long);
+template ChosenPhases choose_phases(std::shared_ptr<const WornBody<2>>, double);
+template ChosenPhases choose_phases(std::shared_ptr<const WornBody<3>>, double);
 template std::optional<PhaseError> WearModel<2>::phase_error(const State&) const;
 template std::optional<PhaseError> WearModel<3>::phase_error(const State&) const;
 

@@ -54,10 +54,19 @@ private:
 template <int dim>
 double error_of_motion(const std::vector<Phase<dim>>& phases, const std::vector<Phase<dim>>& fine);
 
-/// As many phases as the body has, twice, four times, ... until the error at the initial shape is
-/// within the tolerance, or until there are `most`: then the error is infinite, because it is not
-/// known. Throws SolutionError.
+/// The number of phases, as many as the body has or more, that is within the tolerance at the
+/// initial shape. Throws SolutionError.
 template <int dim>
-PhaseError choose_phases(std::shared_ptr<const WornBody<dim>> body, double tolerance, long most);
+ChosenPhases choose_phases(std::shared_ptr<const WornBody<dim>> body, double tolerance);
+
+/// Mean wear rates at the nodes of a surface, beside each other [volume / time].
+struct RateDifference {
+  double difference = 0;  ///< its absolute value summed up over the surface
+  double whole = 0;       ///< of the second
+};
+
+/// By the area of each node and its two mean rates.
+RateDifference compare_rates(const std::vector<double>& areas, const std::vector<double>& coarse,
+                             const std::vector<double>& fine);
 
 }  // namespace gnomon

@@ -92,7 +92,7 @@ TEST_F(Plot, DrawsBodiesInSpaceAndTwoResultsBesideEachOther) {
   const Outcome outcome = gnomon({"plot", "two steps.h5", "four.h5"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, IsEmpty());
-  for (const char* kind : {"pressure", "history", "mesh", "wear", "pressure-map"})
+  for (const char* kind : {"pressure", "history", "mesh", "wear", "pressure-map", "depth-map"})
     for (const char* name : {"two steps-", "four-"})
       expect_figure(std::string("figures/") + name + kind);
   EXPECT_THAT(outcome.out, HasSubstr("four-shape: skipped"));

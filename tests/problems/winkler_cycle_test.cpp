@@ -8,40 +8,14 @@
 #include <gnomon/base/error.hpp>
 #include <numbers>
 
-#include "support/problem_run.hpp"
+#include "winkler_pin.hpp"
 
 namespace gnomon {
 namespace {
 
 using namespace testing;
+using namespace winkler_pin;
 using ::testing::HasSubstr;
-
-constexpr double R = 5, L = 2, modulus = 70, k = 2e-6, pi = std::numbers::pi;
-constexpr int n = 21;
-
-double at(int i) {
-  return L * (double(i) / (n - 1) - 0.5);
-}
-double profile(int i) {
-  return at(i) * at(i) / (2 * R);
-}
-double area(int i) {
-  return L / (n - 1) * (i == 0 || i == n - 1 ? 0.5 : 1);
-}
-
-std::unique_ptr<Model> pin(const std::string& cycle, const Overrides& overrides = {}) {
-  const std::string text = fmt::format(R"(problem = "winkler"
-pin = {{ radius = {}, width = {} }}
-foundation = {{ modulus = {}, points = {} }}
-wear.coefficient = {}
-integrator = {{ name = "esdirk-4", rtol = 1e-4 }}
-time.cycles = 100000
-[cycle]
-period = 1.0
-{})",
-                                       R, L, modulus, n, k, cycle);
-  return make_model(parse_scene(text, "pin.toml", overrides, key_table));
-}
 
 std::string refusal(const std::string& cycle, const Overrides& overrides = {}) {
   try {
@@ -50,16 +24,6 @@ std::string refusal(const std::string& cycle, const Overrides& overrides = {}) {
     return error.what();
   }
   return "";
-}
-
-/// d of every point.
-using Depths = std::vector<double>;
-
-Depths depths_of(const Model& model, const State& state) {
-  Depths depths;
-  for (std::size_t i = 0; i < state.y.size(); ++i)
-    if (model.system().structure().differential[i]) depths.push_back(state.y[i]);
-  return depths;
 }
 
 /// Steps end where springs touch or lose contact in a phase.
@@ -126,24 +90,6 @@ TEST(WinklerCycle, AHeldFlatWearsByExponentialsUntilPhasesLoseContact) {
   EXPECT_EQ(exact[0], 0);
   EXPECT_GT(exact[n / 2], 0.06);  // it has lost the second phase
   EXPECT_LT(difference(depths_of(*model, averaged(*model, cycles)), exact), 1e-8 * exact[n / 2]);
-}
-
-/// Pressures at worn depths d under a force: delta by its monotonic balance.
-std::vector<double> pressures(const Depths& d, double force) {
-  double delta = 0;
-  for (int i = 0; i < n; ++i) delta = std::max(delta, profile(i) + d[i]);
-  delta += force / modulus / L;
-  for (double change = 1; change > 1e-16;) {  // Newton's method from above
-    double sum = -force, slope = 0;
-    for (int i = 0; i < n; ++i)
-      if (const double g = delta - profile(i) - d[i]; g > 0)
-        sum += area(i) * modulus * g, slope += area(i) * modulus;
-    change = sum / slope;
-    delta -= change;
-  }
-  std::vector<double> p;
-  for (int i = 0; i < n; ++i) p.push_back(modulus * std::max(0.0, delta - profile(i) - d[i]));
-  return p;
 }
 
 /// Every cycle as ordinary time: the explicit midpoint rule, `steps` a cycle, none of which looks
@@ -232,10 +178,6 @@ TEST(WinklerCycle, DiffersFromEveryCycleByTheWearOfOneInTheFirstOrder) {
   EXPECT_NEAR(std::log2(second / third), 1, 0.03);
   EXPECT_NEAR(std::log2(third / fourth), 1, 0.03);
   EXPECT_LT(fourth, 0.05 / 200);  // of the wear of one cycle
-}
-
-double speed_of_sine(double tau) {
-  return 0.1 * pi * std::abs(std::cos(2 * pi * tau));
 }
 
 // Motion and load that change all the time.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <gnomon/laws/load_history.hpp>
+#include <gnomon/laws/phase_mean.hpp>
 #include <gnomon/mesh/mesh_part.hpp>
 #include <gnomon/system/composed_system.hpp>
 #include <gnomon/system/linear_solver_choice.hpp>
@@ -63,17 +64,6 @@ struct Phase {
   /// without it the counter-body does not move.
   std::optional<double> force{};
   double load = 1;  ///< factor of the loads on the body
-};
-
-/// Phases of a cycle, a power of two times as many as a body has.
-struct PhaseSet {
-  enum class Kind {
-    own,         ///< as the body would have them
-    comparison,  ///< that `own` is compared with (CycleQuadrature::comparison)
-    fine         ///< thousands, for the means of motion and load alone
-  };
-  Kind kind = Kind::own;
-  int times = 1;
 };
 
 template <int dim>

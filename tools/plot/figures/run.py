@@ -17,7 +17,8 @@ RESULT_FIGURES = {
     "history": history.draw,
     "mesh": mesh.draw,
     "wear": wear.draw,
-    "pressure-map": surface.draw,
+    "pressure-map": surface.draw_pressure,
+    "depth-map": surface.draw_depth,
 }
 CYCLE_FIGURES = {"cycle": cycle.draw}  # of results with phases
 

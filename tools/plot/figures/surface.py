@@ -1,5 +1,6 @@
-"""Contact pressure on the surface of a body in space, at the start and at up to three stored times
-(figs. 8, 10, 13). Grey where there is no contact; a half is completed by its mirror image."""
+"""Maps of the surface of a body in space: contact pressure at the start and at up to three stored
+times (figs. 8, 10, 13), and the wear depth, the track. Grey where there is no contact or no wear; a
+half is completed by its mirror image."""
 
 import numpy
 from matplotlib.cm import ScalarMappable
@@ -13,20 +14,38 @@ from .complaints import Unsuitable
 
 NAMES = "xyz"
 LEVELS = 20  # bands of colour
+LEAST = 1e-6  # of the largest value: where a map begins
 
 
-def draw(result):
+def draw_pressure(result):
+    return draw(result, [0, *steps_of(result)], "pressure", "pressure [MPa]")
+
+
+def draw_depth(result):
+    """Over the initial places, which the wear depth belongs to."""
+    steps = steps_of(result)
+    if not steps or not result.contact(steps[-1])["wear_depth"].max() > 0:
+        raise Unsuitable("nothing is worn")
+    return draw(result, steps, "wear_depth", "wear depth [mm]", of_place="0")
+
+
+def steps_of(result):
     if result.dim != 3:
         raise Unsuitable("the contact surface is a curve")
-    steps = [0, *result.some_steps(3)]
+    return result.some_steps(3)
+
+
+def draw(result, steps, column, label, of_place=""):
+    """`of_place`: the ending of the columns of places."""
     faces = space.contact_faces(result)
     across = seen_axes(result, faces)
+    places = [NAMES[axis].upper() + of_place if of_place else NAMES[axis] for axis in across]
     mirrored = 1 in across and space.is_half(result)
-    maps = [map_of(result.contact(step), faces, across, mirrored) for step in steps]
+    maps = [map_of(result.contact(step), faces, places, column, mirrored) for step in steps]
     figure = style.figure(width=style.DOUBLE)
     panels = figure.subplots(1, len(steps), sharex=True, sharey=True, squeeze=False)[0]
-    for axes, step, (points, quads, pressure) in zip(panels, steps, maps):
-        paint(figure, axes, points, quads, pressure)
+    for axes, step, (points, quads, values) in zip(panels, steps, maps):
+        paint(figure, axes, points, quads, values, label)
         axes.set_title("$t$ = " + result.clock.text(result.times[step]))
         axes.set_xlabel(f"${NAMES[across[0]]}$ [mm]")
     panels[0].xaxis.set_major_locator(MaxNLocator(4))
@@ -46,45 +65,48 @@ def seen_axes(result, faces):
     return [axis for axis in range(3) if axis != numpy.abs(normal).argmax()]
 
 
-def map_of(table, faces, across, mirrored):
-    """Current positions, faces and pressures, of both halves if one is mirrored at y = 0."""
-    points = numpy.stack([table[NAMES[axis]] for axis in across], axis=1)
+def map_of(table, faces, places, column, mirrored):
+    """Places, faces and values that are seen, of both halves if one is mirrored at y = 0. Less than a
+    millionth of the largest value is none."""
+    points = numpy.stack([table[place] for place in places], axis=1)
+    values = table[column]
+    values = numpy.where(values > LEAST * values.max(), values, 0)
     if not mirrored:
-        return points, faces, table["pressure"]
-    image = points * [-1 if axis == 1 else 1 for axis in across]
+        return points, faces, values
+    image = points * [-1 if place.lower().startswith("y") else 1 for place in places]
     return (numpy.concatenate([points, image]), numpy.concatenate([faces, faces + len(points)]),
-            numpy.tile(table["pressure"], 2))
+            numpy.tile(values, 2))
 
 
-def paint(figure, axes, points, faces, pressure):
+def paint(figure, axes, points, faces, values, label):
     axes.add_collection(PolyCollection(points[faces], color=style.BAND))
-    if pressure.max() > 0:
-        levels = numpy.linspace(0, pressure.max(), LEVELS + 1)
-        levels[0] = 1e-6 * pressure.max()
-        scale = ScalarMappable(Normalize(0, pressure.max()), style.STRESS_MAP)
-        axes.tricontourf(*triangles(points, faces, pressure), levels, cmap=scale.cmap,
+    if values.max() > 0:
+        levels = numpy.linspace(0, values.max(), LEVELS + 1)
+        levels[0] = LEAST * values.max()
+        scale = ScalarMappable(Normalize(0, values.max()), style.STRESS_MAP)
+        axes.tricontourf(*triangles(points, faces, values), levels, cmap=scale.cmap,
                          norm=scale.norm)
         figure.colorbar(scale, ax=axes, orientation="horizontal", aspect=18,
-                        ticks=MaxNLocator(4), label="pressure [MPa]")
+                        ticks=MaxNLocator(4), label=label)
     for painted in axes.collections:
         painted.set(edgecolor="face", linewidth=0.2, rasterized=True)
     axes.set_aspect("equal")
 
 
-def triangles(points, faces, pressure):
+def triangles(points, faces, values):
     """Four triangles per face, meeting at its centre, so that no diagonal is preferred."""
     centres = len(points) + numpy.arange(len(faces))
     corners = [numpy.stack([faces[:, i], faces[:, (i + 1) % 4], centres], axis=1) for i in range(4)]
     everywhere = numpy.concatenate([points, points[faces].mean(axis=1)])
-    values = numpy.concatenate([pressure, pressure[faces].mean(axis=1)])
-    return Triangulation(*everywhere.T, numpy.concatenate(corners)), values
+    at_corners = numpy.concatenate([values, values[faces].mean(axis=1)])
+    return Triangulation(*everywhere.T, numpy.concatenate(corners)), at_corners
 
 
 def frame(axes, maps):
-    """The range that was ever in contact and a margin, within the surface; returns height by
-    width."""
-    loaded = numpy.concatenate([points[faces[(pressure[faces] > 0).any(axis=1)]].reshape(-1, 2)
-                                for points, faces, pressure in maps])
+    """The range that was ever in contact or is worn, and a margin, within the surface; returns height
+    by width."""
+    loaded = numpy.concatenate([points[faces[(values[faces] > 0).any(axis=1)]].reshape(-1, 2)
+                                for points, faces, values in maps])
     whole = numpy.concatenate([points for points, _, _ in maps])
     seen = loaded if len(loaded) else whole
     margin = 0.15 * numpy.ptp(seen, axis=0).max()

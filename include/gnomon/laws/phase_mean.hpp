@@ -1,0 +1,59 @@
+// Means over the phases of a cycle: their error, and the number of phases that it asks for
+// (docs/cycles.md, "Error of the mean").
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// Phases of a cycle, a power of two times as many as a model has.
+struct PhaseSet {
+  enum class Kind {
+    own,         ///< as the model would have them
+    comparison,  ///< that `own` is compared with (CycleQuadrature::comparison)
+    fine         ///< thousands, for the means of motion and load alone
+  };
+  Kind kind = Kind::own;
+  int times = 1;
+};
+
+/// The mean of a function of a phase; a phase has a `weight`.
+template <class Phase, class Function>
+double mean_over(const std::vector<Phase>& phases, const Function& f) {
+  double sum = 0;
+  for (const Phase& phase : phases) sum += phase.weight * f(phase);
+  return sum;
+}
+
+/// The error of such a mean against that over `fine` phases, as a part of the mean magnitude there;
+/// 0 where the function vanishes.
+template <class Phase, class Function>
+double error_of_mean(const std::vector<Phase>& phases, const std::vector<Phase>& fine,
+                     const Function& f) {
+  const double size = mean_over(fine, [&](const Phase& phase) { return std::abs(f(phase)); });
+  return size > 0 ? std::abs(mean_over(phases, f) - mean_over(fine, f)) / size : 0;
+}
+
+/// What cycle.phases = "auto" comes to.
+struct ChosenPhases {
+  long count = 0;
+  double error = 0;  ///< of the mean over them; infinite: not known, there are as many as are tried
+};
+
+inline constexpr long fewest_chosen_phases = 4, most_chosen_phases = 256;
+
+/// As many phases as `count(times)` says of times = 1, 2, 4, ..., until the `error(times)` of the
+/// mean over them is within the tolerance, or until there are most_chosen_phases.
+ChosenPhases choose_phases(double tolerance, const std::function<long(int times)>& count,
+                           const std::function<double(int times)>& error);
+
+/// For the user: how many, and why.
+std::string remark_on_choice(const ChosenPhases& chosen, double tolerance);
+/// For the user: that the mean of speed or force over so many phases has an error; `parts` of the
+/// cycle between corners and reversals. Empty where it is within the tolerance.
+std::string remark_on_motion(double error, double tolerance, long phases, int parts);
+
+}  // namespace gnomon

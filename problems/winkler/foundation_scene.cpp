@@ -1,0 +1,125 @@
+#include "foundation_scene.hpp"
+
+#include <algorithm>
+#include <gnomon/base/error.hpp>
+#include <gnomon/laws/cycle_scene.hpp>
+#include <gnomon/model/wear_scene.hpp>
+#include <string>
+
+#include "phase_error.hpp"
+
+namespace gnomon::winkler {
+
+namespace {
+
+/// The factors are in the order of the equations of winkler.cpp.
+constexpr const char* archard_rate = "k * v * p";
+
+/// The largest force of a phase; of a held flat that of the springs of the unworn pin.
+double typical_force(const Foundation& f) {
+  double most = 0;
+  for (const Phase& phase : f.phases) {
+    double force = phase.held ? 0 : phase.press;
+    for (std::size_t i = 0; phase.held && i < f.x.size(); ++i)
+      force += f.area[i] * f.modulus * std::max(0.0, phase.press - f.profile(f.x[i]));
+    most = std::max(most, force);
+  }
+  return most;
+}
+
+void read_pin(const Scene& scene, Foundation& f) {
+  f.radius = scene.real("pin.radius");
+  f.width = scene.real("pin.width");
+  f.modulus = scene.real("foundation.modulus");
+  f.duration = scene.real("time.end");
+  const long n = scene.integer("foundation.points");
+  const double spacing = f.width / double(n - 1);
+  for (long i = 0; i < n; ++i) {
+    f.x.push_back(f.width * (double(i) / double(n - 1) - 0.5));
+    f.area.push_back(i == 0 || i == n - 1 ? spacing / 2 : spacing);
+  }
+}
+
+void read_motion(const Scene& scene, Foundation& f) {
+  const FlatMotion motion = read_flat_motion(scene);
+  f.phases = motion.phases;
+  f.phase_set = motion.phase_set;
+  f.force = typical_force(f);
+  if (!(f.force > 0))
+    throw InputError(scene.where("cycle.y") +
+                     ": expected a flat that presses the pin, y > 0, in some phase");
+  f.speed = mean_speed(f.phases);
+  if (!f.phase_set) return;
+  const std::string remark = remark_on_motion(error_of_motion(f), phase_tolerance(scene),
+                                              static_cast<long>(f.phases.size()), motion.parts);
+  if (!remark.empty()) f.remarks.push_back(remark);
+}
+
+void read_wear(const Scene& scene, Foundation& f) {
+  const Scene sliding = scene.with("wear.velocity", f.speed);
+  f.wear = read_wear_law(sliding);
+  f.wear_by_pressure = wear_by_pressure(sliding, f.wear, {.pressure = f.mean_pressure()});
+  if (f.wear_by_pressure == 0)
+    throw InputError(
+        scene.where("wear.rate") +
+        ": expected a law that wears the centre of this pin; the springs have no friction");
+  WearCircumstances circumstances{
+      .pressure = f.mean_pressure(), .depth = f.mean_depth(), .initial = {}};
+  for (const double x : f.x) circumstances.initial.push_back({x, f.profile(x), 0});
+  require_law(sliding, f.wear, circumstances);
+}
+
+/// With a given number of phases.
+std::shared_ptr<Foundation> foundation_of(const Scene& scene) {
+  auto f = std::make_shared<Foundation>();
+  read_pin(scene, *f);
+  read_motion(scene, *f);
+  read_wear(scene, *f);
+  return f;
+}
+
+}  // namespace
+
+std::vector<Key> foundation_keys() {
+  std::vector<Key> result = {
+      {.name = "pin.radius",
+       .unit = "mm",
+       .range = positive_quantity,
+       .help = "radius of curvature R of the pin's surface y = x^2/(2R)"},
+      {.name = "pin.width", .unit = "mm", .range = positive_quantity, .help = "width L of the pin"},
+      {.name = "foundation.modulus",
+       .unit = "MPa/mm",
+       .range = positive_quantity,
+       .help = "modulus K_w of the springs: pressure per unit of compression"},
+      {.name = "foundation.points",
+       .kind = KeyKind::integer,
+       .presence = Key::Presence::defaulted,
+       .default_value = 401L,
+       .range = {.min = 3, .max = 1000000},
+       .help = "number of springs over the width, both ends included"}};
+  for (const Key& key : phase_keys()) result.push_back(key);
+  for (const Key& key : worn_body_keys(2))
+    if (key.name.starts_with("wear.") && key.name != "wear.normal" && key.name != "wear.velocity") {
+      result.push_back(key);
+      if (key.name == "wear.rate") result.back().default_value = archard_rate;
+    }
+  return result;
+}
+
+bool has_archard_rate(const Scene& scene) {
+  return scene.text("wear.law") == "archard" ||
+         (scene.text("wear.law") == "expression" &&
+          (scene.text("wear.rate") == archard_rate || scene.text("wear.rate") == "k * p * v"));
+}
+
+std::shared_ptr<const Foundation> read_foundation(const Scene& scene) {
+  if (!chooses_phases(scene)) return foundation_of(scene);
+  const double tolerance = phase_tolerance(scene);
+  const ChosenPhases chosen =
+      choose_phases(*foundation_of(with_phases(scene, fewest_chosen_phases)), tolerance);
+  auto f = foundation_of(with_phases(scene, chosen.count));
+  f->remarks.push_back(remark_on_choice(chosen, tolerance));
+  return f;
+}
+
+}  // namespace gnomon::winkler

@@ -1,0 +1,38 @@
+#include <fmt/format.h>
+
+#include <gnomon/laws/phase_mean.hpp>
+#include <limits>
+
+namespace gnomon {
+
+ChosenPhases choose_phases(double tolerance, const std::function<long(int times)>& count,
+                           const std::function<double(int times)>& error) {
+  for (int times = 1;; times *= 2) {
+    if (count(times) >= most_chosen_phases)
+      return {count(times), std::numeric_limits<double>::infinity()};
+    const double found = error(times);
+    if (found <= tolerance) return {count(times), found};
+  }
+}
+
+std::string remark_on_choice(const ChosenPhases& chosen, double tolerance) {
+  const std::string why =
+      std::isfinite(chosen.error)
+          ? fmt::format("the mean over them has an error of about {:.1g}", chosen.error)
+          : fmt::format(
+                "the mean over fewer has an error of more than {:g}, and more are not tried",
+                tolerance);
+  return fmt::format("cycle.phases = \"auto\": {} phases, {}", chosen.count, why);
+}
+
+std::string remark_on_motion(double error, double tolerance, long phases, int parts) {
+  if (!(error > tolerance)) return {};
+  const std::string in_parts =
+      parts > 0 ? fmt::format(" (the cycle has {} corners and reversals)", parts) : "";
+  return fmt::format(
+      "cycle.phases: the mean of speed or force over {} phases has an error of {:.2g} %{}; take "
+      "more phases",
+      phases, 100 * error, in_parts);
+}
+
+}  // namespace gnomon
