@@ -165,12 +165,23 @@ private:
     return builder.build();
   }
 
+  /// A point is a group where it has few unknowns. In a cycle its pressures are not coupled with each
+  /// other, and groups, which are stored as if all were, would be nearly full.
+  void set_groups(int size) {
+    structure_.group.assign(size, points());
+    for (int i = 0; i < size; ++i)
+      if (phases() > 1)
+        structure_.group[i] = i;
+      else if (i < delta(0))
+        structure_.group[i] = i / (coupled_ ? 2 : 1);
+  }
+
   void set_magnitudes() {
     const Foundation& f = *foundation_;
     const int n = points(), size = delta(phases());
     const double compression = f.mean_pressure() / f.modulus;
     structure_.size = size;
-    structure_.group.assign(size, n);
+    set_groups(size);
     structure_.differential.assign(size, 0);
     structure_.row_scale.assign(size, f.mean_pressure());
     structure_.unknown_scale.assign(size, f.mean_pressure());
@@ -180,9 +191,7 @@ private:
     }
     for (int i = 0; i < n; ++i) {
       structure_.switch_node.insert(structure_.switch_node.end(), phases() * switches(), i);
-      for (int q = 0; q < phases(); ++q) structure_.group[p(i, q)] = i;
       if (!coupled_) continue;
-      structure_.group[d(i)] = i;
       structure_.differential[d(i)] = 1;
       structure_.row_scale[d(i)] = f.mean_depth() / f.duration;
       structure_.unknown_scale[d(i)] = f.mean_depth();
