@@ -8,13 +8,14 @@ import time
 from figures import style
 from program import ROOT
 
-from gallery import closed_forms, contact, methods, paper, parts, published
+from gallery import closed_forms, contact, cycles, methods, paper, parts, published
 from gallery.entry import markdown
 
 GROUPS = {
     "Contact without wear": contact.ENTRIES,
     "Wear with closed forms": closed_forms.ENTRIES,
     "Published tests": published.ENTRIES,
+    "Cycles": cycles.ENTRIES,
     "The paper's examples": paper.ENTRIES,
     "Parts": parts.ENTRIES,
     "Methods": methods.ENTRIES,
