@@ -68,17 +68,23 @@ TEST(WinklerPhaseErrors, ChoosesPhasesByTheTolerance) {
                 HasSubstr(fmt::format("cycle.phases = \"auto\": {} phases", model->phases())));
     last = model->phases();
   }
-  EXPECT_FALSE(model_of("winkler/pin.toml", {})->phase_error(State{}));
 }
 
-/// A motion of four strokes a cycle looks constant at four phases: the remark says so before a run.
+TEST(WinklerPhaseErrors, AbsentWithoutACycle) {
+  const auto steady = model_of("winkler/pin.toml", {"foundation.points=41"});
+  Counters counters;
+  EXPECT_FALSE(steady->phase_error(steady->start(counters)));
+}
+
+/// A motion to and fro four times a cycle looks constant at four equal positions.
 TEST(WinklerPhaseErrors, OfTheMotionAloneIsRemarked) {
-  const auto remarks = [](int phases) {
+  const auto remarks = [](const char* phases) {
     return pin(fmt::format("phases = {}\nx = \"0.05 * sin(8*pi*tau)\"\nforce = \"4\"", phases))
         ->remarks();
   };
-  EXPECT_THAT(remarks(4), ElementsAre(HasSubstr("the mean of speed or force over 4 phases")));
-  EXPECT_THAT(remarks(64), IsEmpty());
+  EXPECT_THAT(remarks("[0.0, 0.25, 0.5, 0.75]"),
+              ElementsAre(HasSubstr("the mean of speed or force over 4 phases")));
+  EXPECT_THAT(remarks("64"), IsEmpty());
 }
 
 }  // namespace
