@@ -44,6 +44,7 @@ void read_motion(const Scene& scene, Foundation& f) {
   const FlatMotion motion = read_flat_motion(scene);
   f.phases = motion.phases;
   f.phase_set = motion.phase_set;
+  f.remarks = motion.remarks;
   f.force = typical_force(f);
   if (!(f.force > 0))
     throw InputError(scene.where("cycle.y") +

@@ -128,6 +128,7 @@ FlatMotion read_flat_motion(const Scene& scene) {
   };
   motion.phases = motion.phase_set({});
   motion.parts = quadrature.parts();
+  motion.remarks = cycle->remarks();
   if (cycle->force) require_forces(scene, motion.phases);
   if (!(mean_speed(motion.phases) > 0))
     throw InputError(scene.where("cycle.x") + ": expected a flat that slides in some phase");

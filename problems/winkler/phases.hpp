@@ -5,6 +5,7 @@
 #include <functional>
 #include <gnomon/laws/phase_mean.hpp>
 #include <gnomon/scene/scene.hpp>
+#include <string>
 #include <vector>
 
 namespace gnomon::winkler {
@@ -29,8 +30,9 @@ using PhaseSource = std::function<std::vector<Phase>(const PhaseSet&)>;
 /// then also where others of the cycle come from. Throws InputError.
 struct FlatMotion {
   std::vector<Phase> phases;
-  PhaseSource phase_set;  ///< empty: there is no cycle
-  int parts = 0;          ///< of the cycle between corners and reversals
+  PhaseSource phase_set;               ///< empty: there is no cycle
+  int parts = 0;                       ///< of the cycle between corners and reversals
+  std::vector<std::string> remarks{};  ///< for the user
 };
 FlatMotion read_flat_motion(const Scene& scene);
 

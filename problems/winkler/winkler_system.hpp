@@ -165,8 +165,8 @@ private:
     return builder.build();
   }
 
-  /// A point is a group where it has few unknowns. In a cycle its pressures are not coupled with each
-  /// other, and groups, which are stored as if all were, would be nearly full.
+  /// A point is a group where it has few unknowns. In a cycle its pressures are not coupled with
+  /// each other, and groups, which are stored as if all were, would be nearly full.
   void set_groups(int size) {
     structure_.group.assign(size, points());
     for (int i = 0; i < size; ++i)

@@ -53,6 +53,8 @@ void remark_on_loads(const Scene& scene, WornBody<dim>& body) {
   std::map<std::string, std::vector<std::string>> loads;  // by group
   for (const std::string& number : scene.chosen_names("load.#.on"))
     loads[scene.text("load." + number + ".on")].push_back(number);
+  if (loads.empty() && scene.has("cycle.load"))
+    body.remarks.push_back("cycle.load has no effect: there is no [[load]]");
   for (const auto& [group, numbers] : loads)
     if (numbers.size() > 1)
       body.remarks.push_back(

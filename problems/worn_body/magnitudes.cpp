@@ -127,8 +127,9 @@ Magnitudes find_magnitudes(const Scene& scene, double force, double overlap, dou
   const double k_v =
       wear_by_pressure(scene, body.contact.wear, {pressure, scene.real("friction.coefficient")});
   // Held bodies wear until they no longer overlap.
-  const double worn = force > 0 ? k_v * impulse
-                                : std::min(k_v * start.force * scales.duration, gaps.volume(overlap));
+  const double worn = force > 0
+                          ? k_v * impulse
+                          : std::min(k_v * start.force * scales.duration, gaps.volume(overlap));
   result.deepest = worn > 0 ? gaps.depth_of(worn) : 0;
   const double worn_area = std::max(gaps.area(result.deepest), start.area);
   scales.stress = start.force / worn_area;

@@ -52,13 +52,25 @@ Patches<dim> first_touch(const Scene& scene, const Instants<dim>& instants,
   return touching;
 }
 
-/// |v| of the counter-body's surface at a point, its mean over the instants.
+/// A point of the worn surface and its normal, unit.
 template <int dim>
-double speed_at(const Instants<dim>& instants, const Vector<dim>& point) {
+struct Place {
+  Vector<dim> point, normal;
+};
+
+template <int dim>
+Place<dim> place_of(const ContactPatch<dim>& patch) {
+  return {patch.initial_position, patch.initial_normal.normalized()};
+}
+
+/// |v_T| of the counter-body's surface at a place, its mean over the instants.
+template <int dim>
+double speed_at(const Instants<dim>& instants, const Place<dim>& place) {
   double sum = 0;
   for (const CounterBody<dim>& other : instants) {
     auto motion = other.motion;
-    motion.reference = point - other.position;
+    motion.reference = place.point - other.position;
+    motion.normal = place.normal;
     sum += motion.nominal_speed(Vector<dim>::Zero());
   }
   return sum / static_cast<double>(instants.size());
@@ -69,27 +81,29 @@ template <int dim>
 double mean_speed(const Instants<dim>& other, const Patches<dim>& patches) {
   double sum = 0, area = 0;
   for (const auto* patch : patches) {
-    sum += patch->initial_area * speed_at<dim>(other, patch->initial_position);
+    sum += patch->initial_area * speed_at<dim>(other, place_of(*patch));
     area += patch->initial_area;
   }
   return sum / area;
 }
 
-/// The middle of the nodes. Where the counter-body turns about it, the one of them whose speed is
-/// nearest to their mean.
+/// The middle of the nodes. Where the counter-body turns about it, or where they face all sides,
+/// the one of them whose speed is nearest to their mean.
 template <int dim>
-Vector<dim> typical_point(const Instants<dim>& other, const Patches<dim>& patches) {
-  Vector<dim> sum = Vector<dim>::Zero();
-  for (const auto* patch : patches) sum += patch->initial_position;
-  Vector<dim> point = sum / static_cast<double>(patches.size());
-  const double mean = mean_speed<dim>(other, patches);
-  if (speed_at<dim>(other, point) >= mean / 2) return point;
-  double least = std::numeric_limits<double>::infinity();
+Place<dim> typical_place(const Instants<dim>& other, const Patches<dim>& patches) {
+  Place<dim> middle{Vector<dim>::Zero(), Vector<dim>::Zero()};
   for (const auto* patch : patches) {
-    const double off = std::abs(speed_at<dim>(other, patch->initial_position) - mean);
-    if (off < least) least = off, point = patch->initial_position;
+    middle.point += patch->initial_position / static_cast<double>(patches.size());
+    middle.normal += place_of(*patch).normal / static_cast<double>(patches.size());
   }
-  return point;
+  const bool faces_one_side = middle.normal.norm() > 0.5;
+  middle.normal.normalize();
+  const double mean = mean_speed<dim>(other, patches);
+  if (faces_one_side && speed_at<dim>(other, middle) >= mean / 2) return middle;
+  const auto off = [&](const ContactPatch<dim>* patch) {
+    return std::abs(speed_at<dim>(other, place_of(*patch)) - mean);
+  };
+  return place_of(**std::ranges::min_element(patches, {}, off));
 }
 
 }  // namespace
@@ -104,11 +118,14 @@ Scene with_speed(const Scene& scene, const std::optional<PartCycle<dim>>& cycle,
   // A ball that turns about the node where it touches slides where it will touch later.
   constexpr double nothing = 1e-9;
   if (mean_speed<dim>(other, touching) <= nothing * mean_speed<dim>(other, all)) touching = all;
-  const Vector<dim> point = typical_point<dim>(other, touching);
-  rest.motion.reference = point - rest.position;
-  if (scene.has("wear.velocity")) return scene;
-  return scene.with("wear.velocity",
-                    cycle ? mean_speed(*cycle, body) : speed_at<dim>(other, point));
+  const Place<dim> place = typical_place<dim>(other, touching);
+  rest.motion.reference = place.point - rest.position;
+  rest.motion.normal = place.normal;
+  const double speed =
+      scene.real_if("wear.velocity")
+          .value_or(cycle ? mean_speed(*cycle, body) : speed_at<dim>(other, place));
+  body.sliding_speed = speed;
+  return scene.with("wear.velocity", speed);
 }
 
 template <int dim>
@@ -119,10 +136,10 @@ void remark_on_speeds(const Scene& scene, const std::optional<PartCycle<dim>>& c
   for (const auto& patch : body.contact_nodes) all.push_back(&patch);
   if (mean_speed<dim>(other, all) == 0 && scene.real("wear.coefficient") > 0)
     body.remarks.push_back(
-        "counter_body.motion: the counter-body does not slide on the surfaces of wear.on, so that "
-        "nothing wears");
+        "counter_body.motion or cycle.x, .y, .z, .rotation: the counter-body does not slide on the "
+        "surfaces of wear.on, so that nothing wears");
   const auto is_turned_about = [&other](const ContactPatch<dim>& patch) {
-    const double speed = speed_at<dim>(other, patch.initial_position);
+    const double speed = speed_at<dim>(other, place_of(patch));
     return speed * speed < velocity_variance<dim>(patch, other.front().motion);
   };
   if (dim == 3 && std::ranges::any_of(body.contact_nodes, is_turned_about))

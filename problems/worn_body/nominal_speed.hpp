@@ -8,9 +8,9 @@
 
 namespace gnomon::part {
 
-/// The scene with `wear.velocity`, unless it has one: the speed of the counter-body's surface where
-/// it first touches, its mean over the cycle. Sets the place in the body's motion. Throws
-/// InputError where they do not meet.
+/// The scene with `wear.velocity`, unless it has one: the speed at which the counter-body's surface
+/// slides where it first touches, its mean over the cycle. Sets it in the body, and the place in
+/// the body's motion. Throws InputError where they do not meet.
 template <int dim>
 Scene with_speed(const Scene& scene, const std::optional<PartCycle<dim>>& cycle,
                  WornBody<dim>& body);

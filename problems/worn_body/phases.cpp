@@ -47,46 +47,45 @@ std::vector<Phase<dim>> phases_at(const std::vector<CyclePoint>& points, const P
   return phases;
 }
 
-/// Velocity of the surface at a point, the component out of the plane last.
+/// Velocity with which the surface slides at the reference, the component out of the plane last.
 template <int dim>
-Eigen::Matrix<double, dim + 1, 1> velocity_of(const RigidMotion<dim>& motion,
-                                              const Vector<dim>& place) {
-  Eigen::Matrix<double, dim + 1, 1> v;
-  v << motion.template at<double>(place), motion.template across_at<double>(place);
-  return v;
+Eigen::Matrix<double, dim + 1, 1> sliding_velocity(const Phase<dim>& phase) {
+  return phase.counter_body.motion.sliding_velocity(Vector<dim>::Zero());
 }
 
+/// Both in the coordinates of the shape, whose origin has moved by `moved` from one to the other.
 template <int dim>
-void add(double factor, const RigidMotion<dim>& motion, RigidMotion<dim>& sum) {
-  sum.velocity += factor * motion.velocity;
+void add(double factor, const RigidMotion<dim>& motion, const Vector<dim>& moved,
+         RigidMotion<dim>& sum) {
+  sum.velocity += factor * motion.at(moved);
   sum.spin += factor * motion.spin;
-  sum.across += factor * motion.across;
+  sum.across += factor * motion.across_at(moved);
   sum.across_by_x += factor * motion.across_by_x;
 }
 
 /// What a phase stands for, from instants of its interval: the whole path at the reference, in the
 /// direction of the fastest; and the force and load with which it was made, so that their products
-/// with the path are exact. What moves against this direction counts with its path, too.
+/// with the path are exact. What moves against this direction counts with its path, too; where the
+/// path bends, its chord is as fast as the path is long.
 template <int dim>
 void stand_for(const std::vector<Phase<dim>>& interval, Phase<dim>& phase) {
   RigidMotion<dim>& motion = phase.counter_body.motion;
-  const auto velocity = [&](const Phase<dim>& at) {
-    return velocity_of(at.counter_body.motion, motion.reference);
-  };
   const Phase<dim>& fastest = *std::ranges::max_element(
-      interval, {}, [&](const Phase<dim>& at) { return velocity(at).norm(); });
-  const Eigen::Matrix<double, dim + 1, 1> direction = velocity(fastest);
-  RigidMotion<dim> sum{.reference = motion.reference};
+      interval, {}, [&](const Phase<dim>& at) { return sliding_velocity(at).norm(); });
+  const Eigen::Matrix<double, dim + 1, 1> direction = sliding_velocity(fastest);
+  RigidMotion<dim> sum{.reference = motion.reference, .normal = motion.normal};
   double time = 0, path = 0, force = 0, load = 0;
   for (const Phase<dim>& at : interval) {
-    const auto v = velocity(at);
-    add(v.dot(direction) < 0 ? -at.weight : at.weight, at.counter_body.motion, sum);
+    const auto v = sliding_velocity(at);
+    add<dim>(v.dot(direction) < 0 ? -at.weight : at.weight, at.counter_body.motion,
+             phase.counter_body.position - at.counter_body.position, sum);
     const double part = direction.isZero(0) ? at.weight : at.weight * v.norm();
     time += at.weight, path += part;
     force += part * at.force.value_or(0), load += part * at.load;
   }
-  motion = {.reference = motion.reference};
-  add(1 / time, sum, motion);
+  motion = {.reference = motion.reference, .normal = motion.normal};
+  const double chord = sum.nominal_speed(Vector<dim>::Zero());
+  add<dim>(chord > 0 ? path / (chord * time) : 1 / time, sum, Vector<dim>::Zero(), motion);
   if (phase.force) phase.force = force / path;
   phase.load = load / path;
 }
@@ -153,9 +152,7 @@ std::vector<double> kinks_of(const PartCycle<dim>& part, const WornBody<dim>& bo
 template <int dim>
 Eigen::Matrix<double, dim + 1, 1> surface_velocity(const PartCycle<dim>& part,
                                                    const WornBody<dim>& body, double tau) {
-  const Phase<dim> phase = phase_at({.position = tau}, part, body);
-  const RigidMotion<dim>& motion = phase.counter_body.motion;
-  return velocity_of(motion, motion.reference);
+  return sliding_velocity(phase_at({.position = tau}, part, body));
 }
 
 template <int dim>
@@ -177,6 +174,7 @@ void make_phases(const Scene& scene, const PartCycle<dim>& part, WornBody<dim>& 
   body.cycle = body.phase_set(body, {});
   if (part.cycle.force)
     for (const Phase<dim>& phase : body.cycle) require_force(scene, phase, *body.counter_force);
+  for (const std::string& remark : part.cycle.remarks()) body.remarks.push_back(remark);
   const double error = error_of_motion(body.cycle, body.phase_set(body, {PhaseSet::Kind::fine}));
   const std::string remark = remark_on_motion(
       error, phase_tolerance(scene), static_cast<long>(body.cycle.size()), quadrature.parts());

@@ -20,8 +20,8 @@ template <int dim>
 std::shared_ptr<WornBody<dim>> with_chosen_phases(
     const Scene& scene, const std::function<std::shared_ptr<WornBody<dim>>(long phases)>& with);
 
-/// The velocity of the counter-body's surface at the reference of its motion at a position of the
-/// cycle, the component out of the plane last [length / time].
+/// The velocity with which the counter-body's surface slides at the reference of its motion, at a
+/// position of the cycle; the component out of the plane last [length / time].
 template <int dim>
 Eigen::Matrix<double, dim + 1, 1> surface_velocity(const PartCycle<dim>& part,
                                                    const WornBody<dim>& body, double tau);

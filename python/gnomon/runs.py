@@ -36,6 +36,8 @@ def run(scene, result=None, *, force=False, on_step=None, check=True):
     >>> outcome.status, times[-1] == outcome.history["t"][-1]
     ('interrupted', True)
     """
+    if not isinstance(scene, (_gnomon.Scene, _gnomon.Model)):
+        raise TypeError(f"expected a gnomon.Scene or gnomon.Model, got {scene!r}")
     model = scene if isinstance(scene, _gnomon.Model) else _gnomon.Model(scene)
     outcome = Outcome(**_gnomon._run(model, result, force, on_step))
     outcome.summary = json.loads(outcome.summary)

@@ -3,6 +3,7 @@
 import collections.abc
 import copy
 import functools
+import os
 import pathlib
 import tomllib
 
@@ -82,6 +83,9 @@ class Scene(_gnomon.Scene):
 
     def __init__(self, file, set=None):
         """Reads a scene file (TOML); `set` replaces keys: {"body.young_modulus": 20}."""
+        if not isinstance(file, (str, os.PathLike)):
+            raise TypeError(f"expected a scene file, got {file!r}; Scene.from_dict and Scene.from_text make scenes "
+                            "without a file")
         super().__init__(file, overrides(set))
 
     @classmethod

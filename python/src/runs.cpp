@@ -1,5 +1,6 @@
 // Runs: whole ones with a callback per step, and step by step.
 
+#include <fmt/format.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <gnomon/base/error.hpp>
@@ -146,20 +147,25 @@ public:
   py::dict advance(std::optional<double> until) {
     using namespace py::literals;
     const double t_stop = until.value_or(settings_.end);
-    if (!(t_stop > state_.t && t_stop <= settings_.end))
-      throw InputError("until = " + std::string(py::str(py::float_(t_stop))) +
-                       ": expected a time after " + std::string(py::str(py::float_(state_.t))) +
-                       " and not after time.end");
-    const StepReport report =
-        with_model(*model_, [&] { return stepper_->advance(state_, t_stop); });
+    // Another thread may have taken a step until the turn of this one comes.
+    const StepReport report = with_model(*model_, [&] {
+      if (!(t_stop > state_.t && t_stop <= settings_.end))
+        throw InputError(fmt::format("until = {}: expected a time after {} and not after time.end",
+                                     t_stop, state_.t));
+      return stepper_->advance(state_, t_stop);
+    });
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     return py::dict("step"_a = report.step, "order"_a = report.order,
                     "newton_iterations"_a = report.newton_iterations,
                     "restarted"_a = report.restarted, "switched"_a = report.switched,
                     "wear"_a = report.integral);
   }
-  const State& state() const { return state_; }
-  const Counters& counters() const { return counters_; }
+  State state() const {
+    return with_model(*model_, [&] { return state_; });
+  }
+  Counters counters() const {
+    return with_model(*model_, [&] { return counters_; });
+  }
   const Shared& model() const { return model_; }
 
 private:

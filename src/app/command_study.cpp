@@ -126,13 +126,21 @@ int study_run_command(const StudyCommandOptions& given) {
   if (progress.done + progress.others < progress.total)
     throw Error(fmt::format("interrupted with {} of {} runs done; the same command continues",
                             progress.done, progress.total));
+  if (progress.failed > 0 && !given.quiet)
+    fmt::print("{} failed, for a reason that gnomon study collect tells\n",
+               count_text(progress.failed));
   return success;
 }
 
 int study_collect_command(const StudyCommandOptions& given) {
   const Study study = read_whole_plan(given.folder);
   const InterruptGuard guard(false);
-  write_study(study, given.folder, given.quiet);
+  const bool complete = missing_runs(study, given.folder).empty();
+  try {
+    write_study(study, given.folder, given.quiet);
+  } catch (const SolutionError&) {
+    if (complete) throw;  // all runs failed, not only those that are done
+  }
   require_complete(study, given.folder);
   return success;
 }

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <gnomon/laws/cycle.hpp>
@@ -7,6 +9,13 @@
 
 namespace gnomon {
 
+namespace {
+
+constexpr double whole_turn = 2 * std::numbers::pi;
+constexpr double end = 1 - 1e-12;  // of a cycle, where it has not yet begun again
+
+}  // namespace
+
 CycleFunction::CycleFunction(Expression expression) : expression_(std::move(expression)) {}
 
 double CycleFunction::value(double tau) const {
@@ -14,8 +23,11 @@ double CycleFunction::value(double tau) const {
 }
 
 double CycleFunction::slope(double tau) const {
+  // Expressions have the slope of what is before a kink: before 0 a table is constant.
+  constexpr double ahead = 1e-13;
   double slope = 0;
-  expression_.value_and_gradient(std::span(&tau, 1), std::span(&slope, 1));
+  const double after = tau + ahead;
+  expression_.value_and_gradient(std::span(&after, 1), std::span(&slope, 1));
   return slope;
 }
 
@@ -25,18 +37,20 @@ std::vector<double> CycleFunction::kinks(double turn) const {
         expression_.switching(std::span(&tau, 1), values);
       },
       expression_.kinks());
-  const double end = 1 - 1e-12;
   double size = 0, steepness = 0;
   for (int k = 0; k < 100; ++k) {
     size = std::max(size, std::abs(value(k / 100.0)));
     steepness = std::max(steepness, std::abs(slope(k / 100.0)));
   }
-  double jump = value(end) - value(0);
-  if (turn > 0) jump = std::remainder(jump, turn);
   const bool ends_as_it_begins =
-      std::abs(jump) <= 1e-9 * size && std::abs(slope(end) - slope(0)) <= 1e-9 * steepness;
+      std::abs(gap(turn)) <= 1e-9 * size && std::abs(slope(end) - slope(0)) <= 1e-9 * steepness;
   if (!ends_as_it_begins && (found.empty() || found.front() > 0)) found.insert(found.begin(), 0);
   return found;
+}
+
+double CycleFunction::gap(double turn) const {
+  const double jump = value(end) - value(0);
+  return turn > 0 ? std::remainder(jump, turn) : jump;
 }
 
 std::vector<double> Cycle::kinks() const {
@@ -44,11 +58,33 @@ std::vector<double> Cycle::kinks() const {
   for (const auto* function :
        {&displacement[0], &displacement[1], &displacement[2], &rotation, &force, &load}) {
     if (!*function) continue;
-    const std::vector<double> own =
-        (*function)->kinks(function == &rotation ? 2 * std::numbers::pi : 0);
+    const std::vector<double> own = (*function)->kinks(function == &rotation ? whole_turn : 0);
     all = merged_kinks(std::move(all), own);
   }
   return all;
+}
+
+std::vector<std::string> Cycle::remarks() const {
+  constexpr double rounding = 1e-6;
+  std::vector<std::string> found;
+  const auto look_at = [&](const std::string& name, const std::optional<CycleFunction>& function,
+                           double turn, const std::string& unit) {
+    if (!function) return;
+    double most = 0;
+    for (int k = 0; k < 100; ++k)
+      most = std::max(most, std::abs(function->value(k / 100.0) - function->value(0)));
+    const double gap = function->gap(turn);
+    if (std::abs(gap) > rounding * most)
+      found.push_back(fmt::format(
+          "cycle.{} ends {:.3g} {} from where it begins: the next cycle begins there again, and "
+          "nothing slides on this way",
+          name, std::abs(gap), unit));
+  };
+  look_at("x", displacement[0], 0, "mm");
+  look_at("y", displacement[1], 0, "mm");
+  look_at("z", displacement[2], 0, "mm");
+  look_at("rotation", rotation, whole_turn, "rad");
+  return found;
 }
 
 namespace {

@@ -29,8 +29,7 @@ std::vector<double> sign_changes_in_cycle(
 }
 
 std::vector<double> merged_kinks(std::vector<double> kinks, const std::vector<double>& more) {
-  // Nearer ones could not be told from one by any number of phases.
-  constexpr double same = 1e-6;
+  constexpr double same = 1e-9;  // as accurate as sign changes are found, and more
   kinks.insert(kinks.end(), more.begin(), more.end());
   std::sort(kinks.begin(), kinks.end());
   std::vector<double> merged;

@@ -93,7 +93,11 @@ struct Points {
 Points points_of_file(const Scene& scene, const std::string& key) {
   Points points;
   for (const Vector<2>& point : read_points(scene, key)) {
-    points.x.push_back(point[0]);
+    const double tau = point[0];
+    if (!(tau >= 0 && tau <= 1) || (!points.x.empty() && tau <= points.x.back()))
+      throw InputError(fmt::format("{}: {}: expected ascending tau in [0, 1], got {:g} in point {}",
+                                   scene.where(key), scene.text(key), tau, points.x.size() + 1));
+    points.x.push_back(tau);
     points.y.push_back(point[1]);
   }
   return points;

@@ -109,7 +109,9 @@ std::vector<Vector<2>> read_points(const std::filesystem::path& file) {
   constexpr std::uintmax_t most_bytes = 10'000'000;
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
-    throw InputError(fmt::format("{}: expected a file of points, there is none", file.string()));
+    throw InputError(fmt::format(
+        "{}: expected a file of points, {}", file.string(),
+        std::filesystem::exists(file, error) ? "this is something else" : "there is none"));
   if (std::filesystem::file_size(file, error) > most_bytes)
     throw InputError(
         fmt::format("{}: expected a file of {} bytes or less", file.string(), most_bytes));

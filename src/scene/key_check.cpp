@@ -50,11 +50,6 @@ std::string number_expectation(const Key& key) {
   return text;
 }
 
-bool inside(const Range& range, double value) {
-  return std::isfinite(value) && (range.min_open ? value > range.min : value >= range.min) &&
-         (range.max_open ? value < range.max : value <= range.max);
-}
-
 Complaint complain(const Key& key, const std::string& got) {
   return {fmt::format("expected {}, got {}", expectation(key), got)};
 }
@@ -129,6 +124,11 @@ std::variant<SceneValue, Complaint> check_flag(const Key& key, const RawValue& r
 }
 
 }  // namespace
+
+bool inside(const Range& range, double value) {
+  return std::isfinite(value) && (range.min_open ? value > range.min : value >= range.min) &&
+         (range.max_open ? value < range.max : value <= range.max);
+}
 
 std::string expectation(const Key& key) {
   if (key.kind == KeyKind::flag) return "true or false";

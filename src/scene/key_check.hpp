@@ -33,6 +33,9 @@ SceneValue checked_value(const Key& key, const RawValue& raw, const std::string&
 /// What a file would give for the value: reals stay reals where it gave an integer.
 RawValue raw_value(const SceneValue& value);
 
+/// Whether a value is finite and within the limits.
+bool inside(const Range& range, double value);
+
 /// The key of that name, or the key with "*" that the name is one of, under the chosen name. None
 /// where the table has no such key.
 std::optional<Key> find_key(const std::vector<Key>& table, const std::string& name);

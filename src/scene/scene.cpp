@@ -164,6 +164,18 @@ bool operator==(const Scene& a, const Scene& b) {
                     });
 }
 
+namespace {
+
+/// A single number as itself where the key takes one instead of an array.
+std::string value_text(const Key& key, const SceneValue& value) {
+  const auto* numbers = std::get_if<std::vector<double>>(&value);
+  const bool single =
+      key.or_single && numbers && numbers->size() == 1 && inside(*key.or_single, numbers->front());
+  return toml_text(single ? SceneValue(numbers->front()) : value);
+}
+
+}  // namespace
+
 std::string Scene::resolved() const {
   std::vector<Key> keys;
   for (const auto& [key, value, origin] : entries_) {
@@ -177,7 +189,7 @@ std::string Scene::resolved() const {
     for (const Key& key : group.keys) {
       const auto& value = entry(key.name).value;
       const std::string name = last_part(key.name);
-      assignments.push_back(value ? fmt::format("{} = {}", name, toml_text(*value))
+      assignments.push_back(value ? fmt::format("{} = {}", name, value_text(key, *value))
                                   : fmt::format("# {} = ...", name));
     }
     std::size_t width =

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <gnomon/base/error.hpp>
+#include <gnomon/laws/cycle_scene.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/study/study.hpp>
@@ -242,7 +243,8 @@ private:
     const auto overrides = overrides_of(method, setting);
     const bool fixed = setting.kind == Kind::step;
     return guarded(title(method, setting), [&] {
-      Scene scene = scene_with(overrides).with_absolute_files();
+      // Runs lie in folders of their own, to which files of the scene are not relative.
+      Scene scene = with_cycle_tables(scene_with(overrides)).with_absolute_files();
       if (!fixed) scene = scene.without("integrator.step");
       // Costs are compared: an estimate beside the run is not one of the method.
       if (scene.knows("cycle.period") && scene.has("cycle.period"))

@@ -136,7 +136,9 @@ void require_direction(const ContactPatch<dim>& patch, const Vector<dim>& normal
   if (normal.isZero(0) && patch.may_move())
     throw RecoverableError(fmt::format(
         "wear.normal = \"conservative\": contact node {} cannot wear, because the motion that its "
-        "supports allow does not change the volume of the body",
+        "supports allow does not change the volume of the body; contact may have reached an end of "
+        "the "
+        "wearing surface",
         patch.node));
 }
 

@@ -13,9 +13,11 @@
 namespace gnomon {
 namespace {
 
+using testing::AllOf;
 using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 CycleFunction function(const std::string& text) {
   ExpressionNames names;
@@ -215,6 +217,33 @@ TEST(CycleScene, RefusesWhatItCannotUse) {
   EXPECT_THAT(refusal(begin + "phases = 4\nx = \"log(tau - 0.5)\"\n"), HasSubstr("finite value"));
   EXPECT_THAT(refusal(begin + "phases = 4\nforce = \"none.csv\"\n"), HasSubstr("there is none"));
   EXPECT_EQ(refusal(begin + "phases = 4\nx = \"sin(2*pi*tau)\"\n"), "");
+}
+
+/// A file of seconds or degrees would be read at its first points only.
+TEST(CycleScene, RefusesFilesThatAreNotOverTheCycle) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "gnomon_cycle_files";
+  std::filesystem::create_directories(folder / "folder.csv");
+  const auto refused = [&](const std::string& name, const std::string& points) {
+    if (!points.empty()) std::ofstream(folder / name) << points;
+    return refusal("[cycle]\nperiod = 1.0\nphases = 4\nforce = \"" +
+                   (folder / name).generic_string() + "\"\n");
+  };
+  EXPECT_THAT(refused("seconds.csv", "0, 1\n1, 2\n5, 1\n"),
+              AllOf(HasSubstr("cycle.force`: "),
+                    HasSubstr("seconds.csv: expected ascending tau in [0, 1], got 5 in point 3")));
+  EXPECT_THAT(refused("twice.csv", "0, 1\n0.5, 2\n0.5, 1\n"), HasSubstr("got 0.5 in point 3"));
+  EXPECT_THAT(refused("folder.csv", ""), HasSubstr("this is something else"));
+}
+
+TEST(Cycle, SaysWhichMotionsDoNotEndWhereTheyBegin) {
+  const auto remarks = [](const std::string& motion) {
+    const std::string text = "[cycle]\nperiod = 1.0\nphases = 4\n" + motion;
+    return read_cycle(scene_of(text))->remarks();
+  };
+  EXPECT_THAT(remarks("x = \"sin(2*pi*tau)\"\nrotation = \"2*pi*tau\"\n"), IsEmpty());
+  EXPECT_THAT(remarks("x = \"1 + 0.1*tau\"\nrotation = \"tau\"\n"),
+              ElementsAre(HasSubstr("cycle.x ends 0.1 mm from where it begins"),
+                          HasSubstr("cycle.rotation ends 1 rad")));
 }
 
 }  // namespace

@@ -211,12 +211,12 @@ TEST_F(Cycles, RefusePartialSlip) {
     return refusal(text("[cycle]\nperiod = 1.0\nphases = 32\n" + motion),
                    {fmt::format("friction.coefficient={}", friction)});
   };
-  const std::string tables = "tables.rests = { x = [0.0, 0.2, 0.5, 0.7, 1.0], y = [0.0, 1.0, 1.0, "
-                             "0.0, 0.0] }\n";
-  for (const char* motion :
-       {"x = \"1e-4 * sin(2*pi*tau)\"\n", "x = \"1e-4 * rests(tau)\"\n",
-        "x = \"2e-4 * sin(2*pi*tau)\"\nz = \"2e-4 * cos(2*pi*tau)\"\n",
-        "x = \"0.002 * sin(2*pi*tau) + 3e-4 * sin(40*pi*tau)\"\n"}) {
+  const std::string tables =
+      "tables.rests = { x = [0.0, 0.2, 0.5, 0.7, 1.0], y = [0.0, 1.0, 1.0, "
+      "0.0, 0.0] }\n";
+  for (const char* motion : {"x = \"1e-4 * sin(2*pi*tau)\"\n", "x = \"1e-4 * rests(tau)\"\n",
+                             "x = \"2e-4 * sin(2*pi*tau)\"\nz = \"2e-4 * cos(2*pi*tau)\"\n",
+                             "x = \"0.002 * sin(2*pi*tau) + 3e-4 * sin(40*pi*tau)\"\n"}) {
     EXPECT_THAT(with(tables + motion), HasSubstr("partial slip")) << motion;
     EXPECT_EQ(with(tables + motion, 0), "") << motion;
   }
@@ -257,6 +257,88 @@ TEST_F(Cycles, FewPhasesLoseWhatTheForceAndThePathSay) {
     EXPECT_NEAR(flux / (2.9e-6 * work / 2), 1, 1e-5) << phases << " phases";
   }
   EXPECT_GT(std::abs(force(0) * path / work - 1), 0.1);  // the force matters
+}
+
+/// A law that fades with s, by its closed form where the force and the path are constant:
+/// V = k F v (c / v_s) (1 - exp(-v_s T / c)).
+double faded_area(double speed, double counted_speed, double end) {
+  const double c = 50;
+  return 2.9e-6 * 18.5 * speed * c / counted_speed * (1 - std::exp(-counted_speed * end / c));
+}
+
+TEST_F(Cycles, CountTheSlidingDistanceAsTheSceneSays) {
+  const std::string triangle =
+      "[cycle]\nperiod = 0.1\nphases = 6\nx = \"0.1 * (1 - 4 * abs(tau - 0.5))\"\n";
+  const double speed = 4;
+  for (const double counted : {0.0, 1.0}) {
+    Overrides overrides = {"wear.rate=\"k*p*v*exp(-s/50)\"", "wear.coefficient=2.9e-6",
+                           "integrator.rtol=1e-6"};
+    if (counted > 0) overrides.push_back(fmt::format("wear.velocity={}", counted));
+    const auto flat = model(text(triangle), overrides);
+    const State last = run_model(*flat, "esdirk-3", 0, 1e-6, 20).last();
+    EXPECT_NEAR(
+        observed(*flat, last, "worn_volume") / faded_area(speed, counted > 0 ? counted : speed, 20),
+        1, 1e-4)
+        << counted;
+  }
+}
+
+/// Under a force a lift moves the place of the counter-body, but nothing slides by it.
+TEST_F(Cycles, DoNotSlideByLifting) {
+  const std::string
+      motion = "[cycle]\nperiod = 0.1\nphases = 6\nx = \"0.1 * (1 - 4 * abs(tau - 0.5))\"\n",
+      lifted = motion + "y = \"0.5 * sin(14*pi*tau)\"\n";
+  const auto flux = [&](const std::string& of) {
+    const auto flat =
+        model(text(of), {"wear.rate=\"k*p*v*exp(-s/50)\"", "counter_body.radius=600.0",
+                         "counter_body.center=[0, 600]"});
+    EXPECT_THAT(flat->remarks(), Not(Contains(HasSubstr("mean of speed")))) << of;
+    State start = flat->start(unused_);
+    start.t = 10;
+    return observed(*flat, start, "wear_flux");
+  };
+  EXPECT_NEAR(flux(lifted) / flux(motion), 1, 0.05);  // on the inclined sides of contact it slides
+  EXPECT_THAT(refusal(text("[cycle]\nperiod = 1.0\nphases = 6\nx = \"1e-5 * sin(2*pi*tau)\"\n"
+                           "y = \"0.5 * sin(2*pi*tau)\"\n"),
+                      {"friction.coefficient=0.6"}),
+              HasSubstr("partial slip"));
+}
+
+/// Out of the plane and in it: an orbit, of which a phase has the length of its arc, not its chord.
+TEST_F(Cycles, FewPhasesHaveThePathOfAnOrbit) {
+  std::string tau, x, z;
+  const int points = 121;
+  for (int k = 0; k < points; ++k) {
+    const double at = k / (points - 1.0);
+    tau += fmt::format("{}{}", k ? ", " : "", at);
+    x += fmt::format("{}{}", k ? ", " : "", 0.1 * std::cos(2 * M_PI * at));
+    z += fmt::format("{}{}", k ? ", " : "", 0.1 * std::sin(2 * M_PI * at));
+  }
+  const double path = (points - 1) * 0.2 * std::sin(M_PI / (points - 1));
+  for (const int phases : {2, 3, 8}) {
+    const auto flat =
+        model(text(fmt::format(
+                  "[cycle]\nperiod = 1.0\nphases = {}\nx = \"a(tau)\"\nz = \"b(tau)\"\n"
+                  "tables.a = {{ x = [{}], y = [{}] }}\ntables.b = {{ x = [{}], y = [{}] }}\n",
+                  phases, tau, x, tau, z)),
+              {"counter_body.radius=60.0", "counter_body.center=[0, 60]"});
+    const double flux = observed(*flat, flat->start(unused_), "wear_flux");
+    EXPECT_NEAR(flux / (2.9e-6 * 18.5 * path), 1, 1e-4) << phases << " phases";
+  }
+}
+
+/// Where a table begins a phase has the speed of what follows; and a stroke of a millionth of the
+/// cycle is not lost between corners that are nearly the same.
+TEST_F(Cycles, LoseWhatTablesOfTheMotionSay) {
+  const auto flux = [&](const char* phases, const char* x, const char* y) {
+    const auto flat = model(text(fmt::format("[cycle]\nperiod = 1.0\nphases = {}\nx = \"a(tau)\"\n"
+                                             "tables.a = {{ x = {}, y = {} }}\n",
+                                             phases, x, y)),
+                            {"counter_body.radius=60.0", "counter_body.center=[0, 60]"});
+    return observed(*flat, flat->start(unused_), "wear_flux") / (2.9e-6 * 18.5);
+  };
+  EXPECT_NEAR(flux("[0.0, 0.25, 0.5, 0.75]", "[0.0, 0.5, 1.0]", "[-0.1, 0.1, -0.1]"), 0.4, 1e-5);
+  EXPECT_NEAR(flux("8", "[0.0, 0.5, 0.5000005, 1.0]", "[-0.1, 0.1, -0.1, 0.1]"), 0.6, 1e-5);
 }
 
 }  // namespace

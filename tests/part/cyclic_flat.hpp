@@ -65,6 +65,7 @@ press = {{ direction = [0.0, -1.0]{}{} }}
   }
 
   SceneFolder folder_;
+  Counters unused_;
 };
 
 inline const std::string reciprocating =

@@ -179,6 +179,41 @@ def test_threads_on_one_model_and_on_their_own(springs, tmp_path):
     assert not errors and len(ends) == 6 and len(set(ends)) == 1
 
 
+def test_threads_that_share_a_stepper_take_turns(springs):
+    stepper = gnomon.Stepper(gnomon.Model(springs))
+    errors = []
+
+    def work(until):
+        while True:
+            try:
+                stepper.advance(until=until)
+            except gnomon.InputError as error:  # another thread has come there first
+                assert "expected a time after" in str(error)
+                return
+            except Exception as error:  # told below, in the main thread
+                errors.append(error)
+                return
+
+    for until in (300, 600):
+        threads = [threading.Thread(target=work, args=(until,)) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        while any(thread.is_alive() for thread in threads):
+            assert 0 <= stepper.state.t <= until and stepper.counters["steps"] >= 0
+        for thread in threads:
+            thread.join(120)
+        assert not errors and stepper.state.t == until
+
+
+@pytest.mark.parametrize("wrong", ["scene.toml", 3, None, {"problem": "winkler"}])
+def test_what_is_no_scene_is_named(wrong):
+    with pytest.raises(TypeError, match="expected a gnomon.Scene"):
+        gnomon.run(wrong)
+    if not isinstance(wrong, str):
+        with pytest.raises(TypeError, match="expected a scene file"):
+            gnomon.Scene(wrong)
+
+
 def test_other_threads_go_on_during_a_run(springs):
     count, done = [0], threading.Event()
 

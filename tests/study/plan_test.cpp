@@ -219,5 +219,53 @@ TEST_F(Parts, RunsFromALargerToASmallerNumberAreRefused) {
       "`2-1`\n");
 }
 
+/// Runs lie in folders of their own; tables of files come with them, here also the files of values
+/// that are swept.
+TEST_F(Parts, RunsKeepTheTablesOfFiles) {
+  write("force.csv", "0, 1\n0.5, 3\n1, 1\n");
+  write("other.csv", "0, 2\n1, 2\n");
+  write("cycle.toml", R"toml(problem = "winkler"
+pin = { radius = 5.0, width = 2.0 }
+foundation = { modulus = 70.0, points = 21 }
+cycle = { period = 1.0, phases = 4, x = "0.05 * sin(2*pi*tau)", force = "force.csv" }
+wear.coefficient = 2e-6
+time.cycles = 1000
+integrator.name = "esdirk-3"
+)toml");
+  write("study.toml",
+        "scene = \"cycle.toml\"\nreference = \"none\"\n[[sweep]]\nkey = "
+        "\"cycle.force\"\nvalues = [\"force.csv\", \"other.csv\"]\n");
+  const Outcome done = study();
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  ASSERT_EQ(rows().size(), 2u);
+  // k N times the mean of |v| F: both forces have the mean of 2 N/mm on this path.
+  for (Row& row : rows()) {
+    EXPECT_EQ(row["status"], "finished");
+    EXPECT_NEAR(std::stod(row["worn_volume"]) / (2e-6 * 1000 * 0.2 * 2), 1, 0.2);
+  }
+  write("study.toml",
+        "scene = \"cycle.toml\"\nreference = \"none\"\n[[sweep]]\nkey = "
+        "\"cycle.force\"\nvalues = [\"force.csv\", \"lost.csv\"]\n");
+  const Outcome lost = gnomon({"study", "plan", "study.toml", "-o", "lost"});
+  EXPECT_EQ(lost.exit_code, 2);
+  EXPECT_THAT(lost.err, HasSubstr("lost.csv: expected a file of points, there is none"));
+  EXPECT_FALSE(fs::exists(folder() / "lost"));
+}
+
+/// Of a plan of which only failed runs are done the others are missing, and it is told.
+TEST_F(Parts, CollectTellsWhatIsMissingBesideWhatFailed) {
+  write("study.toml",
+        "scene = \"scene.toml\"\nreference = \"none\"\n[set]\nmesh.elements = [8, 8]\n"
+        "time.end = 10.0\n[[sweep]]\nkey = \"load.force\"\nvalues = [1e9, "
+        "10.0]\n");
+  ASSERT_EQ(gnomon({"study", "plan", "study.toml", "-o", "out"}).exit_code, 0);
+  const Outcome failed = gnomon({"study", "run", "out", "1"});
+  EXPECT_EQ(failed.exit_code, 0) << failed.err;
+  EXPECT_THAT(failed.out, HasSubstr("1 run failed"));
+  const Outcome partly = gnomon({"study", "collect", "out"});
+  EXPECT_EQ(partly.exit_code, 1);
+  EXPECT_THAT(partly.err, HasSubstr("1 run of 2 missing"));
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -18,6 +18,8 @@ struct RigidMotion {
   double across = 0;                              ///< at the origin of x; 2D only [length / time]
   Vector<dim> across_by_x = Vector<dim>::Zero();  ///< 2D only [1 / time]
   Vector<dim> reference = Vector<dim>::Zero();    ///< where the nominal speed of a run is taken
+  /// Of the worn surface there, unit: what moves along it does not slide. Zero: not known.
+  Vector<dim> normal = Vector<dim>::Zero();
 
   template <class Scalar = double>
   Vector<dim, Scalar> at(const Vector<dim, Scalar>& x) const {
@@ -27,11 +29,16 @@ struct RigidMotion {
   Scalar across_at(const Vector<dim, Scalar>& x) const {
     return Scalar(across) + across_by_x.template cast<Scalar>().dot(x);
   }
-  /// The speed at which a body that streams by with `streaming` slides at `reference`.
+  /// The velocity at which it slides at `reference` along a body that streams by with `streaming`;
+  /// the component out of the plane last.
+  Eigen::Matrix<double, dim + 1, 1> sliding_velocity(const Vector<dim>& streaming) const {
+    const Vector<dim> relative = at<double>(reference) - streaming;
+    Eigen::Matrix<double, dim + 1, 1> v;
+    v << relative - normal * normal.dot(relative), across_at<double>(reference);
+    return v;
+  }
   double nominal_speed(const Vector<dim>& streaming) const {
-    const double out_of_plane = across_at<double>(reference);
-    return std::sqrt((streaming - at<double>(reference)).squaredNorm() +
-                     out_of_plane * out_of_plane);
+    return sliding_velocity(streaming).norm();
   }
 };
 

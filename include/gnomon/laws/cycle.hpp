@@ -1,12 +1,13 @@
-// Motion and load that repeat: their functions of the position in a cycle, and the counter-body at a
-// position (docs/cycles.md; the paper, sec. 2.1: the time scale of the deformation). The positions
-// of the phases: cycle_quadrature.hpp.
+// Motion and load that repeat: their functions of the position in a cycle, and the counter-body at
+// a position (docs/cycles.md; the paper, sec. 2.1: the time scale of the deformation). The
+// positions of the phases: cycle_quadrature.hpp.
 #pragma once
 
 #include <array>
 #include <gnomon/laws/counter_body.hpp>
 #include <gnomon/scene/expression.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace gnomon {
@@ -19,11 +20,13 @@ public:
   explicit CycleFunction(Expression expression);
 
   double value(double tau) const;
-  /// Its derivative by tau; at a kink that of one side.
+  /// Its derivative by tau; at a kink that of what follows.
   double slope(double tau) const;
   /// Positions in [0, 1), ascending, at which it may have a corner or a jump; 0 where it ends
   /// otherwise than it begins, save for whole turns of an angle (0: it is none).
   std::vector<double> kinks(double turn = 0) const;
+  /// By how much it ends above where it begins, save for whole turns of an angle (0: it is none).
+  double gap(double turn = 0) const;
 
 private:
   Expression expression_;
@@ -39,6 +42,8 @@ struct Cycle {
 
   /// Positions in [0, 1), ascending, at which one of the functions may have a corner or a jump.
   std::vector<double> kinks() const;
+  /// For the user: of each motion that does not end where it begins.
+  std::vector<std::string> remarks() const;
 };
 
 /// The axis about which Cycle::rotation turns a counter-body: through `centre`, in the coordinates

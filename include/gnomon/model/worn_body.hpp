@@ -105,6 +105,7 @@ struct WornBody {
   /// Other phases of a cycle of this body, by its position and force, for the error of the mean
   /// over `cycle`. Throws InputError. Empty: there is no cycle.
   std::function<std::vector<Phase<dim>>(const WornBody& body, const PhaseSet& set)> phase_set;
+  std::optional<double> sliding_speed;  ///< that a scene gives, for nominal_speed()
   std::optional<CrossSection> section;  ///< 3D only: uniform along x
   /// One entry per contact node: its part in the wear rate of its shape unknowns, by default 1;
   /// with a section, the length that it represents divided by the length of the path.
@@ -124,8 +125,10 @@ struct WornBody {
     if (!cycle.empty()) return cycle;
     return {{.counter_body = contact.counter_body, .force = counter_force}};
   }
-  /// The speed at which the bodies slide, its mean over the cycle [length / time].
+  /// With which the sliding distance is counted, s = speed t: `sliding_speed`, or that of the
+  /// motion, its mean over the phases [length / time].
   double nominal_speed() const {
+    if (sliding_speed) return *sliding_speed;
     double sum = 0;
     for (const Phase<dim>& phase : phases())
       sum += phase.weight * phase.counter_body.motion.nominal_speed(contact.streaming);
