@@ -106,6 +106,18 @@ Place<dim> typical_place(const Instants<dim>& other, const Patches<dim>& patches
   return place_of(**std::ranges::min_element(patches, {}, off));
 }
 
+/// That of the counter-body where it first comes to the place, to which facets are only near.
+template <int dim>
+Vector<dim> counter_normal(const Instants<dim>& instants, const Place<dim>& place) {
+  const CounterBody<dim>& first = *std::ranges::min_element(
+      instants, {}, [&](const CounterBody<dim>& other) { return other.travel_to(place.point); });
+  const double travel = first.travel_to(place.point);
+  if (!std::isfinite(travel)) return place.normal;
+  const Vector<dim> normal =
+      first.unchecked_distance(first.seen(place.point, travel), 0).normal.normalized();
+  return normal.allFinite() && !normal.isZero(0) ? normal : place.normal;
+}
+
 }  // namespace
 
 template <int dim>
@@ -118,7 +130,8 @@ Scene with_speed(const Scene& scene, const std::optional<PartCycle<dim>>& cycle,
   // A ball that turns about the node where it touches slides where it will touch later.
   constexpr double nothing = 1e-9;
   if (mean_speed<dim>(other, touching) <= nothing * mean_speed<dim>(other, all)) touching = all;
-  const Place<dim> place = typical_place<dim>(other, touching);
+  Place<dim> place = typical_place<dim>(other, touching);
+  place.normal = counter_normal<dim>(other, place);
   rest.motion.reference = place.point - rest.position;
   rest.motion.normal = place.normal;
   const double speed =

@@ -147,6 +147,23 @@ std::vector<double> kinks_of(const PartCycle<dim>& part, const WornBody<dim>& bo
   return merged_kinks(part.cycle.kinks(), reversals(part, body));
 }
 
+/// Under a force a lift of the counter-body only shifts the w that it finds, which its velocity
+/// does not know.
+template <int dim>
+void remark_on_lift(WornBody<dim>& body) {
+  const auto lift = [](const Phase<dim>& phase) {
+    const RigidMotion<dim>& motion = phase.counter_body.motion;
+    return std::abs(motion.normal.dot(motion.at(motion.reference)));
+  };
+  const auto sliding = [](const Phase<dim>& phase) { return sliding_velocity(phase).norm(); };
+  const double lifted = mean_over(body.cycle, lift), slid = mean_over(body.cycle, sliding);
+  if (body.counter_force && lifted > slid)
+    body.remarks.push_back(fmt::format(
+        "cycle: the counter-body is lifted {:.2g} times as fast as it slides; under a force this "
+        "only shifts its place, but counts as sliding on inclined sides of the contact",
+        lifted / slid));
+}
+
 }  // namespace
 
 template <int dim>
@@ -175,6 +192,7 @@ void make_phases(const Scene& scene, const PartCycle<dim>& part, WornBody<dim>& 
   if (part.cycle.force)
     for (const Phase<dim>& phase : body.cycle) require_force(scene, phase, *body.counter_force);
   for (const std::string& remark : part.cycle.remarks()) body.remarks.push_back(remark);
+  remark_on_lift(body);
   const double error = error_of_motion(body.cycle, body.phase_set(body, {PhaseSet::Kind::fine}));
   const std::string remark = remark_on_motion(
       error, phase_tolerance(scene), static_cast<long>(body.cycle.size()), quadrature.parts());

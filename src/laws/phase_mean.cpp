@@ -15,6 +15,10 @@ ChosenPhases choose_phases(double tolerance, const std::function<long(int times)
   }
 }
 
+std::string phases_text(long count) {
+  return fmt::format("{} phase{}", count, count == 1 ? "" : "s");
+}
+
 std::string remark_on_choice(const ChosenPhases& chosen, double tolerance) {
   const std::string why =
       std::isfinite(chosen.error)
@@ -30,9 +34,9 @@ std::string remark_on_motion(double error, double tolerance, long phases, int pa
   const std::string in_parts =
       parts > 0 ? fmt::format(" (the cycle has {} corners and reversals)", parts) : "";
   return fmt::format(
-      "cycle.phases: the mean of speed or force over {} phases has an error of {:.2g} %{}; take "
-      "more phases",
-      phases, 100 * error, in_parts);
+      "cycle.phases: the mean of speed or force over {} has an error of {:.2g} %{}; take more "
+      "phases",
+      phases_text(phases), 100 * error, in_parts);
 }
 
 }  // namespace gnomon

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <gnomon/laws/phase_mean.hpp>
 #include <gnomon/stability/stability.hpp>
 
 #include "run/wear_integral.hpp"
@@ -32,9 +33,10 @@ std::vector<std::string> end_warnings(const Observation& last, double invisible,
 std::string phase_warning(const PhaseError& at_start, double tolerance) {
   if (at_start.error <= tolerance) return {};
   return fmt::format(
-      "the mean over {} phases has an error of about {:.1g}, more than {:g}, the tolerance of the "
-      "steps, and so may the worn shape: more phases make it smaller (cycle.phases)",
-      at_start.phases, at_start.error, tolerance);
+      "the mean over {} has an error of about {:.1g}, more than {:g}, the tolerance of the steps, "
+      "and "
+      "so may the worn shape: more phases make it smaller (cycle.phases)",
+      phases_text(at_start.phases), at_start.error, tolerance);
 }
 
 }  // namespace gnomon

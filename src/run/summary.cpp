@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <gnomon/laws/phase_mean.hpp>
 #include <gnomon/run/summary.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -113,7 +114,7 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
 
 std::string phase_error_text(const std::vector<PhaseError>& errors) {
   if (errors.empty()) return {};
-  std::string text = fmt::format("error of the mean over {} phases:", errors.front().phases);
+  std::string text = fmt::format("error of the mean over {}:", phases_text(errors.front().phases));
   for (const PhaseError& at : errors)
     text += fmt::format("{} {:.1e} at t = {:g} s", &at == errors.data() ? "" : ",", at.error, at.t);
   return text;

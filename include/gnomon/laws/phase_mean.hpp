@@ -50,6 +50,8 @@ inline constexpr long fewest_chosen_phases = 4, most_chosen_phases = 256;
 ChosenPhases choose_phases(double tolerance, const std::function<long(int times)>& count,
                            const std::function<double(int times)>& error);
 
+/// "1 phase", "16 phases".
+std::string phases_text(long count);
 /// For the user: how many, and why.
 std::string remark_on_choice(const ChosenPhases& chosen, double tolerance);
 /// For the user: that the mean of speed or force over so many phases has an error; `parts` of the
