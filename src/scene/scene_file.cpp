@@ -172,12 +172,16 @@ private:
                                      entry.key.name, first));
       if (overridden) return scene.value(first).reset();
     }
-    const bool given = find(overrides_, entry.key.name) || find(in_file_, entry.key.name);
-    if (!by_product && !given && !meant.contains(entry.key.name) && !meant.contains(first))
+    // A value that was refused has its own mistake.
+    const auto is_given = [&](const std::string& name) {
+      return find(overrides_, name) || find(in_file_, name) || meant.contains(name);
+    };
+    if (!by_product && !is_given(entry.key.name) && !is_given(first))
       refuse_missing_key(message_about(name_, 0, entry.key.name), entry.key);
     if (!by_product) return;
     double product = 1;
     for (const std::string& factor : entry.key.or_product) {
+      if (!scene.has(factor) && is_given(factor)) return;
       if (!scene.has(factor))
         throw InputError(fmt::format("{}: expected also {}", scene.where(first), factor));
       product *= scene.real(factor);

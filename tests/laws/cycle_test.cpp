@@ -219,6 +219,18 @@ TEST(CycleScene, RefusesWhatItCannotUse) {
   EXPECT_EQ(refusal(begin + "phases = 4\nx = \"sin(2*pi*tau)\"\n"), "");
 }
 
+TEST(CycleScene, ARefusedFactorOfTheEndIsOneMistake) {
+  const std::string begin = "[cycle]\nphases = 1\n";
+  for (const char* wrong :
+       {"period = -1.0\n[time]\ncycles = 3.0\n", "period = 1.0\n[time]\ncycles = 0.0\n",
+        "period = 1.0\n[time]\ncycles = \"x\"\n"}) {
+    Mistakes mistakes;
+    parse_scene("problem = \"none\"\nintegrator.name = \"bdf\"\n" + begin + wrong, "text", {},
+                run_keys_too, &mistakes);
+    EXPECT_THAT(mistakes.lines(), ElementsAre(HasSubstr("expected a number in"))) << wrong;
+  }
+}
+
 /// A file of seconds or degrees would be read at its first points only.
 TEST(CycleScene, RefusesFilesThatAreNotOverTheCycle) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "gnomon_cycle_files";
