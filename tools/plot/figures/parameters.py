@@ -7,8 +7,8 @@ from . import style, tables
 from .complaints import BadInput, Unsuitable
 from .study import distinct
 
-SHOWN = {"worn_volume": "worn volume", "max_pressure": "largest pressure [MPa]",
-         "contact_half_width": "contact half width [mm]"}
+SHOWN = {"worn_volume": "worn volume", "max_pressure": "largest pressure",
+         "contact_half_width": "contact half width"}
 
 
 def of_sweep(rows):
@@ -26,7 +26,8 @@ def draw(path, rows):
         raise Unsuitable("no run finished, or no number was swept")
     across = max(keys, key=lambda key: len(distinct(row[key] for row in rows)))
     curves = distinct(curve_of(row, across) for row in rows)
-    label = with_unit(across, units(path))
+    known = units(path)
+    label = with_unit(across, across, known)
     figure = style.figure(style.DOUBLE, 0.4 * style.DOUBLE)
     panels = figure.subplots(1, len(shown), squeeze=False)[0]
     handles = []
@@ -34,7 +35,7 @@ def draw(path, rows):
         handles = [draw_curve(axes, path, rows, across, name, curve, colour)
                    for curve, colour in zip(curves, style.sequence(len(curves)))]
         axes.set_xlabel(label)
-        axes.set_ylabel(SHOWN[name])
+        axes.set_ylabel(with_unit(SHOWN[name], name, known))
     style.legend_above_all(figure, [handle for handle in handles if handle.get_label()])
     return figure
 
@@ -51,8 +52,8 @@ def units(path):
         raise BadInput(f"{path} is damaged: {error}") from error
 
 
-def with_unit(key, known):
-    return f"{key} [{known[key]}]" if known.get(key) else key
+def with_unit(label, column, known):
+    return f"{label} [{style.power(known[column])}]" if known.get(column) else label
 
 
 def draw_curve(axes, path, rows, across, name, curve, colour):

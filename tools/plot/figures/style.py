@@ -131,3 +131,7 @@ def log_ticks(axis):
         axis.set_major_formatter(FuncFormatter(lambda value, _: number(value)))
     else:
         axis.set_major_locator(LogLocator(numticks=12))
+
+
+def power(unit):
+    return unit.replace("^2", "²").replace("^3", "³")

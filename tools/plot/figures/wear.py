@@ -21,7 +21,7 @@ def draw(result):
     volumes.plot(t, volume, color=style.COLOURS[0], label="worn volume")
     volumes.plot(t, integral, color=style.COLOURS[1], linestyle=(0, (4, 3)), label="wear integral")
     volumes.set_ylim(bottom=0)
-    volumes.set_ylabel(f"wear [{power(unit)}]")
+    volumes.set_ylabel(f"wear [{style.power(unit)}]")
     style.legend(volumes, columns=2)
     draw_difference(difference, t, volume, integral)
     difference.set_xlabel("time [s]" if unit_of_time == "s" else unit_of_time)
@@ -39,7 +39,3 @@ def draw_difference(axes, t, volume, integral):
     finite = percent[numpy.isfinite(percent)]
     if len(finite) and numpy.ptp(finite) == 0:
         axes.set_ylim(finite[0] - 1, finite[0] + 1)
-
-
-def power(unit):
-    return unit.replace("^2", "²").replace("^3", "³")
