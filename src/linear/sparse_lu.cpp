@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/linear/sparse_lu.hpp>
+#include <mutex>
 #include <numeric>
 #include <string>
 
@@ -105,6 +106,9 @@ std::vector<int> nested_dissection(const SparsePattern& pattern, const std::vect
     idx_t options[METIS_NOPTIONS];
     METIS_SetDefaultOptions(options);
     options[METIS_OPTION_SEED] = 1;  // the same order in every run
+    // It draws from the random numbers of the C library, which all threads of a program share.
+    static std::mutex one_at_a_time;
+    const std::scoped_lock alone(one_at_a_time);
     const TerminationWaits waits;
     if (METIS_NodeND(&groups, graph.start.data(), graph.neighbour.data(), nullptr, options,
                      order.data(), position.data()) != METIS_OK)

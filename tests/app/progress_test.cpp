@@ -51,11 +51,19 @@ TEST(ProgressText, StartHasNoStepYet) {
   EXPECT_EQ(progress_text({}, 1000, 10), "t 0 of 1000 s");
 }
 
+/// A container may have none.
+bool has_terminals() {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  const bool works = terminal >= 0 && grantpt(terminal) + unlockpt(terminal) == 0;
+  if (terminal >= 0) close(terminal);
+  return works;
+}
+
 /// What a terminal gets on stderr while `show` runs.
 template <class Show>
 std::string on_a_terminal(const Show& show) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
-  EXPECT_EQ(grantpt(terminal) + unlockpt(terminal), 0);
+  grantpt(terminal), unlockpt(terminal);
   const int end = open(ptsname(terminal), O_RDWR | O_NOCTTY);
   const int earlier = dup(STDERR_FILENO);
   dup2(end, STDERR_FILENO);
@@ -71,6 +79,7 @@ std::string on_a_terminal(const Show& show) {
 }
 
 TEST(LiveLine, IsOnATerminalAloneAndGoneAtTheEnd) {
+  if (!has_terminals()) GTEST_SKIP() << "no pseudo-terminals here";
   EXPECT_EQ(on_a_terminal([] { const LiveLine line("making"); }), "\rmaking\x1b[K\r\x1b[K");
   EXPECT_EQ(on_a_terminal([] { const LiveLine line("making", true); }), "");
   testing::internal::CaptureStderr();  // a file
