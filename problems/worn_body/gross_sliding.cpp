@@ -40,7 +40,7 @@ std::vector<Stroke> strokes_of(Steps<dim> steps) {
   const auto reverses = [](const auto& before, const auto& step) { return before.dot(step) < 0; };
   for (std::size_t k = 0; k + 1 < steps.size(); ++k)
     if (reverses(steps[k], steps[k + 1])) {
-      std::ranges::rotate(steps, steps.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+      std::rotate(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(k) + 1, steps.end());
       break;
     }
   std::vector<Stroke> strokes;
