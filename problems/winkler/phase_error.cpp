@@ -57,8 +57,7 @@ RateDifference compare(const Foundation& f, const std::vector<Phase>& phases, in
                        mean_rate(f, f.phase_set({comparison, times}), t, d));
 }
 
-double error_of_motion(const Foundation& f, const std::vector<Phase>& phases) {
-  const std::vector<Phase> instants = f.phase_set({fine});
+double error_of_motion(const std::vector<Phase>& phases, const std::vector<Phase>& instants) {
   const auto speed = [](const Phase& phase) { return phase.speed; };
   const auto pressed = [](const Phase& phase) { return phase.speed * phase.press; };
   return std::max(error_of_mean(phases, instants, speed), error_of_mean(phases, instants, pressed));
@@ -67,7 +66,7 @@ double error_of_motion(const Foundation& f, const std::vector<Phase>& phases) {
 }  // namespace
 
 double error_of_motion(const Foundation& foundation) {
-  return error_of_motion(foundation, foundation.phases);
+  return error_of_motion(foundation.phases, foundation.phase_set({fine}));
 }
 
 std::optional<PhaseError> phase_error(const Foundation& foundation, double t,
@@ -84,6 +83,7 @@ std::optional<PhaseError> phase_error(const Foundation& foundation, double t,
 
 ChosenPhases choose_phases(const Foundation& foundation, double tolerance) {
   const std::vector<double> unworn(foundation.x.size(), 0.0);
+  const std::vector<Phase> instants = foundation.phase_set({fine});
   return gnomon::choose_phases(
       tolerance,
       [&](int times) {
@@ -91,7 +91,7 @@ ChosenPhases choose_phases(const Foundation& foundation, double tolerance) {
       },
       [&](int times) {
         const std::vector<Phase> phases = foundation.phase_set({own, times});
-        const double of_motion = error_of_motion(foundation, phases);
+        const double of_motion = error_of_motion(phases, instants);
         if (of_motion > tolerance) return of_motion;
         const auto [difference, whole] = compare(foundation, phases, times, 0, unworn);
         // Where nothing wears, the phases may all have missed the contact.

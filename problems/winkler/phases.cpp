@@ -136,9 +136,7 @@ FlatMotion read_flat_motion(const Scene& scene) {
 }
 
 double mean_speed(const std::vector<Phase>& phases) {
-  double speed = 0;
-  for (const Phase& phase : phases) speed += phase.weight * phase.speed;
-  return speed;
+  return mean_over(phases, [](const Phase& phase) { return phase.speed; });
 }
 
 }  // namespace gnomon::winkler

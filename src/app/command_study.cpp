@@ -135,11 +135,11 @@ int study_run_command(const StudyCommandOptions& given) {
 int study_collect_command(const StudyCommandOptions& given) {
   const Study study = read_whole_plan(given.folder);
   const InterruptGuard guard(false);
-  const bool complete = missing_runs(study, given.folder).empty();
   try {
     write_study(study, given.folder, given.quiet);
   } catch (const SolutionError&) {
-    if (complete) throw;  // all runs failed, not only those that are done
+    require_complete(study, given.folder);
+    throw;  // all runs failed, not only those that are done
   }
   require_complete(study, given.folder);
   return success;

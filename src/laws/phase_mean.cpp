@@ -8,10 +8,10 @@ namespace gnomon {
 ChosenPhases choose_phases(double tolerance, const std::function<long(int times)>& count,
                            const std::function<double(int times)>& error) {
   for (int times = 1;; times *= 2) {
-    if (count(times) >= most_chosen_phases)
-      return {count(times), std::numeric_limits<double>::infinity()};
+    const long phases = count(times);
+    if (phases >= most_chosen_phases) return {phases, std::numeric_limits<double>::infinity()};
     const double found = error(times);
-    if (found <= tolerance) return {count(times), found};
+    if (found <= tolerance) return {phases, found};
   }
 }
 

@@ -166,9 +166,10 @@ ChosenPhases choose_phases(std::shared_ptr<const WornBody<dim>> body, double tol
   const auto set = [&](PhaseSet::Kind kind, int times) {
     return body->phase_set(*body, {kind, times});
   };
+  const std::vector<Phase<dim>> instants = set(fine, 1);
   const auto error = [&](int times) {
     const std::vector<Phase<dim>> phases = set(own, times);
-    const double of_motion = error_of_motion(phases, set(fine, 1));
+    const double of_motion = error_of_motion(phases, instants);
     if (of_motion > tolerance) return of_motion;
     FixedShape<dim> shape(body);
     const std::vector<double> mean = shape.mean_rate(phases);

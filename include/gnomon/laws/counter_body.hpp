@@ -18,7 +18,7 @@ struct RigidMotion {
   double across = 0;                              ///< at the origin of x; 2D only [length / time]
   Vector<dim> across_by_x = Vector<dim>::Zero();  ///< 2D only [1 / time]
   Vector<dim> reference = Vector<dim>::Zero();    ///< where the nominal speed of a run is taken
-  /// Of the worn surface there, unit: what moves along it does not slide. Zero: not known.
+  /// Of the touching surfaces there, unit: what moves along it does not slide. Zero: not known.
   Vector<dim> normal = Vector<dim>::Zero();
 
   template <class Scalar = double>
@@ -37,6 +37,7 @@ struct RigidMotion {
     v << relative - normal * normal.dot(relative), across_at<double>(reference);
     return v;
   }
+  /// Its magnitude.
   double nominal_speed(const Vector<dim>& streaming) const {
     return sliding_velocity(streaming).norm();
   }

@@ -129,10 +129,9 @@ struct WornBody {
   /// motion, its mean over the phases [length / time].
   double nominal_speed() const {
     if (sliding_speed) return *sliding_speed;
-    double sum = 0;
-    for (const Phase<dim>& phase : phases())
-      sum += phase.weight * phase.counter_body.motion.nominal_speed(contact.streaming);
-    return sum;
+    return mean_over(phases(), [this](const Phase<dim>& phase) {
+      return phase.counter_body.motion.nominal_speed(contact.streaming);
+    });
   }
   /// Projector on the directions in which the shape of a node may move.
   Tensor<dim> shape_free(int node) const {
