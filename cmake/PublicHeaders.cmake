@@ -8,8 +8,10 @@ set(gnomon_public_headers
   gnomon/scene/scene.hpp             # scenes and their keys
   gnomon/scene/registry.hpp          # registrations
   gnomon/laws/wear_law.hpp           # wear laws
-  gnomon/laws/counter_shape.hpp      # shapes of counter-bodies
-  gnomon/laws/catalogue.hpp          # both by name
+  gnomon/shapes/counter_shape.hpp      # shapes of counter-bodies
+  gnomon/wear_laws/wear_law_kind.hpp # both by name
+  gnomon/shapes/counter_shape_kind.hpp
+  gnomon/shapes/shape_keys.hpp       # keys that shapes share
   gnomon/terms/material_law.hpp      # materials
   gnomon/model/added_term.hpp        # terms
   gnomon/model/problem.hpp           # problems

@@ -6,7 +6,7 @@
 // with h the depth worn off at the node. A scene chooses it by wear.law = "running-in".
 
 #include <cmath>
-#include <gnomon/laws/catalogue.hpp>
+#include <gnomon/wear_laws/wear_law_kind.hpp>
 
 namespace {
 

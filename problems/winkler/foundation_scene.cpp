@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
-#include <gnomon/laws/cycle_scene.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/model/wear_scene.hpp>
 #include <string>
 

@@ -1,7 +1,7 @@
 // The error of the mean over the phases of a cycle on springs, estimated with other phases.
 #pragma once
 
-#include <gnomon/laws/phase_mean.hpp>
+#include <gnomon/cycles/phase_mean.hpp>
 #include <gnomon/model/model.hpp>
 #include <optional>
 #include <vector>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <functional>
-#include <gnomon/laws/phase_mean.hpp>
+#include <gnomon/cycles/phase_mean.hpp>
 #include <gnomon/scene/scene.hpp>
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "keys.hpp"
 
-#include <gnomon/laws/cycle_scene.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
 
 #include "loads.hpp"
 #include "shape_support.hpp"

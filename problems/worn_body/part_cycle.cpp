@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
-#include <gnomon/laws/counter_body_scene.hpp>
-#include <gnomon/laws/cycle_scene.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
+#include <gnomon/shapes/counter_body_scene.hpp>
 
 #include "histories.hpp"
 

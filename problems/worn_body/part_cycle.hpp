@@ -1,7 +1,7 @@
 // What [cycle] says for a part: its functions, and the counter-body at a position.
 #pragma once
 
-#include <gnomon/laws/cycle.hpp>
+#include <gnomon/cycles/cycle.hpp>
 #include <gnomon/model/worn_body.hpp>
 #include <gnomon/scene/scene.hpp>
 #include <optional>

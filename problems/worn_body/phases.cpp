@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <gnomon/laws/cycle_scene.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
 
 #include "model/phase_error.hpp"
 

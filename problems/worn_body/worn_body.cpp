@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <gnomon/laws/counter_body_scene.hpp>
-#include <gnomon/laws/cycle_scene.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
+#include <gnomon/shapes/counter_body_scene.hpp>
 #include <limits>
 #include <map>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
-#include <gnomon/laws/catalogue.hpp>
+#include <gnomon/wear_laws/wear_law_kind.hpp>
 #include <map>
 #include <set>
 

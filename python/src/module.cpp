@@ -2,10 +2,10 @@
 
 #include <gnomon/base/installation.hpp>
 #include <gnomon/integrators/integrator.hpp>
-#include <gnomon/laws/catalogue.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/results/versions.hpp>
 #include <gnomon/run/plugin.hpp>
+#include <gnomon/wear_laws/wear_law_kind.hpp>
 
 #include "bindings.hpp"
 

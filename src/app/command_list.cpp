@@ -8,10 +8,11 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/installation.hpp>
 #include <gnomon/integrators/integrator.hpp>
-#include <gnomon/laws/catalogue.hpp>
 #include <gnomon/model/added_term.hpp>
 #include <gnomon/model/problem.hpp>
+#include <gnomon/shapes/counter_shape_kind.hpp>
 #include <gnomon/terms/material_law.hpp>
+#include <gnomon/wear_laws/wear_law_kind.hpp>
 #include <map>
 
 #include "app/commands.hpp"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/wear_law.hpp>
-#include <gnomon/scene/registry.hpp>
 
 namespace gnomon {
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <gnomon/integrators/integrator.hpp>
-#include <gnomon/laws/catalogue.hpp>
 #include <gnomon/model/added_term.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/model/worn_body_scene.hpp>
 #include <gnomon/terms/material_law.hpp>
+#include <gnomon/wear_laws/wear_law_kind.hpp>
 
 namespace gnomon {
 

@@ -1,10 +1,10 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <gnomon/laws/catalogue.hpp>
 #include <gnomon/model/wear_scene.hpp>
+#include <gnomon/wear_laws/wear_law_kind.hpp>
 #include <set>
 
-#include "scene/expression_text.hpp"
+#include "expressions/expression_text.hpp"
 
 namespace gnomon {
 

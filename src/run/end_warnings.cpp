@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <gnomon/laws/phase_mean.hpp>
+#include <gnomon/cycles/phase_mean.hpp>
 #include <gnomon/stability/stability.hpp>
 
 #include "run/wear_integral.hpp"

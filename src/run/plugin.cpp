@@ -5,11 +5,12 @@
 #include <fstream>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
-#include <gnomon/laws/catalogue.hpp>
 #include <gnomon/model/added_term.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/run/plugin.hpp>
+#include <gnomon/shapes/counter_shape_kind.hpp>
 #include <gnomon/terms/material_law.hpp>
+#include <gnomon/wear_laws/wear_law_kind.hpp>
 #include <iterator>
 #include <sstream>
 

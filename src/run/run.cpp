@@ -2,8 +2,8 @@
 
 #include <chrono>
 #include <gnomon/base/error.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/integrators/stop_times.hpp>
-#include <gnomon/laws/cycle_scene.hpp>
 #include <gnomon/run/run.hpp>
 #include <set>
 

@@ -2,13 +2,13 @@
 
 #include <functional>
 #include <gnomon/base/error.hpp>
-#include <gnomon/laws/cycle_scene.hpp>
-#include <gnomon/laws/profile.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/results/versions.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
+#include <gnomon/shapes/profile.hpp>
 #include <utility>
 
 namespace gnomon {

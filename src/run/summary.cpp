@@ -2,7 +2,7 @@
 
 #include <cmath>
 #include <fstream>
-#include <gnomon/laws/phase_mean.hpp>
+#include <gnomon/cycles/phase_mean.hpp>
 #include <gnomon/run/summary.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>

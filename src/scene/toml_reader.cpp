@@ -7,10 +7,10 @@
 #include <gnomon/base/error.hpp>
 #include <string_view>
 
+#include "base/untrapped_arithmetic.hpp"
 #include "scene/nesting.hpp"
 #include "scene/toml_mistakes.hpp"
 #include "scene/toml_text.hpp"
-#include "scene/untrapped_arithmetic.hpp"
 
 namespace gnomon {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <gnomon/base/error.hpp>
-#include <gnomon/laws/cycle_scene.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/study/study.hpp>

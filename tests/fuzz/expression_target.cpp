@@ -1,5 +1,5 @@
 #include <cmath>
-#include <gnomon/scene/expression.hpp>
+#include <gnomon/expressions/expression.hpp>
 #include <limits>
 
 #include "fuzz/targets.hpp"

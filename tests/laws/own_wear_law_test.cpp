@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include <gnomon/laws/catalogue.hpp>
+#include <gnomon/wear_laws/wear_law_kind.hpp>
 
 #include "support/pin.hpp"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <gnomon/laws/catalogue.hpp>
+#include <gnomon/wear_laws/wear_law_kind.hpp>
 
 #include "support/derivatives.hpp"
 

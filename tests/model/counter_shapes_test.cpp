@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <gnomon/laws/profile.hpp>
+#include <gnomon/shapes/profile.hpp>
 
 #include "support/pressed_block.hpp"
 #include "support/problem_run.hpp"

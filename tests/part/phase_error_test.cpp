@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <gnomon/laws/cycle_scene.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
 #include <gnomon/run/summary.hpp>
@@ -141,9 +141,10 @@ TEST_F(PhaseErrors, OfTheMotionAloneAreRemarked) {
   const auto remarks = [&](const std::string& phases) {
     return setup(phases, "", {"output.phase_errors=false"}).model->remarks();
   };
-  EXPECT_THAT(remarks("2"),
-              Contains("cycle.phases: the mean of speed or force over 2 phases has an error of 57 % "
-                       "(the cycle has 2 corners and reversals); take more phases"));
+  EXPECT_THAT(
+      remarks("2"),
+      Contains("cycle.phases: the mean of speed or force over 2 phases has an error of 57 % "
+               "(the cycle has 2 corners and reversals); take more phases"));
   EXPECT_THAT(remarks("16"), Not(Contains(HasSubstr("cycle.phases"))));
 }
 

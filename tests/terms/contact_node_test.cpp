@@ -2,7 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <gnomon/base/error.hpp>
-#include <gnomon/laws/profile.hpp>
+#include <gnomon/shapes/profile.hpp>
 #include <gnomon/terms/contact_node.hpp>
 
 #include "support/derivatives.hpp"

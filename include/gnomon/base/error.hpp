@@ -30,4 +30,9 @@ struct RecoverableError : Error {
   using Error::Error;
 };
 
+/// A registration that cannot be used: of a name that is taken, or without a member that is needed.
+struct RegistrationError : Error {
+  using Error::Error;
+};
+
 }  // namespace gnomon

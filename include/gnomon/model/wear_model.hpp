@@ -1,9 +1,9 @@
 // The model of a worn body: consistent start, observations and fields.
 #pragma once
 
-#include <gnomon/laws/counter_surface.hpp>
 #include <gnomon/model/model.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
+#include <gnomon/shapes/counter_surface.hpp>
 #include <memory>
 
 namespace gnomon {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <gnomon/cycles/phase_mean.hpp>
 #include <gnomon/laws/load_history.hpp>
-#include <gnomon/laws/phase_mean.hpp>
 #include <gnomon/mesh/mesh_part.hpp>
 #include <gnomon/system/composed_system.hpp>
 #include <gnomon/system/linear_solver_choice.hpp>

@@ -13,11 +13,6 @@
 
 namespace gnomon {
 
-/// A registration that cannot be used: of a name that is taken, or without a member that is needed.
-struct RegistrationError : Error {
-  using Error::Error;
-};
-
 /// What is registered of a type, by the name of the type: in the library, so that it is the same in
 /// programs and plug-ins that hide their own symbols. Empty at first.
 std::shared_ptr<void>& registered_of_type(const char* type);

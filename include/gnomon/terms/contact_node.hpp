@@ -16,10 +16,10 @@
 #include <algorithm>
 #include <array>
 #include <gnomon/base/lift.hpp>
-#include <gnomon/laws/counter_body.hpp>
 #include <gnomon/laws/unilateral_contact.hpp>
 #include <gnomon/laws/wear_law.hpp>
 #include <gnomon/mesh/contact_patch.hpp>
+#include <gnomon/shapes/counter_body.hpp>
 #include <gnomon/terms/sliding.hpp>
 #include <span>
 

@@ -18,8 +18,8 @@
 #pragma once
 
 #include <cmath>
-#include <gnomon/laws/counter_body.hpp>
 #include <gnomon/mesh/contact_patch.hpp>
+#include <gnomon/shapes/counter_body.hpp>
 
 namespace gnomon {
 

@@ -1,10 +1,11 @@
 // A plug-in that registers a name which is taken.
-#include <gnomon/laws/catalogue.hpp>
+#include <gnomon/wear_laws/wear_law_kind.hpp>
 
 namespace {
-const gnomon::Registration<gnomon::WearLawKind> registration(
-    {.name = "archard",
-     .help = "another one of this name",
-     .keys = {},
-     .make = [](const gnomon::Scene&) { return gnomon::WearLaw(); }});
+const gnomon::Registration<gnomon::WearLawKind> registration({.name = "archard",
+                                                              .help = "another one of this name",
+                                                              .keys = {},
+                                                              .make = [](const gnomon::Scene&) {
+                                                                return gnomon::WearLaw();
+                                                              }});
 }  // namespace

@@ -1,0 +1,44 @@
+// The counter-body that a scene describes: one table of keys for all registered shapes, its motion,
+// and how it is pressed.
+#pragma once
+
+#include <gnomon/shapes/counter_body.hpp>
+#include <gnomon/shapes/counter_shape_kind.hpp>
+#include <optional>
+#include <vector>
+
+namespace gnomon {
+
+/// counter_body.*: the shape, the keys of all registered shapes, motion and press. What only one
+/// shape has is optional here; read_counter_body says what is missing or belongs to another shape.
+template <int dim>
+std::vector<Key> counter_body_keys();
+
+/// The same for a scene of which only its mesh says whether it is in the plane or in space: vectors
+/// have any length, which read_counter_body checks. Not before all shapes are registered.
+std::vector<Key> counter_body_keys();
+
+/// A counter-body, and the force that presses it along its `approach`.
+template <int dim>
+struct PressedCounterBody {
+  CounterBody<dim> body;
+  /// At factor one of press.times and press.factors, which the caller reads. Without it the
+  /// counter-body stays, or moves as body.travel says.
+  std::optional<double> force;
+};
+
+/// Reads a scene that has the keys of one of these tables. Throws InputError. `motion.reference` is
+/// the origin; set it to a point of the contact. A scene in 3D has no section.
+template <int dim>
+PressedCounterBody<dim> read_counter_body(const Scene& scene, Section section = Section::plane);
+
+/// A point of the axis of a rotation that the key `rotation` gives: counter_body.motion.center, by
+/// default the middle of the shape. Throws InputError.
+template <int dim>
+Vector<dim> rotation_center(const Scene& scene, const std::string& rotation);
+/// The spin of a rotation with that rate; in space about counter_body.motion.axis, by default the
+/// axis of the shape. Throws InputError.
+template <int dim>
+Tensor<dim> rotation_spin(const Scene& scene, double rate, const std::string& rotation);
+
+}  // namespace gnomon

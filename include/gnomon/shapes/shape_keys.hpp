@@ -1,0 +1,37 @@
+// Keys that several shapes of counter-bodies share, and how they are read.
+#pragma once
+
+#include <gnomon/shapes/counter_shape_kind.hpp>
+#include <string>
+
+namespace gnomon {
+
+/// The vector that a key of `dim` reals gives. Throws InputError if it is zero.
+template <int dim>
+Vector<dim> read_direction(const Scene& scene, const std::string& key);
+template <int dim>
+Vector<dim> read_point(const Scene& scene, const std::string& key);
+
+/// counter_body.center of `dim` reals.
+Key center_key(int dim, const std::string& help);
+/// counter_body.axis of `dim` reals.
+Key axis_key(int dim, const std::string& help);
+/// A length greater than zero.
+Key length_key(const std::string& name, const std::string& help);
+/// counter_body.concave: the body is what is outside of the shape.
+Key concave_key();
+
+/// The shape, or its complement where counter_body.concave says so.
+template <int dim>
+CounterShape<dim> convex_or_concave(const Scene& scene, const CounterShape<dim>& shape) {
+  return scene.flag("counter_body.concave") ? complement(shape) : shape;
+}
+
+/// The point that a key of an axisymmetric scene gives. Throws InputError unless it is on the axis
+/// of symmetry, r = 0; `body` is the noun of the message.
+Vector<2> read_point_of_axis(const Scene& scene, const std::string& key, const std::string& body);
+
+/// Beginning of a message about counter_body.shape.
+std::string shape_origin(const Scene& scene);
+
+}  // namespace gnomon

@@ -1,0 +1,136 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/cycles/cycle.hpp>
+#include <gnomon/cycles/cycle_quadrature.hpp>
+#include <numbers>
+#include <span>
+
+namespace gnomon {
+
+namespace {
+
+constexpr double whole_turn = 2 * std::numbers::pi;
+constexpr double end = 1 - 1e-12;  // of a cycle, where it has not yet begun again
+
+}  // namespace
+
+CycleFunction::CycleFunction(Expression expression) : expression_(std::move(expression)) {}
+
+double CycleFunction::value(double tau) const {
+  return expression_.value(std::span(&tau, 1));
+}
+
+double CycleFunction::slope(double tau) const {
+  // Expressions have the slope of what is before a kink: before 0 a table is constant.
+  constexpr double ahead = 1e-13;
+  double slope = 0;
+  const double after = tau + ahead;
+  expression_.value_and_gradient(std::span(&after, 1), std::span(&slope, 1));
+  return slope;
+}
+
+std::vector<double> CycleFunction::kinks(double turn) const {
+  std::vector<double> found = sign_changes_in_cycle(
+      [this](double tau, std::span<double> values) {
+        expression_.switching(std::span(&tau, 1), values);
+      },
+      expression_.kinks());
+  double size = 0, steepness = 0;
+  for (int k = 0; k < 100; ++k) {
+    size = std::max(size, std::abs(value(k / 100.0)));
+    steepness = std::max(steepness, std::abs(slope(k / 100.0)));
+  }
+  const bool ends_as_it_begins =
+      std::abs(gap(turn)) <= 1e-9 * size && std::abs(slope(end) - slope(0)) <= 1e-9 * steepness;
+  if (!ends_as_it_begins && (found.empty() || found.front() > 0)) found.insert(found.begin(), 0);
+  return found;
+}
+
+double CycleFunction::gap(double turn) const {
+  const double jump = value(end) - value(0);
+  return turn > 0 ? std::remainder(jump, turn) : jump;
+}
+
+std::vector<double> Cycle::kinks() const {
+  std::vector<double> all;
+  for (const auto* function :
+       {&displacement[0], &displacement[1], &displacement[2], &rotation, &force, &load}) {
+    if (!*function) continue;
+    const std::vector<double> own = (*function)->kinks(function == &rotation ? whole_turn : 0);
+    all = merged_kinks(std::move(all), own);
+  }
+  return all;
+}
+
+std::vector<std::string> Cycle::remarks() const {
+  constexpr double rounding = 1e-6;
+  std::vector<std::string> found;
+  const auto look_at = [&](const std::string& name, const std::optional<CycleFunction>& function,
+                           double turn, const std::string& unit) {
+    if (!function) return;
+    double most = 0;
+    for (int k = 0; k < 100; ++k)
+      most = std::max(most, std::abs(function->value(k / 100.0) - function->value(0)));
+    const double gap = function->gap(turn);
+    if (std::abs(gap) > rounding * most)
+      found.push_back(fmt::format(
+          "cycle.{} ends {:.3g} {} from where it begins: the next cycle begins there again, and "
+          "nothing slides on this way",
+          name, std::abs(gap), unit));
+  };
+  look_at("x", displacement[0], 0, "mm");
+  look_at("y", displacement[1], 0, "mm");
+  look_at("z", displacement[2], 0, "mm");
+  look_at("rotation", rotation, whole_turn, "rad");
+  return found;
+}
+
+namespace {
+
+/// Adds the displacement and its velocity.
+template <int dim>
+void displace(const Cycle& cycle, double tau, CounterBody<dim>& body) {
+  for (int i = 0; i < 3; ++i) {
+    if (!cycle.displacement[i]) continue;
+    const double speed = cycle.displacement[i]->slope(tau) / cycle.period;
+    if (i < dim) {
+      body.position[i] += cycle.displacement[i]->value(tau);
+      body.motion.velocity[i] += speed;
+    } else {
+      body.motion.across += speed;
+    }
+  }
+}
+
+template <int dim>
+void turn(const Cycle& cycle, const CycleAxis<dim>& axis, double tau, CounterBody<dim>& body) {
+  const double rate = cycle.rotation->slope(tau) / cycle.period;
+  if (axis.meridian) {
+    body.motion.across_by_x[0] += rate;
+    return;
+  }
+  body.motion.spin += rate * axis.spin;
+  body.motion.velocity -= rate * axis.spin * axis.centre;
+  if (axis.turns_shape)
+    body.turning = Turning<dim>{axis.spin, axis.centre, 0, cycle.rotation->value(tau)};
+}
+
+}  // namespace
+
+template <int dim>
+CounterBody<dim> counter_body_at(const CounterBody<dim>& body, const Cycle& cycle,
+                                 const CycleAxis<dim>& axis, double tau) {
+  CounterBody<dim> result = body;
+  displace(cycle, tau, result);
+  if (cycle.rotation) turn(cycle, axis, tau, result);
+  return result;
+}
+
+template CounterBody<2> counter_body_at(const CounterBody<2>&, const Cycle&, const CycleAxis<2>&,
+                                        double);
+template CounterBody<3> counter_body_at(const CounterBody<3>&, const Cycle&, const CycleAxis<3>&,
+                                        double);
+
+}  // namespace gnomon

@@ -1,0 +1,86 @@
+// The grammar of expressions, as the class that parses it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "expressions/expression_language.hpp"
+#include "expressions/expression_text.hpp"
+
+namespace gnomon {
+
+/// By recursive descent, a function per level of precedence:
+///
+///     condition   conjunction { or conjunction }
+///     conjunction comparison { and comparison }
+///     comparison  sum [ (< | <= | > | >=) sum ]
+///     sum         product { (+ | -) product }
+///     product     sign { (* | /) sign }
+///     sign        - sign | power
+///     power       primary [ ^ sign ]
+///     primary     number | name | name ( condition { , condition } ) | ( condition )
+///
+/// Parentheses may contain numbers and conditions, so the two are distinguished afterwards.
+class ExpressionParser {
+public:
+  ExpressionParser(std::string_view text, const ExpressionNames& names)
+      : text_(text), names_(names), token_(token_at(text, 0)) {}
+
+  ExpressionProgram operator()();
+
+private:
+  using Node = ProgramBuilder::Node;
+
+  struct Part {
+    Node node;
+    bool is_condition;
+    std::size_t begin, end;  // in the text
+  };
+
+  Part number();  // a `condition` of the grammar that is a number
+  Part condition();
+  Part conjunction();
+  Part comparison();
+  Part sum();
+  Part product();
+  Part sign();  // every recursion passes through this function
+  Part power();
+  Part primary();
+  Part named();
+  Part function_call(const Token& name, const ExpressionFunction& function);
+  Part table_call(const Token& name, const PiecewiseLinear& table);
+  Part conditional(const Token& name);
+
+  template <class Right>
+  Part followed(Operation operation, const Part& left, const Right& parse_right);
+  /// By `and` or `or`: the right side is not evaluated where the left side decides.
+  template <class Right>
+  Part joined(const Part& left, Operation operation, const Right& parse_right);
+  Part combined(Operation operation, const Part& a, const Part& b, bool is_condition = false);
+  /// Takes arguments in parentheses one by one, and returns their number.
+  template <class Take>
+  std::size_t arguments(const Token& name, const Take& take);
+  void check_count(const Token& name, std::size_t count, std::size_t least, std::size_t most) const;
+
+  /// The part that ends before the current token. A constant must be finite.
+  Part part(Node node, std::size_t begin, bool is_condition = false) const;
+  Part checked_number(const Part& part) const;
+  Part checked_condition(const Part& part) const;
+  std::string quote_part(const Part& part) const;
+
+  void advance();
+  bool accept(std::string_view word);
+  bool at_comparison() const;
+  void expect(std::string_view word, const std::string& where);
+  [[noreturn]] void refuse(const std::string& what) const;
+  [[noreturn]] void refuse_rest() const;
+
+  std::string_view text_;
+  const ExpressionNames& names_;
+  Token token_;             // the next one
+  std::size_t behind_ = 0;  // the end of the one before
+  int nesting_ = 0;
+  ProgramBuilder builder_;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,59 @@
+#include <gnomon/base/error.hpp>
+#include <gnomon/shapes/counter_shape_kind.hpp>
+#include <gnomon/shapes/shape_keys.hpp>
+
+namespace gnomon {
+
+template <int dim>
+CounterShape<dim> plane(const Vector<dim>& point, const Vector<dim>& normal) {
+  const Vector<dim> n = normal.normalized();
+  return {[point, n](const Vector<dim>& x) {
+            return SignedDistance<dim>{n.dot(x - point), n, Tensor<dim>::Zero()};
+          },
+          point.norm()};
+}
+
+namespace {
+
+template <int dim>
+CounterShape<dim> make(const Scene& scene, Section section) {
+  const Vector<dim> normal = read_direction<dim>(scene, "counter_body.normal");
+  if (section == Section::meridian && normal[0] != 0)
+    throw InputError(scene.where("counter_body.normal") +
+                     ": expected a normal along the axis of symmetry, [0, 1] or [0, -1], in an "
+                     "axisymmetric scene; others belong to a `cone` or a `cylinder`");
+  return plane<dim>(read_point<dim>(scene, "counter_body.point"), normal);
+}
+
+template <int dim>
+CounterShapeKind<dim> kind() {
+  const std::vector<double> origin(dim, 0.0);
+  std::vector<double> up = origin;
+  up.back() = 1;
+  return {.name = "plane",
+          .help = "half-space below a plane",
+          .keys = {{.name = "counter_body.point",
+                    .kind = KeyKind::reals,
+                    .unit = "mm",
+                    .presence = Key::Presence::defaulted,
+                    .default_value = origin,
+                    .length = dim,
+                    .help = "point of the plane"},
+                   {.name = "counter_body.normal",
+                    .kind = KeyKind::reals,
+                    .presence = Key::Presence::defaulted,
+                    .default_value = up,
+                    .length = dim,
+                    .help = "its normal towards the worn body, of any length"}},
+          .make = make<dim>};
+}
+
+const Registration<CounterShapeKind<2>> in_2d(kind<2>());
+const Registration<CounterShapeKind<3>> in_3d(kind<3>());
+
+}  // namespace
+
+template CounterShape<2> plane<2>(const Vector<2>&, const Vector<2>&);
+template CounterShape<3> plane<3>(const Vector<3>&, const Vector<3>&);
+
+}  // namespace gnomon

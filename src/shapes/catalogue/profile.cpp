@@ -1,0 +1,96 @@
+#include <gnomon/base/error.hpp>
+#include <gnomon/shapes/counter_shape_kind.hpp>
+#include <gnomon/shapes/profile.hpp>
+#include <gnomon/shapes/shape_keys.hpp>
+
+namespace gnomon {
+
+namespace {
+
+CounterShape<2> make_2d(const Scene& scene, Section) {
+  return profile(read_profile(scene));
+}
+
+/// The first coordinate of an extruded profile runs along axis x up.
+Tensor<3> frame_of(const Vector<3>& axis, const Scene& scene) {
+  const Vector<3> e = axis.normalized();
+  const Vector<3> up = read_direction<3>(scene, "counter_body.up");
+  const Vector<3> first = e.cross(up.normalized());
+  if (!(first.norm() > 1e-6))
+    throw InputError(scene.where("counter_body.up") +
+                     ": expected a direction that is not along counter_body.axis");
+  Tensor<3> frame;
+  frame << first.normalized(), first.normalized().cross(e), e;
+  return frame;
+}
+
+CounterShape<3> make_3d(const Scene& scene, Section) {
+  const CounterShape<2> section = profile(read_profile(scene));
+  const Vector<3> centre = read_point<3>(scene, "counter_body.center");
+  const Vector<3> axis = read_direction<3>(scene, "counter_body.axis");
+  return scene.text("counter_body.sweep") == "revolved"
+             ? revolved(section, centre, axis)
+             : extruded(section, centre, frame_of(axis, scene));
+}
+
+std::vector<Key> keys(int dim) {
+  std::vector<Key> keys = {
+      {.name = "counter_body.points",
+       .kind = KeyKind::reals,
+       .unit = "mm",
+       .presence = Key::Presence::optional,
+       .absent_meaning = "those of counter_body.file",
+       .help = "coordinates of the points of the curve, two for each, one point after the other"},
+      {.name = "counter_body.file",
+       .kind = KeyKind::text,
+       .presence = Key::Presence::optional,
+       .absent_meaning = "counter_body.points",
+       .names_file = true,
+       .help = "file with the points of the curve, two numbers per line; beside the scene"},
+      {.name = "counter_body.closed",
+       .kind = KeyKind::flag,
+       .presence = Key::Presence::defaulted,
+       .default_value = false,
+       .help = "whether the curve goes back to its first point; else on straight beyond its ends"},
+      {.name = "counter_body.side",
+       .kind = KeyKind::text,
+       .presence = Key::Presence::optional,
+       .absent_meaning = "left",
+       .choices = {"left", "right"},
+       .help = "side of an open curve on which the counter-body is, along the points"},
+      concave_key()};
+  if (dim == 2) return keys;
+  keys.push_back({.name = "counter_body.sweep",
+                  .kind = KeyKind::text,
+                  .choices = {"extruded", "revolved"},
+                  .help = "whether the curve, in coordinates (r, z), is turned about the axis, or "
+                          "moved along it"});
+  Key center = center_key(3, "origin of the curve's coordinates");
+  center.presence = Key::Presence::defaulted;
+  center.default_value = std::vector<double>(3, 0.0);
+  keys.push_back(center);
+  keys.push_back(axis_key(3, "axis of revolution, or direction of the extrusion"));
+  keys.push_back({.name = "counter_body.up",
+                  .kind = KeyKind::reals,
+                  .presence = Key::Presence::defaulted,
+                  .default_value = std::vector<double>{0, 0, 1},
+                  .length = 3,
+                  .help = "direction of the second coordinate of an extruded curve, made "
+                          "perpendicular to the axis; the first is along axis x up"});
+  return keys;
+}
+
+const Registration<CounterShapeKind<2>> in_2d(
+    {.name = "profile",
+     .help = "body on one side of a smooth curve through given points",
+     .keys = keys(2),
+     .make = make_2d});
+const Registration<CounterShapeKind<3>> in_3d(
+    {.name = "profile",
+     .help = "smooth curve through given points, extruded or revolved",
+     .keys = keys(3),
+     .make = make_3d});
+
+}  // namespace
+
+}  // namespace gnomon

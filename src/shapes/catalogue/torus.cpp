@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <gnomon/base/error.hpp>
+#include <gnomon/shapes/counter_shape_kind.hpp>
+#include <gnomon/shapes/shape_keys.hpp>
+
+namespace gnomon {
+
+CounterShape<3> torus(const Vector<3>& centre, const Vector<3>& axis, double major, double minor) {
+  return revolved(ball<2>({major, 0}, minor), centre, axis);
+}
+
+namespace {
+
+struct Radii {
+  double major, minor;
+};
+
+/// Rings that cross themselves in the middle are refused.
+Radii read_radii(const Scene& scene) {
+  const Radii radii{scene.real("counter_body.major_radius"),
+                    scene.real("counter_body.minor_radius")};
+  if (!(radii.minor < radii.major))
+    throw InputError(fmt::format(
+        "{}: expected less than counter_body.major_radius = {:g} mm, got {:g}: the ring would "
+        "cross itself",
+        scene.where("counter_body.minor_radius"), radii.major, radii.minor));
+  return radii;
+}
+
+template <int dim>
+std::vector<Key> keys() {
+  std::vector<Key> keys = {
+      center_key(dim, "centre of the ring"),
+      length_key("counter_body.major_radius", "from the axis of a ring to the middle of its tube"),
+      length_key("counter_body.minor_radius", "of the tube of a ring"), concave_key()};
+  if (dim == 3) keys.push_back(axis_key(dim, "axis of symmetry"));
+  return keys;
+}
+
+CounterShape<2> make_2d(const Scene& scene, Section section) {
+  if (section == Section::plane)
+    throw InputError(shape_origin(scene) +
+                     ": a torus has no section that is the same along the third direction; "
+                     "expected `cylinder`, or an axisymmetric body");
+  const Vector<2> centre = read_point_of_axis(scene, "counter_body.center", "the torus");
+  const Radii radii = read_radii(scene);
+  return convex_or_concave(scene, ball<2>({radii.major, centre[1]}, radii.minor));
+}
+
+CounterShape<3> make_3d(const Scene& scene, Section) {
+  const Radii radii = read_radii(scene);
+  return convex_or_concave(
+      scene, torus(read_point<3>(scene, "counter_body.center"),
+                   read_direction<3>(scene, "counter_body.axis"), radii.major, radii.minor));
+}
+
+const Registration<CounterShapeKind<2>> in_2d(
+    {.name = "torus",
+     .help = "ring of circular section about r = 0; concave: a groove",
+     .keys = keys<2>(),
+     .make = make_2d});
+const Registration<CounterShapeKind<3>> in_3d(
+    {.name = "torus",
+     .help = "ring of circular section; concave: a groove",
+     .keys = keys<3>(),
+     .make = make_3d});
+
+}  // namespace
+
+}  // namespace gnomon

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <gnomon/base/error.hpp>
+#include <gnomon/shapes/shape_keys.hpp>
+
+namespace gnomon {
+
+template <int dim>
+Vector<dim> read_point(const Scene& scene, const std::string& key) {
+  return Eigen::Map<const Vector<dim>>(scene.reals(key).data());
+}
+
+template <int dim>
+Vector<dim> read_direction(const Scene& scene, const std::string& key) {
+  const Vector<dim> direction = read_point<dim>(scene, key);
+  if (!(direction.norm() > 0))
+    throw InputError(scene.where(key) + ": expected a direction, got a vector of length zero");
+  return direction;
+}
+
+Key center_key(int dim, const std::string& help) {
+  return {.name = "counter_body.center",
+          .kind = KeyKind::reals,
+          .unit = "mm",
+          .length = static_cast<std::size_t>(dim),
+          .help = help};
+}
+
+Key axis_key(int dim, const std::string& help) {
+  return {.name = "counter_body.axis",
+          .kind = KeyKind::reals,
+          .length = static_cast<std::size_t>(dim),
+          .help = help + ", of any length"};
+}
+
+Key length_key(const std::string& name, const std::string& help) {
+  return {.name = name, .unit = "mm", .range = positive_quantity, .help = help};
+}
+
+Key concave_key() {
+  return {.name = "counter_body.concave",
+          .kind = KeyKind::flag,
+          .presence = Key::Presence::defaulted,
+          .default_value = false,
+          .help = "whether the counter-body is what is outside of the shape: socket, bore, seat"};
+}
+
+Vector<2> read_point_of_axis(const Scene& scene, const std::string& key, const std::string& body) {
+  const Vector<2> point = read_point<2>(scene, key);
+  if (point[0] != 0)
+    throw InputError(fmt::format(
+        "{}: expected a point of the axis of symmetry, [0, z], on which {} of an axisymmetric "
+        "scene stands, got r = {:g}",
+        scene.where(key), body, point[0]));
+  return point;
+}
+
+std::string shape_origin(const Scene& scene) {
+  return scene.knows("counter_body.shape") ? scene.where("counter_body.shape")
+                                           : scene.path().string() + ": counter_body.shape";
+}
+
+template Vector<2> read_point<2>(const Scene&, const std::string&);
+template Vector<3> read_point<3>(const Scene&, const std::string&);
+template Vector<2> read_direction<2>(const Scene&, const std::string&);
+template Vector<3> read_direction<3>(const Scene&, const std::string&);
+
+}  // namespace gnomon
