@@ -11,8 +11,6 @@ namespace gnomon::part {
 
 namespace {
 
-constexpr int samples = 64;  // positions at which a cycle is looked at before its phases are known
-
 template <int dim>
 void check_displacement(const Scene& scene, Cycle& cycle) {
   if (dim == 3 || section_of(scene) == Section::plane) return;

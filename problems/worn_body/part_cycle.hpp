@@ -9,6 +9,9 @@
 
 namespace gnomon::part {
 
+inline constexpr int samples =
+    64;  ///< positions at which a cycle is looked at before its phases are known
+
 /// [cycle] for a body: its functions, and the axis of cycle.rotation.
 template <int dim>
 struct PartCycle {

@@ -13,8 +13,6 @@ namespace gnomon::part {
 
 namespace {
 
-constexpr int samples = 64;  // positions at which a cycle is looked at before its phases are known
-
 template <int dim>
 void require_force(const Scene& scene, const Phase<dim>& phase, double largest) {
   if (!(*phase.force >= 1e-6 * largest))

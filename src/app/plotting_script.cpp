@@ -20,7 +20,7 @@ namespace {
 constexpr int cannot_start = 127;
 
 /// Status of `python3 ARGUMENTS` as of waitpid(); nothing if there was no process.
-std::optional<int> python(const std::vector<std::string>& arguments, const std::string& log) {
+std::optional<int> run_python(const std::vector<std::string>& arguments, const std::string& log) {
   std::vector<char*> argv = {const_cast<char*>("python3")};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
@@ -79,7 +79,7 @@ ScriptEnd run_plotting_script(const std::vector<std::string>& arguments,
     return {.exit_code = 1, .complaint = error.what(), .printed = {}};
   }
   words.insert(words.end(), arguments.begin(), arguments.end());
-  const std::optional<int> status = python(words, log.string());
+  const std::optional<int> status = run_python(words, log.string());
   ScriptEnd end{.exit_code = status && WIFEXITED(*status) ? WEXITSTATUS(*status) : -1,
                 .complaint = {},
                 .printed = text_of(log)};

@@ -11,12 +11,8 @@ namespace gnomon {
 using namespace sundials;
 
 namespace {
-void destroy_table(ARKodeButcherTableMem* table) {
-  ARKodeButcherTable_Free(table);
-}
-
 ButcherTable copy_and_free(const std::string& name, ARKodeButcherTable owned) {
-  const Owner<ARKodeButcherTableMem, destroy_table> table(owned);
+  const TableOwner table(owned);
   if (!table) throw Error("ARKODE has no Butcher table called " + name);
   const int s = table->stages;
   ButcherTable result{name, table->q, Eigen::MatrixXd(s, s), Eigen::VectorXd(s), Eigen::VectorXd(s),

@@ -24,10 +24,6 @@ namespace {
 void destroy_erk(void* memory) {
   ARKodeFree(&memory);
 }
-void destroy_table(ARKodeButcherTableMem* table) {
-  ARKodeButcherTable_Free(table);
-}
-using TableOwner = Owner<ARKodeButcherTableMem, destroy_table>;
 
 /// ERKStep (until 6.7) uses the rate of a last stage at c = 1 as the rate at the end of the step,
 /// which is right only if that stage is the new value; in Heun's method it is not, and the method
@@ -64,9 +60,8 @@ constexpr PiController pi_controller{.proportional = 0.8,
                                      .safety = 0.99,
                                      .keep_from = 1.0,
                                      .keep_to = 1.5};
-/// Bounds on growth as for the other one-step methods (step_size.cpp), and a number of failures in
-/// one step that is practically unlimited: a step is then a billionth of its first size.
-constexpr double most_growth = 5;
+/// A number of failures in one step that is practically unlimited: a step is then a billionth of
+/// its first size.
 constexpr int most_failures = 30;
 }  // namespace
 

@@ -10,7 +10,7 @@ constexpr double safety = 0.9;
 // Gustafsson's gains: 0.7 and 0.4 of the exponent of the elementary (I) controller.
 constexpr double proportional = 0.7, integral = 0.4;
 // An estimate holds for steps of similar size: beyond these factors the error law is unreliable.
-constexpr double most_growth = 5, most_shrink = 0.2;
+constexpr double most_shrink = 0.2;
 constexpr double least_error = 1e-8;  // smaller estimates give no more information
 }  // namespace
 

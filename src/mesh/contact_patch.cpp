@@ -38,13 +38,6 @@ typename ContactPatch<dim>::Corner make_corner(ContactPatch<dim>& patch,
   return corner;
 }
 
-/// The nodes of a facet in ascending order, to compare facets that begin with different corners.
-template <class Facet>
-Facet sorted(Facet facet) {
-  std::sort(facet.begin(), facet.end());
-  return facet;
-}
-
 template <int dim>
 void add_corners_beyond(const std::vector<typename Mesh<dim>::Facet>& surface,
                         const std::vector<typename Mesh<dim>::Facet>& boundary, Section section,

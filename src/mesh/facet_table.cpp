@@ -12,12 +12,6 @@ constexpr int edges_of_quadrilateral[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
 constexpr int facets_of_hexahedron[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
                                             {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 
-template <class Facet>
-Facet sorted(Facet facet) {
-  std::sort(facet.begin(), facet.end());
-  return facet;
-}
-
 template <int dim>
 int least_node(const typename Mesh<dim>::Facet& facet) {
   return *std::min_element(facet.begin(), facet.end());

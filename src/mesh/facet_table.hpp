@@ -1,10 +1,18 @@
 // Which cells share which facets.
 #pragma once
 
+#include <algorithm>
 #include <gnomon/mesh/mesh.hpp>
 #include <span>
 
 namespace gnomon {
+
+/// The nodes of a facet in ascending order, to compare facets that begin with different corners.
+template <class Facet>
+Facet sorted(Facet facet) {
+  std::sort(facet.begin(), facet.end());
+  return facet;
+}
 
 /// Facets of all cells by slots, facets_per_cell * cell + number in the cell. In linear time and
 /// with two integers per slot: the facets are listed by their least node, of which there are few.

@@ -6,14 +6,14 @@ namespace gnomon::sundials {
 
 namespace {
 
-struct Content {
+struct LinearContent {
   LinearSolve linear;
   Guard& guard;
   const LinearRequest& request;
 };
 
-Content& content(SUNLinearSolver solver) {
-  return *static_cast<Content*>(solver->content);
+LinearContent& content(SUNLinearSolver solver) {
+  return *static_cast<LinearContent*>(solver->content);
 }
 
 }  // namespace
@@ -26,21 +26,21 @@ LinearSolverOwner make_linear_solver(const Structure& structure, Counters& count
   solver->ops->getid = [](SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; };
   solver->ops->initialize = [](SUNLinearSolver) { return 0; };
   solver->ops->setup = [](SUNLinearSolver s, SUNMatrix J) {
-    Content& c = content(s);
+    LinearContent& c = content(s);
     return c.request.keep ? 0 : c.guard.run([&] { c.linear.set_up(values(J)); });
   };
   solver->ops->solve = [](SUNLinearSolver s, SUNMatrix, N_Vector x, N_Vector b, sunrealtype) {
-    Content& c = content(s);
+    LinearContent& c = content(s);
     return c.guard.run([&] { c.linear.solve(view(b), view(x), c.request.reduction); });
   };
   solver->ops->free = [](SUNLinearSolver s) {
-    delete static_cast<Content*>(s->content);
+    delete static_cast<LinearContent*>(s->content);
     s->content = nullptr;
     SUNLinSolFreeEmpty(s);
     return 0;
   };
   LinearSolverOwner owner(solver);
-  solver->content = new Content{LinearSolve(structure, counters), guard, request};
+  solver->content = new LinearContent{LinearSolve(structure, counters), guard, request};
   return owner;
 }
 

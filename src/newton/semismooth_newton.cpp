@@ -11,7 +11,7 @@ namespace gnomon::sundials {
 
 namespace {
 
-struct Content {
+struct NewtonContent {
   Counters& counters;
   Guard& guard;
   NewtonPolicy policy;
@@ -32,12 +32,12 @@ struct Content {
   int set_up(bool after_iterations, void* ida);
 };
 
-Content& content(SUNNonlinearSolver solver) {
-  return *static_cast<Content*>(solver->content);
+NewtonContent& content(SUNNonlinearSolver solver) {
+  return *static_cast<NewtonContent*>(solver->content);
 }
 
 /// When a Jacobian is made in the middle of an iteration, IDA is told that the last one was bad.
-int Content::set_up(bool after_iterations, void* ida) {
+int NewtonContent::set_up(bool after_iterations, void* ida) {
   int current = 0;
   const int flag = setup(after_iterations ? SUNFALSE : SUNTRUE, &current, ida);
   if (!flag) policy.factors_made();
@@ -45,7 +45,7 @@ int Content::set_up(bool after_iterations, void* ida) {
 }
 
 // Positive: recoverable, IDA shortens the step. Negative: fatal.
-int Content::iterate(N_Vector ycor, N_Vector weights, bool set_up_demanded, void* ida) {
+int NewtonContent::iterate(N_Vector ycor, N_Vector weights, bool set_up_demanded, void* ida) {
   using Verdict = NewtonPolicy::Verdict;
   policy.begin();
   double change = std::numeric_limits<double>::infinity();
@@ -81,23 +81,23 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
   SUNNonlinearSolver solver = SUNNonlinSolNewEmpty(context);
   check(solver, "SUNNonlinSolNewEmpty");
   NonlinearSolverOwner owner(solver);
-  solver->content = new Content{counters,
-                                guard,
-                                NewtonPolicy(options),
-                                ResidualNorm(structure),
-                                PressureLevel(structure),
-                                std::move(state_at),
-                                std::move(branch_at),
-                                differential,
-                                request,
-                                slow,
-                                make_vector(structure.size, context)};
+  solver->content = new NewtonContent{counters,
+                                      guard,
+                                      NewtonPolicy(options),
+                                      ResidualNorm(structure),
+                                      PressureLevel(structure),
+                                      std::move(state_at),
+                                      std::move(branch_at),
+                                      differential,
+                                      request,
+                                      slow,
+                                      make_vector(structure.size, context)};
   auto* ops = solver->ops;
   ops->gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
   ops->initialize = [](SUNNonlinearSolver) { return 0; };
   ops->solve = [](SUNNonlinearSolver s, N_Vector, N_Vector ycor, N_Vector weights, sunrealtype,
                   sunbooleantype call_setup, void* ida) {
-    Content& c = content(s);
+    NewtonContent& c = content(s);
     int flag = -1;
     const int thrown = c.guard.run([&] { flag = c.iterate(ycor, weights, call_setup, ida); });
     if (thrown) flag = thrown;
@@ -128,7 +128,7 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
     return 0;
   };
   ops->free = [](SUNNonlinearSolver s) {
-    delete static_cast<Content*>(s->content);
+    delete static_cast<NewtonContent*>(s->content);
     s->content = nullptr;
     SUNNonlinSolFreeEmpty(s);
     return 0;

@@ -8,16 +8,11 @@
 #include "scene/nesting.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/toml_reader.hpp"
+#include "scene/toml_text.hpp"
 
 namespace gnomon {
 
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 void refuse_deep_nesting(const std::string& text) {
   constexpr std::size_t shown = 40;

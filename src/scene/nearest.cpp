@@ -6,6 +6,7 @@
 #include <gnomon/scene/scene.hpp>
 #include <numeric>
 
+#include "scene/table_layout.hpp"
 #include "scene/toml_text.hpp"
 
 namespace gnomon {
@@ -27,10 +28,6 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
     above.swap(row);
   }
   return above[b.size()];
-}
-
-std::string last_part(const std::string& name) {
-  return name.substr(name.rfind('.') + 1);
 }
 
 /// Distance of a word from a candidate; tolerates a wrong table (if the name itself is near), a

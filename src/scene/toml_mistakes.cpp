@@ -5,6 +5,8 @@
 #include <regex>
 #include <sstream>
 
+#include "scene/toml_text.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -16,11 +18,6 @@ std::string header_of(const std::string& line) {
   static const std::regex header(R"(^\s*(\[\[?[^\[\]#]*\]\]?)\s*(#.*)?$)");
   std::smatch found;
   return line.size() <= longest && std::regex_match(line, found, header) ? found.str(1) : "";
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t\r");
-  return first == text.npos ? "" : text.substr(first, last - first + 1);
 }
 
 /// Parts of a dotted name, those with blanks in quotes; empty if none has blanks, or it has quotes.

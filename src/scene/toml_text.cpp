@@ -8,6 +8,11 @@
 
 namespace gnomon {
 
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t\r");
+  return first == text.npos ? "" : text.substr(first, last - first + 1);
+}
+
 std::string toml_text(double value) {
   std::string text = fmt::format("{}", value);
   const std::size_t exponent = text.find('e');

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/shapes/counter_body_scene.hpp>
+#include <gnomon/shapes/shape_keys.hpp>
 
 namespace gnomon {
 

@@ -9,7 +9,7 @@ namespace gnomon::study {
 
 namespace {
 
-using Kind = Column::Kind;
+using Type = Column::Kind;
 using StudyColumn = ColumnOf<StudyRow>;
 
 template <class T>
@@ -19,17 +19,17 @@ CellValue maybe(const std::optional<T>& value) {
 
 StudyColumn text(const std::string& name, const std::string& meaning,
                  std::function<std::string(const StudyRow&)> get) {
-  return {{name, "", Kind::text, "setting", meaning}, std::move(get)};
+  return {{name, "", Type::text, "setting", meaning}, std::move(get)};
 }
 
 StudyColumn real(const std::string& name, const std::string& unit, const std::string& group,
                  std::optional<double> StudyRow::*member, const std::string& meaning) {
-  return {{name, unit, Kind::real, group, meaning},
+  return {{name, unit, Type::real, group, meaning},
           [member](const StudyRow& row) { return maybe(row.*member); }};
 }
 
 StudyColumn count(const std::string& name, long Counters::*member, const std::string& meaning) {
-  return {{name, "", Kind::integer, "cost", meaning}, [member](const StudyRow& row) {
+  return {{name, "", Type::integer, "cost", meaning}, [member](const StudyRow& row) {
             return row.counters ? CellValue(std::int64_t{(*row.counters).*member}) : CellValue();
           }};
 }
@@ -44,7 +44,7 @@ std::vector<StudyColumn> setting_columns(const Study& study) {
            [](const StudyRow& row) { return row.point.integrator; }),
       text("setting_kind", "step or rtol",
            [](const StudyRow& row) { return kind_name(row.point.setting.kind); }),
-      {{"setting", "s for step", Kind::real, "setting", "fixed step, or relative tolerance"},
+      {{"setting", "s for step", Type::real, "setting", "fixed step, or relative tolerance"},
        [](const StudyRow& row) { return row.point.setting.value; }},
       text("run", "stem of its files in runs/",
            [&](const StudyRow& row) { return study.runs[row.point.run].name; }),
@@ -70,12 +70,12 @@ std::vector<StudyColumn> error_columns() {
 
 std::vector<StudyColumn> reference_columns(const StudyTable& table) {
   return {
-      {{"reference", "", Kind::text, "reference", "what the errors refer to"},
+      {{"reference", "", Type::text, "reference", "what the errors refer to"},
        [&](const StudyRow& row) { return table.references[row.point.sweep].text; }},
-      {{"reference_error", "mm", Kind::real, "reference",
+      {{"reference_error", "mm", Type::real, "reference",
         "error of the reference itself at the end; 0 for a closed form"},
        [&](const StudyRow& row) { return maybe(table.references[row.point.sweep].error); }},
-      {{"marked", "", Kind::integer, "reference",
+      {{"marked", "", Type::integer, "reference",
         "1 if a shape error is less than ten times that of its reference, or the latter is "
         "unknown"},
        [](const StudyRow& row) { return std::int64_t{row.marked_shape || row.marked_max}; }},
@@ -124,7 +124,7 @@ std::vector<StudyColumn> sweep_columns(const Study& study) {
     const std::string& key = study.sweep.front().values[i].first;
     const auto unit = study.units.find(key);
     columns.push_back({{key, unit == study.units.end() ? "" : unit->second,
-                        numbers ? Kind::real : Kind::text, "sweep", "swept key of the scene"},
+                        numbers ? Type::real : Type::text, "sweep", "swept key of the scene"},
                        [&study, i, numbers](const StudyRow& row) {
                          const std::string& value = study.sweep[row.point.sweep].values[i].second;
                          return numbers ? maybe(number_in(value)) : CellValue(value);
@@ -154,7 +154,7 @@ std::vector<StudyColumn> observed_columns(const StudyTable& table) {
     for (const Scalar& scalar : row.observed)
       if (is_new(scalar.name))
         columns.push_back(
-            {{scalar.name, scalar.unit, Kind::real, "observation", meaning_of(scalar.name)},
+            {{scalar.name, scalar.unit, Type::real, "observation", meaning_of(scalar.name)},
              [name = scalar.name](const StudyRow& r) { return observed(r, name); }});
   return columns;
 }

@@ -4,14 +4,14 @@
 #include <gnomon/study/extremes.hpp>
 
 #include "study/table.hpp"
+#include "study/text_file.hpp"
 
 namespace gnomon {
 
 namespace {
 
 using namespace study;
-using Json = nlohmann::ordered_json;
-using Kind = Column::Kind;
+using Type = Column::Kind;
 using CaseColumn = ColumnOf<ExtremeCase>;
 
 struct Meaning {
@@ -35,13 +35,13 @@ CellValue maybe(const std::optional<T>& value) {
 
 CaseColumn text(const std::string& name, const std::string& meaning,
                 std::string ExtremeCase::*member) {
-  return {{name, "", Kind::text, "case", meaning},
+  return {{name, "", Type::text, "case", meaning},
           [member](const ExtremeCase& c) { return c.*member; }};
 }
 
 CaseColumn real(const std::string& name, const std::string& unit, const std::string& meaning,
                 std::optional<double> ExtremeCase::*member) {
-  return {{name, unit, Kind::real, "case", meaning},
+  return {{name, unit, Type::real, "case", meaning},
           [member](const ExtremeCase& c) { return maybe(c.*member); }};
 }
 
@@ -54,20 +54,20 @@ std::vector<CaseColumn> case_columns() {
       text("integrator", "name of the integrator", &ExtremeCase::integrator),
       real("rtol", "", "relative tolerance of a run with error control", &ExtremeCase::rtol),
       text("file", "stem of its files in STUDY/runs", &ExtremeCase::file),
-      {{"verdict", "", Kind::text, "case", "how the case ended"},
+      {{"verdict", "", Type::text, "case", "how the case ended"},
        [](const ExtremeCase& c) { return verdict_name(c.verdict); }},
       real("difference", "",
            "shape error divided by the Euclidean norm of the wear of all contact nodes",
            &ExtremeCase::difference),
       real("bound", "", "largest difference that agrees", &ExtremeCase::bound),
-      {{"marked", "", Kind::integer, "case",
+      {{"marked", "", Type::integer, "case",
         "1 if the difference is less than ten times that between the references"},
        [](const ExtremeCase& c) { return std::int64_t{c.marked}; }},
       real("pressure_difference", "",
            "largest difference of a nodal pressure at the end, divided by the largest pressure; "
            "not judged",
            &ExtremeCase::pressure_difference),
-      {{"steps", "", Kind::integer, "case", "accepted steps"},
+      {{"steps", "", Type::integer, "case", "accepted steps"},
        [](const ExtremeCase& c) {
          return c.counters ? CellValue(std::int64_t{c.counters->steps}) : CellValue();
        }},

@@ -20,7 +20,7 @@ namespace gnomon {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using study::Json;
 
 constexpr const char* plan_file = "plan.json";
 constexpr const char* list_file = "plan.csv";

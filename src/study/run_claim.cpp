@@ -16,12 +16,14 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "study/run_files.hpp"
+#include "study/text_file.hpp"
+
 namespace gnomon::study {
 
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 constexpr const char* owner_file = "owner.json";
 constexpr const char* ended_file = "ended.json";
@@ -30,7 +32,7 @@ fs::path attempts_of(const fs::path& study, const std::string& name) {
   return study / "tries" / name;
 }
 
-std::string first_line(const fs::path& file) {
+std::string first_line_of(const fs::path& file) {
   std::string line;
   std::ifstream stream(file);
   std::getline(stream, line);
@@ -56,14 +58,8 @@ std::string host_name() {
 /// see each other (a container sees its own).
 std::string place_of_processes() {
   std::error_code ignored;
-  return first_line("/proc/sys/kernel/random/boot_id") + " " +
+  return first_line_of("/proc/sys/kernel/random/boot_id") + " " +
          fs::read_symlink("/proc/self/ns/pid", ignored).string();
-}
-
-Json read_json(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  Json json = Json::parse(stream, nullptr, false);
-  return json.is_object() ? json : Json::object();
 }
 
 /// Whether the owner was a process of this machine that has ended.

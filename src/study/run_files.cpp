@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "study/text_file.hpp"
+
 namespace gnomon::study {
 
 namespace fs = std::filesystem;
@@ -23,14 +25,6 @@ std::string read_text(const fs::path& file) {
 }
 
 namespace {
-
-using Json = nlohmann::json;
-
-/// An empty value for a file that is missing or truncated.
-Json read_json(const fs::path& file) {
-  Json json = Json::parse(read_text(file), nullptr, false);
-  return json.is_object() ? json : Json();
-}
 
 Counters counters_of(const Json& json) {
   const auto get = [&](const char* name) { return json.value(name, 0L); };
@@ -103,7 +97,7 @@ std::optional<RunRecord> read_record(const RunFiles& files, const StudyRun& run)
       process.value("versions", Json()) != Json(library_versions()))
     return std::nullopt;
   RunRecord record;
-  if (const Json summary = read_json(files.summary); !summary.is_null())
+  if (const Json summary = read_json(files.summary); !summary.empty())
     read_summary(record, summary);
   if (!record.complete) {
     record.status = "failed";
@@ -121,7 +115,7 @@ std::optional<RunRecord> read_record(const RunFiles& files, const StudyRun& run)
 
 bool is_interrupted(const RunFiles& files) {
   const Json summary = read_json(files.summary);
-  return summary.is_object() && summary.value("status", "") == "interrupted";
+  return summary.value("status", "") == "interrupted";
 }
 
 double checkpointed_time(const RunFiles& files) try {

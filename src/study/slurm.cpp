@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t largest_task = 1000;
 
 /// Text as one word of a shell.
-std::string quoted(const std::string& text) {
+std::string shell_word(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
@@ -162,7 +162,7 @@ private:
                            "${{SLURM_CPUS_PER_TASK:-1}}}}\"\n"
                            "exec {} study run {} \"$(($1 + SLURM_ARRAY_TASK_ID))\" --jobs 1 "
                            "--quiet --lost-after {:g}\n",
-                           quoted(options_.program.string()), quoted(folder_.string()),
+                           shell_word(options_.program.string()), shell_word(folder_.string()),
                            options_.lost_after),
                Earlier::replaced);
   }

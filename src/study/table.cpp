@@ -5,11 +5,11 @@
 
 #include <cmath>
 
+#include "study/text_file.hpp"
+
 namespace gnomon::study {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct TextOf {
   std::string operator()(std::monostate) const { return {}; }
@@ -27,7 +27,7 @@ struct JsonOf {
   Json operator()(const std::string& value) const { return value; }
 };
 
-std::string quoted(const std::string& text) {
+std::string csv_text(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string result = "\"";
   for (const char c : text) {
@@ -45,11 +45,11 @@ std::string cell_text(const CellValue& value) {
 
 std::string csv_of(const Table& table) {
   std::vector<std::string> cells;
-  for (const Column& column : table.columns) cells.push_back(quoted(column.name));
+  for (const Column& column : table.columns) cells.push_back(csv_text(column.name));
   std::string text = fmt::format("{}\n", fmt::join(cells, ","));
   for (const std::vector<CellValue>& row : table.rows) {
     cells.clear();
-    for (const CellValue& value : row) cells.push_back(quoted(cell_text(value)));
+    for (const CellValue& value : row) cells.push_back(csv_text(cell_text(value)));
     text += fmt::format("{}\n", fmt::join(cells, ","));
   }
   return text;

@@ -12,6 +12,7 @@
 #include "results/hdf5_values.hpp"
 #include "results/replaced_file.hpp"
 #include "study/columns.hpp"
+#include "study/text_file.hpp"
 
 namespace gnomon {
 
@@ -21,8 +22,6 @@ using namespace study;
 using hdf5::check;
 using hdf5::Handle;
 using hdf5::own;
-using Json = nlohmann::ordered_json;
-
 /// A column in HDF5: its position in a row and its type.
 struct Placed {
   Column column;
@@ -93,7 +92,7 @@ void write_table(hid_t file, const Table& table) {
   hdf5::write_attribute(dataset.id(), "units", units);
 }
 
-Json json_of(const StudyReference& reference, bool closed_form) {
+Json reference_json(const StudyReference& reference, bool closed_form) {
   const auto maybe = [](const std::optional<double>& value) {
     return value_json(value ? CellValue(*value) : CellValue());
   };
@@ -104,7 +103,7 @@ Json json_of(const StudyReference& reference, bool closed_form) {
           {"pressure_error", maybe(reference.pressure_error)}};
 }
 
-Json json_of(const SweepPoint& point) {
+Json sweep_json(const SweepPoint& point) {
   Json json = {{"label", point.label}, {"values", Json::object()}, {"times", point.times}};
   for (const auto& [key, value] : point.values) json["values"][key] = value;
   return json;
@@ -139,9 +138,9 @@ std::string study_json(const Study& study, const StudyTable& table) {
                {"text", study.text}};
   for (std::size_t i = 0; i < study.sweep.size(); ++i) {
     const SweepPoint& point = study.sweep[i];
-    Json& written = json["sweep"].emplace_back(json_of(point));
+    Json& written = json["sweep"].emplace_back(sweep_json(point));
     if (study.compared)
-      written["reference"] = json_of(table.references[i], point.has_closed_form());
+      written["reference"] = reference_json(table.references[i], point.has_closed_form());
   }
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     json["rows"].push_back({{"sweep", table.rows[i].point.sweep},

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <gnomon/base/error.hpp>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace gnomon::study {
@@ -15,6 +16,12 @@ std::string text_of(const std::filesystem::path& file) {
   if (!stream.is_open() || stream.bad())
     throw InputError(fmt::format("{}: cannot be read", file.string()));
   return text.str();
+}
+
+Json read_json(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  Json json = Json::parse(stream, nullptr, false);
+  return json.is_object() ? json : Json::object();
 }
 
 }  // namespace gnomon::study

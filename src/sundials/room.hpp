@@ -33,8 +33,12 @@ inline void destroy_vector(_generic_N_Vector* v) {
 inline void destroy_matrix(_generic_SUNMatrix* m) {
   SUNMatDestroy(m);
 }
+inline void destroy_table(ARKodeButcherTableMem* table) {
+  ARKodeButcherTable_Free(table);
+}
 using VectorOwner = Owner<_generic_N_Vector, destroy_vector>;
 using MatrixOwner = Owner<_generic_SUNMatrix, destroy_matrix>;
+using TableOwner = Owner<ARKodeButcherTableMem, destroy_table>;
 
 /// Throws Error with the function's name when a SUNDIALS call failed.
 void check(int flag, const char* what);

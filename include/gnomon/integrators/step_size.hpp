@@ -7,6 +7,9 @@
 
 namespace gnomon {
 
+/// Bound on the growth of steps by the next one.
+inline constexpr double most_growth = 5;
+
 /// PI control of the step size (Gustafsson; Hairer and Wanner II, IV.2) with bounded growth:
 ///
 ///   h_new = h * 0.9 * e_n^(-0.7/p) * e_(n-1)^(0.4/p),   p = order + 1.
