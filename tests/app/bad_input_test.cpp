@@ -6,15 +6,15 @@
 
 #include "app/child.hpp"
 
-namespace gnomon {
+namespace gnomon::bad_input_test {
 namespace {
 
 using test::coarse;
 using test::Outcome;
 using test::pin;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 class BadInput : public test::ProgramTest {
 protected:
@@ -232,4 +232,4 @@ TEST_F(BadInput, ResultFiles) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::bad_input_test

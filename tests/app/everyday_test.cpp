@@ -15,7 +15,7 @@
 
 #include "app/child.hpp"
 
-namespace gnomon {
+namespace gnomon::everyday_test {
 namespace {
 
 using test::coarse;
@@ -188,4 +188,4 @@ TEST_F(Everyday, CompareTellsTheUnitOfTheShapeError) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::everyday_test

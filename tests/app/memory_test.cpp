@@ -10,12 +10,12 @@
 
 #include "app/child.hpp"
 
-namespace gnomon {
+namespace gnomon::memory_test {
 namespace {
 
 using test::Outcome;
-using testing::ContainsRegex;
-using testing::HasSubstr;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
 
 const std::string problems = std::string(GNOMON_SOURCE_DIR) + "/problems/";
 
@@ -160,4 +160,4 @@ TEST_F(Memory, IsToldByCheck) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::memory_test

@@ -14,11 +14,11 @@
 
 #include "app/child.hpp"
 
-namespace gnomon {
+namespace gnomon::part_commands_test {
 namespace {
 
 using test::Outcome;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 const std::filesystem::path shipped = GNOMON_SOURCE_DIR "/problems/worn_body";
 
@@ -488,4 +488,4 @@ TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::part_commands_test

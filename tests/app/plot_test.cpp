@@ -10,12 +10,12 @@
 
 #include "app/child.hpp"
 
-namespace gnomon {
+namespace gnomon::plot_test {
 namespace {
 
 using test::Outcome;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 namespace fs = std::filesystem;
 
 class Plot : public test::ProgramTest {
@@ -247,4 +247,4 @@ TEST_F(Plot, WithoutPythonItNamesThePackages) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::plot_test

@@ -14,18 +14,18 @@
 
 #include "app/child.hpp"
 
-namespace gnomon {
+namespace gnomon::program_test {
 namespace {
 
 using test::coarse;
 using test::Outcome;
 using test::pin;
-using testing::ContainsRegex;
-using testing::ElementsAre;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
 
 class Program : public test::ProgramTest {
 protected:
@@ -465,4 +465,4 @@ TEST_F(Program, FullStandardOutputIsAFailure) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::program_test

@@ -12,12 +12,12 @@
 
 #include "app/decay.hpp"
 
-namespace gnomon {
+namespace gnomon::run_test {
 namespace {
 
 using test::Decay;
 using test::exact_decay;
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 using Status = RunOutcome::Status;
 
 IntegratorSettings settings(double step, double end) {
@@ -302,4 +302,4 @@ TEST(Summary, HasTheSameKeysHoweverTheRunEnded) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::run_test

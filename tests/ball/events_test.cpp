@@ -2,7 +2,7 @@
 
 #include "ball/coarse.hpp"
 
-namespace gnomon {
+namespace gnomon::events_test {
 namespace {
 
 using namespace testing;
@@ -53,4 +53,4 @@ TEST(Ball, AnEventAtTheBeginningOfALongStepIsFound) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::events_test

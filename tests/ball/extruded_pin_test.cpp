@@ -7,7 +7,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::extruded_pin_test {
 namespace {
 
 using namespace testing;
@@ -85,4 +85,4 @@ TEST(ExtrudedPin, WithAShapeOfItsOwnAtEveryNodeIsThePlanePin) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::extruded_pin_test

@@ -6,7 +6,7 @@
 
 #include "ball/coarse.hpp"
 
-namespace gnomon {
+namespace gnomon::friction_test {
 namespace {
 
 using namespace testing;
@@ -58,4 +58,4 @@ TEST(Friction, IsNotNeededToWearABall) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::friction_test

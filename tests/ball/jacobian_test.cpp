@@ -6,7 +6,7 @@
 
 #include "ball/coarse.hpp"
 
-namespace gnomon {
+namespace gnomon::jacobian_test {
 namespace {
 
 using namespace testing;
@@ -111,4 +111,4 @@ TEST_F(SlowPartOfTheBall, IsMadeAnewWhereStrainsHaveChanged) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::jacobian_test

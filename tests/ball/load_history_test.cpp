@@ -4,7 +4,7 @@
 
 #include "ball/coarse.hpp"
 
-namespace gnomon {
+namespace gnomon::load_history_test {
 namespace {
 
 using namespace testing;
@@ -50,4 +50,4 @@ TEST(BreathingGroove, AgreesWithBdf) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::load_history_test

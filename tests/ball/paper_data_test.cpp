@@ -4,7 +4,7 @@
 
 #include "ball/coarse.hpp"
 
-namespace gnomon {
+namespace gnomon::paper_data_test {
 namespace {
 
 using namespace testing;
@@ -53,4 +53,4 @@ INSTANTIATE_TEST_SUITE_P(
                       PaperData{groove_finite, 10, 0.45, 50, 2e-7, 100, 43200, 0}));
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::paper_data_test

@@ -8,7 +8,7 @@
 
 #include "ball/coarse.hpp"
 
-namespace gnomon {
+namespace gnomon::physics_test {
 namespace {
 
 using namespace testing;
@@ -136,4 +136,4 @@ TEST(Groove, StartsFromHertz) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::physics_test

@@ -7,7 +7,7 @@
 
 #include "ball/coarse.hpp"
 
-namespace gnomon {
+namespace gnomon::solver_test {
 namespace {
 
 using namespace testing;
@@ -125,4 +125,4 @@ TEST(Solver, IsChosenByTheKeysAsByTheMesh) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::solver_test

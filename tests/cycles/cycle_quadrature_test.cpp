@@ -7,12 +7,12 @@
 #include <cmath>
 #include <gnomon/cycles/cycle_quadrature.hpp>
 
-namespace gnomon {
+namespace gnomon::cycle_quadrature_test {
 namespace {
 
-using testing::DoubleNear;
-using testing::ElementsAre;
-using testing::SizeIs;
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
+using ::testing::SizeIs;
 
 double mean(const std::vector<CyclePoint>& points, const auto& f) {
   double sum = 0;
@@ -139,4 +139,4 @@ TEST(CycleQuadrature, FinePointsAreExactBetweenKinks) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::cycle_quadrature_test

@@ -10,14 +10,14 @@
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <numbers>
 
-namespace gnomon {
+namespace gnomon::cycle_test {
 namespace {
 
-using testing::AllOf;
-using testing::DoubleNear;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::AllOf;
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 CycleFunction function(const std::string& text) {
   ExpressionNames names;
@@ -259,4 +259,4 @@ TEST(Cycle, SaysWhichMotionsDoNotEndWhereTheyBegin) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::cycle_test

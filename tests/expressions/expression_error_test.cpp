@@ -8,11 +8,11 @@
 #include <gnomon/expressions/expression.hpp>
 #include <limits>
 
-namespace gnomon {
+namespace gnomon::expression_error_test {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 const ExpressionNames names{.variables = {"p", "v", "slip"},
                             .constants = {{"k", 1e-3}, {"zero", 0}},
@@ -339,4 +339,4 @@ TEST(BadTable, IsRefused) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::expression_error_test

@@ -7,7 +7,7 @@
 #include <gnomon/expressions/expression.hpp>
 #include <random>
 
-namespace gnomon {
+namespace gnomon::expression_kink_test {
 namespace {
 
 const ExpressionNames names{.variables = {"x", "y", "z"},
@@ -291,4 +291,4 @@ TEST(PiecewiseLinearTable, GoesThroughItsPoints) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::expression_kink_test

@@ -8,7 +8,7 @@
 #include <gnomon/expressions/expression.hpp>
 #include <thread>
 
-namespace gnomon {
+namespace gnomon::expression_value_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -302,4 +302,4 @@ TEST(Expression, IsSharedByThreads) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::expression_value_test

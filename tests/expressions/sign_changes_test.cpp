@@ -5,7 +5,7 @@
 #include <cmath>
 #include <gnomon/expressions/sign_changes.hpp>
 
-namespace gnomon {
+namespace gnomon::sign_changes_test {
 namespace {
 
 std::vector<double> of(const std::function<double(double)>& f, double end = 1000) {
@@ -39,4 +39,4 @@ TEST(SignChanges, OfSeveralFunctionsAreSortedAndOnce) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::sign_changes_test

@@ -7,11 +7,11 @@
 
 #include "study/study_fixture.hpp"
 
-namespace gnomon {
+namespace gnomon::suite_test {
 namespace {
 
 using test::Outcome;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 class Extremes : public test::StudyTest {
 protected:
@@ -179,4 +179,4 @@ TEST_F(Extremes, TheCoarseSubsetHasNoFaults) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::suite_test

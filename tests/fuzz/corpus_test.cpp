@@ -17,7 +17,7 @@
 #include <sanitizer/lsan_interface.h>
 #endif
 
-namespace gnomon {
+namespace gnomon::corpus_test {
 namespace {
 
 struct Target {
@@ -169,4 +169,4 @@ INSTANTIATE_TEST_SUITE_P(All, Fuzz,
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::corpus_test

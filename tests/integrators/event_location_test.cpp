@@ -9,7 +9,7 @@
 #include "support/problem_run.hpp"
 #include "support/switching_ode.hpp"
 
-namespace gnomon {
+namespace gnomon::event_location_test {
 namespace {
 
 using namespace testing;
@@ -288,4 +288,4 @@ TEST(LocatedEvents, BringBackTheOrderOfAKnownSolution) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::event_location_test

@@ -9,7 +9,7 @@
 
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::failure_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -119,4 +119,4 @@ INSTANTIATE_TEST_SUITE_P(Drivers, Failure, ::testing::Values("bdf", "erk-3"), []
 });
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::failure_test

@@ -7,7 +7,7 @@
 #include "support/problem_run.hpp"
 #include "support/switching_ode.hpp"
 
-namespace gnomon {
+namespace gnomon::integral_test {
 namespace {
 
 using namespace testing;
@@ -178,4 +178,4 @@ INSTANTIATE_TEST_SUITE_P(All, Integral, ::testing::ValuesIn(Integrators::names()
                          });
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::integral_test

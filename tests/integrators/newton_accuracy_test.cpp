@@ -4,7 +4,7 @@
 
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::newton_accuracy_test {
 namespace {
 
 using namespace testing;
@@ -80,4 +80,4 @@ TEST(NewtonAccuracy, SavesIterationsAndKeepsTheError) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::newton_accuracy_test

@@ -5,7 +5,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::order_test {
 namespace {
 
 using namespace testing;
@@ -93,4 +93,4 @@ TEST(BackwardEuler, NewtonContractsQuadratically) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::order_test

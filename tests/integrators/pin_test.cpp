@@ -7,7 +7,7 @@
 #include <gnomon/integrators/diagonally_implicit.hpp>
 #include <gnomon/integrators/stepper.hpp>
 
-namespace gnomon {
+namespace gnomon::pin_test {
 namespace {
 
 using namespace testing;
@@ -225,4 +225,4 @@ TEST(Pin, LocatedEventsAreTheChangesOfTheActiveSet) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::pin_test

@@ -7,7 +7,7 @@
 
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::registry_test {
 namespace {
 
 using namespace testing;
@@ -94,4 +94,4 @@ std::string parameter_name(const ::testing::TestParamInfo<std::string>& info) {
 INSTANTIATE_TEST_SUITE_P(All, Every, ::testing::ValuesIn(all_names()), parameter_name);
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::registry_test

@@ -5,7 +5,7 @@
 #include "ball/coarse.hpp"
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::settling_test {
 namespace {
 
 using namespace testing;
@@ -219,4 +219,4 @@ TEST(Settling, GoesOnWithItsMemoryAsItWould) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::settling_test

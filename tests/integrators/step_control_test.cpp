@@ -14,7 +14,7 @@
 
 #include "support/switching_ode.hpp"
 
-namespace gnomon {
+namespace gnomon::step_control_test {
 namespace {
 
 using namespace testing;
@@ -363,4 +363,4 @@ TEST(OneStepStepper, GoesOnWithItsMemoryAsItWould) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::step_control_test

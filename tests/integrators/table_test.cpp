@@ -9,7 +9,7 @@
 #include <gnomon/stability/stability.hpp>
 #include <string>
 
-namespace gnomon {
+namespace gnomon::table_test {
 namespace {
 
 using Vec = Eigen::VectorXd;
@@ -142,4 +142,4 @@ TEST(Registry, HasTheFamiliesOfTheDesign) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::table_test

@@ -3,7 +3,7 @@
 #include "ball/coarse.hpp"
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::work_test {
 namespace {
 
 using namespace testing;
@@ -64,4 +64,4 @@ INSTANTIATE_TEST_SUITE_P(Runs, WorkOfARun, ::testing::ValuesIn(cases),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::work_test

@@ -8,7 +8,7 @@
 #include "support/derivatives.hpp"
 #include "support/test_material.hpp"
 
-namespace gnomon {
+namespace gnomon::elastic_law_test {
 namespace {
 
 using namespace testing;
@@ -200,4 +200,4 @@ TEST(ElasticModuli, OfEngineeringConstants) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::elastic_law_test

@@ -7,7 +7,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::own_wear_law_test {
 namespace {
 
 using namespace testing;
@@ -120,4 +120,4 @@ TEST(OwnWearLaw, IsRefusedWithoutItsFunctions) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::own_wear_law_test

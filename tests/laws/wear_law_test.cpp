@@ -7,7 +7,7 @@
 
 #include "support/derivatives.hpp"
 
-namespace gnomon {
+namespace gnomon::wear_law_test {
 namespace {
 
 using namespace testing;
@@ -211,4 +211,4 @@ TEST(WearLaw, IsMadeOfASceneByItsName) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::wear_law_test

@@ -16,7 +16,7 @@
 #include "support/pin.hpp"
 #include "support/pressed_block.hpp"
 
-namespace gnomon {
+namespace gnomon::block_solver_test {
 namespace {
 
 using namespace testing;
@@ -272,4 +272,4 @@ TEST(BlockSolver, GivesWayToFactorsWhereItIsSlow) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::block_solver_test

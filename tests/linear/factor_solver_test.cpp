@@ -8,7 +8,7 @@
 
 #include "linear/low_rank_update.hpp"
 
-namespace gnomon {
+namespace gnomon::factor_solver_test {
 namespace {
 
 /// A chain of nodes with three unknowns each: every node is coupled with the next.
@@ -187,4 +187,4 @@ TEST(LowRankUpdate, IsTheInverseOfTheChangedMatrix) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::factor_solver_test

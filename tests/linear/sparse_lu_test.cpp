@@ -10,7 +10,7 @@
 #include <random>
 #include <thread>
 
-namespace gnomon {
+namespace gnomon::sparse_lu_test {
 namespace {
 
 /// A chain of groups of `members` unknowns, neighbours coupled, random values, zero diagonal in the
@@ -113,4 +113,4 @@ TEST(NestedDissection, LeavesSignalsToTheProgram) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::sparse_lu_test

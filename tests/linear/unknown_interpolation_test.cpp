@@ -8,7 +8,7 @@
 #include <gnomon/mesh/extrusion.hpp>
 #include <gnomon/mesh/semi_coarsening.hpp>
 
-namespace gnomon {
+namespace gnomon::unknown_interpolation_test {
 namespace {
 
 /// A bar along x. All of u is held where y = 0, and u_x where x = 0.
@@ -109,4 +109,4 @@ TEST(UnknownInterpolation, NeedsACoarsening) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::unknown_interpolation_test

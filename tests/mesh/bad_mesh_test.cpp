@@ -9,7 +9,7 @@
 
 #include "support/imported.hpp"
 
-namespace gnomon {
+namespace gnomon::bad_mesh_test {
 namespace {
 
 using namespace testing;
@@ -282,4 +282,4 @@ TEST(BadMeshes, SoundOnesAreTaken) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::bad_mesh_test

@@ -9,7 +9,7 @@
 
 #include "support/imported.hpp"
 
-namespace gnomon {
+namespace gnomon::boundary_order_test {
 namespace {
 
 using namespace testing;
@@ -140,4 +140,4 @@ TEST(ContactPatches, InSpaceSeeTheSidesBeyond) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::boundary_order_test

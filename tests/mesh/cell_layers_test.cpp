@@ -8,7 +8,7 @@
 #include <gnomon/mesh/quarter_ball.hpp>
 #include <random>
 
-namespace gnomon {
+namespace gnomon::cell_layers_test {
 namespace {
 
 using ::testing::UnorderedElementsAre;
@@ -190,4 +190,4 @@ TEST(CellLayers, ThatTouchThemselvesHaveNoNeighbours) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::cell_layers_test

@@ -3,7 +3,7 @@
 
 #include "support/hexahedra.hpp"
 
-namespace gnomon {
+namespace gnomon::distortion_test {
 namespace {
 
 using namespace testing;
@@ -73,4 +73,4 @@ TEST(Distortion, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::distortion_test

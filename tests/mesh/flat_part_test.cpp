@@ -3,7 +3,7 @@
 #include <gnomon/mesh/flat_part.hpp>
 #include <numbers>
 
-namespace gnomon {
+namespace gnomon::flat_part_test {
 namespace {
 
 /// A sector of a ring, turned by `angle` about the origin: sides "left" and "right" are arcs.
@@ -69,4 +69,4 @@ TEST(PlanesOf, CountsPlanesThatAreApart) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::flat_part_test

@@ -4,7 +4,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/grid_lines.hpp>
 
-namespace gnomon {
+namespace gnomon::grid_lines_test {
 namespace {
 
 std::vector<double> sizes(const std::vector<double>& lines) {
@@ -75,4 +75,4 @@ TEST(TwoSidedGridLines, ShareTheOrigin) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::grid_lines_test

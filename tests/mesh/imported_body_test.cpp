@@ -9,7 +9,7 @@
 #include "support/hexahedra.hpp"
 #include "support/imported.hpp"
 
-namespace gnomon {
+namespace gnomon::imported_body_test {
 namespace {
 
 using namespace testing;
@@ -238,4 +238,4 @@ TEST(BoundaryPart, OfTrianglesOnHexahedraIsRefused) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::imported_body_test

@@ -17,7 +17,7 @@
 #include "support/hexahedra.hpp"
 #include "support/imported.hpp"
 
-namespace gnomon {
+namespace gnomon::mesh_file_test {
 namespace {
 
 using namespace testing;
@@ -376,4 +376,4 @@ TEST_F(MeshFile, AWrittenMeshComesBackToTheLastDigit) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::mesh_file_test

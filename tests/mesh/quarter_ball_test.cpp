@@ -4,7 +4,7 @@
 
 #include "support/hexahedra.hpp"
 
-namespace gnomon {
+namespace gnomon::quarter_ball_test {
 namespace {
 
 using namespace testing;
@@ -90,4 +90,4 @@ TEST(QuarterBall, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::quarter_ball_test

@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-namespace gnomon {
+namespace gnomon::semi_coarsening_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -189,4 +189,4 @@ TEST(SemiCoarsening, OfARingSumsWeightsOfOneNode) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::semi_coarsening_test

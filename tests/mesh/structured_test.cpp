@@ -3,7 +3,7 @@
 
 #include "support/hexahedra.hpp"
 
-namespace gnomon {
+namespace gnomon::structured_test {
 namespace {
 
 using namespace testing;
@@ -103,4 +103,4 @@ TEST(NodesWhere, FindsThoseOfACorner) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::structured_test

@@ -8,7 +8,7 @@
 #include "support/hexahedra.hpp"
 #include "support/imported.hpp"
 
-namespace gnomon {
+namespace gnomon::subdivision_test {
 namespace {
 
 using namespace testing;
@@ -147,4 +147,4 @@ TEST(Subdivision, NamesPartsByTheElementTheyComeFrom) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::subdivision_test

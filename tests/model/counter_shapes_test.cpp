@@ -8,7 +8,7 @@
 #include "support/pressed_block.hpp"
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::counter_shapes_test {
 namespace {
 
 using namespace testing;
@@ -81,4 +81,4 @@ TEST(CounterShapes, APlaneOfAProfileIsAPlane) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::counter_shapes_test

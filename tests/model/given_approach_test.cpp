@@ -8,7 +8,7 @@
 #include "support/pressed_block.hpp"
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::given_approach_test {
 namespace {
 
 using namespace testing;
@@ -117,4 +117,4 @@ TEST(GivenApproach, AColumnWearsAsFastAsItIsPressed) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::given_approach_test

@@ -8,7 +8,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::own_term_test {
 namespace {
 
 using namespace testing;
@@ -137,4 +137,4 @@ TEST(OwnTerm, AnUnknownPartIsToldWithTheNamesThatThereAre) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::own_term_test

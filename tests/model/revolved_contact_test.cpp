@@ -10,7 +10,7 @@
 #include "support/problem_run.hpp"
 #include "support/revolved_ball.hpp"
 
-namespace gnomon {
+namespace gnomon::revolved_contact_test {
 namespace {
 
 using namespace testing;
@@ -150,4 +150,4 @@ TEST(RevolvedContact, RefusesContactNodesOfAnotherSection) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::revolved_contact_test

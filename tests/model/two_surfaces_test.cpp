@@ -5,7 +5,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::two_surfaces_test {
 namespace {
 
 using namespace testing;
@@ -80,4 +80,4 @@ TEST(TwoWearingSurfaces, HaveTheirOwnSwitchingFunctions) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::two_surfaces_test

@@ -5,7 +5,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/newton/newton.hpp>
 
-namespace gnomon {
+namespace gnomon::newton_test {
 namespace {
 
 /// x^2 + y^2 = 4, x y = 1: two coupled equations on a full pattern.
@@ -156,4 +156,4 @@ TEST(NewtonSolver, AsksOfRatesNoMoreThanRoundingLeaves) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::newton_test

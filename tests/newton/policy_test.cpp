@@ -7,7 +7,7 @@
 #include "newton/newton_policy.hpp"
 #include "newton/residual_norm.hpp"
 
-namespace gnomon {
+namespace gnomon::policy_test {
 namespace {
 
 using Verdict = NewtonPolicy::Verdict;
@@ -229,4 +229,4 @@ TEST(ResidualNorm, AllowsForTheRoundingOfRatesOnly) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::policy_test

@@ -6,7 +6,7 @@
 
 #include "newton/newton_policy.hpp"
 
-namespace gnomon {
+namespace gnomon::time_error_test {
 namespace {
 
 using Verdict = NewtonPolicy::Verdict;
@@ -204,4 +204,4 @@ TEST(TimeError, MeasuresTheStepsBetweenIterates) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::time_error_test

@@ -8,7 +8,7 @@
 
 #include "part/cyclic_flat.hpp"
 
-namespace gnomon {
+namespace gnomon::cycle_solver_test {
 namespace {
 
 using namespace testing;
@@ -103,4 +103,4 @@ TEST_F(CycleSolver, IterationsHardlyGrowWithThePhases) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::cycle_solver_test

@@ -10,7 +10,7 @@
 
 #include "part/cyclic_flat.hpp"
 
-namespace gnomon {
+namespace gnomon::cycle_test {
 namespace {
 
 using namespace testing;
@@ -342,4 +342,4 @@ TEST_F(Cycles, LoseWhatTablesOfTheMotionSay) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::cycle_test

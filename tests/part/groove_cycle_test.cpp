@@ -8,7 +8,7 @@
 
 #include "part/part_scene.hpp"
 
-namespace gnomon {
+namespace gnomon::groove_cycle_test {
 namespace {
 
 using namespace testing;
@@ -146,4 +146,4 @@ TEST_F(PassingBall, WearsTheBuiltInGrooveInTheMiddleOfItsPath) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::groove_cycle_test

@@ -11,7 +11,7 @@
 
 #include "part/part_scene.hpp"
 
-namespace gnomon {
+namespace gnomon::hertz_plane_test {
 namespace {
 
 using namespace testing;
@@ -132,4 +132,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.scene; });
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::hertz_plane_test

@@ -9,7 +9,7 @@
 #include "part/part_scene.hpp"
 #include "support/hertz_ellipse.hpp"
 
-namespace gnomon {
+namespace gnomon::hertz_test {
 namespace {
 
 using namespace testing;
@@ -96,4 +96,4 @@ TEST_F(Hertz, BallInASeat) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::hertz_test

@@ -4,7 +4,7 @@
 
 #include "part/tapered_parts.hpp"
 
-namespace gnomon {
+namespace gnomon::oblique_equations_test {
 namespace {
 
 using namespace testing;
@@ -77,4 +77,4 @@ TEST_F(ObliqueEquations, JacobianEqualsFiniteDifferences) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::oblique_equations_test

@@ -6,7 +6,7 @@
 
 #include "part/tapered_parts.hpp"
 
-namespace gnomon {
+namespace gnomon::oblique_sides_test {
 namespace {
 
 using namespace testing;
@@ -193,4 +193,4 @@ Physical Curve("face") = {1}; Physical Curve("top") = {4}; Physical Surface("pin
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::oblique_sides_test

@@ -6,7 +6,7 @@
 #include "part/part_scene.hpp"
 #include "support/msh_file.hpp"
 
-namespace gnomon {
+namespace gnomon::paper_balls_test {
 namespace {
 
 using namespace testing;
@@ -80,4 +80,4 @@ TEST_F(PaperBalls, OnTheSameNodesTheBallAtFiniteDeformationsIsTheBuiltInOne) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::paper_balls_test

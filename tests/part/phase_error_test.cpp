@@ -13,7 +13,7 @@
 
 #include "part/cyclic_flat.hpp"
 
-namespace gnomon {
+namespace gnomon::phase_error_test {
 namespace {
 
 using namespace testing;
@@ -256,4 +256,4 @@ TEST_F(PhaseErrors, AreReportedBesideTheRun) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::phase_error_test

@@ -4,7 +4,7 @@
 #include "part/part_scene.hpp"
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::settled_pressures_test {
 namespace {
 
 using namespace testing;
@@ -45,4 +45,4 @@ TEST(SettledPressures, AreReachedByShorterStepsWhereLongOnesAreNotAccurate) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::settled_pressures_test

@@ -2,7 +2,7 @@
 
 #include "part/part_scene.hpp"
 
-namespace gnomon {
+namespace gnomon::tetrahedra_test {
 namespace {
 
 using namespace testing;
@@ -84,4 +84,4 @@ TEST_F(Tetrahedra, WearAtTheEdgeOfAHoleAsElsewhere) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::tetrahedra_test

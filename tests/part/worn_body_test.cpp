@@ -9,7 +9,7 @@
 #include "part/part_scene.hpp"
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::worn_body_test {
 namespace {
 
 using namespace testing;
@@ -290,4 +290,4 @@ name = "esdirk-3"
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::worn_body_test

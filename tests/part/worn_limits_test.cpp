@@ -7,7 +7,7 @@
 
 #include "part/part_scene.hpp"
 
-namespace gnomon {
+namespace gnomon::worn_limits_test {
 namespace {
 
 using namespace testing;
@@ -183,4 +183,4 @@ TEST_F(WornLimits, TheLiningOfADiscClutchWearsEvenly) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::worn_limits_test

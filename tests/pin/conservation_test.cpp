@@ -4,7 +4,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::conservation_test {
 namespace {
 
 using namespace testing;
@@ -91,4 +91,4 @@ TEST(ConservativeNormal, AlsoOfABallInSpace) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::conservation_test

@@ -7,7 +7,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::hertz_test {
 namespace {
 
 using namespace testing;
@@ -62,4 +62,4 @@ TEST(Hertz, PressureApproachesHertzAsTheContactFlattens) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::hertz_test

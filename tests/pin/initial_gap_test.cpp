@@ -4,7 +4,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::initial_gap_test {
 namespace {
 
 using namespace testing;
@@ -53,4 +53,4 @@ TEST(InitialGap, OfTheBallsOnlyShiftsTheApproach) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::initial_gap_test

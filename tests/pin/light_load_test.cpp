@@ -7,7 +7,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::light_load_test {
 namespace {
 
 using namespace testing;
@@ -44,4 +44,4 @@ TEST(LightLoad, OnAStiffNearlyIncompressibleBody) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::light_load_test

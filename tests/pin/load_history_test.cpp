@@ -5,7 +5,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::load_history_test {
 namespace {
 
 using namespace testing;
@@ -185,4 +185,4 @@ TEST(LoadHistoryOfThePin, RefusesWhatIsNoHistory) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::load_history_test

@@ -10,7 +10,7 @@
 #include "model/wear_start.hpp"
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::load_ramp_test {
 namespace {
 
 using namespace testing;
@@ -211,4 +211,4 @@ TEST(LoadRampOfThePin, FBarRefusesALoadThatOtherElementsCarry) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::load_ramp_test

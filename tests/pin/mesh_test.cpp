@@ -5,7 +5,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::mesh_test {
 namespace {
 
 using namespace testing;
@@ -55,4 +55,4 @@ TEST(PinMesh, RefusesADistortionThatInvertsElements) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::mesh_test

@@ -6,7 +6,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::wear_test {
 namespace {
 
 using namespace testing;
@@ -121,4 +121,4 @@ TEST(Pin, FlatPinWearsUniformly) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::wear_test

@@ -4,7 +4,7 @@
 
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::dahlquist_test {
 namespace {
 
 using namespace testing;
@@ -102,4 +102,4 @@ TEST(Dahlquist, TightRunsMeetTheExactSolution) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::dahlquist_test

@@ -7,7 +7,7 @@
 
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::flat_punch_test {
 namespace {
 
 using namespace testing;
@@ -224,4 +224,4 @@ TEST(FlatPunch, RefusesABlockNarrowerThanThePunch) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::flat_punch_test

@@ -7,7 +7,7 @@
 
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::scenes_test {
 namespace {
 
 using namespace testing;
@@ -107,9 +107,9 @@ TEST_P(EveryScene, ItsSurfaceIsWholeAndThePressureTheMeanOfThePhases) {
   const std::optional<ContactSurface> surface = model->contact(model->start(counters));
   if (!surface) return;
   const std::size_t nodes = surface->node.size(), phases = surface->phase_position.size();
-  for (const std::size_t size : {surface->initial.size(), surface->worn.size(),
-                                 surface->current.size(), surface->pressure.size(),
-                                 surface->wear_depth.size(), surface->active.size()})
+  for (const std::size_t size :
+       {surface->initial.size(), surface->worn.size(), surface->current.size(),
+        surface->pressure.size(), surface->wear_depth.size(), surface->active.size()})
     EXPECT_EQ(size, nodes);
   ASSERT_EQ(surface->phase_weight.size(), phases);
   ASSERT_EQ(surface->phase_pressure.size(), phases * nodes);
@@ -160,4 +160,4 @@ INSTANTIATE_TEST_SUITE_P(Shipped, EveryScene, ::testing::ValuesIn(scenes()), [](
 });
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::scenes_test

@@ -11,7 +11,7 @@
 
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::wear_laws_test {
 namespace {
 
 using namespace testing;
@@ -394,4 +394,4 @@ TEST(WearLawThatJumpsOften, IsTakenByExplicitMethods) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::wear_laws_test

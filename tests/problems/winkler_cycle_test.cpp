@@ -10,7 +10,7 @@
 
 #include "winkler_pin.hpp"
 
-namespace gnomon {
+namespace gnomon::winkler_cycle_test {
 namespace {
 
 using namespace testing;
@@ -255,4 +255,4 @@ TEST(WinklerCycle, RefusesWhatContradictsItself) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::winkler_cycle_test

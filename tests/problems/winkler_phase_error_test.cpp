@@ -9,7 +9,7 @@
 
 #include "winkler_pin.hpp"
 
-namespace gnomon {
+namespace gnomon::winkler_phase_error_test {
 namespace {
 
 using namespace winkler_pin;
@@ -88,4 +88,4 @@ TEST(WinklerPhaseErrors, OfTheMotionAloneIsRemarked) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::winkler_phase_error_test

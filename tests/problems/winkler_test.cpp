@@ -6,7 +6,7 @@
 
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::winkler_test {
 namespace {
 
 using namespace testing;
@@ -174,4 +174,4 @@ TEST(Winkler, ThousandsOfPointsFactorWithoutFill) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::winkler_test

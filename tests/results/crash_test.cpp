@@ -31,11 +31,11 @@ extern "C" ssize_t pwrite(int descriptor, const void* bytes, size_t size, off_t 
   return syscall(SYS_pwrite64, descriptor, bytes, size, offset);
 }
 
-namespace gnomon {
+namespace gnomon::crash_test {
 namespace {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 constexpr int kStoreEvery = 3;
 
@@ -282,4 +282,4 @@ TEST(Crash, OneWriteThatFailsIsAnErrorThatLosesNothing) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::crash_test

@@ -16,7 +16,7 @@
 #include <sanitizer/lsan_interface.h>
 #endif
 
-namespace gnomon {
+namespace gnomon::faults_test {
 namespace {
 
 // HDF5 itself leaks memory when it refuses a damaged structure: while this object exists, leaks are
@@ -27,12 +27,12 @@ struct LeaksOfHdf5 {
 #endif
 };
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
-using testing::Throws;
-using testing::ThrowsMessage;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+using ::testing::Throws;
+using ::testing::ThrowsMessage;
 
 auto one_line(const std::filesystem::path& file, const std::string& reason) {
   return AllOf(HasSubstr(file.string()), HasSubstr(reason), Not(HasSubstr("\n")));
@@ -373,4 +373,4 @@ TEST(Writing, TellsOfAFileThatHasGone) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::faults_test

@@ -8,7 +8,7 @@
 
 #include "results/synthetic.hpp"
 
-namespace gnomon {
+namespace gnomon::readers_test {
 namespace {
 
 const std::string kScripts = std::string(GNOMON_SOURCE_DIR) + "/tests/results/";
@@ -85,4 +85,4 @@ TEST(Readers, SidecarIsWholeBeforeTheFirstStoredStep) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::readers_test

@@ -7,14 +7,14 @@
 
 #include "results/synthetic.hpp"
 
-namespace gnomon {
+namespace gnomon::roundtrip_test {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
-using testing::ThrowsMessage;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::ThrowsMessage;
 
 // Three stored steps at t = 0, 0.5, 1 and a history of `rows` rows.
 std::unique_ptr<ResultWriter> write(const std::filesystem::path& file, const Grid& grid,
@@ -266,4 +266,4 @@ TEST(ResultFile, RefusesDataThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::roundtrip_test

@@ -10,11 +10,11 @@
 #include "app/child.hpp"
 #include "resume/runs.hpp"
 
-namespace gnomon {
+namespace gnomon::damaged_test {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Damaged : public test::FolderTest {
 protected:
@@ -97,4 +97,4 @@ TEST_F(DamagedFor, EveryCommandIsOneLineAndExitCode2) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::damaged_test

@@ -8,7 +8,7 @@
 #include "app/child.hpp"
 #include "resume/runs.hpp"
 
-namespace gnomon {
+namespace gnomon::determinism_test {
 namespace {
 
 class Determinism : public test::ProgramTest {
@@ -64,4 +64,4 @@ TEST_F(Determinism, NorDoesItInSpace) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::determinism_test

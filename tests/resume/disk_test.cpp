@@ -11,10 +11,10 @@
 #include "app/child.hpp"
 #include "resume/runs.hpp"
 
-namespace gnomon {
+namespace gnomon::disk_test {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 class Disk : public test::ProgramTest {
 protected:
@@ -81,4 +81,4 @@ TEST_F(Disk, ReadOnlyIsRefusedAndTheEarlierFileStays) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::disk_test

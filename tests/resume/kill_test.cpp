@@ -13,11 +13,11 @@
 #include "app/child.hpp"
 #include "resume/runs.hpp"
 
-namespace gnomon {
+namespace gnomon::kill_test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 int kills() {
   const char* given = std::getenv("GNOMON_KILLS");
@@ -108,4 +108,4 @@ TEST_F(Kill, BdfGoesOnToItsTolerance) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::kill_test

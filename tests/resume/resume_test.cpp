@@ -10,7 +10,7 @@
 
 #include "resume/runs.hpp"
 
-namespace gnomon {
+namespace gnomon::resume_test {
 namespace {
 
 using test::bytes_of;
@@ -19,10 +19,10 @@ using test::expect_same;
 using test::Overrides;
 using test::resume;
 using test::run_scene;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
-using testing::ThrowsMessage;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::ThrowsMessage;
 
 const std::string pin = "pin_on_flat/small_deformation.toml";
 
@@ -128,8 +128,8 @@ TEST_F(Resume, OfACycleIsTheUninterruptedRunByteByByte) {
   const std::string flat = "worn_body/cylinder_on_flat.toml";
   for (const char* phases : {"4", "\"auto\""}) {
     SCOPED_TRACE(phases);
-    const Overrides overrides = {"mesh.factor=4",       "time.cycles=2000",
-                                 "output.times=[700]",  "integrator.rtol=1e-2",
+    const Overrides overrides = {"mesh.factor=4",        "time.cycles=2000",
+                                 "output.times=[700]",   "integrator.rtol=1e-2",
                                  "output.checkpoints=2", std::string("cycle.phases=") + phases};
     const RunOutcome whole = run_scene(flat, overrides, file("whole"));
     ASSERT_EQ(whole.status, RunOutcome::Status::finished);
@@ -434,4 +434,4 @@ TEST_F(Resume, ADamagedResultIsRefusedAndStays) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::resume_test

@@ -6,12 +6,12 @@
 
 #include "run/wear_integral.hpp"
 
-namespace gnomon {
+namespace gnomon::end_warnings_test {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 const Integrator& integrator(const std::string& name) {
   return Integrators::find(name, "integrator");
@@ -74,4 +74,4 @@ TEST(InvisibleVolume, IsAPartOfTheBodysVolume) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::end_warnings_test

@@ -9,7 +9,7 @@
 #include "run/progress_watch.hpp"
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::guards_test {
 namespace {
 
 using namespace testing;
@@ -153,4 +153,4 @@ TEST(Chattering, GoesOnWithItsNumbers) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::guards_test

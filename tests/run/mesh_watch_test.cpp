@@ -7,14 +7,14 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 
-namespace gnomon {
+namespace gnomon::mesh_watch_test {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
-using testing::ThrowsMessage;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::ThrowsMessage;
 
 Observation mesh(double volume, double quality) {
   Observation observed;
@@ -93,4 +93,4 @@ TEST(MeshWatch, HasNothingToSayWithoutAMesh) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::mesh_watch_test

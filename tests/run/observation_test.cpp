@@ -5,7 +5,7 @@
 #include "ball/coarse.hpp"
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::observation_test {
 namespace {
 
 using namespace testing;
@@ -152,4 +152,4 @@ TEST(WearFlux, IsNoneOfATestEquation) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::observation_test

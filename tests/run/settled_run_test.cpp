@@ -6,7 +6,7 @@
 
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::settled_run_test {
 namespace {
 
 using namespace testing;
@@ -54,4 +54,4 @@ INSTANTIATE_TEST_SUITE_P(All, SettledRun, ::testing::ValuesIn(Integrators::names
                          parameter_name);
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::settled_run_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gnomon {
+namespace gnomon::store_schedule_test {
 namespace {
 
 TEST(StoreSchedule, StoresEveryNthStep) {
@@ -42,4 +42,4 @@ TEST(StoreSchedule, GoesOnBehindTimesThatHaveGoneBy) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::store_schedule_test

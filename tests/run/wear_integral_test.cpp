@@ -11,7 +11,7 @@
 #include "app/decay.hpp"
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::wear_integral_test {
 namespace {
 
 using namespace testing;
@@ -127,4 +127,4 @@ TEST(Ledger, OfSpringsBalances) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::wear_integral_test

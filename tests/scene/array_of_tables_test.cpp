@@ -6,7 +6,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/scene/scene.hpp>
 
-namespace gnomon {
+namespace gnomon::array_of_tables_test {
 namespace {
 
 std::vector<Key> table(const std::string&) {
@@ -85,4 +85,4 @@ TEST(ArraysOfTexts, AreReadAndChecked) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::array_of_tables_test

@@ -7,7 +7,7 @@
 
 #include "scene/example_table.hpp"
 
-namespace gnomon {
+namespace gnomon::bad_scene_test {
 namespace {
 
 using test::complaint;
@@ -228,4 +228,4 @@ TEST(BadSceneFile, FolderIsNamed) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::bad_scene_test

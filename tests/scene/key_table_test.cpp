@@ -12,7 +12,7 @@
 #include "scene/toml_reader.hpp"
 #include "scene/toml_text.hpp"
 
-namespace gnomon {
+namespace gnomon::key_table_test {
 namespace {
 
 std::vector<Key> all_keys() {
@@ -132,4 +132,4 @@ TEST(TomlText, RealsReadBackExactlyAndLookTidy) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::key_table_test

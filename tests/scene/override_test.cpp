@@ -5,7 +5,7 @@
 
 #include "scene/example_table.hpp"
 
-namespace gnomon {
+namespace gnomon::override_test {
 namespace {
 
 using test::complaint;
@@ -83,4 +83,4 @@ TEST(BadOverride, CannotSmuggleInASecondKey) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::override_test

@@ -6,7 +6,7 @@
 #include <gnomon/scene/scene.hpp>
 #include <gnomon/scene/toml_key.hpp>
 
-namespace gnomon {
+namespace gnomon::quoted_name_test {
 namespace {
 
 std::vector<Key> table(const std::string&) {
@@ -64,4 +64,4 @@ TEST(QuotedNames, AreNoNamesOfConstants) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::quoted_name_test

@@ -10,7 +10,7 @@
 
 #include "scene/example_table.hpp"
 
-namespace gnomon {
+namespace gnomon::resolved_test {
 namespace {
 
 using test::example_scene;
@@ -71,4 +71,4 @@ TEST(Equality, SeesEveryValue) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::resolved_test

@@ -8,7 +8,7 @@
 
 #include "scene/example_table.hpp"
 
-namespace gnomon {
+namespace gnomon::several_mistakes_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -98,4 +98,4 @@ TEST(Registry, RefusesAnEntryWithoutAMemberThatIsNeeded) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::several_mistakes_test

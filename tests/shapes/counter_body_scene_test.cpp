@@ -5,7 +5,7 @@
 
 #include "shapes/counter_body_text.hpp"
 
-namespace gnomon {
+namespace gnomon::counter_body_scene_test {
 namespace {
 
 using namespace testing;
@@ -237,4 +237,4 @@ TEST(CounterBodyScene, PressAndApproach) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::counter_body_scene_test

@@ -4,7 +4,7 @@
 
 #include "support/derivatives.hpp"
 
-namespace gnomon {
+namespace gnomon::counter_body_test {
 namespace {
 
 using namespace testing;
@@ -88,4 +88,4 @@ TEST(CounterBody, TravelsIntoCavities) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::counter_body_test

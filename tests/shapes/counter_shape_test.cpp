@@ -11,7 +11,7 @@
 
 #include "support/derivatives.hpp"
 
-namespace gnomon {
+namespace gnomon::counter_shape_test {
 namespace {
 
 using namespace testing;
@@ -256,4 +256,4 @@ TEST(CounterShape, IsMadeOfASceneByItsName) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::counter_shape_test

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-namespace gnomon {
+namespace gnomon::counter_surface_test {
 namespace {
 
 template <int dim>
@@ -110,4 +110,4 @@ TEST(CounterSurface, EdgesAndCentresDoNoHarm) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::counter_surface_test

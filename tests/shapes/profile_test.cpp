@@ -6,7 +6,7 @@
 
 #include "shapes/counter_body_text.hpp"
 
-namespace gnomon {
+namespace gnomon::profile_test {
 namespace {
 
 using namespace testing;
@@ -86,4 +86,4 @@ TEST(Profile, HasNoNormalOnItsMedialAxis) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::profile_test

@@ -6,7 +6,7 @@
 
 #include "support/derivatives.hpp"
 
-namespace gnomon {
+namespace gnomon::spline_curve_test {
 namespace {
 
 using namespace testing;
@@ -199,4 +199,4 @@ TEST(SplineCurve, SurvivesArbitraryPoints) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::spline_curve_test

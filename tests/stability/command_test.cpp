@@ -6,7 +6,7 @@
 
 #include "app/child.hpp"
 
-namespace gnomon {
+namespace gnomon::command_test {
 namespace {
 
 using test::Outcome;
@@ -124,4 +124,4 @@ TEST_F(StabilityCommand, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::command_test

@@ -6,7 +6,7 @@
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/stability/stability.hpp>
 
-namespace gnomon {
+namespace gnomon::critical_step_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -120,4 +120,4 @@ TEST(CriticalStep, AsksNothingOfGrowingAndOfSlowModes) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::critical_step_test

@@ -6,7 +6,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::onset_test {
 namespace {
 
 using namespace testing;
@@ -60,4 +60,4 @@ TEST(AccurateStates, AreConsistentAndOnTime) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::onset_test

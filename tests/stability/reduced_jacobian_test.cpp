@@ -10,7 +10,7 @@
 #include "support/pin.hpp"
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::reduced_jacobian_test {
 namespace {
 
 using namespace testing;
@@ -139,4 +139,4 @@ TEST(LeadingModes, ThereAreNoneWhereNothingWears) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::reduced_jacobian_test

@@ -7,7 +7,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::scaling_test {
 namespace {
 
 using namespace testing;
@@ -53,4 +53,4 @@ INSTANTIATE_TEST_SUITE_P(Elements, Scaling,
                          });
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::scaling_test

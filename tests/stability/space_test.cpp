@@ -7,7 +7,7 @@
 
 #include "ball/coarse.hpp"
 
-namespace gnomon {
+namespace gnomon::space_test {
 namespace {
 
 using namespace testing;
@@ -114,4 +114,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, InSpace, ::testing::ValuesIn(cases()), [](const
 });
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::space_test

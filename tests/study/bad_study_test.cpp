@@ -5,12 +5,12 @@
 
 #include "study/study_fixture.hpp"
 
-namespace gnomon {
+namespace gnomon::bad_study_test {
 namespace {
 
 using test::Outcome;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 struct Case {
   const char* name;
@@ -235,4 +235,4 @@ TEST_F(BadStudyFiles, FolderOfSomethingElse) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::bad_study_test

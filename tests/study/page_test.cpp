@@ -7,12 +7,12 @@
 
 #include "study/study_fixture.hpp"
 
-namespace gnomon {
+namespace gnomon::page_test {
 namespace {
 
 using test::Outcome;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 namespace fs = std::filesystem;
 
 /// References with low accuracy, so that some errors are marked.
@@ -176,4 +176,4 @@ TEST_F(Pages, WithoutFiguresTheyHaveTheirTables) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::page_test

@@ -10,13 +10,13 @@
 #include "study/run_numbers.hpp"
 #include "study/study_fixture.hpp"
 
-namespace gnomon {
+namespace gnomon::plan_test {
 namespace {
 
 using test::Outcome;
 using test::Row;
-using testing::HasSubstr;
-using testing::SizeIs;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
 
 namespace fs = std::filesystem;
 
@@ -268,4 +268,4 @@ TEST_F(Parts, CollectTellsWhatIsMissingBesideWhatFailed) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::plan_test

@@ -9,14 +9,14 @@
 
 #include "study/study_fixture.hpp"
 
-namespace gnomon {
+namespace gnomon::slurm_test {
 namespace {
 
 using test::Outcome;
 using test::Row;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::SizeIs;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 class BySlurm : public test::StudyTest {
 protected:
@@ -97,4 +97,4 @@ TEST_F(BySlurm, ARefusalOfSbatchIsToldInItsWords) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::slurm_test

@@ -14,13 +14,13 @@
 #include "study/declaration.hpp"
 #include "study/study_fixture.hpp"
 
-namespace gnomon {
+namespace gnomon::study_test {
 namespace {
 
 using test::Outcome;
 using test::Row;
-using testing::HasSubstr;
-using testing::SizeIs;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
 
 class StudyRuns : public test::StudyTest {
 protected:
@@ -351,4 +351,4 @@ TEST_P(Ended, AStudyGoesOnWhereItWas) {
 INSTANTIATE_TEST_SUITE_P(By, Ended, testing::Values(SIGINT, SIGTERM, SIGKILL));
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study_test

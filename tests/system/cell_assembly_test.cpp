@@ -6,7 +6,7 @@
 
 #include "support/derivatives.hpp"
 
-namespace gnomon {
+namespace gnomon::cell_assembly_test {
 namespace {
 
 using namespace testing;
@@ -124,4 +124,4 @@ TEST(CellAssembly, NamesTheFirstInvertedCellWithEveryNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::cell_assembly_test

@@ -6,7 +6,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::load_history_test {
 namespace {
 
 using namespace testing;
@@ -78,4 +78,4 @@ TEST(LoadHistory, EquilibriaDoNotDependOnThePath) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::load_history_test

@@ -10,7 +10,7 @@
 #include "support/derivatives.hpp"
 #include "support/static_solve.hpp"
 
-namespace gnomon {
+namespace gnomon::meridian_test {
 namespace {
 
 using namespace testing;
@@ -131,4 +131,4 @@ TEST(MeridianLoads, AreThoseOfTheWholeRevolution) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::meridian_test

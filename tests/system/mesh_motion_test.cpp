@@ -8,7 +8,7 @@
 #include "support/derivatives.hpp"
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::mesh_motion_test {
 namespace {
 
 using namespace testing;
@@ -128,4 +128,4 @@ TEST(MeshMotion, BlatzKoKeepsElementsAtAStepFromFolding) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::mesh_motion_test

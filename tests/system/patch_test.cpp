@@ -7,7 +7,7 @@
 
 #include "support/derivatives.hpp"
 
-namespace gnomon {
+namespace gnomon::patch_test {
 namespace {
 
 using namespace testing;
@@ -86,4 +86,4 @@ TEST(Patch, VariationalFBarHexahedraFail) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::patch_test

@@ -3,7 +3,7 @@
 #include "support/derivatives.hpp"
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::small_strain_test {
 namespace {
 
 using namespace testing;
@@ -40,4 +40,4 @@ TEST(SmallStrains, ContactProblemIsLinearOnAPiece) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::small_strain_test

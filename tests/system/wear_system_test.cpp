@@ -3,7 +3,7 @@
 #include "support/derivatives.hpp"
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::wear_system_test {
 namespace {
 
 using namespace testing;
@@ -140,4 +140,4 @@ TEST(WearSystem, BlocksAddUpToTheSystem) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::wear_system_test

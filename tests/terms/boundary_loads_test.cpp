@@ -9,7 +9,7 @@
 #include "support/derivatives.hpp"
 #include "support/problem_run.hpp"
 
-namespace gnomon {
+namespace gnomon::boundary_loads_test {
 namespace {
 
 using namespace testing;
@@ -242,4 +242,4 @@ TEST(PrescribedValues, FollowTheirHistory) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::boundary_loads_test

@@ -7,7 +7,7 @@
 
 #include "support/derivatives.hpp"
 
-namespace gnomon {
+namespace gnomon::conservative_normal_test {
 namespace {
 
 using namespace testing;
@@ -207,4 +207,4 @@ TEST(ConservativeNormal, RefusesNodesThatCannotWear) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::conservative_normal_test

@@ -7,7 +7,7 @@
 
 #include "support/derivatives.hpp"
 
-namespace gnomon {
+namespace gnomon::contact_node_test {
 namespace {
 
 using namespace testing;
@@ -520,4 +520,4 @@ TEST(NodalSurface, WeighsNormalsWithInitialAndSumsCurrentAreas) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::contact_node_test

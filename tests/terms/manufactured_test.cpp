@@ -13,7 +13,7 @@
 #include "support/derivatives.hpp"
 #include "support/test_material.hpp"
 
-namespace gnomon {
+namespace gnomon::manufactured_test {
 namespace {
 
 using namespace testing;
@@ -227,4 +227,4 @@ TEST(Manufactured, StrainsAreFinite) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::manufactured_test

@@ -9,7 +9,7 @@
 #include "support/pin.hpp"
 #include "support/test_material.hpp"
 
-namespace gnomon {
+namespace gnomon::material_test {
 namespace {
 
 using namespace testing;
@@ -140,4 +140,4 @@ TEST(Material, KeysOfLawsStandBehindTheirChoice) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::material_test

@@ -9,7 +9,7 @@
 #include "support/derivatives.hpp"
 #include "support/test_material.hpp"
 
-namespace gnomon {
+namespace gnomon::meridian_kernel_test {
 namespace {
 
 using namespace testing;
@@ -199,4 +199,4 @@ TEST(Meridian, InvertedCellsHaveNoResidual) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::meridian_kernel_test

@@ -12,7 +12,7 @@
 #include "support/static_solve.hpp"
 #include "support/test_material.hpp"
 
-namespace gnomon {
+namespace gnomon::meridian_manufactured_test {
 namespace {
 
 using namespace testing;
@@ -141,4 +141,4 @@ TEST(MeridianManufactured, AGeneralLaw) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::meridian_manufactured_test

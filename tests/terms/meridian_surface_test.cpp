@@ -6,7 +6,7 @@
 
 #include "support/derivatives.hpp"
 
-namespace gnomon {
+namespace gnomon::meridian_surface_test {
 namespace {
 
 using namespace testing;
@@ -173,4 +173,4 @@ TEST(MeridianSurface, TheAxisIsFound) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::meridian_surface_test

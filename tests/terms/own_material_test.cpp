@@ -6,7 +6,7 @@
 
 #include "support/pin.hpp"
 
-namespace gnomon {
+namespace gnomon::own_material_test {
 namespace {
 
 using namespace testing;
@@ -72,4 +72,4 @@ TEST(OwnMaterial, IsAChoiceOfEveryWornBody) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::own_material_test

@@ -10,7 +10,7 @@
 #include "support/derivatives.hpp"
 #include "support/test_material.hpp"
 
-namespace gnomon {
+namespace gnomon::solid_test {
 namespace {
 
 using namespace testing;
@@ -292,4 +292,4 @@ TEST(Cell, VolumeAndQualityOfKnownShapes) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::solid_test

@@ -6,7 +6,7 @@
 
 #include "support/derivatives.hpp"
 
-namespace gnomon {
+namespace gnomon::turning_counter_body_test {
 namespace {
 
 using std::numbers::pi;
@@ -113,4 +113,4 @@ TEST(TurningCounterBody, AnEvenlyWornSquareCarriesItsLoad) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::turning_counter_body_test
