@@ -23,8 +23,3 @@ endif()
 if(GNOMON_NATIVE)
   target_compile_options(gnomon_settings INTERFACE -march=native)
 endif()
-
-# Headers of other libraries take most of the compiler's time: a target compiles them once. What a file includes it
-# still names itself; scripts/matrix has a build without this (CMAKE_DISABLE_PRECOMPILE_HEADERS).
-set(gnomon_common_headers <Eigen/Dense> <Eigen/SparseCore> <fmt/format.h> <algorithm> <cmath> <filesystem>
-    <functional> <map> <memory> <optional> <span> <string> <vector>)
