@@ -1,7 +1,8 @@
-"""An entry of the gallery: a figure, a table and the text around them."""
+"""An entry of the gallery: its figures, and the table of its numbers on a page of their own."""
 
 import dataclasses
 import pathlib
+import re
 import tempfile
 import textwrap
 from typing import Callable
@@ -13,7 +14,8 @@ from program import gnomon
 
 @dataclasses.dataclass
 class Drawn:
-    """What an entry shows. Figures are of Matplotlib, or PNG files; `captions` has one text for each."""
+    """What an entry shows. Figures are of Matplotlib, or PNG files; `captions` has one text for each. Notes go below
+    the table; their links are those of a page in docs."""
     figures: list
     captions: list
     head: list
@@ -48,8 +50,13 @@ def file_names(name, count):
     return [f"{name}.png"] if count == 1 else [f"{name}-{i}.png" for i in range(1, count + 1)]
 
 
+def anchor(title):
+    """Of a heading, as readers of Markdown make it."""
+    return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+
+
 def markdown(entry, drawn, folder):
-    """The section of an entry; writes its figures into the folder."""
+    """The section of an entry in the gallery, and that of its numbers; writes its figures into the folder."""
     text = [f"## {entry.title}\n", filled(entry.text) + "\n"]
     for name, figure, caption in zip(file_names(entry.name, len(drawn.figures)), drawn.figures, drawn.captions):
         if isinstance(figure, bytes):
@@ -57,11 +64,9 @@ def markdown(entry, drawn, folder):
         else:
             figure.savefig(folder / name, dpi=200)
         text.append(f"![{caption}]({folder.name}/{name})\n")
-    if drawn.rows:
-        text.append(table(drawn.head, drawn.rows))
-    if drawn.notes:
-        text.append(filled(drawn.notes) + "\n")
-    return "\n".join(text)
+    text.append(f"[Numbers](notes/gallery.md#{anchor(entry.title)})\n")
+    notes = filled(drawn.notes.replace("](", "](../")) + "\n" if drawn.notes else ""
+    return "\n".join(text), f"## {entry.title}\n\n{table(drawn.head, drawn.rows)}\n{notes}"
 
 
 def panels(columns, height, rows=1):

@@ -30,11 +30,9 @@ def ledger(_full):
     return Drawn(figures, ["Valve seat: section before and after", "Bushing with an oil hole: before and after"],
                  ["part", "unknowns", "steps", "worn volume (plane: area) [mm^3, mm^2]", "against the wear integral",
                   "against k F v t"], rows,
-                 "The last column but one is the ledger of a run: what the mesh has lost against the integral "
-                 "of the wear rate. "
-                 "The last one needs a closed form of the force and the speed where it acts; in the seat the "
-                 "contact is not "
-                 "quite symmetric about the circle where the ball first touches.")
+                 "The ledger of a run is what the mesh has lost against the integral of the wear rate. k F v t needs "
+                 "a closed form of the force and the speed where it acts; in the seat the contact is not quite "
+                 "symmetric about the circle where the ball first touches.")
 
 
 ENTRIES = [
