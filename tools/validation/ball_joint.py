@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The ball joint under the load of walking: the tables of docs/tutorials/ball_joint.md and its figure
+"""The ball joint under the load of walking: the tables of docs/notes/ball_joint.md and the figure
 of worn volumes, written into the folder that is named (python3 ball_joint.py docs/tutorials)."""
 
 import math

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Block on ring (Cruzado et al. 2010) against the rigid limit with its elastic correction
-(docs/validation.md)."""
+(docs/notes/validation.md)."""
 
 import math
 import pathlib

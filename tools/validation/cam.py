@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The cam's follower: the tables of docs/tutorials/cam.md and its figure of worn faces, written into
+"""The cam's follower: the tables of docs/notes/cam.md and the figure of worn faces, written into
 the folder that is named (python3 cam.py docs/tutorials)."""
 
 import math

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The pin's contact at the initial shape by GetFEM (docs/validation.md): nodal pressures and
+"""The pin's contact at the initial shape by GetFEM (docs/notes/validation.md): nodal pressures and
 displacements of another program, on the same mesh with the same bilinear elements and material.
 
 Debian: python3-getfem python3-h5py python3-scipy"""

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """A ball that passes over a block as the positions of a cycle, against the built-in groove that is uniform along its
-path: the tables of docs/validation.md and their figure, written into the folder that is named
+path: the tables of docs/notes/validation.md and their figure, written into the folder that is named
 (python3 groove_cycle.py docs)."""
 
 import math

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Worn ring of half-round section: volume, and width and depth against the chord of a circle
-(docs/validation.md).
+(docs/notes/validation.md).
 
 The chord is parallel to the flat and symmetric about the mean radius, so that by Pappus the worn
 volume is its segment times 2 pi mean. With elasticity the flat is pressed by P = F/(2 pi mean)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Contacts with closed forms by Hertz, on meshes of falling size (docs/validation.md).
+"""Contacts with closed forms by Hertz, on meshes of falling size (docs/notes/validation.md).
 
 The half width a is that of the pressures' second moment, for Hertz's distribution a^2 = 4 <x^2>
 (line) or 5/2 <r^2> (point): unlike the edge of the active set it does not depend on where the

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Pin on disc (Argatov 2011) as a body of revolution, against three solutions
-(docs/validation.md)."""
+(docs/notes/validation.md)."""
 
 import math
 

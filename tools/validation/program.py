@@ -1,4 +1,4 @@
-"""Runs gnomon and reads what it prints; shared by the tables of docs/validation.md."""
+"""Runs gnomon and reads what it prints; shared by the tables of docs/notes/validation.md."""
 
 import csv
 import dataclasses
