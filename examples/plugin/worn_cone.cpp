@@ -69,7 +69,7 @@ public:
     values[3] = cone_.shape * h * h;
   }
 
-  void switching(double, std::span<const double>, std::span<double>) const override {}
+  void switching(const Point&, std::span<double>) const override {}
 
   std::vector<AlgebraicStage> algebraic_stages() const override {
     auto equilibrium = std::make_unique<ConeSystem>(cone_, false);

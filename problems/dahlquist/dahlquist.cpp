@@ -109,7 +109,7 @@ public:
     J.block<2, 2>(2, 0) = -Block::Identity();
   }
 
-  void switching(double, std::span<const double>, std::span<double>) const override {}
+  void switching(const Point&, std::span<double>) const override {}
 
   std::vector<AlgebraicStage> algebraic_stages() const override {
     auto algebraic = std::make_unique<DahlquistSystem>(equation_, false);

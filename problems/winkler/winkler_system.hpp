@@ -104,12 +104,11 @@ public:
     }
   }
 
-  void switching(double t, std::span<const double> y, std::span<double> values) const override {
-    const Point at{.t = t, .y = y};
+  void switching(const Point& at, std::span<double> values) const override {
     for (int i = 0; i < points(); ++i)
       for (int q = 0; q < phases(); ++q) {
         const std::span<double> own = values.subspan(first_switch(i, q), switches());
-        own.front() = foundation_->modulus * gap(y, i, q);
+        own.front() = foundation_->modulus * gap(at.y, i, q);
         foundation_->wear.switching(wear_input(at, i, q), own.subspan(1));
       }
   }

@@ -58,8 +58,8 @@ py::dict dict_of(const ContactSurface& surface) {
   py::dict made("node"_a = array(surface.node), "initial"_a = array_of_points(surface.initial),
                 "worn"_a = array_of_points(surface.worn),
                 "current"_a = array_of_points(surface.current),
-                "pressure"_a = array(surface.pressure),
-                "wear_depth"_a = array(surface.wear_depth), "active"_a = array(surface.active));
+                "pressure"_a = array(surface.pressure), "wear_depth"_a = array(surface.wear_depth),
+                "active"_a = array(surface.active));
   if (surface.phase_position.empty()) return made;
   const auto phases = static_cast<py::ssize_t>(surface.phase_position.size()),
              nodes = static_cast<py::ssize_t>(surface.node.size());
@@ -109,7 +109,7 @@ py::tuple jacobian(const SystemHandle& handle, double t, const py::object& y,
 py::array_t<double> switching(const SystemHandle& handle, double t, const py::object& y) {
   const std::vector<double> at = numbers(y, handle.structure().size, "y");
   std::vector<double> values(handle.structure().switch_node.size());
-  handle.compute([&](const System& system) { system.switching(t, at, values); });
+  handle.compute([&](const System& system) { system.switching({.t = t, .y = at}, values); });
   return array(std::move(values));
 }
 

@@ -110,15 +110,17 @@ int BdfSolver::Memory::weights(N_Vector y, N_Vector w, void* data) {
   const Memory& self = *static_cast<Memory*>(data);
   const double spread = std::sqrt(double(view(y).size()) / double(self.norm_.components().size()));
   for (std::size_t i = 0; i < view(y).size(); ++i)
-    view(w)[i] = spread * self.norm_.weight(view(y)[i]);
+    view(w)[i] = spread * self.norm_.weight(i, view(y)[i]);
   return 0;
 }
 
-int BdfSolver::Memory::switching(sunrealtype t, N_Vector y, N_Vector, sunrealtype* values,
+int BdfSolver::Memory::switching(sunrealtype t, N_Vector y, N_Vector ydot, sunrealtype* values,
                                  void* data) {
   Memory& self = *static_cast<Memory*>(data);
-  return self.guard_.run(
-      [&] { self.system_.switching(t, view(y), std::span<double>(values, self.branch_->size())); });
+  return self.guard_.run([&] {
+    self.system_.switching({.t = t, .y = view(y), .ydot = view(ydot)},
+                           std::span<double>(values, self.branch_->size()));
+  });
 }
 
 // IDA integrates it by its own formula, order and step; it does not take part in the error test.

@@ -180,7 +180,8 @@ double ErkSolver::Memory::integral(const State& start, double h) const {
 
 int ErkSolver::Memory::weights(N_Vector d, N_Vector w, void* data) {
   const Memory& self = *static_cast<Memory*>(data);
-  for (std::size_t k = 0; k < view(d).size(); ++k) view(w)[k] = self.norm_.weight(view(d)[k]);
+  for (std::size_t k = 0; k < view(d).size(); ++k)
+    view(w)[k] = self.norm_.weight(self.norm_.components()[k], view(d)[k]);
   return 0;
 }
 

@@ -5,7 +5,7 @@
 namespace gnomon {
 
 ErrorNorm::ErrorNorm(const Structure& structure, const IntegratorSettings& settings)
-    : rtol_(settings.rtol), atol_(settings.atol) {
+    : scale_(structure.tolerance_scale), rtol_(settings.rtol), atol_(settings.atol) {
   for (int i = 0; i < static_cast<int>(structure.size); ++i)
     if (structure.differential[i]) components_.push_back(i);
 }
@@ -19,7 +19,7 @@ double ErrorNorm::mean(double sum_of_squares) const {
 double ErrorNorm::operator()(std::span<const double> error, std::span<const double> y) const {
   double sum = 0;
   for (std::size_t k = 0; k < components_.size(); ++k) {
-    const double scaled = error[k] * weight(y[components_[k]]);
+    const double scaled = error[k] * weight(components_[k], y[components_[k]]);
     sum += scaled * scaled;
   }
   return mean(sum);
@@ -28,7 +28,7 @@ double ErrorNorm::operator()(std::span<const double> error, std::span<const doub
 double ErrorNorm::of_change(std::span<const double> change, std::span<const double> y) const {
   double sum = 0;
   for (int i : components_) {
-    const double scaled = change[i] * weight(y[i]);
+    const double scaled = change[i] * weight(i, y[i]);
     sum += scaled * scaled;
   }
   return mean(sum);

@@ -63,7 +63,7 @@ void EventLocator::restore(Unpacker& memory) {
 
 void EventLocator::sample(double h, const State& at) {
   Sample sample{h, std::vector<double>(branch_.size())};
-  system_.switching(at.t, at.y, sample.values);
+  system_.switching({.t = at.t, .y = at.y, .ydot = at.ydot}, sample.values);
   const auto place = std::lower_bound(samples_.begin(), samples_.end(), h,
                                       [](const Sample& s, double x) { return s.h < x; });
   samples_.insert(place, std::move(sample));
@@ -115,7 +115,7 @@ double EventLocator::first_guess(const State& from, double h) const {
   for (int k = 1; k <= parts; ++k) {
     std::swap(before, after);
     method_.interpolate(from.t + h * k / parts, y);
-    system_.switching(from.t + h * k / parts, y, after);
+    system_.switching({.t = from.t + h * k / parts, .y = y}, after);
     double first = none;
     for (std::size_t j = 0; j < branch_.size(); ++j)
       if (active(before[j]) == bool(branch_[j]) && active(after[j]) != bool(branch_[j]))

@@ -23,7 +23,7 @@ int RootBranch::switch_nodes(double t, std::span<const double> y, const std::vec
   // that step.
   constexpr double moment = 1e-6;
   std::vector<double> values(active_.size());
-  system_.switching(t, y, values);
+  system_.switching({.t = t, .y = y}, values);
   double largest = 0;
   for (double value : values) largest = std::max(largest, std::abs(value));
   int switched = 0;

@@ -224,8 +224,11 @@ FieldSet WornBodyEquations<dim>::make_fields() {
     fields_[p].u = set.add(displacement_field(*body_, scales, displacement));
   }
   const int interior = set.add({"shape", "d", "nodes off the contact surface", Role::extension});
-  const int surface =
-      set.add({"worn_surface", "d", "contact nodes (differential)", Role::evolution});
+  const int surface = set.add({.name = "worn_surface",
+                               .symbol = "d",
+                               .where = "contact nodes (differential)",
+                               .role = Role::evolution,
+                               .differential = true});
   const FieldId d = set.add(shape_field(*body_, scales, interior, surface));
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     const int multiplier =
@@ -251,7 +254,7 @@ template <int dim>
 BlockSelection WornBodyEquations<dim>::selection(bool deformation, bool mesh_motion) const {
   BlockSelection selected;
   for (const Block& block : composition_->fields->blocks)
-    selected.push_back(block.role == Role::evolution ? 0
+    selected.push_back(block.differential ? 0
                        : block.role == Role::extension || block.role == Role::reaction
                            ? mesh_motion
                            : deformation);

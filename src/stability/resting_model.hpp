@@ -25,8 +25,8 @@ public:
   void jacobian(const Point& at, double alpha, std::span<double> values) const override {
     system_.jacobian({state_.t, at.y, at.ydot, at.branch}, alpha, values);
   }
-  void switching(double, std::span<const double> y, std::span<double> values) const override {
-    system_.switching(state_.t, y, values);
+  void switching(const Point& at, std::span<double> values) const override {
+    system_.switching({.t = state_.t, .y = at.y}, values);
   }
   std::vector<AlgebraicStage> algebraic_stages() const override {
     std::vector<AlgebraicStage> stages = system_.algebraic_stages();

@@ -53,8 +53,10 @@ void ComposedSystem<dim>::build_structure() {
   structure_.position = composition_->position;
   structure_.position.resize(composition_->fields->nodes + 1);  // the last: at no node
   structure_.coarsening = composition_->coarsening;
-  for (int block : structure_.block)
-    structure_.differential.push_back(structure_.blocks[block].role == Role::evolution);
+  for (int block : structure_.block) {
+    structure_.differential.push_back(structure_.blocks[block].differential);
+    structure_.tolerance_scale.push_back(structure_.blocks[block].tolerance_scale);
+  }
 }
 
 /// The entries to which terms add that are not slow.
@@ -194,10 +196,8 @@ void ComposedSystem<dim>::keep(SlowPart& slow, std::span<const double> y,
 }
 
 template <int dim>
-void ComposedSystem<dim>::switching(double t, std::span<const double> y,
-                                    std::span<double> values) const {
-  const Point at{.t = t, .y = y};
-  fill(y, time(at), within(at), values_);
+void ComposedSystem<dim>::switching(const Point& at, std::span<double> values) const {
+  fill(at.y, time(at), within(at), values_);
   for (std::size_t k = 0; k < terms_.size(); ++k)
     terms_[k]->switching(evaluation(at, values_, k),
                          values.subspan(first_switch_[k], first_switch_[k + 1] - first_switch_[k]));

@@ -28,8 +28,7 @@ NodalNumbers<dim> auxiliary_rows(const Numbering& numbering, FieldId d, FieldId 
   NodalNumbers<dim> rows = numbering.nodal<dim>(d);
   const FieldSet& set = numbering.set();
   for (Eigen::Index k = 0; k < rows.size(); ++k)
-    if (const int block = set[d].block.data()[k];
-        block >= 0 && set.blocks[block].role == Role::evolution)
+    if (const int block = set[d].block.data()[k]; block >= 0 && set.blocks[block].differential)
       rows.data()[k] = -1;
   if (mu == FieldId::none) return rows;
   const std::vector<int>& node = set[mu].node;

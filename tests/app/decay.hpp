@@ -17,7 +17,7 @@ public:
   const Structure& structure() const override { return structure_; }
   void residual(const Point&, std::span<double>) const override { refuse(); }
   void jacobian(const Point&, double, std::span<double>) const override { refuse(); }
-  void switching(double, std::span<const double>, std::span<double>) const override { refuse(); }
+  void switching(const Point&, std::span<double>) const override { refuse(); }
   std::vector<AlgebraicStage> algebraic_stages() const override { refuse(); }
 
 private:

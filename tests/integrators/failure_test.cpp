@@ -26,8 +26,8 @@ public:
   void jacobian(const Point& at, double alpha, std::span<double> values) const override {
     system_.jacobian(at, alpha, values);
   }
-  void switching(double t, std::span<const double> y, std::span<double> values) const override {
-    system_.switching(t, y, values);
+  void switching(const Point& at, std::span<double> values) const override {
+    system_.switching(at, values);
   }
   std::vector<AlgebraicStage> algebraic_stages() const override {
     return system_.algebraic_stages();

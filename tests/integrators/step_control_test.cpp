@@ -116,9 +116,12 @@ TEST(ErrorNorm, IsTheRootMeanSquareOverTheDifferentialComponents) {
   const ErrorNorm norm(structure, settings);
   EXPECT_THAT(norm.components(), ::testing::ElementsAre(0, 2));
   const std::vector<double> y = {-5, 1e9, 0};
-  EXPECT_DOUBLE_EQ(norm.weight(-5), 1);  // 1 / (0.1 * 5 + 0.5)
-  EXPECT_DOUBLE_EQ(norm.weight(0), 2);
+  EXPECT_DOUBLE_EQ(norm.weight(0, -5), 1);  // 1 / (0.1 * 5 + 0.5)
+  EXPECT_DOUBLE_EQ(norm.weight(0, 0), 2);
   EXPECT_DOUBLE_EQ(norm(std::vector<double>{3, 2}, y), std::sqrt((9 + 16) / 2.0));
+  structure.tolerance_scale = {1, 1, 4};  // of the absolute part
+  EXPECT_DOUBLE_EQ(ErrorNorm(structure, settings)(std::vector<double>{3, 2}, y),
+                   std::sqrt((9 + 1) / 2.0));
   settings.rtol = settings.atol = 0;
   EXPECT_DOUBLE_EQ(ErrorNorm(structure, settings)(std::vector<double>{3, 4}, y), std::sqrt(12.5));
 }

@@ -100,8 +100,8 @@ public:
     }
   }
 
-  void switching(double, std::span<const double> y, std::span<double> values) const override {
-    for (int j = 0; j < points(); ++j) values[j] = -overlap(j, y);
+  void switching(const Point& at, std::span<double> values) const override {
+    for (int j = 0; j < points(); ++j) values[j] = -overlap(j, at.y);
   }
 
   std::vector<AlgebraicStage> algebraic_stages() const override {
@@ -139,8 +139,8 @@ private:
     void jacobian(const Point&, double, std::span<double> values) const override {
       std::fill(values.begin(), values.end(), 1.0);
     }
-    void switching(double, std::span<const double>, std::span<double> values) const override {
-      parent.switching(0, frozen, values);
+    void switching(const Point&, std::span<double> values) const override {
+      parent.switching({.y = frozen}, values);
     }
     std::vector<AlgebraicStage> algebraic_stages() const override { return {}; }
 

@@ -5,24 +5,27 @@
 
 namespace gnomon {
 
-/// The meaning of a block of unknowns for a solver that treats the blocks of J separately
-/// (docs/linear.md). Its physical meaning is given by its name.
+/// A hint to a solver that treats the blocks of J separately (docs/linear.md), and nothing else:
+/// what a block means is given by its name, and the block itself says whether it is differential.
 enum class Role : char {
   stiffness,   ///< nodal components whose diagonal block is elliptic and nearly symmetric
   multiplier,  ///< one condition for each node of the `stiffness` block with the same owner
-  evolution,   ///< differential rows, coupled node by node; a compliance of the multipliers
+  evolution,   ///< rows of the shape, coupled node by node; a compliance of the multipliers
   extension,   ///< elliptic like `stiffness`, driven by `evolution` alone
   reaction,    ///< follows from all other blocks; its own block of J is diagonal
   rigid        ///< a scalar that is coupled with many unknowns
 };
 
-/// A set of unknowns with one role, as listed by `gnomon check`.
+/// A set of unknowns that a physics declares, as listed by `gnomon check`.
 struct Block {
   std::string name;    ///< "displacement", "contact_multiplier", ...
   std::string symbol;  ///< "u", "lambda", ...
   std::string where;   ///< "all nodes", "contact nodes", ...
   Role role = Role::stiffness;
-  int owner = 0;  ///< the contact state or body that it belongs to
+  int owner = 0;               ///< the contact state or body that it belongs to
+  bool differential = false;   ///< whether ydot of its unknowns enters F
+  double tolerance_scale = 1;  ///< of a differential block: its absolute tolerance in units of that
+                               ///< of the run
 };
 
 }  // namespace gnomon

@@ -22,7 +22,7 @@ using NodalProjectors = std::map<int, Tensor<dim>>;
 template <int dim>
 using NodalNumbers = Eigen::Matrix<int, Eigen::Dynamic, dim, Eigen::RowMajor>;
 
-/// Values over entities of the mesh: a vector of the dimension, or a scalar, at each.
+/// Values over entities of the mesh, any number of components at each.
 struct Field {
   using Values = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   using Indices = Eigen::Matrix<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -80,28 +80,32 @@ public:
     for (const Field& field : set.fields) {
       const bool vector = field.components() == dim;
       vectors_.push_back(NodalField<dim>::Zero(vector ? field.entities() : 0, dim));
-      scalars_.push_back(Eigen::VectorXd::Zero(vector ? 0 : field.entities()));
+      others_.push_back(
+          Field::Values::Zero(vector ? 0 : field.entities(), vector ? 0 : field.components()));
     }
   }
-  /// Entities x dim.
+  /// A field of `dim` components: entities x dim.
   const NodalField<dim>& vector(FieldId id) const { return vectors_[index(id)]; }
   NodalField<dim>& vector(FieldId id) { return vectors_[index(id)]; }
-  /// One value for each entity.
-  const Eigen::VectorXd& scalar(FieldId id) const { return scalars_[index(id)]; }
-  Eigen::VectorXd& scalar(FieldId id) { return scalars_[index(id)]; }
+  /// A field of any other number of components: entities x components.
+  const Field::Values& matrix(FieldId id) const { return others_[index(id)]; }
+  Field::Values& matrix(FieldId id) { return others_[index(id)]; }
+  /// A field of one component: one value for each entity.
+  auto scalar(FieldId id) const { return matrix(id).col(0); }
+  auto scalar(FieldId id) { return matrix(id).col(0); }
 
   /// The values of one field, one after the other, entity by entity.
   double* data(std::size_t field) {
-    return vectors_[field].size() > 0 ? vectors_[field].data() : scalars_[field].data();
+    return vectors_[field].size() > 0 ? vectors_[field].data() : others_[field].data();
   }
   const double* data(std::size_t field) const {
-    return vectors_[field].size() > 0 ? vectors_[field].data() : scalars_[field].data();
+    return vectors_[field].size() > 0 ? vectors_[field].data() : others_[field].data();
   }
 
 private:
   static std::size_t index(FieldId id) { return static_cast<std::size_t>(id); }
-  std::vector<NodalField<dim>> vectors_;  // of a scalar field: empty
-  std::vector<Eigen::VectorXd> scalars_;
+  std::vector<NodalField<dim>> vectors_;  // of a field with another number of components: empty
+  std::vector<Field::Values> others_;     // of a field with `dim` components: empty
 };
 
 }  // namespace gnomon

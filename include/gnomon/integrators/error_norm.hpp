@@ -10,16 +10,18 @@
 namespace gnomon {
 
 /// Weighted root mean square over the differential components (the positions of the contact
-/// surface): weights rtol |y_i| + atol. The value 1 means an error equal to the tolerance. With
-/// fixed steps there may be no tolerances; errors are then not scaled.
+/// surface): weights rtol |y_i| + atol, times the tolerance scale of the block. The value 1 means
+/// an error equal to the tolerance. With fixed steps there may be no tolerances; errors are then
+/// not scaled.
 class ErrorNorm {
 public:
   ErrorNorm(const Structure& structure, const IntegratorSettings& settings);
 
   /// Positions of the differential components in y.
   const std::vector<int>& components() const { return components_; }
-  double weight(double y) const {
-    const double tolerance = rtol_ * std::abs(y) + atol_;
+  /// Of component i of y, which has this value.
+  double weight(std::size_t i, double y) const {
+    const double tolerance = rtol_ * std::abs(y) + (scale_.empty() ? atol_ : atol_ * scale_[i]);
     return tolerance > 0 ? 1 / tolerance : 1;
   }
   /// Norm of an error with one entry per component, at y (the whole vector).
@@ -31,6 +33,7 @@ private:
   double mean(double sum_of_squares) const;
 
   std::vector<int> components_;
+  std::vector<double> scale_;  // Structure::tolerance_scale
   double rtol_, atol_;
 };
 

@@ -46,7 +46,7 @@ public:
   const Structure& structure() const override { return structure_; }
   void residual(const Point& at, std::span<double> F) const override;
   void jacobian(const Point& at, double alpha, std::span<double> values) const override;
-  void switching(double t, std::span<const double> y, std::span<double> values) const override;
+  void switching(const Point& at, std::span<double> values) const override;
   std::vector<AlgebraicStage> algebraic_stages() const override;
 
   const Numbering& numbering() const { return numbering_; }

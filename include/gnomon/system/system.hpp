@@ -24,8 +24,9 @@ struct Structure {
   long size = 0;
   SparsePattern pattern = {};   ///< of J, the union over all states
   std::vector<int> group = {};  ///< size entries: rows of one node share a number (ordering)
-  std::vector<char> differential = {};  ///< size entries: 1 where ydot enters F
-  std::vector<double> row_scale = {};   ///< size entries: magnitude of F_i, in the unit of the row
+  std::vector<char> differential = {};       ///< size entries: 1 where ydot enters F
+  std::vector<double> tolerance_scale = {};  ///< size entries, as in Block; empty: 1
+  std::vector<double> row_scale = {};  ///< size entries: magnitude of F_i, in the unit of the row
   std::vector<double> unknown_scale = {};  ///< size entries: typical |y_i|
   std::vector<int> switch_node = {};  ///< one per switching function: the mesh node it belongs to
   std::vector<double> breakpoints = {};  ///< ascending times at which F may have a kink in t
@@ -87,8 +88,8 @@ public:
   virtual void jacobian(const Point& at, double alpha, std::span<double> values) const = 0;
 
   /// One value per switching function, smooth in y, negative or zero where it is active (the
-  /// augmented multiplier). Two states whose values have equal signs share one smooth residual.
-  virtual void switching(double t, std::span<const double> y, std::span<double> values) const = 0;
+  /// augmented multiplier). Two points whose values have equal signs share one smooth residual.
+  virtual void switching(const Point& at, std::span<double> values) const = 0;
 
   /// The algebraic rows for given differential components, as a sequence of smaller systems to be
   /// solved one after the other (Remark 1: mesh motion, then contact). The caller owns them.
@@ -104,7 +105,10 @@ struct AlgebraicStage {
   std::function<void(double t, std::span<const double> y)> freeze;
 };
 
-/// The branch that y lies in at t.
-ActiveSet active_set(const System& system, double t, std::span<const double> y);
+/// The branch that a point lies in.
+ActiveSet active_set(const System& system, const Point& at);
+inline ActiveSet active_set(const System& system, double t, std::span<const double> y) {
+  return active_set(system, {.t = t, .y = y});
+}
 
 }  // namespace gnomon
