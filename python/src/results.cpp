@@ -97,8 +97,12 @@ void add_results(py::module_& module) {
                              "mean over its phases.")
       .def("field", held(field), py::arg("name"), py::arg("t") = py::none(),
            "A field at a stored time: one value or vector for each node or cell.")
-      .def("grid", held([](const ResultReader& r) { return dict_of(r.grid()); }),
-           "Points [n, 3] and cells [m, corners], or None.");
+      .def("grid", held([](const ResultReader& r, std::optional<double> t) {
+             return dict_of(r.grid(t ? r.epoch_of(step_at(r, t)) : 0));
+           }),
+           py::arg("t") = py::none(),
+           "Points [n, 3] and cells [m, corners], or None: of the start, or of a stored time, where "
+           "the mesh has become another one.");
 }
 
 }  // namespace gnomon::python

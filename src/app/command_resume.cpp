@@ -77,6 +77,8 @@ std::optional<Resumption> last_checkpoint(const ResultReader& earlier, const std
   if (stored > 0) from.stored = times[stored - 1];
   from.wall_seconds = earlier.wall_seconds();
   from.phase_errors = start_errors(earlier);
+  from.epochs = earlier.epochs();
+  from.epochs.resize(static_cast<std::size_t>(from.checkpoint.epoch));
   return from;
 }
 
@@ -118,9 +120,11 @@ std::string beginning_text(const std::optional<Resumption>& from, const std::str
   return from ? "" : fmt::format("{} holds no checkpoint: begins at its start", name);
 }
 
-std::vector<std::string> field_names(const Model& model, const Checkpoint& checkpoint) {
+std::vector<std::string> field_names(const Model& first, const Resumption& from) {
+  const std::shared_ptr<const Model> later = model_of_epoch(first, from.epochs);
+  const Model& model = later ? *later : first;
   std::vector<std::string> names;
-  for (const GridField& field : model.fields(state_at(checkpoint, model)))
+  for (const GridField& field : model.fields(state_at(from.checkpoint, model)))
     names.push_back(field.name);
   return names;
 }
@@ -165,7 +169,7 @@ int resume_command(const ResumeOptions& options) {
   const RunOutcome outcome = [&] {
     const InterruptGuard guard(!options.quiet);
     ResultWriter writer(options.result, header, setup.model->grid(), Earlier::replaced, reached);
-    if (from) copy_to_last_checkpoint(earlier, field_names(*setup.model, from->checkpoint), writer);
+    if (from) copy_to_last_checkpoint(earlier, field_names(*setup.model, *from), writer);
     return integrate(setup, settings, writer, options.quiet, from ? &*from : nullptr);
   }();
   const bool replaced = outcome.last && outcome.last->t >= reached;

@@ -19,10 +19,10 @@ bool BdfSolver::Memory::cross_event(State& state, bool at_root, StepReport& repo
   report.switched = branch_->switch_nodes(state.t, state.y, at_root ? &roots : nullptr);
   if (report.switched == 0) return false;
   ++counters_.events;
-  if (!algebraic_) algebraic_.emplace(system_, counters_);
+  if (!algebraic_) algebraic_.emplace(*system_, counters_);
   const std::string reason = algebraic_->solve(state.t, state.y, branch());
   if (!reason.empty()) throw SolutionError("bdf, after an event: " + reason);
-  set_rates(system_, branch(), state);
+  set_rates(*system_, branch(), state);
   return true;
 }
 
@@ -107,7 +107,7 @@ int BdfSolver::Memory::step(double t_stop, State& reached) {
   count_rejected();
   if (flag < 0 || vanishes(reached.t - t)) fail(flag, t);
   std::copy(view(y_.get()).begin(), view(y_.get()).end(), reached.y.begin());
-  set_rates(system_, branch(), reached);
+  set_rates(*system_, branch(), reached);
   return flag;
 }
 
@@ -119,9 +119,9 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   if (!begun_) begin(state);
   guard_.clear();
   std::optional<Settling> settling;
-  if (closings_) settling = next_settling(system_.structure(), settings_, state.t);
+  if (closings_) settling = next_settling(system_->structure(), settings_, state.t);
   t_stop = settling_stop(settling, state.t, t_stop);
-  t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
+  t_stop = end_of_smooth_part(system_->structure(), state.t, t_stop);
   if (t_stop - state.t <= nothing * t_stop) return skip_to(state, t_stop);
   State reached = state;  // an event that cannot be crossed leaves the last good state
   int flag = step(t_stop, reached);
@@ -136,7 +136,7 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   check(IDAGetLastOrder(ida_.get(), &order), "IDAGetLastOrder");
   StepReport report{.step = reached.t - state.t, .order = order, .integral = take_integral()};
   const bool event = branch() && cross_event(reached, flag == IDA_ROOT_RETURN, report);
-  if (event || is_breakpoint(system_.structure(), reached.t)) restart(reached);
+  if (event || is_breakpoint(system_->structure(), reached.t)) restart(reached);
   if (branch()) reached.branch = *branch();
   if (closings_) closings_->accept(active(reached), settling && !settling->before(state.t));
   state = std::move(reached);
@@ -157,6 +157,15 @@ void BdfSolver::Memory::fail(int flag, double t) const {
 BdfSolver::BdfSolver(const System& system, const IntegratorSettings& settings, Counters& counters)
     : Stepper(counters), memory_(std::make_unique<Memory>(system, settings, counters)) {}
 BdfSolver::~BdfSolver() = default;
+
+/// IDA keeps its history where the unknowns are the same; it cannot be given others.
+bool BdfSolver::follow(Stepper& before, const State&, bool same) {
+  auto& earlier = dynamic_cast<BdfSolver&>(before);
+  if (!same || !earlier.memory_->begun()) return !earlier.memory_->begun();
+  earlier.memory_->adopt(memory_->system(), memory_->settings());
+  memory_ = std::move(earlier.memory_);
+  return true;
+}
 
 StepReport BdfSolver::take_step(State& state, double t_stop) {
   return memory_->advance(state, t_stop);

@@ -16,7 +16,7 @@ constexpr int steps_to_damp = 5;
 
 BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settings,
                           Counters& counters)
-    : system_(system),
+    : system_(&system),
       settings_(settings),
       counters_(counters),
       norm_(system.structure(), settings),
@@ -24,11 +24,14 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
       ydot_(make_vector(system.structure().size, context_)),
       id_(make_vector(system.structure().size, context_)),
       probe_(make_vector(system.structure().size, context_)),
-      integral_(make_vector(1, context_)),
-      matrix_(make_matrix(system.structure().pattern, context_)),
-      linear_(make_linear_solver(system.structure(), counters, guard_, context_, request_)) {
+      integral_(make_vector(1, context_)) {
   const auto& differential = system.structure().differential;
   std::copy(differential.begin(), differential.end(), view(id_.get()).begin());
+  solvers_ = make_solvers();
+}
+
+BdfSolver::Memory::Solvers BdfSolver::Memory::make_solvers() {
+  const Structure& structure = system_->structure();
   const auto state_at = [this](N_Vector ycor) {
     N_Vector predicted = nullptr;
     sunrealtype t, gamma;
@@ -41,11 +44,27 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
     return Point{t, view(probe_.get())};
   };
   const auto branch_at = [this](const Point& at) {
-    return branch() ? *branch() : active_set(system_, at.t, at.y);
+    return branch() ? *branch() : active_set(*system_, at.t, at.y);
   };
-  nonlinear_ = make_semismooth_newton(system.structure(), counters, guard_,
-                                      within_time_error(newton_in_ida, settings.nonlinear_fraction),
-                                      state_at, branch_at, id_.get(), request_, slow_, context_);
+  return {make_matrix(structure.pattern, context_),
+          make_linear_solver(structure, counters_, guard_, context_, request_),
+          make_semismooth_newton(structure, counters_, guard_,
+                                 within_time_error(newton_in_ida, settings_.nonlinear_fraction),
+                                 state_at, branch_at, id_.get(), request_, slow_, context_)};
+}
+
+/// IDA keeps its handles, and what they hold is made for the new pattern.
+void BdfSolver::Memory::adopt(const System& system, const IntegratorSettings& settings) {
+  system_ = &system;
+  settings_ = settings;
+  norm_ = ErrorNorm(system.structure(), settings);
+  algebraic_.reset();
+  slow_ = {};
+  if (branch_) branch_->adopt(system);
+  Solvers fresh = make_solvers();
+  std::swap(solvers_.matrix->content, fresh.matrix->content);
+  std::swap(solvers_.linear->content, fresh.linear->content);
+  replace_content(solvers_.nonlinear.get(), std::move(fresh.nonlinear));
 }
 
 void BdfSolver::Memory::begin(const State& state) {
@@ -70,11 +89,12 @@ void BdfSolver::Memory::begin(const State& state) {
   constexpr int most_failures = 30;
   check(IDASetMaxErrTestFails(ida, most_failures), "IDASetMaxErrTestFails");
   check(IDASetMaxConvFails(ida, most_failures), "IDASetMaxConvFails");
-  check(IDASetLinearSolver(ida, linear_.get(), matrix_.get()), "IDASetLinearSolver");
+  check(IDASetLinearSolver(ida, solvers_.linear.get(), solvers_.matrix.get()),
+        "IDASetLinearSolver");
   check(IDASetJacFn(ida, &Memory::jacobian), "IDASetJacFn");
-  check(IDASetNonlinearSolver(ida, nonlinear_.get()), "IDASetNonlinearSolver");
+  check(IDASetNonlinearSolver(ida, solvers_.nonlinear.get()), "IDASetNonlinearSolver");
   if (settings_.locate_events) {
-    branch_.emplace(system_, state.t, state.y, settings_.end);
+    branch_.emplace(*system_, state.t, state.y, settings_.end);
     check(IDARootInit(ida, branch_->size(), &Memory::switching), "IDARootInit");
     check(IDASetNoInactiveRootWarn(ida), "IDASetNoInactiveRootWarn");
   }
@@ -88,7 +108,7 @@ int BdfSolver::Memory::residual(sunrealtype t, N_Vector y, N_Vector ydot, N_Vect
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
     ++self.counters_.residual_evaluations;
-    self.system_.residual({t, view(y), view(ydot), self.branch(), self.from_}, view(F));
+    self.system_->residual({t, view(y), view(ydot), self.branch(), self.from_}, view(F));
     require_finite(view(F), "the residual");
   });
 }
@@ -98,8 +118,8 @@ int BdfSolver::Memory::jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
     ++self.counters_.jacobian_evaluations;
-    self.system_.jacobian({t, view(y), view(ydot), self.branch(), self.from_, &self.slow_}, alpha,
-                          values(J));
+    self.system_->jacobian({t, view(y), view(ydot), self.branch(), self.from_, &self.slow_}, alpha,
+                           values(J));
   });
 }
 
@@ -118,8 +138,8 @@ int BdfSolver::Memory::switching(sunrealtype t, N_Vector y, N_Vector ydot, sunre
                                  void* data) {
   Memory& self = *static_cast<Memory*>(data);
   return self.guard_.run([&] {
-    self.system_.switching({.t = t, .y = view(y), .ydot = view(ydot)},
-                           std::span<double>(values, self.branch_->size()));
+    self.system_->switching({.t = t, .y = view(y), .ydot = view(ydot)},
+                            std::span<double>(values, self.branch_->size()));
   });
 }
 

@@ -23,8 +23,20 @@ class BdfSolver::Memory {
 public:
   Memory(const System& system, const IntegratorSettings& settings, Counters& counters);
   StepReport advance(State& state, double t_stop);
+  bool begun() const { return begun_; }
+  const System& system() const { return *system_; }
+  /// Goes on with another system of the same unknowns.
+  void adopt(const System& system, const IntegratorSettings& settings);
+  const IntegratorSettings& settings() const { return settings_; }
 
 private:
+  /// What IDA solves with; made for one pattern.
+  struct Solvers {
+    sundials::MatrixOwner matrix;
+    sundials::LinearSolverOwner linear;
+    sundials::NonlinearSolverOwner nonlinear;
+  };
+  Solvers make_solvers();
   static int residual(sunrealtype t, N_Vector y, N_Vector ydot, N_Vector F, void* self);
   static int jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_Vector ydot, N_Vector F,
                       SUNMatrix J, void* self, N_Vector, N_Vector, N_Vector);
@@ -43,12 +55,12 @@ private:
   bool needs_settling(const std::optional<Settling>& settling, double t,
                       const State& reached) const;
   ActiveSet active(const State& state) const {
-    return branch() ? *branch() : active_set(system_, state.t, state.y);
+    return branch() ? *branch() : active_set(*system_, state.t, state.y);
   }
   const ActiveSet* branch() const { return branch_ ? &branch_->active() : nullptr; }
   [[noreturn]] void fail(int flag, double t) const;
 
-  const System& system_;
+  const System* system_;
   IntegratorSettings settings_;
   Counters& counters_;
   ErrorNorm norm_;
@@ -67,9 +79,7 @@ private:
   // Destroyed in reverse: IDA before what it refers to, the context last.
   sundials::Context context_;
   sundials::VectorOwner y_, ydot_, id_, probe_, integral_;
-  sundials::MatrixOwner matrix_;
-  sundials::LinearSolverOwner linear_;
-  sundials::NonlinearSolverOwner nonlinear_;
+  Solvers solvers_;
   sundials::Owner<void, destroy_ida> ida_;
 };
 

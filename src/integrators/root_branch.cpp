@@ -6,7 +6,7 @@
 namespace gnomon {
 
 RootBranch::RootBranch(const System& system, double t, std::span<const double> y, double end)
-    : system_(system),
+    : system_(&system),
       end_(end),
       active_(active_set(system, t, y)),
       switched_at_(active_.size(), -end) {}
@@ -23,7 +23,7 @@ int RootBranch::switch_nodes(double t, std::span<const double> y, const std::vec
   // that step.
   constexpr double moment = 1e-6;
   std::vector<double> values(active_.size());
-  system_.switching({.t = t, .y = y}, values);
+  system_->switching({.t = t, .y = y}, values);
   double largest = 0;
   for (double value : values) largest = std::max(largest, std::abs(value));
   int switched = 0;

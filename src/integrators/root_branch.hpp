@@ -14,6 +14,9 @@ public:
   /// `end`: of the run.
   RootBranch(const System& system, double t, std::span<const double> y, double end);
 
+  /// Goes on with a system that has the same switching functions.
+  void adopt(const System& system) { system_ = &system; }
+
   const ActiveSet& active() const { return active_; }
   int size() const { return static_cast<int>(active_.size()); }
 
@@ -22,7 +25,7 @@ public:
   int switch_nodes(double t, std::span<const double> y, const std::vector<int>* roots);
 
 private:
-  const System& system_;
+  const System* system_;
   double end_;
   ActiveSet active_;
   std::vector<double> switched_at_;  // time of each node's last event

@@ -93,6 +93,21 @@ void OneStepStepper::restore(const State& state, std::span<const double> memory)
   method_->restore(numbers.rest());
 }
 
+/// Other unknowns: the size of steps and the history of their errors remain.
+bool OneStepStepper::follow(Stepper& before, const State& state, bool same) {
+  const auto& earlier = dynamic_cast<const OneStepStepper&>(before);
+  if (!earlier.begun_) return true;
+  if (same) {
+    restore(state, earlier.memory());
+    return true;
+  }
+  begin(state);
+  proposal_ = earlier.proposal_;
+  control_ = earlier.control_;
+  if (closings_ && earlier.closings_) closings_->restore(earlier.closings_->memory());
+  return true;
+}
+
 /// A step of about h that does not pass the next time at which a step has to end.
 OneStepStepper::Plan OneStepStepper::plan(const State& state, double t_stop, double h) const {
   // An adaptive step that misses the target by rounding has to end on it; fixed steps follow their

@@ -136,4 +136,14 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
   return owner;
 }
 
+void replace_content(SUNNonlinearSolver in_use, NonlinearSolverOwner by) {
+  const Content& used = content(in_use);
+  Content& fresh = content(by.get());
+  fresh.residual = used.residual;
+  fresh.setup = used.setup;
+  fresh.solve = used.solve;
+  fresh.failures = used.failures;
+  std::swap(in_use->content, by->content);
+}
+
 }  // namespace gnomon::sundials

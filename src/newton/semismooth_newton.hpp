@@ -30,4 +30,7 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
                                             N_Vector differential, LinearRequest& request,
                                             SlowPart& slow, SUNContext context);
 
+/// Gives a solver that IDA uses what another one holds, but for the functions of IDA.
+void replace_content(SUNNonlinearSolver in_use, NonlinearSolverOwner by);
+
 }  // namespace gnomon::sundials

@@ -36,12 +36,12 @@ bool is_count(double value) {
 
 }  // namespace
 
-CheckpointTable CheckpointTable::create(hid_t gnomon, std::size_t count) {
+CheckpointTable CheckpointTable::create(hid_t group, std::size_t count) {
   CheckpointTable table;
   table.count_ = count;
   const std::vector<double> empty(kPlaces * (kHead + count));
-  hdf5::write_dataset(gnomon, kName, {kPlaces, kHead + count}, empty.data());
-  table.dataset_ = own(H5Dopen2(gnomon, kName, H5P_DEFAULT), H5Dclose, "open the checkpoints");
+  hdf5::write_dataset(group, kName, {kPlaces, kHead + count}, empty.data());
+  table.dataset_ = own(H5Dopen2(group, kName, H5P_DEFAULT), H5Dclose, "open the checkpoints");
   return table;
 }
 
@@ -61,9 +61,9 @@ void CheckpointTable::put(const Checkpoint& checkpoint) {
         "write a checkpoint");
 }
 
-std::vector<Checkpoint> read_checkpoints(hid_t gnomon) {
-  if (!hdf5::exists(gnomon, kName)) return {};
-  const auto [extents, values] = hdf5::read_doubles(gnomon, kName);
+std::vector<Checkpoint> read_checkpoints(hid_t group) {
+  if (!hdf5::exists(group, kName)) return {};
+  const auto [extents, values] = hdf5::read_doubles(group, kName);
   if (extents.size() != 2 || extents[0] != kPlaces || extents[1] < kHead)
     throw Failure("cannot read the checkpoints: their extents are wrong");
   std::vector<Checkpoint> checkpoints;

@@ -1,5 +1,5 @@
-// The dataset "gnomon/checkpoints": two rows to which checkpoints are written in turn, so that one
-// of them is complete whenever a run is killed. A checksum shows which one.
+// The dataset "checkpoints" of "gnomon", or of an epoch: two rows to which checkpoints are written
+// in turn, so that one of them is complete whenever a run is killed. A checksum shows which one.
 #pragma once
 
 #include <hdf5.h>
@@ -14,8 +14,8 @@ namespace gnomon::layout {
 class CheckpointTable {
 public:
   CheckpointTable() = default;
-  /// Creates the table in the group "gnomon", for checkpoints of `count` numbers.
-  static CheckpointTable create(hid_t gnomon, std::size_t count);
+  /// Creates the table in a group, for checkpoints of `count` numbers.
+  static CheckpointTable create(hid_t group, std::size_t count);
 
   /// Throws hdf5::Failure if the checkpoint has a different count of numbers.
   void put(const Checkpoint& checkpoint);
@@ -27,6 +27,6 @@ private:
 };
 
 /// The complete checkpoints, ascending by number; none if there is no table.
-std::vector<Checkpoint> read_checkpoints(hid_t gnomon);
+std::vector<Checkpoint> read_checkpoints(hid_t group);
 
 }  // namespace gnomon::layout

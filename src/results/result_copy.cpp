@@ -51,17 +51,29 @@ void copy_to_last_checkpoint(const ResultReader& from, const std::vector<std::st
   const std::vector<HistoryRow> history = from.history();
   const std::vector<double> times = from.stored_times();
   require_together(std::span(history).first(rows), std::span(times).first(steps));
-  std::size_t step = 0;
+  const std::vector<EpochStart> epochs = from.epochs();
+  const auto last_epoch = static_cast<std::size_t>(checkpoints.back().epoch);
+  std::size_t step = 0, epoch = 0;
+  const auto copy_checkpoints = [&] {
+    if (epoch == last_epoch)
+      for (const Checkpoint& checkpoint : checkpoints) to.checkpoint(checkpoint);
+  };
   for (std::size_t row = 0; row < rows; ++row) {
     to.append(history[row]);
     if (step < steps && times[step] == history[row].t) {
       copy_step(from, step, times[step], fields, to);
       ++step;
     }
-    // In the file they come after the start.
-    if (row > 0) continue;
-    for (const PhaseError& error : start_errors(from)) to.append_phase_error(error);
-    for (const Checkpoint& checkpoint : checkpoints) to.checkpoint(checkpoint);
+    // In the file they come after the start, or after the beginning of their epoch.
+    if (row == 0) {
+      for (const PhaseError& error : start_errors(from)) to.append_phase_error(error);
+      copy_checkpoints();
+    }
+    if (epoch < last_epoch && epochs[epoch].rows == static_cast<long>(row) + 1) {
+      to.begin_epoch(epochs[epoch], from.grid(epoch + 1));
+      ++epoch;
+      copy_checkpoints();
+    }
   }
 }
 

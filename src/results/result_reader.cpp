@@ -7,13 +7,12 @@
 #include <gnomon/results/results.hpp>
 #include <thread>
 
-#include "results/checkpoint_table.hpp"
 #include "results/counter_surfaces.hpp"
+#include "results/epoch_groups.hpp"
 #include "results/hdf5_values.hpp"
 #include "results/history_table.hpp"
 #include "results/layout.hpp"
 #include "results/phase_tables.hpp"
-#include "results/stored_mesh.hpp"
 #include "results/write_claim.hpp"
 
 namespace gnomon {
@@ -259,12 +258,16 @@ std::vector<Checkpoint> ResultReader::checkpoints() const {
   return file_->guarded([&] {
     const std::size_t rows = layout::read_history(file_->gnomon()).size();
     const std::size_t stored = file_->times().size();
-    auto checkpoints = layout::read_checkpoints(file_->gnomon());
+    auto checkpoints = layout::read_last_checkpoints(file_->gnomon());
     for (const Checkpoint& checkpoint : checkpoints)
       if (checkpoint.rows > long(rows) || checkpoint.stored > long(stored))
         throw Failure("it holds fewer steps than its checkpoint");
     return checkpoints;
   });
+}
+
+std::vector<EpochStart> ResultReader::epochs() const {
+  return file_->guarded([&] { return layout::read_epochs(file_->gnomon()); });
 }
 
 std::vector<PhaseError> ResultReader::phase_errors() const {
@@ -314,8 +317,15 @@ std::vector<std::string> ResultReader::field_names() const {
   });
 }
 
-std::optional<Grid> ResultReader::grid() const {
-  return file_->guarded([&] { return layout::read_grid(file_->file()); });
+std::size_t ResultReader::epoch_of(std::size_t step) const {
+  std::size_t epoch = 0;
+  for (const EpochStart& start : epochs()) epoch += start.stored <= static_cast<long>(step);
+  return epoch;
+}
+
+std::optional<Grid> ResultReader::grid(std::size_t epoch) const {
+  return file_->guarded(
+      [&] { return layout::read_grid_of_epoch(file_->file(), file_->gnomon(), epoch); });
 }
 
 }  // namespace gnomon

@@ -7,6 +7,7 @@
 #include "results/checkpoint_table.hpp"
 #include "results/counter_surfaces.hpp"
 #include "results/crash_safe_file.hpp"
+#include "results/epoch_groups.hpp"
 #include "results/growing_table.hpp"
 #include "results/hdf5_values.hpp"
 #include "results/history_table.hpp"
@@ -36,6 +37,7 @@ public:
   void store(double t, const std::vector<GridField>& fields,
              const std::optional<ContactSurface>& contact,
              const std::optional<CounterSurface>& counter_body);
+  void begin_epoch(const EpochStart& start, const std::optional<Grid>& grid);
   void checkpoint(const Checkpoint& checkpoint);
   void end(const std::string& status, double wall_seconds, bool whole);
   // Runs an action of a public function: HDF5 prints nothing, and after a failure nothing more is
@@ -63,14 +65,15 @@ private:
   double reached_ = 0;
   std::optional<hdf5::CrashSafeFile> disk_;
   // Released in reverse order, the file last.
-  Handle file_, gnomon_, steps_, contacts_, counters_, phases_;
+  Handle file_, gnomon_, steps_, contacts_, counters_, phases_, epoch_;
   hdf5::GrowingTable history_, stored_;
   layout::CheckpointTable checkpoints_;
   layout::PhaseErrorTable phase_errors_;
   layout::CounterSurfaces surfaces_;
   std::vector<layout::Column> columns_;
   std::optional<XdmfSidecar> sidecar_;
-  std::size_t points_ = 0, cells_ = 0;
+  std::optional<Grid> grid_;
+  std::size_t epochs_ = 0;  // after the first
   bool failed_ = false;
 };
 
@@ -113,10 +116,8 @@ void ResultWriter::File::create(const RunHeader& header, const std::optional<Gri
   contacts_ = create_group(gnomon_.id(), "contact", layout::kStepsPerGroup);
   steps_ = create_group(file_.id(), "steps", layout::kStepsPerGroup);
   counters_ = create_group(file_.id(), "counter_body", layout::kStepsPerGroup);
+  grid_ = grid;
   if (grid) {
-    const std::size_t corners = grid->cell == Grid::Cell::quadrilateral ? 4 : 8;
-    points_ = grid->points.size();
-    cells_ = grid->cells.size() / corners;
     layout::write_mesh(file_.id(), *grid);
     sidecar_.emplace(path_, *grid);
   }
@@ -150,6 +151,7 @@ ResultWriter::File::~File() {
   checkpoints_ = {};
   stored_ = {};
   history_ = {};
+  epoch_ = {};
   phases_ = {};
   counters_ = {};
   contacts_ = {};
@@ -218,7 +220,10 @@ void ResultWriter::File::check_field(const GridField& field) const {
     throw Error(
         fmt::format("field {} has {} components, not 1 or 3", field.name, field.components));
   }
-  const std::size_t count = field.on == GridField::On::nodes ? points_ : cells_;
+  const Grid none;
+  const Grid& grid = grid_ ? *grid_ : none;
+  const std::size_t count =
+      field.on == GridField::On::nodes ? grid.points.size() : grid.cell_count();
   if (field.values.size() != count * static_cast<std::size_t>(field.components)) {
     throw Error(fmt::format("field {} has {} values for {} places of {} components", field.name,
                             field.values.size(), count, field.components));
@@ -274,9 +279,23 @@ void ResultWriter::File::append_phase_error(const PhaseError& error) {
   flush();
 }
 
+void ResultWriter::File::begin_epoch(const EpochStart& start, const std::optional<Grid>& grid) {
+  const bool same = grid.has_value() == grid_.has_value() &&
+                    (!grid || (grid->points == grid_->points && grid->cells == grid_->cells));
+  epoch_ = layout::begin_epoch(gnomon_.id(), ++epochs_, start, same ? std::nullopt : grid);
+  flush();
+  layout::finish_epoch(epoch_);
+  flush();
+  checkpoints_ = {};
+  if (same) return;
+  grid_ = grid;
+  if (sidecar_ && grid) sidecar_->set_mesh(*grid, "/gnomon/" + layout::epoch_path(epochs_));
+}
+
 void ResultWriter::File::checkpoint(const Checkpoint& checkpoint) {
   if (!checkpoints_)
-    checkpoints_ = layout::CheckpointTable::create(gnomon_.id(), checkpoint.numbers.size());
+    checkpoints_ = layout::CheckpointTable::create(epoch_ ? epoch_.id() : gnomon_.id(),
+                                                   checkpoint.numbers.size());
   checkpoints_.put(checkpoint);
   flush();
 }
@@ -317,6 +336,10 @@ void ResultWriter::store(double t, const std::vector<GridField>& fields,
                          const std::optional<ContactSurface>& contact,
                          const std::optional<CounterSurface>& counter_body) {
   file_->guarded([&] { file_->store(t, fields, contact, counter_body); });
+}
+
+void ResultWriter::begin_epoch(const EpochStart& start, const std::optional<Grid>& grid) {
+  file_->guarded([&] { file_->begin_epoch(start, grid); });
 }
 
 void ResultWriter::checkpoint(const Checkpoint& checkpoint) {

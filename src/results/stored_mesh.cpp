@@ -37,9 +37,9 @@ MeshPart::Kind kind_of(const std::string& name) {
 }
 
 /// Throws where a part has nodes that the mesh does not have.
-void read_parts(hid_t file, Grid& grid) {
+void read_parts(hid_t parent, Grid& grid) {
   const Handle group =
-      hdf5::own(H5Gopen2(file, "mesh/parts", H5P_DEFAULT), H5Gclose, "read the mesh");
+      hdf5::own(H5Gopen2(parent, "mesh/parts", H5P_DEFAULT), H5Gclose, "read the mesh");
   const auto kinds = hdf5::read_texts_attribute(group.id(), "kinds");
   const auto names = hdf5::read_texts_attribute(group.id(), "names");
   if (kinds.size() != names.size())
@@ -56,8 +56,8 @@ void read_parts(hid_t file, Grid& grid) {
 
 }  // namespace
 
-void write_mesh(hid_t file, const Grid& grid) {
-  const Handle mesh = create_group(file, "mesh", 2);
+void write_mesh(hid_t parent, const Grid& grid) {
+  const Handle mesh = create_group(parent, "mesh", 2);
   const hsize_t corners = grid.cell == Grid::Cell::quadrilateral ? 4 : 8;
   hdf5::write_dataset(mesh.id(), "points", {grid.points.size(), 3},
                       grid.points.empty() ? nullptr : grid.points.front().data(),
@@ -67,23 +67,23 @@ void write_mesh(hid_t file, const Grid& grid) {
   if (!grid.parts.empty()) write_parts(mesh.id(), grid.parts);
 }
 
-std::optional<Grid> read_grid(hid_t file) {
-  if (!hdf5::exists(file, "mesh")) return std::nullopt;
+std::optional<Grid> read_grid(hid_t parent) {
+  if (!hdf5::exists(parent, "mesh")) return std::nullopt;
   Grid grid;
-  const auto points = hdf5::read_doubles(file, "mesh/points");
+  const auto points = hdf5::read_doubles(parent, "mesh/points");
   const Handle cells =
-      hdf5::own(H5Dopen2(file, "mesh/cells", H5P_DEFAULT), H5Dclose, "read the mesh");
+      hdf5::own(H5Dopen2(parent, "mesh/cells", H5P_DEFAULT), H5Dclose, "read the mesh");
   const auto extents = hdf5::extents_of(cells.id());
   const bool known = extents.size() == 2 && (extents[1] == 4 || extents[1] == 8);
   if (!known || points.extents.size() != 2 || points.extents[1] != 3) {
     throw Failure("cannot read the mesh: its extents are wrong");
   }
   grid.cell = extents[1] == 4 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
-  grid.cells = hdf5::read_ints(file, "mesh/cells");
+  grid.cells = hdf5::read_ints(parent, "mesh/cells");
   for (std::size_t i = 0; i < points.values.size(); i += 3) {
     grid.points.push_back({points.values[i], points.values[i + 1], points.values[i + 2]});
   }
-  if (hdf5::exists(file, "mesh/parts")) read_parts(file, grid);
+  if (hdf5::exists(parent, "mesh/parts")) read_parts(parent, grid);
   return grid;
 }
 

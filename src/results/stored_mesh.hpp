@@ -1,4 +1,5 @@
-// The mesh in a result: /mesh, and the named parts of one that came from a file.
+// A mesh in a result, the group "mesh": of the root for the start, of an epoch for what follows its
+// beginning; and the named parts of one that came from a file.
 #pragma once
 
 #include <hdf5.h>
@@ -8,8 +9,9 @@
 
 namespace gnomon::layout {
 
-void write_mesh(hid_t file, const Grid& grid);
+/// In the group `parent`.
+void write_mesh(hid_t parent, const Grid& grid);
 /// Throws Failure where it is damaged; nothing where there is none.
-std::optional<Grid> read_grid(hid_t file);
+std::optional<Grid> read_grid(hid_t parent);
 
 }  // namespace gnomon::layout

@@ -34,16 +34,18 @@ bool is_sidecar(const std::filesystem::path& file) {
 XdmfSidecar::XdmfSidecar(const std::filesystem::path& result, const Grid& grid)
     : path_(sidecar_of(result)), result_name_(escaped(result.filename().string())) {
   require_own_part(path_, xdmf_head);
-  const bool flat = grid.cell == Grid::Cell::quadrilateral;
-  const std::size_t corners = flat ? 4 : 8;
+  set_mesh(grid, "");
+}
+
+void XdmfSidecar::set_mesh(const Grid& grid, const std::string& group) {
   points_ = grid.points.size();
-  cells_ = grid.cells.size() / corners;
+  cells_ = grid.cell_count();
   mesh_ = fmt::format(
       "        <Topology TopologyType=\"{}\" NumberOfElements=\"{}\">{}</Topology>\n"
       "        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
-      flat ? "Quadrilateral" : "Hexahedron", cells_,
-      item("/mesh/cells", fmt::format("{} {}", cells_, corners), true),
-      item("/mesh/points", fmt::format("{} 3", points_), false));
+      grid.cell == Grid::Cell::quadrilateral ? "Quadrilateral" : "Hexahedron", cells_,
+      item(group + "/mesh/cells", fmt::format("{} {}", cells_, grid.corners()), true),
+      item(group + "/mesh/points", fmt::format("{} 3", points_), false));
 }
 
 void XdmfSidecar::publish(Earlier earlier) {

@@ -18,6 +18,8 @@ public:
   /// the name of its part.
   XdmfSidecar(const std::filesystem::path& result, const Grid& grid);
 
+  /// The mesh of the steps that follow: points and cells below `group`/mesh; "" for the root.
+  void set_mesh(const Grid& grid, const std::string& group);
   /// Gives the file its name. Throws Error.
   void publish(Earlier earlier);
 
@@ -36,7 +38,7 @@ private:
   std::string result_name_;  ///< as XML text, relative to the sidecar
   std::size_t points_ = 0;
   std::size_t cells_ = 0;
-  std::string mesh_;   ///< topology and geometry, the same in every step
+  std::string mesh_;   ///< topology and geometry, the same in every step of an epoch
   std::string steps_;  ///< one Grid element per stored step
   std::string counter_steps_;
   bool published_ = false;

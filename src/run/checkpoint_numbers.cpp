@@ -4,24 +4,12 @@
 
 namespace gnomon {
 
-std::vector<double> packed(const RunMemory& memory, const Structure& structure) {
-  const State& state = memory.state;
-  std::vector<double> numbers = {double(structure.size), state.t, double(!state.branch.empty())};
-  pack(numbers, state.y);
-  for (std::size_t i = 0; i < state.ydot.size(); ++i)
-    if (structure.differential[i]) pack(numbers, state.ydot[i]);
-  pack(numbers, state.branch.empty() ? ActiveSet(structure.switch_node.size()) : state.branch);
-  memory.chattering.pack_into(numbers);
-  pack(numbers, memory.stepper);
-  return numbers;
-}
+namespace {
 
-RunMemory unpacked(const std::vector<double>& numbers, const Structure& structure) {
-  Unpacker rest(numbers);
+State take_state(Unpacker& rest, const Structure& structure) {
   if (rest.one() != double(structure.size))
     throw InputError("the checkpoint does not belong to this scene");
-  RunMemory memory;
-  State& state = memory.state;
+  State state;
   state.t = rest.one();
   const bool has_branch = rest.one() != 0;
   state.y = rest.many<double>(static_cast<std::size_t>(structure.size));
@@ -30,6 +18,36 @@ RunMemory unpacked(const std::vector<double>& numbers, const Structure& structur
     if (structure.differential[i]) state.ydot[i] = rest.one();
   state.branch = rest.many<char>(structure.switch_node.size());
   if (!has_branch) state.branch.clear();
+  return state;
+}
+
+}  // namespace
+
+std::vector<double> packed(const State& state, const Structure& structure) {
+  std::vector<double> numbers = {double(structure.size), state.t, double(!state.branch.empty())};
+  pack(numbers, state.y);
+  for (std::size_t i = 0; i < state.ydot.size(); ++i)
+    if (structure.differential[i]) pack(numbers, state.ydot[i]);
+  pack(numbers, state.branch.empty() ? ActiveSet(structure.switch_node.size()) : state.branch);
+  return numbers;
+}
+
+State unpacked_state(const std::vector<double>& numbers, const Structure& structure) {
+  Unpacker rest(numbers);
+  return take_state(rest, structure);
+}
+
+std::vector<double> packed(const RunMemory& memory, const Structure& structure) {
+  std::vector<double> numbers = packed(memory.state, structure);
+  memory.chattering.pack_into(numbers);
+  pack(numbers, memory.stepper);
+  return numbers;
+}
+
+RunMemory unpacked(const std::vector<double>& numbers, const Structure& structure) {
+  Unpacker rest(numbers);
+  RunMemory memory;
+  memory.state = take_state(rest, structure);
   memory.chattering.unpack_from(rest);
   memory.stepper.assign(rest.rest().begin(), rest.rest().end());
   return memory;

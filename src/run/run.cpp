@@ -9,6 +9,7 @@
 
 #include "run/checkpoint_numbers.hpp"
 #include "run/end_warnings.hpp"
+#include "run/epochs.hpp"
 #include "run/instability.hpp"
 #include "run/mesh_watch.hpp"
 #include "run/progress_watch.hpp"
@@ -33,7 +34,7 @@ class Runner {
 public:
   Runner(const Model& model, const Integrator& integrator, const IntegratorSettings& settings,
          const StorePolicy& policy, ResultWriter* writer, const RunHooks& hooks)
-      : model_(model),
+      : epochs_(model),
         integrator_(integrator),
         settings_(settings),
         checkpoint_work_(policy.checkpoint_work),
@@ -64,7 +65,7 @@ public:
     }
     if (outcome_.status != Status::failed)
       for (const std::string& text :
-           end_warnings(observed_, invisible_volume(model_.grid(), observed_.dim),
+           end_warnings(observed_, invisible_volume(model().grid(), observed_.dim),
                         memory_.chattering.nodes(), integrator_))
         warn(text);
     // The last good state is always stored, independent of the output keys of the scene.
@@ -74,13 +75,15 @@ public:
     outcome_.chattering_nodes = memory_.chattering.nodes();
     if (writer_) writer_->close(outcome_.text(), outcome_.wall_seconds);
     if (outcome_.last) outcome_.state = std::move(state());
+    outcome_.successor = epochs_.successor();
+    outcome_.epochs = epochs_.number() + 1;
     return std::move(outcome_);
   }
 
 private:
   void start() {
-    state() = model_.start(counters_);
-    record({}, model_.observe(state()));
+    state() = model().start(counters_);
+    record({}, model().observe(state()));
     store();
     if (hooks_.interrupted()) return;
     estimate_phase_error();
@@ -89,7 +92,9 @@ private:
   }
 
   void resume(const Resumption& from) {
-    memory_ = unpacked(from.checkpoint.numbers, model_.system().structure());
+    epochs_.repeat(from.epochs);
+    settings_.integrand = model().wear_flux();
+    memory_ = unpacked(from.checkpoint.numbers, model().system().structure());
     if (state().t != from.row.t)
       throw InputError("the time of the checkpoint is not that of its row in the history");
     counters_ = from.row.counters;
@@ -116,13 +121,14 @@ private:
       if (!stepper_) make_stepper();
       const State before = state();
       const StepReport report = stepper_->advance(state(), schedule_.stop());
-      Observation observed = model_.observe(state());
+      Observation observed = model().observe(state());
       require_mesh(observed, before);
       wear_integral_.add(report.integral);
       record(report, std::move(observed));
       progress.require(state().t, counters_);
       if (damping_) require_damping();
       if (schedule_.wants(state().t, counters_.steps)) store();
+      begin_epoch();
       if (checkpoint_due())
         checkpoint();
       else if (clock_is_due())
@@ -134,6 +140,26 @@ private:
     return Status::finished;
   }
 
+  /// Where the model is followed by another one.
+  void begin_epoch() {
+    if (state().t >= settings_.end) return;
+    std::optional<Epochs::Change> change = epochs_.succeed(state());
+    if (!change) return;
+    change->start.rows = last_checkpoint_.rows;
+    change->start.stored = last_checkpoint_.stored;
+    settings_.integrand = model().wear_flux();
+    initial_quality_ = initial_quality(model().grid());
+    if (!change->same_unknowns) memory_.chattering = {};
+    if (damping_) damping_.emplace(model(), integrator_, settings_);
+    auto next = integrator_.make(model().system(), settings_, counters_);
+    outcome_.restarts += !next->follow(*stepper_, state(), change->same_unknowns);
+    stepper_ = std::move(next);
+    last_checkpoint_.epoch = epochs_.number();
+    if (!writer_) return;
+    writer_->begin_epoch(change->start, model().grid());
+    if (checkpoint_work_ > 0 || checkpoint_seconds_ > 0) write_checkpoint();
+  }
+
   void warn(const std::string& text) {
     outcome_.warnings.push_back(text);
     hooks_.on_warning(text);
@@ -141,7 +167,7 @@ private:
 
   void judge_damping() {
     damping_->require_damping(state());
-    if (!damping_->has_seen_a_mode() && model_.contact(state()))
+    if (!damping_->has_seen_a_mode() && model().contact(state()))
       warn(fmt::format(
           "no step ended with a decaying mode (contact at a single node has none) that would show "
           "whether steps of {:g} s are short enough for {}",
@@ -157,8 +183,8 @@ private:
     observed.wear_integral = wear_integral_.value();
     observed_ = std::move(observed);
     HistoryRow row{state().t, report, counters_, columns_of(observed_)};
-    memory_.chattering.add(model_.contact(state()));
-    if (is_breakpoint(model_.system().structure(), state().t)) memory_.chattering.begin_anew();
+    memory_.chattering.add(model().contact(state()));
+    if (is_breakpoint(model().system().structure(), state().t)) memory_.chattering.begin_anew();
     if (writer_) writer_->append(row);
     ++last_checkpoint_.rows;
     outcome_.last = std::move(row);
@@ -182,8 +208,8 @@ private:
   void store() {
     if (stored_at_ == state().t) return;
     if (writer_)
-      writer_->store(state().t, model_.fields(state()), model_.contact(state()),
-                     model_.counter_surface(state()));
+      writer_->store(state().t, model().fields(state()), model().contact(state()),
+                     model().counter_surface(state()));
     ++last_checkpoint_.stored;
     stored_at_ = state().t;
   }
@@ -197,7 +223,7 @@ private:
   void estimate_phase_error() {
     if (!estimates_phases_) return;
     try {
-      const std::optional<PhaseError> error = model_.phase_error(state());
+      const std::optional<PhaseError> error = model().phase_error(state());
       if (!error) return;
       if (writer_) writer_->append_phase_error(*error);
       outcome_.phase_errors.push_back(*error);
@@ -212,7 +238,7 @@ private:
   }
 
   void make_stepper() {
-    stepper_ = integrator_.make(model_.system(), settings_, counters_);
+    stepper_ = integrator_.make(model().system(), settings_, counters_);
     if (counters_.steps > 0) stepper_->restore(state(), memory_.stepper);
   }
 
@@ -242,7 +268,7 @@ private:
   void write_checkpoint() {
     memory_.stepper = stepper_->memory();
     ++last_checkpoint_.number;
-    last_checkpoint_.numbers = packed(memory_, model_.system().structure());
+    last_checkpoint_.numbers = packed(memory_, model().system().structure());
     if (writer_) writer_->checkpoint(last_checkpoint_);
     checkpoint_rows_ = last_checkpoint_.rows;
     checkpointed_ = Clock::now();
@@ -257,12 +283,13 @@ private:
   }
 
   State& state() { return memory_.state; }
+  const Model& model() const { return epochs_.model(); }
   long work() const { return counters_.steps + counters_.newton_iterations; }
   double elapsed() const {
     return earlier_seconds_ + std::chrono::duration<double>(Clock::now() - begin_).count();
   }
 
-  const Model& model_;
+  Epochs epochs_;
   const Integrator& integrator_;
   IntegratorSettings settings_;
   const long checkpoint_work_;
@@ -279,15 +306,16 @@ private:
   std::optional<DampingWatch> damping_;
   std::unique_ptr<Stepper> stepper_;
   WearIntegral wear_integral_;
-  const double initial_quality_;  // of the mesh, also where the run resumes
-  Observation observed_;          // of the last good state
+  double initial_quality_;  // of the mesh at the beginning of the epoch
+  Observation observed_;    // of the last good state
   RunOutcome outcome_;
   std::set<std::string> warned_of_;
   std::optional<double> stored_at_;
-  Checkpoint last_checkpoint_{-1, 0, 0, {}};  // with the present numbers of rows and stored steps
-  long checkpoint_rows_ = 0;                  // rows at the last checkpoint that was written
-  long next_checkpoint_ = 0;                  // value of work() at which it is due
-  Clock::time_point checkpointed_ = begin_;   // when the last one was written
+  Checkpoint last_checkpoint_{
+      -1, 0, 0, {}, 0};                      // with the present numbers of rows and stored steps
+  long checkpoint_rows_ = 0;                 // rows at the last checkpoint that was written
+  long next_checkpoint_ = 0;                 // value of work() at which it is due
+  Clock::time_point checkpointed_ = begin_;  // when the last one was written
 };
 
 }  // namespace
@@ -302,6 +330,12 @@ std::string RunOutcome::text() const {
       return "failed: " + diagnosis;
   }
   return {};
+}
+
+std::shared_ptr<const Model> model_of_epoch(const Model& first, std::span<const EpochStart> begun) {
+  Epochs epochs(first);
+  epochs.repeat(begun);
+  return epochs.successor();
 }
 
 State state_at(const Checkpoint& checkpoint, const Model& model) {

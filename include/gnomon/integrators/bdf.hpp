@@ -13,6 +13,8 @@ public:
   BdfSolver(const System& system, const IntegratorSettings& settings, Counters& counters);
   ~BdfSolver() override;
 
+  bool follow(Stepper& before, const State& state, bool same) override;
+
 private:
   StepReport take_step(State& state, double t_stop) override;
   class Memory;

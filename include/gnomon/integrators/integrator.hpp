@@ -72,6 +72,10 @@ public:
   /// Called before the first step: continues from a state that a stepper of the same method
   /// reached, with the memory that it had there.
   virtual void restore(const State&, std::span<const double> /*memory*/) {}
+  /// Called before the first step, where a new epoch begins: goes on after `before`, a stepper of
+  /// the same method, from `state`, its last one in the unknowns of this stepper's system. `same`:
+  /// the unknowns are those of `before`. Returns false if the method restarts there at order one.
+  virtual bool follow(Stepper& /*before*/, const State& /*state*/, bool /*same*/) { return false; }
 
 private:
   /// What advance() does, besides counting.

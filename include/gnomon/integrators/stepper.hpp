@@ -24,6 +24,7 @@ public:
                  std::unique_ptr<OneStepMethod> method, int order, int error_order);
   std::vector<double> memory() const override;
   void restore(const State& state, std::span<const double> memory) override;
+  bool follow(Stepper& before, const State& state, bool same) override;
 
 private:
   struct Plan {

@@ -8,6 +8,7 @@
 #include <gnomon/mesh/mesh_part.hpp>
 #include <gnomon/model/observation.hpp>
 #include <gnomon/system/state.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ struct Grid {
   std::vector<std::array<double, 3>> points;  ///< [length]
   std::vector<int> cells;                     ///< node indices, 4 or 8 per cell, VTK order
   std::vector<MeshPart> parts{};              ///< of a mesh from a file
+
+  std::size_t corners() const { return cell == Cell::quadrilateral ? 4 : 8; }  ///< of a cell
+  std::size_t cell_count() const { return cells.size() / corners(); }
 };
 
 /// A field over the grid. `values` is row-major, with `components` values per point (or cell).
@@ -74,6 +78,18 @@ struct PhaseError {
   double error = 0;  ///< of the mean wear rate over P phases, relative
 };
 
+class Model;
+
+/// The beginning of an epoch: a model that follows another one in the same run, because its
+/// structure had to change (other candidates of contact, a new mesh).
+struct Succession {
+  std::shared_ptr<const Model> model;
+  State state;  ///< the last state, in the unknowns of `model`; consistent
+  /// Whether the unknowns and switching functions keep their number and order, so that only the
+  /// pattern of J is new: then every method goes on. Otherwise those of several steps restart.
+  bool same_unknowns = false;
+};
+
 class Model {
 public:
   virtual ~Model() = default;
@@ -96,11 +112,16 @@ public:
   virtual std::function<double(const Point&)> wear_flux() const { return {}; }
   /// Of a cycle: at how many phases the deformation is taken.
   virtual long phases() const { return 1; }
-  /// Of a cycle: the error of the mean over its phases at a consistent state, estimated with others,
-  /// as a part of the mean wear rate now or until now, whichever is larger. Absent without a cycle,
-  /// and where nothing wears. Throws InputError or SolutionError
-  /// where other phases have no deformation.
+  /// Of a cycle: the error of the mean over its phases at a consistent state, estimated with
+  /// others, as a part of the mean wear rate now or until now, whichever is larger. Absent without
+  /// a cycle, and where nothing wears. Throws InputError or SolutionError where other phases have
+  /// no deformation.
   virtual std::optional<PhaseError> phase_error(const State&) const { return {}; }
+  /// Asked after every accepted step: the model that goes on from there instead of this one, a pure
+  /// function of the state, so that a result can be read again from the states at which epochs
+  /// began. Observations go on across it: worn volumes and depths are those since the start of the
+  /// run. Nothing: this model goes on. Throws SolutionError where it cannot.
+  virtual std::optional<Succession> succeed(const State&) const { return {}; }
   /// Typical size of the differential components over the run, for absolute tolerances: the mean
   /// wear depth.
   virtual double differential_scale() const = 0;

@@ -36,10 +36,21 @@ struct HistoryRow {
 /// The data from which a run can continue: its position in the result, and everything on which its
 /// next steps depend.
 struct Checkpoint {
-  long number = 0;              ///< 0, 1, ... within the run
-  long rows = 0;                ///< rows of the history up to here
-  long stored = 0;              ///< steps stored up to here
-  std::vector<double> numbers;  ///< made and read by the run loop; their count is constant
+  long number = 0;  ///< 0, 1, ... within the run
+  long rows = 0;    ///< rows of the history up to here
+  long stored = 0;  ///< steps stored up to here
+  std::vector<double>
+      numbers;     ///< made and read by the run loop; their count is constant in an epoch
+  long epoch = 0;  ///< in which it was written
+};
+
+/// The beginning of an epoch (Succession): what the run had done until then, and its state, from
+/// which the model that follows is made again.
+struct EpochStart {
+  long rows = 0;    ///< rows of the history up to here
+  long stored = 0;  ///< steps stored up to here
+  std::vector<double>
+      numbers;  ///< the last state of the model before; made and read by the run loop
 };
 
 /// Writes a result step by step. Several threads may each use their own writers and readers. When a
@@ -71,7 +82,10 @@ public:
              const std::optional<CounterSurface>& counter_body = {});
   /// Of a cycle: an error of the mean over its phases.
   void append_phase_error(const PhaseError& error);
-  /// Stores a checkpoint; it replaces the one before the last.
+  /// A new epoch begins: fields and contact surfaces that follow belong to this grid; checkpoints
+  /// have another size.
+  void begin_epoch(const EpochStart& start, const std::optional<Grid>& grid);
+  /// Stores a checkpoint; it replaces the one before the last of its epoch.
   void checkpoint(const Checkpoint& checkpoint);
   /// Records how the run ended: "finished", "interrupted", "failed: ..." (the first 1024 bytes),
   /// with wall seconds, and brings the file to the medium (fsync). A file without any row is
@@ -100,7 +114,9 @@ public:
   std::vector<double> stored_times() const;
   /// Of a cycle: the errors of the mean over its phases, in ascending order of time.
   std::vector<PhaseError> phase_errors() const;
-  /// The complete checkpoints, in ascending order: two, one or none.
+  /// The beginnings of the epochs after the first.
+  std::vector<EpochStart> epochs() const;
+  /// The complete checkpoints of the last epoch that has one, in ascending order: two, one or none.
   std::vector<Checkpoint> checkpoints() const;
   /// Contact surface of the stored step at `t`, or of the last one. The step must be within 1e-9 of
   /// the run's length, or be the only one within 1e-5 of its own time (times are printed with six
@@ -112,7 +128,9 @@ public:
   std::optional<CounterSurface> counter_surface(std::size_t step) const;
   bool has_contact() const;                      ///< whether the problem has a contact surface
   std::vector<std::string> field_names() const;  ///< of the first stored step, sorted
-  std::optional<Grid> grid() const;
+  /// The epoch of a stored step; 0 is the first.
+  std::size_t epoch_of(std::size_t step) const;
+  std::optional<Grid> grid(std::size_t epoch = 0) const;
 
 private:
   class File;

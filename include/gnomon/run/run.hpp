@@ -6,7 +6,9 @@
 #include <gnomon/model/model.hpp>
 #include <gnomon/results/results.hpp>
 #include <gnomon/scene/scene.hpp>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -60,7 +62,11 @@ struct RunOutcome {
   std::string diagnosis;           ///< when failed
   std::optional<HistoryRow> last;  ///< of the last good state; absent if the start failed
   std::optional<State> state;      ///< the last good one; absent if the start failed
-  Counters counters;               ///< work of the whole run, including failed attempts
+  /// That of `state` where the run came to a later epoch; else null, and it is the one given.
+  std::shared_ptr<const Model> successor;
+  long epochs = 1;    ///< that the run has had
+  long restarts = 0;  ///< of a method of several steps, where an epoch began
+  Counters counters;  ///< work of the whole run, including failed attempts
   double wall_seconds = 0;
   /// Contact nodes that left contact twice or more between two breakpoints of the load: an
   /// oscillation.
@@ -92,9 +98,13 @@ struct Resumption {
   std::optional<double> stored;          ///< time of the last stored step up to the checkpoint
   double wall_seconds = 0;               ///< spent so far
   std::vector<PhaseError> phase_errors;  ///< at the start
+  std::vector<EpochStart> epochs{};      ///< that have begun up to the checkpoint
 };
 
-/// The state of a checkpoint. Throws InputError if it is not a state of the model.
+/// The model of an epoch, made again from the states at which epochs began; null for the first.
+/// Throws InputError if it is not that of the result.
+std::shared_ptr<const Model> model_of_epoch(const Model& first, std::span<const EpochStart> begun);
+/// The state of a checkpoint. Throws InputError if it is not a state of the model of its epoch.
 State state_at(const Checkpoint& checkpoint, const Model& model);
 
 /// Integrates, from the start or from a checkpoint. Everything is given to `writer` (may be null)

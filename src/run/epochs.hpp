@@ -1,0 +1,40 @@
+// The models of a run, one for each epoch.
+#pragma once
+
+#include <gnomon/model/model.hpp>
+#include <gnomon/results/results.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace gnomon {
+
+class Epochs {
+public:
+  /// `first`: the model of the first epoch; it outlives this object.
+  explicit Epochs(const Model& first) : first_(first) {}
+
+  /// The model of the present epoch.
+  const Model& model() const { return successor_ ? *successor_ : first_; }
+  /// Null in the first epoch.
+  const std::shared_ptr<const Model>& successor() const { return successor_; }
+  long number() const { return number_; }
+
+  /// Asks the model after an accepted step whether another one follows; then that is the present
+  /// one, and `state` becomes its state. The model before lives as long as the returned value.
+  struct Change {
+    std::shared_ptr<const Model> before;  ///< null: the first
+    EpochStart start;                     ///< without its place in the result
+    bool same_unknowns;
+  };
+  std::optional<Change> succeed(State& state);
+  /// Makes the models again that followed at these states. Throws InputError where none follows.
+  void repeat(std::span<const EpochStart> starts);
+
+private:
+  const Model& first_;
+  std::shared_ptr<const Model> successor_;
+  long number_ = 0;
+};
+
+}  // namespace gnomon
