@@ -98,11 +98,12 @@ void add_results(py::module_& module) {
       .def("field", held(field), py::arg("name"), py::arg("t") = py::none(),
            "A field at a stored time: one value or vector for each node or cell.")
       .def("grid", held([](const ResultReader& r, std::optional<double> t) {
-             return dict_of(r.grid(t ? r.epoch_of(step_at(r, t)) : 0));
+             const bool stored = t || !r.stored_times().empty();
+             return dict_of(r.grid(stored ? r.epoch_of(step_at(r, t)) : 0));
            }),
            py::arg("t") = py::none(),
-           "Points [n, 3] and cells [m, corners], or None: of the start, or of a stored time, where "
-           "the mesh has become another one.");
+           "Points [n, 3] and cells [m, corners], or None. In a later epoch the mesh may be "
+           "another one.");
 }
 
 }  // namespace gnomon::python
