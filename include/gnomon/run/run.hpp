@@ -94,11 +94,11 @@ struct RunHooks {
 /// The point at which an earlier run stopped, for a run that continues from there.
 struct Resumption {
   Checkpoint checkpoint;
-  HistoryRow row;                        ///< of the history at the checkpoint
-  std::optional<double> stored;          ///< time of the last stored step up to the checkpoint
-  double wall_seconds = 0;               ///< spent so far
-  std::vector<PhaseError> phase_errors;  ///< at the start
-  std::vector<EpochStart> epochs{};      ///< that have begun up to the checkpoint
+  HistoryRow row;                          ///< of the history at the checkpoint
+  std::optional<double> stored{};          ///< time of the last stored step up to the checkpoint
+  double wall_seconds = 0;                 ///< spent so far
+  std::vector<PhaseError> phase_errors{};  ///< at the start
+  std::vector<EpochStart> epochs{};        ///< that have begun up to the checkpoint
 };
 
 /// The model of an epoch, made again from the states at which epochs began; null for the first.
