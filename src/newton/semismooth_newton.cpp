@@ -137,8 +137,8 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
 }
 
 void replace_content(SUNNonlinearSolver in_use, NonlinearSolverOwner by) {
-  const Content& used = content(in_use);
-  Content& fresh = content(by.get());
+  const NewtonContent& used = content(in_use);
+  NewtonContent& fresh = content(by.get());
   fresh.residual = used.residual;
   fresh.setup = used.setup;
   fresh.solve = used.solve;
