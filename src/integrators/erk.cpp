@@ -287,6 +287,12 @@ void ErkSolver::restore(const State&, std::span<const double> memory) {
   memory_->restore(memory.front());
 }
 
+/// The size of the steps remains; the controller of ARKODE begins anew.
+bool ErkSolver::follow(Stepper& before, const State& state, bool) {
+  restore(state, before.memory());
+  return true;
+}
+
 StepReport ErkSolver::take_step(State& state, double t_stop) {
   return memory_->advance(state, t_stop);
 }

@@ -149,7 +149,10 @@ private:
     change->start.stored = last_checkpoint_.stored;
     settings_.integrand = model().wear_flux();
     initial_quality_ = initial_quality(model().grid());
-    if (!change->same_unknowns) memory_.chattering = {};
+    if (!change->same_unknowns) {
+      memory_.chattering = {};
+      memory_.chattering.add(model().contact(state()));
+    }
     if (damping_) damping_.emplace(model(), integrator_, settings_);
     auto next = integrator_.make(model().system(), settings_, counters_);
     outcome_.restarts += !next->follow(*stepper_, state(), change->same_unknowns);

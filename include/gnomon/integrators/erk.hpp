@@ -18,6 +18,7 @@ public:
   ~ErkSolver() override;
   std::vector<double> memory() const override;
   void restore(const State& state, std::span<const double> memory) override;
+  bool follow(Stepper& before, const State& state, bool same) override;
 
 private:
   StepReport take_step(State& state, double t_stop) override;
