@@ -1,0 +1,259 @@
+#include "stressed_model.hpp"
+
+#include <cmath>
+#include <gnomon/terms/body_term.hpp>
+#include <gnomon/terms/material.hpp>
+#include <gnomon/terms/mesh_motion.hpp>
+#include <gnomon/terms/shape_evolution.hpp>
+#include <numeric>
+
+#include "configurational_force.hpp"
+#include "harmonic_mesh.hpp"
+
+namespace gnomon::stressed {
+
+namespace {
+
+constexpr Element plain_small = {ElementTechnology::plain, Kinematics::small};
+
+Field field_at_nodes(const StressedBody& body, const char* name, const NodalFlags<2>& held,
+                     int block, double row_scale, double unknown_scale) {
+  std::vector<int> nodes(body.mesh.nodes.size());
+  std::iota(nodes.begin(), nodes.end(), 0);
+  Field field(name, std::move(nodes), 2);
+  for (Eigen::Index k = 0; k < field.block.size(); ++k)
+    field.block.data()[k] = held.data()[k] ? -1 : block;
+  field.row_scale.setConstant(row_scale);
+  field.unknown_scale.setConstant(unknown_scale);
+  return field;
+}
+
+/// The fields of a body, and which blocks the algebraic stages solve for.
+struct StressedSet {
+  FieldSet set;
+  StressedFields fields;
+  std::vector<BlockSelection> stages;
+
+  explicit StressedSet(const StressedBody& body) {
+    set.nodes = static_cast<int>(body.mesh.nodes.size());
+    const double density =
+        body.elastic ? body.stress * body.stress / body.elastic->young_modulus() : 0;
+    int displacement = -1;
+    if (body.elastic) {
+      displacement = set.add({"displacement", "u", "all nodes", Role::stiffness});
+      fields.u = set.add(field_at_nodes(body, "displacement", body.displacement_fixed, displacement,
+                                        body.stress * body.size,
+                                        body.stress / body.elastic->young_modulus() * body.size));
+    }
+    const int inside = set.add({"shape", "d", "nodes off the free surface", Role::extension});
+    const int surface = set.add({.name = "free_surface",
+                                 .symbol = "d",
+                                 .where = "its nodes (differential)",
+                                 .role = Role::evolution,
+                                 .differential = true});
+    // Rounding errors of positions must not exceed what the equations are solved to.
+    const double change = std::max(body.change, 1e-3 * body.size);
+    fields.d =
+        set.add(field_at_nodes(body, "shape", body.shape_fixed, inside, change, body.change));
+    NodalFlags<2> boundary = body.shape_fixed;
+    for (const ContactPatch<2>& patch : body.surface) {
+      boundary.row(patch.node).setOnes();
+      for (int i = 0; i < 2; ++i) {
+        int& block = set[fields.d].block(patch.node, i);
+        if (block >= 0) block = surface;
+        set[fields.d].row_scale(patch.node, i) = body.change / body.duration;
+      }
+    }
+    int adjoint = -1;
+    if (body.elastic) {
+      adjoint = set.add({"adjoint", "p", "nodes off the free surface", Role::extension});
+      fields.p = set.add(field_at_nodes(body, "adjoint", boundary, adjoint, density * body.size,
+                                        density * body.size));
+    }
+    for (const int block : {inside, displacement, adjoint}) {
+      if (block < 0) continue;
+      stages.emplace_back(set.blocks.size(), 0);
+      stages.back()[block] = 1;
+    }
+  }
+};
+
+std::vector<TermFactory<2>> stressed_terms(const std::shared_ptr<const StressedBody>& body,
+                                           const StressedFields& f) {
+  using Made = std::unique_ptr<Term<2>>;
+  std::vector<TermFactory<2>> terms;
+  terms.push_back([body, f](const Numbering& numbering) -> Made {
+    return std::make_unique<SurfaceMotion>(*body, f, numbering);
+  });
+  terms.push_back([body, f](const Numbering& numbering) -> Made {
+    return std::make_unique<ShapeEvolution<2>>(numbering,
+                                               WornSurface<2>{.d = f.d, .nodes = &body->surface});
+  });
+  terms.push_back([body, f](const Numbering& numbering) -> Made {
+    return std::make_unique<MeshMotion<2>>(body->mesh, nullptr, body->shape_along,
+                                           MeshMotionLaw{harmonic_material(body->mesh_weights)},
+                                           numbering, f.d, FieldId::none);
+  });
+  if (body->elastic)
+    terms.push_back([body, f](const Numbering& numbering) -> Made {
+      return std::make_unique<BodyTerm<2>>(body->mesh, Material{.moduli = *body->elastic},
+                                           plain_small, numbering, f.u, f.d);
+    });
+  return terms;
+}
+
+/// A cell with its worn positions and displacements, one row per node.
+struct CellAt {
+  CellNodal<2> initial, X, u = CellNodal<2>::Zero();
+
+  CellAt(const Mesh<2>& mesh, const Mesh<2>::Cell& cell, const NodalField<2>& d,
+         const NodalField<2>* displacement)
+      : initial(mesh.positions(cell)), X(initial) {
+    for (int a = 0; a < 4; ++a) {
+      X.row(a) += d.row(cell[a]);
+      if (displacement) u.row(a) = displacement->row(cell[a]);
+    }
+  }
+};
+
+/// The part of the height of the surface along cos(phase), by the trapezoidal rule.
+double amplitude_of(const std::vector<OnWave>& surface) {
+  double sum = 0, square = 0, total = 0, mean = 0;
+  for (int pass = 0; pass < 2; ++pass)
+    for (std::size_t k = 0; k < surface.size(); ++k) {
+      const double width = surface[std::min(k + 1, surface.size() - 1)].phase -
+                           surface[std::max<std::size_t>(k, 1) - 1].phase;
+      const auto [phase, height] = surface[k];
+      if (pass == 0) total += width, mean += width * height;
+      if (pass == 1) sum += width * std::cos(phase) * (height - mean / total);
+      if (pass == 1) square += width * std::cos(phase) * std::cos(phase);
+    }
+  return sum / square;
+}
+
+}  // namespace
+
+struct StressedModel::Equations {
+  StressedFields fields;
+  std::shared_ptr<Composition<2>> composition = std::make_shared<Composition<2>>();
+
+  explicit Equations(const std::shared_ptr<const StressedBody>& body) {
+    StressedSet all(*body);
+    fields = all.fields;
+    composition->fields = std::make_shared<const FieldSet>(std::move(all.set));
+    composition->terms = stressed_terms(body, fields);
+    composition->stages = all.stages;
+    composition->position = points_in_space<2>(body->mesh.nodes);
+    if (!body->pulled.empty())
+      composition->prescribed.push_back(
+          {.field = fields.u, .entries = body->pulled, .history = {}});
+  }
+};
+
+StressedModel::StressedModel(std::shared_ptr<const StressedBody> body)
+    : StressedModel(body, Equations(body)) {}
+
+StressedModel::StressedModel(std::shared_ptr<const StressedBody> body, const Equations& equations)
+    : ComposedModel<2>(equations.composition, body->mesh),
+      body_(std::move(body)),
+      fields_(equations.fields) {}
+
+std::vector<SurfaceNode<>> StressedModel::nodes(const FieldValues<2>& values) const {
+  return dynamic_cast<const SurfaceMotion&>(system().term(0)).nodes(values);
+}
+
+Observation StressedModel::observe(const State& state) const {
+  const FieldValues<2> values = system().values(state.t, state.y);
+  const NodalField<2>& d = values.vector(fields_.d);
+  const NodalField<2>* u = body_->elastic ? &values.vector(fields_.u) : nullptr;
+  double elastic = 0, before = 0, area = 0, quality = 1, least = 1;
+  for (const Mesh<2>::Cell& cell : body_->mesh.cells) {
+    const CellAt at(body_->mesh, cell, d, u);
+    const double initial = cell_volume<2>(at.initial), now = cell_volume<2>(at.X);
+    before += initial;
+    area += now;
+    least = std::min(least, now / initial);
+    quality = std::min(quality, scaled_jacobian<2>(at.X));
+    if (u) elastic += elastic_energy(*body_->elastic, at.X, at.u);
+  }
+  double length = 0, sharpest = 0;
+  std::vector<OnWave> wave;
+  for (const SurfaceNode<>& node : nodes(values)) {
+    length += node.length;
+    sharpest = std::max(sharpest, -node.curvature);
+    const int k = body_->surface[wave.size()].node;
+    wave.push_back(body_->wave(body_->mesh.nodes[k] + d.row(k).transpose()));
+  }
+  Observation observed;
+  observed.worn_volume = before - area;
+  observed.element_quality = quality;
+  observed.element_volume = least;
+  const double energy = elastic + body_->law.tension * length - body_->law.reference * area;
+  observed.others = {{"energy", "N", energy},
+                     {"elastic_energy", "N", elastic},
+                     {"surface_length", "mm", length},
+                     {"area", "mm^2", area},
+                     {"amplitude", "mm", amplitude_of(wave)},
+                     {"sharpest_notch", "1/mm", sharpest}};
+  return observed;
+}
+
+std::vector<GridField> StressedModel::fields(const State& state) const {
+  const FieldValues<2> values = system().values(state.t, state.y);
+  const NodalField<2>& d = values.vector(fields_.d);
+  const NodalField<2>* u = body_->elastic ? &values.vector(fields_.u) : nullptr;
+  GridField drive{"driving_stress", "MPa", GridField::On::nodes, 1, {}};
+  drive.values.assign(body_->mesh.nodes.size(), 0.0);
+  const std::vector<SurfaceNode<>> surface = nodes(values);
+  for (std::size_t c = 0; c < surface.size(); ++c)
+    drive.values[body_->surface[c].node] = surface[c].drive;
+  GridField stress{"equivalent_stress", "MPa", GridField::On::cells, 1, {}};
+  GridField quality{"element_quality", "", GridField::On::cells, 1, {}};
+  const Material material{.moduli = body_->elastic.value_or(ElasticModuli{})};
+  for (const Mesh<2>::Cell& cell : body_->mesh.cells) {
+    const CellAt at(body_->mesh, cell, d, u);
+    stress.values.push_back(equivalent_stress<2>(plain_small, material, at.X, at.u));
+    quality.values.push_back(scaled_jacobian<2>(at.X));
+  }
+  const NodalField<2> none = NodalField<2>::Zero(d.rows(), 2);
+  return {nodal_field<2>("displacement", u ? *u : none), nodal_field<2>("shape", d), drive, stress,
+          quality};
+}
+
+std::optional<ContactSurface> StressedModel::contact(const State& state) const {
+  const FieldValues<2> values = system().values(state.t, state.y);
+  ContactSurface surface;
+  for (const ContactPatch<2>& patch : body_->surface) {
+    const Vector<2> X = body_->mesh.nodes[patch.node];
+    const Vector<2> d = values.vector(fields_.d).row(patch.node).transpose();
+    Vector<2> u = Vector<2>::Zero();
+    if (body_->elastic) u = values.vector(fields_.u).row(patch.node).transpose();
+    surface.node.push_back(patch.node);
+    surface.initial.push_back(point_in_space<2>(X));
+    surface.worn.push_back(point_in_space<2>(X + d));
+    surface.current.push_back(point_in_space<2>(X + d + u));
+    surface.pressure.push_back(0);
+    surface.wear_depth.push_back(d.norm());
+    surface.active.push_back(0);
+  }
+  return surface;
+}
+
+/// A circle shrinks as R^2 = R0^2 - 2 m gamma t. So does the polygon of its nodes.
+std::optional<State> StressedModel::exact(double t) const {
+  const std::optional<double> ratio = body_->ratio ? body_->ratio(t) : std::nullopt;
+  if (!ratio) return std::nullopt;
+  State state{t, std::vector<double>(system().structure().size, 0.0), {}};
+  state.ydot = state.y;
+  const double radius = body_->mesh.nodes[body_->surface.front().node].norm();
+  const double rate = -body_->law.mobility * body_->law.tension / (*ratio * radius * radius);
+  for (const ContactPatch<2>& patch : body_->surface)
+    for (int i = 0; i < 2; ++i)
+      if (const int k = system().numbering().number(fields_.d, patch.node, i); k >= 0) {
+        state.y[k] = (*ratio - 1) * body_->mesh.nodes[patch.node][i];
+        state.ydot[k] = rate * body_->mesh.nodes[patch.node][i];
+      }
+  return state;
+}
+
+}  // namespace gnomon::stressed
