@@ -16,8 +16,8 @@ Example example(const std::string& file, double radius, double parts,
   overrides.push_back(fmt::format("solver.preconditioner={}", multigrid ? "multigrid" : "factor"));
   const Scene scene = load_scene(GNOMON_SOURCE_DIR "/problems/" + file, overrides, key_table);
   const auto model = Problems::find(scene.text("problem"), "problem").make(scene);
-  const WornBody<3>& body = dynamic_cast<const WearModel<3>&>(*model).body();
-  return {std::make_shared<const WornBody<3>>(body), radius, parts * body.counter_force.value()};
+  const Assembly<3>& body = dynamic_cast<const WearModel<3>&>(*model).assembly();
+  return {std::make_shared<const Assembly<3>>(body), radius, parts * body.interface.force.value()};
 }
 
 constexpr double paper_radius = 5;
@@ -48,11 +48,11 @@ Example ball_of_tetrahedra(double refinement, bool multigrid) {
 }
 
 FieldValues<3> NewtonIteration::guess(const Example& example) const {
-  const WornBody<3>& body = *example.body;
+  const Assembly<3>& body = *example.body;
   FieldValues<3> values(*equations_.composition()->fields);
-  const ElasticModuli& law = body.material.moduli;
-  const double nu = law.lambda / (2 * (law.lambda + law.mu)), young = law.young_modulus();
-  const HertzPoint hertz(example.force, example.radius, young, nu);
+  const Material& material = body.bodies.front().material;
+  const HertzPoint hertz(example.force, example.radius, material.young_modulus,
+                         material.poisson_ratio);
   for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {
     const Vector<3>& X = body.mesh.nodes[body.contact_nodes[c].node];
     const double inside = 1 - (X[0] * X[0] + X[1] * X[1]) / (hertz.radius * hertz.radius);

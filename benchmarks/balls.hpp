@@ -12,7 +12,7 @@
 namespace gnomon::bench {
 
 struct Example {
-  std::shared_ptr<const WornBody<3>> body;
+  std::shared_ptr<const Assembly<3>> body;
   double radius;  // of the ball [mm]
   double force;   // on the whole ball [N]
 };

@@ -92,7 +92,9 @@ struct Block {
   }
 
   int nodes() const { return static_cast<int>(mesh.nodes.size()); }
-  CellAssembly<3> assembly() const { return {mesh, material("neo-hookean"), {}, u, u, &d}; }
+  CellAssembly<3> assembly() const {
+    return {mesh, {{.material = material("neo-hookean")}}, u, u, &d};
+  }
   SparsePattern pattern(const CellAssembly<3>& cells) const {
     PatternBuilder builder(size);
     cells.add_to_pattern(builder);

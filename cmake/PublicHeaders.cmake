@@ -13,10 +13,14 @@ set(gnomon_public_headers
   gnomon/shapes/counter_shape_kind.hpp
   gnomon/shapes/shape_keys.hpp       # keys that shapes share
   gnomon/terms/material_law.hpp      # materials
-  gnomon/model/added_term.hpp        # terms
   gnomon/model/problem.hpp           # problems
   gnomon/model/model.hpp             # and what they make of a scene
   gnomon/model/observation.hpp
+  gnomon/model/assembly.hpp          # wearing bodies as data
+  gnomon/model/magnitudes.hpp
+  gnomon/model/wear_model.hpp        # and their model
+  gnomon/part/part_scene.hpp         # what a scene says of them
+  gnomon/part/assembly_scene.hpp
   gnomon/system/system.hpp           # residual, Jacobian, switching functions
   gnomon/system/state.hpp
   gnomon/system/composed_system.hpp  # a system made of terms

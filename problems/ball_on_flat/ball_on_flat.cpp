@@ -17,9 +17,7 @@
 #include <gnomon/laws/hertz.hpp>
 #include <gnomon/mesh/quarter_ball.hpp>
 #include <gnomon/model/problem.hpp>
-#include <gnomon/model/wear_model.hpp>
-#include <gnomon/model/wear_scene.hpp>
-#include <gnomon/model/worn_body_scene.hpp>
+#include <gnomon/part/assembly_scene.hpp>
 
 namespace gnomon {
 
@@ -83,20 +81,21 @@ MeshSize mesh_size(const Scene& scene) {
 }
 
 /// The displacement is zero on the mid-plane, and normal to the plane of symmetry on that plane.
+NodalFlags<3> held_displacement(const Mesh<3>& mesh) {
+  NodalFlags<3> held = NodalFlags<3>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), 3);
+  for (int node : mesh.boundary_nodes("top")) held.row(node).setOnes();
+  for (int node : mesh.boundary_nodes("symmetry")) held(node, 1) = 1;
+  return held;
+}
+
 /// The shape is zero beyond its reach and on the whole boundary except the contact surface and,
 /// along it, the plane of symmetry.
-void hold_boundary(double reach, WornBody<3>& body) {
-  const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
-  body.displacement_fixed = body.shape_fixed = NodalFlags<3>::Zero(nodes, 3);
-  for (int node : nodes_where<3>(body.mesh, [=](const Vector<3>& X) { return X.norm() > reach; }))
-    body.shape_fixed.row(node).setOnes();
-  for (int node : body.mesh.boundary_nodes("free")) body.shape_fixed.row(node).setOnes();
-  for (int node : body.mesh.boundary_nodes("top")) {
-    body.shape_fixed.row(node).setOnes();
-    body.displacement_fixed.row(node).setOnes();
-  }
-  for (int node : body.mesh.boundary_nodes("symmetry"))
-    body.shape_fixed(node, 1) = body.displacement_fixed(node, 1) = 1;
+NodalFlags<3> held_shape(double reach, const Mesh<3>& mesh) {
+  NodalFlags<3> held = held_displacement(mesh);
+  for (int node : nodes_where<3>(mesh, [=](const Vector<3>& X) { return X.norm() > reach; }))
+    held.row(node).setOnes();
+  for (int node : mesh.boundary_nodes("free")) held.row(node).setOnes();
+  return held;
 }
 
 Scales make_scales(const Scene& scene, const WearLaw& wear, double facet) {
@@ -106,9 +105,7 @@ Scales make_scales(const Scene& scene, const WearLaw& wear, double facet) {
   Scales scales;
   scales.duration = scene.real("time.end");
   const double hertz_pressure = force / (M_PI * hertz.radius * hertz.radius);
-  const double worn =
-      wear_by_pressure(scene, wear, {hertz_pressure, scene.real("friction.coefficient")}) *
-      load_impulse(scene);
+  const double worn = wear_by_pressure(scene, wear, hertz_pressure) * load_impulse(scene);
   const double worn_area =
       std::sqrt(4 * R * worn * M_PI);  // pi a^2 of a rigid ball: pi a^4 = 4 R V
   scales.force = force;
@@ -129,20 +126,22 @@ std::unique_ptr<Model> make(const Scene& scene) {
     throw InputError(fmt::format("{}: expected at least contact.radius = {:g} mm, got {:g}",
                                  scene.where("shape.reach"), ball.contact_radius,
                                  scene.real("shape.reach")));
-  auto body = std::make_shared<WornBody<3>>();
-  const double facet = ball.patch_half_width / ball.across;
-  body->mesh = quarter_ball(ball);
-  body->contact_nodes =
-      read_contact_patches<3>(scene, body->mesh, body->mesh.boundary.at("contact"));
-  hold_boundary(scene.real("shape.reach"), *body);
-  body->load = NodalField<3>::Zero(body->displacement_fixed.rows(), 3);
-  body->contact.wear = read_wear_law(scene);
-  body->scales = make_scales(scene, body->contact.wear, facet);
-  body->contact.counter_body.motion.velocity = Vector<3>(scene.real("wear.velocity"), 0, 0);
-  read_worn_body(scene, facet, *body);
-  body->copies = 2;
-  body->counter_force = scene.real("load.force") / body->copies;
-  return std::make_unique<WearModel<3>>(std::move(body));
+  const Mesh<3> mesh = quarter_ball(ball);
+  const double facet = ball.patch_half_width / ball.across, copies = 2;
+  Interface<3> interface = read_interface(scene, mesh, mesh.boundary.at("contact"));
+  interface.partner.motion.velocity = Vector<3>(scene.real("wear.velocity"), 0, 0);
+  interface.force = scene.real("load.force") / copies;
+  interface.history = read_load_history(scene);
+  const Scales scales = make_scales(scene, interface.surfaces.front().wear, facet);
+  return make_wear_model<3>(
+      scene, facet,
+      {.mesh = mesh,
+       .bodies = {read_body(scene)},
+       .supports = {.held = held_displacement(mesh)},
+       .interface = std::move(interface),
+       .shape = read_shape_motion(scene, held_shape(scene.real("shape.reach"), mesh)),
+       .copies = copies,
+       .scales = scales});
 }
 
 const Registration<Problem> registration({

@@ -19,9 +19,7 @@
 #include <gnomon/mesh/extrusion.hpp>
 #include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/model/problem.hpp>
-#include <gnomon/model/wear_model.hpp>
-#include <gnomon/model/wear_scene.hpp>
-#include <gnomon/model/worn_body_scene.hpp>
+#include <gnomon/part/assembly_scene.hpp>
 
 namespace gnomon {
 
@@ -123,36 +121,34 @@ Extrusion make_block(const Scene& scene, const std::vector<double>& along) {
 
 /// The first node of each line along x carries the shape. The wear of a line is the mean over the
 /// path.
-void make_section(const Extrusion& block, const std::vector<double>& x, double path,
-                  WornBody<3>& body) {
+CrossSection make_section(const Extrusion& block, double length, double path) {
   CrossSection section{block.section, std::vector<int>(block.section.nodes.size(), -1),
-                       block.section_node, x.back() - x.front(), path};
+                       block.section_node, length, path};
   for (std::size_t node = 0; node < section.of.size(); ++node)
     if (int& carrier = section.node[section.of[node]]; carrier < 0)
       carrier = static_cast<int>(node);
-  for (const auto& patch : body.contact_nodes) {
-    const std::size_t i = patch.node - section.node[section.of[patch.node]];  // along the line
-    const double before = i > 0 ? x[i] - x[i - 1] : 0;
-    const double behind = i + 1 < x.size() ? x[i + 1] - x[i] : 0;
-    body.wear_weight.push_back((before + behind) / 2 / path);
-  }
-  body.section = std::move(section);
+  return section;
 }
 
-/// The base is held; the ends and the outer side are held or free, as the scene says. The shape is
-/// held on the base and the outer side.
-void hold_boundary(bool sides_held, WornBody<3>& body) {
-  const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
-  body.displacement_fixed = body.shape_fixed = NodalFlags<3>::Zero(nodes, 3);
-  body.shape_fixed.col(0).setOnes();
-  for (const char* part : {"bottom", "right"})
-    for (int node : body.mesh.boundary_nodes(part)) body.shape_fixed.row(node).setOnes();
-  for (int node : body.mesh.boundary_nodes("left"))
-    body.shape_fixed(node, 1) = body.displacement_fixed(node, 1) = 1;
-  for (int node : body.mesh.boundary_nodes("bottom")) body.displacement_fixed.row(node).setOnes();
-  if (!sides_held) return;
+/// The base is held; the ends and the outer side are held or free, as the scene says.
+NodalFlags<3> held_displacement(bool sides_held, const Mesh<3>& mesh) {
+  NodalFlags<3> held = NodalFlags<3>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), 3);
+  for (int node : mesh.boundary_nodes("left")) held(node, 1) = 1;
+  for (int node : mesh.boundary_nodes("bottom")) held.row(node).setOnes();
+  if (!sides_held) return held;
   for (const char* part : {"right", "begin", "end"})
-    for (int node : body.mesh.boundary_nodes(part)) body.displacement_fixed.row(node).setOnes();
+    for (int node : mesh.boundary_nodes(part)) held.row(node).setOnes();
+  return held;
+}
+
+/// On the base and the outer side, and along x.
+NodalFlags<3> held_shape(const Mesh<3>& mesh) {
+  NodalFlags<3> held = NodalFlags<3>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), 3);
+  held.col(0).setOnes();
+  for (const char* part : {"bottom", "right"})
+    for (int node : mesh.boundary_nodes(part)) held.row(node).setOnes();
+  for (int node : mesh.boundary_nodes("left")) held(node, 1) = 1;
+  return held;
 }
 
 Scales make_scales(const Scene& scene, const WearLaw& wear) {
@@ -162,9 +158,8 @@ Scales make_scales(const Scene& scene, const WearLaw& wear) {
   Scales scales;
   scales.duration = scene.real("time.end");
   const double hertz_pressure = force / (M_PI * hertz.radius * hertz.radius);
-  const double groove =
-      wear_by_pressure(scene, wear, {hertz_pressure, scene.real("friction.coefficient")}) *
-      load_impulse(scene) / scene.real("path.length");
+  const double groove = wear_by_pressure(scene, wear, hertz_pressure) * load_impulse(scene) /
+                        scene.real("path.length");
   const double half_width = std::cbrt(1.5 * R * groove);  // of a rigid ball: 2 a^3/(3 R) = groove
   scales.force = force;
   scales.displacement = hertz.approach;
@@ -186,23 +181,26 @@ std::unique_ptr<Model> make(const Scene& scene) {
   const std::vector<double> half = grid_lines(scene, 0, scene.real("block.length") / 2);
   const std::vector<double> along = two_sided_grid_lines(half, half);
   const Extrusion block = make_block(scene, along);
-  auto body = std::make_shared<WornBody<3>>();
-  const double facet = scene.reals("mesh.size")[1];
-  body->mesh = block.mesh;
-  body->contact_nodes = read_contact_patches<3>(scene, body->mesh, body->mesh.boundary.at("top"));
-  make_section(block, along, scene.real("path.length"), *body);
-  hold_boundary(scene.text("block.sides") == "held", *body);
-  body->load = NodalField<3>::Zero(body->displacement_fixed.rows(), 3);
-  body->contact.wear = read_wear_law(scene);
-  body->scales = make_scales(scene, body->contact.wear);
-  const double radius = scene.real("ball.radius");
-  body->contact.counter_body.shape = ball<3>(Vector<3>(0, 0, radius), radius);
-  body->contact.counter_body.approach = Vector<3>(0, 0, -1);
-  read_worn_body(scene, facet, *body);
-  body->contact.streaming = Vector<3>(scene.real("wear.velocity"), 0, 0);
-  body->copies = 2;
-  body->counter_force = scene.real("load.force") / body->copies;
-  return std::make_unique<WearModel<3>>(std::move(body));
+  const Mesh<3>& mesh = block.mesh;
+  const double radius = scene.real("ball.radius"), copies = 2;
+  Interface<3> interface = read_interface(scene, mesh, mesh.boundary.at("top"));
+  interface.partner.shape = ball<3>(Vector<3>(0, 0, radius), radius);
+  interface.partner.approach = Vector<3>(0, 0, -1);
+  interface.streaming = Vector<3>(scene.real("wear.velocity"), 0, 0);
+  interface.force = scene.real("load.force") / copies;
+  interface.history = read_load_history(scene);
+  const Scales scales = make_scales(scene, interface.surfaces.front().wear);
+  return make_wear_model<3>(
+      scene, scene.reals("mesh.size")[1],
+      {.mesh = mesh,
+       .bodies = {read_body(scene)},
+       .supports = {.held = held_displacement(scene.text("block.sides") == "held", mesh)},
+       .interface = std::move(interface),
+       .shape = read_shape_motion(scene, held_shape(mesh)),
+       .cross_section =
+           make_section(block, along.back() - along.front(), scene.real("path.length")),
+       .copies = copies,
+       .scales = scales});
 }
 
 const Registration<Problem> registration({

@@ -27,9 +27,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/model/problem.hpp>
-#include <gnomon/model/wear_model.hpp>
-#include <gnomon/model/wear_scene.hpp>
-#include <gnomon/model/worn_body_scene.hpp>
+#include <gnomon/part/assembly_scene.hpp>
 
 namespace gnomon {
 
@@ -108,16 +106,14 @@ std::vector<Mesh<2>::Facet> facets_under_punch(const Mesh<2>& mesh, double half_
   return result;
 }
 
-/// The nodes of the sides may slide along the sides; the shape is held on the whole boundary except
-/// under the punch.
-void hold_boundary(WornBody<2>& body) {
-  const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
-  body.displacement_fixed = body.shape_fixed = NodalFlags<2>::Zero(nodes, 2);
+/// On the whole boundary except under the punch.
+NodalFlags<2> held_shape(const Mesh<2>& mesh, const std::vector<Mesh<2>::Facet>& under_punch) {
+  NodalFlags<2> held = NodalFlags<2>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), 2);
   for (const char* part : {"left", "right", "top", "bottom"})
-    for (int node : body.mesh.boundary_nodes(part)) body.shape_fixed.row(node).setOnes();
-  for (const char* part : {"left", "right"})
-    for (int node : body.mesh.boundary_nodes(part)) body.displacement_fixed(node, 0) = 1;
-  for (const auto& patch : body.contact_nodes) body.shape_fixed.row(patch.node).setZero();
+    for (int node : mesh.boundary_nodes(part)) held.row(node).setOnes();
+  for (const auto& facet : under_punch)
+    for (int node : facet) held.row(node).setZero();
+  return held;
 }
 
 Scales make_scales(const Scene& scene, const WearLaw& wear) {
@@ -127,8 +123,7 @@ Scales make_scales(const Scene& scene, const WearLaw& wear) {
   scales.displacement = force * (1 - nu * nu) / scene.real("body.young_modulus");
   scales.stress = force / (2 * scene.real("punch.half_width"));
   scales.duration = scene.real("time.end");
-  const double k_v =
-      wear_by_pressure(scene, wear, {scales.stress, scene.real("friction.coefficient")});
+  const double k_v = wear_by_pressure(scene, wear, scales.stress);
   scales.wear_depth = k_v * load_impulse(scene) / (2 * scene.real("punch.half_width"));
   if (scales.wear_depth == 0) scales.wear_depth = scales.displacement;  // a law without wear
   scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
@@ -136,18 +131,20 @@ Scales make_scales(const Scene& scene, const WearLaw& wear) {
 }
 
 std::unique_ptr<Model> make(const Scene& scene) {
-  auto body = std::make_shared<WornBody<2>>();
+  const Mesh<2> mesh = make_mesh(scene);
   const double a = scene.real("punch.half_width");
-  body->mesh = make_mesh(scene);
-  body->contact_nodes =
-      read_contact_patches<2>(scene, body->mesh, facets_under_punch(body->mesh, a));
-  hold_boundary(*body);
-  body->load = uniform_load(body->mesh, "top", Vector<2>(0, -scene.real("load.force")));
-  body->contact.wear = read_wear_law(scene);
-  body->scales = make_scales(scene, body->contact.wear);
-  body->contact.counter_body.motion.velocity = Vector<2>(scene.real("wear.velocity"), 0);
-  read_worn_body(scene, 2 * a / double(scene.integer("mesh.punch_elements")), *body);
-  return std::make_unique<WearModel<2>>(std::move(body));
+  const auto under_punch = facets_under_punch(mesh, a);
+  Interface<2> interface = read_interface(scene, mesh, under_punch);
+  interface.partner.motion.velocity = Vector<2>(scene.real("wear.velocity"), 0);
+  const Scales scales = make_scales(scene, interface.surfaces.front().wear);
+  return make_wear_model<2>(scene, 2 * a / double(scene.integer("mesh.punch_elements")),
+                            {.mesh = mesh,
+                             .bodies = {read_body(scene)},
+                             .supports = {.held = held_sides(mesh)},
+                             .loads = {read_load_on_top(scene, mesh)},
+                             .interface = std::move(interface),
+                             .shape = read_shape_motion(scene, held_shape(mesh, under_punch)),
+                             .scales = scales});
 }
 
 const Registration<Problem> registration({

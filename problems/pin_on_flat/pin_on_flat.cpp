@@ -14,9 +14,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/distortion.hpp>
 #include <gnomon/model/problem.hpp>
-#include <gnomon/model/wear_model.hpp>
-#include <gnomon/model/wear_scene.hpp>
-#include <gnomon/model/worn_body_scene.hpp>
+#include <gnomon/part/assembly_scene.hpp>
 
 namespace gnomon {
 
@@ -91,15 +89,15 @@ MeshSize mesh_size(const Scene& scene) {
 
 /// With sliding sides the shape of their nodes follows the wear along the side, so that the corner
 /// nodes wear too.
-void hold_boundary(bool sliding_sides, WornBody<2>& body) {
-  const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
-  body.displacement_fixed = body.shape_fixed = NodalFlags<2>::Zero(nodes, 2);
-  for (const char* side : {"left", "right", "top"})
-    for (int node : body.mesh.boundary_nodes(side)) {
-      body.shape_fixed(node, 0) = 1;
-      if (!sliding_sides || std::string(side) == "top") body.shape_fixed(node, 1) = 1;
-      if (std::string(side) != "top") body.displacement_fixed(node, 0) = 1;
+NodalFlags<2> held_shape(bool sliding_sides, const Mesh<2>& mesh) {
+  NodalFlags<2> held = NodalFlags<2>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), 2);
+  for (const char* side : {"left", "right"})
+    for (int node : mesh.boundary_nodes(side)) {
+      held(node, 0) = 1;
+      if (!sliding_sides) held(node, 1) = 1;
     }
+  for (int node : mesh.boundary_nodes("top")) held.row(node).setOnes();
+  return held;
 }
 
 Scales make_scales(const Scene& scene, const WearLaw& wear) {
@@ -111,8 +109,7 @@ Scales make_scales(const Scene& scene, const WearLaw& wear) {
   scales.displacement = force / reduced_modulus;
   scales.stress = force / width;
   scales.duration = scene.real("time.end");
-  const double k_v =
-      wear_by_pressure(scene, wear, {scales.stress, scene.real("friction.coefficient")});
+  const double k_v = wear_by_pressure(scene, wear, scales.stress);
   // Not more than the height, so that a run with more wear than that has a useful tolerance.
   scales.wear_depth = std::min(k_v * load_impulse(scene) / width, scene.real("pin.height"));
   if (scales.wear_depth == 0) scales.wear_depth = scales.displacement;  // a law without wear
@@ -121,17 +118,20 @@ Scales make_scales(const Scene& scene, const WearLaw& wear) {
 }
 
 std::unique_ptr<Model> make(const Scene& scene) {
-  auto body = std::make_shared<WornBody<2>>();
-  body->mesh = make_mesh(scene);
-  const auto& surface = body->mesh.boundary.at("bottom");
-  body->contact_nodes = read_contact_patches<2>(scene, body->mesh, surface);
-  hold_boundary(scene.text("pin.sides") == "sliding", *body);
-  body->load = uniform_load(body->mesh, "top", Vector<2>(0, -scene.real("load.force")));
-  body->contact.wear = read_wear_law(scene);
-  body->scales = make_scales(scene, body->contact.wear);
-  body->contact.counter_body.motion.velocity = Vector<2>(scene.real("wear.velocity"), 0);
-  read_worn_body(scene, scene.real("pin.width") / static_cast<double>(surface.size()), *body);
-  return std::make_unique<WearModel<2>>(std::move(body));
+  const Mesh<2> mesh = make_mesh(scene);
+  const auto& surface = mesh.boundary.at("bottom");
+  Interface<2> interface = read_interface(scene, mesh, surface);
+  interface.partner.motion.velocity = Vector<2>(scene.real("wear.velocity"), 0);
+  const Scales scales = make_scales(scene, interface.surfaces.front().wear);
+  return make_wear_model<2>(
+      scene, scene.real("pin.width") / static_cast<double>(surface.size()),
+      {.mesh = mesh,
+       .bodies = {read_body(scene)},
+       .supports = {.held = held_sides(mesh)},
+       .loads = {read_load_on_top(scene, mesh)},
+       .interface = std::move(interface),
+       .shape = read_shape_motion(scene, held_shape(scene.text("pin.sides") == "sliding", mesh)),
+       .scales = scales});
 }
 
 const Registration<Problem> registration({

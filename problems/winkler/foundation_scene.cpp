@@ -57,17 +57,21 @@ void read_motion(const Scene& scene, Foundation& f) {
 }
 
 void read_wear(const Scene& scene, Foundation& f) {
-  const Scene sliding = scene.with("wear.velocity", f.speed);
-  f.wear = read_wear_law(sliding);
-  f.wear_by_pressure = wear_by_pressure(sliding, f.wear, {.pressure = f.mean_pressure()});
+  f.wear = read_wear_law(scene, f.speed);
+  WearCircumstances at{.pressure = f.mean_pressure(), .speed = f.speed, .duration = f.duration};
+  try {
+    f.wear_by_pressure = wear_by_pressure(f.wear, at);
+  } catch (const RecoverableError& error) {
+    throw unsound_law(scene, error);
+  }
   if (f.wear_by_pressure == 0)
     throw InputError(
         scene.where("wear.rate") +
         ": expected a law that wears the centre of this pin; the springs have no friction");
-  WearCircumstances circumstances{
-      .pressure = f.mean_pressure(), .depth = f.mean_depth(), .initial = {}};
-  for (const double x : f.x) circumstances.initial.push_back({x, f.profile(x), 0});
-  require_law(sliding, f.wear, circumstances);
+  at.depth = f.mean_depth();
+  at.initial.clear();
+  for (const double x : f.x) at.initial.push_back({x, f.profile(x), 0});
+  require_law(scene, f.wear, at);
 }
 
 /// With a given number of phases.

@@ -8,7 +8,6 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/installation.hpp>
 #include <gnomon/integrators/integrator.hpp>
-#include <gnomon/model/added_term.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/shapes/counter_shape_kind.hpp>
 #include <gnomon/terms/material_law.hpp>
@@ -100,7 +99,7 @@ std::string list_files(bool studies) {
 
 const std::vector<std::string>& list_subjects() {
   static const std::vector<std::string> subjects = {
-      "integrators", "laws", "materials", "problems", "scenes", "shapes", "studies", "terms"};
+      "integrators", "laws", "materials", "problems", "scenes", "shapes", "studies"};
   return subjects;
 }
 
@@ -118,9 +117,6 @@ int list_command(const std::string& what) {
     fmt::print("{}", list_entries<MaterialLaw>());
   } else if (what == "shapes") {
     fmt::print("{}", list_shapes());
-  } else if (what == "terms") {
-    const std::string terms = list_entries<AddedTerm>();
-    fmt::print("{}", terms.empty() ? "none; how one is added: docs/architecture.md\n" : terms);
   } else if (what == "scenes") {
     fmt::print("{}", list_files(false));
   } else if (what == "studies") {

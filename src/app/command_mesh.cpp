@@ -20,7 +20,7 @@
 #include "app/new_scene.hpp"
 #include "app/program.hpp"
 #include "app/text_table.hpp"
-#include "model/stored_part.hpp"
+#include "part/stored_part.hpp"
 
 namespace gnomon::app {
 

@@ -60,10 +60,10 @@ double edge(const std::vector<SurfacePoint>& points, int last, int outwards) {
 }
 
 /// Whether one of two contact nodes is on the axis of a body of revolution.
-bool reach_axis(const WornBody<2>& body, int first, int last) {
+bool reach_axis(const Assembly<2>& body, int first, int last) {
   const double r = body.contact_nodes[first].initial_position[0],
                s = body.contact_nodes[last].initial_position[0];
-  return body.element.section == Section::meridian && std::min(r, s) <= 1e-9 * std::max(r, s);
+  return body.section() == Section::meridian && std::min(r, s) <= 1e-9 * std::max(r, s);
 }
 
 /// Positions among the contact nodes of the neighbours of one of them.
@@ -80,9 +80,9 @@ std::array<int, 2> neighbours(const std::vector<ContactPatch<2>>& patches,
 
 }  // namespace
 
-double contact_half_width(const WornBody<2>& body, const WornBodyFields& fields,
+double contact_half_width(const Assembly<2>& body, const WornBodyFields& fields,
                           const FieldValues<2>& values, const std::vector<ContactNode<2>>& nodes) {
-  const Vector<2>& e = body.contact.counter_body.approach;
+  const Vector<2>& e = body.interface.partner.approach;
   const Vector<2> along(e[1], -e[0]);
   std::vector<SurfacePoint> points;
   int first = -1, last = -1;  // active ones, outermost along the plane

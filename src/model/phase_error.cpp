@@ -27,7 +27,7 @@ constexpr NewtonOptions rough_newton{
 }  // namespace
 
 template <int dim>
-FixedShape<dim>::FixedShape(std::shared_ptr<const WornBody<dim>> body)
+FixedShape<dim>::FixedShape(std::shared_ptr<const Assembly<dim>> body)
     : body_(std::move(body)),
       d_(NodalField<dim>::Zero(static_cast<Eigen::Index>(body_->mesh.nodes.size()), dim)) {}
 
@@ -35,7 +35,7 @@ template <int dim>
 FixedShape<dim>::FixedShape(double t, const WornBodyEquations<dim>& equations,
                             const FieldValues<dim>& values,
                             const std::vector<PhaseContact<dim>>& contacts)
-    : body_(equations.shared_body()), t_(t), d_(values.vector(equations.fields().d)) {
+    : body_(equations.shared_assembly()), t_(t), d_(values.vector(equations.fields().d)) {
   for (std::size_t p = 0; p < contacts.size(); ++p)
     keep(equations.phases()[p], equations.fields(p), values, contacts[p].nodes);
 }
@@ -121,7 +121,7 @@ std::vector<double> FixedShape<dim>::mean_rate(const std::vector<Phase<dim>>& ph
   for (const Phase<dim>& phase : phases)
     if (!is_known(phase.position)) unknown.push_back(phase);
   constexpr std::size_t cheap = 16;
-  const std::size_t at_a_time = std::max(body_->cycle.size(), cheap);
+  const std::size_t at_a_time = std::max(body_->phases.size(), cheap);
   for (std::size_t first = 0; first < unknown.size(); first += at_a_time) {
     const std::size_t count = std::min(at_a_time, unknown.size() - first);
     const auto begin = unknown.begin() + static_cast<std::ptrdiff_t>(first);
@@ -161,10 +161,10 @@ double error_of_motion(const std::vector<Phase<dim>>& phases, const std::vector<
 }
 
 template <int dim>
-ChosenPhases choose_phases(std::shared_ptr<const WornBody<dim>> body, double tolerance) {
+ChosenPhases choose_phases(std::shared_ptr<const Assembly<dim>> body, double tolerance) {
   using enum PhaseSet::Kind;
   const auto set = [&](PhaseSet::Kind kind, int times) {
-    return body->phase_set(*body, {kind, times});
+    return phases_of(*body->cycle, body->interface.partner, body->interface.force, {kind, times});
   };
   const std::vector<Phase<dim>> instants = set(fine, 1);
   const auto error = [&](int times) {
@@ -185,18 +185,21 @@ ChosenPhases choose_phases(std::shared_ptr<const WornBody<dim>> body, double tol
 
 template <int dim>
 std::optional<PhaseError> WearModel<dim>::phase_error(const State& state) const {
-  if (!body().phase_set) return {};
+  const Assembly<dim>& body = assembly();
+  if (!body.cycle) return {};
   using enum PhaseSet::Kind;
   const FieldValues<dim> values = system_.values(state.t, state.y);
   FixedShape<dim> shape(state.t, equations_, values, contacts(values, state));
-  const std::vector<double> mean = shape.mean_rate(body().cycle);
-  auto [difference, whole] =
-      compare_rates(shape.areas(), mean, shape.mean_rate(body().phase_set(body(), {comparison})));
+  const auto set = [&](PhaseSet::Kind kind) {
+    return phases_of(*body.cycle, body.interface.partner, body.interface.force, {kind});
+  };
+  const std::vector<double> mean = shape.mean_rate(body.phases);
+  auto [difference, whole] = compare_rates(shape.areas(), mean, shape.mean_rate(set(comparison)));
   // Bodies that hardly touch any more: what is lost is then small beside what is worn already.
   if (state.t > 0)
-    whole = std::max(whole, observe(state).worn_volume.value() / (body().copies * state.t));
+    whole = std::max(whole, observe(state).worn_volume.value() / (body.copies * state.t));
   if (!(whole > 0)) return {};
-  const double of_motion = error_of_motion(body().cycle, body().phase_set(body(), {fine}));
+  const double of_motion = error_of_motion(body.phases, set(fine));
   return PhaseError{state.t, phases(), std::max(of_motion, difference / whole)};
 }
 
@@ -204,8 +207,8 @@ template class FixedShape<2>;
 template class FixedShape<3>;
 template double error_of_motion(const std::vector<Phase<2>>&, const std::vector<Phase<2>>&);
 template double error_of_motion(const std::vector<Phase<3>>&, const std::vector<Phase<3>>&);
-template ChosenPhases choose_phases(std::shared_ptr<const WornBody<2>>, double);
-template ChosenPhases choose_phases(std::shared_ptr<const WornBody<3>>, double);
+template ChosenPhases choose_phases(std::shared_ptr<const Assembly<2>>, double);
+template ChosenPhases choose_phases(std::shared_ptr<const Assembly<3>>, double);
 template std::optional<PhaseError> WearModel<2>::phase_error(const State&) const;
 template std::optional<PhaseError> WearModel<3>::phase_error(const State&) const;
 

@@ -16,7 +16,7 @@ template <int dim>
 class FixedShape {
 public:
   /// The unworn shape at t = 0.
-  explicit FixedShape(std::shared_ptr<const WornBody<dim>> body);
+  explicit FixedShape(std::shared_ptr<const Assembly<dim>> body);
   /// The shape and time of a state, whose phases are known: its values, and contact in each phase.
   FixedShape(double t, const WornBodyEquations<dim>& equations, const FieldValues<dim>& values,
              const std::vector<PhaseContact<dim>>& contacts);
@@ -42,7 +42,7 @@ private:
   const Known& nearest(double position) const;
   bool is_known(double position) const;
 
-  std::shared_ptr<const WornBody<dim>> body_;
+  std::shared_ptr<const Assembly<dim>> body_;
   double t_ = 0;
   NodalField<dim> d_;
   std::vector<Known> known_;
@@ -57,7 +57,7 @@ double error_of_motion(const std::vector<Phase<dim>>& phases, const std::vector<
 /// The number of phases, as many as the body has or more, that is within the tolerance at the
 /// initial shape. Throws SolutionError.
 template <int dim>
-ChosenPhases choose_phases(std::shared_ptr<const WornBody<dim>> body, double tolerance);
+ChosenPhases choose_phases(std::shared_ptr<const Assembly<dim>> body, double tolerance);
 
 /// Mean wear rates at the nodes of a surface, beside each other [volume / time].
 struct RateDifference {

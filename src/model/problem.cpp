@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <gnomon/integrators/integrator.hpp>
-#include <gnomon/model/added_term.hpp>
 #include <gnomon/model/problem.hpp>
-#include <gnomon/model/worn_body_scene.hpp>
+#include <gnomon/model/solver_scene.hpp>
 #include <gnomon/terms/material_law.hpp>
 #include <gnomon/wear_laws/wear_law_kind.hpp>
 
@@ -47,10 +46,6 @@ void find_further_mistakes(const Scene& scene, Mistakes& mistakes) {
 
 namespace {
 
-bool has_key(const std::vector<Key>& table, const std::string& name) {
-  return std::any_of(table.begin(), table.end(), [&](const Key& key) { return key.name == name; });
-}
-
 /// Adds the key of a law, which another law may have too: then with the same meaning of its
 /// absence.
 void add_law_key(std::vector<Key>& table, const Key& key, const std::string& law) {
@@ -83,23 +78,6 @@ void add_wear_laws(std::vector<Key>& table) {
     for (const Key& key : kind.keys) add_law_key(table, key, kind.name);
 }
 
-/// Whether a scene gives something for one of the keys.
-bool gives_any(const Scene& scene, const std::vector<Key>& keys) {
-  return std::any_of(keys.begin(), keys.end(), [&](const Key& key) {
-    return !scene.chosen_names(key.name).empty() ||
-           (scene.knows(key.name) && scene.has(key.name) && !scene.is_default(key.name));
-  });
-}
-
-/// Adds the keys of the registered terms.
-void add_terms(std::vector<Key>& table) {
-  for (const AddedTerm& term : AddedTerms::all())
-    for (Key key : term.keys) {
-      key.applies = [&term](const Scene& scene) { return gives_any(scene, term.keys); };
-      table.push_back(std::move(key));
-    }
-}
-
 }  // namespace
 
 std::vector<Key> own_keys(const Problem& problem) {
@@ -110,7 +88,6 @@ std::vector<Key> own_keys(const Problem& problem) {
   }
   for (const char* material : {"body.material", "shape.energy"}) add_material_keys(keys, material);
   add_wear_laws(keys);
-  if (has_key(keys, "body.young_modulus")) add_terms(keys);
   return keys;
 }
 

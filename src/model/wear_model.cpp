@@ -11,45 +11,6 @@ namespace gnomon {
 
 namespace {
 
-/// Residuals are relative to the load, displacements to the body: if the smallest load of the
-/// history hardly strains the body, even a state without load would be accepted as an equilibrium.
-template <int dim>
-void require_strain(const WornBody<dim>& body) {
-  constexpr double least = 1e-14;
-  const double strain = body.load_history.least(body.scales.duration) * body.scales.stress /
-                        body.material.moduli.young_modulus();
-  if (!(strain >= least))
-    throw InputError(fmt::format(
-        "load.force, load.factors, body.young_modulus: expected a load that strains the "
-        "body by {:g} or more, got about {:.2g}, which is less than rounding errors",
-        least, strain));
-}
-
-/// Stiffnesses along and across an element differ by the square of its aspect ratio: rounding
-/// errors of the larger must not exceed the smaller.
-template <int dim>
-void require_compact_elements(const Mesh<dim>& mesh) {
-  constexpr double most = 1e4;
-  for (std::size_t e = 0; e < mesh.cells.size(); ++e) {
-    const auto x = mesh.positions(mesh.cells[e]);
-    const auto size = (x.colwise().maxCoeff() - x.colwise().minCoeff()).eval();
-    if (!(size.maxCoeff() <= most * size.minCoeff()))
-      throw InputError(fmt::format(
-          "the mesh: expected elements at most {:g} times as long as wide, got {:.2g} in element "
-          "{}",
-          most, size.maxCoeff() / size.minCoeff(), e));
-  }
-}
-
-/// Its element and its contact nodes are sections of the same kind of body.
-template <int dim>
-void require_one_section(const WornBody<dim>& body) {
-  for (const ContactPatch<dim>& patch : body.contact_nodes)
-    for (const auto& corner : patch.corners)
-      if (dim == 2 && corner.section != body.element.section)
-        throw Error("a worn body: its contact nodes and its element are of different sections");
-}
-
 /// X = X^ + d, one row per node.
 template <int dim>
 CellNodal<dim> worn_positions(CellNodal<dim> initial, const typename Mesh<dim>::Cell& cell,
@@ -113,13 +74,13 @@ double wear_flux_of(const std::vector<PhaseContact<dim>>& phases, double copies)
 
 /// The part of an observation that needs a sweep over the cells, but no displacements.
 template <int dim>
-void observe_cells(const WornBody<dim>& body, const NodalField<dim>& d, Observation& observed) {
+void observe_cells(const Assembly<dim>& body, const NodalField<dim>& d, Observation& observed) {
   double worn = 0, quality = 1, least = 1;
   for (const auto& cell : body.mesh.cells) {
     const CellNodal<dim> initial = body.mesh.positions(cell),
                          X = worn_positions<dim>(initial, cell, d);
-    const double before = cell_volume<dim>(initial, body.element.section),
-                 after = cell_volume<dim>(X, body.element.section);
+    const double before = cell_volume<dim>(initial, body.section()),
+                 after = cell_volume<dim>(X, body.section());
     worn += before - after;
     least = std::min(least, after / before);
     quality = std::min(quality, scaled_jacobian<dim>(X));
@@ -128,28 +89,34 @@ void observe_cells(const WornBody<dim>& body, const NodalField<dim>& d, Observat
   observed.worn_volume = worn;
   observed.element_quality = -largest_over_processes(-quality);
   observed.element_volume = -largest_over_processes(-least);
-  if (!body.section) return;
-  observed.worn_volume = worn * body.section->path / body.section->length;
-  observed.groove_section = worn / body.section->length;
+  if (!body.cross_section) return;
+  observed.worn_volume = worn * body.cross_section->path / body.cross_section->length;
+  observed.groove_section = worn / body.cross_section->length;
 }
 
-/// The largest displacement gradient of this and the phases observed before, with small strains.
+/// The largest displacement gradient of this and the phases observed before, of bodies with small
+/// strains.
 template <int dim>
-void observe_strains(const WornBody<dim>& body, const NodalField<dim>& d, const NodalField<dim>& u,
+void observe_strains(const Assembly<dim>& body, const NodalField<dim>& d, const NodalField<dim>& u,
                      Observation& observed) {
-  if (body.element.kinematics != Kinematics::small) return;
+  std::vector<char> small;
+  for (const Body& each : body.bodies)
+    small.push_back(each.element.kinematics == Kinematics::small);
+  if (std::ranges::count(small, 1) == 0) return;
   double gradient = observed.displacement_gradient.value_or(0);
-  for (const auto& cell : body.mesh.cells)
-    gradient = std::max(gradient, displacement_gradient<dim>(CellState<dim>(body.mesh, cell, d, u),
-                                                             body.element.section));
+  for (std::size_t c = 0; c < body.mesh.cells.size(); ++c)
+    if (small[body.body_of[c]])
+      gradient = std::max(
+          gradient, displacement_gradient<dim>(CellState<dim>(body.mesh, body.mesh.cells[c], d, u),
+                                               body.section()));
   observed.displacement_gradient = largest_over_processes(gradient);
 }
 
 /// The box in which the counter-body is shown; that of a body of revolution ends at the axis.
 template <int dim>
-Box<dim> surroundings(const WornBody<dim>& body) {
+Box<dim> surroundings(const Assembly<dim>& body) {
   Box<dim> box = Box<dim>::around(body.mesh.nodes).widened(0.25);
-  if (body.element.section == Section::meridian) box.low[0] = std::max(box.low[0], 0.0);
+  if (body.section() == Section::meridian) box.low[0] = std::max(box.low[0], 0.0);
   return box;
 }
 
@@ -164,14 +131,10 @@ std::array<double, 3> in_space(const Vector<dim>& v) {
 }  // namespace
 
 template <int dim>
-WearModel<dim>::WearModel(std::shared_ptr<const WornBody<dim>> body)
-    : surroundings_(surroundings(*body)),
-      equations_(std::move(body)),
-      system_(equations_.composition()) {
-  require_one_section(this->body());
-  require_strain(this->body());
-  require_compact_elements(this->body().mesh);
-}
+WearModel<dim>::WearModel(std::shared_ptr<const Assembly<dim>> assembly)
+    : surroundings_(surroundings(*assembly)),
+      equations_(std::move(assembly)),
+      system_(equations_.composition()) {}
 
 template <int dim>
 std::vector<BlockSize> WearModel<dim>::blocks() const {
@@ -207,20 +170,20 @@ template <int dim>
 Observation WearModel<dim>::observe(const State& state) const {
   const FieldValues<dim> values = system_.values(state.t, state.y);
   const std::vector<PhaseContact<dim>> phases = contacts(values, state);
-  Observation observed{.dim = body().element.section == Section::meridian ? 3 : dim};
-  observe_contact(phases, body().copies, observed);
-  observed.wear_flux = wear_flux_of(phases, body().copies);
-  observe_cells(body(), values.vector(equations_.fields().d), observed);
+  Observation observed{.dim = assembly().section() == Section::meridian ? 3 : dim};
+  observe_contact(phases, assembly().copies, observed);
+  observed.wear_flux = wear_flux_of(phases, assembly().copies);
+  observe_cells(assembly(), values.vector(equations_.fields().d), observed);
   for (std::size_t p = 0; p < phases.size(); ++p) {
     const WornBodyFields& fields = equations_.fields(p);
-    observe_strains(body(), values.vector(fields.d), values.vector(fields.u), observed);
+    observe_strains(assembly(), values.vector(fields.d), values.vector(fields.u), observed);
     if (equations_.phases()[p].force)
       observed.approach =
           observed.approach.value_or(0) + phases[p].weight * values.scalar(fields.w)[0];
     if constexpr (dim == 2)
       observed.contact_half_width =
           std::max(observed.contact_half_width.value_or(0),
-                   contact_half_width(body(), fields, values, phases[p].nodes));
+                   contact_half_width(assembly(), fields, values, phases[p].nodes));
   }
   return observed;
 }
@@ -228,18 +191,18 @@ Observation WearModel<dim>::observe(const State& state) const {
 template <int dim>
 std::function<double(const Point&)> WearModel<dim>::wear_flux() const {
   return [this](const Point& at) {
-    return wear_flux_of(contacts(system_.values(at.t, at.y), at), body().copies);
+    return wear_flux_of(contacts(system_.values(at.t, at.y), at), assembly().copies);
   };
 }
 
 template <int dim>
 std::optional<Grid> WearModel<dim>::grid() const {
-  const Mesh<dim>& mesh = body().mesh;
+  const Mesh<dim>& mesh = assembly().mesh;
   Grid grid;
   grid.cell = dim == 2 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
   for (const Vector<dim>& X : mesh.nodes) grid.points.push_back(in_space<dim>(X));
   for (const auto& cell : mesh.cells) grid.cells.insert(grid.cells.end(), cell.begin(), cell.end());
-  grid.parts = body().parts;
+  grid.parts = assembly().named_parts;
   return grid;
 }
 
@@ -261,7 +224,7 @@ std::vector<GridField> WearModel<dim>::fields(const State& state) const {
   const FieldValues<dim> values = system_.values(state.t, state.y);
   const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
         &nodal_d = values.vector(equations_.fields().d);
-  const WornBody<dim>& body = this->body();
+  const Assembly<dim>& body = assembly();
   GridField pressure{"pressure", "MPa", GridField::On::nodes, 1, {}};
   pressure.values.assign(body.mesh.nodes.size(), 0.0);
   for (const auto& [weight, nodes] : contacts(values, state))
@@ -269,9 +232,10 @@ std::vector<GridField> WearModel<dim>::fields(const State& state) const {
       pressure.values[body.contact_nodes[c].node] += weight * std::max(0.0, -nodes[c].traction);
   GridField stress{"equivalent_stress", "MPa", GridField::On::cells, 1, {}};
   GridField quality{"element_quality", "", GridField::On::cells, 1, {}};
-  for (const auto& cell : body.mesh.cells) {
-    const CellState<dim> at(body.mesh, cell, nodal_d, nodal_u);
-    stress.values.push_back(equivalent_stress<dim>(body.element, body.material, at.X, at.u));
+  for (std::size_t c = 0; c < body.mesh.cells.size(); ++c) {
+    const CellState<dim> at(body.mesh, body.mesh.cells[c], nodal_d, nodal_u);
+    const Body& of = body.bodies[body.body_of[c]];
+    stress.values.push_back(equivalent_stress<dim>(of.element, of.material, at.X, at.u));
     quality.values.push_back(scaled_jacobian<dim>(at.X));
   }
   return {nodal_vector<dim>("displacement", nodal_u), nodal_vector<dim>("shape", nodal_d), pressure,
@@ -283,7 +247,7 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
   const FieldValues<dim> values = system_.values(state.t, state.y);
   const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
         &nodal_d = values.vector(equations_.fields().d);
-  const WornBody<dim>& body = this->body();
+  const Assembly<dim>& body = assembly();
   const std::vector<PhaseContact<dim>> phases = contacts(values, state);
   ContactSurface surface;
   surface.dim = dim;

@@ -35,11 +35,11 @@ std::vector<std::array<double, 3>> some_of(const std::vector<std::array<double, 
 
 }  // namespace
 
-WearLaw read_wear_law(const Scene& scene) {
+WearLaw read_wear_law(const Scene& scene, std::optional<double> speed) {
   if (scene.text("wear.law") != "expression") require_no_expression(scene);
   const WearLawKind& kind = Registry<WearLawKind>::find(scene.text("wear.law"), "wear law");
   try {
-    return kind.make(scene);
+    return kind.make(speed ? scene.with("wear.velocity", *speed) : scene);
   } catch (const RegistrationError& error) {
     throw RegistrationError("the wear law \"" + kind.name + "\": " + error.what());
   }
@@ -68,12 +68,11 @@ double secant(const WearLaw& law, const WearCircumstances& at, double pressure, 
 
 }  // namespace
 
-double wear_by_pressure(const Scene& scene, const WearLaw& law, const WearCircumstances& at) try {
+double wear_by_pressure(const WearLaw& law, const WearCircumstances& at) {
   constexpr int moments = 4096;  // middles of equal parts of the run
-  const double speed = scene.real("wear.velocity"), end = scene.real("time.end");
   for (const double multiple : {1.0, 3.0, 10.0, 30.0}) {
     const auto at_moment = [&](int k) {
-      return secant(law, at, multiple * at.pressure, speed, end * (k + 0.5) / moments);
+      return secant(law, at, multiple * at.pressure, at.speed, at.duration * (k + 0.5) / moments);
     };
     const double first = at_moment(0);
     double difference = 0;  // so that equal ones have their mean to the last digit
@@ -81,8 +80,19 @@ double wear_by_pressure(const Scene& scene, const WearLaw& law, const WearCircum
     if (const double mean = first + difference / moments; mean > 0) return mean;
   }
   return 0;
+}
+
+double wear_by_pressure(const Scene& scene, const WearLaw& law, double pressure) try {
+  return wear_by_pressure(law, {.pressure = pressure,
+                                .friction = scene.real("friction.coefficient"),
+                                .speed = scene.real("wear.velocity"),
+                                .duration = scene.real("time.end")});
 } catch (const RecoverableError& error) {
-  throw InputError(
+  throw unsound_law(scene, error);
+}
+
+InputError unsound_law(const Scene& scene, const RecoverableError& error) {
+  return InputError(
       where_law(scene) +
       ": expected a finite wear rate of zero or more, with finite derivatives: " + error.what());
 }
@@ -90,11 +100,11 @@ double wear_by_pressure(const Scene& scene, const WearLaw& law, const WearCircum
 void require_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at) {
   check_wear_law(law,
                  {.pressure = at.pressure,
-                  .speed = scene.real("wear.velocity"),
+                  .speed = at.speed,
                   .depth = at.depth,
-                  .duration = scene.real("time.end"),
+                  .duration = at.duration,
                   .friction = at.friction,
-                  .nominal_speed = scene.real("wear.velocity"),
+                  .nominal_speed = at.speed,
                   .initial = some_of(at.initial)},
                  where_law(scene));
 }

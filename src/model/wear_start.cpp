@@ -28,7 +28,7 @@ constexpr double rough_tolerance = 1e-3;
 template <int dim>
 void close_initial_gap(const WornBodyEquations<dim>& equations, std::size_t phase,
                        FieldValues<dim>& values) {
-  const WornBody<dim>& body = equations.body();
+  const Assembly<dim>& body = equations.assembly();
   const CounterBody<dim>& other = equations.phases()[phase].counter_body;
   if (other.travel) return;
   const NodalField<dim>& d = values.vector(equations.fields().d);
@@ -44,26 +44,28 @@ void close_initial_gap(const WornBodyEquations<dim>& equations, std::size_t phas
   NodalField<dim>& u = values.vector(equations.fields(phase).u);
   for (Eigen::Index node = 0; node < u.rows(); ++node)
     for (int i = 0; i < dim; ++i)
-      if (!body.displacement_fixed(node, i)) u(node, i) = -least * other.approach[i];
+      if (!body.supports.held(node, i)) u(node, i) = -least * other.approach[i];
 }
 
 /// The approximate approach of a counter-body under part of its force: proportional to F^(2/3), as
 /// for a ball (Hertz). From there Newton's method begins with several active nodes. With a single
 /// active node it would invert the elements at that node, and the more easily the finer they are.
 template <int dim>
-double indentation(const WornBody<dim>& body, double fraction) {
+double indentation(const Assembly<dim>& body, double fraction) {
   return body.scales.displacement * std::cbrt(fraction * fraction);
 }
 
 }  // namespace
 
 template <int dim>
-RampOptions ramp_options(const WornBody<dim>& body) {
-  const ElasticModuli& law = body.material.moduli;
-  const double whole_strain = body.scales.stress / law.young_modulus();
-  const double strain = 3 * law.mu / (law.lambda + law.mu);
+RampOptions ramp_options(const Assembly<dim>& body) {
   RampOptions options;
-  options.first = strain < whole_strain ? strain / whole_strain : 1;
+  for (const Body& each : body.bodies) {
+    const ElasticModuli& law = each.material.moduli;
+    const double whole_strain = body.scales.stress / law.young_modulus();
+    const double strain = 3 * law.mu / (law.lambda + law.mu);
+    if (strain < whole_strain) options.first = std::min(options.first, strain / whole_strain);
+  }
   options.smallest *= options.first;
   return options;
 }
@@ -93,7 +95,7 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
     contact.set_load_fraction(fraction);
     if (!loaded)
       for (const Approach& at : approaches)
-        y[at.w] = at.touching + indentation(equations.body(), fraction);
+        y[at.w] = at.touching + indentation(equations.assembly(), fraction);
     if (!solver || exact != (fraction == 1)) {
       exact = fraction == 1;
       NewtonOptions newton{.max_iterations = max_iterations};
@@ -141,8 +143,8 @@ State WearModel<dim>::start(Counters& counters) const {
   ComposedSystem<dim> contact(equations_.composition(), equations_.deformation());
   FieldValues<dim> values(*equations_.composition()->fields);
   const RampReport ramp =
-      find_equilibrium(equations_, contact, ramp_options(body()), values, counters);
-  if (ramp.reached < 1) throw SolutionError(failure_of(ramp, body().element));
+      find_equilibrium(equations_, contact, ramp_options(assembly()), values, counters);
+  if (ramp.reached < 1) throw SolutionError(failure_of(ramp, assembly().bodies.front().element));
   State state;
   state.y.resize(system_.structure().size);
   system_.numbering().gather(values, state.y);
@@ -150,8 +152,8 @@ State WearModel<dim>::start(Counters& counters) const {
   return state;
 }
 
-template RampOptions ramp_options(const WornBody<2>&);
-template RampOptions ramp_options(const WornBody<3>&);
+template RampOptions ramp_options(const Assembly<2>&);
+template RampOptions ramp_options(const Assembly<3>&);
 template RampReport find_equilibrium(const WornBodyEquations<2>&, ComposedSystem<2>&,
                                      const RampOptions&, FieldValues<2>&, Counters&);
 template RampReport find_equilibrium(const WornBodyEquations<3>&, ComposedSystem<3>&,

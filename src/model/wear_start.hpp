@@ -15,7 +15,7 @@ namespace gnomon {
 /// Measured on the pin (E = 10 and 20
 /// MPa, nu = 0.499, 20x20): twice as much fails.
 template <int dim>
-RampOptions ramp_options(const WornBody<dim>& body);
+RampOptions ramp_options(const Assembly<dim>& body);
 
 /// Brings `values` (zero displacement; any shape) into equilibrium with the whole load, at t = 0 or
 /// the time at which `contact` is frozen with the shape, by a ramp.

@@ -4,6 +4,8 @@
 #include <gnomon/model/worn_body_equations.hpp>
 #include <gnomon/terms/body_term.hpp>
 #include <gnomon/terms/loads.hpp>
+#include <gnomon/terms/pressure_load.hpp>
+#include <gnomon/terms/springs.hpp>
 #include <numeric>
 
 namespace gnomon {
@@ -13,15 +15,18 @@ namespace {
 /// The problem's scales, but not smaller than rounding errors of positions and stresses allow: a
 /// small load, a short run or a stiff body would otherwise require an impossible accuracy.
 template <int dim>
-Scales above_rounding(const WornBody<dim>& body) {
+Scales above_rounding(const Assembly<dim>& body) {
   Vector<dim> low = body.mesh.nodes.front(), high = low;
   for (const Vector<dim>& X : body.mesh.nodes) low = low.cwiseMin(X), high = high.cwiseMax(X);
   const double length = 1e-6 * (high - low).maxCoeff();
   double area = std::pow((high - low).maxCoeff(), dim - 1);
-  if (body.element.section == Section::meridian) area *= 2 * M_PI * high[0];
-  const double stiffness =
-      1e-7 * (body.material.moduli.lambda + 2 * body.material.moduli.mu) * area;
+  if (body.section() == Section::meridian) area *= 2 * M_PI * high[0];
+  double modulus = 0;
+  for (const Body& each : body.bodies)
+    modulus = std::max(modulus, each.material.moduli.lambda + 2 * each.material.moduli.mu);
+  const double stiffness = 1e-7 * modulus * area;
   Scales scales = body.scales;
+  scales.auxiliary_force *= body.shape.law.material.collapse_force;
   scales.displacement = std::max(scales.displacement, length);
   scales.force = std::max(scales.force, stiffness);
   if (scales.wear_depth < length) scales.auxiliary_force *= length / scales.wear_depth;
@@ -35,7 +40,7 @@ std::vector<int> all_nodes(std::size_t count) {
 }
 
 template <int dim>
-std::vector<int> contact_nodes(const WornBody<dim>& body) {
+std::vector<int> contact_nodes(const Assembly<dim>& body) {
   std::vector<int> nodes;
   for (const auto& patch : body.contact_nodes) nodes.push_back(patch.node);
   return nodes;
@@ -48,18 +53,18 @@ void assign(Field& field, const auto& held, int block) {
 }
 
 template <int dim>
-Field displacement_field(const WornBody<dim>& body, const Scales& scales, int block) {
+Field displacement_field(const Assembly<dim>& body, const Scales& scales, int block) {
   Field u("displacement", all_nodes(body.mesh.nodes.size()), dim);
-  assign(u, body.displacement_fixed, block);
+  assign(u, body.supports.held, block);
   u.row_scale.setConstant(scales.force);
   u.unknown_scale.setConstant(scales.displacement);
   return u;
 }
 
 template <int dim>
-Field shape_field(const WornBody<dim>& body, const Scales& scales, int interior, int surface) {
+Field shape_field(const Assembly<dim>& body, const Scales& scales, int interior, int surface) {
   Field d("shape", all_nodes(body.mesh.nodes.size()), dim);
-  assign(d, body.shape_fixed, interior);
+  assign(d, body.shape.held, interior);
   d.row_scale.setConstant(scales.auxiliary_force);
   d.unknown_scale.setConstant(scales.wear_depth);
   for (const auto& patch : body.contact_nodes)
@@ -67,13 +72,13 @@ Field shape_field(const WornBody<dim>& body, const Scales& scales, int interior,
       if (d.block(patch.node, i) >= 0) d.block(patch.node, i) = surface;
       d.row_scale(patch.node, i) = scales.wear_depth / scales.duration;
     }
-  if (body.section)
+  if (body.cross_section)
     for (int node : d.node) d.carrier.push_back(body.shape_node(node));
   return d;
 }
 
 template <int dim>
-Field multiplier_field(const WornBody<dim>& body, const Scales& scales, int block) {
+Field multiplier_field(const Assembly<dim>& body, const Scales& scales, int block) {
   Field lambda("contact_multiplier", contact_nodes(body), 1);
   lambda.block.setConstant(block);
   lambda.row_scale.setConstant(scales.displacement);
@@ -82,14 +87,14 @@ Field multiplier_field(const WornBody<dim>& body, const Scales& scales, int bloc
 }
 
 template <int dim>
-Field shape_multiplier_field(const WornBody<dim>& body, const Scales& scales, int block) {
+Field shape_multiplier_field(const Assembly<dim>& body, const Scales& scales, int block) {
   Field mu("shape_multiplier", contact_nodes(body), dim);
   mu.row_scale.setConstant(scales.auxiliary_force);
   for (Eigen::Index c = 0; c < mu.entities(); ++c) {
     const ContactPatch<dim>& patch = body.contact_nodes[c];
     mu.unknown_scale.row(c).setConstant(scales.auxiliary_force / patch.initial_area);
     for (int i = 0; i < dim; ++i)
-      if (!body.shape_fixed(patch.node, i)) mu.block(c, i) = block;
+      if (!body.shape.held(patch.node, i)) mu.block(c, i) = block;
   }
   return mu;
 }
@@ -111,7 +116,7 @@ std::vector<std::array<double, 3>> positions(const Mesh<dim>& mesh) {
 }
 
 template <int dim>
-std::shared_ptr<const std::vector<NodeInterpolation>> coarsening(const WornBody<dim>& body) {
+std::shared_ptr<const std::vector<NodeInterpolation>> coarsening(const Assembly<dim>& body) {
   if (body.solver.method != LinearSolverChoice::Method::block ||
       body.solver.preconditioner != LinearSolverChoice::Preconditioner::multigrid)
     return nullptr;
@@ -119,100 +124,141 @@ std::shared_ptr<const std::vector<NodeInterpolation>> coarsening(const WornBody<
 }
 
 template <int dim>
-WornSurface<dim> worn_surface(const WornBody<dim>& body, const WornBodyFields& fields) {
-  return {fields.d, fields.mu, &body.contact_nodes, body.augmentation};
+WornSurface<dim> worn_surface(const Assembly<dim>& body, const WornBodyFields& fields) {
+  return {fields.d, fields.mu, &body.contact_nodes, body.shape.augmentation};
 }
 
 template <int dim>
-ContactState<dim> contact_state(const WornBody<dim>& body, const Phase<dim>& phase,
+ContactState<dim> contact_state(const Assembly<dim>& body, const Phase<dim>& phase,
                                 const WornBodyFields& fields, double nominal_speed) {
-  ContactState<dim> state{fields.u,         fields.lambda,     fields.w,
-                          body.mesh,        body.contact,      body.contact_nodes,
-                          body.wear_weight, body.further_wear, body.wear_surface,
-                          phase.weight,     nominal_speed};
-  state.parameters.counter_body = phase.counter_body;
+  const Interface<dim>& contact = body.interface;
+  ContactState<dim> state{.u = fields.u,
+                          .lambda = fields.lambda,
+                          .w = fields.w,
+                          .mesh = body.mesh,
+                          .parameters = {.counter_body = phase.counter_body,
+                                         .friction = contact.friction,
+                                         .streaming = contact.streaming,
+                                         .normal_rule = contact.normal_rule,
+                                         .rho = contact.rho},
+                          .patches = body.contact_nodes,
+                          .wear_weight = body.wear_weight,
+                          .surface_of = body.surface_of,
+                          .part = phase.weight,
+                          .nominal_speed = nominal_speed};
+  for (const Surface<dim>& surface : contact.surfaces) state.laws.push_back(surface.wear);
   return state;
 }
 
 }  // namespace
 
 template <int dim>
-WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const WornBody<dim>> body)
-    : WornBodyEquations(body, body->phases()) {}
+WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const Assembly<dim>> assembly)
+    : WornBodyEquations(assembly, assembly->instants()) {}
 
 template <int dim>
-WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const WornBody<dim>> body,
+WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const Assembly<dim>> assembly,
                                           std::vector<Phase<dim>> phases)
-    : body_(std::move(body)), phases_(std::move(phases)) {
+    : assembly_(std::move(assembly)), phases_(std::move(phases)) {
   auto composition = std::make_shared<Composition<dim>>();
   composition->fields = std::make_shared<const FieldSet>(make_fields());
   add_terms(composition->terms);
   for (const WornBodyFields& fields : fields_)
-    for (PrescribedValues held : body_->prescribed_displacement) {
+    for (PrescribedValues held : assembly_->supports.moved) {
       held.field = fields.u;
       composition->prescribed.push_back(std::move(held));
     }
-  composition->position = positions(body_->mesh);
-  composition->solver = body_->solver;
-  composition->coarsening = coarsening(*body_);
+  composition->position = positions(assembly_->mesh);
+  composition->solver = assembly_->solver;
+  composition->coarsening = coarsening(*assembly_);
   composition_ = composition;
   composition->stages = {selection(false, true), deformation()};
 }
 
-/// Factories share the ownership of the body, so that terms may refer to it.
+/// Factories share the ownership of the assembly, so that terms may refer to it.
 template <int dim>
 void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   using Made = std::unique_ptr<Term<dim>>;
   for (std::size_t p = 0; p < phases_.size(); ++p) add_equilibrium(p, terms);
-  terms.push_back([body = body_, f = fields()](const Numbering& numbering) -> Made {
-    return std::make_unique<MeshMotion<dim>>(body->mesh, body->section ? &*body->section : nullptr,
-                                             body->shape_along, body->mesh_motion, numbering, f.d,
-                                             f.mu);
+  terms.push_back([of = assembly_, f = fields()](const Numbering& numbering) -> Made {
+    return std::make_unique<MeshMotion<dim>>(of->mesh,
+                                             of->cross_section ? &*of->cross_section : nullptr,
+                                             of->shape.along, of->shape.law, numbering, f.d, f.mu);
   });
-  const double speed = body_->nominal_speed();
+  const double speed = assembly_->nominal_speed();
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     contact_terms_.push_back(terms.size());
-    terms.push_back([body = body_, phase = phases_[p], f = fields_[p],
+    terms.push_back([of = assembly_, phase = phases_[p], f = fields_[p],
                      speed](const Numbering& numbering) -> Made {
-      return std::make_unique<ContactTerm<dim>>(contact_state(*body, phase, f, speed),
-                                                worn_surface(*body, f), numbering);
+      return std::make_unique<ContactTerm<dim>>(contact_state(*of, phase, f, speed),
+                                                worn_surface(*of, f), numbering);
     });
   }
-  terms.push_back([body = body_, f = fields()](const Numbering& numbering) -> Made {
-    return std::make_unique<ShapeEvolution<dim>>(numbering, worn_surface(*body, f));
+  terms.push_back([of = assembly_, f = fields()](const Numbering& numbering) -> Made {
+    return std::make_unique<ShapeEvolution<dim>>(numbering, worn_surface(*of, f));
   });
-  for (const AddedTermFactory<dim>& make : body_->added_terms)
-    for (const WornBodyFields& fields : fields_)
-      terms.push_back([body = body_, f = fields, make](const Numbering& numbering) -> Made {
-        return make(*body, f, numbering);
-      });
+  for (const SpringSupport<dim>& springs : assembly_->supports.springs) add_springs(springs, terms);
+  for (const Load<dim>& load : assembly_->loads) add_load(load, terms);
 }
 
-/// The rows of u and w, without contact.
+/// The rows of u and w, without contact and loads.
 template <int dim>
 void WornBodyEquations<dim>::add_equilibrium(std::size_t p, std::vector<TermFactory<dim>>& terms) {
   using Made = std::unique_ptr<Term<dim>>;
-  terms.push_back([body = body_, f = fields_[p]](const Numbering& numbering) -> Made {
-    return std::make_unique<BodyTerm<dim>>(body->mesh, body->material, body->element, numbering,
-                                           f.u, f.d);
-  });
-  terms.push_back([body = body_, f = fields_[p],
-                   factor = phases_[p].load](const Numbering& numbering) -> Made {
-    return std::make_unique<Loads<dim>>(numbering, f.u, factor * body->load, body->load_history);
+  terms.push_back([of = assembly_, f = fields_[p]](const Numbering& numbering) -> Made {
+    return std::make_unique<BodyTerm<dim>>(of->mesh, of->bodies, numbering, f.u, f.d);
   });
   if (phases_[p].force)
-    terms.push_back([body = body_, f = fields_[p],
+    terms.push_back([of = assembly_, f = fields_[p],
                      force = *phases_[p].force](const Numbering& numbering) -> Made {
       return std::make_unique<Loads<dim>>(numbering, f.w, Field::Values::Constant(1, 1, force),
-                                          body->load_history);
+                                          of->interface.history);
+    });
+}
+
+/// Where the other ends move by c(t) u^, k A^ (u - c u^): the springs, and the force c k A^ u^.
+template <int dim>
+void WornBodyEquations<dim>::add_springs(const SpringSupport<dim>& springs,
+                                         std::vector<TermFactory<dim>>& terms) {
+  using Made = std::unique_ptr<Term<dim>>;
+  Field::Values pull =
+      Field::Values::Zero(static_cast<Eigen::Index>(assembly_->mesh.nodes.size()), dim);
+  const Section section = assembly_->section();
+  for (const auto& patch : contact_patches<dim>(assembly_->mesh, springs.facets, {}, section))
+    for (int i = 0; i < dim; ++i)
+      pull(patch.node, i) = springs.stiffness[i] * patch.initial_area * springs.displacement[i];
+  for (const WornBodyFields& fields : fields_) {
+    terms.push_back([of = assembly_, f = fields, springs](const Numbering& numbering) -> Made {
+      return std::make_unique<Springs<dim>>(of->mesh, springs.facets, springs.stiffness, numbering,
+                                            f.u, of->section());
+    });
+    if (!pull.isZero(0))
+      terms.push_back([f = fields, pull, history = springs.history](const Numbering& n) -> Made {
+        return std::make_unique<Loads<dim>>(n, f.u, pull, history, Loads<dim>::Purpose::acts);
+      });
+  }
+}
+
+template <int dim>
+void WornBodyEquations<dim>::add_load(const Load<dim>& load, std::vector<TermFactory<dim>>& terms) {
+  using Made = std::unique_ptr<Term<dim>>;
+  const auto purpose = load.presses ? Loads<dim>::Purpose::presses : Loads<dim>::Purpose::acts;
+  for (std::size_t p = 0; p < phases_.size(); ++p)
+    terms.push_back([of = assembly_, f = fields_[p], factor = phases_[p].load, load,
+                     purpose](const Numbering& numbering) -> Made {
+      if (load.forces.size() > 0)
+        return std::make_unique<Loads<dim>>(numbering, f.u, factor * load.forces, load.history,
+                                            purpose);
+      return std::make_unique<PressureLoad<dim>>(of->mesh, load.facets, factor * load.pressure,
+                                                 load.history, numbering, f.u, f.d, of->section());
     });
 }
 
 template <int dim>
 FieldSet WornBodyEquations<dim>::make_fields() {
-  const Scales scales = above_rounding(*body_);
+  const Scales scales = above_rounding(*assembly_);
   FieldSet set;
-  set.nodes = static_cast<int>(body_->mesh.nodes.size());
+  set.nodes = static_cast<int>(assembly_->mesh.nodes.size());
   fields_.resize(phases_.size());
   const auto of_phase = [](Block block, std::size_t phase) {
     block.owner = static_cast<int>(phase);
@@ -221,7 +267,7 @@ FieldSet WornBodyEquations<dim>::make_fields() {
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     const int displacement =
         set.add(of_phase({"displacement", "u", "all nodes", Role::stiffness}, p));
-    fields_[p].u = set.add(displacement_field(*body_, scales, displacement));
+    fields_[p].u = set.add(displacement_field(*assembly_, scales, displacement));
   }
   const int interior = set.add({"shape", "d", "nodes off the contact surface", Role::extension});
   const int surface = set.add({.name = "worn_surface",
@@ -229,22 +275,21 @@ FieldSet WornBodyEquations<dim>::make_fields() {
                                .where = "contact nodes (differential)",
                                .role = Role::evolution,
                                .differential = true});
-  const FieldId d = set.add(shape_field(*body_, scales, interior, surface));
+  const FieldId d = set.add(shape_field(*assembly_, scales, interior, surface));
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     const int multiplier =
         set.add(of_phase({"contact_multiplier", "lambda", "contact nodes", Role::multiplier}, p));
-    fields_[p].lambda = set.add(multiplier_field(*body_, scales, multiplier));
+    fields_[p].lambda = set.add(multiplier_field(*assembly_, scales, multiplier));
   }
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     fields_[p].d = d;
-    fields_[p].load = phases_[p].load;
     if (!phases_[p].force) continue;
     const int rigid = set.add(of_phase({"rigid_motion", "w", "counter-body", Role::rigid}, p));
     fields_[p].w = set.add(rigid_motion_field(set.nodes, scales, rigid));
   }
-  if (body_->constraint == ConstraintForm::multiplier) {
+  if (assembly_->shape.constraint == ConstraintForm::multiplier) {
     const int reaction = set.add({"shape_multiplier", "mu", "contact nodes", Role::reaction});
-    const FieldId mu = set.add(shape_multiplier_field(*body_, scales, reaction));
+    const FieldId mu = set.add(shape_multiplier_field(*assembly_, scales, reaction));
     for (WornBodyFields& fields : fields_) fields.mu = mu;
   }
   return set;

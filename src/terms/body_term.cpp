@@ -3,13 +3,13 @@
 namespace gnomon {
 
 template <int dim>
-BodyTerm<dim>::BodyTerm(const Mesh<dim>& mesh, const Material& material, const Element& element,
+BodyTerm<dim>::BodyTerm(const Mesh<dim>& mesh, const std::vector<Body>& bodies,
                         const Numbering& numbering, FieldId u, FieldId d)
     : u_(u),
       d_(d),
       u_numbers_(numbering.nodal<dim>(u)),
       d_numbers_(numbering.nodal<dim>(d)),
-      cells_(mesh, material, element, u_numbers_, u_numbers_, &d_numbers_) {}
+      cells_(mesh, bodies, u_numbers_, u_numbers_, &d_numbers_) {}
 
 template <int dim>
 void BodyTerm<dim>::declare(TermStructure& structure) const {

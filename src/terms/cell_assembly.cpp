@@ -11,18 +11,22 @@
 namespace gnomon {
 
 template <int dim>
-CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const Material& material,
-                                const Element& element, const Numbers& rows, const Numbers& columns,
+CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const std::vector<Body>& bodies,
+                                const Numbers& rows, const Numbers& columns,
                                 const Numbers* shape_columns, std::vector<double> stiffness,
                                 const NodalProjectors<dim>* along)
     : mesh_(mesh),
-      moduli_(material.moduli),
       stiffness_(std::move(stiffness)),
-      kernel_(material.kernel<dim>(element)),
       rows_(rows),
       columns_(columns),
       shape_columns_(shape_columns),
       along_(along) {
+  if (bodies.size() > 1) body_of_.resize(mesh.cells.size());
+  for (const Body& body : bodies) {
+    if (bodies.size() > 1)
+      for (const int cell : body.cells) body_of_[cell] = static_cast<int>(bodies_.size());
+    bodies_.push_back({body.material.moduli, body.material.kernel<dim>(body.element)});
+  }
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell)
     for (int node : mesh.cells[cell])
       if (rows.row(node).maxCoeff() >= 0) {
@@ -40,7 +44,8 @@ CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const Material& material,
 
 template <int dim>
 ElasticModuli CellAssembly<dim>::moduli_of(int cell) const {
-  return stiffness_.empty() ? moduli_ : moduli_.scaled(stiffness_[cell]);
+  const ElasticModuli& moduli = elastic(cell).moduli;
+  return stiffness_.empty() ? moduli : moduli.scaled(stiffness_[cell]);
 }
 
 template <int dim>
@@ -181,7 +186,7 @@ void CellAssembly<dim>::add_residual(const NodalField<dim>* shape,
     const CellNodal<dim> given = u;
     std::optional<CellProjection<dim>> projection;
     if (keeps_[c]) projection.emplace(cell, *along_, moduli, X).of_displacement(u);
-    if (!kernel_.residual(moduli, X, u, R)) return false;
+    if (!elastic(cells_[c]).kernel.residual(moduli, X, u, R)) return false;
     if (projection) projection->of_residual(given, R);
     for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
       for (int i = 0; i < dim; ++i)
@@ -196,7 +201,6 @@ void CellAssembly<dim>::add_jacobian(const NodalField<dim>* shape,
                                      const NodalField<dim>& displacement,
                                      std::span<double> values) const {
   const int count = static_cast<int>(cells_.size());
-  const auto tangent = shape_columns_ ? kernel_.tangent_ud : kernel_.tangent_u;
   const int failed = for_cells(count, local * local, size_, [&](int c, const Range& own) {
     const auto& cell = mesh_.cells[cells_[c]];
     if (!meets(cell, columns_, own) && !(shape_columns_ && meets(cell, *shape_columns_, own)))
@@ -207,7 +211,9 @@ void CellAssembly<dim>::add_jacobian(const NodalField<dim>* shape,
     const ElasticModuli moduli = moduli_of(cells_[c]);
     std::optional<CellProjection<dim>> projection;
     if (keeps_[c]) projection.emplace(cell, *along_, moduli, X).of_displacement(u);
-    if (!tangent(moduli, X, u, R, K_u, K_d)) return false;
+    const CellKernel<dim>& kernel = elastic(cells_[c]).kernel;
+    if (!(shape_columns_ ? kernel.tangent_ud : kernel.tangent_u)(moduli, X, u, R, K_u, K_d))
+      return false;
     if (projection) projection->of_tangent(K_u);
     const std::size_t first = std::size_t(c) * local * local;
     add_columns<dim>(cell, columns_, own, map_.data() + first, K_u, values);

@@ -13,8 +13,8 @@ ContactTerm<dim>::ContactTerm(const ContactState<dim>& state, const WornSurface<
       u_numbers_(numbering.nodal<dim>(state.u)),
       d_numbers_(numbering.nodal<dim>(surface.d)),
       w_number_(numbering.number(state.w, 0)) {
-  surfaces_.assign(1 + state.further_wear.size(), state.parameters);
-  for (std::size_t k = 1; k < surfaces_.size(); ++k) surfaces_[k].wear = state.further_wear[k - 1];
+  surfaces_.assign(state.laws.size(), state.parameters);
+  for (std::size_t k = 0; k < surfaces_.size(); ++k) surfaces_[k].wear = state.laws[k];
   for (int c = 0; c < count(); ++c) {
     lambda_numbers_.push_back(numbering.number(state.lambda, c));
     first_switch_.push_back(first_switch_.back() + switching_functions(parameters(c)));

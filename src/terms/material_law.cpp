@@ -16,14 +16,17 @@ std::string table_of(const std::string& choice) {
 
 Material make_material(const std::string& law, const ElasticModuli& moduli) {
   const MaterialLaw& found = MaterialLaws::find(law, "material");
-  return {moduli, found.kernels, found.collapse_force};
+  return {moduli, found.kernels, found.collapse_force, moduli.young_modulus(),
+          moduli.lambda / (2 * (moduli.lambda + moduli.mu))};
 }
 
 Material read_material(const Scene& scene, const std::string& choice) {
   const std::string table = table_of(choice), name = scene.text(choice);
-  Material material =
-      make_material(name, ElasticModuli::from_young_poisson(scene.real(table + "young_modulus"),
-                                                            scene.real(table + "poisson_ratio")));
+  const double young = scene.real(table + "young_modulus"),
+               poisson = scene.real(table + "poisson_ratio");
+  Material material = make_material(name, ElasticModuli::from_young_poisson(young, poisson));
+  material.young_modulus = young;
+  material.poisson_ratio = poisson;
   for (const MaterialLaw& law : MaterialLaws::all())
     for (const Key& key : law.keys)
       if (law.name != name && scene.has(table + key.name))

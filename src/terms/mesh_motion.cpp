@@ -41,8 +41,10 @@ template <int dim>
 CellAssembly<dim> auxiliary_cells(const Mesh<dim>& mesh, const MeshMotionLaw& law,
                                   const NodalNumbers<dim>& rows, const NodalNumbers<dim>& columns,
                                   const NodalProjectors<dim>* along = nullptr) {
-  return {mesh,    law.material, {ElementTechnology::plain, Kinematics::finite}, rows,
-          columns, nullptr,      stiffness_by_volume(mesh, law.stiffening),      along};
+  const Body body{.material = law.material,
+                  .element = {ElementTechnology::plain, Kinematics::finite}};
+  return {mesh,    {body}, rows, columns,
+          nullptr, stiffness_by_volume(mesh, law.stiffening), along};
 }
 
 }  // namespace

@@ -15,48 +15,45 @@ using namespace testing;
 constexpr double thickness = 0.7;
 
 /// The pin, extruded along x by `thickness`; (x, y) of the plane becomes (y, z).
-std::shared_ptr<WornBody<3>> extruded(const WornBody<2>& pin, bool as_section) {
+AssemblyParts<3> extruded(const Assembly<2>& pin, bool as_section) {
   const Extrusion extrusion = extrude(pin.mesh, {0, 0.3 * thickness, thickness});
   const std::vector<int>& of = extrusion.section_node;
-  auto body = std::make_shared<WornBody<3>>();
-  body->mesh = extrusion.mesh;
-  body->contact_nodes = contact_patches<3>(body->mesh, body->mesh.boundary.at("bottom"));
+  const Mesh<3>& mesh = extrusion.mesh;
   const auto nodes = static_cast<Eigen::Index>(of.size());
-  body->displacement_fixed = body->shape_fixed = NodalFlags<3>::Ones(nodes, 3);
-  body->load = NodalField<3>::Zero(nodes, 3);
+  NodalFlags<3> held = NodalFlags<3>::Ones(nodes, 3), shape_held = held;
+  Field::Values forces = Field::Values::Zero(nodes, 3);
   for (Eigen::Index node = 0; node < nodes; ++node) {
-    const double x = body->mesh.nodes[node][0];
+    const double x = mesh.nodes[node][0];
     const double share = x == 0 ? 0.15 : x == thickness ? 0.35 : 0.5;  // of the thickness
-    body->displacement_fixed.row(node).tail<2>() = pin.displacement_fixed.row(of[node]);
-    body->shape_fixed.row(node).tail<2>() = pin.shape_fixed.row(of[node]);
-    body->load.row(node).tail<2>() = share * thickness * pin.load.row(of[node]);
+    held.row(node).tail<2>() = pin.supports.held.row(of[node]);
+    shape_held.row(node).tail<2>() = pin.shape.held.row(of[node]);
+    forces.row(node).tail<2>() = share * thickness * pin.loads.front().forces.row(of[node]);
   }
+  AssemblyParts<3> parts{.mesh = mesh,
+                         .bodies = pin.bodies,
+                         .supports = {.held = held},
+                         .loads = {{.forces = forces, .presses = true}},
+                         .interface = {.surfaces = {{"bottom", mesh.boundary.at("bottom"),
+                                                     pin.interface.surfaces.front().wear}},
+                                       .rho = pin.interface.rho},
+                         .shape = {.held = shape_held, .law = {pin.shape.law.material}},
+                         .scales = pin.scales};
   if (as_section) {
     CrossSection section{extrusion.section, std::vector<int>(pin.mesh.nodes.size(), -1), of,
                          thickness, thickness};
     for (Eigen::Index node = nodes - 1; node >= 0; --node)
       section.node[of[node]] = static_cast<int>(node);
-    body->section = section;
-    for (const auto& patch : body->contact_nodes) {
-      const double x = body->mesh.nodes[patch.node][0];
-      body->wear_weight.push_back(x == 0 ? 0.15 : x == thickness ? 0.35 : 0.5);
-    }
+    parts.cross_section = section;
   }
-  body->material = pin.material;
-  body->element = pin.element;
-  body->mesh_motion.material = pin.mesh_motion.material;
-  body->contact.wear = pin.contact.wear;
-  body->contact.rho = pin.contact.rho;
-  body->contact.counter_body.motion.velocity =
-      Vector<3>(0, pin.contact.counter_body.motion.velocity[0], 0);
-  body->scales = pin.scales;
-  body->scales.force *= thickness;
-  return body;
+  parts.interface.partner.motion.velocity =
+      Vector<3>(0, pin.interface.partner.motion.velocity[0], 0);
+  parts.scales.force *= thickness;
+  return parts;
 }
 
 void check(bool as_section, double tolerance) {
   const auto pin = pin_model({elements(8), "body.element=plain", "body.young_modulus=40"});
-  const WornBody<2>& flat = dynamic_cast<const WearModel<2>&>(*pin).body();
+  const Assembly<2>& flat = dynamic_cast<const WearModel<2>&>(*pin).assembly();
   const WearModel<3> solid(extruded(flat, as_section));
   const ModelRun expected = run_model(*pin, "backward-euler", 100, 1e-3, 300);
   const ModelRun actual = run_model(solid, "backward-euler", 100, 1e-3, 300);

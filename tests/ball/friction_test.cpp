@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <gnomon/model/wear_model.hpp>
-#include <memory>
 
 #include "ball/coarse.hpp"
 
@@ -12,9 +11,9 @@ namespace {
 using namespace testing;
 
 template <int dim>
-std::shared_ptr<WornBody<dim>> body_of(const std::string& scene, const Overrides& overrides) {
+AssemblyParts<dim> parts_of(const std::string& scene, const Overrides& overrides) {
   const auto model = model_of(scene, overrides);
-  return std::make_shared<WornBody<dim>>(dynamic_cast<const WearModel<dim>&>(*model).body());
+  return dynamic_cast<const WearModel<dim>&>(*model).assembly();
 }
 
 /// The sum of the contact forces on the counter-body along x, by the force.
@@ -29,12 +28,13 @@ double traction_ratio(const WearModel<2>& model, const State& state) {
 
 // The plane drags the pin along, which its sides hold; the pin wears by K mu F v, more on one side.
 TEST(Friction, DragsAndWearsAPinInThePlane) {
-  const auto body = body_of<2>("pin_on_flat/small_deformation.toml", {"mesh.elements=[20, 20]"});
-  body->contact.friction = 0.3;
-  body->contact.wear = WearLaw({.rate = [K = 1e-7 / 0.3](const WearInput& at, auto) {
-    return WearRate{.value = K * at.friction_power, .by_friction_power = K};
-  }});
-  const WearModel<2> model(body);
+  auto parts = parts_of<2>("pin_on_flat/small_deformation.toml", {"mesh.elements=[20, 20]"});
+  parts.interface.friction = 0.3;
+  parts.interface.surfaces.front().wear =
+      WearLaw({.rate = [K = 1e-7 / 0.3](const WearInput& at, auto) {
+        return WearRate{.value = K * at.friction_power, .by_friction_power = K};
+      }});
+  const WearModel<2> model(parts);
   const ModelRun run = run_model(model, "backward-euler", 50, 1e-3, 200);
   for (const State& state : run.states) {
     EXPECT_NEAR(observed(model, state, "wear_flux"), 1e-4 * 20, 1e-9 * 2e-3);
@@ -45,11 +45,11 @@ TEST(Friction, DragsAndWearsAPinInThePlane) {
 
 // A ball that wears by k p v on a smooth plane: k v F.
 TEST(Friction, IsNotNeededToWearABall) {
-  const auto body = body_of<3>(ball_small, ball_mesh(4, 3, 2));
-  body->contact.friction = 0;
-  body->contact.wear = archard(1e-8);
-  const WearModel<3> model(body);
-  const double speed = body->contact.counter_body.motion.velocity[0];
+  auto parts = parts_of<3>(ball_small, ball_mesh(4, 3, 2));
+  parts.interface.friction = 0;
+  parts.interface.surfaces.front().wear = archard(1e-8);
+  const WearModel<3> model(parts);
+  const double speed = parts.interface.partner.motion.velocity[0];
   const ModelRun run = run_model(model, "backward-euler", 250, 1e-3, 500);
   for (const State& state : run.states)
     EXPECT_NEAR(observed(model, state, "wear_flux") /

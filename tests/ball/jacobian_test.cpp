@@ -19,7 +19,7 @@ std::vector<double> rough_state(const Model& model, double size) {
   std::uniform_real_distribution<double> uniform(-size, size);
   std::vector<double> y(structure.size);
   for (double& value : y) value = uniform(generator);
-  const double stress = 30 * wear.body().contact.rho * size;
+  const double stress = 30 * wear.assembly().interface.rho * size;
   const auto& lambda = wear.system().numbering().numbers(wear.equations().fields().lambda);
   for (Eigen::Index c = 0; c < lambda.size(); ++c) y[lambda(c)] = c % 2 ? -4 * stress : stress;
   return y;

@@ -2,8 +2,8 @@
 
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/model/problem.hpp>
+#include <gnomon/model/solver_scene.hpp>
 #include <gnomon/model/wear_scene.hpp>
-#include <gnomon/model/worn_body_scene.hpp>
 
 #include "ball/coarse.hpp"
 
@@ -76,36 +76,25 @@ Scene scene_of(const std::string& scene, const Overrides& overrides) {
   return load_scene(std::string(GNOMON_SOURCE_DIR "/problems/") + scene, overrides, key_table);
 }
 
-LinearSolverChoice::Preconditioner chosen_for(const Mesh<3>& mesh, const Overrides& overrides) {
-  const Scene scene = scene_of(groove_small, overrides);
-  WornBody<3> body;
-  body.mesh = mesh;
-  body.contact.wear = read_wear_law(scene);
-  read_worn_body(scene, 0.1, body);
-  return body.solver.preconditioner;
+LinearSolverChoice::Preconditioner chosen_for(double nodes, bool grid_lines,
+                                              const Overrides& overrides) {
+  return linear_solver_of(scene_of(groove_small, overrides),
+                          {.dim = 3, .nodes = nodes, .grid_lines = grid_lines})
+      .preconditioner;
 }
 
 TEST(Solver, LargeBodiesAskForMultigridUnlessToldOtherwise) {
-  const auto chosen = [](std::size_t nodes, const Overrides& overrides) {
-    Mesh<3> without_lines;
-    without_lines.nodes.resize(nodes);
-    return chosen_for(without_lines, overrides);
-  };
   using enum LinearSolverChoice::Preconditioner;
-  EXPECT_EQ(chosen(99'999, {}), factor);
-  EXPECT_EQ(chosen(100'000, {}), has_multigrid() ? multigrid : factor);
-  EXPECT_EQ(chosen(100'000, {"solver.preconditioner=factor"}), factor);
-  EXPECT_EQ(chosen(10, {"solver.preconditioner=multigrid"}), multigrid);
+  EXPECT_EQ(chosen_for(99'999, false, {}), factor);
+  EXPECT_EQ(chosen_for(100'000, false, {}), has_multigrid() ? multigrid : factor);
+  EXPECT_EQ(chosen_for(100'000, false, {"solver.preconditioner=factor"}), factor);
+  EXPECT_EQ(chosen_for(10, false, {"solver.preconditioner=multigrid"}), multigrid);
 }
 
 TEST(Solver, AlongGridLinesSmallerBodiesAskForMultigrid) {
-  const auto chosen = [](int nx, int ny, int nz) {
-    const auto in_cube = [](double r, double s, double t) { return Vector<3>(r, s, t); };
-    return chosen_for(structured_hexahedra(nx, ny, nz, in_cube), {});
-  };
   using enum LinearSolverChoice::Preconditioner;
-  EXPECT_EQ(chosen(31, 31, 31), factor);                                // 98,304 displacements
-  EXPECT_EQ(chosen(31, 31, 32), has_multigrid() ? multigrid : factor);  // 101,376
+  EXPECT_EQ(chosen_for(32 * 32 * 32, true, {}), factor);  // 98,304 displacements
+  EXPECT_EQ(chosen_for(32 * 32 * 33, true, {}), has_multigrid() ? multigrid : factor);  // 101,376
 }
 
 // The estimate of the memory needs the choice before there is a mesh.

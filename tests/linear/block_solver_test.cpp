@@ -79,8 +79,9 @@ enum class Lines { unknown, known };
 Problem block_problem(int n, double step, Preconditioner preconditioner, double poisson_ratio = 0.3,
                       Lines lines = Lines::unknown) {
   const PressedBlock block{.across = n, .high = n, .poisson_ratio = poisson_ratio};
-  const auto body = pressed_block(block);
-  if (lines == Lines::known) body->solver = {LinearSolverChoice::Method::block, preconditioner};
+  AssemblyParts<3> parts = pressed_block(block);
+  if (lines == Lines::known) parts.solver = {LinearSolverChoice::Method::block, preconditioner};
+  const auto body = std::make_shared<const Assembly<3>>(std::move(parts));
   const WornBodyEquations<3> equations(body);
   const ComposedSystem<3> system(equations.composition());
   FieldValues<3> values(*equations.composition()->fields);

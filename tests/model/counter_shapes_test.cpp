@@ -31,12 +31,12 @@ Outcome run_on(const CounterShape<3>& shape) {
   PressedBlock block;
   block.across = block.high = 4;
   auto body = pressed_block(block);
-  body->load.setZero();
-  for (Eigen::Index node = 0; node < body->load.rows(); ++node)
-    if (body->mesh.nodes[static_cast<std::size_t>(node)][2] > block.size - 1e-9)
-      body->displacement_fixed(node, 2) = 1;
-  body->counter_force = block.force;
-  body->contact.counter_body.shape = shape;
+  body.loads.clear();
+  for (std::size_t node = 0; node < body.mesh.nodes.size(); ++node)
+    if (body.mesh.nodes[node][2] > block.size - 1e-9)
+      body.supports.held(static_cast<Eigen::Index>(node), 2) = 1;
+  body.interface.force = block.force;
+  body.interface.partner.shape = shape;
   const WearModel<3> model(body);
   const ModelRun run = run_model(model, "esdirk-3", 100, 1e-4, 300);
   const ContactSurface surface = model.contact(run.last()).value();

@@ -14,13 +14,13 @@ namespace {
 using namespace testing;
 
 /// The block on its plane, held at the top, to be pressed from below.
-std::shared_ptr<WornBody<3>> held_block(PressedBlock block) {
+AssemblyParts<3> held_block(PressedBlock block) {
   block.across = block.high = 4;
   auto body = pressed_block(block);
-  body->load.setZero();
-  for (Eigen::Index node = 0; node < body->load.rows(); ++node)
-    if (body->mesh.nodes[static_cast<std::size_t>(node)][2] > block.size - 1e-9)
-      body->displacement_fixed(node, 2) = 1;
+  body.loads.clear();
+  for (std::size_t node = 0; node < body.mesh.nodes.size(); ++node)
+    if (body.mesh.nodes[node][2] > block.size - 1e-9)
+      body.supports.held(static_cast<Eigen::Index>(node), 2) = 1;
   return body;
 }
 
@@ -40,7 +40,7 @@ TEST(GivenApproach, GivesWhatTheForceGives) {
   PressedBlock block;
   block.wear = 0;
   auto pressed = held_block(block);
-  pressed->counter_force = block.force;
+  pressed.interface.force = block.force;
   Counters counters;
   const WearModel<3> by_force(pressed);
   const State start = by_force.start(counters);
@@ -56,12 +56,12 @@ TEST(GivenApproach, GivesWhatTheForceGives) {
       EXPECT_NEAR(pressure[c], reference[c], 1e-7 * largest);
   };
   auto moved = held_block(block);
-  moved->contact.counter_body.travel = LoadHistory({0}, {approach});
+  moved.interface.partner.travel = LoadHistory({0}, {approach});
   const WearModel<3> by_approach(moved);
   expect_reference(by_approach, by_approach.start(counters));
 
   auto coming = held_block(block);  // from where it does not touch yet
-  coming->contact.counter_body.travel = LoadHistory({10, 70}, {-0.002, approach});
+  coming.interface.partner.travel = LoadHistory({10, 70}, {-0.002, approach});
   const WearModel<3> over_time(coming);
   const ModelRun run = run_model(over_time, "backward-euler", 20, 1e-3, 80);
   for (const double p : pressures(over_time, run.states.front())) EXPECT_EQ(p, 0);
@@ -72,7 +72,7 @@ TEST(GivenApproach, GivesWhatTheForceGives) {
 TEST(GivenApproach, ComesByTheLoadRamp) {
   const auto start_at = [](double approach) {
     auto body = held_block({.wear = 0});
-    body->contact.counter_body.travel = LoadHistory({0}, {approach});
+    body.interface.partner.travel = LoadHistory({0}, {approach});
     const WearModel<3> model(body);
     Counters counters;
     const std::vector<double> pressed = pressures(model, model.start(counters));
@@ -96,9 +96,9 @@ TEST(GivenApproach, AColumnWearsAsFastAsItIsPressed) {
   block.wear = 1e-4;
   const double stiffness = block.young_modulus / block.size, start = 0.1 / stiffness;
   auto body = held_block(block);
-  body->element.kinematics = Kinematics::small;
+  body.bodies.front().element.kinematics = Kinematics::small;
   const double rate = 2e-5, later = 5e-6;
-  body->contact.counter_body.travel =
+  body.interface.partner.travel =
       LoadHistory({0, 30, 100}, {start, start + 30 * rate, start + 30 * rate + 70 * later});
   const WearModel<3> model(body);
   const ModelRun run = run_model(model, "esdirk-4", 0, 1e-5, 70);

@@ -24,7 +24,7 @@ std::vector<double> rough_state(const WearModel<2>& model) {
   std::vector<double> y(static_cast<std::size_t>(model.system().structure().size));
   for (double& value : y) value = uniform(generator);
   const Numbering& numbering = model.system().numbering();
-  for (int c = 0; c < static_cast<int>(model.body().contact_nodes.size()); ++c)
+  for (int c = 0; c < static_cast<int>(model.assembly().contact_nodes.size()); ++c)
     y[numbering.number(model.equations().fields().lambda, c)] = c % 2 ? -200 : 300;
   return y;
 }
@@ -41,8 +41,8 @@ TEST(RevolvedContact, JacobianEqualsCentralDifferences) {
           RevolvedBall ball{.along = 4, .high = 3, .normal = normal};
           ball.element = {technology, kinematics, Section::meridian};
           auto body = revolved_ball(ball);
-          body->contact.friction = 0.2;
-          body->constraint = form;
+          body.interface.friction = 0.2;
+          body.shape.constraint = form;
           const WearModel<2> model(body);
           const std::vector<double> y = rough_state(model);
           check_jacobian(model.system(), 0, y, 0.2, nullptr, 1e-6);
@@ -95,7 +95,7 @@ TEST(RevolvedContact, AFlatEndWearsEvenly) {
 std::array<double, 2> worn(NormalRule normal, ConstraintForm form) {
   RevolvedBall ball{.along = 8, .high = 6, .wear = 2e-4, .normal = normal};
   auto body = revolved_ball(ball);
-  body->constraint = form;
+  body.shape.constraint = form;
   const WearModel<2> model(body);
   Counters counters;
   State state = model.start(counters);
@@ -122,19 +122,17 @@ TEST(RevolvedContact, VolumeLostIsWhatWears) {
 // Far from the axis a ring is a plane body: a tyre whose profile is a disk, per circumference.
 TEST(RevolvedContact, FarFromTheAxisIsPlane) {
   const double far = 1e5;
-  auto ring = revolved_ball({.wear = 0});
-  ring->element.technology = ElementTechnology::plain;
-  auto plane = std::make_shared<WornBody<2>>(*ring);
-  plane->element.section = Section::plane;
-  plane->contact_nodes = contact_patches<2>(plane->mesh, plane->mesh.boundary.at("bottom"));
-  plane->load = uniform_load(plane->mesh, "top", Vector<2>(0, -20));
-  for (Vector<2>& X : ring->mesh.nodes) X[0] += far;
-  ring->load =
-      uniform_load(ring->mesh, "top", Vector<2>(0, -20 * 2 * M_PI * far), Section::meridian);
-  ring->contact_nodes =
-      contact_patches<2>(ring->mesh, ring->mesh.boundary.at("bottom"), {}, Section::meridian);
-  Scales& scales = ring->scales;
-  scales.force *= 2 * M_PI * far;
+  AssemblyParts<2> ring = revolved_ball({.wear = 0});
+  ring.bodies.front().element.technology = ElementTechnology::plain;
+  AssemblyParts<2> plane = ring;
+  plane.bodies.front().element.section = Section::plane;
+  plane.interface.boundary.clear();
+  plane.loads.front().forces = uniform_load(plane.mesh, "top", Vector<2>(0, -20));
+  for (Vector<2>& X : ring.mesh.nodes) X[0] += far;
+  ring.loads.front().forces =
+      uniform_load(ring.mesh, "top", Vector<2>(0, -20 * 2 * M_PI * far), Section::meridian);
+  ring.interface.boundary.clear();
+  ring.scales.force *= 2 * M_PI * far;
   Counters counters;
   const WearModel<2> in_space(ring), in_plane(plane);
   const Observation revolved = in_space.observe(in_space.start(counters)),
@@ -143,10 +141,10 @@ TEST(RevolvedContact, FarFromTheAxisIsPlane) {
   EXPECT_NEAR(*revolved.contact_force / (2 * M_PI * far), *flat.contact_force, 1e-3);
 }
 
-TEST(RevolvedContact, RefusesContactNodesOfAnotherSection) {
-  auto body = revolved_ball({});
-  body->contact_nodes = contact_patches<2>(body->mesh, body->mesh.boundary.at("bottom"));
-  EXPECT_THROW(WearModel<2>{body}, Error);
+TEST(RevolvedContact, RefusesBodiesOfDifferentSections) {
+  AssemblyParts<2> parts = revolved_ball({});
+  parts.bodies.push_back({.material = parts.bodies.front().material});
+  EXPECT_THROW(Assembly<2>{parts}, InputError);
 }
 
 }  // namespace

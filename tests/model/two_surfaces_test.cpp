@@ -13,23 +13,25 @@ using namespace testing;
 constexpr const char* plain_law = "wear.rate=k * p * v";
 constexpr const char* threshold_law = "wear.rate='2 * k * max(p - 0.5, 0) * v'";  // one kink more
 
-std::shared_ptr<WornBody<2>> pin_body() {
+AssemblyParts<2> pin_parts() {
   const auto pin = pin_model({elements(21), "wear.normal=conservative"});
-  return std::make_shared<WornBody<2>>(dynamic_cast<const WearModel<2>&>(*pin).body());
+  return dynamic_cast<const WearModel<2>&>(*pin).assembly();
 }
 
 WearLaw law(const char* rate) {
   return read_wear_law(pin_scene({rate}));
 }
 
-/// No node is on the axis of symmetry.
-std::shared_ptr<WornBody<2>> halves(const char* left, const char* right) {
-  auto body = pin_body();
-  body->contact.wear = law(left);
-  body->further_wear = {law(right)};
-  for (const auto& patch : body->contact_nodes)
-    body->wear_surface.push_back(patch.initial_position[0] > 0);
-  return body;
+/// No node is on the axis of symmetry; the facet there belongs to the left half.
+AssemblyParts<2> halves(const char* left, const char* right) {
+  AssemblyParts<2> parts = pin_parts();
+  Surface<2> left_half{"left", {}, law(left)}, right_half{"right", {}, law(right)};
+  for (const auto& facet : parts.interface.surfaces.front().facets)
+    (parts.mesh.nodes[facet[0]][0] > 0 && parts.mesh.nodes[facet[1]][0] > 0 ? right_half
+                                                                            : left_half)
+        .facets.push_back(facet);
+  parts.interface.surfaces = {right_half, left_half};  // what they share wears as the right half
+  return parts;
 }
 
 Eigen::VectorXd worn_heights(const Model& model) {
@@ -41,8 +43,8 @@ Eigen::VectorXd worn_heights(const Model& model) {
 }
 
 TEST(TwoWearingSurfaces, OfOneLawAreOneSurface) {
-  auto one = pin_body();
-  one->contact.wear = law(threshold_law);
+  AssemblyParts<2> one = pin_parts();
+  one.interface.surfaces.front().wear = law(threshold_law);
   EXPECT_EQ(worn_heights(WearModel<2>(halves(threshold_law, threshold_law))),
             worn_heights(WearModel<2>(one)));
 }
@@ -58,7 +60,7 @@ TEST(TwoWearingSurfaces, WearByTheirOwnLaws) {
   int worn_left = 0, worn_right = 0;
   for (std::size_t c = 0; c < nodes.size(); ++c) {
     const double p = -nodes[c].traction;
-    const bool right = model.body().wear_surface[c] == 1;
+    const bool right = model.assembly().surface_of[c] == 0;
     EXPECT_NEAR(nodes[c].wear_rate, right ? 2 * k_v * std::max(p - 0.5, 0.0) : k_v * p, 1e-12)
         << "node " << c << ", p = " << p;
     (right ? worn_right : worn_left) += nodes[c].wear_rate > 0;
@@ -72,7 +74,7 @@ TEST(TwoWearingSurfaces, WearByTheirOwnLaws) {
 TEST(TwoWearingSurfaces, HaveTheirOwnSwitchingFunctions) {
   const WearModel<2> model(halves(plain_law, threshold_law)),
       exchanged(halves(threshold_law, plain_law)), same(halves(plain_law, plain_law));
-  const std::size_t nodes = model.body().contact_nodes.size();
+  const std::size_t nodes = model.assembly().contact_nodes.size();
   EXPECT_EQ(model.system().structure().switch_node.size(), nodes + nodes / 2);
   const Eigen::VectorXd worn = worn_heights(model), mirror = worn_heights(exchanged).reverse();
   EXPECT_LT((worn - mirror).norm(), 1e-7);

@@ -85,14 +85,14 @@ TEST(LoadRamp, EndsAtTheLimitWithTheLastEquilibrium) {
 /// The pin's contact problem at the initial shape.
 struct ContactProblem {
   std::unique_ptr<Model> model;
-  const WornBody<2>& body;
+  const Assembly<2>& body;
   ComposedSystem<2> system;
   FieldValues<2> values;
   Counters counters;
 
   explicit ContactProblem(const Overrides& overrides)
       : model(pin_model(overrides)),
-        body(equations().body()),
+        body(equations().assembly()),
         system(equations().composition(), equations().deformation()),
         values(*equations().composition()->fields) {}
 

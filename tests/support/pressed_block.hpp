@@ -43,44 +43,48 @@ inline Mesh<3> block_mesh(const PressedBlock& block) {
   return mesh;
 }
 
-inline std::shared_ptr<WornBody<3>> pressed_block(const PressedBlock& block) {
-  auto body = std::make_shared<WornBody<3>>();
-  body->mesh = block_mesh(block);
-  body->contact_nodes = contact_patches<3>(body->mesh, body->mesh.boundary.at("bottom"));
-  const auto nodes = static_cast<Eigen::Index>(body->mesh.nodes.size());
-  body->displacement_fixed = body->shape_fixed = NodalFlags<3>::Zero(nodes, 3);
-  body->load = NodalField<3>::Zero(nodes, 3);
+inline AssemblyParts<3> pressed_block(const PressedBlock& block) {
+  const Mesh<3> mesh = block_mesh(block);
+  const auto nodes = static_cast<Eigen::Index>(mesh.nodes.size());
+  NodalFlags<3> held = NodalFlags<3>::Zero(nodes, 3), shape_held = held;
+  Field::Values forces = Field::Values::Zero(nodes, 3);
   const int n = block.across;
   for (Eigen::Index node = 0; node < nodes; ++node) {
     const Eigen::Index i = node % (n + 1), j = node / (n + 1) % (n + 1);
     const bool top = node / ((n + 1) * (n + 1)) == block.high;
     for (int axis = 0; axis < 2; ++axis) {
       const Eigen::Index along = axis == 0 ? i : j;
-      if (along == 0) body->displacement_fixed(node, axis) = 1;
-      if (along == 0 || along == n) body->shape_fixed(node, axis) = 1;
+      if (along == 0) held(node, axis) = 1;
+      if (along == 0 || along == n) shape_held(node, axis) = 1;
     }
     if (!top) continue;
-    body->shape_fixed.row(node).setOnes();
+    shape_held.row(node).setOnes();
     const double edge = (i == 0 || i == n ? 0.5 : 1) * (j == 0 || j == n ? 0.5 : 1);
-    body->load(node, 2) = -block.force * edge / (n * n);
+    forces(node, 2) = -block.force * edge / (n * n);
   }
   const double area = block.size * block.size;
-  body->material = make_material(
-      "neo-hookean", ElasticModuli::from_young_poisson(block.young_modulus, block.poisson_ratio));
-  body->mesh_motion.material =
-      make_material("neo-hookean", ElasticModuli::from_young_poisson(1, 0.3));
-  body->element = block.element;
-  Scales& scales = body->scales;
+  Scales scales;
   scales.force = block.force / (n * n);
   scales.displacement = block.force / (block.young_modulus * block.size);
   scales.stress = block.force / area;
   scales.duration = block.duration;
   scales.wear_depth = block.wear * scales.stress * scales.duration;
   scales.auxiliary_force = scales.wear_depth * block.size;
-  body->contact.wear = archard(block.wear);
-  body->contact.counter_body.motion.velocity = Vector<3>::Unit(0);
-  body->contact.rho = 0.01 * regularization_unit(block.young_modulus, block.size / n, body->scales);
-  return body;
+  AssemblyParts<3> parts{
+      .mesh = mesh,
+      .bodies = {{.material = make_material(
+                      "neo-hookean",
+                      ElasticModuli::from_young_poisson(block.young_modulus, block.poisson_ratio)),
+                  .element = block.element}},
+      .supports = {.held = held},
+      .loads = {{.forces = forces, .presses = true}},
+      .interface = {.surfaces = {{"bottom", mesh.boundary.at("bottom"), archard(block.wear)}},
+                    .rho = 0.01 * regularization_unit(block.young_modulus, block.size / n, scales)},
+      .shape = {.held = shape_held,
+                .law = {make_material("neo-hookean", ElasticModuli::from_young_poisson(1, 0.3))}},
+      .scales = scales};
+  parts.interface.partner.motion.velocity = Vector<3>::Unit(0);
+  return parts;
 }
 
 }  // namespace gnomon::testing

@@ -3,8 +3,7 @@
 #pragma once
 
 #include <gnomon/model/wear_model.hpp>
-#include <gnomon/model/worn_body_scene.hpp>
-#include <memory>
+#include <gnomon/part/assembly_scene.hpp>
 
 namespace gnomon::testing {
 
@@ -33,25 +32,12 @@ inline Mesh<2> revolved_mesh(const RevolvedBall& ball) {
   });
 }
 
-inline std::shared_ptr<WornBody<2>> revolved_ball(const RevolvedBall& ball) {
-  auto body = std::make_shared<WornBody<2>>();
-  body->mesh = revolved_mesh(ball);
-  const Mesh<2>& mesh = body->mesh;
-  const auto nodes = static_cast<Eigen::Index>(mesh.nodes.size());
-  body->displacement_fixed = body->shape_fixed = NodalFlags<2>::Zero(nodes, 2);
-  hold_on_axis(*body);
-  for (int node : mesh.boundary_nodes("right")) body->shape_fixed(node, 0) = 1;
-  for (int node : mesh.boundary_nodes("top")) body->shape_fixed.row(node).setOnes();
-  body->load = uniform_load(mesh, "top", Vector<2>(0, -ball.force), Section::meridian);
-  body->contact_nodes = contact_patches<2>(mesh, mesh.boundary.at("bottom"), exterior_facets(mesh),
-                                           Section::meridian);
-  for (auto& patch : body->contact_nodes) patch.shape_free = body->shape_free(patch.node);
-  body->material = make_material(
-      "neo-hookean", ElasticModuli::from_young_poisson(ball.young_modulus, ball.poisson_ratio));
-  body->mesh_motion.material =
-      make_material("neo-hookean", ElasticModuli::from_young_poisson(1, 0.3));
-  body->element = ball.element;
-  Scales& scales = body->scales;
+inline AssemblyParts<2> revolved_ball(const RevolvedBall& ball) {
+  const Mesh<2> mesh = revolved_mesh(ball);
+  NodalFlags<2> shape_held = held_on_axis(mesh);
+  for (int node : mesh.boundary_nodes("right")) shape_held(node, 0) = 1;
+  for (int node : mesh.boundary_nodes("top")) shape_held.row(node).setOnes();
+  Scales scales;
   scales.force = ball.force / ball.along;
   scales.displacement = ball.force / (ball.young_modulus * ball.size);
   scales.stress = ball.force / (M_PI * ball.size * ball.size);
@@ -59,13 +45,26 @@ inline std::shared_ptr<WornBody<2>> revolved_ball(const RevolvedBall& ball) {
   const double speed = ball.slide + ball.spin * ball.size;
   scales.wear_depth = ball.wear * speed * scales.stress * scales.duration;
   scales.auxiliary_force = scales.wear_depth;
-  body->contact.wear = archard(ball.wear);
-  body->contact.normal_rule = ball.normal;
-  body->contact.counter_body.motion.across_by_x = Vector<2>(ball.spin, 0);
-  body->contact.counter_body.motion.across = ball.slide;
   const double facet = ball.size / ball.along;
-  body->contact.rho = 0.01 * regularization_unit(ball.young_modulus, facet, scales);
-  return body;
+  AssemblyParts<2> parts{
+      .mesh = mesh,
+      .bodies = {{.material = make_material(
+                      "neo-hookean",
+                      ElasticModuli::from_young_poisson(ball.young_modulus, ball.poisson_ratio)),
+                  .element = ball.element}},
+      .supports = {.held = held_on_axis(mesh)},
+      .loads = {{.forces = uniform_load(mesh, "top", Vector<2>(0, -ball.force), Section::meridian),
+                 .presses = true}},
+      .interface = {.surfaces = {{"bottom", mesh.boundary.at("bottom"), archard(ball.wear)}},
+                    .boundary = exterior_facets(mesh),
+                    .normal_rule = ball.normal,
+                    .rho = 0.01 * regularization_unit(ball.young_modulus, facet, scales)},
+      .shape = {.held = shape_held,
+                .law = {make_material("neo-hookean", ElasticModuli::from_young_poisson(1, 0.3))}},
+      .scales = scales};
+  parts.interface.partner.motion.across_by_x = Vector<2>(ball.spin, 0);
+  parts.interface.partner.motion.across = ball.slide;
+  return parts;
 }
 
 }  // namespace gnomon::testing

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <gnomon/mesh/distortion.hpp>
-#include <gnomon/model/worn_body_scene.hpp>
+#include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/terms/material_law.hpp>
 
 #include "support/derivatives.hpp"

@@ -30,17 +30,18 @@ Mesh<dim> column_mesh(int n) {
 
 /// Its shape is held laterally and at the top; it wears at the bottom.
 template <int dim>
-WornBody<dim> column(int n) {
-  WornBody<dim> body;
-  body.mesh = column_mesh<dim>(n);
-  body.contact_nodes = contact_patches<dim>(body.mesh, body.mesh.boundary.at("bottom"));
-  const auto nodes = static_cast<Eigen::Index>(body.mesh.nodes.size());
-  body.displacement_fixed = NodalFlags<dim>::Ones(nodes, dim);
-  body.shape_fixed = NodalFlags<dim>::Ones(nodes, dim);
-  body.shape_fixed.col(dim - 1).setZero();
-  for (int node : body.mesh.boundary_nodes("top")) body.shape_fixed.row(node).setOnes();
-  body.mesh_motion.material = make_material("neo-hookean", moduli);
-  return body;
+AssemblyParts<dim> column(int n) {
+  const Mesh<dim> mesh = column_mesh<dim>(n);
+  const auto nodes = static_cast<Eigen::Index>(mesh.nodes.size());
+  NodalFlags<dim> shape_held = NodalFlags<dim>::Ones(nodes, dim);
+  shape_held.col(dim - 1).setZero();
+  for (int node : mesh.boundary_nodes("top")) shape_held.row(node).setOnes();
+  const Material material = make_material("neo-hookean", moduli);
+  return {.mesh = mesh,
+          .bodies = {{.material = material}},
+          .supports = {.held = NodalFlags<dim>::Ones(nodes, dim)},
+          .interface = {.surfaces = {{"bottom", mesh.boundary.at("bottom"), {}}}},
+          .shape = {.held = shape_held, .law = {material}}};
 }
 
 /// The shape with which the height of each cell becomes `stretch(its height)` times its own.
@@ -60,15 +61,15 @@ NodalField<dim> stretched(const Mesh<dim>& mesh, const std::function<double(doub
 }
 
 template <int dim>
-Eigen::VectorXd residual(const WornBody<dim>& body, const NodalField<dim>& d) {
-  const WornBodyEquations<dim> equations(std::make_shared<const WornBody<dim>>(body));
+Eigen::VectorXd residual(const AssemblyParts<dim>& body, const NodalField<dim>& d) {
+  const WornBodyEquations<dim> equations(std::make_shared<const Assembly<dim>>(body));
   const auto& composition = *equations.composition();
   const FieldId shape = equations.fields().d;
   const Numbering numbering(composition.fields, composition.stages.front());
   FieldValues<dim> values(*composition.fields);
   values.vector(shape) = d;
   std::vector<double> F(numbering.size(), 0.0);
-  MeshMotion<dim>(body.mesh, nullptr, body.shape_along, body.mesh_motion, numbering, shape,
+  MeshMotion<dim>(body.mesh, nullptr, body.shape.along, body.shape.law, numbering, shape,
                   FieldId::none)
       .add_residual({.values = values, .ydot = {}}, F);
   return Eigen::Map<const Eigen::VectorXd>(F.data(), numbering.size());
@@ -82,10 +83,10 @@ TYPED_TEST_SUITE(MeshMotionOf, Dimensions);
 // All cells have the same stress, with every energy.
 TYPED_TEST(MeshMotionOf, AColumnShrinksUniformly) {
   constexpr int dim = TypeParam::value;
-  WornBody<dim> body = column<dim>(5);
+  AssemblyParts<dim> body = column<dim>(5);
   for (const MaterialLaw& law : MaterialLaws::all()) {
     SCOPED_TRACE(law.name);
-    body.mesh_motion.material = make_material(law.name, moduli);
+    body.shape.law.material = make_material(law.name, moduli);
     const auto uniform = stretched<dim>(body.mesh, [](double) { return 0.2; });
     EXPECT_LT(residual<dim>(body, uniform).norm(), 1e-12);
     const auto other = stretched<dim>(body.mesh, [](double h) { return 0.2 + 0.1 * h; });
@@ -96,9 +97,9 @@ TYPED_TEST(MeshMotionOf, AColumnShrinksUniformly) {
 // With the modulus proportional to V^-c strains are proportional to V^c, as long as they are small.
 TYPED_TEST(MeshMotionOf, StiffenedCellsShrinkByThePowerOfTheirVolume) {
   constexpr int dim = TypeParam::value;
-  WornBody<dim> body = column<dim>(5);
+  AssemblyParts<dim> body = column<dim>(5);
   for (const double exponent : {0.5, 1.0}) {
-    body.mesh_motion.stiffening = exponent;
+    body.shape.law.stiffening = exponent;
     const auto shape = [&](double power) {
       return stretched<dim>(body.mesh, [=](double h) { return 1 - 1e-6 * std::pow(h, power); });
     };

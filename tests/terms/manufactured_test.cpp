@@ -137,8 +137,8 @@ Errors errors(const std::string& law, ElementTechnology technology, int n, bool 
                                       load[row] += N[a] * force[i];
                               });
 
-  CellAssembly<dim> cells(mesh, make_material(law, moduli), {technology, kinematics}, numbers,
-                          numbers, nullptr);
+  const Body body{.material = make_material(law, moduli), .element = {technology, kinematics}};
+  CellAssembly<dim> cells(mesh, {body}, numbers, numbers, nullptr);
   PatternBuilder builder(static_cast<int>(size));
   cells.add_to_pattern(builder);
   const SparsePattern pattern = builder.build();

@@ -1,4 +1,4 @@
-// The model of a worn body: consistent start, observations and fields.
+// The model of a wearing assembly: consistent start, observations and fields.
 #pragma once
 
 #include <gnomon/model/model.hpp>
@@ -18,12 +18,15 @@ struct PhaseContact {
 template <int dim>
 class WearModel : public Model {
 public:
-  explicit WearModel(std::shared_ptr<const WornBody<dim>> body);
+  explicit WearModel(std::shared_ptr<const Assembly<dim>> assembly);
+  /// Throws InputError where the parts do not fit together.
+  explicit WearModel(AssemblyParts<dim> parts)
+      : WearModel(std::make_shared<const Assembly<dim>>(std::move(parts))) {}
 
   const ComposedSystem<dim>& system() const override { return system_; }
   std::vector<BlockSize> blocks() const override;
-  std::vector<std::string> remarks() const override { return body().remarks; }
-  double memory() const override { return body().memory; }
+  std::vector<std::string> remarks() const override { return assembly().remarks; }
+  double memory() const override { return assembly().memory; }
   /// Equilibrium at the initial shape by a load ramp (rows 1-2 of the system, shape frozen). The
   /// SolutionError names the largest fraction of the load with an equilibrium.
   State start(Counters& counters) const override;
@@ -37,7 +40,7 @@ public:
   std::function<double(const Point&)> wear_flux() const override;
   long phases() const override { return static_cast<long>(equations_.phases().size()); }
   std::optional<PhaseError> phase_error(const State& state) const override;
-  double differential_scale() const override { return body().scales.wear_depth; }
+  double differential_scale() const override { return assembly().scales.wear_depth; }
   std::optional<Grid> grid() const override;
   std::vector<GridField> fields(const State& state) const override;
   std::optional<ContactSurface> contact(const State& state) const override;
@@ -45,7 +48,7 @@ public:
   std::optional<CounterSurface> counter_surface(const State& state) const override;
   std::optional<State> exact(double) const override { return std::nullopt; }
 
-  const WornBody<dim>& body() const { return equations_.body(); }
+  const Assembly<dim>& assembly() const { return equations_.assembly(); }
   const WornBodyEquations<dim>& equations() const { return equations_; }
 
 private:
@@ -67,7 +70,7 @@ private:
 /// it like a Hertzian edge (p^2 linear in the position), the edge is where p^2 extrapolates to
 /// zero; if it does not reach zero before the open node (a flat, worn profile), the edge is where
 /// the gap of the next two open nodes extrapolates to zero.
-double contact_half_width(const WornBody<2>& body, const WornBodyFields& fields,
+double contact_half_width(const Assembly<2>& body, const WornBodyFields& fields,
                           const FieldValues<2>& values, const std::vector<ContactNode<2>>& nodes);
 
 }  // namespace gnomon

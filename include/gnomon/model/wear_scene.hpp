@@ -2,20 +2,25 @@
 #pragma once
 
 #include <array>
+#include <gnomon/base/error.hpp>
 #include <gnomon/laws/wear_law.hpp>
 #include <gnomon/scene/scene.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace gnomon {
 
-/// The law that `wear.law` names, made of its keys. Throws InputError where they are no law.
-WearLaw read_wear_law(const Scene& scene);
+/// The law that `wear.law` names, made of its keys, for this speed of sliding, by default
+/// wear.velocity. Throws InputError where they are no law.
+WearLaw read_wear_law(const Scene& scene, std::optional<double> speed = {});
 
 /// What a wear law meets in a run, for scales and checks.
 struct WearCircumstances {
   double pressure = 1;  ///< mean contact pressure [stress]
   double friction = 0;  ///< Coulomb's coefficient
+  double speed = 1;     ///< nominal one, s = speed t [length / time]
+  double duration = 1;  ///< of the run [time]
   // Read by require_law() alone:
   double depth = 1;                                   ///< mean wear depth at the end [length]
   std::vector<std::array<double, 3>> initial = {{}};  ///< positions of the nodes [length]
@@ -23,8 +28,13 @@ struct WearCircumstances {
 
 /// The mean over the run of Wdot / p at a new surface [length / (time stress)]: k v of Archard's
 /// law. Of a law that needs more than the mean pressure, at the first multiple of it that wears;
-/// zero where none does.
-double wear_by_pressure(const Scene& scene, const WearLaw& law, const WearCircumstances& at);
+/// zero where none does. Throws RecoverableError where the rate is not finite.
+double wear_by_pressure(const WearLaw& law, const WearCircumstances& at);
+/// The same with the speed, duration and friction of the scene. Throws InputError.
+double wear_by_pressure(const Scene& scene, const WearLaw& law, double pressure);
+
+/// What is said of a law whose rate is not finite, with the key that gives it.
+InputError unsound_law(const Scene& scene, const RecoverableError& error);
 
 /// Throws InputError, in one line, where check_wear_law() does for the values that the run may
 /// meet.

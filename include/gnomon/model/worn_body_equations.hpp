@@ -1,13 +1,24 @@
-// The fields and terms of a worn body, of which its system is composed (docs/equations.md).
+// The fields and terms of a wearing assembly, of which its system is composed (docs/equations.md).
 #pragma once
 
-#include <gnomon/model/worn_body.hpp>
+#include <gnomon/model/assembly.hpp>
 #include <gnomon/system/composed_system.hpp>
 #include <gnomon/system/state.hpp>
 #include <gnomon/terms/contact_term.hpp>
 #include <memory>
 
 namespace gnomon {
+
+/// The positions of the fields in their FieldSet. Of a cycle each phase has its own u, lambda and
+/// w; d and mu are those of all.
+struct WornBodyFields {
+  FieldId u = FieldId::none;       ///< displacement, all nodes
+  FieldId d = FieldId::none;       ///< shape, all nodes; differential on the contact surface
+  FieldId lambda = FieldId::none;  ///< contact multiplier, contact nodes
+  FieldId mu = FieldId::none;      ///< shape multiplier, contact nodes; only in that form
+  FieldId w =
+      FieldId::none;  ///< rigid motion of the counter-body, a single value; only under a force
+};
 
 /// Rows, in the order of their unknowns:
 ///   u                equilibrium, eq. 23-25: internal + contact force - load            [force]
@@ -21,12 +32,12 @@ namespace gnomon {
 template <int dim>
 class WornBodyEquations {
 public:
-  explicit WornBodyEquations(std::shared_ptr<const WornBody<dim>> body);
+  explicit WornBodyEquations(std::shared_ptr<const Assembly<dim>> assembly);
   /// The same in other phases of its cycle.
-  WornBodyEquations(std::shared_ptr<const WornBody<dim>> body, std::vector<Phase<dim>> phases);
+  WornBodyEquations(std::shared_ptr<const Assembly<dim>> assembly, std::vector<Phase<dim>> phases);
 
-  const WornBody<dim>& body() const { return *body_; }
-  const std::shared_ptr<const WornBody<dim>>& shared_body() const { return body_; }
+  const Assembly<dim>& assembly() const { return *assembly_; }
+  const std::shared_ptr<const Assembly<dim>>& shared_assembly() const { return assembly_; }
   /// The contact states: the phases of a cycle, or a single one.
   const std::vector<Phase<dim>>& phases() const { return phases_; }
   const WornBodyFields& fields(std::size_t phase = 0) const { return fields_[phase]; }
@@ -45,9 +56,11 @@ private:
   FieldSet make_fields();
   void add_terms(std::vector<TermFactory<dim>>& terms);
   void add_equilibrium(std::size_t phase, std::vector<TermFactory<dim>>& terms);
+  void add_springs(const SpringSupport<dim>& springs, std::vector<TermFactory<dim>>& terms);
+  void add_load(const Load<dim>& load, std::vector<TermFactory<dim>>& terms);
   BlockSelection selection(bool deformation, bool mesh_motion) const;
 
-  std::shared_ptr<const WornBody<dim>> body_;
+  std::shared_ptr<const Assembly<dim>> assembly_;
   std::vector<Phase<dim>> phases_;
   std::vector<WornBodyFields> fields_;      // of each phase
   std::vector<std::size_t> contact_terms_;  // in the composition, of each phase

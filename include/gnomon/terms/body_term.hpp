@@ -1,4 +1,4 @@
-// The elastic body: rows of a displacement field, over the configuration that a shape field gives.
+// The elastic bodies: rows of a displacement field, over the configuration that a shape field gives.
 #pragma once
 
 #include <gnomon/terms/cell_assembly.hpp>
@@ -11,8 +11,8 @@ template <int dim>
 class BodyTerm : public Term<dim> {
 public:
   /// `mesh` must outlive the term.
-  BodyTerm(const Mesh<dim>& mesh, const Material& material, const Element& element,
-           const Numbering& numbering, FieldId u, FieldId d);
+  BodyTerm(const Mesh<dim>& mesh, const std::vector<Body>& bodies, const Numbering& numbering,
+           FieldId u, FieldId d);
 
   void declare(TermStructure& structure) const override;
   void map_to(const SparsePattern& pattern) override;

@@ -18,15 +18,15 @@ class CellAssembly {
 public:
   using Numbers = NodalNumbers<dim>;
 
-  /// `rows`, `columns`: numbers of the residual rows and of the unknown that is the displacement
+  /// `bodies`: together all cells, each once (one body without cells: all). `rows`, `columns`: numbers of the residual rows and of the unknown that is the displacement
   /// here. `shape_columns`: numbers of the shape unknowns that move the reference
   /// configuration, or null when it does not move. `stiffness`: factors of the moduli, one per
   /// cell; none: 1. `along`: the nodes that keep to planes or lines, with the projectors P on them;
   /// with N = 1 - P their equations are P R(P u) + k N u = 0, of which P K P + k N is the
   /// derivative: equilibrium along, no displacement across. k is a stiffness of the cells. Null: no
   /// node does. Cells without a row are left out. References must outlive the object.
-  CellAssembly(const Mesh<dim>& mesh, const Material& material, const Element& element,
-               const Numbers& rows, const Numbers& columns, const Numbers* shape_columns,
+  CellAssembly(const Mesh<dim>& mesh, const std::vector<Body>& bodies, const Numbers& rows,
+               const Numbers& columns, const Numbers* shape_columns,
                std::vector<double> stiffness = {}, const NodalProjectors<dim>* along = nullptr);
 
   void add_to_pattern(PatternBuilder& builder) const;
@@ -43,6 +43,11 @@ public:
 private:
   static constexpr int local = dim * (1 << dim);  // values per cell
 
+  struct Elastic {  // what a body is made of
+    ElasticModuli moduli;
+    CellKernel<dim> kernel;
+  };
+  const Elastic& elastic(int cell) const { return bodies_[body_of_.empty() ? 0 : body_of_[cell]]; }
   ElasticModuli moduli_of(int cell) const;
   void cell_numbers(int cell, const Numbers& numbers, std::vector<int>& result) const;
   void gather(int cell, const NodalField<dim>* shape, const NodalField<dim>& displacement,
@@ -51,9 +56,9 @@ private:
   void fill_map(const SparsePattern& pattern, const Numbers& columns, std::vector<int>& map) const;
 
   const Mesh<dim>& mesh_;
-  ElasticModuli moduli_;
+  std::vector<Elastic> bodies_;
+  std::vector<int> body_of_;  // per cell; empty: the only one
   std::vector<double> stiffness_;
-  CellKernel<dim> kernel_;
   const Numbers& rows_;
   const Numbers& columns_;
   const Numbers* shape_columns_;

@@ -21,10 +21,8 @@ struct ContactState {
   /// Part of each contact node in the wear rate of its shape unknowns; empty: 1. With a section,
   /// the length that the node represents divided by the length of the path.
   const std::vector<double>& wear_weight;
-  /// Laws of the wearing surfaces after the first, whose law is in `parameters`, and the surface of
-  /// each contact node; empty: all nodes belong to the first.
-  const std::vector<WearLaw>& further_wear;
-  const std::vector<int>& wear_surface;
+  const std::vector<int>& surface_of;  ///< each contact node: whose law wears it
+  std::vector<WearLaw> laws{};         ///< of the surfaces
   double part = 1;           ///< of the mean over a cycle: the weight of its phase
   double nominal_speed = 0;  ///< at which the bodies slide [length / time]
 };
@@ -70,7 +68,7 @@ private:
     return state_.part * (state_.wear_weight.empty() ? 1 : state_.wear_weight[c]);
   }
   const ContactParameters<dim>& parameters(int c) const {
-    return surfaces_[state_.wear_surface.empty() ? 0 : state_.wear_surface[c]];
+    return surfaces_[state_.surface_of[c]];
   }
   /// The part of the term's switching functions that belongs to a node.
   template <class T>

@@ -3,6 +3,7 @@
 
 #include <gnomon/terms/solid.hpp>
 #include <string>
+#include <vector>
 
 namespace gnomon {
 
@@ -11,6 +12,8 @@ struct Material {
   ElasticModuli moduli;
   const LawKernels* finite_kernels = nullptr;  ///< of its law; static, never freed
   double collapse_force = 1;                   ///< that of its law
+  double young_modulus = 0;                    ///< of the linearized law, as given [stress]
+  double poisson_ratio = 0;
 
   template <int dim>
   const CellKernel<dim>& kernel(const Element& element) const {
@@ -18,6 +21,14 @@ struct Material {
     return (small ? small_strain_kernels : *finite_kernels)
         .template of<dim>(element.technology, element.section);
   }
+};
+
+/// Cells of a mesh that are one body. Bodies that share nodes are bonded.
+struct Body {
+  std::string name{};        ///< empty where there is one
+  std::vector<int> cells{};  ///< ascending; of the only body empty: all
+  Material material{};
+  Element element{};
 };
 
 /// A material by the name of its law (material_law.hpp). Throws InputError that names the nearest

@@ -1,0 +1,186 @@
+// All constants of wearing bodies in contact with a rigid counter-body, as plain data: a scene, a
+// problem or a program declares them, and fields and terms are made from them.
+#pragma once
+
+#include <algorithm>
+#include <gnomon/laws/load_history.hpp>
+#include <gnomon/mesh/mesh_part.hpp>
+#include <gnomon/model/cyclic_phases.hpp>
+#include <gnomon/system/composed_system.hpp>
+#include <gnomon/system/linear_solver_choice.hpp>
+#include <gnomon/terms/contact_node.hpp>
+#include <gnomon/terms/mesh_motion.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// How the auxiliary problem is connected to the worn surface: the rows of wear replace the
+/// auxiliary equilibrium there, or the paper's augmented multiplier mu carries the reaction (eq.
+/// 22, 29).
+enum class ConstraintForm { eliminated, multiplier };
+
+/// Typical magnitudes over a run; they scale residuals and unknowns, and do not change the
+/// solution.
+struct Scales {
+  double force = 1;            ///< applied load, as in the rows of u
+  double displacement = 1;     ///< elastic approach of the bodies [length]
+  double stress = 1;           ///< mean contact pressure
+  double wear_depth = 1;       ///< mean wear depth over the contact surface at the end [length]
+  double duration = 1;         ///< of the run [time]
+  double auxiliary_force = 1;  ///< of the mesh-motion rows
+};
+
+/// Unit of rho [stress / length]: Young's modulus divided by facet length, or, under a light load,
+/// a limit from the tractions and gaps that occur. If rho is hundreds of times their ratio, gaps
+/// alone determine the active set, and Newton's method cycles; a small rho does no harm.
+inline double regularization_unit(double young, double facet, const Scales& scales) {
+  constexpr double far_above = 1000;  // times the default of contact.regularization: 10
+  const double occurring = scales.stress / (scales.displacement + scales.wear_depth);
+  return std::min(young / facet, far_above * occurring);
+}
+
+/// A part of the boundary on springs, whose other ends may move.
+template <int dim>
+struct SpringSupport {
+  std::vector<typename Mesh<dim>::Facet> facets;
+  Vector<dim> stiffness = Vector<dim>::Zero();     ///< traction by displacement [stress / length]
+  Vector<dim> displacement = Vector<dim>::Zero();  ///< of the other ends, at factor one [length]
+  LoadHistory history{};                           ///< of the displacement
+};
+
+/// What holds the displacement.
+template <int dim>
+struct Supports {
+  NodalFlags<dim> held;                   ///< 1 where u is held, by node of the mesh
+  std::vector<PrescribedValues> moved{};  ///< at other values than zero, among those held
+  std::vector<SpringSupport<dim>> springs{};
+};
+
+/// A load on the bodies: dead forces at nodes, or a pressure that follows the deformed surface.
+template <int dim>
+struct Load {
+  Field::Values forces{};  ///< at factor one, nodes x dim [force]; empty: a pressure
+  std::vector<typename Mesh<dim>::Facet> facets{};
+  double pressure = 0;  ///< on these, at factor one; positive pushes on the body [stress]
+  LoadHistory history{};
+  bool presses = false;  ///< it alone keeps the bodies together, so that it may not vanish
+};
+
+/// A part of the boundary that touches the counter-body and wears.
+template <int dim>
+struct Surface {
+  std::string name;
+  std::vector<typename Mesh<dim>::Facet> facets;
+  WearLaw wear;
+};
+
+/// Contact of the bodies with a rigid partner.
+template <int dim>
+struct Interface {
+  /// They share no facet. A node of two of them wears by the law of the first.
+  std::vector<Surface<dim>> surfaces;
+  /// Facets of the boundary, among them those beside the surfaces, which their nodes move when
+  /// they wear; read by the conservative rule alone.
+  std::vector<typename Mesh<dim>::Facet> boundary{};
+  CounterBody<dim> partner{};
+  /// The force that presses the partner along its `approach`, at factor one; without it the partner
+  /// does not move.
+  std::optional<double> force{};
+  LoadHistory history{};                        ///< of the force
+  Vector<dim> streaming = Vector<dim>::Zero();  ///< V of eq. (7) [length / time]
+  NormalRule normal_rule = NormalRule::averaged;
+  double friction = 0;            ///< Coulomb's coefficient mu of eq. (10)
+  double rho = 1;                 ///< [stress / length]
+  std::optional<double> speed{};  ///< that the scene gives, for nominal_speed() [length / time]
+};
+
+/// Where the shape is an unknown, and how the mesh follows the worn surface.
+template <int dim>
+struct ShapeMotion {
+  NodalFlags<dim> held;  ///< 1 where d is held at zero, by node of the mesh
+  /// Of the nodes whose d keeps to a plane or line oblique to the coordinate directions: the
+  /// projector on it, zero in the components that `held` holds.
+  NodalProjectors<dim> along{};
+  MeshMotionLaw law{};  ///< eq. (20)
+  ConstraintForm constraint = ConstraintForm::eliminated;
+  double augmentation = 0;  ///< of mu: mu^ = mu + augmentation (ddot + Wdot N) [stress time/length]
+
+  /// Projector on the directions in which the shape of a node may move.
+  Tensor<dim> free(int node) const {
+    if (const auto found = along.find(node); found != along.end()) return found->second;
+    return (1 - held.row(node).template cast<double>().array()).matrix().asDiagonal();
+  }
+};
+
+/// What an assembly is made of; whoever makes one gives all that is not defaulted.
+template <int dim>
+struct AssemblyParts {
+  Mesh<dim> mesh;
+  /// Groups of its cells, together all of them. Those that share nodes are bonded. Their section
+  /// says whether they are bodies of revolution about r = 0, in coordinates (r, z): then forces,
+  /// areas and volumes are those of the whole circumference, and nodes on the axis are held
+  /// (held_on_axis()).
+  std::vector<Body> bodies;
+  Supports<dim> supports;
+  std::vector<Load<dim>> loads{};
+  Interface<dim> interface;
+  ShapeMotion<dim> shape;
+  std::optional<CyclicContact<dim>> cycle{};
+  std::vector<Phase<dim>> phases{};             ///< of the cycle; empty: one steady state
+  std::optional<CrossSection> cross_section{};  ///< 3D only: uniform along x
+  double copies = 1;  ///< number of modelled parts in the whole body (symmetry)
+  Scales scales{};
+  LinearSolverChoice solver{};
+  double memory = 0;                    ///< Model::memory()
+  std::vector<std::string> remarks{};   ///< Model::remarks()
+  std::vector<MeshPart> named_parts{};  ///< of a mesh from a file, for its result to keep
+
+  Section section() const { return bodies.front().element.section; }
+  /// The contact states: the phases of the cycle, or the steady state.
+  std::vector<Phase<dim>> instants() const {
+    if (!phases.empty()) return phases;
+    return {{.counter_body = interface.partner, .force = interface.force}};
+  }
+  /// With which the sliding distance is counted, s = speed t: the given one, or that of the motion,
+  /// its mean over the phases [length / time].
+  double nominal_speed() const {
+    if (interface.speed) return *interface.speed;
+    return mean_over(instants(), [this](const Phase<dim>& phase) {
+      return phase.counter_body.motion.nominal_speed(interface.streaming);
+    });
+  }
+};
+
+/// Parts that fit together, and what follows from them.
+template <int dim>
+struct Assembly : AssemblyParts<dim> {
+  /// Throws InputError where the parts do not fit: bodies that are not all cells, flags that are
+  /// not for all nodes, a surface without facets, elements that are too long, a load too small to
+  /// strain the bodies.
+  explicit Assembly(AssemblyParts<dim> parts);
+
+  std::vector<ContactPatch<dim>> contact_nodes;  ///< of all surfaces
+  std::vector<int> surface_of;                   ///< by contact node: the surface that wears it
+  /// By contact node: its part in the wear rate of its shape unknowns; empty: 1. With a
+  /// cross-section, the length that it represents divided by the length of the path.
+  std::vector<double> wear_weight;
+  std::vector<int> body_of;  ///< by cell
+
+  /// The node that carries the shape unknowns of `node`.
+  int shape_node(int node) const {
+    const auto& uniform = this->cross_section;
+    return uniform ? uniform->node[uniform->of[node]] : node;
+  }
+};
+
+/// The contact nodes of the surfaces of an assembly.
+template <int dim>
+std::vector<ContactPatch<dim>> contact_nodes_of(const AssemblyParts<dim>& parts);
+
+/// Flags of what a body of revolution cannot do: on the axis u_r = d_r = 0. Throws InputError like
+/// axis_nodes().
+NodalFlags<2> held_on_axis(const Mesh<2>& mesh);
+
+}  // namespace gnomon

@@ -1,0 +1,57 @@
+// The contact states of an assembly: the phases of a cycle, or the only one.
+#pragma once
+
+#include <gnomon/cycles/cycle.hpp>
+#include <gnomon/cycles/cycle_quadrature.hpp>
+#include <gnomon/cycles/phase_mean.hpp>
+#include <optional>
+#include <vector>
+
+namespace gnomon {
+
+/// A contact state: one of the phases of a cycle, or the only one.
+template <int dim>
+struct Phase {
+  double position = 0;              ///< tau, in the cycle
+  double weight = 1;                ///< omega, part of the mean over the cycle
+  CounterBody<dim> counter_body{};  ///< where it is in this phase, and how it moves
+  /// The force that presses the counter-body along its `approach`, at factor one of the history;
+  /// without it the counter-body does not move.
+  std::optional<double> force{};
+  double load = 1;  ///< factor of the loads on the bodies
+};
+
+/// What moves and loads the bodies over a cycle: its functions, and the axis of its rotation.
+template <int dim>
+struct CyclicMotion {
+  Cycle cycle;
+  CycleAxis<dim> axis;
+};
+
+/// The cycle, and the positions at which the deformation is taken.
+template <int dim>
+struct CyclicContact {
+  CyclicMotion<dim> motion;
+  CycleQuadrature quadrature;
+};
+
+/// At one position; its motion is that of this instant. `rest`: the counter-body without the cycle;
+/// `force`: what presses it, where the cycle does not say.
+template <int dim>
+Phase<dim> phase_at(const CyclePoint& point, const CyclicMotion<dim>& motion,
+                    const CounterBody<dim>& rest, std::optional<double> force);
+
+/// The phases of a quadrature; where it has fewer points than parts, a phase stands for its
+/// interval: it has the whole path, and the force and load with which it was made.
+template <int dim>
+std::vector<Phase<dim>> phases_of(const CyclicContact<dim>& cycle, const CounterBody<dim>& rest,
+                                  std::optional<double> force, const PhaseSet& set = {});
+
+/// The velocity with which the surface slides at the reference of the motion; the component out of
+/// the plane last [length / time].
+template <int dim>
+Eigen::Matrix<double, dim + 1, 1> sliding_velocity(const Phase<dim>& phase) {
+  return phase.counter_body.motion.sliding_velocity(Vector<dim>::Zero());
+}
+
+}  // namespace gnomon

@@ -1,0 +1,162 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <gnomon/base/error.hpp>
+#include <gnomon/model/assembly.hpp>
+#include <map>
+
+namespace gnomon {
+
+namespace {
+
+/// Residuals are relative to the load, displacements to the bodies: if the smallest load of the
+/// history hardly strains them, even a state without load would be accepted as an equilibrium.
+template <int dim>
+void require_strain(const AssemblyParts<dim>& parts) {
+  constexpr double strain_at_least = 1e-14;
+  double factor = 1, young = parts.bodies.front().material.moduli.young_modulus();
+  if (parts.interface.force) factor = parts.interface.history.least(parts.scales.duration);
+  for (const Load<dim>& load : parts.loads)
+    if (load.presses) factor = std::min(factor, load.history.least(parts.scales.duration));
+  for (const Body& body : parts.bodies)
+    young = std::min(young, body.material.moduli.young_modulus());
+  const double strain = factor * parts.scales.stress / young;
+  if (!(strain >= strain_at_least))
+    throw InputError(fmt::format(
+        "load.force, load.factors, body.young_modulus: expected a load that strains the "
+        "body by {:g} or more, got about {:.2g}, which is less than rounding errors",
+        strain_at_least, strain));
+}
+
+/// Stiffnesses along and across an element differ by the square of its aspect ratio: rounding
+/// errors of the larger must not exceed the smaller.
+template <int dim>
+void require_compact_elements(const Mesh<dim>& mesh) {
+  constexpr double most = 1e4;
+  for (std::size_t e = 0; e < mesh.cells.size(); ++e) {
+    const auto x = mesh.positions(mesh.cells[e]);
+    const auto size = (x.colwise().maxCoeff() - x.colwise().minCoeff()).eval();
+    if (!(size.maxCoeff() <= most * size.minCoeff()))
+      throw InputError(fmt::format(
+          "the mesh: expected elements at most {:g} times as long as wide, got {:.2g} in element "
+          "{}",
+          most, size.maxCoeff() / size.minCoeff(), e));
+  }
+}
+
+/// What a program, not a scene, may have mistaken.
+template <int dim>
+void require_sizes(const AssemblyParts<dim>& parts) {
+  const auto nodes = static_cast<Eigen::Index>(parts.mesh.nodes.size());
+  const auto require = [](bool fits, const char* what) {
+    if (!fits) throw InputError(std::string("an assembly: expected ") + what);
+  };
+  require(!parts.bodies.empty(), "one body or more");
+  require(parts.supports.held.rows() == nodes, "supports.held with a row for every node");
+  require(parts.shape.held.rows() == nodes, "shape.held with a row for every node");
+  for (const Body& body : parts.bodies)
+    require(body.element.section == parts.section(), "bodies of one section");
+  for (const Load<dim>& load : parts.loads)
+    require(load.forces.rows() == 0 || load.forces.rows() == nodes,
+            "forces of loads with a row for every node");
+  require(std::ranges::any_of(parts.interface.surfaces,
+                              [](const auto& surface) { return !surface.facets.empty(); }),
+          "a surface that touches the partner");
+}
+
+/// By cell. Throws where the bodies are not all cells, each once.
+template <int dim>
+std::vector<int> bodies_of_cells(const AssemblyParts<dim>& parts) {
+  if (parts.bodies.size() == 1 && parts.bodies.front().cells.empty())
+    return std::vector<int>(parts.mesh.cells.size(), 0);
+  std::vector<int> body_of(parts.mesh.cells.size(), -1);
+  for (std::size_t b = 0; b < parts.bodies.size(); ++b)
+    for (const int cell : parts.bodies[b].cells) {
+      int& body = body_of.at(static_cast<std::size_t>(cell));
+      if (body >= 0)
+        throw InputError(
+            fmt::format("expected bodies that share no element, but \"{}\" and \"{}\" do",
+                        parts.bodies[static_cast<std::size_t>(body)].name, parts.bodies[b].name));
+      body = static_cast<int>(b);
+    }
+  if (const auto without = std::ranges::count(body_of, -1))
+    throw InputError(
+        fmt::format("expected that every element belongs to a body, {} do not", without));
+  return body_of;
+}
+
+template <int dim>
+std::vector<typename Mesh<dim>::Facet> all_facets(const Interface<dim>& interface) {
+  std::vector<typename Mesh<dim>::Facet> facets;
+  for (const Surface<dim>& surface : interface.surfaces)
+    facets.insert(facets.end(), surface.facets.begin(), surface.facets.end());
+  return facets;
+}
+
+/// The first of the surfaces that have the node.
+template <int dim>
+std::vector<int> surfaces_of_nodes(const std::vector<ContactPatch<dim>>& patches,
+                                   const Interface<dim>& interface) {
+  std::map<int, int> first;
+  for (std::size_t s = 0; s < interface.surfaces.size(); ++s)
+    for (const auto& facet : interface.surfaces[s].facets)
+      for (const int node : facet) first.try_emplace(node, static_cast<int>(s));
+  std::vector<int> result;
+  for (const ContactPatch<dim>& patch : patches) result.push_back(first.at(patch.node));
+  return result;
+}
+
+/// By contact node: the length of its part of a line along x, divided by that of the path.
+template <int dim>
+std::vector<double> weights_on_path(const std::vector<ContactPatch<dim>>& patches,
+                                    const Mesh<dim>& mesh, const CrossSection& section) {
+  std::map<int, std::vector<double>> lines;  // by section node, of those with contact: x
+  for (const ContactPatch<dim>& patch : patches) lines[section.of[patch.node]];
+  for (std::size_t node = 0; node < section.of.size(); ++node)
+    if (const auto line = lines.find(section.of[node]); line != lines.end())
+      line->second.push_back(mesh.nodes[node][0]);
+  for (auto& [node, x] : lines) std::ranges::sort(x);
+  std::vector<double> weights;
+  for (const ContactPatch<dim>& patch : patches) {
+    const std::vector<double>& x = lines.at(section.of[patch.node]);
+    const auto at = std::ranges::lower_bound(x, mesh.nodes[patch.node][0]);
+    const double before = at != x.begin() ? *at - *std::prev(at) : 0;
+    const double behind = std::next(at) != x.end() ? *std::next(at) - *at : 0;
+    weights.push_back((before + behind) / 2 / section.path);
+  }
+  return weights;
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<ContactPatch<dim>> contact_nodes_of(const AssemblyParts<dim>& parts) {
+  return contact_patches<dim>(parts.mesh, all_facets(parts.interface), parts.interface.boundary,
+                              parts.section());
+}
+
+template <int dim>
+Assembly<dim>::Assembly(AssemblyParts<dim> parts) : AssemblyParts<dim>(std::move(parts)) {
+  require_sizes(*this);
+  require_strain(*this);
+  require_compact_elements(this->mesh);
+  body_of = bodies_of_cells(*this);
+  contact_nodes = contact_nodes_of(*this);
+  for (ContactPatch<dim>& patch : contact_nodes) patch.shape_free = this->shape.free(patch.node);
+  surface_of = surfaces_of_nodes(contact_nodes, this->interface);
+  if (this->cross_section)
+    wear_weight = weights_on_path(contact_nodes, this->mesh, *this->cross_section);
+}
+
+NodalFlags<2> held_on_axis(const Mesh<2>& mesh) {
+  NodalFlags<2> held = NodalFlags<2>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), 2);
+  for (const int node : axis_nodes(mesh)) held(node, 0) = 1;
+  return held;
+}
+
+template struct Assembly<2>;
+template struct Assembly<3>;
+template std::vector<ContactPatch<2>> contact_nodes_of(const AssemblyParts<2>&);
+template std::vector<ContactPatch<3>> contact_nodes_of(const AssemblyParts<3>&);
+
+}  // namespace gnomon

@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+#include <gnomon/model/cyclic_phases.hpp>
+
+namespace gnomon {
+
+namespace {
+
+/// Both in the coordinates of the shape, whose origin has moved by `moved` from one to the other.
+template <int dim>
+void add(double factor, const RigidMotion<dim>& motion, const Vector<dim>& moved,
+         RigidMotion<dim>& sum) {
+  sum.velocity += factor * motion.at(moved);
+  sum.spin += factor * motion.spin;
+  sum.across += factor * motion.across_at(moved);
+  sum.across_by_x += factor * motion.across_by_x;
+}
+
+/// What a phase stands for, from instants of its interval: the whole path at the reference, in the
+/// direction of the fastest; and the force and load with which it was made, so that their products
+/// with the path are exact. What moves against this direction counts with its path, too; where the
+/// path bends, its chord is as fast as the path is long.
+template <int dim>
+void stand_for(const std::vector<Phase<dim>>& interval, Phase<dim>& phase) {
+  RigidMotion<dim>& motion = phase.counter_body.motion;
+  const Phase<dim>& fastest = *std::ranges::max_element(
+      interval, {}, [&](const Phase<dim>& at) { return sliding_velocity(at).norm(); });
+  const Eigen::Matrix<double, dim + 1, 1> direction = sliding_velocity(fastest);
+  RigidMotion<dim> sum{.reference = motion.reference, .normal = motion.normal};
+  double time = 0, path = 0, force = 0, load = 0;
+  for (const Phase<dim>& at : interval) {
+    const auto v = sliding_velocity(at);
+    add<dim>(v.dot(direction) < 0 ? -at.weight : at.weight, at.counter_body.motion,
+             phase.counter_body.position - at.counter_body.position, sum);
+    const double part = direction.isZero(0) ? at.weight : at.weight * v.norm();
+    time += at.weight, path += part;
+    force += part * at.force.value_or(0), load += part * at.load;
+  }
+  motion = {.reference = motion.reference, .normal = motion.normal};
+  const double chord = sum.nominal_speed(Vector<dim>::Zero());
+  add<dim>(chord > 0 ? path / (chord * time) : 1 / time, sum, Vector<dim>::Zero(), motion);
+  if (phase.force) phase.force = force / path;
+  phase.load = load / path;
+}
+
+/// Where a motion reverses, its direction would be that of a rounding error.
+template <int dim>
+void bring_to_rest(std::vector<Phase<dim>>& phases) {
+  constexpr double rounding = 1e-9;
+  double velocity = 0, spin = 0, across = 0, across_by_x = 0;
+  for (const Phase<dim>& phase : phases) {
+    const RigidMotion<dim>& motion = phase.counter_body.motion;
+    velocity = std::max(velocity, motion.velocity.norm());
+    spin = std::max(spin, motion.spin.norm());
+    across = std::max(across, std::abs(motion.across));
+    across_by_x = std::max(across_by_x, motion.across_by_x.norm());
+  }
+  for (Phase<dim>& phase : phases) {
+    RigidMotion<dim>& motion = phase.counter_body.motion;
+    if (motion.velocity.norm() <= rounding * velocity) motion.velocity.setZero();
+    if (motion.spin.norm() <= rounding * spin) motion.spin.setZero();
+    if (std::abs(motion.across) <= rounding * across) motion.across = 0;
+    if (motion.across_by_x.norm() <= rounding * across_by_x) motion.across_by_x.setZero();
+  }
+}
+
+/// By the points of the quadrature.
+template <int dim>
+std::vector<Phase<dim>> made_of(const CycleQuadrature& quadrature, const auto& phases_at) {
+  std::vector<Phase<dim>> phases = phases_at(quadrature.points());
+  if (quadrature.stands_for_intervals()) {
+    const std::vector<std::vector<CyclePoint>> intervals = quadrature.intervals();
+    for (std::size_t p = 0; p < phases.size(); ++p) stand_for(phases_at(intervals[p]), phases[p]);
+  }
+  bring_to_rest(phases);
+  return phases;
+}
+
+}  // namespace
+
+template <int dim>
+Phase<dim> phase_at(const CyclePoint& point, const CyclicMotion<dim>& motion,
+                    const CounterBody<dim>& rest, std::optional<double> force) {
+  const double tau = point.position;
+  Phase<dim> phase{.position = tau,
+                   .weight = point.weight,
+                   .counter_body = counter_body_at<dim>(rest, motion.cycle, motion.axis, tau),
+                   .force = force};
+  phase.counter_body.motion.reference += rest.position - phase.counter_body.position;
+  if (motion.cycle.load) phase.load = motion.cycle.load->value(tau);
+  if (motion.cycle.force) phase.force = motion.cycle.force->value(tau);
+  return phase;
+}
+
+template <int dim>
+std::vector<Phase<dim>> phases_of(const CyclicContact<dim>& cycle, const CounterBody<dim>& rest,
+                                  std::optional<double> force, const PhaseSet& set) {
+  const auto phases_at = [&](const std::vector<CyclePoint>& points) {
+    std::vector<Phase<dim>> phases;
+    for (const CyclePoint& point : points)
+      phases.push_back(phase_at(point, cycle.motion, rest, force));
+    return phases;
+  };
+  const CycleQuadrature finer = cycle.quadrature.refined(set.times);
+  if (set.kind == PhaseSet::Kind::fine) return phases_at(finer.fine_points());
+  return made_of<dim>(set.kind == PhaseSet::Kind::own ? finer : finer.comparison(), phases_at);
+}
+
+template Phase<2> phase_at(const CyclePoint&, const CyclicMotion<2>&, const CounterBody<2>&,
+                           std::optional<double>);
+template Phase<3> phase_at(const CyclePoint&, const CyclicMotion<3>&, const CounterBody<3>&,
+                           std::optional<double>);
+template std::vector<Phase<2>> phases_of(const CyclicContact<2>&, const CounterBody<2>&,
+                                         std::optional<double>, const PhaseSet&);
+template std::vector<Phase<3>> phases_of(const CyclicContact<3>&, const CounterBody<3>&,
+                                         std::optional<double>, const PhaseSet&);
+
+}  // namespace gnomon

@@ -1,0 +1,204 @@
+#include <algorithm>
+#include <cmath>
+#include <gnomon/model/magnitudes.hpp>
+#include <gnomon/model/wear_scene.hpp>
+#include <limits>
+#include <numeric>
+
+namespace gnomon {
+
+GapProfile::GapProfile(std::vector<double> gaps, std::vector<double> areas) {
+  std::vector<std::size_t> order(gaps.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return gaps[a] < gaps[b]; });
+  for (std::size_t k : order) {
+    gap_.push_back(gaps[k] - gaps[order.front()]);
+    area_.push_back(areas[k]);
+  }
+}
+
+double GapProfile::area(double depth) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < gap_.size() && gap_[k] <= depth; ++k) sum += area_[k];
+  return sum;
+}
+
+double GapProfile::count(double depth) const {
+  return static_cast<double>(std::upper_bound(gap_.begin(), gap_.end(), depth) - gap_.begin());
+}
+
+double GapProfile::volume(double depth) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < gap_.size() && gap_[k] < depth; ++k)
+    sum += area_[k] * (depth - gap_[k]);
+  return sum;
+}
+
+/// Volume is linear in the depth between one gap and the next.
+double GapProfile::depth_of(double volume) const {
+  double area = 0, moment = 0;
+  for (std::size_t k = 0; k < gap_.size(); ++k) {
+    area += area_[k];
+    moment += area_[k] * gap_[k];
+    const double depth = (volume + moment) / area;
+    if (k + 1 == gap_.size() || depth <= gap_[k + 1]) return depth;
+  }
+  return 0;
+}
+
+namespace {
+
+/// How far the bodies come together, on springs of stiffness E* by the width of the contact.
+struct Indentation {
+  double depth, area, force;
+};
+
+/// `solid`: areas are areas; else lengths, per unit of thickness.
+double width_of(double area, bool solid) {
+  return solid ? std::sqrt(area) : area;
+}
+
+Indentation by_force(const GapProfile& gaps, double force, double modulus, bool solid) {
+  Indentation at{0, gaps.area(0), force};
+  for (int k = 0; k < 30; ++k) {  // the width follows the depth
+    at.depth = gaps.depth_of(force * width_of(at.area, solid) / modulus);
+    at.area = std::max(gaps.area(at.depth), gaps.area(0));
+  }
+  return at;
+}
+
+Indentation by_overlap(const GapProfile& gaps, double depth, double modulus, bool solid) {
+  const double area = std::max(gaps.area(depth), gaps.area(0));
+  return {depth, area, modulus / width_of(area, solid) * gaps.volume(depth)};
+}
+
+template <int dim>
+using Patches = std::vector<ContactPatch<dim>>;
+
+/// The travel of a phase's counter-body to each contact node; under a force from where it touches
+/// first, which is a different place in each phase (the lift of a cam).
+template <int dim>
+std::vector<double> travels(const Phase<dim>& phase, const Mesh<dim>& mesh,
+                            const Patches<dim>& patches) {
+  std::vector<double> result;
+  double first = std::numeric_limits<double>::infinity();
+  for (const auto& patch : patches) {
+    result.push_back(phase.counter_body.travel_to(mesh.nodes[patch.node]));
+    first = std::min(first, result.back());
+  }
+  if (phase.force && std::isfinite(first))
+    for (double& travel : result) travel -= first;
+  return result;
+}
+
+/// The least of all phases.
+template <int dim>
+GapProfile gaps_of(const AssemblyParts<dim>& parts, const Patches<dim>& patches) {
+  std::vector<double> least(patches.size(), std::numeric_limits<double>::infinity());
+  for (const Phase<dim>& phase : parts.instants()) {
+    const std::vector<double> travel = travels(phase, parts.mesh, patches);
+    for (std::size_t c = 0; c < least.size(); ++c) least[c] = std::min(least[c], travel[c]);
+  }
+  std::vector<double> gaps, areas;
+  for (std::size_t c = 0; c < least.size(); ++c) {
+    if (!std::isfinite(least[c])) continue;
+    gaps.push_back(least[c]);
+    areas.push_back(patches[c].initial_area);
+  }
+  return {gaps, areas};
+}
+
+/// Force at factor one.
+template <int dim>
+Vector<dim> resultant(const Load<dim>& load, const AssemblyParts<dim>& parts) {
+  if (load.forces.size() > 0) return load.forces.colwise().sum().transpose();
+  Vector<dim> sum = Vector<dim>::Zero();
+  for (const auto& patch : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()))
+    sum -= load.pressure * patch.initial_area * patch.initial_normal;
+  return sum;
+}
+
+/// How far the bodies are brought into each other where no force presses them.
+template <int dim>
+double given_overlap(const AssemblyParts<dim>& parts) {
+  double most = 0;
+  const auto take = [&](const LoadHistory& history, double value) {
+    for (double t : history.times()) most = std::max(most, std::abs(value * history.factor(t)));
+  };
+  for (const PrescribedValues& held : parts.supports.moved)
+    for (const auto& entry : held.entries) take(held.history, entry.value);
+  for (const SpringSupport<dim>& springs : parts.supports.springs)
+    for (const double value : springs.displacement) take(springs.history, value);
+  if (parts.interface.partner.travel) take(*parts.interface.partner.travel, 1);
+  return most;
+}
+
+/// Of the softest body.
+double contact_modulus(const std::vector<Body>& bodies) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Body& body : bodies) {
+    const double nu = body.material.poisson_ratio;
+    least = std::min(least, body.material.young_modulus / (1 - nu * nu));
+  }
+  return least;
+}
+
+}  // namespace
+
+template <int dim>
+Pressing pressing_of(const AssemblyParts<dim>& parts, double duration) {
+  const Interface<dim>& interface = parts.interface;
+  Vector<dim> load = Vector<dim>::Zero();
+  for (const Load<dim>& each : parts.loads) load += resultant(each, parts);
+  double most_load = 0;
+  for (const Phase<dim>& phase : parts.instants()) most_load = std::max(most_load, phase.load);
+  const double force =
+      interface.force.value_or(most_load * std::abs(load.dot(interface.partner.approach)));
+  return {force, force * interface.history.integral(duration), given_overlap(parts)};
+}
+
+template <int dim>
+Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
+  const Pressing press = pressing_of(parts, duration);
+  const Patches<dim> patches = contact_nodes_of(parts);
+  const double modulus = contact_modulus(parts.bodies);
+  const GapProfile gaps = gaps_of(parts, patches);
+  const bool solid = dim == 3 || parts.section() == Section::meridian;
+  const Indentation start = press.force > 0 ? by_force(gaps, press.force, modulus, solid)
+                                            : by_overlap(gaps, press.overlap, modulus, solid);
+  Magnitudes result;
+  Scales& scales = result.scales;
+  scales.duration = duration;
+  scales.force = start.force;
+  scales.displacement =
+      std::max(start.depth, start.force / (modulus * width_of(start.area, solid)));
+  double k_v = 0;  // of the surface that wears most
+  for (const Surface<dim>& surface : parts.interface.surfaces)
+    k_v = std::max(k_v, wear_by_pressure(surface.wear, {.pressure = start.force / start.area,
+                                                        .friction = parts.interface.friction,
+                                                        .speed = parts.nominal_speed(),
+                                                        .duration = duration}));
+  // Held bodies wear until they no longer overlap.
+  const double worn = press.force > 0
+                          ? k_v * press.impulse
+                          : std::min(k_v * start.force * duration, gaps.volume(press.overlap));
+  result.deepest = worn > 0 ? gaps.depth_of(worn) : 0;
+  const double worn_area = std::max(gaps.area(result.deepest), start.area);
+  scales.stress = start.force / worn_area;
+  scales.wear_depth = worn > 0 ? worn / worn_area : scales.displacement;
+  double area = 0, count = 0;
+  for (const auto& patch : patches) area += patch.initial_area, ++count;
+  result.facet = width_of(area / count, solid);
+  result.contact_nodes = std::max(gaps.count(start.depth), gaps.count(0));
+  scales.auxiliary_force =
+      parts.shape.law.material.young_modulus * scales.wear_depth * (dim == 2 ? 1 : result.facet);
+  return result;
+}
+
+template Pressing pressing_of(const AssemblyParts<2>&, double);
+template Pressing pressing_of(const AssemblyParts<3>&, double);
+template Magnitudes magnitudes_of(const AssemblyParts<2>&, double);
+template Magnitudes magnitudes_of(const AssemblyParts<3>&, double);
+
+}  // namespace gnomon

@@ -1,0 +1,29 @@
+// Groups of the mesh that a scene names for purposes that exclude each other.
+#pragma once
+
+#include <gnomon/base/mistakes.hpp>
+#include <gnomon/mesh/imported_body.hpp>
+#include <gnomon/model/assembly.hpp>
+#include <gnomon/scene/scene.hpp>
+
+namespace gnomon::part {
+
+/// Adds what needs no mesh: groups named twice in a list, wearing groups whose shape is held,
+/// groups whose shape is to be held and to slide.
+void find_conflicts(const Scene& scene, Mistakes& mistakes);
+
+/// Remarks where several loads act on one group, for they add up, and where a load acts on a
+/// wearing surface.
+std::vector<std::string> remarks_on_loads(const Scene& scene);
+
+/// Throws InputError for a rigid support on a wearing surface along its normal: it would carry the
+/// contact pressure there.
+template <int dim>
+void require_free_contact(const Scene& scene, const ImportedBody<dim>& part);
+
+/// Throws InputError where wear is wanted, but the shape is held at every contact node.
+template <int dim>
+void require_moving_shape(const Scene& scene, const std::vector<ContactPatch<dim>>& patches,
+                          const ShapeMotion<dim>& shape);
+
+}  // namespace gnomon::part

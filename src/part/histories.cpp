@@ -1,0 +1,83 @@
+#include "part/histories.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <gnomon/base/mistakes.hpp>
+#include <set>
+
+namespace gnomon::part {
+
+std::vector<std::string> entries_of(const Scene& scene, const std::string& table,
+                                    const std::vector<Key>& keys,
+                                    const std::vector<std::string>& needed) {
+  std::set<std::string> names;
+  for (const Key& key : keys)
+    for (const std::string& name : scene.chosen_names(key.name)) names.insert(name);
+  std::vector<std::string> entries;
+  Mistakes mistakes;
+  for (const std::string& name : names) {
+    entries.push_back(table + "." + name);
+    for (const std::string& key : needed)
+      if (!given(scene, entries.back() + "." + key))
+        mistakes.add(fmt::format("{}: [[{}]] number {}: missing key `{}`", scene.path().string(),
+                                 table, name, key));
+  }
+  mistakes.require_none();
+  return entries;
+}
+
+Section section_of(const Scene& scene) {
+  return scene.text("body.plane") == "axisymmetric" ? Section::meridian : Section::plane;
+}
+
+template <int dim>
+std::vector<std::string> direction_names(const Scene& scene) {
+  if constexpr (dim == 3) return {"x", "y", "z"};
+  if (section_of(scene) == Section::meridian) return {"r", "z"};
+  return {"x", "y"};
+}
+
+Key times_key(const std::string& prefix, const std::string& quantity) {
+  return {.name = prefix + ".times",
+          .kind = KeyKind::reals,
+          .unit = "s",
+          .presence = Key::Presence::optional,
+          .absent_meaning = quantity + " does not change with time",
+          .range = {.min = 0},
+          .help = "ascending times of factors; steps end on them exactly"};
+}
+
+Key factors_key(const std::string& prefix, const std::string& quantity) {
+  return {.name = prefix + ".factors",
+          .kind = KeyKind::reals,
+          .presence = Key::Presence::optional,
+          .absent_meaning = quantity + " does not change with time",
+          .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
+          .help =
+              "what it is multiplied by at the times: linear between them, constant before the "
+              "first and after the last"};
+}
+
+LoadHistory read_history(const Scene& scene, const std::string& prefix) {
+  const std::string times_name = prefix + ".times", factors_name = prefix + ".factors";
+  const bool has_times = given(scene, times_name), has_factors = given(scene, factors_name);
+  if (!has_times && !has_factors) return {};
+  if (has_times != has_factors)
+    throw InputError(fmt::format("{}: expected also {}",
+                                 scene.where(has_times ? times_name : factors_name),
+                                 has_times ? factors_name : times_name));
+  const std::vector<double>&times = scene.reals(times_name), &factors = scene.reals(factors_name);
+  if (times.empty() || times.size() != factors.size())
+    throw InputError(fmt::format("{}: expected as many as {}, {}, and one or more, got {}",
+                                 scene.where(factors_name), times_name, times.size(),
+                                 factors.size()));
+  if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) != times.end())
+    throw InputError(scene.where(times_name) + ": expected ascending times");
+  return {times, factors};
+}
+
+template std::vector<std::string> direction_names<2>(const Scene&);
+template std::vector<std::string> direction_names<3>(const Scene&);
+
+}  // namespace gnomon::part

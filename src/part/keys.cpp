@@ -1,0 +1,105 @@
+#include <gnomon/cycles/cycle_scene.hpp>
+#include <gnomon/part/part_scene.hpp>
+
+#include "part/loads.hpp"
+#include "part/shape_support.hpp"
+#include "part/supports.hpp"
+
+namespace gnomon {
+
+namespace {
+
+using namespace part;
+
+constexpr auto defaulted = Key::Presence::defaulted;
+constexpr auto optional = Key::Presence::optional;
+
+std::vector<Key> mesh_keys() {
+  return {{.name = "mesh.file",
+           .kind = KeyKind::text,
+           .presence = optional,
+           .absent_meaning = "mesh.geometry is meshed",
+           .names_file = true,
+           .help = "mesh of Gmsh (.msh), beside the scene or by its path"},
+          {.name = "mesh.geometry",
+           .kind = KeyKind::text,
+           .presence = optional,
+           .absent_meaning = "mesh.file is read",
+           .names_file = true,
+           .help = "geometry (.geo, .step) that Gmsh meshes"},
+          {.name = "mesh.size",
+           .unit = "mm",
+           .presence = optional,
+           .absent_meaning = "as the geometry asks for",
+           .range = positive_quantity,
+           .help = "longest edge of an element where mesh.geometry asks for no smaller one"},
+          {.name = "mesh.factor",
+           .presence = defaulted,
+           .default_value = 1.0,
+           .range = {.min = 1e-3, .max = 1e3},
+           .help = "multiplies every edge of mesh.geometry: 0.5 for a mesh twice as fine"}};
+}
+
+std::vector<Key> own_keys() {
+  return {
+      {.name = "body.plane",
+       .kind = KeyKind::text,
+       .presence = defaulted,
+       .default_value = "strain",
+       .choices = {"strain", "axisymmetric"},
+       .help = "what a mesh in the plane is a section of: plane strain, or a body of revolution "
+               "about x = 0, in coordinates (r, z)"},
+      {.name = "body.density",
+       .unit = "t/mm^3",
+       .presence = optional,
+       .absent_meaning = "no load.#.acceleration",
+       .range = positive_quantity,
+       .help = "mass by volume"},
+      {.name = "wear.on",
+       .kind = KeyKind::texts,
+       .presence = Key::Presence::required,
+       .help = "groups of the mesh that touch the counter-body and wear"},
+      {.name = "wear.surfaces.\"*\".rate",
+       .kind = KeyKind::text,
+       .unit = "mm/s",
+       .presence = optional,
+       .absent_meaning = "wear.rate",
+       .help = "wear rate of one of wear.on by its name, as wear.rate"}};
+}
+
+/// What a part does not have: its loads are an array, its counter-body moves.
+bool replaced(const std::string& key) {
+  return key == "load.force" || key == "load.times" || key == "load.factors";
+}
+
+/// Those of the built-in problems, with what a part tells otherwise.
+std::vector<Key> shared_keys() {
+  std::vector<Key> keys;
+  for (Key key : worn_body_keys(2)) {
+    if (replaced(key.name)) continue;
+    if (key.name == "wear.velocity") {
+      key.presence = optional;
+      key.absent_meaning = "that of counter_body.motion at the contact";
+      key.help = "sliding speed that s = v t is counted with";
+    }
+    if (key.name == "wear.coefficient") key.range.min = 0;  // a contact analysis
+    if (key.name == "solver.method") {
+      key.presence = optional;
+      key.absent_meaning = "block";
+    }
+    keys.push_back(std::move(key));
+  }
+  return keys;
+}
+
+}  // namespace
+
+std::vector<Key> part_keys() {
+  std::vector<Key> keys = mesh_keys();
+  for (const auto& more :
+       {own_keys(), support_keys(), load_keys(), cycle_keys(), shared_keys(), shape_support_keys()})
+    keys.insert(keys.end(), more.begin(), more.end());
+  return keys;
+}
+
+}  // namespace gnomon

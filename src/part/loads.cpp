@@ -1,0 +1,146 @@
+#include "part/loads.hpp"
+
+#include <fmt/format.h>
+
+#include <gnomon/base/error.hpp>
+#include <gnomon/mesh/contact_patch.hpp>
+#include <gnomon/part/assembly_scene.hpp>
+
+#include "part/groups.hpp"
+#include "part/histories.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+constexpr Range any_quantity{.min = -positive_quantity.max, .max = positive_quantity.max};
+
+Key vector_key(const std::string& name, const std::string& unit, const std::string& help) {
+  return {.name = name,
+          .kind = KeyKind::reals,
+          .unit = unit,
+          .presence = Key::Presence::optional,
+          .absent_meaning = "none",
+          .range = any_quantity,
+          .help = help};
+}
+
+}  // namespace
+
+std::vector<Key> load_keys() {
+  return {
+      {.name = "load.#.on",
+       .kind = KeyKind::text,
+       .presence = Key::Presence::optional,
+       .absent_meaning = "the whole body, for an acceleration",
+       .help = "group of the mesh that the load acts on"},
+      vector_key("load.#.force", "N/mm in plane strain, else N",
+                 "resultant, distributed evenly over the initial area; its direction stays"),
+      vector_key("load.#.traction", "MPa", "force by initial area; its direction stays"),
+      {.name = "load.#.pressure",
+       .unit = "MPa",
+       .presence = Key::Presence::optional,
+       .absent_meaning = "none",
+       .range = any_quantity,
+       .help = "pressure, positive pushes on the body; follows the deformed surface"},
+      vector_key("load.#.acceleration", "mm/s^2", "for example of gravity; needs body.density"),
+      times_key("load.#", "the load"),
+      factors_key("load.#", "the load"),
+  };
+}
+
+namespace {
+
+template <int dim>
+Vector<dim> read_vector(const Scene& scene, const std::string& key) {
+  const std::vector<double>& values = scene.reals(key);
+  if (values.size() != dim)
+    throw InputError(
+        fmt::format("{}: expected {} numbers, got {}", scene.where(key), dim, values.size()));
+  return Eigen::Map<const Vector<dim>>(values.data());
+}
+
+/// Nodal forces of a traction that is constant over the facets.
+template <int dim>
+NodalField<dim> nodal_forces(const ImportedBody<dim>& part,
+                             const std::vector<typename Mesh<dim>::Facet>& facets,
+                             const Vector<dim>& load, bool is_resultant, Section section) {
+  const auto patches = contact_patches<dim>(part.mesh, facets, {}, section);
+  double area = 0;
+  for (const auto& patch : patches) area += patch.initial_area;
+  NodalField<dim> forces =
+      NodalField<dim>::Zero(static_cast<Eigen::Index>(part.mesh.nodes.size()), dim);
+  for (const auto& patch : patches)
+    forces.row(patch.node) = (patch.initial_area / (is_resultant ? area : 1)) * load.transpose();
+  return forces;
+}
+
+/// The key of the load that is given. Throws unless it is one.
+std::string kind_of(const Scene& scene, const std::string& load) {
+  std::string kind;
+  for (const char* name : {"force", "traction", "pressure", "acceleration"}) {
+    if (!given(scene, load + "." + name)) continue;
+    if (!kind.empty())
+      throw InputError(fmt::format("{}: expected one kind of load, got also {}",
+                                   scene.where(load + "." + name), kind));
+    kind = name;
+  }
+  if (kind.empty())
+    throw InputError(
+        fmt::format("{}: {}: expected one of force, traction, pressure and acceleration",
+                    scene.path().string(), load));
+  if ((kind == "acceleration") == given(scene, load + ".on"))
+    throw InputError(kind == "acceleration"
+                         ? scene.where(load + ".on") +
+                               ": expected none, for an acceleration acts "
+                               "on the whole body"
+                         : fmt::format("{}: expected also `on`, the group that it acts on",
+                                       scene.where(load + "." + kind)));
+  return kind;
+}
+
+template <int dim>
+Load<dim> read_load(const Scene& scene, const std::string& load, const ImportedBody<dim>& part) {
+  const std::string kind = kind_of(scene, load), key = load + "." + kind, on = load + ".on";
+  Load<dim> result{.history = read_history(scene, load)};
+  const Section section = section_of(scene);
+  if (given(scene, on)) result.facets = group_facets(scene, on, scene.text(on), part);
+  if (kind == "pressure") {
+    result.pressure = scene.real(key);
+    return result;
+  }
+  const Vector<dim> vector = read_vector<dim>(scene, key);
+  if (kind == "acceleration" && !given(scene, "body.density"))
+    throw InputError(scene.where(key) + ": expected also body.density");
+  result.forces =
+      kind == "acceleration"
+          ? volume_load<dim>(part.mesh, Vector<dim>(scene.real("body.density") * vector), section)
+          : nodal_forces<dim>(part, result.facets, vector, kind == "force", section);
+  return result;
+}
+
+}  // namespace
+
+void find_mistakes_of_loads(const Scene& scene, Mistakes& mistakes) {
+  mistakes.collect([&] {
+    for (const std::string& load : entries_of(scene, "load", load_keys(), {})) {
+      mistakes.collect([&] { kind_of(scene, load); });
+      mistakes.collect([&] { read_history(scene, load); });
+    }
+  });
+}
+
+template <int dim>
+std::vector<Load<dim>> read_loads(const Scene& scene, const ImportedBody<dim>& part) {
+  std::vector<Load<dim>> loads;
+  Mistakes mistakes;
+  for (const std::string& load : entries_of(scene, "load", load_keys(), {}))
+    mistakes.collect([&] { loads.push_back(read_load(scene, load, part)); });
+  mistakes.require_none();
+  return loads;
+}
+
+template std::vector<Load<2>> read_loads(const Scene&, const ImportedBody<2>&);
+template std::vector<Load<3>> read_loads(const Scene&, const ImportedBody<3>&);
+
+}  // namespace gnomon::part

@@ -1,0 +1,184 @@
+#include "part/nominal_speed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/terms/sliding.hpp>
+#include <limits>
+#include <vector>
+
+#include "part/phases.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+template <int dim>
+using Patches = std::vector<const ContactPatch<dim>*>;
+/// The counter-body at several positions of a cycle, or where it is.
+template <int dim>
+using Instants = std::vector<CounterBody<dim>>;
+
+/// The contact nodes that touch first.
+template <int dim>
+Patches<dim> first_touch(const Scene& scene, const Instants<dim>& instants,
+                         const Patches<dim>& all) {
+  double least = std::numeric_limits<double>::infinity();
+  Vector<dim> outward = Vector<dim>::Zero();
+  Patches<dim> touching;
+  for (const auto* patch : all) {
+    double travel = std::numeric_limits<double>::infinity();
+    for (const CounterBody<dim>& other : instants)
+      travel = std::min(travel, other.travel_to(patch->initial_position));
+    if (travel < least) {
+      least = travel;
+      outward.setZero();
+      touching.clear();
+    }
+    if (!(travel <= least)) continue;
+    outward += patch->initial_normal;
+    touching.push_back(patch);
+  }
+  if (!std::isfinite(least))
+    throw InputError(
+        scene.where("counter_body.shape") +
+        ": expected a counter-body that meets the surfaces of wear.on when it moves "
+        "along counter_body.press.direction, but it passes by: change its place, that "
+        "direction, or its solid side (normal of a plane, side of a profile, concave)");
+  if (!(outward.dot(instants.front().approach) < 0))
+    throw InputError(scene.where("counter_body.press.direction") +
+                     ": expected a direction into the body, but the surfaces of wear.on face the "
+                     "same way");
+  return touching;
+}
+
+/// A point of the worn surface and its normal, unit.
+template <int dim>
+struct Place {
+  Vector<dim> point, normal;
+};
+
+template <int dim>
+Place<dim> place_of(const ContactPatch<dim>& patch) {
+  return {patch.initial_position, patch.initial_normal.normalized()};
+}
+
+/// |v_T| of the counter-body's surface at a place, its mean over the instants.
+template <int dim>
+double speed_at(const Instants<dim>& instants, const Place<dim>& place) {
+  double sum = 0;
+  for (const CounterBody<dim>& other : instants) {
+    auto motion = other.motion;
+    motion.reference = place.point - other.position;
+    motion.normal = place.normal;
+    sum += motion.nominal_speed(Vector<dim>::Zero());
+  }
+  return sum / static_cast<double>(instants.size());
+}
+
+/// By the nodes' shares of the surface.
+template <int dim>
+double mean_speed(const Instants<dim>& other, const Patches<dim>& patches) {
+  double sum = 0, area = 0;
+  for (const auto* patch : patches) {
+    sum += patch->initial_area * speed_at<dim>(other, place_of(*patch));
+    area += patch->initial_area;
+  }
+  return sum / area;
+}
+
+/// The middle of the nodes. Where the counter-body turns about it, or where they face all sides,
+/// the one of them whose speed is nearest to their mean.
+template <int dim>
+Place<dim> typical_place(const Instants<dim>& other, const Patches<dim>& patches) {
+  Place<dim> middle{Vector<dim>::Zero(), Vector<dim>::Zero()};
+  for (const auto* patch : patches) {
+    middle.point += patch->initial_position / static_cast<double>(patches.size());
+    middle.normal += place_of(*patch).normal / static_cast<double>(patches.size());
+  }
+  const bool faces_one_side = middle.normal.norm() > 0.5;
+  middle.normal.normalize();
+  const double mean = mean_speed<dim>(other, patches);
+  if (faces_one_side && speed_at<dim>(other, middle) >= mean / 2) return middle;
+  const auto off = [&](const ContactPatch<dim>* patch) {
+    return std::abs(speed_at<dim>(other, place_of(*patch)) - mean);
+  };
+  return place_of(**std::ranges::min_element(patches, {}, off));
+}
+
+/// That of the counter-body where it first comes to the place, to which facets are only near.
+template <int dim>
+Vector<dim> counter_normal(const Instants<dim>& instants, const Place<dim>& place) {
+  const CounterBody<dim>& first = *std::ranges::min_element(
+      instants, {}, [&](const CounterBody<dim>& other) { return other.travel_to(place.point); });
+  const double travel = first.travel_to(place.point);
+  if (!std::isfinite(travel)) return place.normal;
+  const Vector<dim> normal =
+      first.unchecked_distance(first.seen(place.point, travel), 0).normal.normalized();
+  return normal.allFinite() && !normal.isZero(0) ? normal : place.normal;
+}
+
+}  // namespace
+
+template <int dim>
+Meeting<dim> find_meeting(const Scene& scene, const std::vector<ContactPatch<dim>>& patches,
+                          const CounterBody<dim>& rest,
+                          const std::optional<CyclicMotion<dim>>& cycle) {
+  const Instants<dim> other = instants(rest, cycle);
+  Patches<dim> all;
+  for (const auto& patch : patches) all.push_back(&patch);
+  Patches<dim> touching = first_touch<dim>(scene, other, all);
+  // A ball that turns about the node where it touches slides where it will touch later.
+  constexpr double nothing = 1e-9;
+  if (mean_speed<dim>(other, touching) <= nothing * mean_speed<dim>(other, all)) touching = all;
+  Place<dim> place = typical_place<dim>(other, touching);
+  place.normal = counter_normal<dim>(other, place);
+  Meeting<dim> meeting{rest, 0};
+  meeting.partner.motion.reference = place.point - rest.position;
+  meeting.partner.motion.normal = place.normal;
+  const auto by_motion = [&] {
+    return cycle ? mean_speed(*cycle, meeting.partner) : speed_at<dim>(other, place);
+  };
+  const std::optional<double> given = scene.real_if("wear.velocity");
+  meeting.speed = given ? *given : by_motion();
+  return meeting;
+}
+
+template <int dim>
+std::vector<std::string> remarks_on_speeds(const Scene& scene,
+                                           const std::vector<ContactPatch<dim>>& patches,
+                                           const CounterBody<dim>& rest,
+                                           const std::optional<CyclicMotion<dim>>& cycle) {
+  const Instants<dim> other = instants(rest, cycle);
+  std::vector<std::string> remarks;
+  Patches<dim> all;
+  for (const auto& patch : patches) all.push_back(&patch);
+  if (mean_speed<dim>(other, all) == 0 && scene.real("wear.coefficient") > 0)
+    remarks.push_back(
+        "counter_body.motion or cycle.x, .y, .z, .rotation: the counter-body does not slide on the "
+        "surfaces of wear.on, so that nothing wears");
+  const auto is_turned_about = [&other](const ContactPatch<dim>& patch) {
+    const double speed = speed_at<dim>(other, place_of(patch));
+    return speed * speed < velocity_variance<dim>(patch, other.front().motion);
+  };
+  if (dim == 3 && std::ranges::any_of(patches, is_turned_about))
+    remarks.push_back(
+        "the counter-body turns about a point of the wearing surface: there the worn volume is "
+        "accurate to first order in the size of the facets, compare a finer mesh");
+  return remarks;
+}
+
+template std::vector<std::string> remarks_on_speeds(const Scene&,
+                                                    const std::vector<ContactPatch<2>>&,
+                                                    const CounterBody<2>&,
+                                                    const std::optional<CyclicMotion<2>>&);
+template std::vector<std::string> remarks_on_speeds(const Scene&,
+                                                    const std::vector<ContactPatch<3>>&,
+                                                    const CounterBody<3>&,
+                                                    const std::optional<CyclicMotion<3>>&);
+template Meeting<2> find_meeting(const Scene&, const std::vector<ContactPatch<2>>&,
+                                 const CounterBody<2>&, const std::optional<CyclicMotion<2>>&);
+template Meeting<3> find_meeting(const Scene&, const std::vector<ContactPatch<3>>&,
+                                 const CounterBody<3>&, const std::optional<CyclicMotion<3>>&);
+
+}  // namespace gnomon::part

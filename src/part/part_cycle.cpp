@@ -1,0 +1,93 @@
+#include "part/part_cycle.hpp"
+
+#include <algorithm>
+#include <gnomon/base/error.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
+#include <gnomon/shapes/counter_body_scene.hpp>
+
+#include "part/histories.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+template <int dim>
+void check_displacement(const Scene& scene, Cycle& cycle) {
+  if (dim == 3 || section_of(scene) == Section::plane) return;
+  for (const char* key : {"cycle.x", "cycle.y"})
+    if (given(scene, key))
+      throw InputError(scene.where(key) +
+                       ": expected only cycle.z, along the axis, in an axisymmetric scene");
+  std::swap(cycle.displacement[1], cycle.displacement[2]);  // coordinates (r, z)
+}
+
+template <int dim>
+CycleAxis<dim> read_axis(const Scene& scene, const CounterBody<dim>& body) {
+  CycleAxis<dim> axis;
+  if (!given(scene, "cycle.rotation")) return axis;
+  if (dim == 2 && section_of(scene) == Section::meridian) {
+    axis.meridian = true;
+    return axis;
+  }
+  axis.centre = rotation_center<dim>(scene, "cycle.rotation");
+  axis.spin = rotation_spin<dim>(scene, 1, "cycle.rotation");
+  axis.turns_shape = !turns_into_itself(body.shape, axis.spin, axis.centre);
+  return axis;
+}
+
+/// The force of a free counter-body keeps it where it is.
+template <int dim>
+void check_force(const Scene& scene, const Cycle& cycle, const PressedCounterBody<dim>& other) {
+  if (!cycle.force) return;
+  if (other.force)
+    throw InputError(scene.where("cycle.force") +
+                     ": expected either cycle.force or counter_body.press.force, got both");
+  if (!given(scene, "counter_body.press.direction"))
+    throw InputError(scene.where("cycle.force") + ": expected also counter_body.press.direction");
+  if (given(scene, "counter_body.press.approach"))
+    throw InputError(scene.where("cycle.force") +
+                     ": expected no counter_body.press.approach beside a force");
+}
+
+}  // namespace
+
+std::optional<double> largest_force(const Cycle& cycle) {
+  if (!cycle.force) return {};
+  double most = 0;
+  for (int k = 0; k < samples; ++k) most = std::max(most, cycle.force->value(double(k) / samples));
+  return most;
+}
+
+template <int dim>
+std::optional<CyclicMotion<dim>> read_part_cycle(const Scene& scene,
+                                                 const PressedCounterBody<dim>& other) {
+  std::optional<Cycle> cycle = read_cycle(scene);
+  if (!cycle) return {};
+  if (other.body.turning)
+    throw InputError(scene.where("counter_body.motion.rotation") +
+                     ": expected cycle.rotation instead in a scene with a cycle, because the shape "
+                     "changes its place when it turns");
+  check_displacement<dim>(scene, *cycle);
+  check_force(scene, *cycle, other);
+  const CycleAxis<dim> axis = read_axis(scene, other.body);
+  return CyclicMotion<dim>{std::move(*cycle), axis};
+}
+
+template <int dim>
+std::vector<CounterBody<dim>> instants(const CounterBody<dim>& rest,
+                                       const std::optional<CyclicMotion<dim>>& cycle) {
+  if (!cycle) return {rest};
+  std::vector<CounterBody<dim>> result;
+  for (int k = 0; k < samples; ++k)
+    result.push_back(counter_body_at<dim>(rest, cycle->cycle, cycle->axis, (k + 0.5) / samples));
+  return result;
+}
+
+template std::optional<CyclicMotion<2>> read_part_cycle(const Scene&, const PressedCounterBody<2>&);
+template std::optional<CyclicMotion<3>> read_part_cycle(const Scene&, const PressedCounterBody<3>&);
+template std::vector<CounterBody<2>> instants(const CounterBody<2>&,
+                                              const std::optional<CyclicMotion<2>>&);
+template std::vector<CounterBody<3>> instants(const CounterBody<3>&,
+                                              const std::optional<CyclicMotion<3>>&);
+
+}  // namespace gnomon::part

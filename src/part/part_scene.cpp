@@ -1,0 +1,272 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
+#include <gnomon/mesh/mesh_file.hpp>
+#include <gnomon/model/magnitudes.hpp>
+#include <gnomon/model/wear_model.hpp>
+#include <gnomon/part/assembly_scene.hpp>
+#include <gnomon/part/part_scene.hpp>
+#include <gnomon/shapes/counter_body_scene.hpp>
+
+#include "part/conflicts.hpp"
+#include "part/gross_sliding.hpp"
+#include "part/groups.hpp"
+#include "part/histories.hpp"
+#include "part/loads.hpp"
+#include "part/nominal_speed.hpp"
+#include "part/phases.hpp"
+#include "part/shape_support.hpp"
+#include "part/stored_part.hpp"
+#include "part/supports.hpp"
+#include "part/surface_laws.hpp"
+
+namespace gnomon {
+
+namespace {
+
+using namespace part;
+
+/// The file that a key names: beside the scene, unless its path is absolute.
+std::filesystem::path file_of(const Scene& scene, const std::string& key) {
+  return scene.path().parent_path() / scene.text(key);
+}
+
+ImportedMesh read_mesh(const Scene& scene) {
+  const bool file = scene.has("mesh.file"), geometry = scene.has("mesh.geometry");
+  if (file == geometry)
+    throw InputError(
+        file ? scene.where("mesh.geometry") +
+                   ": expected either mesh.file or mesh.geometry, got both"
+             : scene.path().string() +
+                   ": section [mesh]: expected `file`, a mesh, or `geometry`, which Gmsh meshes");
+  const std::string key = file ? "mesh.file" : "mesh.geometry";
+  try {
+    return read_mesh_file(file_of(scene, key), {.size = scene.real_if("mesh.size").value_or(0),
+                                                .factor = scene.real("mesh.factor")});
+  } catch (const InputError& error) {
+    throw InputError(scene.where(key) + ": " + error.what());
+  }
+}
+
+/// The counter-body and what presses it. Where the scene gives no direction, it is met along the
+/// mean normal of the contact surface.
+template <int dim>
+PressedCounterBody<dim> read_partner(const Scene& scene, Section section,
+                                     const std::vector<ContactPatch<dim>>& patches) {
+  PressedCounterBody<dim> other = read_counter_body<dim>(scene, section);
+  Vector<dim> outward = Vector<dim>::Zero();
+  for (const auto& patch : patches) outward += patch.initial_area * patch.initial_normal;
+  if (!given(scene, "counter_body.press.direction") && outward.norm() > 0)
+    other.body.approach = -outward.normalized();
+  return other;
+}
+
+/// What the interface needs to know of the motion: the partner with its place of first touch, its
+/// force, and the phases of its cycle.
+template <int dim>
+struct Motion {
+  CounterBody<dim> partner;
+  std::optional<double> force{};
+  LoadHistory history{};
+  double speed = 1;
+  std::optional<ReadPhases<dim>> phases{};
+};
+
+/// Without contact nodes, after a mistake, the speed is not known.
+template <int dim>
+Motion<dim> read_motion(const Scene& scene, Section section,
+                        const std::vector<ContactPatch<dim>>& patches) {
+  const PressedCounterBody<dim> other = read_partner(scene, section, patches);
+  Motion<dim> motion{.partner = other.body, .force = other.force};
+  if (other.force) motion.history = read_load_history(scene, "counter_body.press");
+  const std::optional<CyclicMotion<dim>> cycle = read_part_cycle(scene, other);
+  if (cycle && cycle->cycle.force) motion.force = largest_force(cycle->cycle);
+  if (patches.empty()) return motion;
+  const Meeting<dim> meeting = find_meeting(scene, patches, other.body, cycle);
+  motion.partner = meeting.partner;
+  motion.speed = meeting.speed;
+  if (cycle) motion.phases = read_phases(scene, *cycle, motion.partner, motion.force);
+  return motion;
+}
+
+/// Contact of a few nodes says little about pressures.
+template <int dim>
+void warn_of_coarse_contact(const Magnitudes& magnitudes, std::vector<std::string>& remarks) {
+  const double width = dim == 2 ? magnitudes.contact_nodes : std::sqrt(magnitudes.contact_nodes);
+  if (width < 4)
+    remarks.push_back(
+        fmt::format("contact is about {:.0f} {} wide at the start: pressures there mean little "
+                    "before it has grown; a finer mesh near the contact helps",
+                    std::max(1.0, width), width < 1.5 ? "node" : "nodes"));
+}
+
+/// Throws where nothing presses the bodies on each other.
+template <int dim>
+Magnitudes find_magnitudes(const Scene& scene, const AssemblyParts<dim>& parts) try {
+  const double duration = scene.real("time.end");
+  const Pressing press = pressing_of(parts, duration);
+  if (press.force == 0 && press.overlap == 0)
+    throw InputError(scene.path().string() +
+                     ": expected something that presses the bodies on each other: "
+                     "counter_body.press.force or .approach, a [[load]] against the counter-body, "
+                     "or a [[support]] with value");
+  return magnitudes_of(parts, duration);
+} catch (const RecoverableError& error) {
+  throw unsound_law(scene, error);
+}
+
+void append(std::vector<std::string>& remarks, const std::vector<std::string>& more) {
+  remarks.insert(remarks.end(), more.begin(), more.end());
+}
+
+template <int dim>
+std::vector<typename Mesh<dim>::Facet> facets_of(const std::vector<Surface<dim>>& surfaces) {
+  std::vector<typename Mesh<dim>::Facet> facets;
+  for (const Surface<dim>& surface : surfaces)
+    facets.insert(facets.end(), surface.facets.begin(), surface.facets.end());
+  return facets;
+}
+
+/// All parts but the scales and where the shape is held, or all mistakes in them.
+template <int dim>
+AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim>& part) {
+  const Section section = dim == 2 ? section_of(scene) : Section::plane;
+  Mistakes mistakes;
+  find_unknown_groups(scene, part, mistakes);
+  find_conflicts(scene, mistakes);
+  std::vector<Surface<dim>> surfaces;
+  std::vector<ContactPatch<dim>> patches;
+  const bool wears = mistakes.collect([&] {
+    surfaces = wearing_surfaces(scene, part);
+    patches = contact_patches<dim>(part.mesh, facets_of(surfaces), part.exterior, section);
+  });
+  Motion<dim> motion{};
+  Supports<dim> supports{};
+  std::vector<Load<dim>> loads;
+  mistakes.collect([&] { motion = read_motion(scene, section, patches); });
+  mistakes.collect([&] { supports = read_supports(scene, part); });
+  mistakes.collect([&] { loads = read_loads(scene, part); });
+  if (wears) mistakes.collect([&] { require_free_contact(scene, part); });
+  if (wears)
+    mistakes.collect([&] {
+      require_surface_names(scene);
+      for (Surface<dim>& surface : surfaces)
+        surface.wear = read_surface_law(scene, surface.name, motion.speed);
+    });
+  mistakes.require_none();
+  AssemblyParts<dim> parts{.mesh = part.mesh,
+                           .bodies = {read_body(scene, section)},
+                           .supports = std::move(supports),
+                           .loads = std::move(loads),
+                           .interface = {.surfaces = std::move(surfaces),
+                                         .boundary = part.exterior,
+                                         .partner = motion.partner,
+                                         .force = motion.force,
+                                         .history = motion.history,
+                                         .normal_rule = read_normal_rule(scene),
+                                         .friction = scene.real("friction.coefficient"),
+                                         .speed = motion.speed},
+                           .shape = read_shape_motion<dim>(scene, {}),
+                           .remarks = part.remarks,
+                           .named_parts = stored_parts(part)};
+  if (!motion.phases) return parts;
+  parts.cycle = motion.phases->contact;
+  parts.phases = motion.phases->phases;
+  append(parts.remarks, motion.phases->remarks);
+  return parts;
+}
+
+}  // namespace
+
+template <int dim>
+AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) {
+  AssemblyParts<dim> parts = read_all_but_shape(scene, part);
+  const Magnitudes magnitudes = find_magnitudes(scene, parts);
+  parts.scales = magnitudes.scales;
+  const std::optional<CyclicMotion<dim>> cycle =
+      parts.cycle ? std::optional(parts.cycle->motion) : std::nullopt;
+  if (cycle) require_gross_sliding(scene, *cycle, parts);
+  const ShapeSupport<dim> support =
+      read_shape_support(scene, part, facets_of(parts.interface.surfaces), magnitudes.deepest);
+  parts.shape = read_shape_motion<dim>(scene, support.held, support.along);
+  if (std::isfinite(support.reach))
+    parts.remarks.push_back(fmt::format(
+        "the mesh moves within {:.3g} mm of the wearing surfaces (shape.reach)", support.reach));
+  warn_of_coarse_contact<dim>(magnitudes, parts.remarks);
+  append(parts.remarks, remarks_on_loads(scene));
+  const std::vector<ContactPatch<dim>> patches = contact_nodes_of(parts);
+  append(parts.remarks, remarks_on_speeds(scene, patches, parts.interface.partner, cycle));
+  require_surface_laws(scene, parts);
+  parts = completed(scene, magnitudes.facet, std::move(parts));
+  require_moving_shape(scene, patches, parts.shape);
+  require_held(scene, parts);
+  return parts;
+}
+
+namespace {
+
+template <int dim>
+std::unique_ptr<Model> model_of(const Scene& scene, const ImportedBody<dim>& part) {
+  const auto with = [&](long phases) { return read_part<dim>(with_phases(scene, phases), part); };
+  return std::make_unique<WearModel<dim>>(
+      chooses_phases(scene) ? with_chosen_phases<dim>(scene, with) : read_part<dim>(scene, part));
+}
+
+template <int dim>
+std::unique_ptr<Model> model_of_file(const Scene& scene, ImportedMesh mesh) {
+  return model_of<dim>(scene, check_mesh<dim>(std::move(mesh), scene.texts("wear.on")));
+}
+
+/// 2 or 3 by the numbers of the counter-body's vectors; 0 if it has none.
+std::size_t dimension_of(const Scene& scene) {
+  for (const char* key : {"counter_body.press.direction", "counter_body.motion.velocity",
+                          "counter_body.center", "counter_body.point"})
+    if (given(scene, key)) return scene.reals(key).size();
+  return 0;
+}
+
+/// The mistakes that can be found without the mesh.
+void find_mistakes_without_mesh(const Scene& scene, Mistakes& mistakes) {
+  find_conflicts(scene, mistakes);
+  find_mistakes_of_supports(scene, mistakes);
+  find_mistakes_of_loads(scene, mistakes);
+  const std::size_t dim = dimension_of(scene);
+  if (dim == 2) mistakes.collect([&] { read_counter_body<2>(scene, section_of(scene)); });
+  if (dim == 3) mistakes.collect([&] { read_counter_body<3>(scene, Section::plane); });
+}
+
+}  // namespace
+
+std::unique_ptr<Model> make_part(const Scene& scene) {
+  ImportedMesh mesh;
+  Mistakes mistakes;
+  if (!mistakes.collect([&] { mesh = read_mesh(scene); }))
+    find_mistakes_without_mesh(scene, mistakes);
+  mistakes.require_none();
+  return mesh.dimension == 2 ? model_of_file<2>(scene, std::move(mesh))
+                             : model_of_file<3>(scene, std::move(mesh));
+}
+
+std::unique_ptr<Model> remake_part(const Scene& scene, const Grid& grid) {
+  if (grid.cell == Grid::Cell::quadrilateral)
+    return model_of<2>(scene, part_of_grid<2>(grid, scene.path().string()));
+  return model_of<3>(scene, part_of_grid<3>(grid, scene.path().string()));
+}
+
+void find_mistakes_of_groups(const Scene& scene, Mistakes& mistakes) {
+  find_conflicts(scene, mistakes);
+  mistakes.collect([&] {
+    ImportedMesh mesh = read_mesh(scene);
+    if (mesh.dimension == 2)
+      find_unknown_groups(scene, check_mesh<2>(std::move(mesh)), mistakes);
+    else
+      find_unknown_groups(scene, check_mesh<3>(std::move(mesh)), mistakes);
+  });
+}
+
+template AssemblyParts<2> read_part(const Scene&, const ImportedBody<2>&);
+template AssemblyParts<3> read_part(const Scene&, const ImportedBody<3>&);
+
+}  // namespace gnomon

@@ -1,0 +1,132 @@
+#include "part/phases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
+
+#include "model/phase_error.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+template <int dim>
+void require_force(const Scene& scene, const Phase<dim>& phase, double largest) {
+  if (!(*phase.force >= 1e-6 * largest))
+    throw InputError(fmt::format(
+        "{}: expected a force above zero (1e-6 of the largest or more) in every phase, got {:g} at "
+        "tau = {:g}: without a force the place of the counter-body is not determined",
+        scene.where("cycle.force"), *phase.force, phase.position));
+}
+
+/// Where the speed at the reference is zero and changes its sign, |v| has a kink.
+template <int dim>
+std::vector<double> reversals(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest) {
+  const auto velocity = [&](double tau) { return surface_velocity(motion, rest, tau); };
+  double most = 0;
+  for (int k = 0; k < samples; ++k) most = std::max(most, velocity(double(k) / samples).norm());
+  std::vector<double> found = sign_changes_in_cycle(
+      [&](double tau, std::span<double> values) {
+        const auto v = velocity(tau);
+        std::copy(v.begin(), v.end(), values.begin());
+      },
+      dim + 1);
+  // The sign of a jump changes, too, but its place is a kink of a function.
+  std::erase_if(found, [&](double tau) { return velocity(tau).norm() > 1e-6 * most; });
+  return found;
+}
+
+/// Of the mean over the cycle: corners of the functions, and reversals.
+template <int dim>
+std::vector<double> kinks_of(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest) {
+  return merged_kinks(motion.cycle.kinks(), reversals(motion, rest));
+}
+
+/// Under a force a lift of the counter-body only shifts the w that it finds, which its velocity
+/// does not know. Empty where it is small.
+template <int dim>
+std::string remark_on_lift(const std::vector<Phase<dim>>& phases) {
+  const auto lift = [](const Phase<dim>& phase) {
+    const RigidMotion<dim>& motion = phase.counter_body.motion;
+    return std::abs(motion.normal.dot(motion.at(motion.reference)));
+  };
+  const auto sliding = [](const Phase<dim>& phase) { return sliding_velocity(phase).norm(); };
+  const double lifted = mean_over(phases, lift), slid = mean_over(phases, sliding);
+  if (!phases.front().force || !(lifted > slid)) return {};
+  return fmt::format(
+      "cycle: the counter-body is lifted {:.2g} times as fast as it slides; under a force this "
+      "only shifts its place, but counts as sliding on inclined sides of the contact",
+      lifted / slid);
+}
+
+}  // namespace
+
+template <int dim>
+Eigen::Matrix<double, dim + 1, 1> surface_velocity(const CyclicMotion<dim>& motion,
+                                                   const CounterBody<dim>& rest, double tau) {
+  return sliding_velocity(phase_at<dim>({.position = tau}, motion, rest, {}));
+}
+
+template <int dim>
+double mean_speed(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest) {
+  double sum = 0;
+  for (const CyclePoint& point : CycleQuadrature(1, kinks_of(motion, rest)).fine_points())
+    sum += point.weight * surface_velocity(motion, rest, point.position).norm();
+  return sum;
+}
+
+template <int dim>
+ReadPhases<dim> read_phases(const Scene& scene, const CyclicMotion<dim>& motion,
+                            const CounterBody<dim>& rest, std::optional<double> force) {
+  const CyclicContact<dim> contact{motion, read_cycle_quadrature(scene, kinks_of(motion, rest))};
+  ReadPhases<dim> result{contact, phases_of(contact, rest, force), motion.cycle.remarks()};
+  if (motion.cycle.force)
+    for (const Phase<dim>& phase : result.phases) require_force(scene, phase, *force);
+  const double error =
+      error_of_motion(result.phases, phases_of(contact, rest, force, {PhaseSet::Kind::fine}));
+  for (const std::string& remark :
+       {remark_on_lift(result.phases),
+        remark_on_motion(error, phase_tolerance(scene), static_cast<long>(result.phases.size()),
+                         contact.quadrature.parts())})
+    if (!remark.empty()) result.remarks.push_back(remark);
+  return result;
+}
+
+template <int dim>
+AssemblyParts<dim> with_chosen_phases(const Scene& scene,
+                                      const std::function<AssemblyParts<dim>(long phases)>& with) {
+  const double tolerance = phase_tolerance(scene);
+  AssemblyParts<dim> parts = with(fewest_chosen_phases);
+  std::string remark;
+  try {
+    const ChosenPhases chosen =
+        choose_phases<dim>(std::make_shared<const Assembly<dim>>(parts), tolerance);
+    remark = remark_on_choice(chosen, tolerance);
+    if (chosen.count != fewest_chosen_phases) parts = with(chosen.count);
+  } catch (const SolutionError& error) {
+    remark = fmt::format("cycle.phases = \"auto\": {} phases, more cannot be compared: {}",
+                         fewest_chosen_phases, error.what());
+  }
+  parts.remarks.push_back(remark);
+  return parts;
+}
+
+template ReadPhases<2> read_phases(const Scene&, const CyclicMotion<2>&, const CounterBody<2>&,
+                                   std::optional<double>);
+template ReadPhases<3> read_phases(const Scene&, const CyclicMotion<3>&, const CounterBody<3>&,
+                                   std::optional<double>);
+template AssemblyParts<2> with_chosen_phases(const Scene&,
+                                             const std::function<AssemblyParts<2>(long)>&);
+template AssemblyParts<3> with_chosen_phases(const Scene&,
+                                             const std::function<AssemblyParts<3>(long)>&);
+template Eigen::Matrix<double, 3, 1> surface_velocity(const CyclicMotion<2>&, const CounterBody<2>&,
+                                                      double);
+template Eigen::Matrix<double, 4, 1> surface_velocity(const CyclicMotion<3>&, const CounterBody<3>&,
+                                                      double);
+template double mean_speed(const CyclicMotion<2>&, const CounterBody<2>&);
+template double mean_speed(const CyclicMotion<3>&, const CounterBody<3>&);
+
+}  // namespace gnomon::part

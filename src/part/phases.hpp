@@ -1,0 +1,40 @@
+// The phases of a scene with [cycle].
+#pragma once
+
+#include <functional>
+#include <gnomon/model/assembly.hpp>
+
+#include "part/part_cycle.hpp"
+
+namespace gnomon::part {
+
+template <int dim>
+struct ReadPhases {
+  CyclicContact<dim> contact;
+  std::vector<Phase<dim>> phases;
+  std::vector<std::string> remarks;  ///< also where the phases miss the mean of speed or force
+};
+
+/// The phases of cycle.phases. Kinks are those of the functions, and where the counter-body comes
+/// to rest at the reference of its motion. Throws InputError.
+template <int dim>
+ReadPhases<dim> read_phases(const Scene& scene, const CyclicMotion<dim>& motion,
+                            const CounterBody<dim>& rest, std::optional<double> force);
+
+/// The parts `with` a number of phases that fits the tolerance of the scene (phase_tolerance()) at
+/// the initial shape; a remark says which. Where the deformation is not found, the fewest.
+template <int dim>
+AssemblyParts<dim> with_chosen_phases(const Scene& scene,
+                                      const std::function<AssemblyParts<dim>(long phases)>& with);
+
+/// The velocity with which the counter-body's surface slides at the reference of its motion, at a
+/// position of the cycle; the component out of the plane last [length / time].
+template <int dim>
+Eigen::Matrix<double, dim + 1, 1> surface_velocity(const CyclicMotion<dim>& motion,
+                                                   const CounterBody<dim>& rest, double tau);
+
+/// Its magnitude, the mean over the cycle.
+template <int dim>
+double mean_speed(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest);
+
+}  // namespace gnomon::part

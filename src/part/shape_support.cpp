@@ -1,0 +1,191 @@
+#include "part/shape_support.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <limits>
+#include <map>
+#include <unordered_map>
+
+#include "part/groups.hpp"
+#include "part/histories.hpp"
+#include "part/sliding_sides.hpp"
+
+namespace gnomon::part {
+
+std::vector<Key> shape_support_keys() {
+  return {{.name = "shape.reach",
+           .unit = "mm",
+           .presence = Key::Presence::optional,
+           .absent_meaning = "the whole body, or, where it is large, what the wear is expected to "
+                             "move (gnomon check prints it)",
+           .range = positive_quantity,
+           .help = "distance from the wearing surfaces up to which the mesh moves (Remark 2)"},
+          {.name = "shape.hold",
+           .kind = KeyKind::texts,
+           .presence = Key::Presence::defaulted,
+           .default_value = std::vector<std::string>{},
+           .help = "groups of the mesh whose shape is held altogether"},
+          {.name = "shape.slide",
+           .kind = KeyKind::texts,
+           .presence = Key::Presence::defaulted,
+           .default_value = std::vector<std::string>{},
+           .help = "groups that are nearly planes, whose shape slides in them, or nearly round "
+                   "cylinders along a coordinate direction, along which it slides; exact ones do "
+                   "so without being named"}};
+}
+
+namespace {
+
+/// By node: the sum of what holds it.
+template <int dim>
+using HeldNodes = std::map<int, Held<dim>>;
+
+template <int dim>
+void hold(const typename Mesh<dim>::Facet& facet, const Held<dim>& held, HeldNodes<dim>& nodes) {
+  for (int node : facet) nodes.try_emplace(node, Held<dim>::Zero()).first->second += held;
+}
+
+template <int dim>
+HeldNodes<dim> held_nodes(const Scene& scene, const ImportedBody<dim>& part,
+                          const std::vector<typename Mesh<dim>::Facet>& wearing) {
+  HeldNodes<dim> nodes;
+  for (const auto& [facet, held] : held_by_sides<dim>(scene, part, wearing))
+    hold<dim>(facet, held, nodes);
+  for (const std::string& name : scene.texts("shape.hold"))
+    for (const auto& facet : group_facets(scene, "shape.hold", name, part))
+      hold<dim>(facet, altogether<dim>(), nodes);
+  return nodes;
+}
+
+/// Projector on the directions that nothing holds. Planes that are `nearly` parallel are one.
+template <int dim>
+Tensor<dim> free_directions(const Held<dim>& held) {
+  const Eigen::SelfAdjointEigenSolver<Tensor<dim>> spectrum(held);
+  Tensor<dim> free = Tensor<dim>::Zero();
+  for (int k = 0; k < dim; ++k)
+    if (spectrum.eigenvalues()[k] < nearly * nearly / 2)
+      free += spectrum.eigenvectors().col(k) * spectrum.eigenvectors().col(k).transpose();
+  return free;
+}
+
+/// Components that are not free need no unknown; what is oblique to them is described by a
+/// projector.
+template <int dim>
+void hold(int node, Held<dim> held, ShapeSupport<dim>& support) {
+  constexpr double rounding = 1e-12;
+  for (int i = 0; i < dim; ++i) held(i, i) += support.held(node, i);
+  Tensor<dim> free = free_directions<dim>(held);
+  for (int i = 0; i < dim; ++i) {
+    if (free(i, i) > rounding) continue;
+    support.held(node, i) = 1;
+    free.row(i).setZero();
+    free.col(i).setZero();
+  }
+  if (!free.isDiagonal(rounding)) support.along[node] = free;
+}
+
+template <int dim>
+void hold_altogether(int node, ShapeSupport<dim>& support) {
+  support.held.row(node).setOnes();
+  support.along.erase(node);
+}
+
+/// Nodes in boxes as large as the reach, so that only neighbouring boxes are searched.
+template <int dim>
+class NearNodes {
+public:
+  NearNodes(const Mesh<dim>& mesh, const std::vector<char>& chosen, double reach)
+      : mesh_(mesh), reach_(reach) {
+    for (std::size_t node = 0; node < chosen.size(); ++node)
+      if (chosen[node]) boxes_[key(box_of(mesh.nodes[node]))].push_back(static_cast<int>(node));
+  }
+  bool contains(const Vector<dim>& x) const {
+    const Box centre = box_of(x);
+    Box box = centre;
+    return search(x, centre, box, 0);
+  }
+
+private:
+  using Box = std::array<long, dim>;
+  Box box_of(const Vector<dim>& x) const {
+    Box box;
+    for (int i = 0; i < dim; ++i) box[i] = static_cast<long>(std::floor(x[i] / reach_));
+    return box;
+  }
+  static std::size_t key(const Box& box) {
+    std::size_t hash = 0;
+    for (long i : box) hash = hash * 1000003 + static_cast<std::size_t>(i);
+    return hash;
+  }
+  bool search(const Vector<dim>& x, const Box& centre, Box& box, int axis) const {
+    if (axis < dim) {
+      for (long step = -1; step <= 1; ++step) {
+        box[axis] = centre[axis] + step;
+        if (search(x, centre, box, axis + 1)) return true;
+      }
+      return false;
+    }
+    const auto found = boxes_.find(key(box));
+    if (found == boxes_.end()) return false;
+    return std::any_of(found->second.begin(), found->second.end(), [&](int node) {
+      return (mesh_.nodes[node] - x).squaredNorm() <= reach_ * reach_;
+    });
+  }
+  const Mesh<dim>& mesh_;
+  double reach_;
+  std::unordered_map<std::size_t, std::vector<int>> boxes_;
+};
+
+template <int dim>
+double longest_edge(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets) {
+  double size = 0;
+  for (const auto& facet : facets)
+    for (std::size_t k = 1; k < facet.size(); ++k)
+      size = std::max(size, (mesh.nodes[facet[k]] - mesh.nodes[facet[k - 1]]).norm());
+  return size;
+}
+
+/// A small body moves as a whole. In a large one elements strain by no more than a twentieth where
+/// the mesh moves over twenty depths, and over four facets at least.
+template <int dim>
+double default_reach(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& wearing,
+                     double expected_depth) {
+  constexpr std::size_t small = 20'000;  // nodes
+  if (mesh.nodes.size() < small) return std::numeric_limits<double>::infinity();
+  return std::max(20 * expected_depth, 4 * longest_edge(mesh, wearing));
+}
+
+}  // namespace
+
+template <int dim>
+ShapeSupport<dim> read_shape_support(const Scene& scene, const ImportedBody<dim>& part,
+                                     const std::vector<typename Mesh<dim>::Facet>& wearing,
+                                     double expected_depth) {
+  const auto nodes = static_cast<Eigen::Index>(part.mesh.nodes.size());
+  ShapeSupport<dim> support{.held = NodalFlags<dim>::Zero(nodes, dim)};
+  if constexpr (dim == 2)
+    if (section_of(scene) == Section::meridian) support.held = held_on_axis(part.mesh);
+  for (const auto& [node, held] : held_nodes<dim>(scene, part, wearing))
+    hold<dim>(node, held, support);
+  support.reach =
+      scene.real_if("shape.reach").value_or(default_reach(part.mesh, wearing, expected_depth));
+  if (!std::isfinite(support.reach)) return support;
+  std::vector<char> worn(part.mesh.nodes.size());
+  for (const auto& facet : wearing)
+    for (int node : facet) worn[node] = 1;
+  const NearNodes<dim> near(part.mesh, worn, support.reach);
+  for (Eigen::Index node = 0; node < nodes; ++node)
+    if (!near.contains(part.mesh.nodes[node])) hold_altogether<dim>(node, support);
+  return support;
+}
+
+template ShapeSupport<2> read_shape_support(const Scene&, const ImportedBody<2>&,
+                                            const std::vector<Mesh<2>::Facet>&, double);
+template ShapeSupport<3> read_shape_support(const Scene&, const ImportedBody<3>&,
+                                            const std::vector<Mesh<3>::Facet>&, double);
+
+}  // namespace gnomon::part

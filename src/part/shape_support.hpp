@@ -1,0 +1,28 @@
+// Where the shape of a part is held, slides or is an unknown.
+#pragma once
+
+#include <gnomon/mesh/imported_body.hpp>
+#include <gnomon/model/assembly.hpp>
+#include <gnomon/scene/scene.hpp>
+
+namespace gnomon::part {
+
+/// shape.reach, shape.hold and shape.slide.
+std::vector<Key> shape_support_keys();
+
+/// ShapeMotion::held and along; beyond `reach` all is held; infinite: all of the body may move.
+template <int dim>
+struct ShapeSupport {
+  NodalFlags<dim> held;
+  NodalProjectors<dim> along{};
+  double reach = 0;
+};
+
+/// Beyond the `wearing` facets planar sides slide in their plane and other sides are held, unless
+/// the scene says otherwise; beyond the reach all is held (Remark 2).
+template <int dim>
+ShapeSupport<dim> read_shape_support(const Scene& scene, const ImportedBody<dim>& part,
+                                     const std::vector<typename Mesh<dim>::Facet>& wearing,
+                                     double expected_depth);
+
+}  // namespace gnomon::part

@@ -1,0 +1,185 @@
+#include "part/sliding_sides.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/mesh/flat_part.hpp>
+#include <numeric>
+#include <set>
+
+#include "part/groups.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+template <int dim>
+using Facets = std::vector<typename Mesh<dim>::Facet>;
+
+/// What a plane with this unit normal holds; coordinate directions that lie in it to the tolerance
+/// do so exactly.
+template <int dim>
+Held<dim> held_across(Vector<dim> normal, double tolerance) {
+  for (double& component : normal)
+    if (std::abs(component) <= tolerance) component = 0;
+  normal.normalize();
+  return normal * normal.transpose();
+}
+
+template <int dim>
+Vector<dim> facet_normal(const Mesh<dim>& mesh, const typename Mesh<dim>::Facet& facet) {
+  if constexpr (dim == 2) {
+    const Vector<2> edge = mesh.nodes[facet[1]] - mesh.nodes[facet[0]];
+    return Vector<2>(edge[1], -edge[0]).normalized();
+  } else {
+    const Vector<3> a = mesh.nodes[facet[2]] - mesh.nodes[facet[0]];
+    const Vector<3> b = mesh.nodes[facet[3]] - mesh.nodes[facet[1]];
+    return a.cross(b).normalized();
+  }
+}
+
+template <int dim>
+typename Mesh<dim>::Facet sorted(typename Mesh<dim>::Facet facet) {
+  std::sort(facet.begin(), facet.end());
+  return facet;
+}
+
+/// Whether all nodes of a side have one distance from an axis along a coordinate direction, to a
+/// part of it. By the circle with the least squares of the algebraic distances.
+template <int dim>
+bool is_round(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets, int axis,
+              double tolerance) {
+  std::set<int> nodes;
+  for (const auto& facet : facets) nodes.insert(facet.begin(), facet.end());
+  const auto across = [&](int node) {
+    const Vector<dim>& X = mesh.nodes[node];
+    return Vector<2>(X[(axis + 1) % dim], X[(axis + 2) % dim]);
+  };
+  Vector<2> middle = Vector<2>::Zero();
+  for (int node : nodes) middle += across(node) / double(nodes.size());
+  double size = 0;
+  for (int node : nodes) size = std::max(size, (across(node) - middle).norm());
+  if (nodes.size() < 4 || size == 0) return false;
+  // |x|^2 = 2 c . x + e
+  Tensor<3> matrix = Tensor<3>::Zero();
+  Vector<3> right = Vector<3>::Zero();
+  for (int node : nodes) {
+    const Vector<2> x = (across(node) - middle) / size;
+    const Vector<3> row(2 * x[0], 2 * x[1], 1);
+    matrix += row * row.transpose();
+    right += x.squaredNorm() * row;
+  }
+  const Eigen::SelfAdjointEigenSolver<Tensor<3>> spectrum(matrix);
+  constexpr double straight = 1e-10;  // nodes on a line have no circle
+  if (spectrum.eigenvalues()[0] < straight * spectrum.eigenvalues()[2]) return false;
+  const Vector<3> circle = matrix.ldlt().solve(right);
+  const Vector<2> centre = circle.head<2>();
+  const double radius = std::sqrt(circle[2] + centre.squaredNorm());
+  return std::all_of(nodes.begin(), nodes.end(), [&](int node) {
+    const Vector<2> x = (across(node) - middle) / size;
+    return std::abs((x - centre).norm() - radius) <= tolerance * radius;
+  });
+}
+
+/// What a facet holds that is not known to belong to a plane: it may be one of a curved side,
+/// unless it lies across a coordinate direction.
+template <int dim>
+Held<dim> held_by_facet(const Vector<dim>& normal) {
+  const Held<dim> held = held_across<dim>(normal, 5e-5);
+  return held.isDiagonal(0) ? held : altogether<dim>();
+}
+
+/// What a side holds as a whole: as a plane, or as a round cylinder along a coordinate direction,
+/// whose facets need not lie along it.
+template <int dim>
+Held<dim> held_by_side(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
+                       double tolerance) {
+  const FlatPart<dim> plane = flat_part<dim>(mesh, facets, tolerance);
+  if (plane.flat) return held_across<dim>(plane.normal, std::sqrt(2) * tolerance);
+  Held<dim> held = altogether<dim>();
+  if constexpr (dim == 3)
+    for (int axis = 0; axis < 3; ++axis)
+      if (is_round<3>(mesh, facets, axis, tolerance)) held(axis, axis) = 0;
+  return held;
+}
+
+/// The k-th edge of a facet in space, or end in the plane, by which it meets its neighbour.
+template <int dim>
+std::array<int, 2> border(const typename Mesh<dim>::Facet& facet, std::size_t k) {
+  if constexpr (dim == 2) return {facet[k], facet[k]};
+  const auto [least, most] = std::minmax(facet[k], facet[(k + 1) % facet.size()]);
+  return {least, most};
+}
+
+/// Parts of a surface without sharp edges.
+template <int dim>
+std::vector<Facets<dim>> smooth_sheets(const Mesh<dim>& mesh, const Facets<dim>& facets) {
+  constexpr double sharp = 40 * M_PI / 180;
+  std::vector<int> sheet(facets.size());
+  std::iota(sheet.begin(), sheet.end(), 0);
+  const auto root = [&](int k) {
+    while (sheet[k] != k) k = sheet[k] = sheet[sheet[k]];
+    return k;
+  };
+  std::map<std::array<int, 2>, int> first_at;  // facet by border
+  for (int k = 0; k < static_cast<int>(facets.size()); ++k)
+    for (std::size_t i = 0; i < facets[k].size(); ++i) {
+      const auto [other, is_first] = first_at.try_emplace(border<dim>(facets[k], i), k);
+      if (!is_first &&
+          facet_normal(mesh, facets[k]).dot(facet_normal(mesh, facets[other->second])) >
+              std::cos(sharp))
+        sheet[root(k)] = root(other->second);
+    }
+  std::map<int, Facets<dim>> by_root;
+  for (int k = 0; k < static_cast<int>(facets.size()); ++k) by_root[root(k)].push_back(facets[k]);
+  std::vector<Facets<dim>> sheets;
+  for (auto& [number, members] : by_root) sheets.push_back(std::move(members));
+  return sheets;
+}
+
+}  // namespace
+
+template <int dim>
+std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_sides(
+    const Scene& scene, const ImportedBody<dim>& part,
+    const std::vector<typename Mesh<dim>::Facet>& wearing) {
+  constexpr double exactly = 1e-7;  // of its size and of its direction
+  std::map<typename Mesh<dim>::Facet, Held<dim>> sides;
+  std::set<typename Mesh<dim>::Facet> worn;
+  for (const auto& facet : wearing) worn.insert(sorted<dim>(facet));
+  Facets<dim> rest;
+  for (const auto& facet : part.exterior)
+    if (!worn.contains(sorted<dim>(facet))) {
+      rest.push_back(facet);
+      sides[sorted<dim>(facet)] = held_by_facet<dim>(facet_normal(part.mesh, facet));
+    }
+  const auto slide = [&](const Facets<dim>& facets, double tolerance) {
+    const Held<dim> held = held_by_side<dim>(part.mesh, facets, tolerance);
+    if (held == altogether<dim>()) return false;
+    for (const auto& facet : facets)
+      if (const auto side = sides.find(sorted<dim>(facet)); side != sides.end())
+        side->second = held;
+    return true;
+  };
+  // Groups, because they may end where the surface goes on smoothly; sheets, because not all are
+  // named, or have a group of their own.
+  for (const Facets<dim>& sheet : smooth_sheets<dim>(part.mesh, rest)) slide(sheet, exactly);
+  for (const auto& [name, facets] : part.mesh.boundary) slide(facets, exactly);
+  for (const std::string& name : scene.texts("shape.slide"))
+    if (!slide(group_facets(scene, "shape.slide", name, part), nearly))
+      throw InputError(fmt::format(
+          "{}: expected sides that are planar, or round cylinders along a coordinate direction, to "
+          "a hundredth, \"{}\" is none; name it in shape.hold, or nowhere",
+          scene.where("shape.slide"), name));
+  return sides;
+}
+
+template std::map<Mesh<2>::Facet, Held<2>> held_by_sides(const Scene&, const ImportedBody<2>&,
+                                                         const std::vector<Mesh<2>::Facet>&);
+template std::map<Mesh<3>::Facet, Held<3>> held_by_sides(const Scene&, const ImportedBody<3>&,
+                                                         const std::vector<Mesh<3>::Facet>&);
+
+}  // namespace gnomon::part

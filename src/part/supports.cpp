@@ -1,0 +1,227 @@
+#include "part/supports.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/SVD>
+#include <gnomon/base/error.hpp>
+#include <set>
+
+#include "part/groups.hpp"
+#include "part/histories.hpp"
+
+namespace gnomon::part {
+
+std::vector<Key> support_keys() {
+  constexpr auto optional = Key::Presence::optional;
+  return {
+      {.name = "support.#.on",
+       .kind = KeyKind::text,
+       .presence = optional,
+       .absent_meaning = "needed in every [[support]]",
+       .help = "group of the mesh that is held: facets, or single points"},
+      {.name = "support.#.directions",
+       .kind = KeyKind::texts,
+       .presence = optional,
+       .absent_meaning = "all directions",
+       .help = "directions that are held: of \"x\", \"y\", \"z\" (axisymmetric: \"r\", \"z\")"},
+      {.name = "support.#.value",
+       .kind = KeyKind::reals,
+       .unit = "mm",
+       .presence = optional,
+       .absent_meaning = "held at zero",
+       .help = "displacement in each of the directions; of springs, that of their other ends"},
+      {.name = "support.#.stiffness",
+       .unit = "MPa/mm",
+       .presence = optional,
+       .absent_meaning = "held rigidly",
+       .range = positive_quantity,
+       .help = "held by springs: traction for each unit of displacement"},
+      times_key("support.#", "value"),
+      factors_key("support.#", "value"),
+  };
+}
+
+template <int dim>
+std::vector<int> directions_of(const Scene& scene, const std::string& support) {
+  const std::string key = support + ".directions";
+  std::vector<int> result;
+  if (!scene.knows(key) || !scene.has(key)) {
+    for (int i = 0; i < dim; ++i) result.push_back(i);
+    return result;
+  }
+  const std::vector<std::string> names = direction_names<dim>(scene);
+  for (const std::string& direction : scene.texts(key)) {
+    const auto found = std::find(names.begin(), names.end(), direction);
+    if (found == names.end())
+      throw InputError(fmt::format("{}: expected directions among \"{}\", got \"{}\"",
+                                   scene.where(key), fmt::join(names, "\", \""), direction));
+    result.push_back(static_cast<int>(found - names.begin()));
+  }
+  if (result.empty())
+    throw InputError(fmt::format("{}: expected one direction or more of \"{}\"", scene.where(key),
+                                 fmt::join(names, "\", \"")));
+  return result;
+}
+
+namespace {
+
+/// One number for each direction.
+std::vector<double> values_of(const Scene& scene, const std::string& support,
+                              const std::vector<int>& directions) {
+  const std::string key = support + ".value";
+  const std::vector<double> values = scene.reals(key);
+  if (values.size() != directions.size())
+    throw InputError(fmt::format("{}: expected one number for each direction, {}, got {}",
+                                 scene.where(key), directions.size(), values.size()));
+  return values;
+}
+
+/// With zero in other directions.
+template <int dim>
+SpringSupport<dim> read_springs(const Scene& scene, const ImportedBody<dim>& part,
+                                const std::string& support, const std::vector<int>& directions) {
+  const std::string on = support + ".on";
+  SpringSupport<dim> springs{.facets = group_facets(scene, on, scene.text(on), part),
+                             .history = read_history(scene, support)};
+  for (int i : directions) springs.stiffness[i] = scene.real(support + ".stiffness");
+  if (!given(scene, support + ".value")) return springs;
+  const std::vector<double> values = values_of(scene, support, directions);
+  for (std::size_t k = 0; k < directions.size(); ++k)
+    springs.displacement[directions[k]] = values[k];
+  return springs;
+}
+
+/// What moves of the nodes in these directions; nothing where they are held at zero.
+PrescribedValues read_moved(const Scene& scene, const std::string& support,
+                            const std::vector<int>& nodes, const std::vector<int>& directions) {
+  if (!given(scene, support + ".value")) return {};
+  const std::vector<double> values = values_of(scene, support, directions);
+  PrescribedValues moved;
+  moved.history = read_history(scene, support);
+  for (int node : nodes)
+    for (std::size_t k = 0; k < directions.size(); ++k)
+      moved.entries.push_back({node, directions[k], values[k]});
+  return moved;
+}
+
+}  // namespace
+
+void find_mistakes_of_supports(const Scene& scene, Mistakes& mistakes) {
+  mistakes.collect([&] {
+    for (const std::string& support : entries_of(scene, "support", support_keys(), {"on"}))
+      mistakes.collect([&] { read_history(scene, support); });
+  });
+}
+
+template <int dim>
+Supports<dim> read_supports(const Scene& scene, const ImportedBody<dim>& part) {
+  Supports<dim> result{
+      .held = NodalFlags<dim>::Zero(static_cast<Eigen::Index>(part.mesh.nodes.size()), dim)};
+  if constexpr (dim == 2)
+    if (section_of(scene) == Section::meridian) result.held = held_on_axis(part.mesh);
+  Mistakes mistakes;
+  std::set<std::pair<std::string, int>> held;  // groups and directions
+  for (const std::string& support : entries_of(scene, "support", support_keys(), {"on"}))
+    mistakes.collect([&] {
+      const std::vector<int> directions = directions_of<dim>(scene, support);
+      const std::string on = support + ".on";
+      for (int i : directions)
+        if (!held.emplace(scene.text(on), i).second)
+          throw InputError(
+              fmt::format("{}: expected each direction of a group once, \"{}\" is "
+                          "already held along {}",
+                          scene.where(on), scene.text(on),
+                          direction_names<dim>(scene)[static_cast<std::size_t>(i)]));
+      if (given(scene, support + ".stiffness")) {
+        result.springs.push_back(read_springs(scene, part, support, directions));
+        return;
+      }
+      const std::vector<int> nodes = group_nodes(scene, on, scene.text(on), part);
+      for (int node : nodes)
+        for (int i : directions) result.held(node, i) = 1;
+      if (PrescribedValues moved = read_moved(scene, support, nodes, directions);
+          !moved.entries.empty())
+        result.moved.push_back(std::move(moved));
+    });
+  mistakes.require_none();
+  return result;
+}
+
+namespace {
+
+/// Rigid motions of a point: translations, then rotations.
+template <int dim>
+Eigen::Matrix<double, dim, dim == 2 ? 3 : 6> rigid_motions(const Vector<dim>& x) {
+  Eigen::Matrix<double, dim, dim == 2 ? 3 : 6> modes;
+  modes.setZero();
+  modes.template leftCols<dim>().setIdentity();
+  if constexpr (dim == 2)
+    modes.col(2) << -x[1], x[0];
+  else
+    for (int axis = 0; axis < 3; ++axis) modes.col(3 + axis) = Vector<3>::Unit(axis).cross(x);
+  return modes;
+}
+
+/// "along x", "about z", or both.
+template <int dim>
+std::string describe(const Eigen::VectorXd& mode, const std::vector<std::string>& names) {
+  Eigen::Index largest = 0;
+  mode.cwiseAbs().maxCoeff(&largest);
+  if (largest < dim) return "move along " + names[static_cast<std::size_t>(largest)];
+  return dim == 2 ? "turn in its plane"
+                  : "turn about " + names[static_cast<std::size_t>(largest - 3)];
+}
+
+}  // namespace
+
+template <int dim>
+void require_held(const Scene& scene, const AssemblyParts<dim>& parts) {
+  constexpr int modes = dim == 2 ? 3 : 6;
+  const std::vector<Vector<dim>>& nodes = parts.mesh.nodes;
+  Vector<dim> centre = Vector<dim>::Zero();
+  for (const auto& X : nodes) centre += X / double(nodes.size());
+  double size = 0;
+  for (const auto& X : nodes) size = std::max(size, (X - centre).norm());
+  Eigen::Matrix<double, modes, modes> held;
+  held.setZero();
+  if (dim == 2 && parts.section() == Section::meridian)  // it moves along the axis alone
+    held(0, 0) = held(modes - 1, modes - 1) = 1;
+  const auto holds = [&](int node, const Vector<dim>& direction) {
+    const Eigen::Matrix<double, modes, 1> row =
+        rigid_motions<dim>((nodes[node] - centre) / size).transpose() * direction;
+    held += row * row.transpose();
+  };
+  const NodalFlags<dim>& fixed = parts.supports.held;
+  for (Eigen::Index node = 0; node < fixed.rows(); ++node)
+    for (int i = 0; i < dim; ++i)
+      if (fixed(node, i)) holds(static_cast<int>(node), Vector<dim>::Unit(i));
+  for (const SpringSupport<dim>& springs : parts.supports.springs)
+    for (const auto& facet : springs.facets)
+      for (int node : facet)
+        for (int i = 0; i < dim; ++i)
+          if (springs.stiffness[i] > 0) holds(node, Vector<dim>::Unit(i));
+  // The contact holds in one direction; without friction it does not hold along the surface.
+  if (!parts.interface.force)
+    for (const Surface<dim>& surface : parts.interface.surfaces)
+      for (const auto& facet : surface.facets)
+        for (int node : facet) holds(node, parts.interface.partner.approach);
+  const Eigen::SelfAdjointEigenSolver<decltype(held)> solver(held);
+  if (solver.eigenvalues()[0] > 1e-9 * solver.eigenvalues()[modes - 1]) return;
+  const auto free =
+      (solver.eigenvalues().array() <= 1e-9 * solver.eigenvalues()[modes - 1]).count();
+  throw InputError(
+      fmt::format("{}: expected supports that hold the part, but it can still move as a rigid body "
+                  "in {} {}, for "
+                  "example it can {}; name what is held in [[support]], with directions",
+                  scene.path().string(), free, free == 1 ? "way" : "ways",
+                  describe<dim>(solver.eigenvectors().col(0), direction_names<dim>(scene))));
+}
+
+template std::vector<int> directions_of<2>(const Scene&, const std::string&);
+template std::vector<int> directions_of<3>(const Scene&, const std::string&);
+template Supports<2> read_supports(const Scene&, const ImportedBody<2>&);
+template Supports<3> read_supports(const Scene&, const ImportedBody<3>&);
+template void require_held(const Scene&, const AssemblyParts<2>&);
+template void require_held(const Scene&, const AssemblyParts<3>&);
+
+}  // namespace gnomon::part

@@ -1,0 +1,26 @@
+// The wearing surfaces of a scene, and their laws: wear.on, wear.surfaces.NAME.rate.
+#pragma once
+
+#include <gnomon/mesh/imported_body.hpp>
+#include <gnomon/model/assembly.hpp>
+#include <gnomon/scene/scene.hpp>
+
+namespace gnomon::part {
+
+/// The surfaces of wear.on, in this order, whose laws are not read yet. Throws InputError where two
+/// of them share a facet.
+template <int dim>
+std::vector<Surface<dim>> wearing_surfaces(const Scene& scene, const ImportedBody<dim>& part);
+
+/// The law of a surface at a nominal speed: its own, or wear.rate. Throws InputError.
+WearLaw read_surface_law(const Scene& scene, const std::string& surface, double speed);
+
+/// Throws InputError for a law of a surface that does not wear.
+void require_surface_names(const Scene& scene);
+
+/// Checks the laws for the values that a run may meet, like require_law(). To be called when scales
+/// are known. Throws InputError.
+template <int dim>
+void require_surface_laws(const Scene& scene, const AssemblyParts<dim>& parts);
+
+}  // namespace gnomon::part
