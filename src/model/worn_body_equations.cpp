@@ -137,6 +137,7 @@ ContactState<dim> contact_state(const Assembly<dim>& body, const Phase<dim>& pha
                           .w = fields.w,
                           .mesh = body.mesh,
                           .parameters = {.counter_body = phase.counter_body,
+                                         .wear = {},
                                          .friction = contact.friction,
                                          .streaming = contact.streaming,
                                          .normal_rule = contact.normal_rule,

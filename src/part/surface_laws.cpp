@@ -41,7 +41,8 @@ std::vector<Surface<dim>> wearing_surfaces(const Scene& scene, const ImportedBod
   std::vector<Surface<dim>> surfaces;
   std::map<typename Mesh<dim>::Facet, std::string> surface_of;  // by sorted nodes
   for (const std::string& name : scene.texts("wear.on")) {
-    Surface<dim>& surface = surfaces.emplace_back(Surface<dim>{.name = name});
+    Surface<dim>& surface = surfaces.emplace_back();
+    surface.name = name;
     for (const auto& facet : group_facets(scene, "wear.on", name, part)) {
       auto sorted = facet;
       std::sort(sorted.begin(), sorted.end());
