@@ -86,7 +86,8 @@ std::vector<Key> own_keys(const Problem& problem) {
     const std::vector<Key> more = problem.registered_keys();
     keys.insert(keys.end(), more.begin(), more.end());
   }
-  for (const char* material : {"body.material", "shape.energy"}) add_material_keys(keys, material);
+  for (const char* material : {"body.material", "body.#.material", "shape.energy"})
+    add_material_keys(keys, material);
   add_wear_laws(keys);
   return keys;
 }

@@ -79,12 +79,16 @@ void choose_solver(const Scene& scene, AssemblyParts<dim>& parts) {
 
 }  // namespace
 
-Body read_body(const Scene& scene, Section section) {
-  return {
-      .material = read_material(scene, "body.material"),
-      .element = {technology_of(scene.text("body.element")),
-                  scene.text("body.kinematics") == "small" ? Kinematics::small : Kinematics::finite,
-                  section}};
+Body read_body(const Scene& scene, Section section, const std::string& table) {
+  const auto given = [&](const std::string& key) {
+    return scene.knows(table + key) && scene.has(table + key);
+  };
+  Body body{.material = read_material(scene, table + ".material"), .element = {.section = section}};
+  if (given(".element")) body.element.technology = technology_of(scene.text(table + ".element"));
+  if (given(".kinematics") && scene.text(table + ".kinematics") == "small")
+    body.element.kinematics = Kinematics::small;
+  if (given(".density")) body.density = scene.real(table + ".density");
+  return body;
 }
 
 NormalRule read_normal_rule(const Scene& scene) {
@@ -217,10 +221,11 @@ NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part, const V
 }
 
 template <int dim>
-NodalField<dim> volume_load(const Mesh<dim>& mesh, const Vector<dim>& density, Section section) {
+NodalField<dim> volume_load(const Mesh<dim>& mesh, const Vector<dim>& density, Section section,
+                            const std::vector<int>* cells) {
   const auto& basis = CellBasis<dim>::instance();
   NodalField<dim> load = NodalField<dim>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), dim);
-  for (const auto& cell : mesh.cells) {
+  const auto add = [&](const typename Mesh<dim>::Cell& cell) {
     const CellNodal<dim> X = mesh.positions(cell);
     for (int g = 0; g < CellBasis<dim>::points; ++g) {
       const auto& N = basis.gauss_values[g];
@@ -229,12 +234,18 @@ NodalField<dim> volume_load(const Mesh<dim>& mesh, const Vector<dim>& density, S
       for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
         load.row(cell[a]) += volume * N[a] * density.transpose();
     }
-  }
+  };
+  if (cells)
+    for (const int cell : *cells) add(mesh.cells[static_cast<std::size_t>(cell)]);
+  else
+    for (const auto& cell : mesh.cells) add(cell);
   return load;
 }
 
-template NodalField<2> volume_load(const Mesh<2>&, const Vector<2>&, Section);
-template NodalField<3> volume_load(const Mesh<3>&, const Vector<3>&, Section);
+template NodalField<2> volume_load(const Mesh<2>&, const Vector<2>&, Section,
+                                   const std::vector<int>*);
+template NodalField<3> volume_load(const Mesh<3>&, const Vector<3>&, Section,
+                                   const std::vector<int>*);
 template Interface<2> read_interface(const Scene&, const Mesh<2>&, std::vector<Mesh<2>::Facet>);
 template Interface<3> read_interface(const Scene&, const Mesh<3>&, std::vector<Mesh<3>::Facet>);
 template ShapeMotion<2> read_shape_motion(const Scene&, NodalFlags<2>, NodalProjectors<2>);

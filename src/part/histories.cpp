@@ -28,7 +28,8 @@ std::vector<std::string> entries_of(const Scene& scene, const std::string& table
 }
 
 Section section_of(const Scene& scene) {
-  return scene.text("body.plane") == "axisymmetric" ? Section::meridian : Section::plane;
+  const std::string key = given(scene, "model.plane") ? "model.plane" : "body.plane";
+  return scene.text(key) == "axisymmetric" ? Section::meridian : Section::plane;
 }
 
 template <int dim>
@@ -36,6 +37,15 @@ std::vector<std::string> direction_names(const Scene& scene) {
   if constexpr (dim == 3) return {"x", "y", "z"};
   if (section_of(scene) == Section::meridian) return {"r", "z"};
   return {"x", "y"};
+}
+
+Key density_key(const std::string& name) {
+  return {.name = name,
+          .unit = "t/mm^3",
+          .presence = Key::Presence::optional,
+          .absent_meaning = "no load.#.acceleration",
+          .range = positive_quantity,
+          .help = "mass by volume"};
 }
 
 Key times_key(const std::string& prefix, const std::string& quantity) {

@@ -27,6 +27,8 @@ Section section_of(const Scene& scene);
 template <int dim>
 std::vector<std::string> direction_names(const Scene& scene);
 
+Key density_key(const std::string& name);
+
 /// PREFIX.times and PREFIX.factors, the history of a quantity.
 Key times_key(const std::string& prefix, const std::string& quantity);
 Key factors_key(const std::string& prefix, const std::string& quantity);

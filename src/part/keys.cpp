@@ -1,6 +1,8 @@
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/part/part_scene.hpp>
 
+#include "part/bodies.hpp"
+#include "part/histories.hpp"
 #include "part/loads.hpp"
 #include "part/shape_support.hpp"
 #include "part/supports.hpp"
@@ -13,6 +15,10 @@ using namespace part;
 
 constexpr auto defaulted = Key::Presence::defaulted;
 constexpr auto optional = Key::Presence::optional;
+
+bool is_one_body(const Scene& scene) {
+  return !has_bodies(scene);
+}
 
 std::vector<Key> mesh_keys() {
   return {{.name = "mesh.file",
@@ -48,13 +54,9 @@ std::vector<Key> own_keys() {
        .default_value = "strain",
        .choices = {"strain", "axisymmetric"},
        .help = "what a mesh in the plane is a section of: plane strain, or a body of revolution "
-               "about x = 0, in coordinates (r, z)"},
-      {.name = "body.density",
-       .unit = "t/mm^3",
-       .presence = optional,
-       .absent_meaning = "no load.#.acceleration",
-       .range = positive_quantity,
-       .help = "mass by volume"},
+               "about x = 0, in coordinates (r, z)",
+       .applies = is_one_body},
+      density_key("body.density"),
       {.name = "wear.on",
        .kind = KeyKind::texts,
        .presence = Key::Presence::required,
@@ -83,6 +85,7 @@ std::vector<Key> shared_keys() {
       key.help = "sliding speed that s = v t is counted with";
     }
     if (key.name == "wear.coefficient") key.range.min = 0;  // a contact analysis
+    if (key.name.starts_with("body.")) key.applies = is_one_body;
     if (key.name == "solver.method") {
       key.presence = optional;
       key.absent_meaning = "block";
@@ -96,8 +99,8 @@ std::vector<Key> shared_keys() {
 
 std::vector<Key> part_keys() {
   std::vector<Key> keys = mesh_keys();
-  for (const auto& more :
-       {own_keys(), support_keys(), load_keys(), cycle_keys(), shared_keys(), shape_support_keys()})
+  for (const auto& more : {own_keys(), body_table_keys(), support_keys(), load_keys(), cycle_keys(),
+                           shared_keys(), shape_support_keys()})
     keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }

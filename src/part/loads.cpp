@@ -75,6 +75,16 @@ NodalField<dim> nodal_forces(const ImportedBody<dim>& part,
   return forces;
 }
 
+template <int dim>
+NodalField<dim> weight(const Mesh<dim>& mesh, const std::vector<Body>& bodies,
+                       const Vector<dim>& acceleration, Section section) {
+  NodalField<dim> sum = NodalField<dim>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), dim);
+  for (const Body& body : bodies)
+    sum += volume_load<dim>(mesh, Vector<dim>(body.density * acceleration), section,
+                            body.cells.empty() ? nullptr : &body.cells);
+  return sum;
+}
+
 /// The key of the load that is given. Throws unless it is one.
 std::string kind_of(const Scene& scene, const std::string& load) {
   std::string kind;
@@ -100,7 +110,8 @@ std::string kind_of(const Scene& scene, const std::string& load) {
 }
 
 template <int dim>
-Load<dim> read_load(const Scene& scene, const std::string& load, const ImportedBody<dim>& part) {
+Load<dim> read_load(const Scene& scene, const std::string& load, const ImportedBody<dim>& part,
+                    const std::vector<Body>& bodies) {
   const std::string kind = kind_of(scene, load), key = load + "." + kind, on = load + ".on";
   Load<dim> result{.history = read_history(scene, load)};
   const Section section = section_of(scene);
@@ -110,12 +121,15 @@ Load<dim> read_load(const Scene& scene, const std::string& load, const ImportedB
     return result;
   }
   const Vector<dim> vector = read_vector<dim>(scene, key);
-  if (kind == "acceleration" && !given(scene, "body.density"))
-    throw InputError(scene.where(key) + ": expected also body.density");
-  result.forces =
-      kind == "acceleration"
-          ? volume_load<dim>(part.mesh, Vector<dim>(scene.real("body.density") * vector), section)
-          : nodal_forces<dim>(part, result.facets, vector, kind == "force", section);
+  if (kind == "acceleration")
+    for (const Body& body : bodies)
+      if (body.density == 0)
+        throw InputError(scene.where(key) + ": expected also body.density" +
+                         (body.name.empty() ? "" : " of \"" + body.name + "\""));
+  if (kind == "acceleration")
+    result.forces = weight<dim>(part.mesh, bodies, vector, section);
+  else
+    result.forces = nodal_forces<dim>(part, result.facets, vector, kind == "force", section);
   return result;
 }
 
@@ -131,16 +145,19 @@ void find_mistakes_of_loads(const Scene& scene, Mistakes& mistakes) {
 }
 
 template <int dim>
-std::vector<Load<dim>> read_loads(const Scene& scene, const ImportedBody<dim>& part) {
+std::vector<Load<dim>> read_loads(const Scene& scene, const ImportedBody<dim>& part,
+                                  const std::vector<Body>& bodies) {
   std::vector<Load<dim>> loads;
   Mistakes mistakes;
   for (const std::string& load : entries_of(scene, "load", load_keys(), {}))
-    mistakes.collect([&] { loads.push_back(read_load(scene, load, part)); });
+    mistakes.collect([&] { loads.push_back(read_load(scene, load, part, bodies)); });
   mistakes.require_none();
   return loads;
 }
 
-template std::vector<Load<2>> read_loads(const Scene&, const ImportedBody<2>&);
-template std::vector<Load<3>> read_loads(const Scene&, const ImportedBody<3>&);
+template std::vector<Load<2>> read_loads(const Scene&, const ImportedBody<2>&,
+                                         const std::vector<Body>&);
+template std::vector<Load<3>> read_loads(const Scene&, const ImportedBody<3>&,
+                                         const std::vector<Body>&);
 
 }  // namespace gnomon::part

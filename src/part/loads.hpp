@@ -15,6 +15,7 @@ void find_mistakes_of_loads(const Scene& scene, Mistakes& mistakes);
 
 /// Throws InputError.
 template <int dim>
-std::vector<Load<dim>> read_loads(const Scene& scene, const ImportedBody<dim>& part);
+std::vector<Load<dim>> read_loads(const Scene& scene, const ImportedBody<dim>& part,
+                                  const std::vector<Body>& bodies);
 
 }  // namespace gnomon::part

@@ -10,6 +10,7 @@
 #include <gnomon/part/part_scene.hpp>
 #include <gnomon/shapes/counter_body_scene.hpp>
 
+#include "part/bodies.hpp"
 #include "part/conflicts.hpp"
 #include "part/gross_sliding.hpp"
 #include "part/groups.hpp"
@@ -144,10 +145,14 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
   });
   Motion<dim> motion{};
   Supports<dim> supports{};
+  std::vector<Body> bodies;
   std::vector<Load<dim>> loads;
   mistakes.collect([&] { motion = read_motion(scene, section, patches); });
   mistakes.collect([&] { supports = read_supports(scene, part); });
-  mistakes.collect([&] { loads = read_loads(scene, part); });
+  mistakes.collect([&] {
+    bodies = read_bodies(scene, part, section);
+    loads = read_loads(scene, part, bodies);
+  });
   if (wears) mistakes.collect([&] { require_free_contact(scene, part); });
   if (wears)
     mistakes.collect([&] {
@@ -157,7 +162,7 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
     });
   mistakes.require_none();
   AssemblyParts<dim> parts{.mesh = part.mesh,
-                           .bodies = {read_body(scene, section)},
+                           .bodies = std::move(bodies),
                            .supports = std::move(supports),
                            .loads = std::move(loads),
                            .interface = {.surfaces = std::move(surfaces),
@@ -189,12 +194,14 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
       parts.cycle ? std::optional(parts.cycle->motion) : std::nullopt;
   if (cycle) require_gross_sliding(scene, *cycle, parts);
   const ShapeSupport<dim> support =
-      read_shape_support(scene, part, facets_of(parts.interface.surfaces), magnitudes.deepest);
+      read_shape_support(scene, part, facets_of(parts.interface.surfaces),
+                         bonded_facets(parts.mesh, parts.bodies), magnitudes.deepest);
   parts.shape = read_shape_motion<dim>(scene, support.held, support.along);
   if (std::isfinite(support.reach))
     parts.remarks.push_back(fmt::format(
         "the mesh moves within {:.3g} mm of the wearing surfaces (shape.reach)", support.reach));
   warn_of_coarse_contact<dim>(magnitudes, parts.remarks);
+  append(parts.remarks, remarks_on_bodies(scene, part));
   append(parts.remarks, remarks_on_loads(scene));
   const std::vector<ContactPatch<dim>> patches = contact_nodes_of(parts);
   append(parts.remarks, remarks_on_speeds(scene, patches, parts.interface.partner, cycle));

@@ -51,9 +51,12 @@ void hold(const typename Mesh<dim>::Facet& facet, const Held<dim>& held, HeldNod
 
 template <int dim>
 HeldNodes<dim> held_nodes(const Scene& scene, const ImportedBody<dim>& part,
-                          const std::vector<typename Mesh<dim>::Facet>& wearing) {
+                          const std::vector<typename Mesh<dim>::Facet>& wearing,
+                          const std::vector<typename Mesh<dim>::Facet>& bonded) {
   HeldNodes<dim> nodes;
   for (const auto& [facet, held] : held_by_sides<dim>(scene, part, wearing))
+    hold<dim>(facet, held, nodes);
+  for (const auto& [facet, held] : held_by_bonds<dim>(part.mesh, bonded))
     hold<dim>(facet, held, nodes);
   for (const std::string& name : scene.texts("shape.hold"))
     for (const auto& facet : group_facets(scene, "shape.hold", name, part))
@@ -164,12 +167,13 @@ double default_reach(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>
 template <int dim>
 ShapeSupport<dim> read_shape_support(const Scene& scene, const ImportedBody<dim>& part,
                                      const std::vector<typename Mesh<dim>::Facet>& wearing,
+                                     const std::vector<typename Mesh<dim>::Facet>& bonded,
                                      double expected_depth) {
   const auto nodes = static_cast<Eigen::Index>(part.mesh.nodes.size());
   ShapeSupport<dim> support{.held = NodalFlags<dim>::Zero(nodes, dim)};
   if constexpr (dim == 2)
     if (section_of(scene) == Section::meridian) support.held = held_on_axis(part.mesh);
-  for (const auto& [node, held] : held_nodes<dim>(scene, part, wearing))
+  for (const auto& [node, held] : held_nodes<dim>(scene, part, wearing, bonded))
     hold<dim>(node, held, support);
   support.reach =
       scene.real_if("shape.reach").value_or(default_reach(part.mesh, wearing, expected_depth));
@@ -184,8 +188,10 @@ ShapeSupport<dim> read_shape_support(const Scene& scene, const ImportedBody<dim>
 }
 
 template ShapeSupport<2> read_shape_support(const Scene&, const ImportedBody<2>&,
+                                            const std::vector<Mesh<2>::Facet>&,
                                             const std::vector<Mesh<2>::Facet>&, double);
 template ShapeSupport<3> read_shape_support(const Scene&, const ImportedBody<3>&,
+                                            const std::vector<Mesh<3>::Facet>&,
                                             const std::vector<Mesh<3>::Facet>&, double);
 
 }  // namespace gnomon::part

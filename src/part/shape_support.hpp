@@ -18,11 +18,13 @@ struct ShapeSupport {
   double reach = 0;
 };
 
-/// Beyond the `wearing` facets planar sides slide in their plane and other sides are held, unless
-/// the scene says otherwise; beyond the reach all is held (Remark 2).
+/// Bonds of bodies stay where they are: planar ones slide in themselves, so that a coating gets
+/// thinner, not what it is on. Beyond the `wearing` facets planar sides slide in their plane and
+/// other sides are held, unless the scene says otherwise; beyond the reach all is held (Remark 2).
 template <int dim>
 ShapeSupport<dim> read_shape_support(const Scene& scene, const ImportedBody<dim>& part,
                                      const std::vector<typename Mesh<dim>::Facet>& wearing,
+                                     const std::vector<typename Mesh<dim>::Facet>& bonded,
                                      double expected_depth);
 
 }  // namespace gnomon::part

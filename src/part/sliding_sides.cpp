@@ -16,6 +16,8 @@ namespace gnomon::part {
 
 namespace {
 
+constexpr double exactly = 1e-7;  // of the size of a side and of its direction
+
 template <int dim>
 using Facets = std::vector<typename Mesh<dim>::Facet>;
 
@@ -146,7 +148,6 @@ template <int dim>
 std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_sides(
     const Scene& scene, const ImportedBody<dim>& part,
     const std::vector<typename Mesh<dim>::Facet>& wearing) {
-  constexpr double exactly = 1e-7;  // of its size and of its direction
   std::map<typename Mesh<dim>::Facet, Held<dim>> sides;
   std::set<typename Mesh<dim>::Facet> worn;
   for (const auto& facet : wearing) worn.insert(sorted<dim>(facet));
@@ -177,6 +178,21 @@ std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_sides(
   return sides;
 }
 
+template <int dim>
+std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_bonds(
+    const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& bonded) {
+  std::map<typename Mesh<dim>::Facet, Held<dim>> bonds;
+  for (const Facets<dim>& sheet : smooth_sheets<dim>(mesh, bonded)) {
+    const Held<dim> held = held_by_side<dim>(mesh, sheet, exactly);
+    for (const auto& facet : sheet) bonds[facet] = held;
+  }
+  return bonds;
+}
+
+template std::map<Mesh<2>::Facet, Held<2>> held_by_bonds(const Mesh<2>&,
+                                                         const std::vector<Mesh<2>::Facet>&);
+template std::map<Mesh<3>::Facet, Held<3>> held_by_bonds(const Mesh<3>&,
+                                                         const std::vector<Mesh<3>::Facet>&);
 template std::map<Mesh<2>::Facet, Held<2>> held_by_sides(const Scene&, const ImportedBody<2>&,
                                                          const std::vector<Mesh<2>::Facet>&);
 template std::map<Mesh<3>::Facet, Held<3>> held_by_sides(const Scene&, const ImportedBody<3>&,

@@ -28,4 +28,9 @@ std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_sides(
     const Scene& scene, const ImportedBody<dim>& part,
     const std::vector<typename Mesh<dim>::Facet>& wearing);
 
+/// For the facets at which bodies are bonded, likewise; a curved bond holds the shape altogether.
+template <int dim>
+std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_bonds(
+    const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& bonded);
+
 }  // namespace gnomon::part

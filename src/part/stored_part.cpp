@@ -34,6 +34,9 @@ std::vector<MeshPart> stored_parts(const ImportedBody<dim>& part) {
     parts.push_back({MeshPart::Kind::facets, name, flat(facets)});
   for (const auto& [name, nodes] : part.point_groups)
     parts.push_back({MeshPart::Kind::points, name, nodes});
+  if (part.cell_groups.size() > 1)  // they may be bodies
+    for (const auto& [name, cells] : part.cell_groups)
+      parts.push_back({MeshPart::Kind::cells, name, cells});
   return parts;
 }
 
@@ -60,6 +63,9 @@ ImportedBody<dim> part_of_grid(const Grid& grid, const std::string& file) {
         break;
       case MeshPart::Kind::points:
         part.point_groups[stored.name] = stored.nodes;
+        break;
+      case MeshPart::Kind::cells:
+        part.cell_groups[stored.name] = stored.nodes;
         break;
     }
   if (part.exterior.empty())

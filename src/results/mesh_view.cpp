@@ -55,7 +55,9 @@ std::string mesh_view(const Grid& grid, const std::string& axes) {
   text += fmt::format("      <Information Name=\"axes\" Value=\"{}\"/>\n", axes);
   add_grid(text, grid, "body", grid.cells, flat ? 4 : 8, flat ? "Quadrilateral" : "Hexahedron");
   for (const MeshPart& part : grid.parts) {
-    if (part.kind == MeshPart::Kind::exterior || part.nodes.empty()) continue;
+    if (part.kind == MeshPart::Kind::exterior || part.kind == MeshPart::Kind::cells ||
+        part.nodes.empty())
+      continue;
     if (part.kind == MeshPart::Kind::points)
       add_grid(text, grid, part.name, part.nodes, 1, "Polyvertex\" NodesPerElement=\"1");
     else

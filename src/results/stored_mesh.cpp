@@ -15,7 +15,7 @@ using hdf5::Handle;
 namespace {
 
 /// In the order of MeshPart::Kind.
-constexpr std::array part_kinds = {"exterior", "facets", "points"};
+constexpr std::array part_kinds = {"exterior", "facets", "points", "cells"};
 
 void write_parts(hid_t mesh, const std::vector<MeshPart>& parts) {
   const Handle group = create_group(mesh, "parts", parts.size());
@@ -44,11 +44,13 @@ void read_parts(hid_t parent, Grid& grid) {
   const auto names = hdf5::read_texts_attribute(group.id(), "names");
   if (kinds.size() != names.size())
     throw Failure("cannot read the mesh: its parts have kinds and names of different number");
-  const auto nodes = static_cast<int>(grid.points.size());
+  const std::size_t corners = grid.cell == Grid::Cell::quadrilateral ? 4 : 8;
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     MeshPart part{kind_of(kinds[k]), names[k], hdf5::read_ints(group.id(), std::to_string(k))};
-    if (std::any_of(part.nodes.begin(), part.nodes.end(),
-                    [nodes](int node) { return node < 0 || node >= nodes; }))
+    const bool of_cells = part.kind == MeshPart::Kind::cells;
+    const auto count =
+        static_cast<int>(of_cells ? grid.cells.size() / corners : grid.points.size());
+    if (std::ranges::any_of(part.nodes, [=](int k) { return k < 0 || k >= count; }))
       throw Failure("cannot read the mesh: a part has nodes that the mesh does not have");
     grid.parts.push_back(std::move(part));
   }

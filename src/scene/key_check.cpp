@@ -230,7 +230,10 @@ std::optional<std::string> array_without_number(const std::string& name,
   const std::size_t dot = std::min(name.find('.'), name.size());
   const std::string array = name.substr(0, dot);
   const bool has_number = dot + 1 < name.size() && name[dot + 1] >= '0' && name[dot + 1] <= '9';
-  if (has_number || find_key(table, name) || !names_table(array + ".#", table)) return std::nullopt;
+  const bool is_table_too = std::ranges::any_of(table, [&](const Key& key) {
+    return key.name.starts_with(array + ".") && !key.name.starts_with(array + ".#");
+  });
+  if (has_number || is_table_too || !names_table(array + ".#", table)) return std::nullopt;
   return array;
 }
 

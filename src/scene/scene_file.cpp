@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <gnomon/base/error.hpp>
+#include <gnomon/scene/toml_key.hpp>
 #include <set>
 #include <system_error>
 
@@ -155,9 +156,16 @@ private:
         return entry;
       }
     if (key.presence == Key::Presence::required && key.or_product.empty() &&
-        !meant.contains(key.name))
+        !meant.contains(key.name) && !given_as_array(key.name))
       mistakes.collect([&] { refuse_missing_key(message_about(name_, 0, key.name), key); });
     return entry;
+  }
+
+  /// Whether the file has an array, [[body]], in the place of the table of a key.
+  bool given_as_array(const std::string& name) const {
+    const std::string first = name.substr(0, name.find('.')) + ".1.";
+    return std::ranges::any_of(
+        in_file_, [&](const GivenValue& given) { return given.name.starts_with(first); });
   }
 
   /// Gives the entry the value of its product (Key::or_product) where the scene has that. The first
@@ -208,9 +216,24 @@ SceneFile::SceneFile(const std::string& text, const std::string& name) : name_(n
         {entry.name, message_about(name, entry.line, entry.name), std::move(entry.value)});
 }
 
-Scene SceneFile::scene(const std::vector<GivenValue>& overrides, const KeyTableOf& table_of,
+/// body.2.KEY of body.NAME.KEY, where NAME is the `name` of the second [[body]].
+std::string SceneFile::numbered(const std::string& key) const {
+  for (const GivenValue& given : values_) {
+    if (!given.name.ends_with(".name")) continue;
+    const auto* scalar = std::get_if<RawScalar>(&given.value.content);
+    const auto* name = scalar ? std::get_if<std::string>(scalar) : nullptr;
+    const std::string entry = given.name.substr(0, given.name.size() - 5);  // "body.2"
+    if (!name || entry.find('.') == std::string::npos) continue;
+    const std::string named = entry.substr(0, entry.find('.') + 1) + toml_key(*name) + ".";
+    if (key.starts_with(named)) return entry + "." + key.substr(named.size());
+  }
+  return key;
+}
+
+Scene SceneFile::scene(std::vector<GivenValue> overrides, const KeyTableOf& table_of,
                        Mistakes* mistakes) const {
   Mistakes own;
+  for (GivenValue& given : overrides) given.name = numbered(given.name);
   Scene scene = SceneLoader(name_, values_, overrides).load(table_of, mistakes ? *mistakes : own);
   own.require_none();
   return scene;

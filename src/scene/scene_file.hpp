@@ -26,13 +26,16 @@ public:
   explicit SceneFile(const std::filesystem::path& file);
   SceneFile(const std::string& text, const std::string& name);
 
-  /// The scene with these values in the place of those of the file. Throws InputError for values
+  /// The scene with these values in the place of those of the file. A table of an array may be
+  /// meant by its number or by the value of its key `name`. Throws InputError for values
   /// that their keys do not accept, first those of the file, then those of the overrides, and for
   /// missing ones; with `mistakes` as load_scene().
-  Scene scene(const std::vector<GivenValue>& overrides, const KeyTableOf& table_of,
+  Scene scene(std::vector<GivenValue> overrides, const KeyTableOf& table_of,
               Mistakes* mistakes = nullptr) const;
 
 private:
+  std::string numbered(const std::string& key) const;
+
   std::string name_;
   std::vector<GivenValue> values_;
 };

@@ -9,8 +9,10 @@ namespace {
 
 /// "body." of "body.material".
 std::string table_of(const std::string& choice) {
-  return choice.substr(0, choice.find('.') + 1);
+  return choice.substr(0, choice.rfind('.') + 1);
 }
+
+constexpr const char* usual_material = "neo-hookean";  // of a [[body]] that names none
 
 }  // namespace
 
@@ -21,7 +23,9 @@ Material make_material(const std::string& law, const ElasticModuli& moduli) {
 }
 
 Material read_material(const Scene& scene, const std::string& choice) {
-  const std::string table = table_of(choice), name = scene.text(choice);
+  const auto given = [&](const std::string& key) { return scene.knows(key) && scene.has(key); };
+  const std::string table = table_of(choice),
+                    name = given(choice) ? scene.text(choice) : usual_material;
   const double young = scene.real(table + "young_modulus"),
                poisson = scene.real(table + "poisson_ratio");
   Material material = make_material(name, ElasticModuli::from_young_poisson(young, poisson));
@@ -29,7 +33,7 @@ Material read_material(const Scene& scene, const std::string& choice) {
   material.poisson_ratio = poisson;
   for (const MaterialLaw& law : MaterialLaws::all())
     for (const Key& key : law.keys)
-      if (law.name != name && scene.has(table + key.name))
+      if (law.name != name && given(table + key.name))
         throw InputError(fmt::format("{}: only for {} = \"{}\", got \"{}\"",
                                      scene.where(table + key.name), choice, law.name, name));
   if (const auto& ratios = MaterialLaws::find(name, "material").ratios)

@@ -11,8 +11,9 @@
 
 namespace gnomon {
 
-/// The only body of a scene, by body.*. Throws InputError.
-Body read_body(const Scene& scene, Section section = Section::plane);
+/// A body by the keys of its table, without its group of elements. Throws InputError.
+Body read_body(const Scene& scene, Section section = Section::plane,
+               const std::string& table = "body");
 
 /// wear.normal
 NormalRule read_normal_rule(const Scene& scene);
@@ -64,9 +65,10 @@ NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part, const V
                            Section section = Section::plane);
 
 /// Nodal dead loads of a uniform force per initial volume, like gravity [force / length^dim; per
-/// length^3 in a body of revolution].
+/// length^3 in a body of revolution]. `cells`: null: all.
 template <int dim>
 NodalField<dim> volume_load(const Mesh<dim>& mesh, const Vector<dim>& density,
-                            Section section = Section::plane);
+                            Section section = Section::plane,
+                            const std::vector<int>* cells = nullptr);
 
 }  // namespace gnomon

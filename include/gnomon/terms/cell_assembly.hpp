@@ -9,6 +9,7 @@
 #include <gnomon/mesh/mesh.hpp>
 #include <gnomon/terms/material.hpp>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace gnomon {
@@ -18,13 +19,14 @@ class CellAssembly {
 public:
   using Numbers = NodalNumbers<dim>;
 
-  /// `bodies`: together all cells, each once (one body without cells: all). `rows`, `columns`: numbers of the residual rows and of the unknown that is the displacement
-  /// here. `shape_columns`: numbers of the shape unknowns that move the reference
-  /// configuration, or null when it does not move. `stiffness`: factors of the moduli, one per
-  /// cell; none: 1. `along`: the nodes that keep to planes or lines, with the projectors P on them;
-  /// with N = 1 - P their equations are P R(P u) + k N u = 0, of which P K P + k N is the
-  /// derivative: equilibrium along, no displacement across. k is a stiffness of the cells. Null: no
-  /// node does. Cells without a row are left out. References must outlive the object.
+  /// `bodies`: together all cells, each once (one body without cells: all). `rows`, `columns`:
+  /// numbers of the residual rows and of the unknown that is the displacement here.
+  /// `shape_columns`: numbers of the shape unknowns that move the reference configuration, or null
+  /// when it does not move. `stiffness`: factors of the moduli, one per cell; none: 1. `along`: the
+  /// nodes that keep to planes or lines, with the projectors P on them; with N = 1 - P their
+  /// equations are P R(P u) + k N u = 0, of which P K P + k N is the derivative: equilibrium along,
+  /// no displacement across. k is a stiffness of the cells. Null: no node does. Cells without a row
+  /// are left out. References must outlive the object.
   CellAssembly(const Mesh<dim>& mesh, const std::vector<Body>& bodies, const Numbers& rows,
                const Numbers& columns, const Numbers* shape_columns,
                std::vector<double> stiffness = {}, const NodalProjectors<dim>* along = nullptr);
@@ -44,6 +46,7 @@ private:
   static constexpr int local = dim * (1 << dim);  // values per cell
 
   struct Elastic {  // what a body is made of
+    std::string name;
     ElasticModuli moduli;
     CellKernel<dim> kernel;
   };

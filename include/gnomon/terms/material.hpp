@@ -29,6 +29,7 @@ struct Body {
   std::vector<int> cells{};  ///< ascending; of the only body empty: all
   Material material{};
   Element element{};
+  double density = 0;  ///< mass by volume; 0: not known
 };
 
 /// A material by the name of its law (material_law.hpp). Throws InputError that names the nearest

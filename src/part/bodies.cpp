@@ -1,0 +1,142 @@
+#include "part/bodies.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <gnomon/base/error.hpp>
+#include <gnomon/part/assembly_scene.hpp>
+
+#include "mesh/facet_table.hpp"
+#include "part/histories.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+const std::vector<std::string>& needed_keys() {
+  static const std::vector<std::string> keys = {"name", "young_modulus", "poisson_ratio"};
+  return keys;
+}
+
+template <int dim>
+std::vector<std::string> group_names(const ImportedBody<dim>& part) {
+  std::vector<std::string> names;
+  for (const auto& [name, cells] : part.cell_groups) names.push_back(name);
+  return names;
+}
+
+template <int dim>
+const std::vector<int>& cells_of(const Scene& scene, const std::string& table,
+                                 const ImportedBody<dim>& part) {
+  const std::string key = table + ".name";
+  if (const auto group = part.cell_groups.find(scene.text(key)); group != part.cell_groups.end())
+    return group->second;
+  throw InputError(
+      fmt::format("{}: {}", scene.where(key),
+                  unknown_name(scene.text(key), "group of elements", group_names(part))));
+}
+
+/// The first body that each cell belongs to. Throws where one belongs to two or to none.
+template <int dim>
+void require_partition(const Scene& scene, const ImportedBody<dim>& part,
+                       const std::vector<Body>& bodies) {
+  std::vector<const Body*> of(part.mesh.cells.size(), nullptr);
+  for (const Body& body : bodies)
+    for (const int cell : body.cells) {
+      if (const Body*& first = of[static_cast<std::size_t>(cell)]; first)
+        throw InputError(
+            fmt::format("{}: [[body]]: expected groups that share no element, but "
+                        "\"{}\" and \"{}\" do",
+                        scene.path().string(), first->name, body.name));
+      of[static_cast<std::size_t>(cell)] = &body;
+    }
+  const auto without = std::ranges::count(of, nullptr);
+  if (without > 0)
+    throw InputError(fmt::format(
+        "{}: expected a [[body]] for every element, {} of {} have none; "
+        "groups of elements: \"{}\"",
+        scene.path().string(), without, of.size(), fmt::join(group_names(part), "\", \"")));
+}
+
+}  // namespace
+
+std::vector<Key> body_table_keys() {
+  std::vector<Key> keys = {{.name = "model.plane",
+                            .kind = KeyKind::text,
+                            .presence = Key::Presence::optional,
+                            .absent_meaning = "body.plane",
+                            .choices = {"strain", "axisymmetric"},
+                            .help = "body.plane, in scenes with [[body]]"},
+                           {.name = "body.#.name",
+                            .kind = KeyKind::text,
+                            .presence = Key::Presence::optional,
+                            .absent_meaning = "needed in every [[body]]",
+                            .help = "group of elements that is this body; bodies that share nodes "
+                                    "are bonded"},
+                           density_key("body.#.density")};
+  for (Key key : worn_body_keys(2)) {
+    if (!key.name.starts_with("body.")) continue;
+    const bool defaulted = key.presence == Key::Presence::defaulted;
+    key.absent_meaning = defaulted ? "\"" + std::get<std::string>(key.default_value) + "\""
+                                   : "needed in every [[body]]";
+    key.presence = Key::Presence::optional;
+    key.name.insert(5, "#.");
+    keys.push_back(std::move(key));
+  }
+  return keys;
+}
+
+bool has_bodies(const Scene& scene) {
+  return !scene.chosen_names("body.#.name").empty() ||
+         !scene.chosen_names("body.#.young_modulus").empty();
+}
+
+template <int dim>
+std::vector<Body> read_bodies(const Scene& scene, const ImportedBody<dim>& part, Section section) {
+  if (!has_bodies(scene)) return {read_body(scene, section)};
+  std::vector<Body> bodies;
+  for (const std::string& table : entries_of(scene, "body", body_table_keys(), needed_keys())) {
+    bodies.push_back(read_body(scene, section, table));
+    bodies.back().name = scene.text(table + ".name");
+    bodies.back().cells = cells_of(scene, table, part);
+  }
+  require_partition(scene, part, bodies);
+  return bodies;
+}
+
+template <int dim>
+std::vector<std::string> remarks_on_bodies(const Scene& scene, const ImportedBody<dim>& part) {
+  if (has_bodies(scene) || part.cell_groups.size() < 2) return {};
+  return {
+      fmt::format("the groups of elements \"{}\" are one body of one material; [[body]] gives "
+                  "each its own",
+                  fmt::join(group_names(part), "\", \""))};
+}
+
+template <int dim>
+std::vector<typename Mesh<dim>::Facet> bonded_facets(const Mesh<dim>& mesh,
+                                                     const std::vector<Body>& bodies) {
+  std::vector<typename Mesh<dim>::Facet> result;
+  if (bodies.size() < 2) return result;
+  std::vector<int> body_of(mesh.cells.size(), 0);
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (const int cell : bodies[b].cells) body_of[static_cast<std::size_t>(cell)] = int(b);
+  const FacetTable<dim> facets(mesh);
+  for (int slot = 0; slot < facets.slots(); ++slot) {
+    const int other = facets.neighbour(slot);
+    const auto body_at = [&](int at) {
+      return body_of[static_cast<std::size_t>(at / facets.facets_per_cell)];
+    };
+    if (other >= 0 && body_at(slot) < body_at(other)) result.push_back(facets.facet(slot));
+  }
+  return result;
+}
+
+template std::vector<Body> read_bodies(const Scene&, const ImportedBody<2>&, Section);
+template std::vector<Body> read_bodies(const Scene&, const ImportedBody<3>&, Section);
+template std::vector<std::string> remarks_on_bodies(const Scene&, const ImportedBody<2>&);
+template std::vector<std::string> remarks_on_bodies(const Scene&, const ImportedBody<3>&);
+template std::vector<Mesh<2>::Facet> bonded_facets(const Mesh<2>&, const std::vector<Body>&);
+template std::vector<Mesh<3>::Facet> bonded_facets(const Mesh<3>&, const std::vector<Body>&);
+
+}  // namespace gnomon::part
