@@ -29,10 +29,11 @@ AssemblyParts<3> extruded(const Assembly<2>& pin, bool as_section) {
     shape_held.row(node).tail<2>() = pin.shape.held.row(of[node]);
     forces.row(node).tail<2>() = share * thickness * pin.loads.front().forces.row(of[node]);
   }
+  const Load<3> load{.forces = forces, .presses = true};
   AssemblyParts<3> parts{.mesh = mesh,
                          .bodies = pin.bodies,
                          .supports = {.held = held},
-                         .loads = {{.forces = forces, .presses = true}},
+                         .loads = {load},
                          .interface = {.surfaces = {{"bottom", mesh.boundary.at("bottom"),
                                                      pin.interface.surfaces.front().wear}},
                                        .rho = pin.interface.rho},

@@ -107,15 +107,14 @@ TEST_F(Bodies, LayersUnderPressureAreSpringsInSeries) {
         SCOPED_TRACE(kind + fmt::format(" {} {}", contrast, soft));
         const double hard = soft == 2e3 ? 2e3 * contrast : 2e3;
         const std::string plane = kind == "axisymmetric" ? "model.plane = \"axisymmetric\"\n" : "";
-        std::string text =
-            plane + scene(kind == "space" ? "space.geo" : "plane.geo",
-                          fmt::format("approach = [{}]", approach), hard, soft);
+        std::string text = plane + scene(kind == "space" ? "space.geo" : "plane.geo",
+                                         fmt::format("approach = [{}]", approach), hard, soft);
         if (kind == "axisymmetric")  // slides to the circumference
           text.replace(text.find("{ velocity = [1.0, 0.0] }"), 25, "{ out_of_plane = 1.0 }");
         const auto layered = model(text);
         const double pressure = approach / (coating / soft + substrate / hard);
-        for (const double p : layered->contact(layered->start(counters_)).value().pressure)
-          EXPECT_NEAR(p / pressure, 1, 1e-7);
+        const ContactSurface surface = layered->contact(layered->start(counters_)).value();
+        for (const double p : surface.pressure) EXPECT_NEAR(p / pressure, 1, 1e-7);
       }
 }
 
@@ -135,7 +134,9 @@ TEST_F(Bodies, ACoatingGetsThinnerOnASubstrateThatDoesNot) {
   const GridField shape = coated->fields(run.last())[1];
   const Grid grid = coated->grid().value();
   for (std::size_t n = 0; n < grid.points.size(); ++n)
-    if (grid.points[n][1] < -coating + 1e-9) EXPECT_EQ(shape.values[3 * n + 1], 0);
+    if (grid.points[n][1] < -coating + 1e-9) {
+      EXPECT_EQ(shape.values[3 * n + 1], 0);
+    }
 }
 
 TEST_F(Bodies, ACoatingThatIsUsedUpEndsTheRunWithItsName) {
@@ -166,8 +167,9 @@ TEST_F(Bodies, ABondedBeamBendsByItsCompositeStiffness) {
           fmt::format("shape = \"cylinder\"\nradius = 5.0\ncenter = [{}, 5.0]", length));
   const auto beam = model(text, {"shape.reach=1.0"});
   const double force = observed(*beam, beam->start(counters_), "contact_force");
-  const double axis = (hard * substrate * substrate / 2 + soft * coating * (substrate + coating / 2)) /
-                      (hard * substrate + soft * coating);
+  const double axis =
+      (hard * substrate * substrate / 2 + soft * coating * (substrate + coating / 2)) /
+      (hard * substrate + soft * coating);
   const auto part = [&](double modulus, double h, double middle) {
     return modulus * (h * h * h / 12 + h * (middle - axis) * (middle - axis));
   };
@@ -195,7 +197,8 @@ TEST_F(Bodies, AreAllElementsEachOnce) {
               ::testing::HasSubstr("did you mean `coating`"));
   EXPECT_THAT(refusal(with("name = \"coating\"", "name = \"substrate\"")),
               ::testing::HasSubstr("share no element"));
-  EXPECT_THAT(refusal(with("name = \"coating\"\n", "")), ::testing::HasSubstr("missing key `name`"));
+  EXPECT_THAT(refusal(with("name = \"coating\"\n", "")),
+              ::testing::HasSubstr("missing key `name`"));
 }
 
 // One material for several groups is said, not silent.
@@ -209,8 +212,9 @@ TEST_F(Bodies, GroupsOfOneMaterialAreRemarked) {
 
 // So that it can be resumed.
 TEST_F(Bodies, AreMadeAgainFromTheirScene) {
-  const Scene scene_of = load_scene(
-      folder_.write("scene.toml", scene("plane.geo", "approach = [1e-3]", 2e4, 2e3)), {}, key_table);
+  const Scene scene_of =
+      load_scene(folder_.write("scene.toml", scene("plane.geo", "approach = [1e-3]", 2e4, 2e3)), {},
+                 key_table);
   const std::string text = scene_of.resolved();
   EXPECT_THAT(text, ::testing::Not(::testing::HasSubstr("\n[body]\n")));
   const Scene again = parse_scene(text, "resolved", {}, key_table);

@@ -63,6 +63,7 @@ inline AssemblyParts<3> pressed_block(const PressedBlock& block) {
     forces(node, 2) = -block.force * edge / (n * n);
   }
   const double area = block.size * block.size;
+  const Load<3> load{.forces = forces, .presses = true};
   Scales scales;
   scales.force = block.force / (n * n);
   scales.displacement = block.force / (block.young_modulus * block.size);
@@ -77,7 +78,7 @@ inline AssemblyParts<3> pressed_block(const PressedBlock& block) {
                       ElasticModuli::from_young_poisson(block.young_modulus, block.poisson_ratio)),
                   .element = block.element}},
       .supports = {.held = held},
-      .loads = {{.forces = forces, .presses = true}},
+      .loads = {load},
       .interface = {.surfaces = {{"bottom", mesh.boundary.at("bottom"), archard(block.wear)}},
                     .rho = 0.01 * regularization_unit(block.young_modulus, block.size / n, scales)},
       .shape = {.held = shape_held,

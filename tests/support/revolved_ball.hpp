@@ -37,6 +37,9 @@ inline AssemblyParts<2> revolved_ball(const RevolvedBall& ball) {
   NodalFlags<2> shape_held = held_on_axis(mesh);
   for (int node : mesh.boundary_nodes("right")) shape_held(node, 0) = 1;
   for (int node : mesh.boundary_nodes("top")) shape_held.row(node).setOnes();
+  const Load<2> load{
+      .forces = uniform_load(mesh, "top", Vector<2>(0, -ball.force), Section::meridian),
+      .presses = true};
   Scales scales;
   scales.force = ball.force / ball.along;
   scales.displacement = ball.force / (ball.young_modulus * ball.size);
@@ -53,8 +56,7 @@ inline AssemblyParts<2> revolved_ball(const RevolvedBall& ball) {
                       ElasticModuli::from_young_poisson(ball.young_modulus, ball.poisson_ratio)),
                   .element = ball.element}},
       .supports = {.held = held_on_axis(mesh)},
-      .loads = {{.forces = uniform_load(mesh, "top", Vector<2>(0, -ball.force), Section::meridian),
-                 .presses = true}},
+      .loads = {load},
       .interface = {.surfaces = {{"bottom", mesh.boundary.at("bottom"), archard(ball.wear)}},
                     .boundary = exterior_facets(mesh),
                     .normal_rule = ball.normal,
