@@ -182,7 +182,7 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   using Made = std::unique_ptr<Term<dim>>;
   for (std::size_t p = 0; p < phases_.size(); ++p) add_equilibrium(p, terms);
   terms.push_back([of = assembly_, f = fields()](const Numbering& numbering) -> Made {
-    return std::make_unique<MeshMotion<dim>>(of->mesh, of->bodies,
+    return std::make_unique<MeshMotion<dim>>(of->mesh,
                                              of->cross_section ? &*of->cross_section : nullptr,
                                              of->shape.along, of->shape.law, numbering, f.d, f.mu);
   });

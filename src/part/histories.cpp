@@ -39,13 +39,14 @@ std::vector<std::string> direction_names(const Scene& scene) {
   return {"x", "y"};
 }
 
-Key density_key(const std::string& name) {
+Key density_key(const std::string& name, std::function<bool(const Scene&)> applies) {
   return {.name = name,
           .unit = "t/mm^3",
           .presence = Key::Presence::optional,
           .absent_meaning = "no load.#.acceleration",
           .range = positive_quantity,
-          .help = "mass by volume"};
+          .help = "mass by volume",
+          .applies = std::move(applies)};
 }
 
 Key times_key(const std::string& prefix, const std::string& quantity) {

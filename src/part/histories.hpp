@@ -1,6 +1,7 @@
 // What supports and loads of a part share: entries of arrays of tables, directions, histories.
 #pragma once
 
+#include <functional>
 #include <gnomon/laws/load_history.hpp>
 #include <gnomon/mesh/section.hpp>
 #include <gnomon/scene/scene.hpp>
@@ -27,7 +28,7 @@ Section section_of(const Scene& scene);
 template <int dim>
 std::vector<std::string> direction_names(const Scene& scene);
 
-Key density_key(const std::string& name);
+Key density_key(const std::string& name, std::function<bool(const Scene&)> applies = {});
 
 /// PREFIX.times and PREFIX.factors, the history of a quantity.
 Key times_key(const std::string& prefix, const std::string& quantity);

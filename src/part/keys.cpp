@@ -56,7 +56,7 @@ std::vector<Key> own_keys() {
        .help = "what a mesh in the plane is a section of: plane strain, or a body of revolution "
                "about x = 0, in coordinates (r, z)",
        .applies = is_one_body},
-      density_key("body.density"),
+      density_key("body.density", is_one_body),
       {.name = "wear.on",
        .kind = KeyKind::texts,
        .presence = Key::Presence::required,

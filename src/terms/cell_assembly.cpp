@@ -25,7 +25,7 @@ CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const std::vector<Body>& 
   for (const Body& body : bodies) {
     if (bodies.size() > 1)
       for (const int cell : body.cells) body_of_[cell] = static_cast<int>(bodies_.size());
-    bodies_.push_back({body.name, body.material.moduli, body.material.kernel<dim>(body.element)});
+    bodies_.push_back({body.material.moduli, body.material.kernel<dim>(body.element)});
   }
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell)
     for (int node : mesh.cells[cell])
@@ -111,10 +111,7 @@ void CellAssembly<dim>::throw_inverted(int cell, const NodalField<dim>* shape) c
   }
   std::string place = fmt::format("({:.4g}, {:.4g}", centre[0], centre[1]);
   if constexpr (dim == 3) place += fmt::format(", {:.4g}", centre[2]);
-  const std::string& body = elastic(cell).name;
-  throw RecoverableError(
-      fmt::format("inverted element {} at {}){}", cell, place,
-                  body.empty() ? "" : fmt::format(" of \"{}\", which may be used up there", body)));
+  throw RecoverableError(fmt::format("inverted element {} at {})", cell, place));
 }
 
 namespace {

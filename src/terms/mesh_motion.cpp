@@ -38,15 +38,13 @@ NodalNumbers<dim> auxiliary_rows(const Numbering& numbering, FieldId d, FieldId 
 }
 
 template <int dim>
-CellAssembly<dim> auxiliary_cells(const Mesh<dim>& mesh, std::vector<Body> bodies,
-                                  const MeshMotionLaw& law, const NodalNumbers<dim>& rows,
-                                  const NodalNumbers<dim>& columns,
+CellAssembly<dim> auxiliary_cells(const Mesh<dim>& mesh, const MeshMotionLaw& law,
+                                  const NodalNumbers<dim>& rows, const NodalNumbers<dim>& columns,
                                   const NodalProjectors<dim>* along = nullptr) {
-  for (Body& body : bodies) {
-    body.material = law.material;
-    body.element = {ElementTechnology::plain, Kinematics::finite};
-  }
-  return {mesh, bodies, rows, columns, nullptr, stiffness_by_volume(mesh, law.stiffening), along};
+  const Body body{.material = law.material,
+                  .element = {ElementTechnology::plain, Kinematics::finite}};
+  return {mesh,    {body}, rows, columns,
+          nullptr, stiffness_by_volume(mesh, law.stiffening), along};
 }
 
 }  // namespace
@@ -56,11 +54,11 @@ struct MeshMotion<dim>::Whole {
   NodalNumbers<dim> rows, columns;
   CellAssembly<dim> cells;
 
-  Whole(const Mesh<dim>& mesh, const std::vector<Body>& bodies, const NodalProjectors<dim>& along,
-        const MeshMotionLaw& law, const Numbering& numbering, FieldId d, FieldId mu)
+  Whole(const Mesh<dim>& mesh, const NodalProjectors<dim>& along, const MeshMotionLaw& law,
+        const Numbering& numbering, FieldId d, FieldId mu)
       : rows(auxiliary_rows<dim>(numbering, d, mu)),
         columns(numbering.nodal<dim>(d)),
-        cells(auxiliary_cells<dim>(mesh, bodies, law, rows, columns, &along)) {}
+        cells(auxiliary_cells<dim>(mesh, law, rows, columns, &along)) {}
 };
 
 /// The cross-section with its unknowns, those of the carrying nodes of the body: components (y, z).
@@ -75,7 +73,7 @@ struct MeshMotion<dim>::Section {
       : section(s),
         rows(taken(auxiliary_rows<dim>(numbering, d, mu))),
         columns(taken(numbering.nodal<dim>(d))),
-        cells(auxiliary_cells<2>(section.mesh, {Body{}}, law, rows, columns)) {}
+        cells(auxiliary_cells<2>(section.mesh, law, rows, columns)) {}
 
   template <class Nodal>
   auto taken(const Nodal& nodal) const {
@@ -88,15 +86,14 @@ struct MeshMotion<dim>::Section {
 };
 
 template <int dim>
-MeshMotion<dim>::MeshMotion(const Mesh<dim>& mesh, const std::vector<Body>& bodies,
-                            const CrossSection* section, const NodalProjectors<dim>& along,
-                            const MeshMotionLaw& law, const Numbering& numbering, FieldId d,
-                            FieldId mu)
+MeshMotion<dim>::MeshMotion(const Mesh<dim>& mesh, const CrossSection* section,
+                            const NodalProjectors<dim>& along, const MeshMotionLaw& law,
+                            const Numbering& numbering, FieldId d, FieldId mu)
     : d_(d) {
   if (section)
     section_ = std::make_unique<Section>(*section, law, numbering, d, mu);
   else
-    whole_ = std::make_unique<Whole>(mesh, bodies, along, law, numbering, d, mu);
+    whole_ = std::make_unique<Whole>(mesh, along, law, numbering, d, mu);
 }
 
 template <int dim>

@@ -131,23 +131,13 @@ TEST_F(Bodies, ACoatingGetsThinnerOnASubstrateThatDoesNot) {
   const double first = p * (coating / soft + substrate / hard);
   EXPECT_NEAR(observed(*coated, run.states.front(), "approach"), first, 1e-7);
   EXPECT_NEAR(observed(*coated, run.last(), "approach"), worn + first - p * worn / soft, 1e-6);
+  EXPECT_NEAR(observed(*coated, run.last(), "element_volume"), 1 - worn / coating, 1e-6);
   const GridField shape = coated->fields(run.last())[1];
   const Grid grid = coated->grid().value();
   for (std::size_t n = 0; n < grid.points.size(); ++n)
     if (grid.points[n][1] < -coating + 1e-9) {
-      EXPECT_EQ(shape.values[3 * n + 1], 0);
+      EXPECT_NEAR(shape.values[3 * n + 1], 0, 1e-14);
     }
-}
-
-TEST_F(Bodies, ACoatingThatIsUsedUpEndsTheRunWithItsName) {
-  const auto coated =
-      model(scene("plane.geo", "force = 20.0", 2e4, 1e3), {"wear.coefficient=1e-3"});
-  try {
-    run_model(*coated, "esdirk-4", 0, 1e-4, 100);
-    FAIL() << "expected an end";
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("\"coating\""));
-  }
 }
 
 // A cantilever of two layers under a round tip bends by F L^3 / (3 EI), EI about its own neutral
@@ -184,7 +174,8 @@ TEST_F(Bodies, AreMeantByTheirNames) {
   const double pressure = 1e-3 / (coating / 1e3 + substrate / 2e3);
   EXPECT_NEAR(layered->contact(layered->start(counters_)).value().pressure.front(), pressure,
               1e-7 * pressure);
-  EXPECT_THAT(refusal(text, {"body.coting.young_modulus=1e3"}), ::testing::HasSubstr("coating"));
+  EXPECT_THAT(refusal(text, {"body.coting.young_modulus=1e3"}),
+              ::testing::HasSubstr("--set body.coting.young_modulus: unknown key"));
 }
 
 TEST_F(Bodies, AreAllElementsEachOnce) {
@@ -194,7 +185,7 @@ TEST_F(Bodies, AreAllElementsEachOnce) {
     return other.replace(other.find(old), old.size(), by);
   };
   EXPECT_THAT(refusal(with("name = \"coating\"", "name = \"coting\"")),
-              ::testing::HasSubstr("did you mean `coating`"));
+              ::testing::HasSubstr("did you mean \"coating\""));
   EXPECT_THAT(refusal(with("name = \"coating\"", "name = \"substrate\"")),
               ::testing::HasSubstr("share no element"));
   EXPECT_THAT(refusal(with("name = \"coating\"\n", "")),

@@ -69,7 +69,7 @@ Eigen::VectorXd residual(const AssemblyParts<dim>& body, const NodalField<dim>& 
   FieldValues<dim> values(*composition.fields);
   values.vector(shape) = d;
   std::vector<double> F(numbering.size(), 0.0);
-  MeshMotion<dim>(body.mesh, body.bodies, nullptr, body.shape.along, body.shape.law, numbering, shape,
+  MeshMotion<dim>(body.mesh, nullptr, body.shape.along, body.shape.law, numbering, shape,
                   FieldId::none)
       .add_residual({.values = values, .ydot = {}}, F);
   return Eigen::Map<const Eigen::VectorXd>(F.data(), numbering.size());

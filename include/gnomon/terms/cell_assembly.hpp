@@ -9,7 +9,6 @@
 #include <gnomon/mesh/mesh.hpp>
 #include <gnomon/terms/material.hpp>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace gnomon {
@@ -46,7 +45,6 @@ private:
   static constexpr int local = dim * (1 << dim);  // values per cell
 
   struct Elastic {  // what a body is made of
-    std::string name;
     ElasticModuli moduli;
     CellKernel<dim> kernel;
   };

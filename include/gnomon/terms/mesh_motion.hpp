@@ -21,11 +21,10 @@ struct MeshMotionLaw {
 template <int dim>
 class MeshMotion : public Term<dim> {
 public:
-  /// `bodies`: for messages. `section`: null if the shape is that of the whole mesh. `along`:
-  /// ShapeMotion::along, not read with a section. They must outlive the term.
-  MeshMotion(const Mesh<dim>& mesh, const std::vector<Body>& bodies, const CrossSection* section,
-             const NodalProjectors<dim>& along, const MeshMotionLaw& law,
-             const Numbering& numbering, FieldId d, FieldId mu);
+  /// `section`: null if the shape is that of the whole mesh. `along`: ShapeMotion::along, not
+  /// read with a section. All three must outlive the term.
+  MeshMotion(const Mesh<dim>& mesh, const CrossSection* section, const NodalProjectors<dim>& along,
+             const MeshMotionLaw& law, const Numbering& numbering, FieldId d, FieldId mu);
   ~MeshMotion() override;
 
   void declare(TermStructure& structure) const override;
