@@ -99,8 +99,8 @@ std::vector<Key> shared_keys() {
 
 std::vector<Key> part_keys() {
   std::vector<Key> keys = mesh_keys();
-  for (const auto& more : {own_keys(), body_table_keys(), support_keys(), load_keys(), cycle_keys(),
-                           shared_keys(), shape_support_keys()})
+  for (const auto& more : {own_keys(), support_keys(), load_keys(), cycle_keys(), shared_keys(),
+                           body_table_keys(), shape_support_keys()})
     keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }

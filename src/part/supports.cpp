@@ -94,10 +94,10 @@ SpringSupport<dim> read_springs(const Scene& scene, const ImportedBody<dim>& par
 /// What moves of the nodes in these directions; nothing where they are held at zero.
 PrescribedValues read_moved(const Scene& scene, const std::string& support,
                             const std::vector<int>& nodes, const std::vector<int>& directions) {
-  if (!given(scene, support + ".value")) return {};
-  const std::vector<double> values = values_of(scene, support, directions);
   PrescribedValues moved;
   moved.history = read_history(scene, support);
+  if (!given(scene, support + ".value")) return moved;
+  const std::vector<double> values = values_of(scene, support, directions);
   for (int node : nodes)
     for (std::size_t k = 0; k < directions.size(); ++k)
       moved.entries.push_back({node, directions[k], values[k]});
