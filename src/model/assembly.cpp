@@ -64,35 +64,6 @@ void require_sizes(const AssemblyParts<dim>& parts) {
           "a surface that touches the partner");
 }
 
-/// By cell. Throws where the bodies are not all cells, each once.
-template <int dim>
-std::vector<int> bodies_of_cells(const AssemblyParts<dim>& parts) {
-  if (parts.bodies.size() == 1 && parts.bodies.front().cells.empty())
-    return std::vector<int>(parts.mesh.cells.size(), 0);
-  std::vector<int> body_of(parts.mesh.cells.size(), -1);
-  for (std::size_t b = 0; b < parts.bodies.size(); ++b)
-    for (const int cell : parts.bodies[b].cells) {
-      int& body = body_of.at(static_cast<std::size_t>(cell));
-      if (body >= 0)
-        throw InputError(
-            fmt::format("expected bodies that share no element, but \"{}\" and \"{}\" do",
-                        parts.bodies[static_cast<std::size_t>(body)].name, parts.bodies[b].name));
-      body = static_cast<int>(b);
-    }
-  if (const auto without = std::ranges::count(body_of, -1))
-    throw InputError(
-        fmt::format("expected that every element belongs to a body, {} do not", without));
-  return body_of;
-}
-
-template <int dim>
-std::vector<typename Mesh<dim>::Facet> all_facets(const Interface<dim>& interface) {
-  std::vector<typename Mesh<dim>::Facet> facets;
-  for (const Surface<dim>& surface : interface.surfaces)
-    facets.insert(facets.end(), surface.facets.begin(), surface.facets.end());
-  return facets;
-}
-
 /// The first of the surfaces that have the node.
 template <int dim>
 std::vector<int> surfaces_of_nodes(const std::vector<ContactPatch<dim>>& patches,
@@ -130,9 +101,17 @@ std::vector<double> weights_on_path(const std::vector<ContactPatch<dim>>& patche
 }  // namespace
 
 template <int dim>
+std::vector<typename Mesh<dim>::Facet> facets_of(const std::vector<Surface<dim>>& surfaces) {
+  std::vector<typename Mesh<dim>::Facet> facets;
+  for (const Surface<dim>& surface : surfaces)
+    facets.insert(facets.end(), surface.facets.begin(), surface.facets.end());
+  return facets;
+}
+
+template <int dim>
 std::vector<ContactPatch<dim>> contact_nodes_of(const AssemblyParts<dim>& parts) {
-  return contact_patches<dim>(parts.mesh, all_facets(parts.interface), parts.interface.boundary,
-                              parts.section());
+  return contact_patches<dim>(parts.mesh, facets_of(parts.interface.surfaces),
+                              parts.interface.boundary, parts.section());
 }
 
 template <int dim>
@@ -140,7 +119,7 @@ Assembly<dim>::Assembly(AssemblyParts<dim> parts) : AssemblyParts<dim>(std::move
   require_sizes(*this);
   require_strain(*this);
   require_compact_elements(this->mesh);
-  body_of = bodies_of_cells(*this);
+  body_of = body_of_cells(this->bodies, this->mesh.cells.size());
   contact_nodes = contact_nodes_of(*this);
   for (ContactPatch<dim>& patch : contact_nodes) patch.shape_free = this->shape.free(patch.node);
   surface_of = surfaces_of_nodes(contact_nodes, this->interface);
@@ -156,6 +135,8 @@ NodalFlags<2> held_on_axis(const Mesh<2>& mesh) {
 
 template struct Assembly<2>;
 template struct Assembly<3>;
+template std::vector<Mesh<2>::Facet> facets_of(const std::vector<Surface<2>>&);
+template std::vector<Mesh<3>::Facet> facets_of(const std::vector<Surface<3>>&);
 template std::vector<ContactPatch<2>> contact_nodes_of(const AssemblyParts<2>&);
 template std::vector<ContactPatch<3>> contact_nodes_of(const AssemblyParts<3>&);
 

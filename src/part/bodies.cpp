@@ -36,28 +36,6 @@ const std::vector<int>& cells_of(const Scene& scene, const std::string& table,
                   unknown_name(scene.text(key), "group of elements", group_names(part))));
 }
 
-/// The first body that each cell belongs to. Throws where one belongs to two or to none.
-template <int dim>
-void require_partition(const Scene& scene, const ImportedBody<dim>& part,
-                       const std::vector<Body>& bodies) {
-  std::vector<const Body*> of(part.mesh.cells.size(), nullptr);
-  for (const Body& body : bodies)
-    for (const int cell : body.cells) {
-      if (const Body*& first = of[static_cast<std::size_t>(cell)]; first)
-        throw InputError(
-            fmt::format("{}: [[body]]: expected groups that share no element, but "
-                        "\"{}\" and \"{}\" do",
-                        scene.path().string(), first->name, body.name));
-      of[static_cast<std::size_t>(cell)] = &body;
-    }
-  const auto without = std::ranges::count(of, nullptr);
-  if (without > 0)
-    throw InputError(fmt::format(
-        "{}: expected a [[body]] for every element, {} of {} have none; "
-        "groups of elements: \"{}\"",
-        scene.path().string(), without, of.size(), fmt::join(group_names(part), "\", \"")));
-}
-
 }  // namespace
 
 std::vector<Key> body_table_keys() {
@@ -100,7 +78,13 @@ std::vector<Body> read_bodies(const Scene& scene, const ImportedBody<dim>& part,
     bodies.back().name = scene.text(table + ".name");
     bodies.back().cells = cells_of(scene, table, part);
   }
-  require_partition(scene, part, bodies);
+  try {
+    body_of_cells(bodies, part.mesh.cells.size());
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: [[body]]: {}; groups of elements: \"{}\"",
+                                 scene.path().string(), error.what(),
+                                 fmt::join(group_names(part), "\", \"")));
+  }
   return bodies;
 }
 
@@ -118,9 +102,7 @@ std::vector<typename Mesh<dim>::Facet> bonded_facets(const Mesh<dim>& mesh,
                                                      const std::vector<Body>& bodies) {
   std::vector<typename Mesh<dim>::Facet> result;
   if (bodies.size() < 2) return result;
-  std::vector<int> body_of(mesh.cells.size(), 0);
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    for (const int cell : bodies[b].cells) body_of[static_cast<std::size_t>(cell)] = int(b);
+  const std::vector<int> body_of = body_of_cells(bodies, mesh.cells.size());
   const FacetTable<dim> facets(mesh);
   for (int slot = 0; slot < facets.slots(); ++slot) {
     const int other = facets.neighbour(slot);

@@ -122,14 +122,6 @@ void append(std::vector<std::string>& remarks, const std::vector<std::string>& m
   remarks.insert(remarks.end(), more.begin(), more.end());
 }
 
-template <int dim>
-std::vector<typename Mesh<dim>::Facet> facets_of(const std::vector<Surface<dim>>& surfaces) {
-  std::vector<typename Mesh<dim>::Facet> facets;
-  for (const Surface<dim>& surface : surfaces)
-    facets.insert(facets.end(), surface.facets.begin(), surface.facets.end());
-  return facets;
-}
-
 /// All parts but the scales and where the shape is held, or all mistakes in them.
 template <int dim>
 AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim>& part) {

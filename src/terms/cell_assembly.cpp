@@ -21,12 +21,9 @@ CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const std::vector<Body>& 
       columns_(columns),
       shape_columns_(shape_columns),
       along_(along) {
-  if (bodies.size() > 1) body_of_.resize(mesh.cells.size());
-  for (const Body& body : bodies) {
-    if (bodies.size() > 1)
-      for (const int cell : body.cells) body_of_[cell] = static_cast<int>(bodies_.size());
+  if (bodies.size() > 1) body_of_ = body_of_cells(bodies, mesh.cells.size());
+  for (const Body& body : bodies)
     bodies_.push_back({body.material.moduli, body.material.kernel<dim>(body.element)});
-  }
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell)
     for (int node : mesh.cells[cell])
       if (rows.row(node).maxCoeff() >= 0) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <gnomon/base/error.hpp>
 #include <gnomon/terms/material_law.hpp>
 
 namespace gnomon {
@@ -15,6 +16,24 @@ std::string table_of(const std::string& choice) {
 constexpr const char* usual_material = "neo-hookean";  // of a [[body]] that names none
 
 }  // namespace
+
+std::vector<int> body_of_cells(const std::vector<Body>& bodies, std::size_t cells) {
+  if (bodies.size() == 1 && bodies.front().cells.empty()) return std::vector<int>(cells, 0);
+  std::vector<int> body_of(cells, -1);
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (const int cell : bodies[b].cells) {
+      int& body = body_of.at(static_cast<std::size_t>(cell));
+      if (body >= 0)
+        throw InputError(
+            fmt::format("expected bodies that share no element, but \"{}\" and \"{}\" do",
+                        bodies[static_cast<std::size_t>(body)].name, bodies[b].name));
+      body = static_cast<int>(b);
+    }
+  if (const auto without = std::ranges::count(body_of, -1))
+    throw InputError(
+        fmt::format("expected a body for every element, {} of {} have none", without, cells));
+  return body_of;
+}
 
 Material make_material(const std::string& law, const ElasticModuli& moduli) {
   const MaterialLaw& found = MaterialLaws::find(law, "material");

@@ -175,6 +175,10 @@ struct Assembly : AssemblyParts<dim> {
   }
 };
 
+/// Of all surfaces, one after the other.
+template <int dim>
+std::vector<typename Mesh<dim>::Facet> facets_of(const std::vector<Surface<dim>>& surfaces);
+
 /// The contact nodes of the surfaces of an assembly.
 template <int dim>
 std::vector<ContactPatch<dim>> contact_nodes_of(const AssemblyParts<dim>& parts);

@@ -32,6 +32,10 @@ struct Body {
   double density = 0;  ///< mass by volume; 0: not known
 };
 
+/// By cell of a mesh that has so many: the position of its body. Throws InputError where the bodies
+/// are not all cells, each once.
+std::vector<int> body_of_cells(const std::vector<Body>& bodies, std::size_t cells);
+
 /// A material by the name of its law (material_law.hpp). Throws InputError that names the nearest
 /// one.
 Material make_material(const std::string& law, const ElasticModuli& moduli);
