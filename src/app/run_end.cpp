@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <gnomon/base/error.hpp>
+#include <gnomon/checks/checks.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/summary.hpp>
 
@@ -28,6 +29,10 @@ void print_summary(const RunOutcome& outcome, const EndReport& report) {
   for (const Scalar& scalar : outcome.last->scalars)
     table.add({"  " + scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});
   fmt::print("{}", table.text());
+  if (const std::string forces =
+          balance_text(outcome.examination, observation_of(outcome.last->scalars).dim);
+      !forces.empty())
+    fmt::print("{}\n", forces);
   if (const std::string ledger = ledger_text(observation_of(outcome.last->scalars));
       !ledger.empty())
     fmt::print("{}\n", ledger);

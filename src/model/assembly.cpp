@@ -121,8 +121,12 @@ Assembly<dim>::Assembly(AssemblyParts<dim> parts) : AssemblyParts<dim>(std::move
   require_compact_elements(this->mesh);
   body_of = body_of_cells(this->bodies, this->mesh.cells.size());
   contact_nodes = contact_nodes_of(*this);
-  for (ContactPatch<dim>& patch : contact_nodes) patch.shape_free = this->shape.free(patch.node);
   surface_of = surfaces_of_nodes(contact_nodes, this->interface);
+  for (std::size_t c = 0; c < contact_nodes.size(); ++c) {
+    ContactPatch<dim>& patch = contact_nodes[c];
+    patch.shape_free =
+        wears(static_cast<int>(c)) ? this->shape.free(patch.node) : Tensor<dim>::Zero();
+  }
   if (this->cross_section)
     wear_weight = weights_on_path(contact_nodes, this->mesh, *this->cross_section);
 }

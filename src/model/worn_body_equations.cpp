@@ -67,11 +67,14 @@ Field shape_field(const Assembly<dim>& body, const Scales& scales, int interior,
   assign(d, body.shape.held, interior);
   d.row_scale.setConstant(scales.auxiliary_force);
   d.unknown_scale.setConstant(scales.wear_depth);
-  for (const auto& patch : body.contact_nodes)
+  for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {
+    if (!body.wears(static_cast<int>(c))) continue;
+    const int node = body.contact_nodes[c].node;
     for (int i = 0; i < dim; ++i) {
-      if (d.block(patch.node, i) >= 0) d.block(patch.node, i) = surface;
-      d.row_scale(patch.node, i) = scales.wear_depth / scales.duration;
+      if (d.block(node, i) >= 0) d.block(node, i) = surface;
+      d.row_scale(node, i) = scales.wear_depth / scales.duration;
     }
+  }
   if (body.cross_section)
     for (int node : d.node) d.carrier.push_back(body.shape_node(node));
   return d;
@@ -176,28 +179,38 @@ WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const Assembly<dim>> a
   composition->stages = {selection(false, true), deformation()};
 }
 
+template <int dim>
+void WornBodyEquations<dim>::add(std::vector<TermFactory<dim>>& terms, TermKind kind,
+                                 std::size_t phase, TermFactory<dim> make) {
+  kinds_.push_back({kind, phase});
+  terms.push_back(std::move(make));
+}
+
 /// Factories share the ownership of the assembly, so that terms may refer to it.
 template <int dim>
 void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   using Made = std::unique_ptr<Term<dim>>;
   for (std::size_t p = 0; p < phases_.size(); ++p) add_equilibrium(p, terms);
-  terms.push_back([of = assembly_, f = fields()](const Numbering& numbering) -> Made {
-    return std::make_unique<MeshMotion<dim>>(of->mesh,
-                                             of->cross_section ? &*of->cross_section : nullptr,
-                                             of->shape.along, of->shape.law, numbering, f.d, f.mu);
-  });
+  add(terms, TermKind::mesh_motion, 0,
+      [of = assembly_, f = fields()](const Numbering& numbering) -> Made {
+        return std::make_unique<MeshMotion<dim>>(
+            of->mesh, of->cross_section ? &*of->cross_section : nullptr, of->shape.along,
+            of->shape.law, numbering, f.d, f.mu);
+      });
   const double speed = assembly_->nominal_speed();
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     contact_terms_.push_back(terms.size());
-    terms.push_back([of = assembly_, phase = phases_[p], f = fields_[p],
-                     speed](const Numbering& numbering) -> Made {
-      return std::make_unique<ContactTerm<dim>>(contact_state(*of, phase, f, speed),
-                                                worn_surface(*of, f), numbering);
-    });
+    add(terms, TermKind::contact, p,
+        [of = assembly_, phase = phases_[p], f = fields_[p],
+         speed](const Numbering& numbering) -> Made {
+          return std::make_unique<ContactTerm<dim>>(contact_state(*of, phase, f, speed),
+                                                    worn_surface(*of, f), numbering);
+        });
   }
-  terms.push_back([of = assembly_, f = fields()](const Numbering& numbering) -> Made {
-    return std::make_unique<ShapeEvolution<dim>>(numbering, worn_surface(*of, f));
-  });
+  add(terms, TermKind::evolution, 0,
+      [of = assembly_, f = fields()](const Numbering& numbering) -> Made {
+        return std::make_unique<ShapeEvolution<dim>>(numbering, worn_surface(*of, f));
+      });
   for (const SpringSupport<dim>& springs : assembly_->supports.springs) add_springs(springs, terms);
   for (const Load<dim>& load : assembly_->loads) add_load(load, terms);
 }
@@ -206,15 +219,17 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
 template <int dim>
 void WornBodyEquations<dim>::add_equilibrium(std::size_t p, std::vector<TermFactory<dim>>& terms) {
   using Made = std::unique_ptr<Term<dim>>;
-  terms.push_back([of = assembly_, f = fields_[p]](const Numbering& numbering) -> Made {
-    return std::make_unique<BodyTerm<dim>>(of->mesh, of->bodies, numbering, f.u, f.d);
-  });
+  add(terms, TermKind::body, p,
+      [of = assembly_, f = fields_[p]](const Numbering& numbering) -> Made {
+        return std::make_unique<BodyTerm<dim>>(of->mesh, of->bodies, numbering, f.u, f.d);
+      });
   if (phases_[p].force)
-    terms.push_back([of = assembly_, f = fields_[p],
-                     force = *phases_[p].force](const Numbering& numbering) -> Made {
-      return std::make_unique<Loads<dim>>(numbering, f.w, Field::Values::Constant(1, 1, force),
-                                          of->interface.history);
-    });
+    add(terms, TermKind::press, p,
+        [of = assembly_, f = fields_[p],
+         force = *phases_[p].force](const Numbering& numbering) -> Made {
+          return std::make_unique<Loads<dim>>(numbering, f.w, Field::Values::Constant(1, 1, force),
+                                              of->interface.history);
+        });
 }
 
 /// Where the other ends move by c(t) u^, k A^ (u - c u^): the springs, and the force c k A^ u^.
@@ -228,15 +243,18 @@ void WornBodyEquations<dim>::add_springs(const SpringSupport<dim>& springs,
   for (const auto& patch : contact_patches<dim>(assembly_->mesh, springs.facets, {}, section))
     for (int i = 0; i < dim; ++i)
       pull(patch.node, i) = springs.stiffness[i] * patch.initial_area * springs.displacement[i];
-  for (const WornBodyFields& fields : fields_) {
-    terms.push_back([of = assembly_, f = fields, springs](const Numbering& numbering) -> Made {
-      return std::make_unique<Springs<dim>>(of->mesh, springs.facets, springs.stiffness, numbering,
-                                            f.u, of->section());
-    });
+  for (std::size_t p = 0; p < fields_.size(); ++p) {
+    const WornBodyFields& fields = fields_[p];
+    add(terms, TermKind::spring, p,
+        [of = assembly_, f = fields, springs](const Numbering& numbering) -> Made {
+          return std::make_unique<Springs<dim>>(of->mesh, springs.facets, springs.stiffness,
+                                                numbering, f.u, of->section());
+        });
     if (!pull.isZero(0))
-      terms.push_back([f = fields, pull, history = springs.history](const Numbering& n) -> Made {
-        return std::make_unique<Loads<dim>>(n, f.u, pull, history, Loads<dim>::Purpose::acts);
-      });
+      add(terms, TermKind::spring, p,
+          [f = fields, pull, history = springs.history](const Numbering& n) -> Made {
+            return std::make_unique<Loads<dim>>(n, f.u, pull, history, Loads<dim>::Purpose::acts);
+          });
   }
 }
 
@@ -245,14 +263,16 @@ void WornBodyEquations<dim>::add_load(const Load<dim>& load, std::vector<TermFac
   using Made = std::unique_ptr<Term<dim>>;
   const auto purpose = load.presses ? Loads<dim>::Purpose::presses : Loads<dim>::Purpose::acts;
   for (std::size_t p = 0; p < phases_.size(); ++p)
-    terms.push_back([of = assembly_, f = fields_[p], factor = phases_[p].load, load,
-                     purpose](const Numbering& numbering) -> Made {
-      if (load.forces.size() > 0)
-        return std::make_unique<Loads<dim>>(numbering, f.u, factor * load.forces, load.history,
-                                            purpose);
-      return std::make_unique<PressureLoad<dim>>(of->mesh, load.facets, factor * load.pressure,
-                                                 load.history, numbering, f.u, f.d, of->section());
-    });
+    add(terms, TermKind::load, p,
+        [of = assembly_, f = fields_[p], factor = phases_[p].load, load,
+         purpose](const Numbering& numbering) -> Made {
+          if (load.forces.size() > 0)
+            return std::make_unique<Loads<dim>>(numbering, f.u, factor * load.forces, load.history,
+                                                purpose);
+          return std::make_unique<PressureLoad<dim>>(of->mesh, load.facets, factor * load.pressure,
+                                                     load.history, numbering, f.u, f.d,
+                                                     of->section());
+        });
 }
 
 template <int dim>

@@ -18,6 +18,7 @@
 #include "part/loads.hpp"
 #include "part/nominal_speed.hpp"
 #include "part/phases.hpp"
+#include "part/reachable_boundary.hpp"
 #include "part/shape_support.hpp"
 #include "part/stored_part.hpp"
 #include "part/supports.hpp"
@@ -175,6 +176,26 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
   return parts;
 }
 
+/// Contact belongs to all boundary that the counter-body can reach; wear.on says what wears.
+template <int dim>
+void join_reachable_boundary(const Magnitudes& magnitudes, AssemblyParts<dim>& parts) {
+  // What is met later is found by the checks of the result.
+  const double depth = 1.5 * (magnitudes.deepest + magnitudes.scales.displacement);
+  Surface<dim> others = reachable_boundary(parts, depth);
+  if (others.facets.empty()) return;
+  parts.remarks.push_back(fmt::format(
+      "{} facets that are not in wear.on are in reach of the counter-body: they may touch it, and "
+      "do not wear",
+      others.facets.size()));
+  parts.interface.surfaces.push_back(std::move(others));
+}
+
+template <int dim>
+std::vector<Surface<dim>> wearing(std::vector<Surface<dim>> surfaces) {
+  std::erase_if(surfaces, [](const Surface<dim>& surface) { return !surface.wears; });
+  return surfaces;
+}
+
 }  // namespace
 
 template <int dim>
@@ -182,11 +203,12 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   AssemblyParts<dim> parts = read_all_but_shape(scene, part);
   const Magnitudes magnitudes = find_magnitudes(scene, parts);
   parts.scales = magnitudes.scales;
+  join_reachable_boundary(magnitudes, parts);
   const std::optional<CyclicMotion<dim>> cycle =
       parts.cycle ? std::optional(parts.cycle->motion) : std::nullopt;
   if (cycle) require_gross_sliding(scene, *cycle, parts);
   const ShapeSupport<dim> support =
-      read_shape_support(scene, part, facets_of(parts.interface.surfaces),
+      read_shape_support(scene, part, facets_of(wearing(parts.interface.surfaces)),
                          bonded_facets(parts.mesh, parts.bodies), magnitudes.deepest);
   parts.shape = read_shape_motion<dim>(scene, support.held, support.along);
   if (std::isfinite(support.reach))

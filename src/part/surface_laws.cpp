@@ -79,6 +79,7 @@ template <int dim>
 void require_surface_laws(const Scene& scene, const AssemblyParts<dim>& parts) {
   const WearCircumstances at = wear_circumstances(parts);
   for (const Surface<dim>& surface : parts.interface.surfaces) {
+    if (!surface.wears) continue;
     const auto require = [&](const Scene& own) { require_law(own, surface.wear, at); };
     if (given(scene, rate_key(surface.name)))
       with_rate_of(scene, surface.name, require);

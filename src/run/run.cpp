@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <gnomon/base/error.hpp>
+#include <gnomon/checks/checks.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/run/run.hpp>
@@ -63,6 +64,7 @@ public:
       close_quietly(error.what());
       throw;
     }
+    if (outcome_.last) examine_end();
     if (outcome_.status != Status::failed)
       for (const std::string& text :
            end_warnings(observed_, invisible_volume(model().grid(), observed_.dim),
@@ -85,6 +87,9 @@ private:
     state() = model().start(counters_);
     record({}, model().observe(state()));
     store();
+    outcome_.examination = model().examine(state());
+    require_model(outcome_.examination);
+    for (const std::string& text : doubts(outcome_.examination)) warn("at the start " + text);
     if (hooks_.interrupted()) return;
     estimate_phase_error();
     make_stepper();
@@ -138,6 +143,14 @@ private:
     stepper_.reset();  // its memory is needed
     estimate_phase_error();
     return Status::finished;
+  }
+
+  /// What the last state says, but for what was said of the start.
+  void examine_end() {
+    const std::vector<std::string> before = doubts(outcome_.examination);
+    outcome_.examination = model().examine(state());
+    for (const std::string& text : doubts(outcome_.examination))
+      if (std::ranges::find(before, text) == before.end()) warn("at the end " + text);
   }
 
   /// Where the model is followed by another one.

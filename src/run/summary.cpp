@@ -102,6 +102,9 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
   json["warnings"] = outcome.warnings;
   json["chattering_nodes"] = outcome.chattering_nodes;
   add_phase_errors(json, outcome);
+  json["forces"] = Json::object();
+  for (const ResultantForce& each : outcome.examination.forces)
+    json["forces"][each.name] = each.force;
   json["wall_seconds"] = outcome.wall_seconds;
   add_scalars(json, outcome);
   Json unknowns = Json::object();

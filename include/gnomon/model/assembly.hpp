@@ -68,12 +68,13 @@ struct Load {
   bool presses = false;  ///< it alone keeps the bodies together, so that it may not vanish
 };
 
-/// A part of the boundary that touches the counter-body and wears.
+/// A part of the boundary that can touch the counter-body.
 template <int dim>
 struct Surface {
   std::string name;
   std::vector<typename Mesh<dim>::Facet> facets;
   WearLaw wear;
+  bool wears = true;  ///< else its shape follows the mesh motion, like that of the other boundary
 };
 
 /// Contact of the bodies with a rigid partner.
@@ -163,6 +164,9 @@ struct Assembly : AssemblyParts<dim> {
 
   std::vector<ContactPatch<dim>> contact_nodes;  ///< of all surfaces
   std::vector<int> surface_of;                   ///< by contact node: the surface that wears it
+  bool wears(int contact_node) const {
+    return this->interface.surfaces[surface_of[contact_node]].wears;
+  }
   /// By contact node: its part in the wear rate of its shape unknowns; empty: 1. With a
   /// cross-section, the length that it represents divided by the length of the path.
   std::vector<double> wear_weight;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <gnomon/base/counters.hpp>
 #include <gnomon/mesh/mesh_part.hpp>
+#include <gnomon/model/examination.hpp>
 #include <gnomon/model/observation.hpp>
 #include <gnomon/system/state.hpp>
 #include <memory>
@@ -122,6 +123,9 @@ public:
   /// began. Observations go on across it: worn volumes and depths are those since the start of the
   /// run. Nothing: this model goes on. Throws SolutionError where it cannot.
   virtual std::optional<Succession> succeed(const State&) const { return {}; }
+  /// Facts of a consistent state by which its numbers can be believed or not; a model without
+  /// bodies has none.
+  virtual Examination examine(const State&) const { return {}; }
   /// Typical size of the differential components over the run, for absolute tolerances: the mean
   /// wear depth.
   virtual double differential_scale() const = 0;

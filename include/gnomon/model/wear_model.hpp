@@ -40,6 +40,7 @@ public:
   std::function<double(const Point&)> wear_flux() const override;
   long phases() const override { return static_cast<long>(equations_.phases().size()); }
   std::optional<PhaseError> phase_error(const State& state) const override;
+  Examination examine(const State& state) const override;
   double differential_scale() const override { return assembly().scales.wear_depth; }
   std::optional<Grid> grid() const override;
   std::vector<GridField> fields(const State& state) const override;

@@ -20,6 +20,13 @@ struct WornBodyFields {
       FieldId::none;  ///< rigid motion of the counter-body, a single value; only under a force
 };
 
+/// What a term of the equations stands for.
+enum class TermKind { body, press, mesh_motion, contact, evolution, spring, load };
+struct KindOfTerm {
+  TermKind kind;
+  std::size_t phase;
+};
+
 /// Rows, in the order of their unknowns:
 ///   u                equilibrium, eq. 23-25: internal + contact force - load            [force]
 ///   lambda           C_N, eq. 26                                                        [length]
@@ -42,6 +49,8 @@ public:
   const std::vector<Phase<dim>>& phases() const { return phases_; }
   const WornBodyFields& fields(std::size_t phase = 0) const { return fields_[phase]; }
   const std::shared_ptr<const Composition<dim>>& composition() const { return composition_; }
+  /// Of each term of the composition.
+  const std::vector<KindOfTerm>& kinds() const { return kinds_; }
   /// Equilibrium and contact at a frozen shape: rows 1-3.
   BlockSelection deformation() const;
   /// The contact term of a phase, in a system of this composition.
@@ -55,6 +64,8 @@ public:
 private:
   FieldSet make_fields();
   void add_terms(std::vector<TermFactory<dim>>& terms);
+  void add(std::vector<TermFactory<dim>>& terms, TermKind kind, std::size_t phase,
+           TermFactory<dim> make);
   void add_equilibrium(std::size_t phase, std::vector<TermFactory<dim>>& terms);
   void add_springs(const SpringSupport<dim>& springs, std::vector<TermFactory<dim>>& terms);
   void add_load(const Load<dim>& load, std::vector<TermFactory<dim>>& terms);
@@ -64,6 +75,7 @@ private:
   std::vector<Phase<dim>> phases_;
   std::vector<WornBodyFields> fields_;      // of each phase
   std::vector<std::size_t> contact_terms_;  // in the composition, of each phase
+  std::vector<KindOfTerm> kinds_;
   std::shared_ptr<const Composition<dim>> composition_;
 };
 

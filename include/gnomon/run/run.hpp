@@ -73,6 +73,7 @@ struct RunOutcome {
   long chattering_nodes = 0;
   /// Of a cycle: the errors of the mean over its phases, at the start and at the end.
   std::vector<PhaseError> phase_errors;
+  Examination examination;  ///< of the last good state
   /// The warnings of the run, one line each: reasons why its numbers may be worthless.
   std::vector<std::string> warnings;
 

@@ -79,10 +79,11 @@ struct ContactNode {
   Vector<dim, Scalar> force;
   Scalar constraint;
   Vector<dim, Scalar> velocity;
-  Scalar wear_rate;  ///< Wdot [length / time]
-  Scalar traction;   ///< lambda_eff [stress]
-  Scalar area;       ///< A
-  Scalar gap;        ///< g [length]
+  Scalar wear_rate;    ///< Wdot [length / time]
+  Scalar traction;     ///< lambda_eff [stress]
+  Scalar area;         ///< A
+  Scalar gap;          ///< g [length]
+  Vector<dim> normal;  ///< n of the counter-body
   bool active;
 
   ContactNode(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
@@ -208,6 +209,7 @@ ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,
           body.motion.template at<Scalar>(seen),
       n, body.motion.template across_at<Scalar>(seen), velocity_variance<dim>(patch, body.motion));
   active = contact.active;
+  normal = distance.normal;
   if (active) require_normal(patch, distance);
   traction = contact.traction;
   area = surface.area;

@@ -1,0 +1,21 @@
+// Judges the facts of a state: what a result cannot vouch for, each in one sentence with its
+// figure.
+#pragma once
+
+#include <gnomon/model/examination.hpp>
+#include <gnomon/model/observation.hpp>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// Why the numbers of a start or of a result may be wrong.
+std::vector<std::string> doubts(const Examination& facts);
+
+/// Throws InputError where the model cannot hold: bodies that would stick instead of sliding.
+void require_model(const Examination& facts);
+
+/// The resultants in one line: "balance [N/mm]: loads (0, -20), supports (0, 0), ...".
+std::string balance_text(const Examination& facts, int dim);
+
+}  // namespace gnomon

@@ -1,0 +1,45 @@
+// What a careful engineer would look up in a state to believe it: facts, which the room `checks`
+// judges.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// A resultant force on the bodies; of a cycle its mean over the phases. In 2D per unit of
+/// thickness, z is zero; of a body of revolution that of the whole circumference, (r, z).
+struct ResultantForce {
+  std::string name;               ///< "loads", "supports", "springs", "contact", "friction"
+  std::array<double, 3> force{};  ///< [force]
+};
+
+/// A point of the boundary.
+struct BoundaryPoint {
+  std::array<double, 3> position{};  ///< initial [length]
+  double depth = 0;                  ///< how deep it lies in the counter-body [length]
+};
+
+/// Of a motion that reverses: how far the bodies slide, and how far friction drags a touching node
+/// with it, both from one end of the cycle to the other.
+struct ElasticDrag {
+  double stroke = 0;  ///< the shortest of the touching nodes' partner [length]
+  double drag = 0;    ///< the largest tangential displacement over the cycle [length]
+};
+
+struct Examination {
+  /// They add up to zero within the tolerance of the equilibrium.
+  std::vector<ResultantForce> forces;
+  /// The part of the loads that acts on nodes that supports hold, in the directions that they hold:
+  /// it does nothing; as a part of all loads.
+  double idle_load = 0;
+  /// The deepest of the boundary that has no contact and lies inside the counter-body.
+  std::optional<BoundaryPoint> intrusion;
+  std::optional<ElasticDrag> drag;
+  double deformation = 0;  ///< typical displacement: much less of a depth does not count [length]
+  bool touches = true;     ///< some contact node, in some phase
+};
+
+}  // namespace gnomon
