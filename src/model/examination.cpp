@@ -147,6 +147,11 @@ std::optional<double> stroke_of(const std::vector<Phase<dim>>& phases, double pe
 }
 
 template <int dim>
+bool touches(const PhaseContact<dim>& phase) {
+  return std::ranges::any_of(phase.nodes, &ContactNode<dim>::active);
+}
+
+template <int dim>
 std::optional<ElasticDrag> find_drag(const WornBodyEquations<dim>& equations,
                                      const FieldValues<dim>& values,
                                      const std::vector<PhaseContact<dim>>& contacts) {
@@ -157,16 +162,18 @@ std::optional<ElasticDrag> find_drag(const WornBodyEquations<dim>& equations,
   ElasticDrag found{.stroke = *stroke};
   for (std::size_t c = 0; c < assembly.contact_nodes.size(); ++c) {
     Vector<dim> low = Vector<dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    bool active = false;
     for (std::size_t p = 0; p < contacts.size(); ++p) {
+      if (!touches<dim>(contacts[p])) continue;
       const ContactNode<dim>& node = contacts[p].nodes[c];
-      if (!node.active) continue;
+      active = active || node.active;
       const Vector<dim> u =
           values.vector(equations.fields(p).u).row(assembly.contact_nodes[c].node).transpose();
       const Vector<dim> along = u - node.normal * node.normal.dot(u);
       low = low.cwiseMin(along);
       high = high.cwiseMax(along);
     }
-    if ((high - low).allFinite()) found.drag = std::max(found.drag, (high - low).norm());
+    if (active) found.drag = std::max(found.drag, (high - low).norm());
   }
   return found;
 }
@@ -182,9 +189,7 @@ Examination WearModel<dim>::examine(const State& state) const {
   facts.intrusion = find_intrusion(equations_, values, state.t);
   facts.drag = find_drag(equations_, values, contacts);
   facts.deformation = assembly().scales.displacement;
-  facts.touches = std::ranges::any_of(contacts, [](const PhaseContact<dim>& phase) {
-    return std::ranges::any_of(phase.nodes, &ContactNode<dim>::active);
-  });
+  facts.touches = std::ranges::any_of(contacts, touches<dim>);
   return facts;
 }
 

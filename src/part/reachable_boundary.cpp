@@ -13,7 +13,7 @@ template <int dim>
 using Facet = typename Mesh<dim>::Facet;
 
 template <int dim>
-Facet<dim> sorted(Facet<dim> facet) {
+Facet<dim> by_nodes(Facet<dim> facet) {
   std::ranges::sort(facet);
   return facet;
 }
@@ -22,7 +22,7 @@ template <int dim>
 std::set<Facet<dim>> facets_with_contact(const AssemblyParts<dim>& parts) {
   std::set<Facet<dim>> facets;
   for (const Surface<dim>& surface : parts.interface.surfaces)
-    for (const Facet<dim>& facet : surface.facets) facets.insert(sorted<dim>(facet));
+    for (const Facet<dim>& facet : surface.facets) facets.insert(by_nodes<dim>(facet));
   return facets;
 }
 
@@ -71,7 +71,7 @@ Surface<dim> reachable_boundary(const AssemblyParts<dim>& parts, double depth) {
   const std::set<Facet<dim>> touching = facets_with_contact(parts);
   std::vector<Facet<dim>> others;
   for (const Facet<dim>& facet : parts.interface.boundary)
-    if (!touching.contains(sorted<dim>(facet))) others.push_back(facet);
+    if (!touching.contains(by_nodes<dim>(facet))) others.push_back(facet);
   std::set<int> reached;
   const auto instants = parts.instants();
   // Facets on the axis of a body of revolution have no area, and no contact.
