@@ -1,6 +1,6 @@
 # Warnings and instrumentation that every target of the project shares.
 add_library(gnomon_settings INTERFACE)
-target_compile_options(gnomon_settings INTERFACE -Wall -Wextra -Wpedantic)
+target_compile_options(gnomon_settings INTERFACE -Wall -Wextra -Wpedantic $<$<BOOL:${GNOMON_WERROR}>:-Werror>)
 # GCC 13 and 14 take any reference that a function returns for one to its arguments, even where it refers to a member.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
   target_compile_options(gnomon_settings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-dangling-reference>)
@@ -23,3 +23,7 @@ endif()
 if(GNOMON_NATIVE)
   target_compile_options(gnomon_settings INTERFACE -march=native)
 endif()
+
+# Headers of other libraries that most units include: they are compiled once for the library, once for the tests.
+set(gnomon_common_headers <Eigen/Dense> <fmt/format.h> <algorithm> <cmath> <filesystem> <functional> <map> <memory>
+    <optional> <span> <string> <vector>)

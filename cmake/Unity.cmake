@@ -1,7 +1,7 @@
 # Several source files of a folder are one translation unit, because the headers of other libraries take most of the
 # compiler's time; about 60 kB a unit, so that cores share the work and a change compiles little. Names in unnamed
 # namespaces are therefore those of the folder. What a file includes it still names itself: scripts/matrix has a
-# build without this (GNOMON_UNITY=OFF).
+# build without this (GNOMON_UNITY=OFF) and without precompiled headers.
 function(gnomon_unity target)
   if(NOT GNOMON_UNITY)
     return()
