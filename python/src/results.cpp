@@ -85,7 +85,8 @@ void add_results(py::module_& module) {
              return dict_of(r.contact(t));
            }),
            py::arg("t") = py::none(),
-           "The contact surface at a stored time, as arrays by name; of a cycle also phase_position, "
+           "The contact surface at a stored time, as arrays by name; of a cycle also "
+           "phase_position, "
            "phase_weight and phase_pressure [phases, nodes].")
       .def_property_readonly("phase_errors", held([](const ResultReader& r) {
                                py::list errors;

@@ -81,8 +81,8 @@ int scene_command(const std::filesystem::path& result);
 /// One line for each step, the start first: time, step, counters, scalars.
 int history_command(const std::filesystem::path& result);
 /// What a mesh, or that of a result, has: cells, named parts, remarks. `size`: longest edge for a
-/// geometry. `written`: a picture of it, a file for ParaView, or the mesh that a run would use (.msh,
-/// a new file); empty: none.
+/// geometry. `written`: a picture of it, a file for ParaView, or the mesh that a run would use
+/// (.msh, a new file); empty: none.
 int mesh_command(const std::filesystem::path& file, std::optional<double> size,
                  const std::filesystem::path& written);
 /// Writes a scene for a mesh; `scene` empty: beside the mesh. Never replaces a file.

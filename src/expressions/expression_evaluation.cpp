@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "expressions/expression_program.hpp"
 #include "base/untrapped_arithmetic.hpp"
+#include "expressions/expression_program.hpp"
 
 namespace gnomon {
 

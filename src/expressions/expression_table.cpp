@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "expressions/expression_program.hpp"
 #include "base/untrapped_arithmetic.hpp"
+#include "expressions/expression_program.hpp"
 
 namespace gnomon {
 

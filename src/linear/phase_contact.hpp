@@ -17,7 +17,7 @@ struct ClosedNode {
   using Values = NodeValues;
   int node = 0;                                     ///< contact node
   int multiplier = 0;                               ///< number of l in J
-  ContactEntries::OnSurface on = {};                    ///< a and J_cl of its surface node
+  ContactEntries::OnSurface on = {};                ///< a and J_cl of its surface node
   Values B = Values::Zero(), L = Values::Zero();    ///< J_ul, J_lu
   double ll = 0, lw = 0, wl = 0;                    ///< J_ll, J_lw, J_wl
   Values uw = Values::Zero(), wu = Values::Zero();  ///< J_uw, J_wu

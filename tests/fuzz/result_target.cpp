@@ -3,10 +3,10 @@
 #include <gnomon/model/problem.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/run.hpp>
+#include <gnomon/run/setup.hpp>
 #include <optional>
 
 #include "app/commands.hpp"
-#include <gnomon/run/setup.hpp>
 #include "fuzz/targets.hpp"
 
 namespace gnomon::fuzz {

@@ -1,7 +1,7 @@
 #include <gnomon/model/problem.hpp>
+#include <gnomon/run/setup.hpp>
 #include <sstream>
 
-#include <gnomon/run/setup.hpp>
 #include "fuzz/targets.hpp"
 
 namespace gnomon::fuzz {

@@ -64,7 +64,7 @@ private:
   bool error_control_;
   double short_step_;  // below it a difference of d over the step has fewer than ten digits
   NewtonSolver newton_;
-  SlowPart slow_;  // of its Jacobian
+  SlowPart slow_;                             // of its Jacobian
   std::optional<AlgebraicSolver> algebraic_;  // made when first needed
   DenseOutput dense_output_;
   std::vector<Rates> k_;

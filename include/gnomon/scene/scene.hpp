@@ -57,8 +57,8 @@ struct Key {
   std::size_t length = 0;              ///< arrays only; 0 means any length
   /// `reals` only: a number in this range, instead of an array of it.
   std::optional<Range> or_single{};
-  std::string or_text{};               ///< `reals` only: a text that may stand instead
-  bool names_file = false;             ///< texts only: relative to the folder of the scene
+  std::string or_text{};    ///< `reals` only: a text that may stand instead
+  bool names_file = false;  ///< texts only: relative to the folder of the scene
   /// `required` numbers only: keys, each with a number, whose product may stand instead. Empty:
   /// none.
   std::vector<std::string> or_product{};

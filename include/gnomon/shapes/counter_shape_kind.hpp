@@ -1,5 +1,5 @@
-// Shapes of counter-bodies that scenes may name. A new one is one file in src/shapes/catalogue with a
-// Registration; nothing else has to change.
+// Shapes of counter-bodies that scenes may name. A new one is one file in src/shapes/catalogue with
+// a Registration; nothing else has to change.
 #pragma once
 
 #include <functional>
