@@ -4,6 +4,7 @@
 
 #include <gnomon/linear/sparse_lu.hpp>
 #include <gnomon/model/model.hpp>
+#include <gnomon/system/system.hpp>
 #include <memory>
 #include <string>
 #include <vector>

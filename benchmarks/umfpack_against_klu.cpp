@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gnomon/system/system.hpp>
 
 #include "klu.hpp"
 #include "pin.hpp"

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <gnomon/integrators/rates.hpp>
 #include <gnomon/model/problem.hpp>
+#include <gnomon/system/system.hpp>
 #include <numbers>
 
 namespace {

@@ -13,6 +13,7 @@
 #include <gnomon/model/model.hpp>
 #include <gnomon/results/results.hpp>
 #include <gnomon/run/setup.hpp>
+#include <gnomon/system/system.hpp>
 #include <memory>
 #include <mutex>
 #include <string>

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/integrators/event_location.hpp>
+#include <gnomon/system/system.hpp>
 #include <utility>
 
 namespace gnomon {

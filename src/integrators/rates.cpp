@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gnomon/base/processes.hpp>
 #include <gnomon/integrators/rates.hpp>
+#include <gnomon/system/system.hpp>
 #include <utility>
 
 namespace gnomon {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/integrators/step_size.hpp>
+#include <gnomon/system/system.hpp>
 
 namespace gnomon {
 

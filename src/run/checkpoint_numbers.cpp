@@ -1,6 +1,7 @@
 #include "run/checkpoint_numbers.hpp"
 
 #include <gnomon/base/packed_numbers.hpp>
+#include <gnomon/system/system.hpp>
 
 namespace gnomon {
 

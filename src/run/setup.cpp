@@ -9,6 +9,7 @@
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
 #include <gnomon/shapes/profile.hpp>
+#include <gnomon/system/system.hpp>
 #include <utility>
 
 namespace gnomon {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gnomon/model/model.hpp>
+#include <gnomon/system/system.hpp>
 #include <utility>
 
 namespace gnomon {

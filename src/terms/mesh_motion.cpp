@@ -1,4 +1,5 @@
 #include <cmath>
+#include <gnomon/fields/block.hpp>
 #include <gnomon/terms/mesh_motion.hpp>
 
 namespace gnomon {

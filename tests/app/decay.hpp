@@ -7,6 +7,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/model.hpp>
+#include <gnomon/system/system.hpp>
 #include <stdexcept>
 
 namespace gnomon::test {

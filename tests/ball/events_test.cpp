@@ -1,5 +1,7 @@
 // Located events that follow each other closely, in nearly symmetric pairs.
 
+#include <gnomon/system/system.hpp>
+
 #include "ball/coarse.hpp"
 
 namespace gnomon::events_test {

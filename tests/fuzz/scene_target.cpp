@@ -1,5 +1,6 @@
 #include <gnomon/model/problem.hpp>
 #include <gnomon/run/setup.hpp>
+#include <gnomon/system/system.hpp>
 #include <sstream>
 
 #include "fuzz/targets.hpp"

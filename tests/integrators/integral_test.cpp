@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <gnomon/system/system.hpp>
 
 #include "support/problem_run.hpp"
 #include "support/switching_ode.hpp"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <complex>
+#include <gnomon/system/system.hpp>
 
 #include "support/problem_run.hpp"
 

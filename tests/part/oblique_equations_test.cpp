@@ -1,6 +1,7 @@
 // The equations of nodes that slide along oblique planes: derivatives, symmetry, and what is lost.
 
 #include <Eigen/Eigenvalues>
+#include <gnomon/system/system.hpp>
 
 #include "part/tapered_parts.hpp"
 

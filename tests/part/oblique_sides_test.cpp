@@ -2,6 +2,7 @@
 // parts that are turned as a whole.
 
 #include <functional>
+#include <gnomon/system/system.hpp>
 #include <numbers>
 
 #include "part/tapered_parts.hpp"

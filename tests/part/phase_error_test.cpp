@@ -9,6 +9,7 @@
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
 #include <gnomon/run/summary.hpp>
+#include <gnomon/system/system.hpp>
 #include <nlohmann/json.hpp>
 
 #include "part/cyclic_flat.hpp"

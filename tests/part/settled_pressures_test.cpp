@@ -1,5 +1,6 @@
 // Pressures at a stored time of a part whose contact grows all the time.
 #include <algorithm>
+#include <gnomon/system/system.hpp>
 
 #include "part/part_scene.hpp"
 #include "support/problem_run.hpp"

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <gnomon/system/system.hpp>
 #include <numbers>
 
 #include "part/part_scene.hpp"

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/run/run.hpp>
+#include <gnomon/system/system.hpp>
 
 #include "support/problem_run.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gnomon/system/system.hpp>
 #include <memory>
 #include <numbers>
 #include <string>

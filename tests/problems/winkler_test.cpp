@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/linear/sparse_lu.hpp>
+#include <gnomon/system/system.hpp>
 
 #include "support/problem_run.hpp"
 

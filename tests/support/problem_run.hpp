@@ -8,6 +8,7 @@
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/controlled_settings.hpp>
 #include <gnomon/model/problem.hpp>
+#include <gnomon/system/system.hpp>
 #include <memory>
 #include <string>
 #include <vector>

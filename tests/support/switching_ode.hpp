@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gnomon/integrators/rates.hpp>
 #include <gnomon/system/state.hpp>
+#include <gnomon/system/system.hpp>
 #include <memory>
 #include <numeric>
 #include <vector>

@@ -12,6 +12,7 @@
 #include <gnomon/fields/sparse_pattern.hpp>
 #include <gnomon/mesh/node_interpolation.hpp>
 #include <gnomon/system/linear_solver_choice.hpp>
+#include <gnomon/system/state.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -44,32 +45,12 @@ struct Structure {
   Role role(std::size_t unknown) const { return blocks[block[unknown]].role; }
 };
 
-/// One entry per switching function (for contact: 1 where the node is closed).
-using ActiveSet = std::vector<char>;
-
 /// The part of a Jacobian that changes slowly with the state and is expensive, such as the
 /// derivatives of the cells of a body. It stays in the array of values; kept here are its entries
 /// to which other parts add, then y. One object for one array.
 struct SlowPart {
   bool known = false;
   std::vector<double> values;
-};
-
-/// The point at which a system is evaluated.
-struct Point {
-  double t = 0;
-  std::span<const double> y;
-  std::span<const double> ydot = {};  ///< not read by purely algebraic systems
-  /// The smooth branch to evaluate, continued beyond its border (gaps of open nodes may be
-  /// negative, multipliers of closed ones positive). Null: the branch that y lies in.
-  const ActiveSet* branch = nullptr;
-  /// F is taken from the smooth part in time that follows this time (up to the next breakpoint),
-  /// continued to t: the start of a step that has a stage past its end. Absent: t itself.
-  std::optional<double> within = {};
-  /// Read by jacobian() alone: if the slow part is known, `values` must be those of the last call
-  /// with it, and their slow part is kept unless y is too far away; otherwise it becomes known.
-  /// A system that has no slow part ignores it. Null: all of J is that of this point.
-  SlowPart* slow = nullptr;
 };
 
 struct AlgebraicStage;
