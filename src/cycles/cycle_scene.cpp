@@ -4,7 +4,6 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/shapes/profile.hpp>
-#include <numbers>
 
 #include "expressions/expression_tables.hpp"
 
@@ -94,7 +93,7 @@ Points points_of_file(const Scene& scene, const std::string& key) {
   Points points;
   for (const Vector<2>& point : read_points(scene, key)) {
     const double tau = point[0];
-    if (!(tau >= 0 && tau <= 1) || (!points.x.empty() && tau <= points.x.back()))
+    if (!(tau >= 0 && tau <= 1) || (!points.x.empty() && tau < points.x.back()))
       throw InputError(fmt::format("{}: {}: expected ascending tau in [0, 1], got {:g} in point {}",
                                    scene.where(key), scene.text(key), tau, points.x.size() + 1));
     points.x.push_back(tau);
@@ -106,7 +105,6 @@ Points points_of_file(const Scene& scene, const std::string& key) {
 ExpressionNames names_of(const Scene& scene) {
   ExpressionNames names;
   names.variables = {"tau"};
-  names.constants["pi"] = std::numbers::pi;
   add_tables(scene, "cycle.tables", SplineCurve::max_points, names);
   return names;
 }

@@ -26,6 +26,10 @@ bool Expression::kink_depends_on(std::size_t kink, std::size_t variable) const {
   return program_->kinks[kink] >> variable & 1;
 }
 
+bool Expression::kink_may_jump(std::size_t kink) const {
+  return program_->jumps[kink] != 0;
+}
+
 double Expression::value(std::span<const double> x, std::span<const char> branches) const {
   assert(x.size() == variables_);
   return evaluate(*program_, x, branches);

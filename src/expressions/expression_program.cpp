@@ -49,6 +49,13 @@ std::size_t kinks_of(const Instruction& instruction, const std::vector<Piecewise
   }
 }
 
+/// Whether the value may jump at the kink of an instruction that has this number among its own.
+bool may_jump(const Instruction& instruction, const std::vector<PiecewiseLinear>& tables,
+              std::size_t own) {
+  if (instruction.operation == Operation::table) return tables[instruction.b].jumps_at(own);
+  return instruction.operation == Operation::at_most || instruction.operation == Operation::below;
+}
+
 std::uint16_t narrow(std::size_t number) {
   assert(number <= Expression::max_length);
   return static_cast<std::uint16_t>(number);
@@ -169,8 +176,10 @@ ExpressionProgram ProgramBuilder::program(Node result) const {
       program.skips = true;
     }
     instruction.kink = static_cast<std::uint32_t>(program.kinks.size());
-    program.kinks.resize(program.kinks.size() + kinks_of(instruction, program.tables),
-                         occurring[node]);
+    for (std::size_t own = 0; own < kinks_of(instruction, program.tables); ++own) {
+      program.kinks.push_back(occurring[node]);
+      program.jumps.push_back(may_jump(instruction, program.tables, own));
+    }
     program.instructions.push_back(instruction);
   }
   program.occurring = occurring[result];

@@ -55,6 +55,7 @@ struct ExpressionProgram {
   std::vector<PiecewiseLinear> tables{};
   VariableSet occurring = 0;
   std::vector<VariableSet> kinks{};  // what occurs in each switching function
+  std::vector<char> jumps{};         // whether the value may jump at each kink
   bool skips = false;                // whether there are parts that are not always evaluated
 
   std::size_t first_result() const { return constants.size() + variables.size(); }

@@ -21,9 +21,11 @@ void check_points(const std::vector<double>& x, const std::vector<double>& y) {
     if (!std::isfinite(x[i]) || !std::isfinite(y[i]))
       throw ExpressionError(fmt::format("point {} of a table is ({}, {}), expected finite numbers",
                                         i + 1, x[i], y[i]));
-    if (i > 0 && !(x[i - 1] < x[i]))
-      throw ExpressionError(fmt::format("abscissa {} of a table is {}, expected more than {}",
-                                        i + 1, x[i], x[i - 1]));
+    const bool jumps = i > 0 && x[i - 1] == x[i] && !(i > 1 && x[i - 2] == x[i]);
+    if (i > 0 && !(x[i - 1] < x[i]) && !jumps)
+      throw ExpressionError(fmt::format(
+          "abscissa {} of a table is {}, expected more than {}, or the same once for a jump", i + 1,
+          x[i], x[i - 1]));
   }
 }
 
@@ -35,12 +37,14 @@ PiecewiseLinear::PiecewiseLinear(const std::vector<double>& x, const std::vector
   pieces_.push_back({x[0], y[0], 0});
   for (std::size_t i = 0; i < x.size(); ++i) {
     const bool last = i + 1 == x.size();
+    if (!last && x[i] == x[i + 1]) continue;  // a jump
     const double width = last ? 1 : x[i + 1] - x[i];
     const double slope = last ? 0 : (y[i + 1] - y[i]) / width;
     if (!std::isfinite(width) || !std::isfinite(slope))
       throw ExpressionError(
           fmt::format("a table is too wide or too steep between {} and {}", x[i], x[i + 1]));
-    if (slope == pieces_.back().slope) continue;
+    const bool jumps = i > 0 && x[i - 1] == x[i] && y[i - 1] != y[i];
+    if (slope == pieces_.back().slope && !jumps) continue;
     breakpoints_.push_back(x[i]);
     pieces_.push_back({x[i], y[i], slope});
   }

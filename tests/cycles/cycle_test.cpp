@@ -243,7 +243,8 @@ TEST(CycleScene, RefusesFilesThatAreNotOverTheCycle) {
   EXPECT_THAT(refused("seconds.csv", "0, 1\n1, 2\n5, 1\n"),
               AllOf(HasSubstr("cycle.force`: "),
                     HasSubstr("seconds.csv: expected ascending tau in [0, 1], got 5 in point 3")));
-  EXPECT_THAT(refused("twice.csv", "0, 1\n0.5, 2\n0.5, 1\n"), HasSubstr("got 0.5 in point 3"));
+  EXPECT_EQ(refused("twice.csv", "0, 1\n0.5, 2\n0.5, 1\n"), "");
+  EXPECT_THAT(refused("thrice.csv", "0, 1\n0.5, 2\n0.5, 1\n0.5, 3\n"), HasSubstr("abscissa 4"));
   EXPECT_THAT(refused("folder.csv", ""), HasSubstr("this is something else"));
 }
 

@@ -290,5 +290,40 @@ TEST(PiecewiseLinearTable, GoesThroughItsPoints) {
   EXPECT_EQ(table.slope(4), 0);
 }
 
+// The first value holds up to the jump, the second beyond it; also where both sides have one slope,
+// and at the ends.
+TEST(PiecewiseLinearTable, JumpsWhereItHasTwoValues) {
+  const PiecewiseLinear table({-1, -1, 0, 2, 2, 3, 3}, {7, 1, 1, 1, 4, 5, 6});
+  const auto breakpoints = table.breakpoints();
+  EXPECT_EQ(Numbers(breakpoints.begin(), breakpoints.end()), (Numbers{-1, 2, 3}));
+  const auto value = [&](double at) { return table.value(table.piece_at(at), at); };
+  EXPECT_EQ(value(-5), 7);
+  EXPECT_EQ(value(-1), 7);
+  EXPECT_EQ(value(-0.5), 1);
+  EXPECT_EQ(value(2), 1);
+  EXPECT_NEAR(value(2 + 1e-12), 4, 1e-11);
+  EXPECT_DOUBLE_EQ(value(2.5), 4.5);
+  EXPECT_EQ(value(3.5), 6);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(table.jumps_at(i));
+  EXPECT_FALSE(PiecewiseLinear({0, 1}, {1, 3}).jumps_at(0));
+}
+
+TEST(KinksOfAnExpression, MayJumpAtComparisonsAndJumpsOfTablesOnly) {
+  ExpressionNames own;
+  own.variables = {"x"};
+  own.tables.emplace("step", PiecewiseLinear({0, 1, 1, 2}, {0, 0, 5, 6}));
+  const Expression expression("max(x, 0) + abs(x) + if(x < 3, 1, 2) + step(x)", own);
+  ASSERT_EQ(expression.kinks(), 5);
+  std::vector<bool> jumps;
+  for (std::size_t i = 0; i < 5; ++i) jumps.push_back(expression.kink_may_jump(i));
+  EXPECT_EQ(jumps, (std::vector<bool>{false, false, true, true, false}));
+}
+
+TEST(ExpressionLanguage, HasPi) {
+  ExpressionNames own;
+  own.variables = {"x"};
+  EXPECT_DOUBLE_EQ(Expression("cos(pi * x)", own).value(Numbers{1}), -1);
+}
+
 }  // namespace
 }  // namespace gnomon::expression_kink_test

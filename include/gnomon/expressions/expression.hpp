@@ -11,6 +11,7 @@
 #include <gnomon/base/error.hpp>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,13 +24,13 @@ struct ExpressionError : InputError {
   using InputError::InputError;
 };
 
-/// The piecewise linear function through given points, constant beyond its ends. Breakpoints are
-/// the places where its slope changes; pieces are numbered from the left, and there is one more
-/// piece than there are breakpoints.
+/// The piecewise linear function through given points, constant beyond its ends. Two points at one
+/// x are a jump. Breakpoints are the places where its slope changes, or where it jumps; pieces are
+/// numbered from the left, and there is one more piece than there are breakpoints.
 class PiecewiseLinear {
 public:
   /// Throws ExpressionError unless there are as many x as y, at least one, all finite, with x
-  /// ascending and finite slopes.
+  /// ascending, at most two of them equal, and finite slopes.
   PiecewiseLinear(const std::vector<double>& x, const std::vector<double>& y);
 
   std::span<const double> breakpoints() const { return breakpoints_; }  ///< ascending
@@ -39,6 +40,10 @@ public:
     return pieces_[piece].y + pieces_[piece].slope * (x - pieces_[piece].x);
   }
   double slope(std::size_t piece) const { return pieces_[piece].slope; }
+  bool jumps_at(std::size_t breakpoint) const {
+    return value(breakpoint, breakpoints_[breakpoint]) !=
+           value(breakpoint + 1, breakpoints_[breakpoint]);
+  }
 
 private:
   struct Piece {
@@ -52,7 +57,7 @@ private:
 /// do not begin with a digit, and are none of the language's own (exp, and, ...).
 struct ExpressionNames {
   std::vector<std::string> variables;  ///< at most 64, in the order of the x of Expression::value
-  std::map<std::string, double> constants;  ///< finite
+  std::map<std::string, double> constants = {{"pi", std::numbers::pi}};  ///< finite
   std::map<std::string, PiecewiseLinear> tables;
 };
 
@@ -105,6 +110,8 @@ public:
   std::size_t kinks() const;
   /// Whether the variable occurs in the switching function of the kink.
   bool kink_depends_on(std::size_t kink, std::size_t variable) const;
+  /// Whether the value may jump at the kink: at a comparison, and where a table jumps.
+  bool kink_may_jump(std::size_t kink) const;
 
   double value(std::span<const double> x, std::span<const char> branches = {}) const;
 
