@@ -6,6 +6,7 @@
 #include <gnomon/integrators/dense_output.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 #include <gnomon/integrators/stepper.hpp>
+#include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 
 namespace gnomon {
@@ -24,9 +25,10 @@ public:
     to = from;
     to.t = from.t + h;
     for (int i : norm_.components()) to.y[i] += h * from.ydot[i];
-    std::string reason = algebraic_.solve(to.t, to.y, options.branch);
+    std::string reason =
+        algebraic_.solve(inside_step(system_.structure(), from.t, to.t), to.y, options.branch);
     if (!reason.empty()) return {.reason = std::move(reason)};
-    set_rates(system_, options.branch, to);
+    set_rates(system_, options.branch, to, from.t);
     // The difference from Heun's method.
     error_.clear();
     for (int i : norm_.components()) error_.push_back(h / 2 * (to.ydot[i] - from.ydot[i]));

@@ -52,6 +52,7 @@ public:
     structure_.pattern = pattern();
     set_magnitudes();
     structure_.breakpoints = foundation_->wear.breakpoints();
+    structure_.stops = foundation_->wear.stops();
     for (int i = 0; i < points(); ++i)
       for (int q = 0; q < phases(); ++q) {
         places_.push_back(
@@ -190,6 +191,11 @@ private:
     }
     for (int i = 0; i < n; ++i) {
       structure_.switch_node.insert(structure_.switch_node.end(), phases() * switches(), i);
+      for (int q = 0; q < phases(); ++q) {
+        structure_.switch_jumps.push_back(0);
+        for (std::size_t k = 0; k + 1 < switches(); ++k)
+          structure_.switch_jumps.push_back(f.wear.may_jump(k));
+      }
       if (!coupled_) continue;
       structure_.differential[d(i)] = 1;
       structure_.row_scale[d(i)] = f.mean_depth() / f.duration;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/rates.hpp>
 #include <gnomon/integrators/stop_rules.hpp>
 #include <utility>
@@ -122,21 +123,30 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   if (closings_) settling = next_settling(system_->structure(), settings_, state.t);
   t_stop = settling_stop(settling, state.t, t_stop);
   t_stop = end_of_smooth_part(system_->structure(), state.t, t_stop);
+  t_stop = end_at_stop(system_->structure(), state.t, t_stop);
   if (t_stop - state.t <= nothing * t_stop) return skip_to(state, t_stop);
   State reached = state;  // an event that cannot be crossed leaves the last good state
   int flag = step(t_stop, reached);
-  if (needs_settling(settling, state.t, reached)) {
+  const auto take_back = [&](double first_step, double stop) {
     ++counters_.rejected_steps;
     restart(state);
-    first_step_ = settling->begin - state.t;
+    first_step_ = first_step;
     reached = state;
-    flag = step(settling->begin, reached);
-  }
+    flag = step(stop, reached);
+  };
+  if (needs_settling(settling, state.t, reached))
+    take_back(settling->begin - state.t, settling->begin);
+  if (!branch())
+    while (const double shorter = jumps_(state, reached, reached.t - state.t).shorter)
+      take_back(shorter, t_stop);
   int order = 0;
   check(IDAGetLastOrder(ida_.get(), &order), "IDAGetLastOrder");
   StepReport report{.step = reached.t - state.t, .order = order, .integral = take_integral()};
   const bool event = branch() && cross_event(reached, flag == IDA_ROOT_RETURN, report);
-  if (event || is_breakpoint(system_->structure(), reached.t)) restart(reached);
+  const bool breaks = is_breakpoint(system_->structure(), reached.t);
+  if (breaks && pass_breakpoint(*system_, counters_, branch(), reached) && branch())
+    branch_.emplace(*system_, reached.t, reached.y, settings_.end);
+  if (event || breaks) restart(reached);
   if (branch()) reached.branch = *branch();
   if (closings_) closings_->accept(active(reached), settling && !settling->before(state.t));
   state = std::move(reached);

@@ -20,6 +20,7 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
       settings_(settings),
       counters_(counters),
       norm_(system.structure(), settings),
+      jumps_(system, settings),
       y_(make_vector(system.structure().size, context_)),
       ydot_(make_vector(system.structure().size, context_)),
       id_(make_vector(system.structure().size, context_)),

@@ -6,6 +6,7 @@
 #include <gnomon/integrators/bdf.hpp>
 #include <gnomon/integrators/closings.hpp>
 #include <gnomon/integrators/error_norm.hpp>
+#include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <optional>
@@ -64,6 +65,7 @@ private:
   IntegratorSettings settings_;
   Counters& counters_;
   ErrorNorm norm_;
+  JumpControl jumps_;
   std::optional<Closings> closings_;  // only with settled times
   bool begun_ = false;
   long rejected_ = 0;

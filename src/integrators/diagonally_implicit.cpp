@@ -5,6 +5,7 @@
 #include <gnomon/base/packed_numbers.hpp>
 #include <gnomon/integrators/diagonally_implicit.hpp>
 #include <gnomon/integrators/stepper.hpp>
+#include <gnomon/integrators/stop_times.hpp>
 #include <utility>
 
 namespace gnomon {
@@ -49,6 +50,7 @@ DiagonallyImplicit::DiagonallyImplicit(const System& system, const IntegratorSet
       counters_(counters),
       table_(std::move(table)),
       norm_(system.structure(), settings),
+      jumps_(system, settings),
       integrand_(settings.integrand),
       error_control_(settings.step == 0),
       short_step_(1e-6 * settings.end),
@@ -186,6 +188,7 @@ Attempt DiagonallyImplicit::attempt(const State& from, double h, const AttemptOp
   settled_ = options.settles;
   const ButcherTable& table = settled_ ? two_euler_steps : table_;
   const auto& components = norm_.components();
+  Attempt whole{.success = true};
   double integral = 0;
   for (int i = 0; i < table.stages(); ++i) {
     const bool is_state = i == 0 && table.explicit_first_stage();
@@ -193,6 +196,7 @@ Attempt DiagonallyImplicit::attempt(const State& from, double h, const AttemptOp
       std::string reason = solve_stage(table, i, from, h, options, to);
       if (!reason.empty()) return {.reason = std::move(reason)};
       dense_output_.add(from.t + table.c[i] * h, to.y);
+      if (error_control_ && !options.branch) add_error_of_jumps(from, h, table.c[i], to, whole);
     }
     const std::vector<double>& rates = is_state ? from.ydot : to.ydot;
     for (std::size_t k = 0; k < components.size(); ++k) k_[i][k] = rates[components[k]];
@@ -209,19 +213,34 @@ Attempt DiagonallyImplicit::attempt(const State& from, double h, const AttemptOp
       double& d = to.y[components[k]] = from.y[components[k]];
       for (int i = 0; i < table.stages(); ++i) d += h * table.b[i] * k_[i][k];
     }
-    const Attempt projected = project(to, options.branch);
+    const Attempt projected = project(to, from.t, options.branch);
     if (!projected.success) return projected;
   } else if (h < short_step_) {
     set_rates(system_, options.branch, to);  // a difference over so short a step is only rounding
   }
-  return {.success = true, .error = estimate(table, from, h, to), .integral = integral};
+  whole.error = std::max(whole.error, estimate(table, from, h, to));
+  whole.integral = integral;
+  return whole;
 }
 
-/// Makes a state consistent with its differential components.
-Attempt DiagonallyImplicit::project(State& state, const ActiveSet* branch) {
-  std::string reason = algebraic().solve(state.t, state.y, branch);
+/// A stage may lie beyond a jump that the step ends before.
+void DiagonallyImplicit::add_error_of_jumps(const State& from, double h, double part,
+                                            const State& stage, Attempt& whole) const {
+  if (std::ranges::count(system_.structure().switch_jumps, 1) == 0) return;
+  State at = stage;
+  at.t = from.t + part * h;
+  const JumpControl::Estimate jumps = jumps_(from, at, h);
+  if (jumps.error <= whole.error) return;
+  whole.error = jumps.error;
+  whole.shorter = jumps.shorter;
+}
+
+/// Makes the end of a step from a time consistent with its differential components.
+Attempt DiagonallyImplicit::project(State& state, double from, const ActiveSet* branch) {
+  const double t = inside_step(system_.structure(), from, state.t);
+  std::string reason = algebraic().solve(t, state.y, branch);
   if (!reason.empty()) return {.reason = std::move(reason)};
-  set_rates(system_, branch, state);
+  set_rates(system_, branch, state, from);
   return {.success = true};
 }
 

@@ -6,6 +6,7 @@
 #include <gnomon/integrators/arkode_table.hpp>
 #include <gnomon/integrators/erk.hpp>
 #include <gnomon/integrators/error_norm.hpp>
+#include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/rates.hpp>
 #include <gnomon/integrators/step_size.hpp>
 #include <gnomon/integrators/stop_rules.hpp>
@@ -92,6 +93,7 @@ private:
   Counters& counters_;
   ButcherTable table_;
   ErrorNorm norm_;
+  JumpControl jumps_;
   AlgebraicSolver algebraic_;
   State whole_;      // consistent state of the last evaluation, the guess for the next
   double from_ = 0;  // start of the step, on whose side of a jump its stages lie
@@ -116,6 +118,7 @@ ErkSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
       counters_(counters),
       table_(arkode_erk_table(table)),
       norm_(system.structure(), settings),
+      jumps_(system, settings),
       algebraic_(system, counters),
       proposal_(settings.step),
       step_control_(pi_controller, context_),
@@ -138,7 +141,7 @@ void ErkSolver::Memory::evaluate(double t, std::span<const double> d) {
   next.t = t;
   const std::vector<int>& components = norm_.components();
   for (std::size_t k = 0; k < components.size(); ++k) next.y[components[k]] = d[k];
-  const std::string reason = algebraic_.solve(t, next.y);
+  const std::string reason = algebraic_.solve(inside_step(system_.structure(), from_, t), next.y);
   if (!reason.empty()) throw RecoverableError(reason);
   set_rates(system_, nullptr, next, from_);
   whole_ = std::move(next);
@@ -235,10 +238,11 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
   if (!erk_)
     begin(state);
   else if (is_breakpoint(system_.structure(), state.t) &&
-           set_rates_behind_jump(system_, nullptr, state))
+           pass_breakpoint(system_, counters_, nullptr, state))
     restart(state, proposal_);  // ERKStep has kept the rate before the jump
   void* erk = erk_.get();
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
+  if (settings_.step == 0) t_stop = end_at_stop(system_.structure(), state.t, t_stop);
   sunrealtype t = state.t;
   for (int failures = 0;; ++failures) {
     set_step(state, t_stop);
@@ -251,7 +255,13 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
     long error_fails = 0;
     check(ARKodeGetNumErrTestFails(erk, &error_fails), "ARKodeGetNumErrTestFails");
     counters_.rejected_steps += error_fails - std::exchange(rejected_, error_fails);
-    if (done) break;
+    if (done) {
+      const double shorter = settings_.step > 0 ? 0 : jumps_(state, whole_, t - state.t).shorter;
+      if (shorter == 0) break;
+      ++counters_.rejected_steps;
+      restart(state, shorter);
+      continue;
+    }
     double tried = t - state.t;
     if (flag < 0) check(ARKodeGetCurrentStep(erk, &tried), "ARKodeGetCurrentStep");
     // Ever smaller steps would approach the end of the solution without reaching it.

@@ -59,6 +59,7 @@ OneStepStepper::OneStepStepper(const System& system, const IntegratorSettings& s
   // How long a method that damps stiff components needs to damp a closing.
   constexpr int steps_to_damp = 2;
   if (settings.locate_events) locator_.emplace(system, *method_);
+  if (!settings.locate_events && !fixed()) jumps_.emplace(system, settings);
   if (!settings.settled.empty()) closings_.emplace(steps_to_damp);
 }
 
@@ -142,6 +143,7 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, AttemptOption
     options.branch = locator_ ? &branch : nullptr;
     Landing whole{.attempt = method_->attempt(state, plan.h, options, next_), .h = plan.h};
     whole.switched = switched;
+    add_error_of_jumps(state, whole);
     if (!locator_ || !acceptable(whole.attempt) || !locator_->left(next_)) return whole;
     Landing landing = locator_->land(state, plan.h, next_);
     if (!landing.at_start) {
@@ -153,6 +155,13 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, AttemptOption
   }
   options.branch = nullptr;
   return step_over(state, plan, options);
+}
+
+void OneStepStepper::add_error_of_jumps(const State& state, Landing& whole) const {
+  if (!jumps_ || !acceptable(whole.attempt)) return;
+  const JumpControl::Estimate jumps = (*jumps_)(state, next_, whole.h);
+  whole.attempt.error = std::max(whole.attempt.error, jumps.error);
+  whole.attempt.shorter = jumps.shorter;
 }
 
 /// Steps over a kink at the start on which no step can end; the signs choose the branches.
@@ -186,10 +195,15 @@ void OneStepStepper::accept(State& state, const Step& step) {
 }
 
 /// A rate may jump at a kink: the next step begins with that behind it.
-void OneStepStepper::begin_behind_kink(State& state, const Landing& landing) const {
+void OneStepStepper::begin_behind_kink(State& state, const Landing& landing) {
   const ActiveSet branch = locator_ ? locator_->branch() : ActiveSet{};
   const bool located = locator_ && !landing.at_start;
-  set_rates_behind_jump(system_, located ? &branch : state.own_branch(), state);
+  const ActiveSet* const own = located ? &branch : state.own_branch();
+  if (!is_breakpoint(system_.structure(), state.t)) {
+    set_rates_behind_jump(system_, own, state);
+  } else if (pass_breakpoint(system_, counters_, own, state) && locator_ && state.branch.empty()) {
+    locator_->begin(state);
+  }
 }
 
 StepReport OneStepStepper::report(const Step& step) const {
@@ -217,7 +231,8 @@ OneStepStepper::Step OneStepStepper::ordinary_step(const State& state, double t_
     if (acceptable(landing.attempt)) return {plan, landing};
     account.reject();
     if (landing.attempt.success) {
-      proposal_ = control_.after_rejection(plan.h, landing.attempt.error);
+      const double wanted = control_.after_rejection(plan.h, landing.attempt.error);
+      proposal_ = landing.attempt.shorter > 0 ? landing.attempt.shorter : wanted;
     } else {
       reason = landing.attempt.reason;
       proposal_ = patience.after_failure(control_.after_failure(plan.h));
@@ -268,6 +283,7 @@ StepReport OneStepStepper::take_step(State& state, double t_stop) {
   if (!begun_) begin(state);
   StepAccount account(counters_);
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
+  if (!fixed()) t_stop = end_at_stop(system_.structure(), state.t, t_stop);
   const Step step = next_step(state, t_stop, account);
   if (!step.settles) proposal_ = after_success(step.plan, step.landing);
   accept(state, step);

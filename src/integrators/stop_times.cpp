@@ -15,6 +15,17 @@ double end_of_smooth_part(const Structure& structure, double t, double t_stop) {
   return next == breakpoints.end() ? t_stop : std::min(*next, t_stop);
 }
 
+double end_at_stop(const Structure& structure, double t, double t_stop) {
+  constexpr double beside = 1e-9;  // another end of a step
+  const std::vector<double>& stops = structure.stops;
+  const auto next = std::upper_bound(stops.begin(), stops.end(), t * (1 + beside));
+  return next == stops.end() || *next >= t_stop * (1 - beside) ? t_stop : *next;
+}
+
+double inside_step(const Structure& structure, double from, double t) {
+  return t > from && is_breakpoint(structure, t) ? std::nextafter(t, from) : t;
+}
+
 std::optional<Settling> next_settling(const Structure& structure,
                                       const IntegratorSettings& settings, double t) {
   const std::vector<double>& settled = settings.settled;

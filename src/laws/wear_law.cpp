@@ -61,6 +61,12 @@ WearLaw::WearLaw(Definition definition)
     throw RegistrationError("it is made with `kinks`, but without `switching`");
 }
 
+WearLaw WearLaw::with_stops(std::vector<double> stops) const {
+  Definition definition = *definition_;
+  definition.stops = std::move(stops);
+  return WearLaw(std::move(definition));
+}
+
 WearRate WearLaw::rate(const WearInput& at, std::span<const char> branches) const {
   WearRate rate;
   if (at.pressure >= 0) {

@@ -12,6 +12,7 @@
 #include "run/end_warnings.hpp"
 #include "run/epochs.hpp"
 #include "run/instability.hpp"
+#include "run/jump_ledger.hpp"
 #include "run/mesh_watch.hpp"
 #include "run/progress_watch.hpp"
 #include "run/store_schedule.hpp"
@@ -45,6 +46,7 @@ public:
         writer_(writer),
         hooks_(hooks),
         wear_integral_(model),
+        jumps_(std::in_place, model.system(), settings),
         initial_quality_(initial_quality(model.grid())) {
     settings_.integrand = model.wear_flux();
     if (policy.settle && integrator.settles)
@@ -59,7 +61,7 @@ public:
       outcome_.status = integrate();
     } catch (const SolutionError& error) {
       outcome_.status = Status::failed;
-      outcome_.diagnosis = error.what();
+      outcome_.diagnosis = error.what() + jumps_->suspicion(state());
     } catch (const std::exception& error) {
       close_quietly(error.what());
       throw;
@@ -70,6 +72,7 @@ public:
            end_warnings(observed_, invisible_volume(model().grid(), observed_.dim),
                         memory_.chattering.nodes(), integrator_))
         warn(text);
+    if (const std::string text = jumps_->warning(state()); !text.empty()) warn(text);
     // The last good state is always stored, independent of the output keys of the scene.
     if (outcome_.status != Status::finished && outcome_.last) store();
     outcome_.wall_seconds = elapsed();
@@ -126,6 +129,7 @@ private:
       if (!stepper_) make_stepper();
       const State before = state();
       const StepReport report = stepper_->advance(state(), schedule_.stop());
+      jumps_->add(before, state());
       Observation observed = model().observe(state());
       require_mesh(observed, before);
       wear_integral_.add(report.integral);
@@ -162,6 +166,7 @@ private:
     change->start.stored = last_checkpoint_.stored;
     settings_.integrand = model().wear_flux();
     initial_quality_ = initial_quality(model().grid());
+    jumps_.emplace(model().system(), settings_);
     if (!change->same_unknowns) {
       memory_.chattering = {};
       memory_.chattering.add(model().contact(state()));
@@ -322,6 +327,7 @@ private:
   std::optional<DampingWatch> damping_;
   std::unique_ptr<Stepper> stepper_;
   WearIntegral wear_integral_;
+  std::optional<JumpLedger> jumps_;
   double initial_quality_;  // of the mesh at the beginning of the epoch
   Observation observed_;    // of the last good state
   RunOutcome outcome_;

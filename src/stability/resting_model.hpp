@@ -15,6 +15,7 @@ public:
   RestingSystem(const System& system, const State& state)
       : system_(system), state_(state), structure_(system.structure()) {
     structure_.breakpoints.clear();
+    structure_.stops.clear();
   }
 
   const Structure& structure() const override { return structure_; }

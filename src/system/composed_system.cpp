@@ -23,22 +23,30 @@ ComposedSystem<dim>::ComposedSystem(std::shared_ptr<const Composition<dim>> comp
 template <int dim>
 void ComposedSystem<dim>::build_structure() {
   PatternBuilder builder(numbering_.size());
+  const auto add = [](auto& list, const auto& more) {
+    list.insert(list.end(), more.begin(), more.end());
+  };
   std::vector<double>& breakpoints = structure_.breakpoints;
+  std::vector<double>& stops = structure_.stops;
   first_switch_.push_back(0);
   for (const auto& term : terms_) {
     TermStructure part{.pattern = builder};
     term->declare(part);
     slow_.push_back(part.slow);
     sweeps_.push_back(part.sweeps_cells);
-    auto& nodes = structure_.switch_node;
-    nodes.insert(nodes.end(), part.switch_node.begin(), part.switch_node.end());
-    first_switch_.push_back(nodes.size());
-    breakpoints.insert(breakpoints.end(), part.breakpoints.begin(), part.breakpoints.end());
+    add(structure_.switch_node, part.switch_node);
+    add(structure_.switch_jumps, part.switch_jumps);
+    structure_.switch_jumps.resize(structure_.switch_node.size());
+    first_switch_.push_back(structure_.switch_node.size());
+    add(breakpoints, part.breakpoints);
+    add(stops, part.stops);
   }
   for (const PrescribedValues& held : composition_->prescribed)
-    breakpoints.insert(breakpoints.end(), held.history.times().begin(), held.history.times().end());
-  std::sort(breakpoints.begin(), breakpoints.end());
-  breakpoints.erase(std::unique(breakpoints.begin(), breakpoints.end()), breakpoints.end());
+    add(breakpoints, held.history.times());
+  for (std::vector<double>* times : {&breakpoints, &stops}) {
+    std::sort(times->begin(), times->end());
+    times->erase(std::unique(times->begin(), times->end()), times->end());
+  }
   structure_.size = numbering_.size();
   structure_.pattern = builder.build();
   for (const auto& term : terms_) term->map_to(structure_.pattern);

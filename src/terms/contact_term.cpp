@@ -68,15 +68,19 @@ void ContactTerm<dim>::declare(TermStructure& structure) const {
     structure.pattern.add(row_numbers(c), column_numbers(c));
     structure.switch_node.insert(structure.switch_node.end(), switching_functions(parameters(c)),
                                  state_.patches[c].node);
+    structure.switch_jumps.push_back(0);
+    const WearLaw& law = parameters(c).wear;
+    for (std::size_t k = 0; k < law.kinks(); ++k) structure.switch_jumps.push_back(law.may_jump(k));
   }
+  const auto add = [](std::vector<double>& times, const std::vector<double>& more) {
+    times.insert(times.end(), more.begin(), more.end());
+  };
   for (const ContactParameters<dim>& surface : surfaces_) {
-    const std::vector<double>& kinks_in_time = surface.wear.breakpoints();
-    structure.breakpoints.insert(structure.breakpoints.end(), kinks_in_time.begin(),
-                                 kinks_in_time.end());
+    add(structure.breakpoints, surface.wear.breakpoints());
+    add(structure.stops, surface.wear.stops());
   }
   if (const auto& travel = state_.parameters.counter_body.travel)
-    structure.breakpoints.insert(structure.breakpoints.end(), travel->times().begin(),
-                                 travel->times().end());
+    add(structure.breakpoints, travel->times());
 }
 
 template <int dim>

@@ -6,6 +6,7 @@
 #include <gnomon/integrators/butcher_table.hpp>
 #include <gnomon/integrators/dense_output.hpp>
 #include <gnomon/integrators/error_norm.hpp>
+#include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/one_step.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <gnomon/newton/newton.hpp>
@@ -52,7 +53,9 @@ private:
                                const AttemptOptions& options, State& to);
   void set_rates_of(double step, const Rates& base, std::span<const double> y,
                     std::span<double> ydot) const;
-  Attempt project(State& state, const ActiveSet* branch);
+  void add_error_of_jumps(const State& from, double h, double part, const State& stage,
+                          Attempt& whole) const;
+  Attempt project(State& state, double from, const ActiveSet* branch);
   double estimate(const ButcherTable& table, const State& from, double h, const State& to);
   AlgebraicSolver& algebraic();
 
@@ -60,6 +63,7 @@ private:
   Counters& counters_;
   ButcherTable table_;
   ErrorNorm norm_;
+  JumpControl jumps_;
   std::function<double(const Point&)> integrand_;
   bool error_control_;
   double short_step_;  // below it a difference of d over the step has fewer than ten digits

@@ -11,6 +11,7 @@ namespace gnomon {
 /// Outcome of one attempt at a step.
 struct Attempt {
   bool success = false;
+  double shorter = 0;    ///< of a step that a jump makes too long: the size to try next [time]
   double error = 0;      ///< estimated error of the step, 1 being the tolerance (ErrorNorm)
   double integral = 0;   ///< integral of IntegratorSettings::integrand over the step, by the method
   std::string reason{};  ///< why it failed

@@ -4,6 +4,7 @@
 #include <gnomon/integrators/closings.hpp>
 #include <gnomon/integrators/event_location.hpp>
 #include <gnomon/integrators/integrator.hpp>
+#include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/one_step.hpp>
 #include <gnomon/integrators/rates.hpp>
 #include <gnomon/integrators/step_account.hpp>
@@ -50,7 +51,8 @@ private:
   bool acceptable(const Attempt& attempt) const;
   void accept(State& state, const Step& step);
   StepReport report(const Step& step) const;
-  void begin_behind_kink(State& state, const Landing& landing) const;
+  void begin_behind_kink(State& state, const Landing& landing);
+  void add_error_of_jumps(const State& state, Landing& whole) const;
   double after_success(const Plan& plan, const Landing& landing);
   bool fixed() const { return settings_.step > 0; }
 
@@ -61,6 +63,7 @@ private:
   int order_;
   StepSizeControl control_;
   int error_order_;
+  std::optional<JumpControl> jumps_;  // where steps follow the error, and do not end at events
   std::optional<EventLocator> locator_;
   std::optional<Closings> closings_;  // only with settled times
   bool begun_ = false;

@@ -22,6 +22,13 @@ double end_of_fixed_step(double t, double step, double t_stop);
 /// otherwise t_stop.
 double end_of_smooth_part(const Structure& structure, double t, double t_stop);
 
+/// The same for Structure::stops, of steps that follow the error.
+double end_at_stop(const Structure& structure, double t, double t_stop);
+
+/// A time of a step from `from`, or that just before it: loads that jump where the step ends are
+/// those of the step.
+double inside_step(const Structure& structure, double from, double t);
+
 /// The interval before a time of IntegratorSettings::settled in which pressures settle, by two
 /// short steps of one size. In a stiff body an error of the shape far below its tolerance makes a
 /// large error of the pressures: at nodes that have come into contact within a step, and by the

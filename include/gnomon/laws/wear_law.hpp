@@ -57,6 +57,9 @@ public:
     std::function<void(const WearInput&, std::span<const char> branches, std::span<double> values)>
         switching{};
     std::vector<double> breakpoints{};  ///< ascending times
+    std::vector<char> jumps{};    ///< one per kink: whether the rate may jump there; empty: nowhere
+    bool in_time = true;          ///< whether the rate may depend on t or s
+    std::vector<double> stops{};  ///< ascending times, beside breakpoints, at which steps end
   };
 
   WearLaw();  ///< no wear
@@ -69,6 +72,13 @@ public:
   void switching(const WearInput& at, std::span<double> values,
                  std::span<const char> branches = {}) const;
   const std::vector<double>& breakpoints() const { return definition_->breakpoints; }
+  bool may_jump(std::size_t kink) const {
+    return !definition_->jumps.empty() && definition_->jumps[kink] != 0;
+  }
+  bool in_time() const { return definition_->in_time; }
+  const std::vector<double>& stops() const { return definition_->stops; }
+  /// The same law with these stops.
+  WearLaw with_stops(std::vector<double> stops) const;
 
 private:
   std::shared_ptr<const Definition> definition_;

@@ -30,7 +30,12 @@ struct Structure {
   std::vector<double> row_scale = {};  ///< size entries: magnitude of F_i, in the unit of the row
   std::vector<double> unknown_scale = {};  ///< size entries: typical |y_i|
   std::vector<int> switch_node = {};  ///< one per switching function: the mesh node it belongs to
+  /// One per switching function: 1 where rates may jump when it changes its sign; empty: nowhere.
+  std::vector<char> switch_jumps = {};
   std::vector<double> breakpoints = {};  ///< ascending times at which F may have a kink in t
+  /// Ascending times, beside the breakpoints, at which steps that follow the error shall end: what
+  /// F does for a short time, smoothly in t, would be stepped over.
+  std::vector<double> stops = {};
   LinearSolverChoice solver = {};
   // For solvers by blocks; empty where a system has no such blocks.
   std::vector<Block> blocks = {};

@@ -15,7 +15,9 @@ namespace gnomon {
 struct TermStructure {
   PatternBuilder& pattern;               ///< of J
   std::vector<int> switch_node = {};     ///< mesh node of each switching function of the term
+  std::vector<char> switch_jumps = {};   ///< of each: whether rates may jump there
   std::vector<double> breakpoints = {};  ///< times at which the term may have a kink in t
+  std::vector<double> stops = {};        ///< times at which steps shall end (Structure)
   bool slow = false;  ///< its derivatives change slowly and are expensive (SlowPart)
   /// It sweeps over all cells of a mesh, and no other term of the system that does so adds to its
   /// rows: such terms are evaluated at the same time, each by one thread, where there are many.

@@ -3,11 +3,13 @@
 namespace gnomon {
 
 WearLaw archard(double coefficient) {
-  return WearLaw({.rate = [k = coefficient](const WearInput& at, std::span<const char>) {
-    return WearRate{.value = k * at.pressure * at.speed,
-                    .by_pressure = k * at.speed,
-                    .by_speed = k * at.pressure};
-  }});
+  return WearLaw({.rate =
+                      [k = coefficient](const WearInput& at, std::span<const char>) {
+                        return WearRate{.value = k * at.pressure * at.speed,
+                                        .by_pressure = k * at.speed,
+                                        .by_speed = k * at.pressure};
+                      },
+                  .in_time = false});
 }
 
 namespace {

@@ -41,6 +41,11 @@ public:
 
   const std::vector<double>& breakpoints() const { return breakpoints_; }
   std::size_t nodal_kinks() const { return nodal_.size(); }
+  std::vector<char> jumps() const {
+    std::vector<char> result;
+    for (const std::size_t kink : nodal_) result.push_back(rate_.kink_may_jump(kink));
+    return result;
+  }
 
   WearRate rate(const WearInput& at, std::span<const char> branches) const {
     const WearRate rate = rate_at(variables(at), at.moment.within, branches);
@@ -128,7 +133,9 @@ WearLaw expression_wear_law(const Expression& rate, double end, double nominal_s
        .kinks = law->nodal_kinks(),
        .switching = [law](const WearInput& at, std::span<const char> branches,
                           std::span<double> values) { law->switching(at, branches, values); },
-       .breakpoints = law->breakpoints()});
+       .breakpoints = law->breakpoints(),
+       .jumps = law->jumps(),
+       .in_time = rate.depends_on(time_variable) || rate.depends_on(slid_variable)});
 }
 
 namespace {
@@ -142,7 +149,7 @@ double friction_of(const Scene& scene) {
 ExpressionNames read_names(const Scene& scene) {
   ExpressionNames names;
   names.variables = wear_law_variables();
-  names.constants["k"] = scene.real("wear.coefficient");
+  if (scene.has("wear.coefficient")) names.constants["k"] = scene.real("wear.coefficient");
   names.constants["f"] = friction_of(scene);
   for (const std::string& name : scene.chosen_names("wear.constants.*")) {
     const std::string key = "wear.constants." + name;

@@ -1,0 +1,48 @@
+// Steps over jumps: of rates, where a switching function changes its sign (a wear law with a jump
+// in the depth), and of loads, at a breakpoint in time.
+#pragma once
+
+#include <gnomon/base/counters.hpp>
+#include <gnomon/integrators/error_norm.hpp>
+#include <gnomon/system/state.hpp>
+#include <vector>
+
+namespace gnomon {
+
+/// What a step has crossed (Structure::switch_jumps).
+struct CrossedJumps {
+  std::vector<std::size_t> functions;  ///< the switching functions that changed their sign
+  double first = 1;             ///< part of the step after which the first of them did, by a line
+  std::vector<double> by = {};  ///< jump of the rate of each unknown, at the end of the step
+};
+
+/// The jumps between two states, `by` only if `size` is wanted.
+CrossedJumps jumps_between(const System& system, const State& from, const State& to, bool size);
+
+/// The part of the error of a step that comes from jumps in it: rates are wrong in a part of the
+/// step, which is taken for half of it. Steps that follow the error become short there, and no
+/// shorter than the tolerance asks for.
+class JumpControl {
+public:
+  JumpControl(const System& system, const IntegratorSettings& settings)
+      : system_(system), norm_(system.structure(), settings) {}
+
+  struct Estimate {
+    double error = 0;    ///< 1 being the tolerance, as ErrorNorm
+    double shorter = 0;  ///< if it is more: the size to try next, up to the jump or over it
+  };
+  /// Of a step of size h that evaluates rates at both states.
+  Estimate operator()(const State& from, const State& to, double h) const;
+
+private:
+  const System& system_;
+  ErrorNorm norm_;
+};
+
+/// Makes a state at a breakpoint that of later times: where loads jump there, its algebraic
+/// components are solved for again, on the branch that they lie in; where rates do, they are set.
+/// Returns whether something has changed. Throws SolutionError.
+bool pass_breakpoint(const System& system, Counters& counters, const ActiveSet* branch,
+                     State& state);
+
+}  // namespace gnomon

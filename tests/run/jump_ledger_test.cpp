@@ -1,0 +1,62 @@
+// Runs whose wear law jumps: what fixed steps cost, and nodes that slide along a jump.
+#include <fmt/format.h>
+
+#include <gnomon/run/run.hpp>
+
+#include "support/problem_run.hpp"
+
+namespace gnomon::jump_ledger_test {
+namespace {
+
+using namespace testing;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr double end = 200;
+
+RunOutcome run_springs(const std::string& rate, const std::string& integrator, double step) {
+  const auto model = model_of(
+      "winkler/pin.toml",
+      {"foundation.points=41", fmt::format("time.end={}", end), "wear.rate=\"" + rate + "\""});
+  IntegratorSettings settings = controlled_settings(*model, 1e-3, end);
+  settings.step = step;
+  StorePolicy policy;
+  return run(*model, Integrators::find(integrator, "integrator"), settings, policy, nullptr, {});
+}
+
+double worn(const RunOutcome& outcome) {
+  return observation_of(outcome.last->scalars).worn_volume.value();
+}
+
+TEST(JumpLedger, SaysWhatFixedStepsMayMiss) {
+  const std::string rate = "k * p * v * if(h < 0.1, 1, 5)";
+  const double right = worn(run_springs(rate, "esdirk-4", 0));
+  for (const char* integrator : {"backward-euler", "forward-euler", "esdirk-3"}) {
+    const RunOutcome outcome = run_springs(rate, integrator, 2);
+    EXPECT_THAT(outcome.warnings,
+                ElementsAre(HasSubstr("the wear law jumps within fixed steps: the wear depth has "
+                                      "an error of up to 0.007")))
+        << integrator;
+    EXPECT_NEAR(worn(outcome) / right, 1, 0.021);
+  }
+  EXPECT_THAT(run_springs(rate, "esdirk-3", 0).warnings, IsEmpty());
+  EXPECT_THAT(run_springs("k * p * v * max(1, 50 * h)", "esdirk-3", 2).warnings, IsEmpty());
+}
+
+// What wears faster loses its pressure, and comes back. A ramp has a solution.
+TEST(JumpLedger, EndsRunsThatSlideAlongAJump) {
+  for (const auto& [integrator, step] :
+       {std::pair("esdirk-3", 0.0), std::pair("bdf", 0.0), std::pair("backward-euler", 2.0),
+        std::pair("forward-euler", 2.0), std::pair("erk-3", 0.0)}) {
+    const RunOutcome outcome = run_springs("k * p * v * if(p < 8, 1, 5)", integrator, step);
+    EXPECT_EQ(outcome.status, RunOutcome::Status::failed) << integrator;
+    EXPECT_THAT(outcome.diagnosis, HasSubstr("the wear law jumps")) << integrator;
+    EXPECT_THAT(outcome.diagnosis, HasSubstr("there is no solution")) << integrator;
+  }
+  const RunOutcome ramp = run_springs("k * p * v * (1 + 4 * min(max(p - 8, 0), 1))", "esdirk-3", 0);
+  EXPECT_EQ(ramp.status, RunOutcome::Status::finished);
+}
+
+}  // namespace
+}  // namespace gnomon::jump_ledger_test
