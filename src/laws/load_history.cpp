@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <gnomon/laws/load_history.hpp>
 #include <utility>
 
@@ -23,11 +24,23 @@ double LoadHistory::least(double end) const {
   return least;
 }
 
+double LoadHistory::largest() const {
+  double most = 0;
+  for (const double factor : factors_) most = std::max(most, std::abs(factor));
+  return most;
+}
+
+std::size_t LoadHistory::first_misplaced(const std::vector<double>& times) {
+  for (std::size_t k = 1; k < times.size(); ++k)
+    if (!(times[k] >= times[k - 1]) || (k > 1 && times[k] == times[k - 2])) return k;
+  return times.size();
+}
+
 double LoadHistory::integral(double end) const {
   double sum = 0, from = 0;
   const auto add_up_to = [&](double to) {
     if (to <= from) return;
-    sum += (to - from) * (factor(from) + factor(to)) / 2;
+    sum += (to - from) * (factor(from) + factor(to, from)) / 2;
     from = to;
   };
   for (const double time : times_) add_up_to(std::min(time, end));

@@ -169,11 +169,13 @@ LoadHistory read_load_history(const Scene& scene, const std::string& prefix) {
     throw InputError(fmt::format("{}: expected as many as {}, {}, got {}", scene.where(factors_key),
                                  times_key, times.size(), factors.size()));
   if (times.empty()) return {};
+  const std::size_t misplaced = LoadHistory::first_misplaced(times);
   for (std::size_t k = 1; k < times.size(); ++k)
-    if (!(times[k] - times[k - 1] >= 0.999 * shortest))
+    if (k == misplaced ||
+        (times[k] > times[k - 1] && !(times[k] - times[k - 1] >= 0.999 * shortest)))
       throw InputError(
-          fmt::format("{}: expected ascending times, at least {:g} of time.end = {:g} s apart, got "
-                      "{} after {}",
+          fmt::format("{}: expected ascending times, at least {:g} of time.end = {:g} s apart, or "
+                      "one twice for a jump, got {} after {}",
                       scene.where(times_key), shortest_ramp, shortest, times[k], times[k - 1]));
   for (const double factor : factors)
     if (!(factor >= least_load_factor))

@@ -56,7 +56,7 @@ Key times_key(const std::string& prefix, const std::string& quantity) {
           .presence = Key::Presence::optional,
           .absent_meaning = quantity + " does not change with time",
           .range = {.min = 0},
-          .help = "ascending times of factors; steps end on them exactly"};
+          .help = "ascending times of factors, one twice for a jump; steps end on them exactly"};
 }
 
 Key factors_key(const std::string& prefix, const std::string& quantity) {
@@ -83,8 +83,8 @@ LoadHistory read_history(const Scene& scene, const std::string& prefix) {
     throw InputError(fmt::format("{}: expected as many as {}, {}, and one or more, got {}",
                                  scene.where(factors_name), times_name, times.size(),
                                  factors.size()));
-  if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) != times.end())
-    throw InputError(scene.where(times_name) + ": expected ascending times");
+  if (LoadHistory::first_misplaced(times) < times.size())
+    throw InputError(scene.where(times_name) + ": expected ascending times, one twice for a jump");
   return {times, factors};
 }
 

@@ -191,7 +191,7 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .presence = defaulted,
        .default_value = std::vector<double>{},
        .range = non_negative,
-       .help = "ascending times of load.factors; steps end on them exactly"},
+       .help = "ascending times of load.factors, one twice for a jump; steps end on them exactly"},
       {.name = "load.factors",
        .kind = KeyKind::reals,
        .presence = defaulted,

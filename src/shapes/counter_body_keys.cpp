@@ -83,7 +83,9 @@ std::vector<Key> press_keys(std::size_t dim) {
        .presence = optional,
        .absent_meaning = "one force, or one approach, at all times",
        .range = {.min = 0},
-       .help = "ascending times of press.factors or press.approach; steps end on them exactly"}};
+       .help =
+           "ascending times of press.factors or press.approach, one twice for a jump; steps end on "
+           "them exactly"}};
 }
 
 /// Adds a key of a shape, or the name of the shape to the help of one that is there.

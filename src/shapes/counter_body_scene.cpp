@@ -107,10 +107,12 @@ LoadHistory read_travel(const Scene& scene) {
   for (const double value : travel)
     if (!std::isfinite(value))
       throw InputError(scene.where("counter_body.press.approach") + ": expected finite numbers");
+  const std::size_t misplaced = LoadHistory::first_misplaced(times);
   for (std::size_t k = 0; k < times.size(); ++k)
-    if (!std::isfinite(times[k]) || (k > 0 && !(times[k] > times[k - 1])))
-      throw InputError(fmt::format("{}: expected ascending times, got {} at place {}",
-                                   scene.where("counter_body.press.times"), times[k], k + 1));
+    if (!std::isfinite(times[k]) || k == misplaced)
+      throw InputError(
+          fmt::format("{}: expected ascending times, one twice for a jump, got {} at place {}",
+                      scene.where("counter_body.press.times"), times[k], k + 1));
   return {times, travel};
 }
 

@@ -104,6 +104,21 @@ TEST(LoadHistoryOfThePin, AStepOfRoundingBehindACornerCostsNoAccuracy) {
   }
 }
 
+// Two factors at one time: the wear rate is k v F at once, by every method, with and without error
+// control.
+TEST(LoadHistoryOfThePin, AJumpActsFromItsTimeOn) {
+  const Overrides jumping = {elements(10), "load.times=[0, 20, 20, 60]",
+                             "load.factors=[1, 1, 2.5, 2.5]"};
+  for (const Integrator& integrator : Integrators::all())
+    for (const double step : {0.0, 8.0}) {
+      if (step > 0 && !integrator.fixed_steps) continue;
+      SCOPED_TRACE(fmt::format("{}, step {}", integrator.name, step));
+      const PinRun run = run_pin(integrator.name, step, step > 0 ? 0 : 1e-4, 60, jumping);
+      EXPECT_NEAR(run.observed("worn_volume"), k_v * F * (20 + 2.5 * 40), 1e-3 * k_v * F * 120);
+      EXPECT_LT(run.states.size(), 120);
+    }
+}
+
 TEST(LoadHistoryOfThePin, ItsTimesAreThoseToLandOnButForRounding) {
   const auto model = pin_model({"time.end=0.6000000000000001", "load.times=[0, 0.3, 0.6]",
                                 "load.factors=[1, 2, 1]", "output.times=[0.30000000000000004]"});

@@ -230,8 +230,8 @@ TEST(CounterBodyScene, PressAndApproach) {
   EXPECT_THAT(refused("direction = [0, 1], approach = [1.0, 2.0]"),
               HasSubstr("expected one number"));
   EXPECT_THAT(refused("direction = [0, 1], times = [1.0]"), HasSubstr("expected also"));
-  EXPECT_THAT(refused("direction = [0, 1], approach = [1.0, 2.0], times = [1.0, 1.0]"),
-              HasSubstr("ascending times, got 1 at place 2"));
+  EXPECT_THAT(refused("direction = [0, 1], approach = [1.0, 2.0, 3.0], times = [1.0, 1.0, 1.0]"),
+              HasSubstr("ascending times, one twice for a jump, got 1 at place 3"));
   EXPECT_THAT(refused("direction = [0.1, 1], force = 1.0", Section::meridian),
               HasSubstr("axis of symmetry"));
 }

@@ -39,6 +39,20 @@ TEST(LoadHistory, ContinuesAStraightLinePastItsEnd) {
   EXPECT_DOUBLE_EQ(history.factor(48, 40), 0.5);
 }
 
+TEST(LoadHistory, JumpsWhereItHasTwoFactors) {
+  const LoadHistory history({0, 10, 10, 20}, {1, 2, 5, 4});
+  EXPECT_DOUBLE_EQ(history.factor(10), 5);
+  EXPECT_DOUBLE_EQ(history.factor(10, 9), 2);
+  EXPECT_DOUBLE_EQ(history.factor(11, 9), 2.1);
+  EXPECT_DOUBLE_EQ(history.factor(15), 4.5);
+  EXPECT_DOUBLE_EQ(history.integral(20), 15 + 45);
+  EXPECT_EQ(history.least(20), 1);
+  EXPECT_EQ(history.largest(), 5);
+  EXPECT_EQ(LoadHistory::first_misplaced({0, 10, 10, 20}), 4);
+  EXPECT_EQ(LoadHistory::first_misplaced({0, 10, 10, 10}), 3);
+  EXPECT_EQ(LoadHistory::first_misplaced({0, 10, 9}), 2);
+}
+
 TEST(LoadHistory, StepsEndOnItsPoints) {
   const auto model = pin_model({elements(2), "load.times=[10, 20]", "load.factors=[1, 2]"});
   const Structure& structure = model->system().structure();
