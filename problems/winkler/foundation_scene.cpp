@@ -71,7 +71,7 @@ void read_wear(const Scene& scene, Foundation& f) {
   at.depth = f.mean_depth();
   at.initial.clear();
   for (const double x : f.x) at.initial.push_back({x, f.profile(x), 0});
-  require_law(scene, f.wear, at);
+  f.wear = required_law(scene, f.wear, at, f.remarks);
 }
 
 /// With a given number of phases.

@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/model/wear_scene.hpp>
+#include <gnomon/wear_laws/law_in_time.hpp>
 #include <gnomon/wear_laws/wear_law_kind.hpp>
 #include <set>
 
@@ -36,6 +39,7 @@ std::vector<std::array<double, 3>> some_of(const std::vector<std::array<double, 
 }  // namespace
 
 WearLaw read_wear_law(const Scene& scene, std::optional<double> speed) {
+  require_coefficient(scene);
   if (scene.text("wear.law") != "expression") require_no_expression(scene);
   const WearLawKind& kind = Registry<WearLawKind>::find(scene.text("wear.law"), "wear law");
   try {
@@ -97,20 +101,54 @@ InputError unsound_law(const Scene& scene, const RecoverableError& error) {
       ": expected a finite wear rate of zero or more, with finite derivatives: " + error.what());
 }
 
-void require_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at) {
-  check_wear_law(law,
-                 {.pressure = at.pressure,
-                  .speed = at.speed,
-                  .depth = at.depth,
-                  .duration = at.duration,
-                  .friction = at.friction,
-                  .nominal_speed = at.speed,
-                  .initial = some_of(at.initial)},
-                 where_law(scene));
+namespace {
+
+/// What steps see of a law that changes with time by itself.
+std::string remark_on_time(const LawInTime& in_time, std::size_t stops, double fixed_step) {
+  if (fixed_step == 0)
+    return fmt::format(
+        "the wear law changes with time by itself: what lasts {:.3g} s or longer is found, and "
+        "steps end at {} times for it; what is shorter may be stepped over",
+        in_time.resolution(), stops);
+  constexpr double right = 1e-2;
+  const double seen = in_time.seen_by_steps(fixed_step);
+  if (std::abs(seen - 1) <= right) return {};
+  return fmt::format(
+      "the wear law changes with time faster than steps of {:g} s can follow: they see {:.3g} "
+      "times "
+      "what it wears over the run",
+      fixed_step, seen);
 }
 
-std::vector<std::string> unused_wear_names(const Scene& scene) {
-  if (!scene.knows("wear.rate")) return {};
+}  // namespace
+
+WearLaw required_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at,
+                     std::vector<std::string>& remarks) {
+  const WearRange range{.pressure = at.pressure,
+                        .speed = at.speed,
+                        .depth = at.depth,
+                        .duration = at.duration,
+                        .friction = at.friction,
+                        .nominal_speed = at.speed,
+                        .initial = some_of(at.initial)};
+  check_wear_law(law, range, where_law(scene));
+  const auto remark = [&](std::string text) {
+    if (!text.empty()) remarks.push_back(std::move(text));
+  };
+  if (asks_for_wear(scene)) remark(remark_on_idle_law(law, range));
+  const LawInTime in_time(law, range);
+  if (!in_time.changes()) return law;
+  const double step = scene.real_if("integrator.step").value_or(0);
+  std::vector<double> stops;
+  if (step == 0) stops = in_time.stops(scene.real("integrator.rtol"));
+  remark(remark_on_time(in_time, stops.size(), step));
+  return law.with_stops(std::move(stops));
+}
+
+namespace {
+
+/// The names that the rates of a scene use.
+std::set<std::string, std::less<>> used_names(const Scene& scene) {
   std::set<std::string, std::less<>> used;
   const std::string surfaces = "wear.surfaces.";
   std::vector<std::string> rates = {scene.text("wear.rate")};
@@ -120,6 +158,25 @@ std::vector<std::string> unused_wear_names(const Scene& scene) {
     for (Token token = token_at(rate, 0); token.kind != Token::Kind::end;
          token = token_at(rate, token.end()))
       used.emplace(token.text);
+  return used;
+}
+
+}  // namespace
+
+void require_coefficient(const Scene& scene) {
+  if (!scene.knows("wear.rate") || scene.has("wear.coefficient")) return;
+  if (scene.text("wear.law") == "expression" && !used_names(scene).contains("k")) return;
+  throw InputError(scene.where("wear.coefficient") +
+                   ": missing, expected a number [1/MPa]: the wear law reads it, as k");
+}
+
+bool asks_for_wear(const Scene& scene) {
+  return scene.real_if("wear.coefficient").value_or(1) > 0;
+}
+
+std::vector<std::string> unused_wear_names(const Scene& scene) {
+  if (!scene.knows("wear.rate")) return {};
+  const std::set<std::string, std::less<>> used = used_names(scene);
   std::vector<std::string> unused;
   for (const auto& [table, key] : {std::pair("wear.constants.", "wear.constants.*"),
                                    std::pair("wear.tables.", "wear.tables.*.x")})

@@ -140,7 +140,8 @@ AssemblyParts<dim> completed(const Scene& scene, double facet, AssemblyParts<dim
 
 template <int dim>
 std::unique_ptr<Model> make_wear_model(const Scene& scene, double facet, AssemblyParts<dim> parts) {
-  require_law(scene, parts.interface.surfaces.front().wear, wear_circumstances(parts));
+  WearLaw& law = parts.interface.surfaces.front().wear;
+  law = required_law(scene, law, wear_circumstances(parts), parts.remarks);
   return std::make_unique<WearModel<dim>>(completed(scene, facet, std::move(parts)));
 }
 

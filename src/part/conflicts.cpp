@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/contact_patch.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <map>
 #include <set>
 
@@ -94,7 +95,7 @@ void require_moving_shape(const Scene& scene, const std::vector<ContactPatch<dim
   const auto may_move = [&](const ContactPatch<dim>& patch) {
     return !shape.free(patch.node).isZero(0);
   };
-  if (scene.real("wear.coefficient") == 0 || std::ranges::any_of(patches, may_move)) return;
+  if (!asks_for_wear(scene) || std::ranges::any_of(patches, may_move)) return;
   throw InputError(scene.where("wear.on") +
                    ": expected surfaces that can wear, but all their nodes lie on sides that hold "
                    "the shape: shape.hold, or curved sides");

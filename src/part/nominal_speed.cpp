@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/terms/sliding.hpp>
 #include <limits>
 #include <vector>
@@ -153,7 +154,7 @@ std::vector<std::string> remarks_on_speeds(const Scene& scene,
   std::vector<std::string> remarks;
   Patches<dim> all;
   for (const auto& patch : patches) all.push_back(&patch);
-  if (mean_speed<dim>(other, all) == 0 && scene.real("wear.coefficient") > 0)
+  if (mean_speed<dim>(other, all) == 0 && asks_for_wear(scene))
     remarks.push_back(
         "counter_body.motion or cycle.x, .y, .z, .rotation: the counter-body does not slide on the "
         "surfaces of wear.on, so that nothing wears");

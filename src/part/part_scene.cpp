@@ -219,7 +219,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   append(parts.remarks, remarks_on_loads(scene));
   const std::vector<ContactPatch<dim>> patches = contact_nodes_of(parts);
   append(parts.remarks, remarks_on_speeds(scene, patches, parts.interface.partner, cycle));
-  require_surface_laws(scene, parts);
+  complete_surface_laws(scene, parts);
   parts = completed(scene, magnitudes.facet, std::move(parts));
   require_moving_shape(scene, patches, parts.shape);
   require_held(scene, parts);

@@ -76,21 +76,30 @@ void require_surface_names(const Scene& scene) {
 }
 
 template <int dim>
-void require_surface_laws(const Scene& scene, const AssemblyParts<dim>& parts) {
+void complete_surface_laws(const Scene& scene, AssemblyParts<dim>& parts) {
   const WearCircumstances at = wear_circumstances(parts);
-  for (const Surface<dim>& surface : parts.interface.surfaces) {
+  std::vector<std::string> common;  // remarks on wear.rate, once
+  for (Surface<dim>& surface : parts.interface.surfaces) {
     if (!surface.wears) continue;
-    const auto require = [&](const Scene& own) { require_law(own, surface.wear, at); };
-    if (given(scene, rate_key(surface.name)))
-      with_rate_of(scene, surface.name, require);
-    else
-      require(scene);
+    std::vector<std::string> remarks;
+    const auto complete = [&](const Scene& own) {
+      return required_law(own, surface.wear, at, remarks);
+    };
+    if (!given(scene, rate_key(surface.name))) {
+      surface.wear = complete(scene);
+      common = std::move(remarks);
+      continue;
+    }
+    surface.wear = with_rate_of(scene, surface.name, complete);
+    for (const std::string& remark : remarks)
+      parts.remarks.push_back(fmt::format("\"{}\": {}", surface.name, remark));
   }
+  parts.remarks.insert(parts.remarks.end(), common.begin(), common.end());
 }
 
 template std::vector<Surface<2>> wearing_surfaces(const Scene&, const ImportedBody<2>&);
 template std::vector<Surface<3>> wearing_surfaces(const Scene&, const ImportedBody<3>&);
-template void require_surface_laws(const Scene&, const AssemblyParts<2>&);
-template void require_surface_laws(const Scene&, const AssemblyParts<3>&);
+template void complete_surface_laws(const Scene&, AssemblyParts<2>&);
+template void complete_surface_laws(const Scene&, AssemblyParts<3>&);
 
 }  // namespace gnomon::part

@@ -18,9 +18,9 @@ WearLaw read_surface_law(const Scene& scene, const std::string& surface, double 
 /// Throws InputError for a law of a surface that does not wear.
 void require_surface_names(const Scene& scene);
 
-/// Checks the laws for the values that a run may meet, like require_law(). To be called when scales
-/// are known. Throws InputError.
+/// Checks and completes the laws for the values that a run may meet (required_law()). To be called
+/// when scales are known. Throws InputError.
 template <int dim>
-void require_surface_laws(const Scene& scene, const AssemblyParts<dim>& parts);
+void complete_surface_laws(const Scene& scene, AssemblyParts<dim>& parts);
 
 }  // namespace gnomon::part

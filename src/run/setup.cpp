@@ -4,6 +4,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/results/versions.hpp>
 #include <gnomon/run/run.hpp>
@@ -20,6 +21,7 @@ namespace {
 void find_mistakes_of_run(const Scene& scene, Mistakes& mistakes) {
   if (scene.has("time.end")) mistakes.collect([&] { store_policy(scene); });
   if (scene.has("integrator.name")) mistakes.collect([&] { chosen_integrator(scene); });
+  mistakes.collect([&] { require_coefficient(scene); });
 }
 
 /// A result or a mesh instead of a scene is no bad TOML.

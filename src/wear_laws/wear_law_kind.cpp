@@ -79,4 +79,34 @@ void check_wear_law(const WearLaw& law, const WearRange& range, const std::strin
         }
 }
 
+std::string remark_on_idle_law(const WearLaw& law, const WearRange& range) {
+  const auto rate = [&](double pressure, double depth, double time) {
+    WearInput at{.pressure = pressure * range.pressure,
+                 .speed = range.speed,
+                 .depth = depth * range.depth,
+                 .moment = {time, time * range.nominal_speed, time},
+                 .initial = range.initial.front()};
+    at.friction_power = range.friction * at.pressure * at.speed;
+    return depth == 0 || has_rate(law, at) ? law.rate(at) : WearRate{};
+  };
+  double idle = 0;  // the largest multiple of the mean pressure at which nothing wears
+  for (const double pressure : {1.0, 3.0, 10.0}) {
+    bool wears = false;
+    for (const double time : moments(law, range.duration))
+      for (const double depth : {0.0, 0.3}) {
+        const WearRate found = rate(pressure, depth, time);
+        if (range.friction == 0 && found.by_friction_power != 0)
+          return "the wear law reads q = f p v, which is 0: friction.coefficient is 0";
+        wears |= found.value > 0;
+      }
+    if (wears) break;
+    idle = pressure;
+  }
+  if (idle == 0) return {};
+  return fmt::format(
+      "the wear law is 0 at pressures up to {:.3g} MPa, {}the mean of about {:.3g} MPa: {} wears",
+      idle * range.pressure, idle == 1 ? "" : fmt::format("{:g} times ", idle), range.pressure,
+      idle < 10 ? "only what carries more" : "perhaps nothing");
+}
+
 }  // namespace gnomon

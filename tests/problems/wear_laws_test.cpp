@@ -325,6 +325,7 @@ TEST(WearLaw, WrongExpressionsAreRefusedInOneLine) {
   refuses({"wear.tables.g.x=[" + many + "]", "wear.tables.g.y=[" + many + "]"},
           "--set wear.tables.g.x: expected at most 1000 points of a table, got 1001");
   refuses({"wear.law=archar"}, "archard");
+  refuses({"wear.constants.pi=3"}, "--set wear.constants.pi: expected another name");
 }
 
 // The springs carry F at every instant, so that a factor c(t) of Archard's law wears k v F times
@@ -380,6 +381,62 @@ TEST(WearLawOfAShortWindow, IsFound) {
   const double integral = 2000 * 4.0 / 3 * 0.2;
   EXPECT_NEAR(observed(*pulse, run.last(), "worn_volume") / (k * v * F * (end + integral)), 1,
               1e-4);
+}
+
+// A smooth pulse after a long quiet time: no method steps over it at any tolerance.
+TEST(WearLawOfAPulse, IsSeenByEveryMethodThatFollowsTheError) {
+  const double at = 100.0 / 3, lasts = 0.1, integral = 1000 * lasts * std::sqrt(M_PI);
+  for (const double tolerance : {1e-2, 1e-4}) {
+    const auto model =
+        springs(fmt::format("k * p * v * (1 + 1000 * exp(-((t - {}) / {})^2))", at, lasts),
+                {fmt::format("integrator.rtol={}", tolerance)});
+    EXPECT_THAT(model->remarks(),
+                ::testing::Contains(::testing::HasSubstr("changes with time by itself")));
+    for (const Integrator& integrator : Integrators::all()) {
+      const ModelRun run = run_model(*model, integrator.name, 0, tolerance, end);
+      const double worn = observed(*model, run.last(), "worn_volume") / (k * v * F);
+      EXPECT_NEAR(worn / (end + integral), 1, 10 * tolerance) << integrator.name;
+    }
+  }
+}
+
+/// The springs under a flat that is as good as plane: all wear alike, v k F / width.
+std::unique_ptr<Model> flat_springs(const std::string& rate, const Overrides& more = {}) {
+  Overrides all = {"pin.radius=1e9", fmt::format("time.end={}", end)};
+  all.insert(all.end(), more.begin(), more.end());
+  return springs(rate, all);
+}
+
+// All springs reach the depth of a jump at once. The step across it is as short as the tolerance
+// asks for.
+TEST(WearLawThatJumpsInDepth, IsFollowedByErrorControl) {
+  const double slow = k * v * F / width, at = 0.37 * end;
+  const std::string rate = fmt::format("k * p * v * if(h < {}, 1, 5)", slow * at);
+  const double worn = slow * width * (at + 5 * (end - at));
+  const auto model = flat_springs(rate);
+  for (const double tolerance : {1e-2, 1e-3, 1e-4})
+    for (const Integrator& integrator : Integrators::all()) {
+      if (integrator.order == "1" && tolerance < 1e-3) continue;
+      const ModelRun run = run_model(*model, integrator.name, 0, tolerance, end);
+      EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / worn, 1, 3 * tolerance)
+          << integrator.name << " at " << tolerance;
+      EXPECT_LT(run.states.size(), tolerance < 1e-3 ? 150 : 80) << integrator.name;
+    }
+}
+
+// Where every spring has a time of its own, the steps between are as long as the tolerance allows,
+// and not one for each spring.
+TEST(WearLawThatJumpsInDepth, CostsNoEventForEveryNode) {
+  const auto model = springs("k * p * v * if(h > 0.1, 0.3, 1)");
+  const std::vector<double> fine =
+      depths(run_model(*model, "sdirk-4", 1.25, 1e-4, end, true).last().y);
+  const double largest = *std::max_element(fine.begin(), fine.end());
+  for (const double tolerance : {1e-2, 1e-3}) {
+    const ModelRun run = run_model(*model, "esdirk-3", 0, tolerance, end);
+    EXPECT_LT(distance(depths(run.last().y), fine), 3 * tolerance * largest);
+    std::printf("rtol %g: %zu steps, %ld rejected, error %.1e\n", tolerance, run.states.size() - 1,
+                run.counters.rejected_steps, distance(depths(run.last().y), fine) / largest);
+  }
 }
 
 // Jumps close to each other, and steps so short that times differ by little more than rounding.

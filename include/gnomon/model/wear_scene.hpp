@@ -21,7 +21,7 @@ struct WearCircumstances {
   double friction = 0;  ///< Coulomb's coefficient
   double speed = 1;     ///< nominal one, s = speed t [length / time]
   double duration = 1;  ///< of the run [time]
-  // Read by require_law() alone:
+  // Read by required_law() alone:
   double depth = 1;                                   ///< mean wear depth at the end [length]
   std::vector<std::array<double, 3>> initial = {{}};  ///< positions of the nodes [length]
 };
@@ -36,9 +36,16 @@ double wear_by_pressure(const Scene& scene, const WearLaw& law, double pressure)
 /// What is said of a law whose rate is not finite, with the key that gives it.
 InputError unsound_law(const Scene& scene, const RecoverableError& error);
 
-/// Throws InputError, in one line, where check_wear_law() does for the values that the run may
-/// meet.
-void require_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at);
+/// The law with the stops of what it does in time by itself (law_in_time.hpp), where steps follow
+/// the error; adds remarks for the user. Throws InputError, in one line, where check_wear_law()
+/// does for the values that the run may meet.
+WearLaw required_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at,
+                     std::vector<std::string>& remarks);
+
+/// Throws InputError where a law of the scene reads wear.coefficient, but it is not given.
+void require_coefficient(const Scene& scene);
+/// Whether the scene asks for wear: a coefficient of 0 is a contact analysis.
+bool asks_for_wear(const Scene& scene);
 
 /// The constants and tables of the scene, "wear.constants.a", that wear.rate does not use.
 std::vector<std::string> unused_wear_names(const Scene& scene);

@@ -37,7 +37,7 @@ template <int dim>
 AssemblyParts<dim> completed(const Scene& scene, double facet, AssemblyParts<dim> parts);
 
 /// The model of the completed parts, whose first surface wears by the law of the scene. Throws
-/// InputError like require_law(), completed() and Assembly.
+/// InputError like required_law(), completed() and Assembly.
 template <int dim>
 std::unique_ptr<Model> make_wear_model(const Scene& scene, double facet, AssemblyParts<dim> parts);
 

@@ -46,4 +46,8 @@ struct WearRange {
 /// law, and says what was expected at which values.
 void check_wear_law(const WearLaw& law, const WearRange& range, const std::string& where);
 
+/// For the user: that nothing may wear, because the law takes the friction power of contact without
+/// friction, or needs more than the mean pressure. Empty: neither.
+std::string remark_on_idle_law(const WearLaw& law, const WearRange& range);
+
 }  // namespace gnomon
