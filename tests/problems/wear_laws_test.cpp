@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
+#include <gnomon/base/error.hpp>
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/newton/newton.hpp>
 
@@ -326,6 +328,29 @@ TEST(WearLaw, WrongExpressionsAreRefusedInOneLine) {
           "--set wear.tables.g.x: expected at most 1000 points of a table, got 1001");
   refuses({"wear.law=archar"}, "archard");
   refuses({"wear.constants.pi=3"}, "--set wear.constants.pi: expected another name");
+}
+
+TEST(WearLaw, ThatWearsNothingIsRemarkedOn) {
+  using ::testing::Contains;
+  using ::testing::HasSubstr;
+  EXPECT_THAT(pin({"wear.rate=k * q"})->remarks(),
+              Contains(HasSubstr("friction.coefficient is 0")));
+  EXPECT_THAT(pin({"wear.rate=\"k * v * max(p - pi * 10, 0)\""})->remarks(),
+              Contains(HasSubstr("the wear law is 0 at pressures up to 20 MPa")));
+  EXPECT_TRUE(pin({})->remarks().empty());
+}
+
+TEST(WearLaw, NeedsACoefficientOnlyIfItReadsIt) {
+  std::ifstream file(GNOMON_SOURCE_DIR "/problems/winkler/pin.toml");
+  std::string text, line;
+  while (std::getline(file, line))
+    if (!line.starts_with("coefficient")) text += line + "\n";
+  const auto make = [&](const std::string& rate) {
+    return Problems::find("winkler", "problem")
+        .make(parse_scene(text, "pin.toml", {"wear.rate=" + rate}, key_table));
+  };
+  EXPECT_NE(make("1e-7 * p * v"), nullptr);
+  EXPECT_THROW(make("k * p * v"), InputError);
 }
 
 // The springs carry F at every instant, so that a factor c(t) of Archard's law wears k v F times
