@@ -19,14 +19,20 @@ public:
       : system_(system),
         norm_(system.structure(), settings),
         integrand_(settings.integrand),
-        algebraic_(system, counters) {}
+        algebraic_(system, counters, settings.nonlinear_fraction) {}
 
   Attempt attempt(const State& from, double h, const AttemptOptions& options, State& to) override {
     to = from;
     to.t = from.t + h;
-    for (int i : norm_.components()) to.y[i] += h * from.ydot[i];
+    dense_output_.evaluate(to.t, to.y);
+    for (int i : norm_.components()) to.y[i] = from.y[i] + h * from.ydot[i];
+    // The next step of this size integrates the error of the rates.
+    const Distance distance = [&](std::span<const double> before, std::span<const double> y) {
+      return h * distance_of_rates(system_, norm_, options.branch, to, before, y) / options.error;
+    };
     std::string reason =
-        algebraic_.solve(inside_step(system_.structure(), from.t, to.t), to.y, options.branch);
+        algebraic_.solve(inside_step(system_.structure(), from.t, to.t), to.y, options.branch,
+                         options.error > 0 ? distance : Distance{});
     if (!reason.empty()) return {.reason = std::move(reason)};
     set_rates(system_, options.branch, to, from.t);
     // The difference from Heun's method.
@@ -37,7 +43,10 @@ public:
     return {.success = true, .error = norm_(error_, to.y), .integral = integral};
   }
 
-  void accept(const State& state, bool) override { dense_output_.add(state.t, state.y); }
+  void accept(const State& state, bool kink) override {
+    if (kink) dense_output_.clear();
+    dense_output_.add(state.t, state.y);
+  }
   void interpolate(double t, std::span<double> y) const override { dense_output_.evaluate(t, y); }
 
 private:

@@ -52,7 +52,6 @@ DiagonallyImplicit::DiagonallyImplicit(const System& system, const IntegratorSet
       norm_(system.structure(), settings),
       jumps_(system, settings),
       integrand_(settings.integrand),
-      error_control_(settings.step == 0),
       short_step_(1e-6 * settings.end),
       newton_(system.structure(), counters,
               within_time_error(modified_newton,
@@ -120,9 +119,9 @@ NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base,
   };
   function.rate_weight = 1 / step;
   function.switch_node = system_.structure().switch_node;
-  if (error_control_ && !options.to_rounding)
-    function.size_of_change = [&](std::span<const double> change) {
-      return norm_.of_change(change, from.y);
+  if (options.error > 0)
+    function.distance = [&](std::span<const double> before, std::span<const double> y) {
+      return norm_.distance(before, y, from.y) / options.error;
     };
   const NewtonReport report = newton_.solve(function, to.y);
   if (report.converged) set_rates_of(step, base, to.y, to.ydot);

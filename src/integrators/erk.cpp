@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 #include <gnomon/integrators/arkode_table.hpp>
+#include <gnomon/integrators/dense_output.hpp>
 #include <gnomon/integrators/erk.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 #include <gnomon/integrators/jumps.hpp>
@@ -86,7 +87,9 @@ private:
   double integrand(const State& at) const {
     return settings_.integrand({at.t, at.y, at.ydot, nullptr, from_});
   }
-  double integral(const State& start, double h) const;
+  double expected_error() const;
+  std::ptrdiff_t second_stage(const State& start, double h) const;
+  double sum_up(const State& start, double h);
 
   const System& system_;
   IntegratorSettings settings_;
@@ -95,14 +98,18 @@ private:
   ErrorNorm norm_;
   JumpControl jumps_;
   AlgebraicSolver algebraic_;
-  State whole_;      // consistent state of the last evaluation, the guess for the next
-  double from_ = 0;  // start of the step, on whose side of a jump its stages lie
-  double proposal_;  // size of the next attempt; 0 before the first adaptive step
+  State whole_;               // consistent state of the last evaluation
+  DenseOutput dense_output_;  // through evaluations, gives the guess for the next
+  double from_ = 0;           // start of the step, on whose side of a jump its stages lie
+  double proposal_;           // size of the next attempt; 0 before the first adaptive step
+  double step_ = 0;           // size of this attempt, or more
+  double own_error_ = 0, own_step_ = 0;  // of the last fixed step
   long rejected_ = 0;
   struct Evaluated {
     double t, integrand;
+    std::vector<double> rates;
   };
-  std::deque<Evaluated> evaluated_;  // with the rate, the last ones
+  std::deque<Evaluated> evaluated_;  // the last ones
   Guard guard_;
   // Destroyed in reverse: ERKStep before what it refers to, the context last.
   Context context_;
@@ -119,7 +126,7 @@ ErkSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
       table_(arkode_erk_table(table)),
       norm_(system.structure(), settings),
       jumps_(system, settings),
-      algebraic_(system, counters),
+      algebraic_(system, counters, settings.nonlinear_fraction),
       proposal_(settings.step),
       step_control_(pi_controller, context_),
       d_(make_vector(static_cast<long>(norm_.components().size()), context_)) {}
@@ -132,17 +139,35 @@ void ErkSolver::Memory::gather(const std::vector<double>& y, std::span<double> d
 /// The state from which ERKStep begins, or begins again.
 void ErkSolver::Memory::set_state(const State& state) {
   whole_ = state;
+  dense_output_.clear();
+  dense_output_.add(state.t, state.y);
   gather(state.y, view(d_.get()));
+}
+
+/// The error of the step, 1 being the tolerance, by which Newton's iterations are measured; 0: not
+/// known.
+double ErkSolver::Memory::expected_error() const {
+  if (settings_.step == 0) return 1;
+  return own_step_ > 0 ? own_error_ * std::pow(step_ / own_step_, table_.embedded_order + 1) : 0;
 }
 
 /// Makes whole_ the consistent state with differential components d, including its rates.
 void ErkSolver::Memory::evaluate(double t, std::span<const double> d) {
   State next = whole_;
   next.t = t;
+  if (t != whole_.t) dense_output_.evaluate(t, next.y);
   const std::vector<int>& components = norm_.components();
   for (std::size_t k = 0; k < components.size(); ++k) next.y[components[k]] = d[k];
-  const std::string reason = algebraic_.solve(inside_step(system_.structure(), from_, t), next.y);
-  if (!reason.empty()) throw RecoverableError(reason);
+  const double error = expected_error();
+  const Distance distance = [&](std::span<const double> before, std::span<const double> y) {
+    return step_ * distance_of_rates(system_, norm_, nullptr, next, before, y, from_) / error;
+  };
+  if (t != whole_.t || norm_.distance(next.y, whole_.y, next.y) > 0) {
+    const std::string reason = algebraic_.solve(inside_step(system_.structure(), from_, t), next.y,
+                                                nullptr, error > 0 ? distance : Distance{});
+    if (!reason.empty()) throw RecoverableError(reason);
+    dense_output_.add(t, next.y);
+  }
   set_rates(system_, nullptr, next, from_);
   whole_ = std::move(next);
 }
@@ -152,33 +177,49 @@ int ErkSolver::Memory::rate(sunrealtype t, N_Vector d, N_Vector ddot, void* data
   return self.guard_.run([&] {
     self.evaluate(t, view(d));
     self.gather(self.whole_.ydot, view(ddot));
-    if (!self.settings_.integrand) return;
-    self.evaluated_.push_back({t, self.integrand(self.whole_)});
+    const double integrand = self.settings_.integrand ? self.integrand(self.whole_) : 0;
+    self.evaluated_.push_back({t, integrand, {view(ddot).begin(), view(ddot).end()}});
     if (self.evaluated_.size() > static_cast<std::size_t>(self.table_.stages()) + 2)
       self.evaluated_.pop_front();
   });
 }
 
-/// The integral over the step of size h that ERKStep has just taken from `start`, by the weights of
-/// the table. The first stage is the start. The other stages were evaluated last, one after the
-/// other; after them there may be the end of the step, as a separate stage or for the next step.
-double ErkSolver::Memory::integral(const State& start, double h) const {
+/// The place in evaluated_ of the second stage of the step of size h that ERKStep has just taken
+/// from `start`, the first stage. The others were evaluated last, one after the other; after them
+/// there may be the end of the step, as a separate stage or for the next step.
+std::ptrdiff_t ErkSolver::Memory::second_stage(const State& start, double h) const {
   const double rounding = 1e-9 * h + 8 * std::numeric_limits<double>::epsilon() * start.t;
-  if (!settings_.integrand) return 0;
   const std::ptrdiff_t later = table_.stages() - 1;
   const std::ptrdiff_t behind = stages_with_end(table_) - table_.stages();
-  const auto is_stage = [&](const Evaluated& point, int i) {
-    return std::abs(point.t - (start.t + table_.c[i] * h)) <= rounding;
-  };
   for (auto first = std::ssize(evaluated_) - behind - later; first >= 0; --first) {
-    double sum = table_.b[0] * integrand(start);
     int i = 1;
-    for (; i < table_.stages() && is_stage(evaluated_[first + i - 1], i); ++i)
-      sum += table_.b[i] * evaluated_[first + i - 1].integrand;
-    if (i == table_.stages()) return h * sum;
+    while (i <= later &&
+           std::abs(evaluated_[first + i - 1].t - (start.t + table_.c[i] * h)) <= rounding)
+      ++i;
+    if (i > later) return first;
   }
   throw SolutionError("the stages of " + table_.name +
                       " cannot be told apart: steps are too short");
+}
+
+/// The integral over the step, and what it leaves for the next if its size is fixed: its error.
+/// Both by the weights of the table.
+double ErkSolver::Memory::sum_up(const State& start, double h) {
+  if (!settings_.integrand && settings_.step == 0) return 0;
+  const std::ptrdiff_t second = second_stage(start, h);
+  double integral = settings_.integrand ? table_.b[0] * integrand(start) : 0;
+  std::vector<double> error(norm_.components().size());
+  gather(start.ydot, error);
+  for (double& e : error) e *= h * (table_.b[0] - table_.b_embedded[0]);
+  for (int i = 1; i < table_.stages(); ++i) {
+    const Evaluated& stage = evaluated_[second + i - 1];
+    integral += table_.b[i] * stage.integrand;
+    for (std::size_t k = 0; k < error.size(); ++k)
+      error[k] += h * (table_.b[i] - table_.b_embedded[i]) * stage.rates[k];
+  }
+  own_error_ = norm_(error, whole_.y);
+  own_step_ = h;
+  return h * integral;
 }
 
 int ErkSolver::Memory::weights(N_Vector d, N_Vector w, void* data) {
@@ -226,11 +267,11 @@ void ErkSolver::Memory::restart(const State& state, double h) {
 
 void ErkSolver::Memory::set_step(const State& state, double t_stop) {
   check(ARKodeSetStopTime(erk_.get(), t_stop), "ARKodeSetStopTime");
+  step_ = std::min(proposal_, t_stop - state.t);
   if (settings_.step == 0) return;
   const double left = end_of_fixed_step(state.t, settings_.step, t_stop) - state.t;
-  check(ARKodeSetFixedStep(erk_.get(),
-                           proposal_ < left * (1 - shortest_remainder) ? proposal_ : left),
-        "ARKodeSetFixedStep");
+  step_ = proposal_ < left * (1 - shortest_remainder) ? proposal_ : left;
+  check(ARKodeSetFixedStep(erk_.get(), step_), "ARKodeSetFixedStep");
 }
 
 StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
@@ -278,7 +319,7 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
   else
     check(ARKodeGetCurrentStep(erk, &proposal_), "ARKodeGetCurrentStep");
   const StepReport report{
-      .step = t - state.t, .order = table_.order, .integral = integral(state, t - state.t)};
+      .step = t - state.t, .order = table_.order, .integral = sum_up(state, t - state.t)};
   state = whole_;
   return report;
 }

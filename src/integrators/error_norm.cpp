@@ -25,10 +25,11 @@ double ErrorNorm::operator()(std::span<const double> error, std::span<const doub
   return mean(sum);
 }
 
-double ErrorNorm::of_change(std::span<const double> change, std::span<const double> y) const {
+double ErrorNorm::distance(std::span<const double> a, std::span<const double> b,
+                           std::span<const double> y) const {
   double sum = 0;
   for (int i : components_) {
-    const double scaled = change[i] * weight(i, y[i]);
+    const double scaled = (a[i] - b[i]) * weight(i, y[i]);
     sum += scaled * scaled;
   }
   return mean(sum);

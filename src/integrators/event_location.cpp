@@ -196,7 +196,7 @@ Landing EventLocator::land(const State& from, double h, State& to) {
   // width on either side.
   const double together = 3 * width;
   // Interpolation reaches the tolerance only with values that are as accurate.
-  const AttemptOptions exact{.branch = &branch_, .to_rounding = true};
+  const AttemptOptions exact{.branch = &branch_};
   samples_.clear();
   sample(0, from);
   sample(h, to);

@@ -17,6 +17,15 @@ void set_rates(const System& system, const ActiveSet* branch, State& state,
     if (differential[i]) state.ydot[i] = -F[i];
 }
 
+double distance_of_rates(const System& system, const ErrorNorm& norm, const ActiveSet* branch,
+                         const State& at, std::span<const double> a, std::span<const double> b,
+                         std::optional<double> within) {
+  State first{at.t, {a.begin(), a.end()}, {}}, second{at.t, {b.begin(), b.end()}, {}};
+  set_rates(system, branch, first, within);
+  set_rates(system, branch, second, within);
+  return norm.distance(first.ydot, second.ydot, at.y);
+}
+
 bool set_rates_behind_jump(const System& system, const ActiveSet* branch, State& state) {
   // Part of the largest rate: a state that was found as an event is off by 1e-7 of a step.
   constexpr double solved = 1e-6;

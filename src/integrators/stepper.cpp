@@ -126,6 +126,12 @@ OneStepStepper::Plan OneStepStepper::plan(const State& state, double t_stop, dou
   return {h, target, false};
 }
 
+/// The error of a step of size h by which its Newton iterations are measured.
+double OneStepStepper::expected_error(double h) const {
+  if (!fixed()) return 1;
+  return own_step_ > 0 ? own_error_ * std::pow(h / own_step_, error_order_ + 1) : 0;
+}
+
 bool OneStepStepper::acceptable(const Attempt& attempt) const {
   return attempt.success && (fixed() || attempt.error <= 1);
 }
@@ -175,7 +181,11 @@ Landing OneStepStepper::step_over(const State& state, const Plan& plan,
 }
 
 double OneStepStepper::after_success(const Plan& plan, const Landing& landing) {
-  if (fixed()) return std::min(settings_.step, std::max(proposal_, 2 * landing.h));
+  if (fixed()) {
+    own_error_ = landing.attempt.error;
+    own_step_ = plan.h;
+    return std::min(settings_.step, std::max(proposal_, 2 * landing.h));
+  }
   const double next = control_.after_success(plan.h, landing.attempt.error);
   // A step that was shortened to end at a given time says little about longer ones.
   return plan.h < proposal_ ? std::max(next, proposal_) : next;
@@ -227,7 +237,8 @@ OneStepStepper::Step OneStepStepper::ordinary_step(const State& state, double t_
   while (patience.allows(proposal_)) {
     const Plan plan = this->plan(state, t_stop, proposal_);
     shortest_tried = std::min(shortest_tried, plan.h);
-    const Landing landing = take(state, plan, {.continuation = patience.by_continuation()});
+    const Landing landing = take(
+        state, plan, {.continuation = patience.by_continuation(), .error = expected_error(plan.h)});
     if (acceptable(landing.attempt)) return {plan, landing};
     account.reject();
     if (landing.attempt.success) {
@@ -249,7 +260,7 @@ std::optional<OneStepStepper::Step> OneStepStepper::short_step(const State& stat
   constexpr double tolerated = 0.5;  // its size does not follow from the last error
   const std::optional<EventLocator> before = locator_;
   const Step step{{t_end - state.t, t_end, true}, {}, true};
-  const Landing landing = take(state, step.plan, {.settles = true});
+  const Landing landing = take(state, step.plan, {.error = 1, .settles = true});
   const bool whole = landing.attempt.success && landing.h == step.plan.h && landing.switched == 0;
   if (whole && landing.attempt.error <= tolerated) return Step{step.plan, landing, true};
   if (before) locator_.emplace(*before);

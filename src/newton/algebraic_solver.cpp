@@ -18,25 +18,41 @@ NonlinearFunction algebraic_function(const System& system, const ActiveSet* bran
   return function;
 }
 
-AlgebraicSolver::AlgebraicSolver(const System& system, Counters& counters) {
+AlgebraicSolver::AlgebraicSolver(const System& system, Counters& counters, double fraction) {
   for (AlgebraicStage& equations : system.algebraic_stages()) {
-    auto newton =
-        std::make_unique<NewtonSolver>(equations.system->structure(), counters, modified_newton);
+    auto newton = std::make_unique<NewtonSolver>(equations.system->structure(), counters,
+                                                 within_time_error(modified_newton, fraction));
     std::vector<double> unknowns(equations.unknowns.size());
     subproblems_.push_back({std::move(equations), std::move(newton), std::move(unknowns)});
   }
 }
 
-std::string AlgebraicSolver::solve(double t, std::span<double> y, const ActiveSet* branch) {
-  for (auto& [equations, newton, unknowns] : subproblems_) {
+std::string AlgebraicSolver::solve(double t, std::span<double> y, const ActiveSet* branch,
+                                   const Distance& distance) {
+  for (Subproblem& subproblem : subproblems_) {
+    const auto& [equations, newton, unknowns] = subproblem;
     equations.freeze(t, y);
-    for (std::size_t k = 0; k < unknowns.size(); ++k) unknowns[k] = y[equations.unknowns[k]];
-    const NewtonReport report =
-        newton->solve(algebraic_function(*equations.system, branch), unknowns);
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+      subproblem.unknowns[k] = y[equations.unknowns[k]];
+    NonlinearFunction function = algebraic_function(*equations.system, branch);
+    if (distance)
+      function.distance = [&, last = std::vector<double>(y.begin(), y.end())](
+                              std::span<const double> before, std::span<const double> now) mutable {
+        put(subproblem, before, last);
+        put(subproblem, now, y);
+        return distance(last, y);
+      };
+    const NewtonReport report = newton->solve(function, subproblem.unknowns);
     if (!report.converged) return report.reason;
-    for (std::size_t k = 0; k < unknowns.size(); ++k) y[equations.unknowns[k]] = unknowns[k];
+    put(subproblem, subproblem.unknowns, y);
   }
   return {};
+}
+
+void AlgebraicSolver::put(const Subproblem& subproblem, std::span<const double> unknowns,
+                          std::span<double> y) {
+  for (std::size_t k = 0; k < unknowns.size(); ++k)
+    y[subproblem.equations.unknowns[k]] = unknowns[k];
 }
 
 }  // namespace gnomon

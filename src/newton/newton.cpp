@@ -46,9 +46,9 @@ private:
   PressureLevel level_;
   const NonlinearFunction* function_ = nullptr;
   // Data of the present solve.
-  std::vector<double> norms_;          // of the iterates
-  std::vector<ActiveSet> branches_;    // of the iterates
-  std::vector<double> last_, change_;  // the last iterate, and the step from it
+  std::vector<double> norms_;        // of the iterates
+  std::vector<ActiveSet> branches_;  // of the iterates
+  std::vector<double> last_;         // the last iterate
   Verdict verdict_ = Verdict::go_on;
   bool used_old_part_ = false;  // a Jacobian with the slow part of an earlier one
   LinearRequest request_;
@@ -69,7 +69,6 @@ NewtonSolver::Memory::Memory(const Structure& structure, Counters& counters,
       policy_(options),
       norm_(structure),
       level_(structure),
-      change_(structure.size),
       y_(make_vector(structure.size, context_)),
       unknown_scale_(make_vector(structure.size, context_)),
       row_scale_(make_vector(structure.size, context_)),
@@ -127,12 +126,9 @@ NewtonPolicy::Iterate NewtonSolver::Memory::iterate(N_Vector vector) {
   const std::span<const double> y = view(vector);
   NewtonPolicy::Iterate iterate{norms_.back()};
   if (function_->branch) iterate.branch = function_->branch(y);
-  if (!function_->size_of_change) return iterate;
+  if (!function_->distance) return iterate;
   iterate.level = level_(y);
-  if (!last_.empty()) {
-    std::ranges::transform(y, last_, change_.begin(), std::minus());
-    iterate.change = function_->size_of_change(change_);
-  }
+  if (!last_.empty()) iterate.change = function_->distance(last_, y);
   last_.assign(y.begin(), y.end());
   return iterate;
 }

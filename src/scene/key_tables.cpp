@@ -52,9 +52,8 @@ std::vector<Key> integrator_keys() {
        .default_value = 0.01,
        .range = {.min = 0, .max = 0.5},
        .help =
-           "part of the tolerated error of a step that Newton's iterations may leave, when steps "
-           "follow the error; 0: they go on to rounding, 1e-11 of the scaled residual",
-       .applies = follows_error},
+           "part of the tolerated error of a step, or of the error of a fixed step, that Newton's "
+           "iterations may leave; 0: they go on to rounding, 1e-11 of the scaled residual"},
       {.name = "integrator.max_step",
        .unit = "s",
        .presence = optional,

@@ -1,4 +1,5 @@
 // Newton iterations that end by the tolerated error of the step, against iterations to rounding.
+#include <algorithm>
 #include <gnomon/integrators/diagonally_implicit.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 
@@ -21,9 +22,7 @@ struct PinOf {
   }
   double size(const std::vector<double>& y, const std::vector<double>& other,
               const std::vector<double>& at) const {
-    std::vector<double> change(y.size());
-    for (std::size_t i = 0; i < y.size(); ++i) change[i] = y[i] - other[i];
-    return ErrorNorm(model->system().structure(), settings).of_change(change, at);
+    return ErrorNorm(model->system().structure(), settings).distance(y, other, at);
   }
 };
 
@@ -62,6 +61,50 @@ TEST(NewtonAccuracy, StaysWithinTheFractionInEveryStep) {
 TEST(NewtonAccuracy, WithoutAFractionIsRounding) {
   EXPECT_LE(largest_distance("esdirk-3", 1e-4, 0), 1e-6);
 }
+
+struct FixedCase {
+  const char* integrator;
+  double step;
+  long most_iterations;  // of the run to 1000 s
+};
+
+class FixedSteps : public ::testing::TestWithParam<FixedCase> {
+protected:
+  static constexpr double end = 1000;
+
+  FixedSteps() : settings_(controlled_settings(*model_, 1e-4, end)) {}
+  ModelRun run(double fraction) const {
+    return run_model(*model_, GetParam().integrator, GetParam().step, 1e-4, end, false, fraction);
+  }
+  const std::unique_ptr<Model> model_ =
+      model_of("pin_on_flat/small_deformation.toml", {"mesh.elements=[10,10]"});
+  const IntegratorSettings settings_;
+};
+
+// For less work, and as accurate: the error of the run is that to rounding within 2 %.
+TEST_P(FixedSteps, SaveIterationsAndKeepTheError) {
+  static const ModelRun exact = run_model(*model_, "esdirk-5", 0, 1e-8, end, true, to_rounding);
+  const ErrorNorm norm(model_->system().structure(), settings_);
+  const ModelRun to_rounding = run(0), run = this->run(0.01);
+  const auto error = [&](const ModelRun& run) {
+    return norm.distance(run.last().y, exact.last().y, exact.last().y);
+  };
+  EXPECT_EQ(run.counters.steps, to_rounding.counters.steps);
+  EXPECT_LT(run.counters.newton_iterations, GetParam().most_iterations);
+  EXPECT_GT(to_rounding.counters.newton_iterations, 1.5 * GetParam().most_iterations);
+  EXPECT_NEAR(error(run) / error(to_rounding), 1, 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfOneStepMethods, FixedSteps,
+    ::testing::Values(FixedCase{"backward-euler", 5, 300}, FixedCase{"backward-euler", 50, 60},
+                      FixedCase{"forward-euler", 5, 450}, FixedCase{"theta", 5, 300},
+                      FixedCase{"esdirk-3", 50, 200}, FixedCase{"erk-2", 5, 900}),
+    [](const auto& info) {
+      std::string name = info.param.integrator;
+      std::ranges::replace(name, '-', '_');
+      return name + "_" + std::to_string(int(info.param.step)) + "_s";
+    });
 
 // The whole run: for less work as accurate, or with an error to which every step may contribute its
 // fraction.

@@ -80,6 +80,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Method{"fixed_forward_euler", pin,
                coarse({"integrator.name=forward-euler", "integrator.step=4"})},
+        Method{"fixed_backward_euler", pin,
+               coarse({"integrator.name=backward-euler", "integrator.step=4"})},
+        Method{"fixed_esdirk_3", pin, coarse({"integrator.name=esdirk-3", "integrator.step=10"})},
         Method{"backward_euler", pin,
                coarse({"integrator.name=backward-euler", "integrator.rtol=1e-2"})},
         Method{"theta", pin, coarse({"integrator.name=theta", "integrator.rtol=1e-3"})},

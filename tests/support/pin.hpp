@@ -44,7 +44,7 @@ struct PinRun : ModelRun {
 /// Runs the pin to `end`. `tolerance` is rtol; atol = tolerance * model.differential_scale().
 inline PinRun run_pin(const std::string& integrator, double step, double tolerance, double end,
                       const Overrides& overrides = {}, bool locate_events = false,
-                      double nonlinear_fraction = 0.01) {
+                      std::optional<double> nonlinear_fraction = {}) {
   auto model = pin_model(overrides);
   ModelRun run =
       run_model(*model, integrator, step, tolerance, end, locate_events, nonlinear_fraction);

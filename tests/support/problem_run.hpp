@@ -42,15 +42,16 @@ struct ModelRun {
 inline constexpr double to_rounding = 0;
 
 /// `step` 0: error control chooses the steps. `tolerance` is rtol; atol = tolerance *
-/// differential_scale(). `nonlinear_fraction` is by default that of scenes.
+/// differential_scale(). `nonlinear_fraction` is by default that of scenes, and in fixed steps, by
+/// which tests compare methods and models, that to rounding.
 inline ModelRun run_model(const Model& model, const std::string& integrator, double step,
                           double tolerance, double end, bool locate_events = false,
-                          double nonlinear_fraction = 0.01) {
+                          std::optional<double> nonlinear_fraction = {}) {
   ModelRun run;
   run.states.push_back(model.start(run.counters));
   IntegratorSettings settings = controlled_settings(model, tolerance, end);
   settings.step = step;
-  settings.nonlinear_fraction = nonlinear_fraction;
+  settings.nonlinear_fraction = nonlinear_fraction.value_or(step > 0 ? to_rounding : 0.01);
   settings.locate_events = locate_events;
   const auto stepper =
       Integrators::find(integrator, "integrator").make(model.system(), settings, run.counters);

@@ -65,7 +65,6 @@ private:
   ErrorNorm norm_;
   JumpControl jumps_;
   std::function<double(const Point&)> integrand_;
-  bool error_control_;
   double short_step_;  // below it a difference of d over the step has fewer than ten digits
   NewtonSolver newton_;
   SlowPart slow_;                             // of its Jacobian

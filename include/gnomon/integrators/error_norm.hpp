@@ -26,8 +26,9 @@ public:
   }
   /// Norm of an error with one entry per component, at y (the whole vector).
   double operator()(std::span<const double> error, std::span<const double> y) const;
-  /// Norm of a change of the whole vector, at y.
-  double of_change(std::span<const double> change, std::span<const double> y) const;
+  /// Norm of the difference of two whole vectors, at y.
+  double distance(std::span<const double> a, std::span<const double> b,
+                  std::span<const double> y) const;
 
 private:
   double mean(double sum_of_squares) const;

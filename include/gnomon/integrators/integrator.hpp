@@ -19,8 +19,8 @@ struct IntegratorSettings {
   double step = 0;  ///< fixed step [time]; 0: chosen by the error estimate
   double rtol = 0;  ///< relative tolerance of the differential components, per step
   double atol = 0;  ///< absolute tolerance [unit of the differential components]
-  /// Part of the tolerated error of a step that its Newton iterations may leave; 0, and in fixed
-  /// steps: solved to rounding (NewtonOptions::tolerance).
+  /// Part of the tolerated error of a step, or of the error of a fixed step, that its Newton
+  /// iterations may leave; 0: solved to rounding (NewtonOptions::tolerance).
   double nonlinear_fraction = 0;
   double max_step = 0;  ///< upper bound on an adaptive step [time]; 0: none
   double scale = 0;     ///< Model::differential_scale() [unit of the differential components]

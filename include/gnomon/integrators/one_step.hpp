@@ -21,7 +21,9 @@ struct Attempt {
 struct AttemptOptions {
   const ActiveSet* branch = nullptr;  ///< smooth branch to stay on (Point::branch); null: that of y
   bool continuation = false;  ///< if Newton's method fails, solve by continuation in the step
-  bool to_rounding = false;   ///< without regard to IntegratorSettings::nonlinear_fraction
+  /// Error of the step, 1 being the tolerance, of which Newton's iterations may leave
+  /// IntegratorSettings::nonlinear_fraction. 0: not known, they go on to rounding.
+  double error = 0;
   /// A short step that settles the algebraic components. Asked only of the methods of integrators
   /// that settle (Integrator::settles).
   bool settles = false;

@@ -12,10 +12,13 @@ namespace gnomon {
 /// the other, never together (System::algebraic_stages).
 class AlgebraicSolver {
 public:
-  AlgebraicSolver(const System& system, Counters& counters);
+  /// `fraction`: NewtonOptions::fraction, for solves with a distance.
+  AlgebraicSolver(const System& system, Counters& counters, double fraction = 0);
   /// Makes y consistent at t on a smooth branch (Point::branch); its differential components do not
   /// change. On failure returns the reason (empty on success) and leaves y unspecified.
-  std::string solve(double t, std::span<double> y, const ActiveSet* branch = nullptr);
+  /// `distance`: of two y, in units of the tolerated error (NonlinearFunction::distance).
+  std::string solve(double t, std::span<double> y, const ActiveSet* branch = nullptr,
+                    const Distance& distance = {});
 
 private:
   struct Subproblem {
@@ -23,6 +26,9 @@ private:
     std::unique_ptr<NewtonSolver> newton;
     std::vector<double> unknowns;
   };
+  static void put(const Subproblem& subproblem, std::span<const double> unknowns,
+                  std::span<double> y);
+
   std::vector<Subproblem> subproblems_;  // in the order in which they are solved
 };
 

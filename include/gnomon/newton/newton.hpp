@@ -12,6 +12,8 @@
 
 namespace gnomon {
 
+using Distance = std::function<double(std::span<const double> before, std::span<const double> y)>;
+
 /// The equations G(y) = 0; the Jacobian has the pattern of `structure`.
 struct NonlinearFunction {
   std::function<void(std::span<const double> y, std::span<double> G)> residual;
@@ -20,9 +22,9 @@ struct NonlinearFunction {
   std::function<ActiveSet(std::span<const double> y)> branch{};
   double rate_weight = 0;  ///< weight of the rates in J; kept factors are used for similar weights
   std::vector<int> switch_node{};  ///< mesh nodes of the entries of `branch`, for the diagnosis
-  /// Size of a change of y in units of the tolerated error of the step, for
+  /// Distance of two iterates in units of the tolerated error of the step, for
   /// NewtonOptions::fraction. Empty: the equations are solved to NewtonOptions::tolerance.
-  std::function<double(std::span<const double> change)> size_of_change{};
+  Distance distance{};
   /// That of the points of `jacobian`, which is made again when the iteration needs it.
   SlowPart* slow = nullptr;
 };

@@ -10,9 +10,9 @@ struct NewtonOptions {
   /// The iteration is done below this residual: sums of it over the surface, such as the load that
   /// contact carries, then hold to ten digits. It is used only in NewtonPolicy::target().
   double tolerance = 1e-11;
-  /// In a step with error control it is also done when the estimated distance from the solution is
+  /// In a step of known error it is also done when the estimated distance from the solution is
   /// below this part of the tolerated error of the step (kappa of Hairer and Wanner II, IV.8; only
-  /// where NonlinearFunction::size_of_change is given) ...
+  /// where NonlinearFunction::distance is given) ...
   double fraction = 0;
   /// ... and the residual is below this value (times the part of the typical pressures that act):
   /// forces are in balance, and the rates that the next stage starts with are as accurate. A full
@@ -71,7 +71,7 @@ inline constexpr NewtonOptions newton_in_ida{.guess = 1,
                                              .rounding_needs_fresh = false,
                                              .rounding_after = 3};
 
-/// The options in steps whose error is controlled.
+/// The options in steps of known error.
 constexpr NewtonOptions within_time_error(NewtonOptions options, double fraction) {
   options.fraction = fraction;
   return options;
