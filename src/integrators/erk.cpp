@@ -8,6 +8,7 @@
 #include <gnomon/integrators/erk.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 #include <gnomon/integrators/jumps.hpp>
+#include <gnomon/integrators/expected_error.hpp>
 #include <gnomon/integrators/rates.hpp>
 #include <gnomon/integrators/step_size.hpp>
 #include <gnomon/integrators/stop_rules.hpp>
@@ -87,7 +88,6 @@ private:
   double integrand(const State& at) const {
     return settings_.integrand({at.t, at.y, at.ydot, nullptr, from_});
   }
-  double expected_error() const;
   std::ptrdiff_t second_stage(const State& start, double h) const;
   double sum_up(const State& start, double h);
 
@@ -97,13 +97,13 @@ private:
   ButcherTable table_;
   ErrorNorm norm_;
   JumpControl jumps_;
+  ExpectedError expected_error_;
   AlgebraicSolver algebraic_;
   State whole_;               // consistent state of the last evaluation
   DenseOutput dense_output_;  // through evaluations, gives the guess for the next
   double from_ = 0;           // start of the step, on whose side of a jump its stages lie
   double proposal_;           // size of the next attempt; 0 before the first adaptive step
   double step_ = 0;           // size of this attempt, or more
-  double own_error_ = 0, own_step_ = 0;  // of the last fixed step
   long rejected_ = 0;
   struct Evaluated {
     double t, integrand;
@@ -126,6 +126,7 @@ ErkSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
       table_(arkode_erk_table(table)),
       norm_(system.structure(), settings),
       jumps_(system, settings),
+      expected_error_(settings, table_.embedded_order),
       algebraic_(system, counters, settings.nonlinear_fraction),
       proposal_(settings.step),
       step_control_(pi_controller, context_),
@@ -144,13 +145,6 @@ void ErkSolver::Memory::set_state(const State& state) {
   gather(state.y, view(d_.get()));
 }
 
-/// The error of the step, 1 being the tolerance, by which Newton's iterations are measured; 0: not
-/// known.
-double ErkSolver::Memory::expected_error() const {
-  if (settings_.step == 0) return 1;
-  return own_step_ > 0 ? own_error_ * std::pow(step_ / own_step_, table_.embedded_order + 1) : 0;
-}
-
 /// Makes whole_ the consistent state with differential components d, including its rates.
 void ErkSolver::Memory::evaluate(double t, std::span<const double> d) {
   State next = whole_;
@@ -158,7 +152,7 @@ void ErkSolver::Memory::evaluate(double t, std::span<const double> d) {
   if (t != whole_.t) dense_output_.evaluate(t, next.y);
   const std::vector<int>& components = norm_.components();
   for (std::size_t k = 0; k < components.size(); ++k) next.y[components[k]] = d[k];
-  const double error = expected_error();
+  const double error = expected_error_.of_step(step_);
   const Distance distance = [&](std::span<const double> before, std::span<const double> y) {
     return step_ * distance_of_rates(system_, norm_, nullptr, next, before, y, from_) / error;
   };
@@ -217,8 +211,7 @@ double ErkSolver::Memory::sum_up(const State& start, double h) {
     for (std::size_t k = 0; k < error.size(); ++k)
       error[k] += h * (table_.b[i] - table_.b_embedded[i]) * stage.rates[k];
   }
-  own_error_ = norm_(error, whole_.y);
-  own_step_ = h;
+  expected_error_.learn(h, norm_(error, whole_.y));
   return h * integral;
 }
 

@@ -55,7 +55,8 @@ OneStepStepper::OneStepStepper(const System& system, const IntegratorSettings& s
       method_(std::move(method)),
       order_(order),
       control_(error_order),
-      error_order_(error_order) {
+      error_order_(error_order),
+      expected_error_(settings, error_order) {
   // How long a method that damps stiff components needs to damp a closing.
   constexpr int steps_to_damp = 2;
   if (settings.locate_events) locator_.emplace(system, *method_);
@@ -126,12 +127,6 @@ OneStepStepper::Plan OneStepStepper::plan(const State& state, double t_stop, dou
   return {h, target, false};
 }
 
-/// The error of a step of size h by which its Newton iterations are measured.
-double OneStepStepper::expected_error(double h) const {
-  if (!fixed()) return 1;
-  return own_step_ > 0 ? own_error_ * std::pow(h / own_step_, error_order_ + 1) : 0;
-}
-
 bool OneStepStepper::acceptable(const Attempt& attempt) const {
   return attempt.success && (fixed() || attempt.error <= 1);
 }
@@ -181,11 +176,8 @@ Landing OneStepStepper::step_over(const State& state, const Plan& plan,
 }
 
 double OneStepStepper::after_success(const Plan& plan, const Landing& landing) {
-  if (fixed()) {
-    own_error_ = landing.attempt.error;
-    own_step_ = plan.h;
-    return std::min(settings_.step, std::max(proposal_, 2 * landing.h));
-  }
+  expected_error_.learn(plan.h, landing.attempt.error);
+  if (fixed()) return std::min(settings_.step, std::max(proposal_, 2 * landing.h));
   const double next = control_.after_success(plan.h, landing.attempt.error);
   // A step that was shortened to end at a given time says little about longer ones.
   return plan.h < proposal_ ? std::max(next, proposal_) : next;
@@ -238,7 +230,8 @@ OneStepStepper::Step OneStepStepper::ordinary_step(const State& state, double t_
     const Plan plan = this->plan(state, t_stop, proposal_);
     shortest_tried = std::min(shortest_tried, plan.h);
     const Landing landing = take(
-        state, plan, {.continuation = patience.by_continuation(), .error = expected_error(plan.h)});
+        state, plan,
+        {.continuation = patience.by_continuation(), .error = expected_error_.of_step(plan.h)});
     if (acceptable(landing.attempt)) return {plan, landing};
     account.reject();
     if (landing.attempt.success) {

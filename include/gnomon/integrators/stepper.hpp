@@ -3,6 +3,7 @@
 
 #include <gnomon/integrators/closings.hpp>
 #include <gnomon/integrators/event_location.hpp>
+#include <gnomon/integrators/expected_error.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/one_step.hpp>
@@ -48,7 +49,6 @@ private:
   ActiveSet active(const State& state) const;
   Landing take(const State& state, const Plan& plan, AttemptOptions options);
   Landing step_over(const State& state, const Plan& plan, const AttemptOptions& options);
-  double expected_error(double h) const;
   bool acceptable(const Attempt& attempt) const;
   void accept(State& state, const Step& step);
   StepReport report(const Step& step) const;
@@ -65,12 +65,12 @@ private:
   StepSizeControl control_;
   int error_order_;
   std::optional<JumpControl> jumps_;  // where steps follow the error, and do not end at events
+  ExpectedError expected_error_;
   std::optional<EventLocator> locator_;
   std::optional<Closings> closings_;  // only with settled times
   bool begun_ = false;
-  double proposal_ = 0;                  // size of the next step
-  double own_error_ = 0, own_step_ = 0;  // of the last fixed step
-  State next_;                           // end of the last attempt
+  double proposal_ = 0;  // size of the next step
+  State next_;           // end of the last attempt
 };
 
 }  // namespace gnomon
