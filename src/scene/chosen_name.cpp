@@ -93,6 +93,9 @@ std::string misnaming(const std::string& key, const std::string& name) {
 std::string key_like(const std::string& key, const std::string& name) {
   const auto place = place_of(key);
   if (!place) return key;
+  const bool is_last = place->begin + place->size == key.size();
+  const std::string table = key.substr(0, key.find('.') + 1);
+  if (is_last && !name.starts_with(table)) return key;  // any name would be near
   std::size_t begin = 0;  // of the part of the name with as many parts before it
   for (auto dots = std::count(key.begin(), key.begin() + std::ptrdiff_t(place->begin), '.');
        dots > 0; --dots) {

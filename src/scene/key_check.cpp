@@ -105,7 +105,11 @@ std::variant<SceneValue, Complaint> check_text(const Key& key, const RawValue& r
   return complaint;
 }
 
+/// A single text is an array of one.
 std::variant<SceneValue, Complaint> check_texts(const Key& key, const RawValue& raw) {
+  if (const auto* scalar = std::get_if<RawScalar>(&raw.content))
+    if (const auto* text = std::get_if<std::string>(scalar))
+      return SceneValue(std::vector<std::string>{*text});
   const auto* array = std::get_if<RawArray>(&raw.content);
   if (!array) return complain(key, describe(raw));
   std::vector<std::string> values;
@@ -132,7 +136,7 @@ bool inside(const Range& range, double value) {
 
 std::string expectation(const Key& key) {
   if (key.kind == KeyKind::flag) return "true or false";
-  if (key.kind == KeyKind::texts) return "an array of texts";
+  if (key.kind == KeyKind::texts) return "a text or an array of texts";
   if (key.kind != KeyKind::text) return number_expectation(key);
   if (key.choices.empty()) return "a text";
   std::vector<std::string> quoted;

@@ -62,6 +62,7 @@ const std::vector<UsualName>& usual_names() {
       {{"p"}, {"pressure"}},
       {{"v", "speed"}, {"motion.velocity", "velocity"}},
       {{"omega"}, {"rotation"}},
+      {{"node", "nodes", "face", "surface", "group", "where"}, {"on"}},
       {{"R", "r"}, {"radius"}},
       {{"rho"}, {"density"}},
       {{"g", "gravity"}, {"acceleration"}},

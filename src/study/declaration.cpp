@@ -125,13 +125,20 @@ private:
     declaration_.methods.push_back(std::move(method));
   }
 
+  /// One word for one value and for several.
+  static RawTable with_plurals(RawTable table) {
+    for (RawEntry& entry : table.entries)
+      if (entry.name == "step" || entry.name == "tolerance") entry.name += "s";
+    return table;
+  }
+
   void read_table(const RawTable& table) {
     if (table.name == "sweep")
       declaration_.sweeps.push_back(sweep(table));
     else if (table.name == "method")
-      add_method(table);
+      add_method(with_plurals(table));
     else if (table.name == "reference")
-      declaration_.references.push_back(reference(table));
+      declaration_.references.push_back(reference(with_plurals(table)));
     else {
       const std::string near = nearest_name(table.name, {"sweep", "method", "reference"});
       throw InputError(fmt::format("{}: unknown table, {}",
@@ -231,7 +238,7 @@ private:
         declaration_.file, table.line, table.entries,
         {.prefix = "reference.", .keys = reference_keys(), .scene_keys = &scene_keys});
     Method method = common_of(keyed);
-    method.ladder = {{Kind::tolerance, keyed.real("tolerance")}};
+    method.ladder = {{Kind::tolerance, keyed.reals("tolerances").front()}};
     return method;
   }
 

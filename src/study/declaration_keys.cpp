@@ -83,22 +83,27 @@ std::vector<Key> method_keys() {
            .presence = optional,
            .absent_meaning = "`tolerances` are given",
            .range = positive,
-           .help = "fixed steps (integrator.step), one run each"},
+           .or_single = positive,
+           .help = "fixed steps (integrator.step), one run each; `step` is the same"},
           {.name = "tolerances",
            .kind = KeyKind::reals,
            .presence = optional,
            .absent_meaning = "`steps` are given",
            .range = relative_tolerance,
-           .help = "relative tolerances (integrator.rtol), one run each"}};
+           .or_single = relative_tolerance,
+           .help = "relative tolerances (integrator.rtol), one run each; `tolerance` is the same"}};
 }
 
 std::vector<Key> reference_keys() {
   return {name_key(),
           integrator_key(),
-          {.name = "tolerance",
+          {.name = "tolerances",
+           .kind = KeyKind::reals,
            .presence = required,
            .range = relative_tolerance,
-           .help = "relative tolerance (integrator.rtol)"}};
+           .length = 1,
+           .or_single = relative_tolerance,
+           .help = "relative tolerance (integrator.rtol); `tolerance` is the same"}};
 }
 
 }  // namespace gnomon::study

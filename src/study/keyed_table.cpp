@@ -21,8 +21,8 @@ std::string owner(const std::string& key, MethodFrom method) {
   if (key == "problem") return "the scene";
   if (method == MethodFrom::reference) {
     if (key == "integrator.name") return "`reference.integrator`";
-    if (key == "integrator.rtol") return "`reference.tolerance`";
-    if (key == "integrator.step") return "`reference.tolerance`, which chooses the steps";
+    if (key == "integrator.rtol") return "`reference.tolerances`";
+    if (key == "integrator.step") return "`reference.tolerances`, which chooses the steps";
   }
   if (key == "integrator.name") return by_method("integrator");
   if (key == "integrator.step") return by_method("steps");
@@ -75,7 +75,8 @@ KeyedTable::KeyedTable(const std::string& file, int line, const std::vector<RawE
 
 void KeyedTable::read(const RawEntry& entry, const TableSpec& spec) {
   const std::string origin = message_about(file_, entry.line, prefix_ + entry.name);
-  lines_[entry.name] = entry.line;
+  if (!lines_.emplace(entry.name, entry.line).second)
+    throw InputError(origin + ": given twice, expected once");
   if (!spec.open_key.empty() && entry.name == spec.open_key) {
     open_values_ = entry.elements;
     return;

@@ -26,14 +26,14 @@ protected:
   std::string verdict(std::size_t row = 0) const { return cases().at(row).at("verdict"); }
   /// Fast references with low accuracy.
   static std::string references(const std::string& first, const std::string& second) {
-    return "[[reference]]\nintegrator = \"esdirk-4\"\ntolerance = " + first +
+    return "[[reference]]\nintegrator = \"esdirk-4\"\ntolerances = " + first +
            "\n[[reference]]\nintegrator = \"bdf\"\ntolerance = " + second + "\n";
   }
 };
 
 TEST_F(Extremes, WhatTheReferencesConfirmAgrees) {
-  write("study.toml", head() + references("1e-7", "1e-7") + method("bdf", "tolerances = [1e-3]") +
-                          method("backward-euler", "steps = [50]"));
+  write("study.toml", head() + references("1e-7", "1e-7") + method("bdf", "tolerance = 1e-3") +
+                          method("backward-euler", "steps = 50"));
   const Outcome outcome = extremes();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("2 cases: 2 agrees"));

@@ -14,6 +14,7 @@ std::vector<Key> table(const std::string&) {
   return {{.name = "problem", .kind = KeyKind::text},
           {.name = "load.#.on", .kind = KeyKind::text, .presence = optional},
           {.name = "load.#.force", .kind = KeyKind::reals, .presence = optional},
+          {.name = "constants.*", .presence = optional},
           {.name = "names",
            .kind = KeyKind::texts,
            .presence = Key::Presence::defaulted,
@@ -63,6 +64,10 @@ TEST(ArraysOfTables, SurviveTheResolvedScene) {
 TEST(ArraysOfTables, OfUnknownKeysAreRefusedAtTheirLine) {
   EXPECT_EQ(refusal("[[load]]\nonn = \"top\"\n"),
             "s.toml:3: key `load.1.onn`: unknown key, did you mean `load.1.on`?");
+  for (const char* word : {"node", "group"})
+    EXPECT_EQ(
+        refusal("[[load]]\n" + std::string(word) + " = 3\n"),
+        "s.toml:3: key `load.1." + std::string(word) + "`: unknown key, did you mean `load.1.on`?");
 }
 
 TEST(ArraysOfTables, GivenAsATableAreRefusedOnce) {
@@ -79,9 +84,9 @@ TEST(ArraysOfTables, GivenAsATableAreRefusedOnce) {
 TEST(ArraysOfTexts, AreReadAndChecked) {
   EXPECT_EQ(scene(two_loads).texts("names"), (std::vector<std::string>{"a", "b c"}));
   EXPECT_EQ(refusal("names = [\"a\", 3]\n"),
-            "s.toml:2: key `names`: expected an array of texts, got 3 at place 2");
-  EXPECT_EQ(refusal("names = \"a\"\n"),
-            "s.toml:2: key `names`: expected an array of texts, got \"a\"");
+            "s.toml:2: key `names`: expected a text or an array of texts, got 3 at place 2");
+  EXPECT_EQ(scene("names = \"a\"\n").texts("names"), std::vector<std::string>{"a"});
+  EXPECT_EQ(scene("", {"names=b"}).texts("names"), std::vector<std::string>{"b"});
 }
 
 }  // namespace

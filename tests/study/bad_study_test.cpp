@@ -67,8 +67,9 @@ const Case cases[] = {
      "[sweep]\n",
      {"key `sweep`: there may be several of these tables, expected [[sweep]]"}},
     {"WrongType",
-     "[[method]]\nintegrator = \"bdf\"\ntolerances = 1e-3\n",
-     {"study.toml:7: key `method.tolerances`: expected an array of numbers in [1e-13, 0.1]"}},
+     "[[method]]\nintegrator = \"bdf\"\ntolerances = \"1e-3\"\n",
+     {"study.toml:7: key `method.tolerances`: expected a number in [1e-13, 0.1], or an array of "
+      "numbers in [1e-13, 0.1]"}},
     {"LongName",
      "[[method]]\nintegrator = \"bdf\"\ntolerances = [1e-3]\nname = \"" + std::string(300, 'x') +
          "\"\n",
@@ -121,11 +122,11 @@ const Case cases[] = {
     {"ToleranceOfAReference",
      "[[reference]]\nintegrator = \"bdf\"\ntolerance = 1e-7\nset.integrator.rtol = 1e-3\n",
      {"study.toml:8: key `reference.set.integrator.rtol`: expected another key, `integrator.rtol` "
-      "is given by `reference.tolerance`"}},
+      "is given by `reference.tolerances`"}},
     {"StepOfAReference",
      "[[reference]]\nintegrator = \"esdirk-3\"\ntolerance = 1e-7\nset.integrator.step = 5.0\n",
      {"study.toml:8: key `reference.set.integrator.step`: expected another key, `integrator.step` "
-      "is given by `reference.tolerance`, which chooses the steps"}},
+      "is given by `reference.tolerances`, which chooses the steps"}},
     {"StoredSteps", "output.every = 1\n", {"study.toml:5", "given by the study itself"}},
     {"SweptValue",
      "[[sweep]]\nkey = \"mesh.elements\"\nvalues = [[8, 8], 8]\n",
@@ -194,6 +195,9 @@ const Case cases[] = {
     {"DeepNesting",
      "[[method]]\nset." + repeated("a.", 100000) + "a = 1\n",
      {"study.toml:6: a key of more than 32 parts, expected at most 32"}},
+    {"OneWordTwice",
+     "[[method]]\nintegrator = \"bdf\"\ntolerance = 1e-3\ntolerances = [1e-4]\n",
+     {"study.toml:8: key `method.tolerances`: given twice, expected once"}},
     {"Syntax", "[[method]\n", {"study.toml:5: not valid TOML"}},
 };
 
