@@ -59,8 +59,8 @@ Scene changed_scene(const ResultReader& earlier, const ResumeOptions& options) {
   return scene;
 }
 
-/// None if the result holds no complete checkpoint: it ended at its start, was killed with
-/// output.checkpoints = 0, or they are damaged.
+/// None if the result holds no complete checkpoint: it ended at its start, was killed before the
+/// first one, or they are damaged.
 std::optional<Resumption> last_checkpoint(const ResultReader& earlier, const std::string& name) {
   const std::vector<Checkpoint> checkpoints = earlier.checkpoints();
   if (checkpoints.empty()) return std::nullopt;

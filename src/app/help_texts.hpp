@@ -79,18 +79,16 @@ once the start is solved; if the start fails, they are not changed.
 
 In ParaView open the .xdmf file; Warp By Vector with `shape` shows the worn body, with
 `displacement` added the deformed one. Which steps are stored is set by output.every, output.times,
-output.interval and output.last; the start is always stored.
+output.interval; the start and the end are always stored.
 
 The file is readable during the run, and after Ctrl-C, a failure or a crash it holds everything up
 to the last step. Ctrl-C and SIGTERM end a run after its step, with a checkpoint there. A run that
-was killed and resumed takes the steps of a run that was not interrupted, bit for bit with one-step
-methods. After Ctrl-C and SIGTERM no step is lost, and the method restarts there, so that the last
-digits differ; bdf begins at order one and agrees within its tolerance. Without a checkpoint
-`gnomon resume` begins at the start. When a run is resumed, --set may change time.end, tolerances and
-steps of the integrator, output.* and solver.*. The result is replaced when the new one has reached
-the same time.
+was resumed agrees with one that was not interrupted within the tolerance of Newton's method; bdf
+begins at order one. Without a checkpoint `gnomon resume` begins at the start. When a run is resumed,
+--set may change the end, tolerances and steps of the integrator, output.* and solver.*. The result
+is replaced when the new one has reached the same time.
 
-    gnomon resume RESULT.h5        continues from its last checkpoint (output.checkpoints); --end T
+    gnomon resume RESULT.h5        continues from its last checkpoint; --end T
     gnomon info RESULT.h5          shows its contents
     gnomon contact RESULT.h5       the contact surface as CSV
     gnomon compare RESULT.h5...    several runs side by side

@@ -28,7 +28,7 @@ using Clock = std::chrono::steady_clock;
 /// The times of the stored states after the start.
 std::vector<double> settled_times(const StorePolicy& policy, double end) {
   std::vector<double> times = policy.times;
-  if (policy.last && (times.empty() || times.back() < end)) times.push_back(end);
+  if (times.empty() || times.back() < end) times.push_back(end);
   return times;
 }
 
@@ -39,7 +39,6 @@ public:
       : epochs_(model),
         integrator_(integrator),
         settings_(settings),
-        checkpoint_work_(policy.checkpoint_work),
         checkpoint_seconds_(policy.checkpoint_seconds),
         estimates_phases_(policy.phase_errors),
         schedule_(policy, settings.end),
@@ -96,7 +95,7 @@ private:
     if (hooks_.interrupted()) return;
     estimate_phase_error();
     make_stepper();
-    if (checkpoint_work_ > 0 || clock_is_due()) checkpoint();
+    if (clock_is_due()) write_checkpoint();
   }
 
   void resume(const Resumption& from) {
@@ -112,7 +111,6 @@ private:
     outcome_.last = from.row;
     last_checkpoint_ = from.checkpoint;
     checkpoint_rows_ = from.checkpoint.rows;
-    next_checkpoint_ = work() + checkpoint_work_;
     stored_at_ = from.stored;
     earlier_seconds_ = from.wall_seconds;
     schedule_.wants(state().t, counters_.steps);  // everything up to here is already stored
@@ -123,7 +121,7 @@ private:
     ProgressWatch progress(state().t, counters_, settings_.end);
     while (state().t < settings_.end) {
       if (hooks_.interrupted()) {
-        checkpoint_interrupted();
+        write_last_checkpoint();
         return Status::interrupted;
       }
       if (!stepper_) make_stepper();
@@ -138,11 +136,9 @@ private:
       if (damping_) require_damping();
       if (schedule_.wants(state().t, counters_.steps)) store();
       begin_epoch();
-      if (checkpoint_due())
-        checkpoint();
-      else if (clock_is_due())
-        write_checkpoint();
+      if (clock_is_due()) write_checkpoint();
     }
+    write_last_checkpoint();
     if (damping_) judge_damping();
     stepper_.reset();  // its memory is needed
     estimate_phase_error();
@@ -178,7 +174,7 @@ private:
     last_checkpoint_.epoch = epochs_.number();
     if (!writer_) return;
     writer_->begin_epoch(change->start, model().grid());
-    if (checkpoint_work_ > 0 || checkpoint_seconds_ > 0) write_checkpoint();
+    if (checkpoint_seconds_ > 0) write_checkpoint();
   }
 
   void warn(const std::string& text) {
@@ -263,27 +259,15 @@ private:
     if (counters_.steps > 0) stepper_->restore(state(), memory_.stepper);
   }
 
-  bool checkpoint_due() const {
-    return checkpoint_work_ > 0 && (work() >= next_checkpoint_ || memory_.state.t >= settings_.end);
-  }
-
   bool clock_is_due() const {
     const std::chrono::duration<double> passed = Clock::now() - checkpointed_;
     return checkpoint_seconds_ > 0 && passed.count() >= checkpoint_seconds_;
   }
 
-  /// Where the run ends before its end, so that no step is lost. A run that goes on from here
-  /// restarts its method where the uninterrupted one did not.
-  void checkpoint_interrupted() {
+  /// So that no step is lost. A run that goes on from here restarts its method where the
+  /// uninterrupted one did not.
+  void write_last_checkpoint() {
     if (stepper_ && checkpoint_rows_ != last_checkpoint_.rows) write_checkpoint();
-  }
-
-  /// A one-step method then restarts as it would when resumed: without kept factors and without
-  /// states for first guesses.
-  void checkpoint() {
-    write_checkpoint();
-    next_checkpoint_ = work() + checkpoint_work_;
-    if (integrator_.one_step) stepper_.reset();
   }
 
   void write_checkpoint() {
@@ -305,7 +289,6 @@ private:
 
   State& state() { return memory_.state; }
   const Model& model() const { return epochs_.model(); }
-  long work() const { return counters_.steps + counters_.newton_iterations; }
   double elapsed() const {
     return earlier_seconds_ + std::chrono::duration<double>(Clock::now() - begin_).count();
   }
@@ -313,7 +296,6 @@ private:
   Epochs epochs_;
   const Integrator& integrator_;
   IntegratorSettings settings_;
-  const long checkpoint_work_;
   const double checkpoint_seconds_;
   const bool estimates_phases_;
   StoreSchedule schedule_;
@@ -336,7 +318,6 @@ private:
   Checkpoint last_checkpoint_{
       -1, 0, 0, {}, 0};                      // with the present numbers of rows and stored steps
   long checkpoint_rows_ = 0;                 // rows at the last checkpoint that was written
-  long next_checkpoint_ = 0;                 // value of work() at which it is due
   Clock::time_point checkpointed_ = begin_;  // when the last one was written
 };
 

@@ -53,9 +53,7 @@ StorePolicy store_policy(const Scene& scene) {
   add_multiples(scene, end, policy.times);
   for (double& time : policy.times)
     if (same_time(time, end)) time = end;
-  policy.last = scene.flag("output.last");
   policy.settle = scene.flag("output.settle");
-  policy.checkpoint_work = scene.integer("output.checkpoints");
   policy.checkpoint_seconds = scene.real("output.checkpoint_seconds");
   policy.phase_errors = scene.flag("output.phase_errors");
   std::sort(policy.times.begin(), policy.times.end());

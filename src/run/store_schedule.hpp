@@ -19,7 +19,7 @@ public:
       wanted = true;
       ++next_;
     }
-    return wanted || (policy_.last && t >= end_);
+    return wanted || t >= end_;
   }
 
 private:

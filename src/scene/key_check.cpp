@@ -241,6 +241,14 @@ std::optional<std::string> array_without_number(const std::string& name,
   return array;
 }
 
+bool is_retired(const std::string& name, const RawValue& value) {
+  return std::ranges::any_of(retired_keys(), [&](const RetiredKey& key) {
+    return key.name == name && std::ranges::any_of(key.accepted, [&](const SceneValue& accepted) {
+             return toml_text(accepted) == toml_text(value);
+           });
+  });
+}
+
 std::string key_meant(const std::string& name, const std::vector<Key>& table) {
   std::vector<std::string> names;
   for (const Key& key : table) names.push_back(key_like(key.name, name));
@@ -261,6 +269,8 @@ void refuse_unknown_key(const std::string& origin, const std::string& name, cons
   if (names_table(name, table))
     throw InputError(fmt::format("{}: expected a table of keys, [{}{}], got {}", origin, prefix,
                                  name, describe(value)));
+  for (const RetiredKey& key : retired_keys())
+    if (key.name == name) throw InputError(origin + ": " + key.instead);
   for (const Key& key : table)
     if (const std::string expected = misnaming(key.name, name); !expected.empty())
       throw InputError(origin + ": " + expected);

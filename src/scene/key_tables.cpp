@@ -97,7 +97,8 @@ std::vector<Key> output_keys() {
        .presence = defaulted,
        .default_value = 10L,
        .range = non_negative,
-       .help = "store fields every n-th step; 0: never (the start is always stored)"},
+       .on_resume = true,
+       .help = "store fields every n-th step; 0: never (the start and the end are always stored)"},
       {.name = "output.times",
        .kind = KeyKind::reals,
        .unit = "s",
@@ -111,11 +112,6 @@ std::vector<Key> output_keys() {
        .absent_meaning = "no such times",
        .range = duration,
        .help = "store fields every so many seconds; steps end on these times exactly"},
-      {.name = "output.last",
-       .kind = KeyKind::flag,
-       .presence = defaulted,
-       .default_value = true,
-       .help = "store fields at the end of the run"},
       {.name = "output.settle",
        .kind = KeyKind::flag,
        .presence = defaulted,
@@ -124,21 +120,14 @@ std::vector<Key> output_keys() {
            "two short steps before times, multiples of interval and the end, where a node has just "
            "closed, so that the stored pressures of a stiff body are accurate; for steps that "
            "follow the error, of integrators that settle (gnomon list integrators)"},
-      {.name = "output.checkpoints",
-       .kind = KeyKind::integer,
-       .presence = defaulted,
-       .default_value = 200L,
-       .range = non_negative,
-       .help = "steps plus Newton iterations between checkpoints (gnomon resume); 0: only where "
-               "the run is interrupted, and those of checkpoint_seconds"},
       {.name = "output.checkpoint_seconds",
        .unit = "s",
        .presence = defaulted,
-       .default_value = 0.0,
+       .default_value = 10.0,
        .range = non_negative,
-       .help = "wall time after which a checkpoint follows the step, besides those of checkpoints: "
-               "it does not change the run, but a run that continues from it agrees within the "
-               "tolerance of Newton's method only; 0: none"},
+       .on_resume = true,
+       .help = "wall time between checkpoints (gnomon resume), besides those where the run ends or "
+               "is interrupted; 0: no others"},
       {.name = "output.phase_errors",
        .kind = KeyKind::flag,
        .presence = defaulted,
@@ -379,6 +368,15 @@ std::vector<Key> make_worn_body_keys(int dim) {
 
 const std::vector<Key>& run_keys() {
   static const std::vector<Key> keys = make_run_keys();
+  return keys;
+}
+
+const std::vector<RetiredKey>& retired_keys() {
+  static const std::vector<RetiredKey> keys = {
+      {"output.last", {true}, "expected none: the end of a run is always stored"},
+      {"output.checkpoints",
+       {0L, 200L},  // none, and the former default, which is in every earlier result
+       "expected output.checkpoint_seconds, the wall time between checkpoints, in its place"}};
   return keys;
 }
 

@@ -107,6 +107,7 @@ private:
   static void check(const GivenValue& given, const std::vector<Key>& table,
                     const std::string& problem) {
     const auto key = find_key(table, given.name);
+    if (!key && is_retired(given.name, given.value)) return;
     if (!key)
       refuse_unknown_key(given.origin, given.name, given.value, table,
                          "gnomon help scene " + problem);

@@ -41,10 +41,6 @@ std::string last_part(const std::string& label) {
   return label.substr(label.rfind('.', label.find('=')) + 1);
 }
 
-/// What a run that is killed may lose, small beside the time slots of clusters; writing is cheap
-/// beside it.
-constexpr double checkpoint_seconds = 10;
-
 /// Of scene keys, in the place of what the scene file gives for them.
 using Values = std::map<std::string, RawValue>;
 
@@ -231,10 +227,6 @@ private:
     const bool fixed = setting.kind == Kind::step;
     overrides[fixed ? "integrator.step" : "integrator.rtol"] = raw_value(setting.value);
     overrides["output.every"] = raw_value(0L);
-    overrides["output.last"] = raw_value(true);
-    // Costs are compared, so checkpoints must not change a run: they follow the clock alone.
-    overrides["output.checkpoints"] = raw_value(0L);
-    overrides.try_emplace("output.checkpoint_seconds", raw_value(checkpoint_seconds));
     overrides["output.times"] = raw_value(study_.sweep.back().times);
     return overrides;
   }

@@ -384,9 +384,8 @@ TEST_F(Program, SummaryIsPrintedInsteadOfTheText) {
 class Signals : public Program, public testing::WithParamInterface<int> {};
 
 TEST_P(Signals, EndTheRunAfterTheStepWithAReadableResult) {
-  const pid_t child =
-      start({"run", pin, "--set", coarse, "--set", "time.end=1e5", "--set", "integrator.step=0.01",
-             "--set", "output.last=false", "-o", "a.h5", "--summary", "s.json"});
+  const pid_t child = start({"run", pin, "--set", coarse, "--set", "time.end=1e5", "--set",
+                             "integrator.step=0.01", "-o", "a.h5", "--summary", "s.json"});
   // Wait until it computes: the result is there and the first progress line printed.
   for (int i = 0; i < 1000 && !std::filesystem::exists(folder() / "a.h5"); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -86,17 +86,12 @@ TEST_F(RunTest, SumsWhatTheMethodIntegratesOfTheWearFlux) {
 }
 
 TEST_F(RunTest, StoresEveryNthStepAndTheLast) {
-  run_decay({.every = 3, .times = {}, .last = true});
+  run_decay({.every = 3, .times = {}});
   EXPECT_THAT(ResultReader(file()).stored_times(), ElementsAre(0, 0.75, 1.5, 2));
 }
 
-TEST_F(RunTest, StoresNothingButTheStartWhenAskedForNothing) {
-  run_decay({.every = 0, .times = {}, .last = false});
-  EXPECT_THAT(ResultReader(file()).stored_times(), ElementsAre(0));
-}
-
 TEST_F(RunTest, StepsEndOnTheTimesThatAreStored) {
-  const RunOutcome outcome = run_decay({.every = 0, .times = {0.3, 1.0, 2.0}, .last = true});
+  const RunOutcome outcome = run_decay({.every = 0, .times = {0.3, 1.0, 2.0}});
   EXPECT_THAT(ResultReader(file()).stored_times(), ElementsAre(0, 0.3, 1, 2));
   EXPECT_EQ(outcome.counters.steps, 9);
 }
@@ -105,8 +100,7 @@ TEST_F(RunTest, InterruptionEndsAfterTheStepAndStoresIt) {
   int steps = 0;
   const RunHooks hooks{.on_step = [&](const HistoryRow&) { ++steps; },
                        .interrupted = [&] { return steps == 4; }};
-  const RunOutcome outcome =
-      run_decay({.every = 0, .times = {}, .last = false}, exact_decay(), hooks);
+  const RunOutcome outcome = run_decay({.every = 0, .times = {}}, exact_decay(), hooks);
   EXPECT_EQ(outcome.status, Status::interrupted);
   const ResultReader result(file());
   EXPECT_EQ(result.status(), "interrupted");
@@ -119,7 +113,7 @@ TEST_F(RunTest, InterruptionDuringTheStartEndsBeforeTheIntegratorIsMade) {
     throw std::logic_error("made");
   };
   const RunHooks hooks{.interrupted = [] { return true; }};
-  const RunOutcome outcome = run_decay({.every = 0, .times = {}, .last = false}, never, hooks);
+  const RunOutcome outcome = run_decay({.every = 0, .times = {}}, never, hooks);
   EXPECT_EQ(outcome.status, Status::interrupted);
   const ResultReader result(file());
   EXPECT_EQ(result.status(), "interrupted");
@@ -127,8 +121,7 @@ TEST_F(RunTest, InterruptionDuringTheStartEndsBeforeTheIntegratorIsMade) {
 }
 
 TEST_F(RunTest, FailureStoresTheLastGoodState) {
-  const RunOutcome outcome =
-      run_decay({.every = 0, .times = {}, .last = false}, exact_decay(/*fail_at=*/1.0));
+  const RunOutcome outcome = run_decay({.every = 0, .times = {}}, exact_decay(/*fail_at=*/1.0));
   EXPECT_EQ(outcome.status, Status::failed);
   EXPECT_EQ(outcome.diagnosis, "inverted element 7");
   const ResultReader result(file());
@@ -155,7 +148,7 @@ TEST_F(RunTest, ARunThatNoLongerGetsAnywhereEnds) {
   vanishing.make = [](const System&, const IntegratorSettings&, Counters& counters) {
     return std::make_unique<Vanishing>(counters);
   };
-  const RunOutcome outcome = run_decay({.every = 0, .times = {}, .last = false}, vanishing);
+  const RunOutcome outcome = run_decay({.every = 0, .times = {}}, vanishing);
   EXPECT_EQ(outcome.status, Status::failed);
   EXPECT_THAT(outcome.diagnosis, testing::HasSubstr("lack of progress: the last 5000 Newton"));
   EXPECT_THAT(ResultReader(file()).stored_times(),

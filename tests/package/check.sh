@@ -75,7 +75,7 @@ manual() {
   completed "stability" sta
   completed "wear.law=" run x.toml --set wear.la
   completed "archard" run x.toml --set wear.law = arch
-  completed "false true" --plugin my.so run x.toml --set output.last =
+  completed "false true" --plugin my.so run x.toml --set output.settle =
   completed "wear.law=archard" run x.toml --set wear.law=arch
   completed "" run x.toml --set load.force = 3
   touch ring.msh

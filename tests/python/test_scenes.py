@@ -60,7 +60,7 @@ def test_values_without_a_meaning_in_toml_are_refused(value):
 
 
 def test_values_of_numpy_are_values(pin):
-    assert pin.with_({"output.last": numpy.bool_(True), "mesh.elements": numpy.array([6, 6])}) == pin
+    assert pin.with_({"output.settle": numpy.bool_(True), "mesh.elements": numpy.array([6, 6])}) == pin
 
 
 @pytest.mark.parametrize("values", [None, 3, [("problem", "winkler")]])

@@ -37,7 +37,8 @@ protected:
             "--set",        "mesh.elements=[8,6]",
             "--set",        "time.end=200",
             "--set",        "output.every=1",
-            "--set",        "output.checkpoints=10",
+            "--set",        "integrator.nonlinear_fraction=0",
+            "--set",        "output.checkpoint_seconds=1e-9",
             "-o",           name + "/r.h5",
             "--quiet",      "--force"};
   }
@@ -77,7 +78,7 @@ protected:
   int from_start_ = 0;
 };
 
-TEST_F(Kill, OneStepMethodsGoOnBitForBit) {
+TEST_F(Kill, OneStepMethodsGoOnToRounding) {
   const char* methods[][2] = {{"backward-euler", "integrator.step=4"},
                               {"esdirk-3", "integrator.rtol=1e-4"}};
   for (const auto& [integrator, setting] : methods) {
@@ -87,7 +88,7 @@ TEST_F(Kill, OneStepMethodsGoOnBitForBit) {
                    std::to_string(i));
       interrupted_run(run_into("killed", integrator, setting), seconds, i);
       if (HasFatalFailure()) return;
-      test::expect_same(folder() / "killed/r.h5", folder() / "whole/r.h5");
+      test::expect_same_steps(folder() / "killed/r.h5", folder() / "whole/r.h5");
     }
   }
   std::cout << from_start_ << " of " << 2 * kills() << " were killed before there was a result\n";

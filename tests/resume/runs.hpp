@@ -47,7 +47,7 @@ private:
 /// How a run ends that is not to reach its end.
 enum class Cut {
   interrupted,  ///< as by Ctrl-C
-  killed        ///< without another checkpoint, as by a kill
+  killed        ///< as by a kill, between a step and its checkpoint
 };
 
 /// Runs a scene in problems/ for a limited number of steps.
@@ -60,11 +60,11 @@ inline RunOutcome run_scene(const std::string& scene, const Overrides& overrides
   ResultWriter writer(file, run_header(setup), setup.model->grid(), Earlier::replaced);
   struct Killed : std::exception {};
   long steps = 0;
-  RunHooks hooks{.on_step = [&](const HistoryRow& row) { steps = row.counters.steps; }};
-  hooks.interrupted = [&] {
+  RunHooks hooks{.on_step = [&](const HistoryRow& row) {
+    steps = row.counters.steps;
     if (steps >= most_steps && cut == Cut::killed) throw Killed();
-    return steps >= most_steps;
-  };
+  }};
+  hooks.interrupted = [&] { return steps >= most_steps; };
   try {
     return run(*setup.model, chosen_integrator(setup.scene), settings, store_policy(setup.scene),
                &writer, hooks);
@@ -117,6 +117,23 @@ inline void expect_same(const std::filesystem::path& a, const std::filesystem::p
   EXPECT_EQ(one.size(), other.size());
   EXPECT_TRUE(one == other) << a << " and " << b << " differ";
   EXPECT_EQ(bytes_of(sidecar_of(a)), bytes_of(sidecar_of(b)));
+}
+
+/// The steps of a run whose equations are solved to rounding are those of the other to rounding.
+inline void expect_same_steps(const std::filesystem::path& a, const std::filesystem::path& b,
+                              double tolerance = 1e-6) {
+  const std::vector<HistoryRow> rows = ResultReader(a).history(),
+                                expected = ResultReader(b).history();
+  ASSERT_EQ(rows.size(), expected.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_NEAR(rows[i].t, expected[i].t, tolerance * expected.back().t) << "row " << i;
+    for (std::size_t k = 0; k < rows[i].scalars.size(); ++k) {
+      const Scalar& scalar = expected[i].scalars[k];
+      EXPECT_NEAR(rows[i].scalars[k].value, scalar.value, tolerance * std::abs(scalar.value))
+          << scalar.name << " in row " << i;
+    }
+  }
+  EXPECT_EQ(ResultReader(a).status(), ResultReader(b).status());
 }
 
 }  // namespace gnomon::test

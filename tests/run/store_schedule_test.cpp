@@ -7,17 +7,16 @@ namespace gnomon::store_schedule_test {
 namespace {
 
 TEST(StoreSchedule, StoresEveryNthStep) {
-  StoreSchedule schedule({.every = 3, .times = {}, .last = false}, 10);
+  StoreSchedule schedule({.every = 3, .times = {}}, 10);
   EXPECT_FALSE(schedule.wants(1, 1));
   EXPECT_FALSE(schedule.wants(2, 2));
   EXPECT_TRUE(schedule.wants(3, 3));
   EXPECT_FALSE(schedule.wants(4, 4));
-  EXPECT_FALSE(schedule.wants(10, 10));
   EXPECT_EQ(schedule.stop(), 10);
 }
 
 TEST(StoreSchedule, StopsOnItsTimesAndStoresThemOnce) {
-  StoreSchedule schedule({.every = 0, .times = {2, 5}, .last = false}, 10);
+  StoreSchedule schedule({.every = 0, .times = {2, 5}}, 10);
   EXPECT_EQ(schedule.stop(), 2);
   EXPECT_FALSE(schedule.wants(1.5, 1));
   EXPECT_TRUE(schedule.wants(2, 2));
@@ -25,18 +24,17 @@ TEST(StoreSchedule, StopsOnItsTimesAndStoresThemOnce) {
   EXPECT_FALSE(schedule.wants(4, 3));
   EXPECT_TRUE(schedule.wants(5, 4));
   EXPECT_EQ(schedule.stop(), 10);
-  EXPECT_FALSE(schedule.wants(10, 5));
 }
 
-TEST(StoreSchedule, StoresTheLastStateIfAsked) {
-  StoreSchedule schedule({.every = 0, .times = {}, .last = true}, 10);
+TEST(StoreSchedule, StoresTheLastState) {
+  StoreSchedule schedule({.every = 0, .times = {}}, 10);
   EXPECT_FALSE(schedule.wants(9.99, 7));
   EXPECT_TRUE(schedule.wants(10, 8));
 }
 
 // A resumed run asks for its present time and ignores the answer.
 TEST(StoreSchedule, GoesOnBehindTimesThatHaveGoneBy) {
-  StoreSchedule schedule({.every = 0, .times = {2, 5, 7}, .last = true}, 10);
+  StoreSchedule schedule({.every = 0, .times = {2, 5, 7}}, 10);
   EXPECT_TRUE(schedule.wants(6, 12));
   EXPECT_EQ(schedule.stop(), 7);
 }

@@ -102,6 +102,38 @@ TEST(NearestName, FindsWhatWasMeant) {
   EXPECT_EQ(nearest_name(std::string(100000, 'x'), names), "");
 }
 
+TEST(UnreadKeys, AreThoseThatAreGivenAndNotAskedFor) {
+  const Scene scene = test::example_scene(
+      "problem = \"example\"\nbody.young_modulus = 640\nmesh.level = 3\noutput.title = \"\"\n");
+  scene.text("problem");
+  EXPECT_EQ(scene.unread_keys(),  // the title is the default
+            (std::vector<std::string>{"body.young_modulus", "mesh.level"}));
+  scene.real("body.young_modulus");
+  scene.with("body.poisson_ratio", 0.2).integer("mesh.level");  // also in a scene made of it
+  EXPECT_TRUE(scene.unread_keys().empty());
+}
+
+TEST(RetiredKeys, AreAcceptedWhereTheyChangeNothing) {
+  const auto table = [](const std::string&) {
+    return std::vector<Key>{{.name = "problem", .kind = KeyKind::text}};
+  };
+  const auto complaint = [&](const std::string& line) -> std::string {
+    try {
+      parse_scene("problem = \"p\"\n[output]\n" + line, "s.toml", {}, table);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(complaint("last = true"), "accepted");
+  EXPECT_EQ(complaint("checkpoints = 200"), "accepted");
+  EXPECT_EQ(complaint("last = false"),
+            "s.toml:3: key `output.last`: expected none: the end of a run is always stored");
+  EXPECT_EQ(complaint("checkpoints = 50"),
+            "s.toml:3: key `output.checkpoints`: expected output.checkpoint_seconds, the wall time "
+            "between checkpoints, in its place");
+}
+
 TEST(NearestName, KnowsWhatOthersCallIt) {
   const std::vector<std::string> keys = {
       "body.young_modulus",   "body.poisson_ratio",       "shape.young_modulus", "wear.coefficient",

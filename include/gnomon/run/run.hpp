@@ -19,15 +19,9 @@ struct StorePolicy {
   long every = 0;                   ///< every n-th step; 0: none
   std::vector<double> times = {};   ///< at these times, ascending, in (0, end]
   std::vector<double> beyond = {};  ///< times of the scene after the end, ascending: not stored
-  bool last = true;                 ///< at the end of the run
   bool settle = false;              ///< with settled pressures (IntegratorSettings::settled)
-  /// A checkpoint (Checkpoint) is written at the start, at the end, and after the step with which
-  /// this many steps and Newton iterations have been made since the last; 0: none of these. A
-  /// one-step method restarts there, so that a run that continues from it takes the same steps. A
-  /// run that is interrupted (RunHooks) always writes one where it ends.
-  long checkpoint_work = 0;
-  /// Wall time after which one more is written behind the step, or the start [s]; 0: none. The
-  /// method does not restart there, so that the run is the same with and without them.
+  /// Wall time after which a checkpoint (Checkpoint) follows the start or a step [s]; 0: none. One
+  /// more is written where the run ends or is interrupted (RunHooks). They do not change the run.
   double checkpoint_seconds = 0;
   /// Of a cycle: the error of the mean over its phases is estimated at the start and at the end.
   bool phase_errors = false;

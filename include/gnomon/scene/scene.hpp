@@ -62,12 +62,22 @@ struct Key {
   /// `required` numbers only: keys, each with a number, whose product may stand instead. Empty:
   /// none.
   std::vector<std::string> or_product{};
-  std::string help{};  ///< one line
+  bool on_resume = false;  ///< whether it may change where a run continues from a checkpoint
+  std::string help{};      ///< one line
   /// Whether a scene has a use for the key. Where it has none, resolved() leaves the key out if it
   /// has its default, so that the scene can be read without laws that it does not choose. Empty:
   /// always.
   std::function<bool(const Scene&)> applies{};
 };
+
+/// What became of a key that scenes no longer have. Values with which it changes nothing are
+/// accepted, so that earlier scenes and results stay readable.
+struct RetiredKey {
+  std::string name;
+  std::vector<SceneValue> accepted;
+  std::string instead;  ///< "expected none, ..."
+};
+const std::vector<RetiredKey>& retired_keys();
 
 /// Keys that every scene has, for every problem: `problem` and those of the tables `time`,
 /// `integrator` and `output`.
