@@ -16,7 +16,7 @@ const Registration<Integrator> registration({
     .driver = "IDA",
     .help = "variable step and order, error control on the worn surface (integrator.rtol, .atol)",
     .fixed_steps = false,
-    .one_step = false,
+    .keys = {max_order_key()},
     .table = [](const IntegratorSettings&) { return std::nullopt; },
     .make = [](const System& system, const IntegratorSettings& settings,
                Counters& counters) -> std::unique_ptr<Stepper> {

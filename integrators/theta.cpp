@@ -17,8 +17,16 @@ ButcherTable backward_euler(const IntegratorSettings&) {
   return table;
 }
 
+const Key alpha_key = {
+    .name = "integrator.alpha",
+    .presence = Key::Presence::defaulted,
+    .default_value = 0.5,
+    .range = {.min = 1e-6, .max = 1},
+    .help = "alpha of eq. (21): 1 is backward Euler, 0.5 the trapezoidal rule",
+};
+
 ButcherTable theta(const IntegratorSettings& settings) {
-  const double alpha = settings.alpha;
+  const double alpha = std::get<double>(settings.value(alpha_key));
   ButcherTable table{"eq. (21)",
                      alpha == 0.5 ? 2 : 1,
                      Eigen::MatrixXd(2, 2),
@@ -60,6 +68,7 @@ const Registration<Integrator> theta_registration({
     .help =
         "eq. (21) with integrator.alpha; 0.5 is the trapezoidal rule, which does not damp stiff "
         "modes",
+    .keys = {alpha_key},
     .table = theta,
     .make = make<theta>,
 });

@@ -125,7 +125,6 @@ void register_integrator(const std::string& name, py::object make, const std::st
                               .help = help,
                               .fixed_steps = fixed_steps,
                               .locates_events = false,
-                              .one_step = false,
                               .table = [](const IntegratorSettings&) { return std::nullopt; },
                               .make = [kept, number = order_of(order)](
                                           const System& system, const IntegratorSettings& settings,

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <gnomon/model/wear_scene.hpp>
-#include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
 
 #include "app/commands.hpp"
@@ -27,11 +25,7 @@ std::string text_of(const Setup& setup) {
   if (const double memory = setup.model->memory(); memory > 0)
     text += fmt::format("# a run takes about {} of memory\n", memory_text(memory));
   for (const std::string& remark : setup.model->remarks()) text += fmt::format("# {}\n", remark);
-  if (const std::string dropped = dropped_times_text(setup.scene); !dropped.empty())
-    text += fmt::format("# {}\n", dropped);
-  for (const std::string& idle : idle_keys_texts(setup.scene)) text += fmt::format("# {}\n", idle);
-  for (const std::string& name : unused_wear_names(setup.scene))
-    text += fmt::format("# {} is given, but wear.rate does not use it\n", name);
+  for (const std::string& remark : remarks_on_keys(setup)) text += fmt::format("# {}\n", remark);
   return text;
 }
 

@@ -22,6 +22,9 @@ std::string scene_help(const std::optional<std::string>& problem) {
   if (problem) return describe_keys(key_table(*problem));
   std::string text =
       fmt::format("{}\nKEYS OF EVERY SCENE\n\n{}", scene_topic, describe_keys(run_keys()));
+  for (const Integrator& entry : Integrators::all())
+    if (!entry.keys.empty())
+      text += fmt::format("\nFURTHER KEYS OF {}\n\n{}", entry.name, describe_keys(entry.keys));
   for (const Problem& entry : Problems::all())
     text += fmt::format("\nKEYS OF {}: {}\n\n{}", entry.name, entry.help,
                         describe_keys(own_keys(entry)));
@@ -33,7 +36,8 @@ std::string integrators_help() {
   for (const Integrator& entry : Integrators::all())
     text += fmt::format("{}: {}\n    {}; order {}; stability {}; error {}; driven by {}\n",
                         entry.name, entry.help, entry.family, entry.order, entry.stability,
-                        entry.error_estimate, entry.driver);
+                        entry.error_estimate, entry.driver) +
+            describe_keys(entry.keys);
   return text + "\n" + integrators_topic;
 }
 

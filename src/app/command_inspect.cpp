@@ -138,7 +138,9 @@ int info_command(const std::filesystem::path& file) {
   table.add({"problem", header.problem});
   table.add({"integrator", header.integrator});
   table.add({"status", result.status()});
-  table.add({"wall time", fmt::format("{:.3g} s", result.wall_seconds())});
+  const double seconds = result.wall_seconds();
+  table.add({"wall time", seconds > 0 ? fmt::format("{:.3g} s", seconds)
+                                      : "not known: the run goes on, or was killed"});
   table.add({"unknowns", blocks_text(header.blocks)});
   if (const auto grid = result.grid())
     table.add({"mesh", fmt::format("{} points, {} cells", grid->points.size(),

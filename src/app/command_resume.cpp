@@ -19,31 +19,24 @@
 #include "app/output_files.hpp"
 #include "app/program.hpp"
 #include "app/run_end.hpp"
+#include "scene/key_check.hpp"
 
 namespace gnomon::app {
 
 namespace {
 
-/// The keys that may differ from the scene in the result: the problem, its mesh, the method and the
-/// memory of the method must not depend on them.
-const std::vector<std::string>& changeable_keys() {
-  static const std::vector<std::string> keys = {"time.end",
-                                                "time.cycles",
-                                                "integrator.rtol",
-                                                "integrator.atol",
-                                                "integrator.nonlinear_fraction",
-                                                "integrator.max_step",
-                                                "integrator.step",
-                                                "output.every",
-                                                "output.times",
-                                                "output.interval",
-                                                "output.last",
-                                                "output.settle",
-                                                "output.checkpoints",
-                                                "output.checkpoint_seconds",
-                                                "solver.method",
-                                                "solver.preconditioner"};
-  return keys;
+/// Throws InputError where the scene differs from that of the result in a key on which the problem,
+/// its mesh, the method or the memory of the method may depend.
+void require_changeable(const Scene& old, const Scene& scene) {
+  const std::vector<Key> table = key_table(scene.text("problem"));
+  for (const std::string& name : Scene::differing_keys(old, scene)) {
+    if (const auto key = find_key(table, name); key && key->on_resume) continue;
+    std::vector<std::string> names;
+    for (const Key& key : table)
+      if (key.on_resume) names.push_back(key.name);
+    throw InputError(
+        fmt::format("--set {}: resuming can change only {}", name, fmt::join(names, ", ")));
+  }
 }
 
 Scene changed_scene(const ResultReader& earlier, const ResumeOptions& options) {
@@ -51,10 +44,7 @@ Scene changed_scene(const ResultReader& earlier, const ResumeOptions& options) {
   std::vector<std::string> overrides = options.overrides;
   if (options.end) overrides.push_back(fmt::format("time.end={}", *options.end));
   Scene scene = scene_of_result(earlier, options.result, overrides);
-  for (const std::string& key : Scene::differing_keys(old, scene))
-    if (std::ranges::find(changeable_keys(), key) == changeable_keys().end())
-      throw InputError(fmt::format("--set {}: resuming can change only {}", key,
-                                   fmt::join(changeable_keys(), ", ")));
+  require_changeable(old, scene);
   check_run(scene);
   return scene;
 }

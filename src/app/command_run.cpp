@@ -31,8 +31,7 @@ int run_command(const RunOptions& given) {
     return set_up(std::move(scene));
   }();
   if (!options.quiet) {
-    print_remarks({dropped_times_text(setup.scene)});
-    print_remarks(idle_keys_texts(setup.scene));
+    print_remarks(remarks_on_keys(setup));
     print_remarks(setup.model->remarks());
   }
   const RunHeader header = run_header(setup);

@@ -35,6 +35,7 @@ std::vector<Key> make_keys() {
            .presence = optional,
            .absent_meaning = "time.end is given",
            .range = positive_quantity,
+           .on_resume = true,
            .help = "end of the run in cycles, instead of time.end"},
           {.name = "cycle.phases",
            .kind = KeyKind::reals,

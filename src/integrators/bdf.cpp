@@ -164,6 +164,18 @@ void BdfSolver::Memory::fail(int flag, double t) const {
                   guard_.recoverable().empty() ? "" : "; last: ", guard_.recoverable()));
 }
 
+const Key& max_order_key() {
+  static const Key key = {
+      .name = "integrator.max_order",
+      .kind = KeyKind::integer,
+      .presence = Key::Presence::defaulted,
+      .default_value = 5L,
+      .range = {.min = 1, .max = 5},
+      .help = "highest order",
+  };
+  return key;
+}
+
 BdfSolver::BdfSolver(const System& system, const IntegratorSettings& settings, Counters& counters)
     : Stepper(counters), memory_(std::make_unique<Memory>(system, settings, counters)) {}
 BdfSolver::~BdfSolver() = default;

@@ -80,7 +80,8 @@ void BdfSolver::Memory::begin(const State& state) {
   check(IDAWFtolerances(ida, &Memory::weights), "IDAWFtolerances");
   check(IDASetId(ida, id_.get()), "IDASetId");
   check(IDASetSuppressAlg(ida, SUNTRUE), "IDASetSuppressAlg");
-  check(IDASetMaxOrd(ida, settings_.max_order), "IDASetMaxOrd");
+  const auto max_order = static_cast<int>(std::get<long>(settings_.value(max_order_key())));
+  check(IDASetMaxOrd(ida, max_order), "IDASetMaxOrd");
   // Where the solution ends, IDA would take ever smaller steps without an end. This limit ends
   // failing steps; vanishes() ends those that succeed.
   check(IDASetMinStep(ida, shortest_step(settings_)), "IDASetMinStep");

@@ -46,36 +46,14 @@ void find_further_mistakes(const Scene& scene, Mistakes& mistakes) {
 
 namespace {
 
-/// Adds the key of a law, which another law may have too: then with the same meaning of its
-/// absence.
-void add_law_key(std::vector<Key>& table, const Key& key, const std::string& law) {
-  const auto same = std::find_if(table.begin(), table.end(),
-                                 [&](const Key& other) { return other.name == key.name; });
-  const auto chosen = [law](const Scene& scene) { return scene.text("wear.law") == law; };
-  if (same == table.end()) {
-    table.push_back(key);
-    table.back().applies = chosen;
-    return;
-  }
-  if (same->applies)  // of another law
-    same->applies = [chosen, other = same->applies](const Scene& scene) {
-      return other(scene) || chosen(scene);
-    };
-  if (same->kind != key.kind || same->presence != key.presence ||
-      same->default_value != key.default_value)
-    throw RegistrationError("the wear law " + law + " has the key " + key.name +
-                            " with another kind or default than the key of this name that is "
-                            "known, expected another name or the same");
-}
-
-/// Adds the keys of the registered laws to a table with `wear.law`.
-void add_wear_laws(std::vector<Key>& table) {
-  const auto law = std::find_if(table.begin(), table.end(),
-                                [](const Key& key) { return key.name == "wear.law"; });
-  if (law == table.end()) return;
-  law->choices = Registry<WearLawKind>::names();
-  for (const WearLawKind& kind : Registry<WearLawKind>::all())
-    for (const Key& key : kind.keys) add_law_key(table, key, kind.name);
+/// Completes a table that has the key `choice` ("wear.law") by what is registered of T.
+template <class T>
+void add_registered(std::vector<Key>& table, const std::string& choice) {
+  const auto place = std::ranges::find(table, choice, &Key::name);
+  if (place == table.end()) return;
+  place->choices = Registry<T>::names();
+  for (const T& entry : Registry<T>::all())
+    for (const Key& key : entry.keys) add_key_of_choice(table, key, choice, entry.name);
 }
 
 }  // namespace
@@ -88,16 +66,18 @@ std::vector<Key> own_keys(const Problem& problem) {
   }
   for (const char* material : {"body.material", "body.#.material", "shape.energy"})
     add_material_keys(keys, material);
-  add_wear_laws(keys);
+  add_registered<WearLawKind>(keys, "wear.law");
   return keys;
 }
 
 namespace {
 
-/// Whether the steps of the scene's integrator can settle pressures (output.settle).
-bool can_settle(const Scene& scene) {
-  return !scene.has("integrator.step") &&
-         Integrators::find(scene.text("integrator.name"), "integrator").settles;
+/// Why output.settle has no effect.
+std::string settles_nothing(const Scene& scene) {
+  if (!scene.flag("output.settle")) return {};
+  if (scene.has("integrator.step")) return "steps are fixed (integrator.step)";
+  const std::string& name = scene.text("integrator.name");
+  return Integrators::find(name, "integrator").settles ? "" : name + " does not settle pressures";
 }
 
 }  // namespace
@@ -106,9 +86,9 @@ std::vector<Key> key_table(const std::string& problem) {
   std::vector<Key> table = run_keys();
   for (Key& key : table) {
     if (key.name == "problem") key.choices = {problem};
-    if (key.name == "integrator.name") key.choices = Integrators::names();
-    if (key.name == "output.settle") key.applies = can_settle;
+    if (key.name == "output.settle") key.idle = settles_nothing;
   }
+  add_registered<Integrator>(table, "integrator.name");
   const std::vector<Key> own = own_keys(Problems::find(problem, "problem"));
   table.insert(table.end(), own.begin(), own.end());
   return table;

@@ -148,7 +148,7 @@ WearLaw required_law(const Scene& scene, const WearLaw& law, const WearCircumsta
 namespace {
 
 /// The names that the rates of a scene use.
-std::set<std::string, std::less<>> used_names(const Scene& scene) {
+std::set<std::string, std::less<>> names_in_rates(const Scene& scene) {
   std::set<std::string, std::less<>> used;
   const std::string surfaces = "wear.surfaces.";
   std::vector<std::string> rates = {scene.text("wear.rate")};
@@ -164,8 +164,8 @@ std::set<std::string, std::less<>> used_names(const Scene& scene) {
 }  // namespace
 
 void require_coefficient(const Scene& scene) {
-  if (!scene.knows("wear.rate") || scene.has("wear.coefficient")) return;
-  if (scene.text("wear.law") == "expression" && !used_names(scene).contains("k")) return;
+  if (!scene.knows("wear.rate") || scene.has("wear.coefficient") || !reads_in_rates(scene, "k"))
+    return;
   throw InputError(scene.where("wear.coefficient") +
                    ": missing, expected a number [1/MPa]: the wear law reads it, as k");
 }
@@ -174,9 +174,13 @@ bool asks_for_wear(const Scene& scene) {
   return scene.real_if("wear.coefficient").value_or(1) > 0;
 }
 
+bool reads_in_rates(const Scene& scene, const std::string& name) {
+  return scene.text("wear.law") != "expression" || names_in_rates(scene).contains(name);
+}
+
 std::vector<std::string> unused_wear_names(const Scene& scene) {
   if (!scene.knows("wear.rate")) return {};
-  const std::set<std::string, std::less<>> used = used_names(scene);
+  const auto used = names_in_rates(scene);
   std::vector<std::string> unused;
   for (const auto& [table, key] : {std::pair("wear.constants.", "wear.constants.*"),
                                    std::pair("wear.tables.", "wear.tables.*.x")})

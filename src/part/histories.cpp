@@ -39,14 +39,14 @@ std::vector<std::string> direction_names(const Scene& scene) {
   return {"x", "y"};
 }
 
-Key density_key(const std::string& name, std::function<bool(const Scene&)> applies) {
+Key density_key(const std::string& name, std::function<std::string(const Scene&)> idle) {
   return {.name = name,
           .unit = "t/mm^3",
           .presence = Key::Presence::optional,
           .absent_meaning = "no load.#.acceleration",
           .range = positive_quantity,
           .help = "mass by volume",
-          .applies = std::move(applies)};
+          .idle = std::move(idle)};
 }
 
 Key times_key(const std::string& prefix, const std::string& quantity) {

@@ -28,7 +28,7 @@ Section section_of(const Scene& scene);
 template <int dim>
 std::vector<std::string> direction_names(const Scene& scene);
 
-Key density_key(const std::string& name, std::function<bool(const Scene&)> applies = {});
+Key density_key(const std::string& name, std::function<std::string(const Scene&)> idle = {});
 
 /// PREFIX.times and PREFIX.factors, the history of a quantity.
 Key times_key(const std::string& prefix, const std::string& quantity);

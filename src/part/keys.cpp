@@ -1,4 +1,5 @@
 #include <gnomon/cycles/cycle_scene.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/part/part_scene.hpp>
 
 #include "part/bodies.hpp"
@@ -16,8 +17,8 @@ using namespace part;
 constexpr auto defaulted = Key::Presence::defaulted;
 constexpr auto optional = Key::Presence::optional;
 
-bool is_one_body(const Scene& scene) {
-  return !has_bodies(scene);
+std::string idle_beside_bodies(const Scene& scene) {
+  return has_bodies(scene) ? "each [[body]] has its own" : "";
 }
 
 std::vector<Key> mesh_keys() {
@@ -55,8 +56,8 @@ std::vector<Key> own_keys() {
        .choices = {"strain", "axisymmetric"},
        .help = "what a mesh in the plane is a section of: plane strain, or a body of revolution "
                "about x = 0, in coordinates (r, z)",
-       .applies = is_one_body},
-      density_key("body.density", is_one_body),
+       .idle = idle_beside_bodies},
+      density_key("body.density", idle_beside_bodies),
       {.name = "wear.on",
        .kind = KeyKind::texts,
        .presence = Key::Presence::required,
@@ -83,9 +84,14 @@ std::vector<Key> shared_keys() {
       key.presence = optional;
       key.absent_meaning = "that of counter_body.motion at the contact";
       key.help = "sliding speed that s = v t is counted with";
+      key.idle = [](const Scene& scene) {
+        return reads_in_rates(scene, "s")
+                   ? ""
+                   : "the motion of the counter-body gives the speed, and no wear rate reads s";
+      };
     }
     if (key.name == "wear.coefficient") key.range.min = 0;  // a contact analysis
-    if (key.name.starts_with("body.")) key.applies = is_one_body;
+    if (key.name.starts_with("body.")) key.idle = idle_beside_bodies;
     if (key.name == "solver.method") {
       key.presence = optional;
       key.absent_meaning = "block";

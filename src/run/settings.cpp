@@ -1,14 +1,13 @@
 // The settings of a run from the `integrator.*` and `output.*` keys of a scene.
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/same_time.hpp>
 #include <gnomon/model/controlled_settings.hpp>
 #include <gnomon/run/run.hpp>
-#include <map>
+#include <sstream>
 
 namespace gnomon {
 
@@ -81,32 +80,21 @@ std::string dropped_times_text(const Scene& scene) {
 
 namespace {
 
-/// Why the scene has no use for one of its keys; empty where others say it, or nobody needs to
-/// know.
-std::string why_idle(const Scene& scene, const std::string& key) {
-  if (key == "solver.preconditioner") return "solver.method is \"direct\"";
-  if (key == "output.settle" && !scene.flag(key)) return {};
-  if (!key.starts_with("integrator.") && key != "output.settle") return {};
-  if (scene.has("integrator.step")) return "steps are fixed (integrator.step)";
-  return scene.text("integrator.name") + " does not settle pressures";
+/// Of other methods; their defaults are in earlier results.
+void refuse_foreign_keys(const Scene& scene, const Integrator& chosen) {
+  for (const Integrator& other : Integrators::all())
+    for (const Key& key : other.keys)
+      if (scene.knows(key.name) && !scene.is_default(key.name) &&
+          std::ranges::find(chosen.keys, key.name, &Key::name) == chosen.keys.end())
+        throw InputError(fmt::format("{}: expected none, {} does not read it ({} does)",
+                                     scene.where(key.name), chosen.name, other.name));
 }
 
 }  // namespace
 
-std::vector<std::string> idle_keys_texts(const Scene& scene) {
-  std::map<std::string, std::vector<std::string>> keys_by_reason;
-  for (const std::string& key : scene.idle_keys())
-    if (const std::string reason = why_idle(scene, key); !reason.empty())
-      keys_by_reason[reason].push_back(key);
-  std::vector<std::string> texts;
-  for (const auto& [reason, keys] : keys_by_reason)
-    texts.push_back(fmt::format("{} {} no effect: {}", fmt::join(keys, ", "),
-                                keys.size() == 1 ? "has" : "have", reason));
-  return texts;
-}
-
 const Integrator& chosen_integrator(const Scene& scene) {
   const Integrator& integrator = Integrators::find(scene.text("integrator.name"), "integrator");
+  refuse_foreign_keys(scene, integrator);
   if (scene.has("integrator.step") && !integrator.fixed_steps)
     throw InputError(fmt::format(
         "{}: expected none, {} chooses its own steps (integrator.max_step "
@@ -126,10 +114,9 @@ IntegratorSettings integrator_settings(const Scene& scene, const Model& model) {
   settings.atol = scene.real_if("integrator.atol").value_or(settings.atol);
   settings.nonlinear_fraction = scene.real("integrator.nonlinear_fraction");
   settings.max_step = scene.real_if("integrator.max_step").value_or(0.0);
-  settings.alpha = scene.real("integrator.alpha");
   settings.locate_events = scene.text("integrator.events") == "locate";
   settings.stop_unstable = scene.text("integrator.unstable") == "stop";
-  settings.max_order = static_cast<int>(scene.integer("integrator.max_order"));
+  for (const Key& key : chosen_integrator(scene).keys) settings.own[key.name] = scene.any(key.name);
   return settings;
 }
 

@@ -125,6 +125,19 @@ Setup set_up(const std::filesystem::path& file, const std::vector<std::string>& 
   return set_up(checked_scene(file, overrides));
 }
 
+std::vector<std::string> remarks_on_keys(const Setup& setup) {
+  const Scene& scene = setup.scene;
+  integrator_settings(scene, *setup.model);  // reads what a run reads
+  std::vector<std::string> remarks = scene.idle_texts();
+  if (const std::string dropped = dropped_times_text(scene); !dropped.empty())
+    remarks.push_back(dropped);
+  for (const std::string& name : unused_wear_names(scene))
+    remarks.push_back(name + " is given, but wear.rate does not use it");
+  for (const std::string& key : scene.unread_keys())
+    remarks.push_back(key + " has no effect: nothing in this scene reads it");
+  return remarks;
+}
+
 RunHeader run_header(const Setup& setup) {
   return {.problem = setup.scene.text("problem"),
           .integrator = setup.scene.text("integrator.name"),

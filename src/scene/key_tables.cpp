@@ -14,12 +14,13 @@ constexpr Range non_negative{.min = 0};
 // Wide enough for every set of units, and far from where rounding errors exceed differences.
 constexpr Range duration{.min = 1e-6, .max = 1e12};
 
-bool follows_error(const Scene& scene) {
-  return !scene.has("integrator.step");
+/// Of keys of steps that follow the error.
+std::string steps_are_fixed(const Scene& scene) {
+  return scene.has("integrator.step") ? "steps are fixed (integrator.step)" : "";
 }
 
-bool has_cycle(const Scene& scene) {
-  return scene.knows("cycle.period") && scene.has("cycle.period");
+std::string no_cycle(const Scene& scene) {
+  return scene.knows("cycle.period") && scene.has("cycle.period") ? "" : "there is no cycle";
 }
 
 std::vector<Key> integrator_keys() {
@@ -33,24 +34,28 @@ std::vector<Key> integrator_keys() {
        .presence = optional,
        .absent_meaning = "steps chosen by the error estimate",
        .range = duration,
+       .on_resume = true,
        .help = "fixed step, halved only if its equations cannot be solved; not for bdf"},
       {.name = "integrator.rtol",
        .presence = defaulted,
        .default_value = 1e-4,
        .range = relative_tolerance,
+       .on_resume = true,
        .help = "relative tolerance of the worn surface per step, when steps follow the error",
-       .applies = follows_error},
+       .idle = steps_are_fixed},
       {.name = "integrator.atol",
        .unit = "mm",
        .presence = optional,
        .absent_meaning = "rtol times the mean wear depth at time.end",
        .range = {.min = 1e-20},
+       .on_resume = true,
        .help = "absolute tolerance of the worn surface per step, when steps follow the error",
-       .applies = follows_error},
+       .idle = steps_are_fixed},
       {.name = "integrator.nonlinear_fraction",
        .presence = defaulted,
        .default_value = 0.01,
        .range = {.min = 0, .max = 0.5},
+       .on_resume = true,
        .help =
            "part of the tolerated error of a step, or of the error of a fixed step, that Newton's "
            "iterations may leave; 0: they go on to rounding, 1e-11 of the scaled residual"},
@@ -59,19 +64,9 @@ std::vector<Key> integrator_keys() {
        .presence = optional,
        .absent_meaning = "no bound",
        .range = duration,
+       .on_resume = true,
        .help = "longest step, when steps follow the error",
-       .applies = follows_error},
-      {.name = "integrator.max_order",
-       .kind = KeyKind::integer,
-       .presence = defaulted,
-       .default_value = 5L,
-       .range = {.min = 1, .max = 5},
-       .help = "highest order of bdf"},
-      {.name = "integrator.alpha",
-       .presence = defaulted,
-       .default_value = 0.5,
-       .range = {.min = 1e-6, .max = 1},
-       .help = "alpha of theta, eq. (21): 1 is backward Euler, 0.5 the trapezoidal rule"},
+       .idle = steps_are_fixed},
       {.name = "integrator.events",
        .kind = KeyKind::text,
        .presence = defaulted,
@@ -105,17 +100,20 @@ std::vector<Key> output_keys() {
        .presence = defaulted,
        .default_value = std::vector<double>{},
        .range = non_negative,
+       .on_resume = true,
        .help = "store fields at these times; steps end on them exactly"},
       {.name = "output.interval",
        .unit = "s",
        .presence = optional,
        .absent_meaning = "no such times",
        .range = duration,
+       .on_resume = true,
        .help = "store fields every so many seconds; steps end on these times exactly"},
       {.name = "output.settle",
        .kind = KeyKind::flag,
        .presence = defaulted,
        .default_value = true,
+       .on_resume = true,
        .help =
            "two short steps before times, multiples of interval and the end, where a node has just "
            "closed, so that the stored pressures of a stiff body are accurate; for steps that "
@@ -134,7 +132,7 @@ std::vector<Key> output_keys() {
        .default_value = true,
        .help = "estimate the error of the mean over the phases of a cycle, with other ones, at "
                "the start and at the end of the run",
-       .applies = has_cycle},
+       .idle = no_cycle},
   };
 }
 
@@ -149,6 +147,7 @@ std::vector<Key> make_run_keys() {
        .presence = required,
        .range = duration,
        .or_product = {"time.cycles", "cycle.period"},
+       .on_resume = true,
        .help = "end of the run, which begins at t = 0; in scenes with a cycle also as time.cycles"},
   };
   for (const auto& part : {integrator_keys(), output_keys()})
@@ -315,8 +314,10 @@ std::vector<Key> shape_keys() {
 }
 
 /// A problem may choose the method where the scene does not.
-bool solves_by_blocks(const Scene& scene) {
-  return !scene.has("solver.method") || scene.text("solver.method") == "block";
+std::string solves_directly(const Scene& scene) {
+  return scene.has("solver.method") && scene.text("solver.method") == "direct"
+             ? "solver.method is \"direct\""
+             : "";
 }
 
 std::vector<Key> solver_keys() {
@@ -326,6 +327,7 @@ std::vector<Key> solver_keys() {
        .presence = defaulted,
        .default_value = "block",
        .choices = {"direct", "block"},
+       .on_resume = true,
        .help = "linear systems: factors of the whole Jacobian, or flexible GMRES on it, "
                "preconditioned block by block"},
       {.name = "solver.preconditioner",
@@ -333,10 +335,11 @@ std::vector<Key> solver_keys() {
        .presence = optional,
        .absent_meaning = "chosen by size: factor unless in 3D and large (docs/linear.md)",
        .choices = {"factor", "multigrid"},
+       .on_resume = true,
        .help =
            "how solver.method = \"block\" solves with the stiffness: by Cholesky factors, or by "
            "multigrid, along the grid lines of the mesh where it has them (needs PETSc)",
-       .applies = solves_by_blocks},
+       .idle = solves_directly},
   };
 }
 

@@ -10,4 +10,27 @@ std::shared_ptr<void>& registered_of_type(const char* type) {
   return kept[type];
 }
 
+void add_key_of_choice(std::vector<Key>& table, const Key& key, const std::string& choice,
+                       const std::string& thing) {
+  const auto idle = [choice, thing](const Scene& scene) {
+    const std::string& chosen = scene.text(choice);
+    return chosen == thing ? "" : choice + " is \"" + chosen + "\"";
+  };
+  const auto same = std::ranges::find(table, key.name, &Key::name);
+  if (same == table.end()) {
+    table.push_back(key);
+    table.back().idle = idle;
+    return;
+  }
+  if (same->kind != key.kind || same->presence != key.presence ||
+      same->default_value != key.default_value)
+    throw RegistrationError(thing + ", for " + choice + ", has the key " + key.name +
+                            " with another kind or default than the key of this name that is "
+                            "known, expected another name or the same");
+  if (same->idle)  // of another thing
+    same->idle = [idle, other = same->idle](const Scene& scene) {
+      return other(scene).empty() ? "" : idle(scene);
+    };
+}
+
 }  // namespace gnomon

@@ -1,9 +1,11 @@
 // Typed access to a validated scene and its resolved dump.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <gnomon/scene/scene.hpp>
+#include <map>
 #include <stdexcept>
 
 #include "scene/chosen_name.hpp"
@@ -19,41 +21,44 @@ const Scene::Entry& Scene::entry(const std::string& key) const {
   throw std::logic_error("scene key `" + key + "` is in no table");
 }
 
-namespace {
-
 template <class T>
-const T& value_as(const std::string& key, const std::optional<SceneValue>& value) {
-  const T* typed = value ? std::get_if<T>(&*value) : nullptr;
-  if (!typed) throw std::logic_error("scene key `" + key + "` is absent or has another type");
+const T& Scene::read(const std::string& key) const {
+  const T* typed = std::get_if<T>(&any(key));
+  if (!typed) throw std::logic_error("scene key `" + key + "` has another type");
   return *typed;
 }
 
-}  // namespace
-
 bool Scene::flag(const std::string& key) const {
-  return value_as<bool>(key, entry(key).value);
+  return read<bool>(key);
 }
 long Scene::integer(const std::string& key) const {
-  return value_as<long>(key, entry(key).value);
+  return read<long>(key);
 }
 double Scene::real(const std::string& key) const {
-  return value_as<double>(key, entry(key).value);
+  return read<double>(key);
 }
 
 const std::string& Scene::text(const std::string& key) const {
-  return value_as<std::string>(key, entry(key).value);
+  return read<std::string>(key);
 }
 
 const std::vector<long>& Scene::integers(const std::string& key) const {
-  return value_as<std::vector<long>>(key, entry(key).value);
+  return read<std::vector<long>>(key);
 }
 
 const std::vector<double>& Scene::reals(const std::string& key) const {
-  return value_as<std::vector<double>>(key, entry(key).value);
+  return read<std::vector<double>>(key);
 }
 
 const std::vector<std::string>& Scene::texts(const std::string& key) const {
-  return value_as<std::vector<std::string>>(key, entry(key).value);
+  return read<std::vector<std::string>>(key);
+}
+
+const SceneValue& Scene::any(const std::string& key) const {
+  const Entry& found = entry(key);
+  if (!found.value) throw std::logic_error("scene key `" + key + "` is absent");
+  *found.is_read = true;
+  return *found.value;
 }
 
 bool Scene::has(const std::string& key) const {
@@ -62,7 +67,9 @@ bool Scene::has(const std::string& key) const {
 
 bool Scene::has_text_instead(const std::string& key) const {
   const Entry& found = entry(key);
-  return !found.key.or_text.empty() && found.value == SceneValue(found.key.or_text);
+  const bool instead = !found.key.or_text.empty() && found.value == SceneValue(found.key.or_text);
+  if (instead) *found.is_read = true;
+  return instead;
 }
 
 bool Scene::knows(const std::string& key) const {
@@ -74,10 +81,33 @@ bool Scene::is_default(const std::string& key) const {
   return entry(key).value == entry(key).key.default_value;
 }
 
-std::vector<std::string> Scene::idle_keys() const {
+namespace {
+
+/// Why the scene has no use for the key; empty where it has one.
+std::string why_idle(const Scene& scene, const Key& key) {
+  return key.idle ? key.idle(scene) : "";
+}
+
+}  // namespace
+
+std::vector<std::string> Scene::idle_texts() const {
+  std::map<std::string, std::vector<std::string>> keys_by_reason;
+  for (const Entry& entry : entries_)
+    if (!entry.origin.empty())
+      if (const std::string reason = why_idle(*this, entry.key); !reason.empty())
+        keys_by_reason[reason].push_back(entry.key.name);
+  std::vector<std::string> texts;
+  for (const auto& [reason, keys] : keys_by_reason)
+    texts.push_back(fmt::format("{} {} no effect: {}", fmt::join(keys, ", "),
+                                keys.size() == 1 ? "has" : "have", reason));
+  return texts;
+}
+
+std::vector<std::string> Scene::unread_keys() const {
   std::vector<std::string> keys;
   for (const Entry& entry : entries_)
-    if (!entry.origin.empty() && entry.key.applies && !entry.key.applies(*this))
+    if (!entry.origin.empty() && entry.value && entry.value != entry.key.default_value &&
+        !*entry.is_read && why_idle(*this, entry.key).empty())
       keys.push_back(entry.key.name);
   return keys;
 }
@@ -135,7 +165,7 @@ Scene Scene::with_absolute_files() const {
   Scene result = *this;
   for (Entry& entry : result.entries_)
     if (entry.key.names_file && entry.value) {
-      const auto file = path_.parent_path() / value_as<std::string>(entry.key.name, entry.value);
+      const auto file = path_.parent_path() / std::get<std::string>(*entry.value);
       entry.value = std::filesystem::absolute(file).lexically_normal().string();
     }
   return result;
@@ -178,9 +208,9 @@ std::string value_text(const Key& key, const SceneValue& value) {
 
 std::string Scene::resolved() const {
   std::vector<Key> keys;
-  for (const auto& [key, value, origin] : entries_) {
-    const bool is_given = value && value != key.default_value;
-    if (is_given || !key.applies || key.applies(*this)) keys.push_back(key);
+  for (const Entry& entry : entries_) {
+    const bool is_given = entry.value && entry.value != entry.key.default_value;
+    if (is_given || why_idle(*this, entry.key).empty()) keys.push_back(entry.key);
   }
   std::string text;
   for (const KeyGroup& group : group_keys(keys)) {

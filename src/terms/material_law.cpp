@@ -69,7 +69,7 @@ void add_material_keys(std::vector<Key>& table, const std::string& choice) {
   for (const MaterialLaw& law : MaterialLaws::all())
     for (Key key : law.keys) {
       key.name = table_of(choice) + key.name;
-      key.applies = place->applies;
+      key.idle = place->idle;
       further.push_back(std::move(key));
     }
   table.insert(place + 1, further.begin(), further.end());

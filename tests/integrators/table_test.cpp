@@ -62,7 +62,7 @@ protected:
     estimate_ = integrator.error_estimate;
     for (double alpha : {0.5, 1.0, 0.7}) {
       IntegratorSettings settings;
-      settings.alpha = alpha;
+      settings.own["integrator.alpha"] = alpha;
       tables_.push_back(integrator.table(settings).value());
       if (GetParam() != "theta") break;
     }

@@ -38,6 +38,7 @@ struct Method {
   const char* name;
   std::string scene;
   Overrides overrides;
+  double tolerance = 1e-6;
   friend void PrintTo(const Method& method, std::ostream* stream) { *stream << method.name; }
 };
 
@@ -79,7 +80,8 @@ INSTANTIATE_TEST_SUITE_P(
         Method{"sdirk_2", pin, coarse({"integrator.name=sdirk-2", "integrator.rtol=1e-3"})},
         Method{"esdirk_4_with_events", pin,
                coarse({"integrator.name=esdirk-4", "integrator.rtol=1e-4",
-                       "integrator.events=locate"})},
+                       "integrator.events=locate"}),
+               1e-4},  // that of the place of an event
         Method{"forward_euler_with_events", pin,
                coarse({"integrator.name=forward-euler", "integrator.rtol=1e-2",
                        "integrator.events=locate"})},
@@ -87,7 +89,6 @@ INSTANTIATE_TEST_SUITE_P(
             "esdirk_4_with_events_under_an_oscillating_load", pin,
             coarse({"integrator.name=esdirk-4", "integrator.rtol=1e-3", "integrator.events=locate",
                     "load.times=[0, 50, 100, 150]", "load.factors=[1, 0.01, 1, 0.01]"})},
-        Method{"erk_3", pin, coarse({"integrator.name=erk-3", "integrator.rtol=1e-3"})},
         Method{"fixed_erk_2", pin, coarse({"integrator.name=erk-2", "integrator.step=5"})},
         Method{
             "by_blocks", pin,
@@ -96,21 +97,28 @@ INSTANTIATE_TEST_SUITE_P(
 
 class Resume : public test::FolderTest {};
 
-TEST_F(Resume, BdfGoesOnToItsTolerance) {
-  const Overrides overrides = coarse({"integrator.name=bdf", "integrator.rtol=1e-6"});
+// SUNDIALS keeps the history of its methods to itself.
+class Sundials : public test::FolderTest, public ::testing::WithParamInterface<std::string> {};
+
+TEST_P(Sundials, GoesOnToItsTolerance) {
+  const Overrides overrides = coarse({"integrator.name=" + GetParam(), "integrator.rtol=1e-6"});
   const RunOutcome whole = run_scene(pin, overrides, file("whole"));
   run_scene(pin, overrides, file("cut"), whole.counters.steps / 2);
   const long kept = ResultReader(file("cut")).checkpoints().back().rows;
   ASSERT_GT(kept, 5);
   ASSERT_EQ(resume(file("cut")), 0);
   const ResultReader cut(file("cut")), reference(file("whole"));
-  EXPECT_EQ(cut.history()[static_cast<std::size_t>(kept)].step.order, 1);
+  const int order = cut.history()[static_cast<std::size_t>(kept)].step.order;
+  EXPECT_EQ(order, GetParam() == "bdf" ? 1 : 3);
   EXPECT_EQ(cut.history().back().t, 200);
   const auto depth = cut.contact(200.0).wear_depth, expected = reference.contact(200.0).wear_depth;
   const double deepest = *std::max_element(expected.begin(), expected.end());
   for (std::size_t i = 0; i < depth.size(); ++i)
     EXPECT_NEAR(depth[i], expected[i], 1e-4 * deepest) << i;
 }
+
+INSTANTIATE_TEST_SUITE_P(Methods, Sundials, ::testing::Values("bdf", "erk-3"),
+                         [](const auto& info) { return info.param.substr(0, 3); });
 
 // Of a cycle whose number of phases was chosen: it keeps this number.
 TEST_F(Resume, OfACycleIsTheUninterruptedRunToRounding) {
@@ -337,7 +345,7 @@ TEST_F(Resume, RefusesInOneLine) {
   refused("r", {}, 90.0, "expected at least");
   refused("r", {"time.end=70"}, {}, "expected at least");
   refused("r", {"body.young_modulus=20"}, {},
-          "--set body.young_modulus: resuming can change only time.end, time.cycles");
+          "--set body.young_modulus: resuming can change only time.end, time.until");
   refused("r", {"integrator.name=theta"}, {}, "resuming can change only");
   refused("r", {"mesh.elements=[9,9]"}, {}, "resuming can change only");
   refused("r", {"mesh.element=[9,9]"}, {}, "did you mean");
@@ -347,6 +355,41 @@ TEST_F(Resume, RefusesInOneLine) {
   const int next = 2;
   test::write_attribute(file("r"), "format_version", H5T_NATIVE_INT, &next);
   refused("r", {}, {}, "its format is 2, this program reads 1");
+}
+
+// A key says itself whether it may change, also one of a plug-in.
+TEST_F(Resume, KeysOfAnIntegratorMayChangeIfTheySaySo) {
+  Integrator own = Integrators::find("backward-euler", "integrator");
+  own.name = "own";
+  const Key key{.presence = Key::Presence::defaulted, .default_value = 1.0};
+  own.keys = {key, key};
+  own.keys[0].name = "integrator.care";
+  own.keys[0].on_resume = true;
+  own.keys[1].name = "integrator.way";
+  std::vector<double> care;
+  own.make = [&, make = own.make](const System& system, const IntegratorSettings& settings,
+                                  Counters& counters) {
+    care.push_back(std::get<double>(settings.value(own.keys[0])));
+    return make(system, settings, counters);
+  };
+  Integrators::put(own);
+  run_scene(pin, coarse({"integrator.name=own", "integrator.step=20"}), file("r"), 2);
+  EXPECT_THROW(resume(file("r"), {"integrator.way=2"}), InputError);
+  EXPECT_EQ(resume(file("r"), {"integrator.care=2"}), 0);
+  EXPECT_THAT(care, ::testing::ElementsAre(1, 2));
+}
+
+TEST_F(Resume, InfoDoesNotInventTheTimeOfAKilledRun) {
+  run_scene(pin, coarse({"integrator.name=backward-euler", "integrator.step=20"}), file("r"), 2);
+  const auto info = [&] {
+    ::testing::internal::CaptureStdout();
+    app::info_command(file("r"));
+    return ::testing::internal::GetCapturedStdout();
+  };
+  EXPECT_THAT(info(), Not(HasSubstr("not known")));
+  const double none = 0;
+  test::write_attribute(file("r"), "wall_seconds", H5T_NATIVE_DOUBLE, &none);
+  EXPECT_THAT(info(), HasSubstr("not known: the run goes on, or was killed"));
 }
 
 TEST_F(Resume, ARunThatIsStillGoingIsRefused) {

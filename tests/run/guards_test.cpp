@@ -55,7 +55,7 @@ TEST(MayFailToDamp, IsForFixedStepsOfMethodsThatDoNotDampStiffModes) {
     EXPECT_TRUE(may_fail_to_damp(integrator(name), settings)) << name;
   for (const char* name : {"backward-euler", "sdirk-2", "esdirk-3", "esdirk-5", "bdf"})
     EXPECT_FALSE(may_fail_to_damp(integrator(name), settings)) << name;
-  settings.alpha = 0.8;
+  settings.own["integrator.alpha"] = 0.8;
   EXPECT_FALSE(may_fail_to_damp(integrator("theta"), settings));
 }
 

@@ -6,6 +6,9 @@
 
 namespace gnomon {
 
+/// integrator.max_order.
+const Key& max_order_key();
+
 /// IDA on the DAE of a model. The error test contains only the differential components (weighted
 /// root mean square over them; docs/integrators.md says which errors this does not control).
 class BdfSolver : public Stepper {

@@ -6,6 +6,7 @@
 #include <gnomon/integrators/butcher_table.hpp>
 #include <gnomon/scene/registry.hpp>
 #include <gnomon/system/state.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -24,10 +25,8 @@ struct IntegratorSettings {
   double nonlinear_fraction = 0;
   double max_step = 0;  ///< upper bound on an adaptive step [time]; 0: none
   double scale = 0;     ///< Model::differential_scale() [unit of the differential components]
-  double alpha = 0.5;   ///< of the theta method, eq. (21)
   bool locate_events = false;  ///< end steps on changes of the active set
   bool stop_unstable = false;  ///< end runs whose fixed steps do not damp
-  int max_order = 5;           ///< upper bound on the order of a variable-order method
   double end = 0;              ///< time at which the run ends [time]
   /// Times, ascending, at which the algebraic components shall be accurate too: where a node has
   /// just closed, steps that follow the error end there with two short ones (Settling in
@@ -37,6 +36,12 @@ struct IntegratorSettings {
   /// unit]. Empty: nothing is integrated. It has a value wherever the residual has one; its
   /// exceptions pass through. It does not change the steps.
   std::function<double(const Point&)> integrand{};
+  std::map<std::string, SceneValue> own{};  ///< what is given for Integrator::keys, by their names
+  /// The value of one of these keys.
+  SceneValue value(const Key& key) const {
+    const auto given = own.find(key.name);
+    return given == own.end() ? key.default_value : given->second;
+  }
 };
 
 /// Report on one accepted step.
@@ -97,9 +102,8 @@ struct Integrator {
   /// Its short steps damp errors of the algebraic components (IntegratorSettings::settled). An
   /// explicit method solves for them again in every step, so there is nothing to settle.
   bool settles = true;
-  /// A new, restored stepper continues exactly as the old one would; otherwise it begins at order
-  /// one.
-  bool one_step = true;
+  /// Keys of its own: integrator.*, with defaults, because they are in the tables of all scenes.
+  std::vector<Key> keys = {};
   /// The coefficients, for Runge-Kutta methods (the Euler schemes and theta included).
   std::function<std::optional<ButcherTable>(const IntegratorSettings&)> table;
   std::function<std::unique_ptr<Stepper>(const System&, const IntegratorSettings&, Counters&)> make;

@@ -47,6 +47,9 @@ void require_coefficient(const Scene& scene);
 /// Whether the scene asks for wear: a coefficient of 0 is a contact analysis.
 bool asks_for_wear(const Scene& scene);
 
+/// Whether a wear rate of the scene may read the name: a law that is no expression reads any.
+bool reads_in_rates(const Scene& scene, const std::string& name);
+
 /// The constants and tables of the scene, "wear.constants.a", that wear.rate does not use.
 std::vector<std::string> unused_wear_names(const Scene& scene);
 

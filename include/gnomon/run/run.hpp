@@ -33,10 +33,6 @@ StorePolicy store_policy(const Scene& scene);
 /// What the user should know of the times that the scene asks for: in one line, or empty.
 std::string dropped_times_text(const Scene& scene);
 
-/// Which keys of the run and of its linear solver the scene gives without an effect, one line for
-/// each reason.
-std::vector<std::string> idle_keys_texts(const Scene& scene);
-
 /// Throws InputError if two of the ascending times, at which steps have to end, are closer than
 /// 1e-5 of their value: in so short a step the change of the shape is smaller than rounding errors.
 /// `where`: where the times were given.

@@ -44,6 +44,10 @@ Setup set_up_again(Scene scene, const std::optional<Grid>& grid);
 /// Both.
 Setup set_up(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 
+/// What the user should know of the scene besides the model's remarks, one line each: output times
+/// that are not reached, keys without an effect.
+std::vector<std::string> remarks_on_keys(const Setup& setup);
+
 /// The description of the run that the result file and the summary contain.
 RunHeader run_header(const Setup& setup);
 

@@ -17,6 +17,12 @@ namespace gnomon {
 /// programs and plug-ins that hide their own symbols. Empty at first.
 std::shared_ptr<void>& registered_of_type(const char* type);
 
+/// Adds the key of something registered that `choice` ("wear.law") names; where the scene chooses
+/// another, the key is idle. Others that may be chosen may have it too: throws RegistrationError
+/// where the table has it with another kind or default.
+void add_key_of_choice(std::vector<Key>& table, const Key& key, const std::string& choice,
+                       const std::string& thing);
+
 /// All registered values of type T, sorted by name. T has a member `std::string name`, and perhaps
 /// `std::string missing() const`: the name of a member that every entry needs and this one lacks.
 /// Members throw RegistrationError for, and after a static registration of, an entry that cannot

@@ -4,10 +4,12 @@
 // scene` and the resolved dump are all derived from these values.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <gnomon/base/mistakes.hpp>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -64,10 +66,10 @@ struct Key {
   std::vector<std::string> or_product{};
   bool on_resume = false;  ///< whether it may change where a run continues from a checkpoint
   std::string help{};      ///< one line
-  /// Whether a scene has a use for the key. Where it has none, resolved() leaves the key out if it
-  /// has its default, so that the scene can be read without laws that it does not choose. Empty:
-  /// always.
-  std::function<bool(const Scene&)> applies{};
+  /// Why a scene has no use for the key, as in "KEY has no effect: REASON"; an empty text where it
+  /// has one. Where it has none, resolved() leaves the key out if it has its default, so that the
+  /// scene can be read without laws that it does not choose. No function: there always is a use.
+  std::function<std::string(const Scene&)> idle{};
 };
 
 /// What became of a key that scenes no longer have. Values with which it changes nothing are
@@ -99,15 +101,19 @@ public:
   const std::vector<long>& integers(const std::string& key) const;
   const std::vector<double>& reals(const std::string& key) const;
   const std::vector<std::string>& texts(const std::string& key) const;
-  bool has(const std::string& key) const;  ///< false for an absent optional key
+  const SceneValue& any(const std::string& key) const;  ///< of whatever kind
+  bool has(const std::string& key) const;               ///< false for an absent optional key
   /// Whether the key has the text that may stand instead of its numbers (Key::or_text).
   bool has_text_instead(const std::string& key) const;
   bool knows(const std::string& key) const;  ///< whether the key is in the table of the scene
   std::optional<double> real_if(const std::string& key) const;
   bool is_default(const std::string& key) const;  ///< whether a key has its default value
   /// The keys that the file or an override gives, be it with their defaults, and for which the
-  /// scene has no use (Key::applies).
-  std::vector<std::string> idle_keys() const;
+  /// scene has no use (Key::idle): one line for each reason.
+  std::vector<std::string> idle_texts() const;
+  /// The other keys that the file or an override gives, not with their defaults, and whose values
+  /// have not been asked for, in this scene or in one made of it.
+  std::vector<std::string> unread_keys() const;
   /// The names that the scene gives in place of the "*" or "#" in a key of the table, ascending.
   std::vector<std::string> chosen_names(const std::string& key) const;
 
@@ -118,7 +124,7 @@ public:
   /// several keys.
   std::string where(const std::string& key) const;
   /// The complete scene as TOML text, with one `key = value  # [unit] help` per line, grouped in
-  /// tables, including defaults that apply (Key::applies). Loading this text gives an equal scene.
+  /// tables, without defaults of no use (Key::idle). Loading this text gives an equal scene.
   std::string resolved() const;
   /// The same scene with another value of a key.
   Scene with(const std::string& key, SceneValue value) const;
@@ -144,7 +150,11 @@ private:
     Key key;
     std::optional<SceneValue> value;
     std::string origin;  ///< where it was given, for messages; empty: nowhere
+    /// Whether the value was asked for; one for all scenes that are made of this one.
+    std::shared_ptr<std::atomic<bool>> is_read = std::make_shared<std::atomic<bool>>(false);
   };
+  template <class T>
+  const T& read(const std::string& key) const;
   const Entry& entry(const std::string& key) const;
   std::optional<SceneValue>& value(const std::string& key);
 
