@@ -111,10 +111,11 @@ public:
   Observation observe(const State& state) const override {
     const Foundation& f = *foundation_;
     const int phases = system_.phases();
-    double force = 0, worn = 0, pressure = 0, half_width = 0;
+    double force = 0, worn = 0, depth = 0, pressure = 0, half_width = 0;
     long active = 0;
     for (int i = 0; i < system_.points(); ++i) {
       worn += f.area[i] * state.y[system_.d(i)];
+      depth = std::max(depth, state.y[system_.d(i)]);
       active += touches(state.y, i);
       for (int q = 0; q < phases; ++q) {
         const double p = state.y[system_.p(i, q)];
@@ -130,6 +131,7 @@ public:
     observed.worn_volume = worn;
     observed.wear_flux = flux({.t = state.t, .y = state.y, .branch = state.own_branch()});
     observed.contact_half_width = half_width;
+    observed.wear_depth = depth;
     return observed;
   }
   std::function<double(const Point&)> wear_flux() const override {

@@ -22,9 +22,8 @@ void print_summary(const RunOutcome& outcome, const EndReport& report) {
   fmt::print(
       "{} at t = {:g} s after {:.3g} s: {} steps ({} attempts rejected), {} Newton iterations, "
       "{} factorizations\n",
-      outcome.status == RunOutcome::Status::finished ? "finished" : "interrupted", outcome.last->t,
-      outcome.wall_seconds, counters.steps, counters.rejected_steps, counters.newton_iterations,
-      counters.factorizations);
+      outcome.text(), outcome.last->t, outcome.wall_seconds, counters.steps,
+      counters.rejected_steps, counters.newton_iterations, counters.factorizations);
   TextTable table({{}, {.align = TextTable::Align::right}, {}});
   for (const Scalar& scalar : outcome.last->scalars)
     table.add({"  " + scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});

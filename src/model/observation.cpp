@@ -30,6 +30,7 @@ constexpr std::array table = {
              "half the distance between the ends of contact"},
     Quantity{&O::wear_integral, "wear_integral", "mm^2", "mm^3",
              "integral of the wear flux over time"},
+    Quantity{&O::wear_depth, "wear_depth", "mm", "mm", "largest depth of wear at a contact node"},
 };
 
 bool tells_of_space(const Quantity& quantity, const std::string& unit) {

@@ -173,7 +173,13 @@ Observation WearModel<dim>::observe(const State& state) const {
   Observation observed{.dim = assembly().section() == Section::meridian ? 3 : dim};
   observe_contact(phases, assembly().copies, observed);
   observed.wear_flux = wear_flux_of(phases, assembly().copies);
-  observe_cells(assembly(), values.vector(equations_.fields().d), observed);
+  const NodalField<dim>& d = values.vector(equations_.fields().d);
+  double depth = 0;
+  for (std::size_t c = 0; c < assembly().contact_nodes.size(); ++c)
+    if (assembly().wears(static_cast<int>(c)))
+      depth = std::max(depth, d.row(assembly().contact_nodes[c].node).norm());
+  observed.wear_depth = largest_over_processes(depth);
+  observe_cells(assembly(), d, observed);
   for (std::size_t p = 0; p < phases.size(); ++p) {
     const WornBodyFields& fields = equations_.fields(p);
     observe_strains(assembly(), values.vector(fields.d), values.vector(fields.u), observed);

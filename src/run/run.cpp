@@ -16,6 +16,7 @@
 #include "run/mesh_watch.hpp"
 #include "run/progress_watch.hpp"
 #include "run/store_schedule.hpp"
+#include "run/until.hpp"
 #include "run/wear_integral.hpp"
 
 namespace gnomon {
@@ -40,6 +41,7 @@ public:
         integrator_(integrator),
         settings_(settings),
         checkpoint_seconds_(policy.checkpoint_seconds),
+        until_(policy.until),
         estimates_phases_(policy.phase_errors),
         schedule_(policy, settings.end),
         writer_(writer),
@@ -74,6 +76,8 @@ public:
     if (const std::string text = jumps_->warning(state()); !text.empty()) warn(text);
     // The last good state is always stored, independent of the output keys of the scene.
     if (outcome_.status != Status::finished && outcome_.last) store();
+    if (outcome_.status == Status::finished)
+      outcome_.ended_by = ends_early() ? "time.until: " + until_->text : "time.end";
     outcome_.wall_seconds = elapsed();
     outcome_.counters = counters_;
     outcome_.chattering_nodes = memory_.chattering.nodes();
@@ -87,7 +91,9 @@ public:
 private:
   void start() {
     state() = model().start(counters_);
-    record({}, model().observe(state()));
+    Observation observed = observe({});
+    if (until_) excess(*until_, observed);  // refuses an unknown one
+    record({}, std::move(observed));
     store();
     outcome_.examination = model().examine(state());
     require_model(outcome_.examination);
@@ -119,22 +125,24 @@ private:
   Status integrate() {
     if (damping_) damping_->require_damping_in_wider_contact(state(), observed_);
     ProgressWatch progress(state().t, counters_, settings_.end);
-    while (state().t < settings_.end) {
+    while (state().t < settings_.end && !ends_early()) {
       if (hooks_.interrupted()) {
         write_last_checkpoint();
         return Status::interrupted;
       }
       if (!stepper_) make_stepper();
       const State before = state();
-      const StepReport report = stepper_->advance(state(), schedule_.stop());
+      if (until_) memory_.stepper = stepper_->memory();
+      StepReport report = stepper_->advance(state(), schedule_.stop());
+      Observation observed = observe(report);
+      if (until_) end_early(before, report, observed);
       jumps_->add(before, state());
-      Observation observed = model().observe(state());
       require_mesh(observed, before);
       wear_integral_.add(report.integral);
       record(report, std::move(observed));
       progress.require(state().t, counters_);
       if (damping_) require_damping();
-      if (schedule_.wants(state().t, counters_.steps)) store();
+      if (schedule_.wants(state().t, counters_.steps) || ends_early()) store();
       begin_epoch();
       if (clock_is_due()) write_checkpoint();
     }
@@ -155,7 +163,7 @@ private:
 
   /// Where the model is followed by another one.
   void begin_epoch() {
-    if (state().t >= settings_.end) return;
+    if (state().t >= settings_.end || ends_early()) return;
     std::optional<Epochs::Change> change = epochs_.succeed(state());
     if (!change) return;
     change->start.rows = last_checkpoint_.rows;
@@ -175,6 +183,33 @@ private:
     if (!writer_) return;
     writer_->begin_epoch(change->start, model().grid());
     if (checkpoint_seconds_ > 0) write_checkpoint();
+  }
+
+  /// Whether the last good state is the last one of the run, by time.until.
+  bool ends_early() const { return until_ && excess(*until_, observed_) >= 0; }
+
+  /// Repeats a step that goes beyond time.until, with an end there.
+  void end_early(const State& before, StepReport& report, Observation& observed) {
+    constexpr int most = 10;  // where an observation jumps
+    for (int i = 0; i < most; ++i) {
+      const double after = excess(*until_, observed);
+      const double part = after >= 0 ? part_until(excess(*until_, observed_), after) : 1;
+      if (part >= 1) return;
+      const double end = before.t + part * (state().t - before.t);
+      --counters_.steps;
+      ++counters_.rejected_steps;
+      state() = before;
+      make_stepper();
+      report = stepper_->advance(state(), end);
+      observed = observe(report);
+    }
+  }
+
+  /// After a step that is not yet recorded.
+  Observation observe(const StepReport& report) {
+    Observation observed = model().observe(state());
+    if (const auto sum = wear_integral_.value()) observed.wear_integral = *sum + report.integral;
+    return observed;
   }
 
   void warn(const std::string& text) {
@@ -197,7 +232,6 @@ private:
   }
 
   void record(const StepReport& report, Observation observed) {
-    observed.wear_integral = wear_integral_.value();
     observed_ = std::move(observed);
     HistoryRow row{state().t, report, counters_, columns_of(observed_)};
     memory_.chattering.add(model().contact(state()));
@@ -297,6 +331,7 @@ private:
   const Integrator& integrator_;
   IntegratorSettings settings_;
   const double checkpoint_seconds_;
+  const std::optional<Until> until_;
   const bool estimates_phases_;
   StoreSchedule schedule_;
   ResultWriter* writer_;
@@ -326,7 +361,7 @@ private:
 std::string RunOutcome::text() const {
   switch (status) {
     case Status::finished:
-      return "finished";
+      return ended_by.starts_with("time.until: ") ? "finished: " + ended_by.substr(12) : "finished";
     case Status::interrupted:
       return "interrupted";
     case Status::failed:

@@ -42,6 +42,22 @@ void add_multiples(const Scene& scene, double end, std::vector<double>& times) {
   }
 }
 
+/// "wear_depth > 1.0", of time.until.
+std::optional<Until> read_until(const Scene& scene) {
+  if (!scene.has("time.until")) return std::nullopt;
+  Until until{scene.text("time.until"), scene.where("time.until"), {}};
+  std::istringstream words(until.text);
+  std::string sign, rest;
+  const bool read(words >> until.observation >> sign >> until.value);
+  until.above = sign == ">";
+  if (!read || words >> rest || (sign != ">" && sign != "<"))
+    throw InputError(
+        fmt::format("{}: expected an observation, > or <, and a number, as in \"worn_volume > "
+                    "2.5\", got \"{}\"",
+                    until.where, until.text));
+  return until;
+}
+
 }  // namespace
 
 StorePolicy store_policy(const Scene& scene) {
@@ -52,6 +68,7 @@ StorePolicy store_policy(const Scene& scene) {
   add_multiples(scene, end, policy.times);
   for (double& time : policy.times)
     if (same_time(time, end)) time = end;
+  policy.until = read_until(scene);
   policy.settle = scene.flag("output.settle");
   policy.checkpoint_seconds = scene.real("output.checkpoint_seconds");
   policy.phase_errors = scene.flag("output.phase_errors");

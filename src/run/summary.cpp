@@ -49,7 +49,7 @@ void add_scalars(Json& json, const RunOutcome& outcome) {
   // Included even if they are absent, so that scripts find the keys in every summary.
   for (const char* name : {"contact_nodes", "contact_force", "max_pressure", "worn_volume",
                            "wear_flux", "wear_integral", "wear_difference", "element_quality",
-                           "element_volume", "contact_half_width"})
+                           "element_volume", "contact_half_width", "wear_depth"})
     json[name] = nullptr;
   if (!outcome.last) return;
   for (const Scalar& scalar : outcome.last->scalars) json[scalar.name] = scalar.value;
@@ -95,6 +95,7 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
   json["atol"] = settings.atol;
   json["status"] = status_name(outcome.status);
   json["diagnosis"] = outcome.diagnosis;
+  json["ended_by"] = outcome.ended_by;
   json["t"] = outcome.last ? Json(outcome.last->t) : Json(nullptr);
   json["t_end"] = settings.end;
   add_counters(json, outcome.counters);

@@ -149,6 +149,13 @@ std::vector<Key> make_run_keys() {
        .or_product = {"time.cycles", "cycle.period"},
        .on_resume = true,
        .help = "end of the run, which begins at t = 0; in scenes with a cycle also as time.cycles"},
+      {.name = "time.until",
+       .kind = KeyKind::text,
+       .presence = optional,
+       .absent_meaning = "the run goes on to time.end",
+       .on_resume = true,
+       .help = "ends the run where this holds, before time.end: an observation of the history, > "
+               "or <, and a number in its unit, as in \"wear_depth > 1.0\""},
   };
   for (const auto& part : {integrator_keys(), output_keys()})
     keys.insert(keys.end(), part.begin(), part.end());

@@ -101,6 +101,34 @@ TEST_F(RunTest, StepsEndOnTheTimesThatAreStored) {
   EXPECT_EQ(outcome.counters.steps, 9);
 }
 
+TEST_F(RunTest, EndsWhereAnObservationPassesAValue) {
+  for (const bool above : {true, false}) {
+    const std::string name = above ? "worn_volume" : "wear_flux";
+    const RunOutcome outcome = run_decay(
+        {.every = 0, .until = Until{name + " is 0.5", "scene", name, above, 0.5}}, exact_decay());
+    EXPECT_EQ(outcome.ended_by, "time.until: " + name + " is 0.5");
+    const ResultReader result(file());
+    EXPECT_EQ(result.status(), "finished: " + name + " is 0.5");
+    EXPECT_GE(outcome.last->t, std::log(2));
+    EXPECT_NEAR(outcome.last->t, std::log(2), 1e-3 * 0.25);
+    EXPECT_THAT(result.stored_times(), ElementsAre(0, outcome.last->t));
+    EXPECT_EQ(result.checkpoints().back().rows, long(result.history().size()));
+    EXPECT_GT(outcome.counters.rejected_steps, 0);
+    EXPECT_EQ(outcome.counters.steps, long(result.history().size()) - 1);
+    std::filesystem::remove(file());
+  }
+  EXPECT_EQ(run_decay({.every = 0}).ended_by, "time.end");
+}
+
+TEST_F(RunTest, AnUnknownObservationIsRefused) {
+  EXPECT_THAT(
+      [&] {
+        run_decay({.until = Until{"", "s.toml:2: key", "worn_volum", true, 1}});
+      },
+      ::testing::ThrowsMessage<InputError>(
+          "s.toml:2: key: no observation is called worn_volum, did you mean worn_volume?"));
+}
+
 TEST_F(RunTest, InterruptionEndsAfterTheStepAndStoresIt) {
   int steps = 0;
   const RunHooks hooks{.on_step = [&](const HistoryRow&) { ++steps; },
@@ -206,6 +234,56 @@ TEST(Settings, StoreTimesAreSortedAndChecked) {
   const StorePolicy policy = store_policy(pin_scene({"output.times=[30,0,10,30,1000]"}));
   EXPECT_THAT(policy.times, ElementsAre(10, 30, 1000));
   EXPECT_THROW(store_policy(pin_scene({"output.times=[5, 5.00000001]"})), InputError);
+}
+
+TEST(Settings, AnEndByAnObservationIsRead) {
+  EXPECT_FALSE(store_policy(pin_scene({})).until);
+  const Until until = *store_policy(pin_scene({"time.until=wear_depth < 1.5e-3"})).until;
+  EXPECT_EQ(until.observation, "wear_depth");
+  EXPECT_FALSE(until.above);
+  EXPECT_EQ(until.value, 1.5e-3);
+  for (const char* bad : {"wear_depth", "wear_depth > x", "wear_depth >= 1", "a > 1 > 2", "1 < a"})
+    EXPECT_THROW(store_policy(pin_scene({std::string("time.until=") + bad})), InputError) << bad;
+}
+
+TEST(Settings, AMethodHasKeysOfItsOwn) {
+  const Decay model;
+  const auto value = [&](const std::string& method, const std::string& override_) {
+    const Scene scene = pin_scene({"integrator.name=" + method, override_});
+    return integrator_settings(scene, model).own;
+  };
+  using Own = std::map<std::string, SceneValue>;
+  EXPECT_EQ(value("theta", "integrator.alpha=0.75"), (Own{{"integrator.alpha", 0.75}}));
+  EXPECT_EQ(value("bdf", "integrator.max_order=2"), (Own{{"integrator.max_order", 2L}}));
+  EXPECT_EQ(value("bdf", "integrator.alpha=0.5"), (Own{{"integrator.max_order", 5L}}));
+  EXPECT_THAT(
+      [&] { value("bdf", "integrator.alpha=0.75"); },
+      ::testing::ThrowsMessage<InputError>("--set integrator.alpha: expected none, bdf does "
+                                           "not read it (theta does)"));
+  EXPECT_THAT(pin_scene({"integrator.name=bdf"}).resolved(), Not(HasSubstr("alpha")));
+}
+
+TEST(Settings, KeysThatNothingReadsAreNamed) {
+  if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
+  const auto remarks = [](const std::vector<std::string>& overrides) {
+    return remarks_on_keys(
+        set_up(GNOMON_SOURCE_DIR "/problems/worn_body/hertz_cylinder.toml", overrides));
+  };
+  EXPECT_THAT(remarks({}), ElementsAre());
+  EXPECT_THAT(remarks({"body.density=1e-9"}),
+              ElementsAre("body.density has no effect: nothing in this scene reads it"));
+}
+
+TEST(Settings, AVelocityBesideAMotionIsNamed) {
+  const auto texts = [](const std::vector<std::string>& overrides) {
+    return load_scene(GNOMON_SOURCE_DIR "/problems/worn_body/block_on_ring.toml", overrides,
+                      key_table)
+        .idle_texts();
+  };
+  EXPECT_THAT(texts({}), ElementsAre());
+  EXPECT_THAT(texts({"wear.velocity=5"}),
+              ElementsAre(HasSubstr("wear.velocity has no effect: the motion of the")));
+  EXPECT_THAT(texts({"wear.velocity=5", "wear.rate=\"k * p * v * exp(-s)\""}), ElementsAre());
 }
 
 TEST(Settings, TimesBehindTheEndAreDroppedWithAWord) {

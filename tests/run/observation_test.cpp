@@ -42,42 +42,44 @@ TEST(Observation, HasColumnsInOneOrder) {
                           "worn_volume [mm^2]", "wear_flux [mm^2/s]", "element_quality []",
                           "element_volume []", "groove_section [mm^2]", "approach [mm]",
                           "displacement_gradient []", "contact_half_width [mm]",
-                          "wear_integral [mm^2]", "error []"));
+                          "wear_integral [mm^2]", "wear_depth [mm]", "error []"));
   all.dim = 3;
   EXPECT_THAT(headings(columns_of(all)),
               ElementsAre("contact_nodes []", "contact_force [N]", "max_pressure [MPa]",
                           "worn_volume [mm^3]", "wear_flux [mm^3/s]", "element_quality []",
                           "element_volume []", "groove_section [mm^2]", "approach [mm]",
                           "displacement_gradient []", "contact_half_width [mm]",
-                          "wear_integral [mm^3]", "error []"));
+                          "wear_integral [mm^3]", "wear_depth [mm]", "error []"));
 }
 
 TEST(Observation, OfAPin) {
-  EXPECT_THAT(
-      headings(*pin_model({elements(4), "body.kinematics=small"})),
-      ElementsAre("contact_nodes []", "contact_force [N/mm]", "max_pressure [MPa]",
-                  "worn_volume [mm^2]", "wear_flux [mm^2/s]", "element_quality []",
-                  "element_volume []", "displacement_gradient []", "contact_half_width [mm]"));
+  EXPECT_THAT(headings(*pin_model({elements(4), "body.kinematics=small"})),
+              ElementsAre("contact_nodes []", "contact_force [N/mm]", "max_pressure [MPa]",
+                          "worn_volume [mm^2]", "wear_flux [mm^2/s]", "element_quality []",
+                          "element_volume []", "displacement_gradient []",
+                          "contact_half_width [mm]", "wear_depth [mm]"));
 }
 
 TEST(Observation, OfABall) {
   EXPECT_THAT(headings(*model_of(ball_small, ball_mesh(3, 2, 3))),
               ElementsAre("contact_nodes []", "contact_force [N]", "max_pressure [MPa]",
                           "worn_volume [mm^3]", "wear_flux [mm^3/s]", "element_quality []",
-                          "element_volume []", "approach [mm]"));
+                          "element_volume []", "approach [mm]", "wear_depth [mm]"));
 }
 
 TEST(Observation, OfAGroove) {
   EXPECT_THAT(headings(*model_of(groove_small, block_mesh(4, 4, 2, 0.06))),
               ElementsAre("contact_nodes []", "contact_force [N]", "max_pressure [MPa]",
                           "worn_volume [mm^3]", "wear_flux [mm^3/s]", "element_quality []",
-                          "element_volume []", "groove_section [mm^2]", "approach [mm]"));
+                          "element_volume []", "groove_section [mm^2]", "approach [mm]",
+                          "wear_depth [mm]"));
 }
 
 TEST(Observation, OfSprings) {
   EXPECT_THAT(headings(*model_of("winkler/pin.toml", {"foundation.points=5"})),
               ElementsAre("contact_nodes []", "contact_force [N/mm]", "max_pressure [MPa]",
-                          "worn_volume [mm^2]", "wear_flux [mm^2/s]", "contact_half_width [mm]"));
+                          "worn_volume [mm^2]", "wear_flux [mm^2/s]", "contact_half_width [mm]",
+                          "wear_depth [mm]"));
 }
 
 TEST(Observation, OfATestEquation) {

@@ -33,6 +33,7 @@ struct Observation {
   std::optional<double> contact_half_width{};     ///< [mm]
   /// Integral of wear_flux over the run [mm^2 | mm^3]; computed by the run loop, not by a model.
   std::optional<double> wear_integral{};
+  std::optional<double> wear_depth{};  ///< largest of a contact node [mm]
 
   /// Observations of a single problem (the error against its exact solution), with names different
   /// from those above.

@@ -14,7 +14,16 @@
 
 namespace gnomon {
 
-/// The steps whose fields are stored, in addition to the start.
+/// The end of a run before time.end: where an observation rises above a value, or falls below it.
+struct Until {
+  std::string text;         ///< "wear_depth > 1.0"
+  std::string where;        ///< beginning of a message about it
+  std::string observation;  ///< its name in the history
+  bool above = true;
+  double value = 0;
+};
+
+/// The steps whose fields are stored, in addition to the start and the end.
 struct StorePolicy {
   long every = 0;                   ///< every n-th step; 0: none
   std::vector<double> times = {};   ///< at these times, ascending, in (0, end]
@@ -23,11 +32,15 @@ struct StorePolicy {
   /// Wall time after which a checkpoint (Checkpoint) follows the start or a step [s]; 0: none. One
   /// more is written where the run ends or is interrupted (RunHooks). They do not change the run.
   double checkpoint_seconds = 0;
+  /// Ends the run early. The step with which it holds is shortened to about where it begins to, to
+  /// a thousandth of this step.
+  std::optional<Until> until = {};
   /// Of a cycle: the error of the mean over its phases is estimated at the start and at the end.
   bool phase_errors = false;
 };
 
-/// The `output.*` keys. Throws InputError for times that are too close or too many.
+/// `time.until` and the `output.*` keys. Throws InputError for times that are too close or too
+/// many.
 StorePolicy store_policy(const Scene& scene);
 
 /// What the user should know of the times that the scene asks for: in one line, or empty.
@@ -50,6 +63,7 @@ struct RunOutcome {
   enum class Status { finished, interrupted, failed };
   Status status = Status::finished;
   std::string diagnosis;           ///< when failed
+  std::string ended_by;            ///< when finished: "time.end", "time.until: wear_depth > 1.0"
   std::optional<HistoryRow> last;  ///< of the last good state; absent if the start failed
   std::optional<State> state;      ///< the last good one; absent if the start failed
   /// That of `state` where the run came to a later epoch; else null, and it is the one given.
@@ -67,7 +81,8 @@ struct RunOutcome {
   /// The warnings of the run, one line each: reasons why its numbers may be worthless.
   std::vector<std::string> warnings;
 
-  /// "finished", "interrupted", "failed: DIAGNOSIS", as in the result file and the summary.
+  /// "finished", "finished: wear_depth > 1.0", "interrupted", "failed: DIAGNOSIS", as in the result
+  /// file.
   std::string text() const;
 };
 
