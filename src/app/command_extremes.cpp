@@ -1,19 +1,21 @@
 // gnomon extremes: runs studies at the extremes of their parameters and judges every run.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/installation.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/study/extremes.hpp>
+#include <iterator>
 #include <map>
-#include <thread>
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/program.hpp"
 #include "app/run_end.hpp"
+#include "app/study_flags.hpp"
 #include "app/study_page.hpp"
 #include "app/study_progress.hpp"
 #include "app/text_table.hpp"
@@ -64,37 +66,30 @@ std::string name_of(const fs::path& file) {
                                          : stem;
 }
 
-struct Suite {
-  std::string name;
-  ExtremeStudy extreme;
-};
+/// Studies by their names in the suite.
+using Suite = std::map<std::string, Study>;
 
-std::vector<Suite> load_suites(const std::vector<fs::path>& files) {
-  std::vector<Suite> suites;
-  for (const fs::path& file : files) {
-    suites.push_back({name_of(file), load_extreme_study(file)});
-    for (std::size_t i = 0; i + 1 < suites.size(); ++i)
-      if (suites[i].name == suites.back().name)
-        throw InputError(
-            fmt::format("{}: there are two studies called \"{}\", expected different "
-                        "names",
-                        file.string(), suites[i].name));
-  }
-  return suites;
+Suite load_suite(const std::vector<fs::path>& files) {
+  Suite suite;
+  for (const fs::path& file : files)
+    if (!suite.try_emplace(name_of(file), load_study(file, Impossible::kept)).second)
+      throw InputError(
+          fmt::format("{}: there are two studies called \"{}\", expected different names",
+                      file.string(), name_of(file)));
+  return suite;
 }
 
 /// The table is rewritten, and the cases of all studies that it held must stay in it.
-void check_holds_only(const fs::path& folder, const std::vector<Suite>& suites) {
+void check_holds_only(const fs::path& folder, const Suite& suite) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (!holds_study(entry.path())) continue;
-    if (std::ranges::find(suites, name, &Suite::name) == suites.end())
+    if (holds_study(entry.path()) && !suite.contains(name))
       throw InputError(fmt::format("{}: holds study \"{}\", expected it among those to resume",
                                    folder.string(), name));
   }
 }
 
-void prepare_folder(const fs::path& folder, bool resume, const std::vector<Suite>& suites) {
+void prepare_folder(const fs::path& folder, bool resume, const Suite& suite) {
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_empty(folder, error)) {
     if (!fs::exists(folder / table_file, error))
@@ -105,7 +100,7 @@ void prepare_folder(const fs::path& folder, bool resume, const std::vector<Suite
     if (!resume)
       throw InputError(fmt::format(
           "{}: exists already, expected a new name, or --resume to continue", folder.string()));
-    check_holds_only(folder, suites);
+    check_holds_only(folder, suite);
   }
   fs::create_directories(folder, error);
   if (error) throw InputError(fmt::format("cannot make {}: {}", folder.string(), error.message()));
@@ -113,10 +108,12 @@ void prepare_folder(const fs::path& folder, bool resume, const std::vector<Suite
 }
 
 /// All studies, one after the other; several runs of a study at the same time.
-void run_all(const std::vector<Suite>& suites, const ExtremesOptions& given, StudyOptions options) {
+void run_all(const Suite& suite, const ExtremesOptions& given) {
+  StudyOptions options = options_of_runs(given.jobs, given.resume);
+  options.limit = given.limit;
   StudyProgressBar bar(Progress::mode_for_stderr(given.quiet));
   StudyProgress before;
-  for (const Suite& suite : suites) before.total += suite.extreme.study.runs.size();
+  for (const auto& [name, study] : suite) before.total += study.runs.size();
   const auto show = [&](const StudyProgress& p) {
     bar.show({.total = before.total,
               .kept = before.kept + p.kept,
@@ -125,11 +122,10 @@ void run_all(const std::vector<Suite>& suites, const ExtremesOptions& given, Stu
               .ended = p.ended,
               .reason = p.reason});
   };
-  for (const Suite& suite : suites) {
-    options.folder = given.folder / suite.name;
-    const StudyProgress progress =
-        run_study(suite.extreme.study, options,
-                  {.on_progress = show, .interrupted = InterruptGuard::interrupted});
+  for (const auto& [name, study] : suite) {
+    options.folder = given.folder / name;
+    const StudyProgress progress = run_study(
+        study, options, {.on_progress = show, .interrupted = InterruptGuard::interrupted});
     before.kept += progress.kept;
     before.done += progress.done;
     before.failed += progress.failed;
@@ -160,47 +156,36 @@ void print_cases(const std::vector<ExtremeCase>& cases) {
                   {}});
   for (const bool faults : {false, true})
     for (const ExtremeCase& c : cases)
-      if (is_fault(c.verdict) == faults)
-        text.add({verdict_name(c.verdict), c.study, c.sweep, c.run, number(c.difference, "{:.1e}"),
+      if (c.verdict.fault == faults)
+        text.add({c.verdict.name, c.study, c.row.sweep, c.run.title, number(c.difference, "{:.1e}"),
                   number(c.bound, "{:.1e}"), number(c.pressure_difference, "{:.1e}"),
-                  c.counters ? fmt::format("{}", c.counters->steps) : "-",
-                  number(c.wall_seconds, "{:.2f}"), c.reason});
+                  c.row.counters ? fmt::format("{}", c.row.counters->steps) : "-",
+                  number(c.row.wall_seconds, "{:.2f}"), c.reason});
   fmt::print("{}", text.text());
 }
 
 std::string counts_text(const std::vector<ExtremeCase>& cases) {
-  std::map<Verdict, int> counts;
-  for (const ExtremeCase& c : cases) ++counts[c.verdict];
-  std::string text = fmt::format("{} cases:", cases.size());
-  const char* separator = " ";
-  for (const auto& [verdict, count] : counts) {
-    text += fmt::format("{}{} {}", separator, count, verdict_name(verdict));
-    separator = ", ";
-  }
-  return text;
+  std::map<std::string, int> counts;
+  for (const ExtremeCase& c : cases) ++counts[c.verdict.name];
+  std::vector<std::string> parts;
+  for (const Verdict& verdict : verdicts::all)
+    if (const int count = counts[verdict.name]; count > 0)
+      parts.push_back(fmt::format("{} {}", count, verdict.name));
+  return fmt::format("{} cases: {}", cases.size(), fmt::join(parts, ", "));
 }
 
 }  // namespace
 
 int extremes_command(const ExtremesOptions& given) {
-  const std::vector<Suite> suites = load_suites(study_files(given.studies));
-  prepare_folder(given.folder, given.resume, suites);
-  StudyOptions options;
-  options.program = fs::read_symlink("/proc/self/exe");
-  options.jobs = given.jobs > 0
-                     ? given.jobs
-                     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  options.resume = given.resume;
-  options.limit = given.limit;
+  const Suite suite = load_suite(study_files(given.studies));
+  prepare_folder(given.folder, given.resume, suite);
   if (!given.quiet) warn_of_slow_blas();
   const InterruptGuard guard(false);  // until the page is written, as for a study
-  run_all(suites, given, options);
+  run_all(suite, given);
 
   std::vector<ExtremeCase> cases;
-  for (const Suite& suite : suites) {
-    const auto judged = judge(suite.extreme, suite.name, given.folder / suite.name);
-    cases.insert(cases.end(), judged.begin(), judged.end());
-  }
+  for (const auto& [name, study] : suite)
+    std::ranges::move(judge(study, name, given.folder / name), std::back_inserter(cases));
   write_file(given.folder / table_file, extremes_csv(cases), Earlier::replaced);
   write_file(given.folder / "extremes.json", extremes_json(cases), Earlier::replaced);
   const DrawnPage page = draw_page(given.folder, "extremes");
@@ -209,8 +194,8 @@ int extremes_command(const ExtremesOptions& given) {
     fmt::print("{}{}\nresults: {} ({}{}, extremes.json, one folder per study)\n", page.complaint,
                counts_text(cases), given.folder.string(), page.listed(), table_file);
   }
-  const auto faults = std::count_if(cases.begin(), cases.end(),
-                                    [](const ExtremeCase& c) { return is_fault(c.verdict); });
+  const auto faults =
+      std::ranges::count_if(cases, [](const ExtremeCase& c) { return c.verdict.fault; });
   if (faults > 0)
     throw Error(fmt::format("{} of {} cases are wrong, hung or crashed", faults, cases.size()));
   return success;

@@ -7,12 +7,12 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/study/slurm.hpp>
 #include <gnomon/study/study.hpp>
-#include <thread>
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/program.hpp"
 #include "app/run_end.hpp"
+#include "app/study_flags.hpp"
 #include "app/study_progress.hpp"
 #include "app/study_tables.hpp"
 #include "study/run_numbers.hpp"
@@ -28,13 +28,8 @@ fs::path folder_of(const Study& study, const StudyCommandOptions& given) {
 }
 
 StudyOptions study_options(const fs::path& folder, const StudyCommandOptions& given) {
-  StudyOptions options;
+  StudyOptions options = options_of_runs(given.jobs, given.resume);
   options.folder = folder;
-  options.program = fs::read_symlink("/proc/self/exe");
-  options.jobs = given.jobs > 0
-                     ? given.jobs
-                     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  options.resume = given.resume;
   options.lost_after = given.lost_after;
   return options;
 }

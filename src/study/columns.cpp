@@ -12,11 +12,6 @@ namespace {
 using Type = Column::Kind;
 using StudyColumn = ColumnOf<StudyRow>;
 
-template <class T>
-CellValue maybe(const std::optional<T>& value) {
-  return value ? CellValue(*value) : CellValue();
-}
-
 StudyColumn text(const std::string& name, const std::string& meaning,
                  std::function<std::string(const StudyRow&)> get) {
   return {{name, "", Type::text, "setting", meaning}, std::move(get)};

@@ -216,8 +216,11 @@ private:
   }
 
   void add_point(const Method& method, const StudySetting& setting) {
-    study_.points.push_back({study_.sweep.size() - 1, run_of(method, setting), method.name,
-                             method.integrator, setting});
+    StudyPoint point{study_.sweep.size() - 1, run_of(method, setting), method.name,
+                     method.integrator, setting};
+    if (kept_ && setting.kind == Kind::step && study_.runs[point.run].overrides.empty())
+      point.half = run_of(method, {Kind::step, setting.value / 2});
+    study_.points.push_back(std::move(point));
   }
 
   Values overrides_of(const Method& method, const StudySetting& setting) const {

@@ -1,15 +1,11 @@
-// The cases of an extreme study, and the verdicts on them.
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
-#include <gnomon/model/problem.hpp>
 #include <gnomon/results/results.hpp>
 #include <gnomon/study/extremes.hpp>
 
 #include "run/wear_integral.hpp"
-#include "study/declaration.hpp"
 #include "study/run_files.hpp"
 
 namespace gnomon {
@@ -17,267 +13,145 @@ namespace gnomon {
 namespace {
 
 using namespace study;
-using Kind = StudySetting::Kind;
 
-/// The same case with half its step, if the study does not have it already.
-std::size_t halved_point(Study& study, std::size_t index) {
-  StudyPoint half = study.points[index];
-  half.setting.value /= 2;
-  for (std::size_t i = 0; i < study.points.size(); ++i) {
-    const StudyPoint& other = study.points[i];
-    if (other.sweep == half.sweep && other.method == half.method &&
-        other.setting.kind == Kind::step && other.setting.value == half.setting.value)
-      return i;
-  }
-  const StudyRun& run = study.runs[half.run];
-  StudyRun finer{run.name + "__half", run.title + " halved",
-                 parse_scene(run.scene, study.file.string(),
-                             {"integrator.step=" + number_text(half.setting.value)}, key_table)
-                     .resolved()};
-  half.run = study.runs.size();
-  study.runs.push_back(std::move(finer));
-  study.points.push_back(half);
-  return study.points.size() - 1;
-}
-
-std::optional<double> error_control(const StudyPoint& point) {
-  if (point.setting.kind == Kind::step) return std::nullopt;
-  return point.setting.value;
-}
-
-/// The result of comparing a finished case with its references.
-struct Judgement {
-  Verdict verdict = Verdict::wrong;
-  std::string reason{};
-  std::optional<double> difference{}, bound{};
-};
-
-class Judge {
+/// The verdict on one run.
+class Judgement {
 public:
-  Judge(const ExtremeStudy& extreme, const std::filesystem::path& folder)
-      : extreme_(extreme), folder_(folder), table_(measure(extreme.study, folder)) {}
+  Judgement(ExtremeCase& found, const StudyReference& reference, bool is_reference, RunFiles files)
+      : case_(found),
+        row_(found.row),
+        reference_(reference),
+        is_reference_(is_reference),
+        files_(std::move(files)) {}
 
-  Judgement operator()(std::size_t index) const {
-    const StudyRow& row = table_.rows[index];
-    if (!row.end) return {Verdict::crashed, row.reason};
-    if (row.end->timed_out) return {Verdict::hung, row.reason};
-    if (row.end->signal != 0) return {Verdict::crashed, row.reason};
-    switch (row.end->exit_code) {
+  void operator()() {
+    case_.pressure_difference = pressure_difference();
+    if (!row_.end || row_.end->signal != 0 || row_.end->timed_out)
+      return end(row_.end && row_.end->timed_out ? verdicts::hung : verdicts::crashed, row_.reason);
+    switch (row_.end->exit_code) {
       case 0:
-        return finished(index);
+        return finished();
       case 2:
-        return refused(row);
+        return std::filesystem::exists(files_.result)
+                   ? end(verdicts::wrong, "refused, but wrote a result: " + row_.reason)
+                   : end(verdicts::refused, row_.reason);
       case 3:
-        return stopped(row);
+        return stopped();
       default:
-        return {Verdict::crashed, row.reason};
+        return end(verdicts::crashed, row_.reason);
     }
   }
 
-  const StudyRow& row(std::size_t index) const { return table_.rows[index]; }
-
-  /// None if there is no pressure.
-  std::optional<double> pressure_difference(std::size_t index) const {
-    const StudyRow& row = table_.rows[index];
-    const StudyReference& reference = table_.references[row.point.sweep];
-    const auto error = is_reference(row) ? reference.pressure_error : row.pressure_error;
-    if (!error || !(reference.pressure > 0)) return std::nullopt;
-    return *error / reference.pressure;
-  }
-
 private:
-  RunFiles files(const StudyRow& row) const {
-    return {folder_, extreme_.study.runs[row.point.run].name};
+  void end(const Verdict& verdict, const std::string& reason) {
+    case_.verdict = verdict;
+    case_.reason = reason;
   }
 
-  Judgement refused(const StudyRow& row) const {
-    if (std::filesystem::exists(files(row).result))
-      return {Verdict::wrong, "refused, but wrote a result: " + row.reason};
-    return {Verdict::refused, row.reason};
+  void stopped() {
+    if (row_.reason.empty()) return end(verdicts::wrong, "stopped without a diagnosis");
+    if (!holds_last_state())
+      return end(verdicts::wrong, "lost the last good state: " + row_.reason);
+    end(verdicts::stopped, row_.reason);
   }
 
-  Judgement stopped(const StudyRow& row) const {
-    if (row.reason.empty()) return {Verdict::wrong, "stopped without a diagnosis"};
-    if (!holds_last_state(row)) return {Verdict::wrong, "lost the last good state: " + row.reason};
-    return {Verdict::stopped, row.reason};
-  }
-
-  bool holds_last_state(const StudyRow& row) const try {
-    if (!row.reached) return !std::filesystem::exists(files(row).result);  // stopped at the start
-    const ResultReader result(files(row).result);
-    const std::vector<double> stored = result.stored_times();
-    return !stored.empty() && stored.back() == *row.reached;
+  bool holds_last_state() const try {
+    if (!row_.reached) return !std::filesystem::exists(files_.result);  // stopped at the start
+    const std::vector<double> stored = ResultReader(files_.result).stored_times();
+    return !stored.empty() && stored.back() == *row_.reached;
   } catch (const Error&) {
     return false;
   }
 
   /// The references have this error too, so that they agree in spite of it.
-  bool lost_wear(const StudyRow& row) const try {
-    const ResultReader result(files(row).result);
+  bool lost_wear() const try {
+    const ResultReader result(files_.result);
     const Observation last = observation_of(result.history().back().scalars);
     return has_lost_wear(last, invisible_volume(result.grid(), last.dim));
   } catch (const Error&) {
     return false;
   }
 
-  Judgement finished(std::size_t index) const {
-    Judgement judgement = confirmed(index);
-    if (judgement.verdict != Verdict::agrees) return judgement;
-    const auto mark = [&judgement](const std::string& text) {
-      judgement.reason += (judgement.reason.empty() ? "" : "; ") + text;
-    };
-    if (const auto pressure = pressure_difference(index); !(pressure <= extremes::pressure))
-      mark(fmt::format("a nodal pressure differs by {:.0f} % of the largest", 100 * *pressure));
-    if (lost_wear(row(index))) mark("warned of lost wear");
-    return judgement;
+  /// None if there is no pressure.
+  std::optional<double> pressure_difference() const {
+    const auto error = is_reference_ ? reference_.pressure_error : row_.pressure_error;
+    if (!error || !(reference_.pressure > 0)) return std::nullopt;
+    return *error / reference_.pressure;
   }
 
-  Judgement confirmed(std::size_t index) const {
-    const StudyRow& row = table_.rows[index];
-    const StudyReference& reference = table_.references[row.point.sweep];
-    if (!row.shape_error)
-      return {Verdict::wrong,
-              "nothing confirms it: " + (row.reason.empty() ? reference.text : row.reason)};
-    const bool fixed = row.point.setting.kind == Kind::step;
-    return fixed ? with_fixed_steps(index, reference) : with_error_control(row, reference);
+  void finished() {
+    const bool fixed = row_.point.setting.kind == StudySetting::Kind::step;
+    const std::string complaint =
+        !row_.shape_error
+            ? "nothing confirms it: " + (row_.reason.empty() ? reference_.text : row_.reason)
+        : fixed ? complaint_with_fixed_steps()
+                : complaint_with_error_control();
+    if (!complaint.empty()) return end(verdicts::wrong, complaint);
+    end(verdicts::agrees, reference_.error ? "" : "by one reference: " + reference_.text);
+    const auto mark = [&](const std::string& text) {
+      case_.reason += (case_.reason.empty() ? "" : "; ") + text;
+    };
+    if (!(case_.pressure_difference <= extremes::pressure))
+      mark(fmt::format("a nodal pressure differs by {:.0f} % of the largest",
+                       100 * *case_.pressure_difference));
+    if (lost_wear()) mark("warned of lost wear");
   }
 
   /// Without wear there must be no difference.
-  static double relative(double error, const StudyReference& reference) {
-    return error == 0 ? 0 : error / reference.wear;
-  }
-
-  static std::string lone(const StudyReference& reference) {
-    return reference.error ? "" : "by one reference: " + reference.text;
-  }
-
-  bool is_reference(const StudyRow& row) const {
-    const auto& runs = extreme_.study.sweep[row.point.sweep].references;
-    return std::ranges::find(runs, row.point.run) != runs.end();
-  }
+  double relative(double error) const { return error == 0 ? 0 : error / reference_.wear; }
 
   /// A reference is compared with the other one.
-  std::optional<double> difference(const StudyRow& row, const StudyReference& reference) const {
-    const bool confirms = is_reference(row);
-    if (confirms && !reference.error) return std::nullopt;
-    return relative(confirms ? *reference.error : *row.shape_error, reference);
-  }
-
-  Judgement with_error_control(const StudyRow& row, const StudyReference& reference) const {
-    Judgement result;
-    result.bound = std::clamp(extremes::tolerances * row.point.setting.value, extremes::finest,
-                              extremes::coarsest);
-    result.difference = difference(row, reference);
-    const double own = relative(reference.error.value_or(0), reference);
-    if (!result.difference)
-      result.reason = "nothing confirms it: " + reference.text;
-    else if (!(own <= *result.bound))
-      result.reason = fmt::format("the references differ by {:.1e}", own);
-    else if (!(*result.difference <= *result.bound))
-      result.reason = "differs by more than the tolerance allows";
-    else
-      result = {Verdict::agrees, lone(reference), result.difference, result.bound};
-    return result;
-  }
-
-  /// A run that had to shorten its steps may have no fewer than with half the step.
-  static bool has_more_steps(const StudyRow& half, const StudyRow& row) {
-    return !half.counters || !row.counters || half.counters->steps > row.counters->steps;
+  std::string complaint_with_error_control() {
+    case_.bound = std::clamp(extremes::tolerances * row_.point.setting.value, extremes::finest,
+                             extremes::coarsest);
+    if (is_reference_ && !reference_.error) return "nothing confirms it: " + reference_.text;
+    case_.difference = relative(is_reference_ ? *reference_.error : *row_.shape_error);
+    const double own = relative(reference_.error.value_or(0));
+    if (!(own <= *case_.bound)) return fmt::format("the references differ by {:.1e}", own);
+    if (!(*case_.difference <= *case_.bound)) return "differs by more than the tolerance allows";
+    return {};
   }
 
   /// No accuracy was requested: the error has to decrease with the step, or to be so small that the
-  /// kinks of the solution hide this.
-  Judgement with_fixed_steps(std::size_t index, const StudyReference& reference) const {
-    const StudyRow& row = table_.rows[index];
-    const StudyRow& half = table_.rows[*extreme_.halved[index]];
-    Judgement result;
-    result.bound = extremes::no_answer;
-    result.difference = relative(*row.shape_error, reference);
-    if (!(relative(reference.error.value_or(0), reference) <= extremes::coarsest)) {
-      result.reason = "the references differ";
-    } else if (!(*result.difference <= extremes::no_answer)) {
-      result.reason = "is nowhere near the solution";
-    } else if (!half.shape_error) {
-      result.reason = "half the step does not confirm it: " + half.reason;
-    } else {
-      const double left = relative(*half.shape_error, reference);
-      const double enough = has_more_steps(half, row)
-                                ? std::max(extremes::shrinks * *result.difference, extremes::near)
-                                : extremes::coarsest;
-      if (left <= enough)
-        result = {Verdict::agrees, lone(reference), result.difference, result.bound};
-      else
-        result.reason =
-            fmt::format("half the step leaves {:.1e} of {:.1e}", left, *result.difference);
-    }
-    return result;
+  /// kinks of the solution hide this. A run that had to shorten its steps may have no fewer than
+  /// with half the step.
+  std::string complaint_with_fixed_steps() {
+    case_.bound = extremes::no_answer;
+    case_.difference = relative(*row_.shape_error);
+    if (!(relative(reference_.error.value_or(0)) <= extremes::coarsest))
+      return "the references differ";
+    if (!(*case_.difference <= extremes::no_answer)) return "is nowhere near the solution";
+    const StudyRow::Half& half = row_.half;
+    if (!half.shape_error) return "half the step does not confirm it: " + half.reason;
+    const bool more_steps =
+        !half.counters || !row_.counters || half.counters->steps > row_.counters->steps;
+    const double enough = more_steps
+                              ? std::max(extremes::shrinks * *case_.difference, extremes::near)
+                              : extremes::coarsest;
+    const double left = relative(*half.shape_error);
+    if (left <= enough) return {};
+    return fmt::format("half the step leaves {:.1e} of {:.1e}", left, *case_.difference);
   }
 
-  const ExtremeStudy& extreme_;
-  const std::filesystem::path folder_;
-  const StudyTable table_;
+  ExtremeCase& case_;
+  const StudyRow& row_;
+  const StudyReference& reference_;
+  const bool is_reference_;
+  const RunFiles files_;
 };
 
 }  // namespace
 
-std::string verdict_name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::agrees:
-      return "agrees";
-    case Verdict::refused:
-      return "refused";
-    case Verdict::stopped:
-      return "stopped";
-    case Verdict::wrong:
-      return "wrong";
-    case Verdict::hung:
-      return "hung";
-    case Verdict::crashed:
-      return "crashed";
-  }
-  return {};
-}
-
-bool is_fault(Verdict verdict) {
-  return verdict == Verdict::wrong || verdict == Verdict::hung || verdict == Verdict::crashed;
-}
-
-ExtremeStudy load_extreme_study(const std::filesystem::path& file) {
-  ExtremeStudy extreme;
-  extreme.study = load_study(file, Impossible::kept);
-  Study& study = extreme.study;
-  extreme.cases = study.points.size();
-  extreme.halved.resize(extreme.cases);
-  for (std::size_t i = 0; i < extreme.cases; ++i)
-    if (study.points[i].setting.kind == Kind::step &&
-        study.runs[study.points[i].run].overrides.empty())
-      extreme.halved[i] = halved_point(study, i);
-  return extreme;
-}
-
-std::vector<ExtremeCase> judge(const ExtremeStudy& extreme, const std::string& name,
+std::vector<ExtremeCase> judge(const Study& study, const std::string& name,
                                const std::filesystem::path& folder) {
-  const Judge judge(extreme, folder);
+  const StudyTable table = measure(study, folder);
   std::vector<ExtremeCase> cases;
-  for (std::size_t i = 0; i < extreme.cases; ++i) {
-    const StudyRow& row = judge.row(i);
-    const StudyRun& run = extreme.study.runs[row.point.run];
-    Judgement judgement = judge(i);
-    cases.push_back({.study = name,
-                     .sweep = row.sweep,
-                     .run = run.title,
-                     .method = row.point.method,
-                     .integrator = row.point.integrator,
-                     .rtol = error_control(row.point),
-                     .file = run.name,
-                     .verdict = judgement.verdict,
-                     .reason = std::move(judgement.reason),
-                     .difference = judgement.difference,
-                     .bound = judgement.bound,
-                     .pressure_difference = judge.pressure_difference(i),
-                     .marked = row.marked_shape,
-                     .counters = row.counters,
-                     .wall_seconds = row.wall_seconds});
+  for (const StudyRow& row : table.rows) {
+    const StudyRun& run = study.runs[row.point.run];
+    ExtremeCase& found = cases.emplace_back(ExtremeCase{.study = name, .run = run, .row = row});
+    const auto& references = study.sweep[row.point.sweep].references;
+    const bool is_reference = std::ranges::find(references, row.point.run) != references.end();
+    Judgement(found, table.references[row.point.sweep], is_reference, {folder, run.name})();
   }
   return cases;
 }

@@ -14,65 +14,51 @@ using namespace study;
 using Type = Column::Kind;
 using CaseColumn = ColumnOf<ExtremeCase>;
 
-struct Meaning {
-  Verdict verdict;
-  const char* text;
-};
-
-constexpr Meaning meanings[] = {
-    {Verdict::agrees, "finished, and another method confirms its worn surface as accurate enough"},
-    {Verdict::refused, "bad input, refused before the start"},
-    {Verdict::stopped, "ended with a diagnosis, the last good state saved"},
-    {Verdict::wrong,
-     "finished with a shape that no reference confirms, or lost its last good state"},
-    {Verdict::hung, "killed after the longest time that a run may take"},
-    {Verdict::crashed, "ended by a signal, or in another way than those above"}};
-
-template <class T>
-CellValue maybe(const std::optional<T>& value) {
-  return value ? CellValue(*value) : CellValue();
-}
-
-CaseColumn text(const std::string& name, const std::string& meaning,
-                std::string ExtremeCase::*member) {
-  return {{name, "", Type::text, "case", meaning},
-          [member](const ExtremeCase& c) { return c.*member; }};
-}
-
-CaseColumn real(const std::string& name, const std::string& unit, const std::string& meaning,
-                std::optional<double> ExtremeCase::*member) {
-  return {{name, unit, Type::real, "case", meaning},
-          [member](const ExtremeCase& c) { return maybe(c.*member); }};
+CaseColumn column(Type type, const std::string& name, const std::string& meaning,
+                  std::function<CellValue(const ExtremeCase&)> value,
+                  const std::string& unit = "") {
+  return {{name, unit, type, "case", meaning}, std::move(value)};
 }
 
 std::vector<CaseColumn> case_columns() {
+  using Case = const ExtremeCase&;
   return {
-      text("study", "name of the study", &ExtremeCase::study),
-      text("sweep", "swept keys and their values", &ExtremeCase::sweep),
-      text("run", "method and setting", &ExtremeCase::run),
-      text("method", "name of the method in the study", &ExtremeCase::method),
-      text("integrator", "name of the integrator", &ExtremeCase::integrator),
-      real("rtol", "", "relative tolerance of a run with error control", &ExtremeCase::rtol),
-      text("file", "stem of its files in STUDY/runs", &ExtremeCase::file),
-      {{"verdict", "", Type::text, "case", "how the case ended"},
-       [](const ExtremeCase& c) { return verdict_name(c.verdict); }},
-      real("difference", "",
-           "shape error divided by the Euclidean norm of the wear of all contact nodes",
-           &ExtremeCase::difference),
-      real("bound", "", "largest difference that agrees", &ExtremeCase::bound),
-      {{"marked", "", Type::integer, "case",
-        "1 if the difference is less than ten times that between the references"},
-       [](const ExtremeCase& c) { return std::int64_t{c.marked}; }},
-      real("pressure_difference", "",
-           "largest difference of a nodal pressure at the end, divided by the largest pressure; "
-           "not judged",
-           &ExtremeCase::pressure_difference),
-      {{"steps", "", Type::integer, "case", "accepted steps"},
-       [](const ExtremeCase& c) {
-         return c.counters ? CellValue(std::int64_t{c.counters->steps}) : CellValue();
-       }},
-      real("wall_seconds", "s", "wall time of the integration", &ExtremeCase::wall_seconds),
-      text("reason", "why", &ExtremeCase::reason),
+      column(Type::text, "study", "name of the study", [](Case c) { return c.study; }),
+      column(Type::text, "sweep", "swept keys and their values",
+             [](Case c) { return c.row.sweep; }),
+      column(Type::text, "run", "method and setting", [](Case c) { return c.run.title; }),
+      column(Type::text, "method", "name of the method in the study",
+             [](Case c) { return c.row.point.method; }),
+      column(Type::text, "integrator", "name of the integrator",
+             [](Case c) { return c.row.point.integrator; }),
+      column(Type::real, "rtol", "relative tolerance of a run with error control",
+             [](Case c) {
+               const StudySetting& setting = c.row.point.setting;
+               return setting.kind == StudySetting::Kind::step ? CellValue() : setting.value;
+             }),
+      column(Type::text, "file", "stem of its files in STUDY/runs",
+             [](Case c) { return c.run.name; }),
+      column(Type::text, "verdict", "how the case ended", [](Case c) { return c.verdict.name; }),
+      column(Type::real, "difference",
+             "shape error divided by the Euclidean norm of the wear of all contact nodes",
+             [](Case c) { return maybe(c.difference); }),
+      column(Type::real, "bound", "largest difference that agrees",
+             [](Case c) { return maybe(c.bound); }),
+      column(Type::integer, "marked",
+             "1 if the difference is less than ten times that between the references",
+             [](Case c) { return std::int64_t{c.row.marked_shape}; }),
+      column(Type::real, "pressure_difference",
+             "largest difference of a nodal pressure at the end, divided by the largest pressure; "
+             "not judged",
+             [](Case c) { return maybe(c.pressure_difference); }),
+      column(Type::integer, "steps", "accepted steps",
+             [](Case c) {
+               return c.row.counters ? CellValue(std::int64_t{c.row.counters->steps}) : CellValue();
+             }),
+      column(
+          Type::real, "wall_seconds", "wall time of the integration",
+          [](Case c) { return maybe(c.row.wall_seconds); }, "s"),
+      column(Type::text, "reason", "why", [](Case c) { return c.reason; }),
   };
 }
 
@@ -88,12 +74,12 @@ std::string extremes_json(const std::vector<ExtremeCase>& cases) {
                {"verdicts", Json::array()},
                {"columns", columns_json(table)},
                {"rows", Json::array()}};
-  for (const auto& [verdict, text] : meanings)
+  for (const Verdict& verdict : verdicts::all)
     json["verdicts"].push_back(
-        {{"name", verdict_name(verdict)}, {"meaning", text}, {"fault", is_fault(verdict)}});
+        {{"name", verdict.name}, {"meaning", verdict.meaning}, {"fault", verdict.fault}});
   for (std::size_t i = 0; i < cases.size(); ++i) {
     Json marked = Json::array();
-    if (cases[i].marked && cases[i].difference) marked.push_back("difference");
+    if (cases[i].row.marked_shape && cases[i].difference) marked.push_back("difference");
     json["rows"].push_back({{"marked", marked}, {"values", values_json(table, i)}});
   }
   return json_text(json);

@@ -154,7 +154,17 @@ private:
       row.peak_memory_mb = record.end->peak_memory_mb;
     }
     if (!surfaces.empty()) add_errors(row, surfaces);
+    if (point.half) add_half(row, sweep);
     return row;
+  }
+
+  void add_half(StudyRow& row, const SweepPoint& sweep) const {
+    Surfaces surfaces;
+    const RunRecord record = record_of(*row.point.half, sweep, surfaces);
+    row.half = {{}, record.counters, record.reason};
+    const Surfaces& reference = surfaces_[row.point.sweep];
+    if (!surfaces.empty() && !reference.empty())
+      row.half.shape_error = errors_between(surfaces, reference).shape;
   }
 
   void add_observed(StudyRow& row) const try {

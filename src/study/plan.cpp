@@ -84,7 +84,8 @@ StudyPoint study_point(const Json& json) {
           json.at("run"),
           json.at("method"),
           json.at("integrator"),
-          {step ? StudySetting::Kind::step : StudySetting::Kind::tolerance, json.at("setting")}};
+          {step ? StudySetting::Kind::step : StudySetting::Kind::tolerance, json.at("setting")},
+          {}};
 }
 
 std::string list_of(const Study& study) {

@@ -35,7 +35,10 @@ std::vector<std::pair<std::size_t, std::size_t>> runs_in_order(const Study& stud
   };
   for (std::size_t i = 0; i < study.sweep.size(); ++i)
     for (const std::size_t run : study.sweep[i].references) add(run, i);
-  for (const StudyPoint& point : study.points) add(point.run, point.sweep);
+  for (const StudyPoint& point : study.points) {
+    add(point.run, point.sweep);
+    if (point.half) add(*point.half, point.sweep);
+  }
   return runs;
 }
 

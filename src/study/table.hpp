@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -12,6 +13,10 @@ namespace gnomon::study {
 
 /// The value of a cell; monostate if there is none.
 using CellValue = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+inline CellValue maybe(const std::optional<double>& value) {
+  return value ? CellValue(*value) : CellValue();
+}
 
 struct Column {
   enum class Kind { text, integer, real };

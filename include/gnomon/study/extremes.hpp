@@ -1,5 +1,5 @@
-// Studies at the extremes of their parameters: every run is a case with a verdict. A result is
-// accepted when a run by another integrator confirms it. docs/extremes.md.
+// Verdicts on the runs of a study, at the extremes of its parameters: every run is a case. A result
+// is accepted when a run by another integrator confirms it. docs/extremes.md.
 #pragma once
 
 #include <filesystem>
@@ -10,48 +10,37 @@
 
 namespace gnomon {
 
-/// How a case ended. The last three are faults of gnomon.
-enum class Verdict {
-  agrees,   ///< finished, and confirmed with the required accuracy
-  refused,  ///< exit code 2, nothing written
-  stopped,  ///< exit code 3 with a diagnosis, the last good state saved
-  wrong,    ///< finished with an unconfirmed result, or lost its last good state
-  hung,     ///< killed at the limit
-  crashed   ///< ended by a signal or in another way than those above
+/// How a case ended.
+struct Verdict {
+  const char* name;     ///< "agrees"
+  const char* meaning;  ///< a few words
+  bool fault;           ///< of gnomon
 };
 
-/// "agrees", ...
-std::string verdict_name(Verdict verdict);
-bool is_fault(Verdict verdict);
+namespace verdicts {
+constexpr Verdict agrees = {
+    "agrees", "finished, and another method confirms its worn surface as accurate enough", false};
+constexpr Verdict refused = {"refused", "bad input, refused before the start", false};
+constexpr Verdict stopped = {"stopped", "ended with a diagnosis, the last good state saved", false};
+constexpr Verdict wrong = {
+    "wrong", "finished with a shape that no reference confirms, or lost its last good state", true};
+constexpr Verdict hung = {"hung", "killed after the longest time that a run may take", true};
+constexpr Verdict crashed = {"crashed", "ended by a signal, or in another way than those above",
+                             true};
+constexpr Verdict all[] = {agrees, refused, stopped, wrong, hung, crashed};
+}  // namespace verdicts
 
-/// A study that keeps impossible runs, and in which every run with a fixed step is also done with
-/// half the step.
-struct ExtremeStudy {
-  Study study;
-  std::size_t cases = 0;  ///< number of points that are cases; later points only confirm others
-  std::vector<std::optional<std::size_t>> halved;  ///< per case: the point with half its step
-};
-
-/// Throws InputError as load_study() does.
-ExtremeStudy load_extreme_study(const std::filesystem::path& file);
-
-/// One row of the suite's table.
+/// One row of the table of a suite of studies.
 struct ExtremeCase {
   std::string study;  ///< "pin_on_flat-stiffness"
-  std::string sweep;
-  std::string run;  ///< "bdf rtol 1e-09"
-  std::string method, integrator;
-  std::optional<double> rtol;  ///< of a run with error control
-  std::string file;            ///< stem of its files in STUDY/runs
-  Verdict verdict = Verdict::crashed;
-  std::string reason;                ///< given unless the case agrees with two references
-  std::optional<double> difference;  ///< shape error divided by the Euclidean norm of the wear
-  std::optional<double> bound;       ///< largest difference that agrees
-  std::optional<double>
-      pressure_difference;  ///< largest of a node, divided by the largest pressure; not judged
-  bool marked = false;      ///< less than ten times the reference's own error
-  std::optional<Counters> counters;
-  std::optional<double> wall_seconds;
+  StudyRun run;
+  StudyRow row;
+  Verdict verdict = verdicts::crashed;
+  std::string reason{};                ///< given unless the case agrees with two references
+  std::optional<double> difference{};  ///< shape error divided by the Euclidean norm of the wear
+  std::optional<double> bound{};       ///< largest difference that agrees
+  /// Largest of a node, divided by the largest pressure; not judged.
+  std::optional<double> pressure_difference{};
 };
 
 /// Bounds of a difference that agrees.
@@ -66,8 +55,9 @@ constexpr double near = 1e-3;      ///< or to less than this
 constexpr double pressure = 0.05;  ///< not judged; a larger difference is reported
 }  // namespace extremes
 
-/// Judges the runs of a study in its folder.
-std::vector<ExtremeCase> judge(const ExtremeStudy& study, const std::string& name,
+/// Judges the runs, in `folder`, of a study that keeps impossible ones (Impossible::kept). `name`:
+/// that of the study in the suite.
+std::vector<ExtremeCase> judge(const Study& study, const std::string& name,
                                const std::filesystem::path& folder);
 
 /// The table as CSV; only the header if there are no cases.

@@ -49,6 +49,7 @@ struct StudyPoint {
   std::string method;
   std::string integrator;
   StudySetting setting;
+  std::optional<std::size_t> half{};  ///< run with half the step (Impossible::kept)
 };
 
 struct Study {
@@ -65,8 +66,9 @@ struct Study {
   std::vector<StudyRun> runs;  ///< of points and references; equal scenes are one run
 };
 
-/// Treatment of runs with impossible scenes: the study is refused, or the runs are kept and the
-/// program refuses them one by one.
+/// Treatment of runs with impossible scenes: the study is refused, or, for verdicts on every run
+/// (extremes.hpp), the runs are kept and the program refuses them one by one; those with a fixed
+/// step are then also done with half of it.
 enum class Impossible { refused, kept };
 
 /// Reads a study and checks all of it: every scene resolves and has a model. Throws InputError with
@@ -155,6 +157,12 @@ struct StudyRow {
       false;  ///< below ten times the error of the reference, or the latter is unknown
   bool marked_max = false;
   bool marked_pressure = false;
+  /// Of the run with half the step: its shape error at the end, its steps, why it has none.
+  struct Half {
+    std::optional<double> shape_error;
+    std::optional<Counters> counters;
+    std::string reason;
+  } half;
   std::vector<Scalar> observed;  ///< at the end of a finished run: worn volume, pressure, ...
   std::optional<Counters> counters;
   std::optional<double> wall_seconds;    ///< of the run itself
