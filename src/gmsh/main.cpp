@@ -18,6 +18,7 @@
 #include "gmsh/geometry.hpp"
 #include "gmsh/group_check.hpp"
 #include "gmsh/model_mesh.hpp"
+#include "gmsh/size_check.hpp"
 #include "mesh/mesh_stream.hpp"
 
 namespace gnomon::gmsh_reader {
@@ -92,6 +93,14 @@ void open(const std::string& file) {
   if (const std::string error = first_error(); !error.empty()) throw std::runtime_error(error);
 }
 
+/// Whether the factor that the script was opened with changes the number of elements of some curve.
+bool changes_curves(const std::string& script) {
+  const double with = elements_on_curves();
+  ask_for_factor(1);
+  open(script);
+  return with != elements_on_curves();
+}
+
 ImportedMesh read(const std::string& file, double size, double factor, bool geometry) {
   if (geometry) ask_for_factor(factor);
   open(file);
@@ -101,6 +110,10 @@ ImportedMesh read(const std::string& file, double size, double factor, bool geom
   if (file.ends_with(".geo"))
     for (std::string& sentence : absent_members(file)) mesh.remarks.push_back(tidy(sentence));
   copy_model(mesh, geometry);
+  if (file.ends_with(".geo") && factor != 1 && !changes_curves(file))
+    mesh.remarks.push_back(
+        "its factor changes the number of elements on no curve: the script gives these numbers "
+        "(Transfinite)");
   return mesh;
 }
 

@@ -90,6 +90,22 @@ double measure(int dimension) {
   return filled * (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
 }
 
+}  // namespace
+
+double elements_on_curves() {
+  gmsh::model::mesh::clear();
+  gmsh::model::mesh::generate(1);
+  std::vector<int> types;
+  std::vector<std::vector<std::size_t>> tags, nodes;
+  gmsh::model::mesh::getElements(types, tags, nodes, 1);
+  gmsh::model::mesh::clear();
+  double count = 0;
+  for (const auto& list : tags) count += static_cast<double>(list.size());
+  return count;
+}
+
+namespace {
+
 /// Whether sizes set the number of elements on curves: not where the script does.
 bool sizes_count(double edge) {
   constexpr double tried = 1e4, some = 0.3;
@@ -98,14 +114,8 @@ bool sizes_count(double edge) {
   double factor = 1;
   gmsh::option::getNumber("Mesh.MeshSizeFactor", factor);
   gmsh::option::setNumber("Mesh.MeshSizeFactor", factor * coarser);
-  gmsh::model::mesh::generate(1);
-  std::vector<int> types;
-  std::vector<std::vector<std::size_t>> tags, nodes;
-  gmsh::model::mesh::getElements(types, tags, nodes, 1);
-  gmsh::model::mesh::clear();
+  const double count = elements_on_curves();
   gmsh::option::setNumber("Mesh.MeshSizeFactor", factor);
-  double count = 0;
-  for (const auto& list : tags) count += static_cast<double>(list.size());
   return count > some * length / (edge * coarser);
 }
 

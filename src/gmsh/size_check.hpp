@@ -9,4 +9,7 @@ namespace gnomon::gmsh_reader {
 /// around it. Structured meshes, which sizes do not change, are not refused.
 void check_number_of_cells(int dimension, double size);
 
+/// The number of elements on all curves of the current model, which is left without a mesh.
+double elements_on_curves();
+
 }  // namespace gnomon::gmsh_reader

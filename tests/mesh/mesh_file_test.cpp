@@ -314,6 +314,23 @@ TEST_F(MeshFile, RefusesGeometriesThatGmshCannotMesh) {
   EXPECT_THAT(refusal(put("e.step", "ISO-10303-21;\nHEADER;\n")), HasSubstr("Gmsh"));
 }
 
+TEST_F(MeshFile, SaysThatAFactorChangesNothing) {
+  const auto remarks = [&](const std::string& count, double factor) {
+    const fs::path file = put(
+        "square.geo",
+        "Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Point(3) = {1, 1, 0}; Point(4) = {0, 1, 0};\n"
+        "Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};\n"
+        "Curve Loop(1) = {1:4}; Plane Surface(1) = {1};\nTransfinite Curve{1:4} = " +
+            count +
+            ";\nTransfinite Surface{1};\nPhysical Curve(\"edge\") = {1:4};\nPhysical "
+            "Surface(\"all\") = {1};\n");
+    return read_mesh_file(file, {.factor = factor}).remarks;
+  };
+  EXPECT_THAT(remarks("5", 1), ::testing::IsEmpty());
+  EXPECT_THAT(remarks("5", 0.5), ElementsAre(HasSubstr("elements on no curve")));
+  EXPECT_THAT(remarks("4 / Mesh.MeshSizeFactor + 1", 0.5), ::testing::IsEmpty());
+}
+
 TEST_F(MeshFile, RefusesSizesThatMeanNothing) {
   const fs::path mesh = put("part.msh", msh22(square(2))), geometry = put("block.geo", block);
   EXPECT_THAT(refusal(mesh, {.size = 1}), HasSubstr("is meshed already, so it takes no size"));
