@@ -85,7 +85,7 @@ Problem block_problem(int n, double step, Preconditioner preconditioner, double 
   const WornBodyEquations<3> equations(body);
   const ComposedSystem<3> system(equations.composition());
   FieldValues<3> values(*equations.composition()->fields);
-  Eigen::VectorXd& lambda = values.scalar(equations.fields().lambda);
+  auto lambda = values.scalar(equations.fields().lambda);
   const double a = 0.4 * block.size, p0 = 6 * block.force / (std::numbers::pi * a * a);
   ActiveSet branch;
   for (std::size_t c = 0; c < body->contact_nodes.size(); ++c) {

@@ -100,7 +100,7 @@ struct ContactProblem {
     return find_equilibrium(equations(), system, options, values, counters);
   }
   const NodalField<2>& u() const { return values.vector(equations().fields().u); }
-  const Eigen::VectorXd& lambda() const { return values.scalar(equations().fields().lambda); }
+  Eigen::VectorXd lambda() const { return values.scalar(equations().fields().lambda); }
 
 private:
   const WornBodyEquations<2>& equations() const {
