@@ -96,8 +96,8 @@ std::vector<TermFactory<2>> stressed_terms(const std::shared_ptr<const StressedB
   });
   if (body->elastic)
     terms.push_back([body, f](const Numbering& numbering) -> Made {
-      return std::make_unique<BodyTerm<2>>(body->mesh, Material{.moduli = *body->elastic},
-                                           plain_small, numbering, f.u, f.d);
+      const Body elastic{.material = {.moduli = *body->elastic}, .element = plain_small};
+      return std::make_unique<BodyTerm<2>>(body->mesh, std::vector{elastic}, numbering, f.u, f.d);
     });
   return terms;
 }
