@@ -7,6 +7,7 @@
 #include <array>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/rates.hpp>
+#include <gnomon/mesh/mesh.hpp>
 #include <gnomon/model/model.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <gnomon/system/composed_system.hpp>
