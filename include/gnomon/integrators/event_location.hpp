@@ -4,6 +4,7 @@
 #include <gnomon/base/packed_numbers.hpp>
 #include <gnomon/base/processes.hpp>
 #include <gnomon/integrators/one_step.hpp>
+#include <gnomon/system/system.hpp>
 #include <vector>
 
 namespace gnomon {
