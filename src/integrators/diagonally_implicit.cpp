@@ -51,6 +51,7 @@ DiagonallyImplicit::DiagonallyImplicit(const System& system, const IntegratorSet
       table_(std::move(table)),
       norm_(system.structure(), settings),
       jumps_(system, settings),
+      error_control_(settings.step == 0),
       integrand_(settings.integrand),
       short_step_(1e-6 * settings.end),
       newton_(system.structure(), counters,

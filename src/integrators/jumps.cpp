@@ -34,8 +34,8 @@ CrossedJumps jumps_between(const System& system, const State& from, const State&
   const std::vector<char>& may_jump = system.structure().switch_jumps;
   if (std::ranges::count(may_jump, 1) == 0) return found;
   std::vector<double> before(may_jump.size()), after(may_jump.size());
-  system.switching(from.t, from.y, before);
-  system.switching(to.t, to.y, after);
+  system.switching({.t = from.t, .y = from.y, .ydot = from.ydot}, before);
+  system.switching({.t = to.t, .y = to.y, .ydot = to.ydot}, after);
   ActiveSet own, other;
   for (std::size_t j = 0; j < may_jump.size(); ++j) {
     own.push_back(after[j] <= 0);

@@ -25,7 +25,7 @@ void JumpLedger::add(const State& before, const State& after) {
   constexpr int crossing = 3, many = 20;
   if (jumps_.empty()) return;
   std::vector<double> values(system_.structure().switch_node.size());
-  system_.switching(before.t, before.y, values);
+  system_.switching({.t = before.t, .y = before.y}, values);
   for (const std::size_t j : jumps_) largest_ = std::max(largest_, std::abs(values[j]));
   const CrossedJumps crossed = jumps_between(system_, before, after, passes_over_);
   error_.resize(after.y.size());
@@ -63,7 +63,7 @@ std::string JumpLedger::suspicion(const State& last) const {
   constexpr double there = 1e-5;
   if (jumps_.empty() || last.y.empty()) return {};
   std::vector<double> values(system_.structure().switch_node.size());
-  system_.switching(last.t, last.y, values);
+  system_.switching({.t = last.t, .y = last.y}, values);
   for (const std::size_t j : jumps_)
     if (std::abs(values[j]) <= there * largest_)
       return fmt::format(

@@ -64,6 +64,7 @@ private:
   ButcherTable table_;
   ErrorNorm norm_;
   JumpControl jumps_;
+  bool error_control_;  // else steps are fixed, and do not follow jumps
   std::function<double(const Point&)> integrand_;
   double short_step_;  // below it a difference of d over the step has fewer than ten digits
   NewtonSolver newton_;
