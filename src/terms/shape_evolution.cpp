@@ -8,7 +8,10 @@ EvolutionRows<dim>::EvolutionRows(const Numbering& numbering, const WornSurface<
   const auto count = static_cast<Eigen::Index>(nodes.size());
   rows_ = reactions_ = NodalNumbers<dim>::Constant(count, dim, -1);
   for (Eigen::Index c = 0; c < count; ++c) {
-    if (!nodes[c].may_move()) continue;  // its shape is held, or does not wear
+    if (!nodes[c].may_move()) {  // its shape is held, or does not wear
+      factor_.push_back(0);
+      continue;
+    }
     rows_.row(c) = numbering.numbers(surface.d).row(nodes[c].node);
     if (surface.mu != FieldId::none) reactions_.row(c) = numbering.numbers(surface.mu).row(c);
     const bool both = rows_.row(c).maxCoeff() >= 0 && reactions_.row(c).maxCoeff() >= 0;
