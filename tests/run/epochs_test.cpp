@@ -149,7 +149,7 @@ protected:
     RunHooks hooks{.on_step = [&](const HistoryRow& row) { steps = row.counters.steps; }};
     hooks.interrupted = [&] { return steps >= most_steps; };
     return outcome_of(model, {"esdirk-3", 0}, to_rounding, &writer, hooks,
-                      {.every = 1, .checkpoint_work = 1}, from);
+                      {.every = 1, .checkpoint_seconds = 1e-9}, from);
   }
   static std::vector<std::string> names(const Model& first, const Resumption* from) {
     const auto later = model_of_epoch(first, from->epochs);
@@ -180,14 +180,16 @@ TEST_P(EpochResults, ARunThatWasCutInALaterEpochGoesOnToTheSameResult) {
   from.stored = cut.stored_times()[static_cast<std::size_t>(from.checkpoint.stored) - 1];
   const RunOutcome resumed = write(file("resumed.h5"), renumbered, 1000, &from);
   EXPECT_EQ(resumed.counters.steps, whole.counters.steps);
-  EXPECT_EQ(resumed.state->y, whole.state->y);
+  EXPECT_LT(largest_difference(*model, resumed.state->y, whole.state->y), 1e-8);
   EXPECT_EQ(resumed.epochs, whole.epochs);
   const ResultReader a(file("whole.h5")), b(file("resumed.h5"));
   EXPECT_EQ(a.epochs().size(), static_cast<std::size_t>(whole.epochs) - 1);
   EXPECT_EQ(b.epochs().size(), a.epochs().size());
   EXPECT_EQ(b.stored_times(), a.stored_times());
   const std::size_t last = a.stored_times().size() - 1;
-  EXPECT_EQ(b.field(last, "shape").values, a.field(last, "shape").values);
+  const std::vector<double> shape = a.field(last, "shape").values;
+  EXPECT_THAT(b.field(last, "shape").values,
+              ::testing::Pointwise(::testing::DoubleNear(1e-9), shape));
   EXPECT_EQ(a.epoch_of(0), 0u);
   EXPECT_EQ(a.epoch_of(last), static_cast<std::size_t>(whole.epochs) - 1);
   EXPECT_EQ(a.grid(a.epoch_of(last))->points, model->grid()->points);
