@@ -130,6 +130,7 @@ std::unique_ptr<Model> make(const Scene& scene) {
   const double facet = ball.patch_half_width / ball.across, copies = 2;
   Interface<3> interface = read_interface(scene, mesh, mesh.boundary.at("contact"));
   interface.partner.motion.velocity = Vector<3>(scene.real("wear.velocity"), 0, 0);
+  interface.partner.guide();
   interface.force = scene.real("load.force") / copies;
   interface.history = read_load_history(scene);
   const Scales scales = make_scales(scene, interface.surfaces.front().wear, facet);

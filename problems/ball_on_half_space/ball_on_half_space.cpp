@@ -186,6 +186,7 @@ std::unique_ptr<Model> make(const Scene& scene) {
   Interface<3> interface = read_interface(scene, mesh, mesh.boundary.at("top"));
   interface.partner.shape = ball<3>(Vector<3>(0, 0, radius), radius);
   interface.partner.approach = Vector<3>(0, 0, -1);
+  interface.partner.guide();
   interface.streaming = Vector<3>(scene.real("wear.velocity"), 0, 0);
   interface.force = scene.real("load.force") / copies;
   interface.history = read_load_history(scene);

@@ -39,9 +39,7 @@ struct BlockPreconditioner::Blocks {
         core(make_core(s)),
         mesh_motion(s, Role::extension, true),
         mesh_motion_row(s, {Role::extension}, {Role::evolution}),
-        multiplier_row(
-            s, {Role::reaction},
-            {Role::stiffness, Role::multiplier, Role::rigid, Role::evolution, Role::extension}),
+        multiplier_row(s, {Role::reaction}, {Role::evolution, Role::extension}),
         multipliers(unknowns_of(s, {Role::reaction})),
         work(s.size) {}
 

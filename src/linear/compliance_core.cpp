@@ -84,13 +84,14 @@ void ComplianceCore::update() {
 /// The columns of K^-1 (B, J_uw) at the closed nodes, three rows each.
 Eigen::MatrixXd ComplianceCore::response(const PhaseContact& phase) const {
   const auto count = static_cast<Eigen::Index>(phase.closed.size());
-  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(most_components * count, count + 1);
+  const auto rigid = static_cast<Eigen::Index>(phase.rigid.size());
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(most_components * count, count + rigid);
   for (Eigen::Index k = 0; k < count; ++k)
     for (Eigen::Index l = 0; l < count; ++l) {
       const auto G = compliance_.at(phase.closed[k].node, phase.closed[l].node);
       auto rows = moved.middleRows<most_components>(most_components * k);
       rows.col(l) = G * phase.closed[l].B;
-      rows.col(count) += G * phase.closed[l].uw;
+      rows.rightCols(rigid) += G * phase.closed[l].uw;
     }
   return moved;
 }
@@ -98,9 +99,10 @@ Eigen::MatrixXd ComplianceCore::response(const PhaseContact& phase) const {
 void ComplianceCore::make_system(std::size_t p) {
   const PhaseContact& phase = contacts_.phases()[p];
   const auto count = static_cast<Eigen::Index>(phase.closed.size());
-  const Eigen::Index size = count + (phase.rigid >= 0 ? 1 : 0);
+  const auto rigid = static_cast<Eigen::Index>(phase.rigid.size());
+  const Eigen::Index size = count + rigid;
   PhaseSystem& system = systems_[p];
-  const Eigen::MatrixXd moved = response(phase).leftCols(size);
+  const Eigen::MatrixXd moved = response(phase);
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
   Eigen::MatrixXd& V = system.wear = Eigen::MatrixXd::Zero(count, size);
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -110,16 +112,17 @@ void ComplianceCore::make_system(std::size_t p) {
     A(k, k) += node.ll;
     V.row(k) -= node.cu_m.transpose() * here;
     V(k, k) += node.e_m;
-    if (phase.rigid < 0) continue;
-    A(k, count) += node.lw;
-    V(k, count) += node.cw_m;
-    A(count, k) += node.wl;
-    A.row(count) -= node.wu.transpose() * here;
+    A.row(k).tail(rigid) += node.lw.transpose();
+    V.row(k).tail(rigid) += node.cw_m.transpose();
+    A.col(k).tail(rigid) += node.wl;
+    A.bottomRows(rigid) -= node.wu.transpose() * here;
   }
-  if (phase.rigid >= 0) {
-    A(count, count) += J_[structure_.pattern.find(phase.rigid, phase.rigid)];
+  for (Eigen::Index r = 0; r < rigid; ++r) {
+    for (Eigen::Index l = 0; l < rigid; ++l)
+      A(count + r, count + l) += contacts_.entries().at(phase.rigid[static_cast<std::size_t>(r)],
+                                                        phase.rigid[static_cast<std::size_t>(l)]);
     // Nothing carries the force: the outer iteration will fail.
-    if (A.col(count).isZero(0)) A(count, count) = 1;
+    if (A.col(count + r).isZero(0)) A(count + r, count + r) = 1;
   }
   if (size == 0) return;
   system.A.compute(A);
@@ -167,13 +170,15 @@ void ComplianceCore::make_right_sides(std::span<const double> s, std::span<const
     const PhaseContact& phase = contacts_.phases()[p];
     const auto count = static_cast<Eigen::Index>(phase.closed.size());
     Eigen::VectorXd& f = systems_[p].right;
-    f = Eigen::VectorXd::Zero(count + (phase.rigid >= 0 ? 1 : 0));
-    if (phase.rigid >= 0) f[count] = s[phase.rigid];
+    const auto rigid = static_cast<Eigen::Index>(phase.rigid.size());
+    f = Eigen::VectorXd::Zero(count + rigid);
+    for (Eigen::Index r = 0; r < rigid; ++r)
+      f[count + r] = s[phase.rigid[static_cast<std::size_t>(r)]];
     for (Eigen::Index k = 0; k < count; ++k) {
       const ClosedNode& node = phase.closed[k];
       const NodeValues x = values_at(phase.nodes[node.node].u, x0);
       f[k] = s[node.multiplier] - contacts_.entries().shape_part(node.on, s) - node.L.dot(x);
-      if (phase.rigid >= 0) f[count] -= node.wu.dot(x);
+      f.tail(rigid) -= node.wu.transpose() * x;
       if (const int i = of_surface(node); i >= 0) right_of_wear_[i] += node.cu_m.dot(x);
     }
   }
@@ -202,7 +207,8 @@ void ComplianceCore::solve_contact() {
     const Eigen::VectorXd y = system.A.solve(system.right);
     for (std::size_t k = 0; k < phase.closed.size(); ++k)
       contact_[phase.closed[k].multiplier] = y[static_cast<Eigen::Index>(k)];
-    if (phase.rigid >= 0) contact_[phase.rigid] = y[y.size() - 1];
+    for (std::size_t r = 0; r < phase.rigid.size(); ++r)
+      contact_[phase.rigid[r]] = y[static_cast<Eigen::Index>(phase.closed.size() + r)];
   }
 }
 
@@ -215,7 +221,7 @@ void ComplianceCore::solve(std::span<double> s, std::span<double> z) {
   stiffness_.scatter(stiffness_.solve(s), z);
   for (const PhaseContact& phase : contacts_.phases()) {
     for (const ClosedNode& node : phase.closed) z[node.multiplier] = contact_[node.multiplier];
-    if (phase.rigid >= 0) z[phase.rigid] = contact_[phase.rigid];
+    for (int w : phase.rigid) z[w] = contact_[w];
   }
   wear_by_displacement_.subtract(J_, z, s);
   wear_block_.solve(s, z);

@@ -17,7 +17,7 @@
 namespace gnomon {
 
 /// Solves J z = r in the unknowns u_p (displacements), l_p (contact multipliers of closed nodes)
-/// and w_p (rigid motion) of the phases p, and c (shape of the worn surface), which alone couples
+/// and w_p (rigid motions) of the phases p, and c (shape of the worn surface), which alone couples
 /// them. Indices of J are rows and columns; J_uc is neglected, J_wc too, and of J_cc only the block
 /// of each surface node counts but where c is recovered. K is the mean stiffness of the phases, the
 /// same for all with small strains, and the only matrix that is factorized.

@@ -5,7 +5,7 @@ namespace gnomon {
 PhaseContacts::PhaseContacts(const Structure& structure, std::size_t phases)
     : entries_(structure), phases_(phases) {
   for (int i : unknowns_of(structure, {Role::rigid}))
-    phases_[structure.blocks[structure.block[i]].owner].rigid = i;
+    phases_[structure.blocks[structure.block[i]].owner].rigid.push_back(i);
   for (const ContactEntries::Node& node : entries_.nodes())
     phases_[node.state].nodes.push_back(node);
 }
@@ -41,16 +41,24 @@ bool PhaseContacts::is_closed(const ContactEntries::Node& node) const {
 ClosedNode PhaseContacts::closed_node(const PhaseContact& phase, int number) const {
   const ContactEntries::Node& node = phase.nodes[number];
   ClosedNode closed{.node = number, .multiplier = node.multiplier};
-  const int l = node.multiplier, w = phase.rigid;
+  const int l = node.multiplier;
   for (int k = 0; k < most_components; ++k) {
     closed.B[k] = entries_.at(node.u[k], l);
     closed.L[k] = entries_.at(l, node.u[k]);
-    closed.uw[k] = entries_.at(node.u[k], w);
-    closed.wu[k] = entries_.at(w, node.u[k]);
   }
   closed.ll = entries_.at(l, l);
-  closed.lw = entries_.at(l, w);
-  closed.wl = entries_.at(w, l);
+  const auto count = static_cast<Eigen::Index>(phase.rigid.size());
+  closed.lw.resize(count), closed.wl.resize(count), closed.cw_m.setZero(count);
+  closed.uw.resize(3, count), closed.wu.resize(3, count);
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const int w = phase.rigid[static_cast<std::size_t>(r)];
+    closed.lw[r] = entries_.at(l, w);
+    closed.wl[r] = entries_.at(w, l);
+    for (int k = 0; k < most_components; ++k) {
+      closed.uw(k, r) = entries_.at(node.u[k], w);
+      closed.wu(k, r) = entries_.at(w, node.u[k]);
+    }
+  }
   closed.on = entries_.on_surface(node);
   return closed;
 }
@@ -71,7 +79,8 @@ void PhaseContacts::project(const PhaseContact& phase, ClosedNode& node) const {
   node.a_m = node.on.a.dot(m);
   node.e_m = node.on.e.dot(m);
   for (int k = 0; k < most_components; ++k) {
-    node.cw_m += m[k] * entries_.at(surface[k], phase.rigid);
+    for (std::size_t r = 0; r < phase.rigid.size(); ++r)
+      node.cw_m[static_cast<Eigen::Index>(r)] += m[k] * entries_.at(surface[k], phase.rigid[r]);
     for (int i = 0; i < most_components; ++i)
       node.cu_m[i] += m[k] * entries_.at(surface[k], phase.nodes[node.node].u[i]);
   }

@@ -15,20 +15,22 @@ namespace gnomon {
 /// lies upon. What the pressure wears has one direction m at a surface node, in all phases.
 struct ClosedNode {
   using Values = NodeValues;
-  int node = 0;                                     ///< contact node
-  int multiplier = 0;                               ///< number of l in J
-  ContactEntries::OnSurface on = {};                ///< a and J_cl of its surface node
-  Values B = Values::Zero(), L = Values::Zero();    ///< J_ul, J_lu
-  double ll = 0, lw = 0, wl = 0;                    ///< J_ll, J_lw, J_wl
-  Values uw = Values::Zero(), wu = Values::Zero();  ///< J_uw, J_wu
-  double a_m = 0, e_m = 0, cw_m = 0;                ///< a.m, m.J_cl, m.J_cw
-  Values cu_m = Values::Zero();                     ///< m.J_cu
+  int node = 0;                                   ///< contact node
+  int multiplier = 0;                             ///< number of l in J
+  ContactEntries::OnSurface on = {};              ///< a and J_cl of its surface node
+  Values B = Values::Zero(), L = Values::Zero();  ///< J_ul, J_lu
+  double ll = 0;                                  ///< J_ll
+  double a_m = 0, e_m = 0;                        ///< a.m, m.J_cl
+  Values cu_m = Values::Zero();                   ///< m.J_cu
+  /// With each of the rigid motions: J_lw, J_wl, m.J_cw; J_uw, J_wu by columns.
+  Eigen::VectorXd lw = {}, wl = {}, cw_m = {};
+  Eigen::Matrix3Xd uw = {}, wu = {};
 };
 
 /// A contact state.
 struct PhaseContact {
   std::vector<ContactEntries::Node> nodes;
-  int rigid = -1;                  ///< number of w; -1: none
+  std::vector<int> rigid;          ///< numbers of w
   std::vector<ClosedNode> closed;  ///< of the current J
 };
 

@@ -13,15 +13,15 @@ namespace {
 
 constexpr Roles core_roles = {Role::stiffness, Role::multiplier, Role::evolution};
 
-/// The stiffness with springs is solved, and the scalar rigid motions are bordered.
+/// The stiffness with springs is solved, and the rigid motions, any number, are bordered.
 class SpringCore : public CoreSolver {
 public:
   explicit SpringCore(const Structure& s)
-      : structure_(s),
-        by_factors_(s.solver.preconditioner == LinearSolverChoice::Preconditioner::factor),
+      : by_factors_(s.solver.preconditioner == LinearSolverChoice::Preconditioner::factor),
         stiffness_(s, Role::stiffness, true),
         contact_(s, by_factors_),
         rigid_row_(s, {Role::rigid}, core_roles),
+        rigid_block_(s, {Role::rigid}, {Role::rigid}),
         rigid_column_(s, core_roles, {Role::rigid}),
         core_(unknowns_of(s, core_roles)),
         rigid_(unknowns_of(s, {Role::rigid})),
@@ -87,9 +87,11 @@ private:
       solve_free(work_, column);
       std::fill(work_.begin(), work_.end(), 0.0);
       rigid_row_.subtract(J_, column, work_);
+      column[w] = -1;
+      rigid_block_.subtract(J_, column, work_);
+      column[w] = 0;
       for (Eigen::Index l = 0; l < count; ++l)
         complement(l, k) = work_[rigid_[static_cast<std::size_t>(l)]];
-      complement(k, k) += J_[structure_.pattern.find(w, w)];
       // Nothing carries the force: the outer iteration will fail.
       if (complement.col(k).isZero(0)) complement(k, k) = 1;
     }
@@ -109,14 +111,13 @@ private:
     }
   }
 
-  const Structure& structure_;
   std::span<const double> J_;
   const bool by_factors_;
   StiffnessBlock stiffness_;
   ContactElimination contact_;
   LowRankUpdate change_;            // of the stiffness
   std::vector<RankOneTerm> terms_;  // of which the change has to consist
-  JacobianBlock rigid_row_, rigid_column_;
+  JacobianBlock rigid_row_, rigid_block_, rigid_column_;
   std::vector<int> core_;
   std::vector<int> rigid_;                      // w
   bool bordered_ = false;                       // the two below belong to J and the set-up

@@ -114,13 +114,13 @@ std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equati
   for (std::size_t p = 0; p < equations.phases().size(); ++p) {
     const WornBodyFields& fields = equations.fields(p);
     const CounterBody<dim>& other = equations.phases()[p].counter_body;
-    double w = other.travel ? other.travel->factor(t) : 0;
-    if (fields.w != FieldId::none) w += values.scalar(fields.w)[0];
+    PartnerMotion<> q = other.given(t, t);
+    if (fields.w != FieldId::none) q += values.scalar(fields.w);
     for (const int node : nodes) {
       const Vector<dim> x = assembly.mesh.nodes[node] +
                             values.vector(fields.d).row(node).transpose() +
                             values.vector(fields.u).row(node).transpose();
-      const SignedDistance<dim> distance = other.unchecked_distance(other.seen(x, w), t);
+      const SignedDistance<dim> distance = other.unchecked_distance(x, q, t);
       if (distance.gap < -(deepest ? deepest->depth : 0))
         deepest = BoundaryPoint{array_of<dim>(assembly.mesh.nodes[node]), -distance.gap};
     }

@@ -84,7 +84,7 @@ std::vector<double> travels(const Phase<dim>& phase, const Mesh<dim>& mesh,
   std::vector<double> result;
   double first = std::numeric_limits<double>::infinity();
   for (const auto& patch : patches) {
-    result.push_back(phase.counter_body.travel_to(mesh.nodes[patch.node]));
+    result.push_back(phase.counter_body.travel_to(mesh.nodes[patch.node], patch.initial_normal));
     first = std::min(first, result.back());
   }
   if (phase.force && std::isfinite(first))
@@ -130,7 +130,8 @@ double given_overlap(const AssemblyParts<dim>& parts) {
     for (const auto& entry : held.entries) take(held.history, entry.value);
   for (const SpringSupport<dim>& springs : parts.supports.springs)
     for (const double value : springs.displacement) take(springs.history, value);
-  if (parts.interface.partner.travel) take(*parts.interface.partner.travel, 1);
+  for (const Guide<dim>& guide : parts.interface.partner.guides)
+    if (guide.travel) take(*guide.travel, 1);
   return most;
 }
 
@@ -153,8 +154,8 @@ Pressing pressing_of(const AssemblyParts<dim>& parts, double duration) {
   for (const Load<dim>& each : parts.loads) load += resultant(each, parts);
   double most_load = 0;
   for (const Phase<dim>& phase : parts.instants()) most_load = std::max(most_load, phase.load);
-  const double force =
-      interface.force.value_or(most_load * std::abs(load.dot(interface.partner.approach)));
+  const double force = interface.force ? *interface.force / interface.partner.guides.front().share
+                                       : most_load * std::abs(load.dot(interface.partner.approach));
   return {force, force * interface.history.integral(duration), given_overlap(parts)};
 }
 

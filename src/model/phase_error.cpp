@@ -44,11 +44,12 @@ template <int dim>
 void FixedShape<dim>::keep(const Phase<dim>& phase, const WornBodyFields& fields,
                            const FieldValues<dim>& values,
                            const std::vector<ContactNode<dim>>& nodes) {
-  Known known{phase.position,
-              values.vector(fields.u),
-              values.scalar(fields.lambda),
-              phase.force ? values.scalar(fields.w)[0] : 0,
-              {}};
+  Known known{
+      phase.position,
+      values.vector(fields.u),
+      values.scalar(fields.lambda),
+      fields.w == FieldId::none ? Eigen::VectorXd() : Eigen::VectorXd(values.scalar(fields.w)),
+      {}};
   areas_.clear();
   for (const ContactNode<dim>& node : nodes) {
     known.rate.push_back(node.wear_rate);
@@ -104,7 +105,7 @@ void FixedShape<dim>::solve(const std::vector<Phase<dim>>& phases) {
     const WornBodyFields& fields = equations.fields(p);
     values.vector(fields.u) = guess.u;
     values.scalar(fields.lambda) = guess.lambda;
-    if (phases[p].force) values.scalar(fields.w)[0] = guess.w;
+    if (fields.w != FieldId::none) values.scalar(fields.w) = guess.w;
   }
   std::vector<double> y(static_cast<std::size_t>(deformation.structure().size));
   deformation.numbering().gather(values, y);

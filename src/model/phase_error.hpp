@@ -31,7 +31,7 @@ private:
     double position;
     NodalField<dim> u;
     Eigen::VectorXd lambda;
-    double w;
+    Eigen::VectorXd w;
     std::vector<double> rate;  // of wear, at every contact node
   };
   void solve(const std::vector<Phase<dim>>& phases);

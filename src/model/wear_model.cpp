@@ -63,6 +63,55 @@ void observe_contact(const std::vector<PhaseContact<dim>>& phases, double copies
   observed.max_pressure = largest_over_processes(pressure);
 }
 
+/// What the guides of the counter-body, and whatever else holds it, exert on it: the reaction to
+/// contact and to the forces that press it [force].
+template <int dim>
+Vector<dim> reaction_of(const Assembly<dim>& body, const Phase<dim>& phase,
+                        const std::vector<ContactNode<dim>>& nodes, double t) {
+  Vector<dim> reaction = Vector<dim>::Zero();
+  for (const ContactNode<dim>& node : nodes) reaction -= node.force;
+  const std::vector<std::optional<double>> forces = phase.forces();
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const Guide<dim>& guide = phase.counter_body.guides[k];
+    const LoadHistory& history = k == 0 ? body.interface.history : guide.factors;
+    if (forces[k]) reaction -= *forces[k] * history.factor(t) * guide.along;
+  }
+  return reaction;
+}
+
+template <int dim>
+void observe_reaction(Section section, const Vector<dim>& reaction, Observation& observed) {
+  const bool revolved = dim == 2 && section == Section::meridian;
+  for (int i = revolved ? 1 : 0; i < dim; ++i)
+    observed.others.push_back({fmt::format("guide_{}", revolved ? 'z' : "xyz"[i]),
+                               unit_of(observed, &Observation::contact_force),
+                               sum_over_processes(reaction[i])});
+}
+
+/// The free motion of a counter-body, a part of the mean over a cycle: along the direction of its
+/// largest force, and along or about others by the number of their table.
+template <int dim>
+void observe_motion(const Phase<dim>& phase, double weight, const Eigen::VectorXd& w,
+                    Observation& observed) {
+  const std::vector<std::optional<double>> forces = phase.forces();
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    if (!forces[k]) continue;
+    const double part = weight * w[static_cast<Eigen::Index>(k)];
+    const Guide<dim>& guide = phase.counter_body.guides[k];
+    if (k == 0) {
+      observed.approach = observed.approach.value_or(0) + part;
+      continue;
+    }
+    const std::string name =
+        (guide.turns() ? "turn_" : "approach_") + guide.key.substr(guide.key.rfind('.') + 1);
+    const auto there = std::ranges::find(observed.others, name, &Scalar::name);
+    if (there == observed.others.end())
+      observed.others.push_back({name, guide.turns() ? "rad" : "mm", part});
+    else
+      there->value += part;
+  }
+}
+
 /// Volume per time, mean over the cycle [length^dim / time].
 template <int dim>
 double wear_flux_of(const std::vector<PhaseContact<dim>>& phases, double copies) {
@@ -180,17 +229,22 @@ Observation WearModel<dim>::observe(const State& state) const {
       depth = std::max(depth, d.row(assembly().contact_nodes[c].node).norm());
   observed.wear_depth = largest_over_processes(depth);
   observe_cells(assembly(), d, observed);
+  Vector<dim> reaction = Vector<dim>::Zero();
   for (std::size_t p = 0; p < phases.size(); ++p) {
     const WornBodyFields& fields = equations_.fields(p);
     observe_strains(assembly(), values.vector(fields.d), values.vector(fields.u), observed);
-    if (equations_.phases()[p].force)
-      observed.approach =
-          observed.approach.value_or(0) + phases[p].weight * values.scalar(fields.w)[0];
+    const Phase<dim>& phase = equations_.phases()[p];
+    reaction += phases[p].weight * reaction_of(assembly(), phase, phases[p].nodes, state.t);
+    if (fields.w != FieldId::none)
+      observe_motion(phase, phases[p].weight, values.scalar(fields.w), observed);
     if constexpr (dim == 2)
       observed.contact_half_width =
           std::max(observed.contact_half_width.value_or(0),
                    contact_half_width(assembly(), fields, values, phases[p].nodes));
   }
+  // Of a part of a symmetric body, what is across the symmetry is not known.
+  if (!equations_.phases().front().counter_body.guides.empty() && assembly().copies == 1)
+    observe_reaction(assembly().section(), reaction, observed);
   return observed;
 }
 
@@ -289,12 +343,12 @@ template <int dim>
 std::optional<CounterSurface> WearModel<dim>::counter_surface(const State& state) const {
   constexpr int cells_along = dim == 2 ? 128 : 32;
   const CounterBody<dim>& other = equations_.phases().front().counter_body;
-  double w = other.travel ? other.travel->factor(state.t) : 0;
-  if (equations_.phases().front().force)
-    w += system_.values(state.t, state.y).scalar(equations_.fields().w)[0];
-  const FacetedSurface<dim> within = zero_level<dim>(
-      [&](const Vector<dim>& x) { return other.unchecked_distance(other.seen(x, w), state.t); },
-      surroundings_, cells_along);
+  PartnerMotion<> q = other.given(state.t, state.t);
+  if (const FieldId w = equations_.fields().w; w != FieldId::none)
+    q += system_.values(state.t, state.y).scalar(w);
+  const FacetedSurface<dim> within =
+      zero_level<dim>([&](const Vector<dim>& x) { return other.unchecked_distance(x, q, state.t); },
+                      surroundings_, cells_along);
   CounterSurface surface;
   surface.dim = dim;
   for (const Vector<dim>& x : within.points) surface.points.push_back(in_space<dim>(x));

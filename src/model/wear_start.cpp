@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
@@ -22,29 +23,83 @@ constexpr int max_iterations = 15;
 /// Tolerance of equilibria on the way to the whole load, relative to the first load that is tried.
 constexpr double rough_tolerance = 1e-3;
 
+/// The contact node that a counter-body touches first when it comes along its approach, and how far
+/// it comes; infinite where it passes by.
+struct FirstTouch {
+  int node = -1;
+  double travel = std::numeric_limits<double>::infinity();
+};
+
+template <int dim>
+FirstTouch first_touch(const Assembly<dim>& body, const NodalField<dim>& d,
+                       const CounterBody<dim>& other) {
+  FirstTouch first;
+  for (const auto& patch : body.contact_nodes) {
+    const double travel = other.travel_to(
+        body.mesh.nodes[patch.node] + d.row(patch.node).transpose(), patch.initial_normal);
+    if (travel < first.travel) first = {patch.node, travel};
+  }
+  return first;
+}
+
+/// A counter-body that is free in several directions rests where its force goes along the traction
+/// n - f s of the node that it touches. From the direction of its force, the approach is turned by
+/// what the normal there is off: a shaft comes down in the middle of its bore, or, with friction,
+/// where it has rolled to.
+template <int dim>
+void approach_rest(const Assembly<dim>& body, const NodalField<dim>& d, CounterBody<dim>& other) {
+  constexpr int most_turns = 30;
+  constexpr double near = 1e-6;
+  Eigen::Matrix<double, dim, Eigen::Dynamic> free(dim, 0);
+  for (const Guide<dim>& guide : other.guides)
+    if (guide.force && !guide.turns()) {
+      free.conservativeResize(dim, free.cols() + 1);
+      free.rightCols(1) = guide.along;
+    }
+  if (free.cols() < 2) return;
+  const Tensor<dim> within = free * free.completeOrthogonalDecomposition().pseudoInverse();
+  const Vector<dim> force = other.approach;
+  for (int k = 0; k < most_turns; ++k) {
+    const FirstTouch first = first_touch(body, d, other);
+    if (first.node < 0) return;
+    const Vector<dim> x = body.mesh.nodes[first.node] + d.row(first.node).transpose();
+    const PartnerMotion<> q = other.brought(first.travel);
+    const Vector<dim> at = other.seen(x, q), n = other.unchecked_distance(x, q, 0).normal;
+    if (!n.allFinite()) return;
+    const Sliding<dim> sliding(body.interface.streaming - other.motion.at(at), n,
+                               other.motion.across_at(at));
+    const Vector<dim> drag = body.interface.friction * (within * sliding.direction),
+                      normal = within * n;
+    const Vector<dim> off = force * (normal - drag).norm() + drag - normal;
+    if (off.norm() < near) return;
+    other.come_along(other.approach + off);
+  }
+}
+
 /// Moves body and counter-body together, or apart, until they touch at a point, so that the first
 /// matrix is not singular: moves the counter-body if it is free, otherwise the body. A counter-body
-/// that passes by in a phase leaves the body as it is.
+/// that passes by in a phase leaves the body as it is. Returns the counter-body with the direction
+/// in which it has come.
 template <int dim>
-void close_initial_gap(const WornBodyEquations<dim>& equations, std::size_t phase,
-                       FieldValues<dim>& values) {
+CounterBody<dim> close_initial_gap(const WornBodyEquations<dim>& equations, std::size_t phase,
+                                   FieldValues<dim>& values) {
   const Assembly<dim>& body = equations.assembly();
-  const CounterBody<dim>& other = equations.phases()[phase].counter_body;
-  if (other.travel) return;
+  CounterBody<dim> other = equations.phases()[phase].counter_body;
+  const bool free = equations.phases()[phase].moves_freely();
+  if (other.is_given() && !free) return other;
   const NodalField<dim>& d = values.vector(equations.fields().d);
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& patch : body.contact_nodes)
-    least = std::min(least,
-                     other.travel_to(body.mesh.nodes[patch.node] + d.row(patch.node).transpose()));
-  if (!std::isfinite(least)) return;
-  if (equations.phases()[phase].force) {
-    values.scalar(equations.fields(phase).w)[0] = least;
-    return;
+  if (free) approach_rest(body, d, other);
+  const double least = first_touch(body, d, other).travel;
+  if (!std::isfinite(least)) return other;
+  if (free) {
+    values.scalar(equations.fields(phase).w) = other.brought(least) - other.given(0, 0);
+    return other;
   }
   NodalField<dim>& u = values.vector(equations.fields(phase).u);
   for (Eigen::Index node = 0; node < u.rows(); ++node)
     for (int i = 0; i < dim; ++i)
       if (!body.supports.held(node, i)) u(node, i) = -least * other.approach[i];
+  return other;
 }
 
 /// The approximate approach of a counter-body under part of its force: proportional to F^(2/3), as
@@ -80,22 +135,23 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
   bool exact = false;
   const NonlinearFunction function = algebraic_function(contact);
   struct Approach {
-    int w;            // number of the unknown
-    double touching;  // its value
+    int q;                   // number of an unknown
+    double touching, share;  // its value; its part in the approach
   };
   std::vector<Approach> approaches;
   for (std::size_t p = 0; p < equations.phases().size(); ++p) {
-    close_initial_gap(equations, p, values);
+    const std::vector<Guide<dim>> guides = close_initial_gap(equations, p, values).guides;
     const FieldId field = equations.fields(p).w;
-    if (const int w = contact.numbering().number(field, 0); w >= 0)
-      approaches.push_back({w, values.scalar(field)[0]});
+    for (std::size_t k = 0; field != FieldId::none && k < guides.size(); ++k)
+      if (const int q = contact.numbering().number(field, static_cast<Eigen::Index>(k)); q >= 0)
+        approaches.push_back({q, values.scalar(field)[k], guides[k].share});
   }
   bool loaded = false;
   const LoadSolve solve = [&](double fraction, std::span<double> y) {
     contact.set_load_fraction(fraction);
     if (!loaded)
       for (const Approach& at : approaches)
-        y[at.w] = at.touching + indentation(equations.assembly(), fraction);
+        y[at.q] = at.touching + at.share * indentation(equations.assembly(), fraction);
     if (!solver || exact != (fraction == 1)) {
       exact = fraction == 1;
       NewtonOptions newton{.max_iterations = max_iterations};

@@ -5,6 +5,8 @@
 #include <gnomon/terms/body_term.hpp>
 #include <gnomon/terms/loads.hpp>
 #include <gnomon/terms/pressure_load.hpp>
+#include <gnomon/terms/shape_evolution.hpp>
+#include <gnomon/terms/shape_multiplier.hpp>
 #include <gnomon/terms/springs.hpp>
 #include <numeric>
 
@@ -89,24 +91,23 @@ Field multiplier_field(const Assembly<dim>& body, const Scales& scales, int bloc
   return lambda;
 }
 
+/// A value for each guide of the counter-body, unknown where a force presses it. An angle moves the
+/// body by its size.
 template <int dim>
-Field shape_multiplier_field(const Assembly<dim>& body, const Scales& scales, int block) {
-  Field mu("shape_multiplier", contact_nodes(body), dim);
-  mu.row_scale.setConstant(scales.auxiliary_force);
-  for (Eigen::Index c = 0; c < mu.entities(); ++c) {
-    const ContactPatch<dim>& patch = body.contact_nodes[c];
-    mu.unknown_scale.row(c).setConstant(scales.auxiliary_force / patch.initial_area);
-    for (int i = 0; i < dim; ++i)
-      if (!body.shape.held(patch.node, i)) mu.block(c, i) = block;
+Field rigid_motion_field(const Assembly<dim>& body, const Phase<dim>& phase, const Scales& scales,
+                         int block) {
+  const std::vector<std::optional<double>> forces = phase.forces();
+  const int at_no_node = static_cast<int>(body.mesh.nodes.size());
+  Field w("rigid_motion", std::vector<int>(forces.size(), at_no_node), 1);
+  Vector<dim> low = body.mesh.nodes.front(), high = low;
+  for (const Vector<dim>& X : body.mesh.nodes) low = low.cwiseMin(X), high = high.cwiseMax(X);
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const bool turns = phase.counter_body.guides[k].turns();
+    const double arm = turns ? (high - low).maxCoeff() : 1;
+    if (forces[k]) w.block(k, 0) = block;
+    w.row_scale(k, 0) = scales.force * arm;
+    w.unknown_scale(k, 0) = scales.displacement / arm;
   }
-  return mu;
-}
-
-Field rigid_motion_field(int nodes, const Scales& scales, int block) {
-  Field w("rigid_motion", {nodes}, 1);
-  w.block.setConstant(block);
-  w.row_scale.setConstant(scales.force);
-  w.unknown_scale.setConstant(scales.displacement);
   return w;
 }
 
@@ -127,17 +128,12 @@ std::shared_ptr<const std::vector<NodeInterpolation>> coarsening(const Assembly<
 }
 
 template <int dim>
-WornSurface<dim> worn_surface(const Assembly<dim>& body, const WornBodyFields& fields) {
-  return {fields.d, fields.mu, &body.contact_nodes, body.shape.augmentation};
-}
-
-template <int dim>
 ContactState<dim> contact_state(const Assembly<dim>& body, const Phase<dim>& phase,
                                 const WornBodyFields& fields, double nominal_speed) {
   const Interface<dim>& contact = body.interface;
   ContactState<dim> state{.u = fields.u,
                           .lambda = fields.lambda,
-                          .w = fields.w,
+                          .q = fields.w,
                           .mesh = body.mesh,
                           .parameters = {.counter_body = phase.counter_body,
                                          .wear = {},
@@ -193,29 +189,36 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   for (std::size_t p = 0; p < phases_.size(); ++p) add_equilibrium(p, terms);
   add(terms, TermKind::mesh_motion, 0,
       [of = assembly_, f = fields()](const Numbering& numbering) -> Made {
-        return std::make_unique<MeshMotion<dim>>(
-            of->mesh, of->cross_section ? &*of->cross_section : nullptr, of->shape.along,
-            of->shape.law, numbering, f.d, f.mu);
+        return std::make_unique<MeshMotion<dim>>(of->mesh,
+                                                 of->cross_section ? &*of->cross_section : nullptr,
+                                                 of->shape.along, of->shape.law, numbering, f.d);
       });
+  if (assembly_->shape.constraint == ConstraintForm::multiplier)
+    add(terms, TermKind::mesh_motion, 0,
+        [of = assembly_, f = fields()](const Numbering& numbering) -> Made {
+          return std::make_unique<ShapeMultiplier<dim>>(of->mesh, of->shape.along, of->shape.law,
+                                                        of->contact_nodes, numbering, f.d, f.mu);
+        });
   const double speed = assembly_->nominal_speed();
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     contact_terms_.push_back(terms.size());
     add(terms, TermKind::contact, p,
         [of = assembly_, phase = phases_[p], f = fields_[p],
          speed](const Numbering& numbering) -> Made {
-          return std::make_unique<ContactTerm<dim>>(contact_state(*of, phase, f, speed),
-                                                    worn_surface(*of, f), numbering);
+          return std::make_unique<ContactTerm<dim>>(contact_state(*of, phase, f, speed), f.d,
+                                                    numbering);
         });
   }
   add(terms, TermKind::evolution, 0,
       [of = assembly_, f = fields()](const Numbering& numbering) -> Made {
-        return std::make_unique<ShapeEvolution<dim>>(numbering, worn_surface(*of, f));
+        return std::make_unique<ShapeEvolution<dim>>(numbering, of->contact_nodes, f.d);
       });
   for (const SpringSupport<dim>& springs : assembly_->supports.springs) add_springs(springs, terms);
   for (const Load<dim>& load : assembly_->loads) add_load(load, terms);
 }
 
-/// The rows of u and w, without contact and loads.
+/// The rows of u and w, without contact and loads on the bodies. The first guide of the partner
+/// follows the history of the interface.
 template <int dim>
 void WornBodyEquations<dim>::add_equilibrium(std::size_t p, std::vector<TermFactory<dim>>& terms) {
   using Made = std::unique_ptr<Term<dim>>;
@@ -223,13 +226,25 @@ void WornBodyEquations<dim>::add_equilibrium(std::size_t p, std::vector<TermFact
       [of = assembly_, f = fields_[p]](const Numbering& numbering) -> Made {
         return std::make_unique<BodyTerm<dim>>(of->mesh, of->bodies, numbering, f.u, f.d);
       });
-  if (phases_[p].force)
+  const std::vector<std::optional<double>> forces = phases_[p].forces();
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    if (!forces[k]) continue;
+    const Guide<dim>& guide = phases_[p].counter_body.guides[k];
+    Field::Values along = Field::Values::Zero(static_cast<Eigen::Index>(forces.size()), 1);
+    for (std::size_t l = 0; l < forces.size(); ++l)  // forces of all directions add up
+      if (const Guide<dim>& other = phases_[p].counter_body.guides[l]; forces[l])
+        along(static_cast<Eigen::Index>(l), 0) =
+            *forces[k] * (l == k ? 1 : guide.along.dot(other.along));
+    // What presses the bodies on each other may not vanish.
     add(terms, TermKind::press, p,
-        [of = assembly_, f = fields_[p],
-         force = *phases_[p].force](const Numbering& numbering) -> Made {
-          return std::make_unique<Loads<dim>>(numbering, f.w, Field::Values::Constant(1, 1, force),
-                                              of->interface.history);
+        [of = assembly_, f = fields_[p], along, k,
+         factors = guide.factors](const Numbering& numbering) -> Made {
+          using Purpose = typename Loads<dim>::Purpose;
+          return k == 0
+                     ? std::make_unique<Loads<dim>>(numbering, f.w, along, of->interface.history)
+                     : std::make_unique<Loads<dim>>(numbering, f.w, along, factors, Purpose::acts);
         });
+  }
 }
 
 /// Where the other ends move by c(t) u^, k A^ (u - c u^): the springs, and the force c k A^ u^.
@@ -304,13 +319,14 @@ FieldSet WornBodyEquations<dim>::make_fields() {
   }
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     fields_[p].d = d;
-    if (!phases_[p].force) continue;
+    if (!phases_[p].moves_freely()) continue;
     const int rigid = set.add(of_phase({"rigid_motion", "w", "counter-body", Role::rigid}, p));
-    fields_[p].w = set.add(rigid_motion_field(set.nodes, scales, rigid));
+    fields_[p].w = set.add(rigid_motion_field(*assembly_, phases_[p], scales, rigid));
   }
   if (assembly_->shape.constraint == ConstraintForm::multiplier) {
     const int reaction = set.add({"shape_multiplier", "mu", "contact nodes", Role::reaction});
-    const FieldId mu = set.add(shape_multiplier_field(*assembly_, scales, reaction));
+    const FieldId mu = set.add(shape_multiplier_field<dim>(
+        assembly_->contact_nodes, assembly_->shape.held, scales.auxiliary_force, reaction));
     for (WornBodyFields& fields : fields_) fields.mu = mu;
   }
   return set;

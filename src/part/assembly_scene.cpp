@@ -129,8 +129,6 @@ AssemblyParts<dim> completed(const Scene& scene, double facet, AssemblyParts<dim
   for (const Body& body : parts.bodies) young = std::min(young, body.material.young_modulus);
   const Scales& scales = parts.scales;
   interface.rho = scene.real("contact.regularization") * regularization_unit(young, facet, scales);
-  parts.shape.augmentation = scene.real("shape.augmentation") * scene.real("shape.young_modulus") /
-                             facet * scales.duration;
   const Vector<dim> apart = scene.real("contact.initial_gap") * interface.partner.approach;
   interface.partner.position -= apart;
   for (Phase<dim>& phase : parts.phases) phase.counter_body.position -= apart;
@@ -162,7 +160,7 @@ WearCircumstances wear_circumstances(const AssemblyParts<dim>& parts) {
 
 LoadHistory read_load_history(const Scene& scene, const std::string& prefix) {
   const std::string times_key = prefix + ".times", factors_key = prefix + ".factors";
-  if (!scene.has(times_key) && !scene.has(factors_key)) return {};
+  if (!scene.knows(times_key) || (!scene.has(times_key) && !scene.has(factors_key))) return {};
   const double shortest = shortest_ramp * scene.real("time.end");
   const std::vector<double>& times = scene.reals(times_key);
   const std::vector<double>& factors = scene.reals(factors_key);

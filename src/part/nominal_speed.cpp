@@ -25,31 +25,31 @@ template <int dim>
 Patches<dim> first_touch(const Scene& scene, const Instants<dim>& instants,
                          const Patches<dim>& all) {
   double least = std::numeric_limits<double>::infinity();
-  Vector<dim> outward = Vector<dim>::Zero();
   Patches<dim> touching;
   for (const auto* patch : all) {
     double travel = std::numeric_limits<double>::infinity();
     for (const CounterBody<dim>& other : instants)
-      travel = std::min(travel, other.travel_to(patch->initial_position));
+      travel = std::min(travel, other.travel_to(patch->initial_position, patch->initial_normal));
     if (travel < least) {
       least = travel;
-      outward.setZero();
       touching.clear();
     }
     if (!(travel <= least)) continue;
-    outward += patch->initial_normal;
     touching.push_back(patch);
   }
+  const bool faces = std::ranges::any_of(all, [&](const auto* patch) {
+    return patch->initial_normal.dot(instants.front().approach) < 0;
+  });
+  if (!faces)
+    throw InputError(scene.where("counter_body.press.direction") +
+                     ": expected a direction into the body, but the surfaces of wear.on face the "
+                     "same way");
   if (!std::isfinite(least))
     throw InputError(
         scene.where("counter_body.shape") +
         ": expected a counter-body that meets the surfaces of wear.on when it moves "
         "along counter_body.press.direction, but it passes by: change its place, that "
         "direction, or its solid side (normal of a plane, side of a profile, concave)");
-  if (!(outward.dot(instants.front().approach) < 0))
-    throw InputError(scene.where("counter_body.press.direction") +
-                     ": expected a direction into the body, but the surfaces of wear.on face the "
-                     "same way");
   return touching;
 }
 
@@ -160,7 +160,8 @@ std::vector<std::string> remarks_on_speeds(const Scene& scene,
         "surfaces of wear.on, so that nothing wears");
   const auto is_turned_about = [&other](const ContactPatch<dim>& patch) {
     const double speed = speed_at<dim>(other, place_of(patch));
-    return speed * speed < velocity_variance<dim>(patch, other.front().motion);
+    return speed * speed < velocity_variance<dim>(patch, other.front().motion.spin,
+                                                  other.front().motion.across_by_x);
   };
   if (dim == 3 && std::ranges::any_of(patches, is_turned_about))
     remarks.push_back(

@@ -37,9 +37,9 @@ CycleAxis<dim> read_axis(const Scene& scene, const CounterBody<dim>& body) {
 
 /// The force of a free counter-body keeps it where it is.
 template <int dim>
-void check_force(const Scene& scene, const Cycle& cycle, const PressedCounterBody<dim>& other) {
+void check_force(const Scene& scene, const Cycle& cycle, const CounterBody<dim>& other) {
   if (!cycle.force) return;
-  if (other.force)
+  if (!other.guides.empty() && other.guides.front().force)
     throw InputError(scene.where("cycle.force") +
                      ": expected either cycle.force or counter_body.press.force, got both");
   if (!given(scene, "counter_body.press.direction"))
@@ -60,16 +60,19 @@ std::optional<double> largest_force(const Cycle& cycle) {
 
 template <int dim>
 std::optional<CyclicMotion<dim>> read_part_cycle(const Scene& scene,
-                                                 const PressedCounterBody<dim>& other) {
+                                                 const CounterBody<dim>& other) {
   std::optional<Cycle> cycle = read_cycle(scene);
   if (!cycle) return {};
-  if (other.body.turning)
+  if (other.turning)
     throw InputError(scene.where("counter_body.motion.rotation") +
                      ": expected cycle.rotation instead in a scene with a cycle, because the shape "
                      "changes its place when it turns");
   check_displacement<dim>(scene, *cycle);
   check_force(scene, *cycle, other);
-  const CycleAxis<dim> axis = read_axis(scene, other.body);
+  const CycleAxis<dim> axis = read_axis(scene, other);
+  if (axis.turns_shape && std::ranges::any_of(other.guides, &Guide<dim>::turns))
+    throw InputError(scene.where("cycle.rotation") +
+                     ": expected none beside a moment in [[counter_body.press]]: the shape turns");
   return CyclicMotion<dim>{std::move(*cycle), axis};
 }
 
@@ -83,8 +86,8 @@ std::vector<CounterBody<dim>> instants(const CounterBody<dim>& rest,
   return result;
 }
 
-template std::optional<CyclicMotion<2>> read_part_cycle(const Scene&, const PressedCounterBody<2>&);
-template std::optional<CyclicMotion<3>> read_part_cycle(const Scene&, const PressedCounterBody<3>&);
+template std::optional<CyclicMotion<2>> read_part_cycle(const Scene&, const CounterBody<2>&);
+template std::optional<CyclicMotion<3>> read_part_cycle(const Scene&, const CounterBody<3>&);
 template std::vector<CounterBody<2>> instants(const CounterBody<2>&,
                                               const std::optional<CyclicMotion<2>>&);
 template std::vector<CounterBody<3>> instants(const CounterBody<3>&,

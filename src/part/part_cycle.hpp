@@ -14,8 +14,7 @@ inline constexpr int samples = 64;
 
 /// Nothing without a cycle. Throws InputError where it contradicts the counter-body.
 template <int dim>
-std::optional<CyclicMotion<dim>> read_part_cycle(const Scene& scene,
-                                                 const PressedCounterBody<dim>& other);
+std::optional<CyclicMotion<dim>> read_part_cycle(const Scene& scene, const CounterBody<dim>& other);
 
 /// The largest force of cycle.force; nothing without it.
 std::optional<double> largest_force(const Cycle& cycle);

@@ -55,13 +55,12 @@ ImportedMesh read_mesh(const Scene& scene) {
 /// The counter-body and what presses it. Where the scene gives no direction, it is met along the
 /// mean normal of the contact surface.
 template <int dim>
-PressedCounterBody<dim> read_partner(const Scene& scene, Section section,
-                                     const std::vector<ContactPatch<dim>>& patches) {
-  PressedCounterBody<dim> other = read_counter_body<dim>(scene, section);
+CounterBody<dim> read_partner(const Scene& scene, Section section,
+                              const std::vector<ContactPatch<dim>>& patches) {
+  CounterBody<dim> other = read_counter_body<dim>(scene, section);
   Vector<dim> outward = Vector<dim>::Zero();
   for (const auto& patch : patches) outward += patch.initial_area * patch.initial_normal;
-  if (!given(scene, "counter_body.press.direction") && outward.norm() > 0)
-    other.body.approach = -outward.normalized();
+  if (other.guides.empty() && outward.norm() > 0) other.approach = -outward.normalized();
   return other;
 }
 
@@ -80,13 +79,17 @@ struct Motion {
 template <int dim>
 Motion<dim> read_motion(const Scene& scene, Section section,
                         const std::vector<ContactPatch<dim>>& patches) {
-  const PressedCounterBody<dim> other = read_partner(scene, section, patches);
-  Motion<dim> motion{.partner = other.body, .force = other.force};
-  if (other.force) motion.history = read_load_history(scene, "counter_body.press");
+  CounterBody<dim> other = read_partner(scene, section, patches);
+  Motion<dim> motion{.partner = other};
+  if (!other.guides.empty()) motion.force = other.guides.front().force;
+  if (motion.force) motion.history = read_load_history(scene, other.guides.front().key);
   const std::optional<CyclicMotion<dim>> cycle = read_part_cycle(scene, other);
-  if (cycle && cycle->cycle.force) motion.force = largest_force(cycle->cycle);
+  if (cycle && cycle->cycle.force) {
+    motion.force = largest_force(cycle->cycle);
+    other.guide(), motion.partner = other;
+  }
   if (patches.empty()) return motion;
-  const Meeting<dim> meeting = find_meeting(scene, patches, other.body, cycle);
+  const Meeting<dim> meeting = find_meeting(scene, patches, other, cycle);
   motion.partner = meeting.partner;
   motion.speed = meeting.speed;
   if (cycle) motion.phases = read_phases(scene, *cycle, motion.partner, motion.force);

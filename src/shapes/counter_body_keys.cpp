@@ -51,25 +51,27 @@ std::vector<Key> motion_keys(std::size_t dim) {
   return keys;
 }
 
-std::vector<Key> press_keys(std::size_t dim) {
+/// Of the table `press`, or of each of an array of them.
+std::vector<Key> press_keys(const std::string& press, std::size_t dim) {
   return {
-      vector_key("counter_body.press.direction", dim, "", "needed by press.force and .approach",
-                 "direction in which the counter-body is pressed, of any length"),
-      {.name = "counter_body.press.force",
+      vector_key(press + ".direction", dim, "", "needed by press.force and .approach",
+                 "direction in which the counter-body is pressed, of any length; without force and "
+                 "approach it is held there"),
+      {.name = press + ".force",
        .unit = "N",
        .presence = optional,
        .absent_meaning = "it does not move, or as press.approach says",
-       .range = positive_quantity,
+       .range = {.min = 0, .max = positive_quantity.max},
        .help = "force along press.direction, in 2D per mm out of the plane; axisymmetric: the "
                "whole force"},
-      {.name = "counter_body.press.factors",
+      {.name = press + ".factors",
        .kind = KeyKind::reals,
        .presence = optional,
        .absent_meaning = "press.force does not change with time",
        .range = {.max = positive_quantity.max},
        .help = "factors of press.force at press.times, 1e-6 or more: linear between them, "
                "constant before the first and after the last"},
-      {.name = "counter_body.press.approach",
+      {.name = press + ".approach",
        .kind = KeyKind::reals,
        .unit = "mm",
        .presence = optional,
@@ -77,7 +79,7 @@ std::vector<Key> press_keys(std::size_t dim) {
        .or_single = Range{},
        .help = "how far it has moved along press.direction: one number, or numbers at press.times, "
                "straight between them"},
-      {.name = "counter_body.press.times",
+      {.name = press + ".times",
        .kind = KeyKind::reals,
        .unit = "s",
        .presence = optional,
@@ -86,6 +88,21 @@ std::vector<Key> press_keys(std::size_t dim) {
        .help =
            "ascending times of press.factors or press.approach, one twice for a jump; steps end on "
            "them exactly"}};
+}
+
+/// An entry of [[counter_body.press]] may be a moment instead.
+std::vector<Key> entry_keys(std::size_t dim) {
+  const std::string press = "counter_body.press.#";
+  std::vector<Key> keys = press_keys(press, dim);
+  keys.push_back(real_key(press + ".moment", "N mm", "a direction",
+                          "instead of direction and force: it turns freely under this moment, in "
+                          "2D per mm, from the first direction to the second"));
+  keys.push_back(vector_key(press + ".center", dim, "mm", "counter_body.center, or .apex",
+                            "point of the axis of the moment"));
+  if (dim == 3)
+    keys.push_back(vector_key(press + ".axis", dim, "", "counter_body.axis",
+                              "direction of the axis of the moment, of any length"));
+  return keys;
 }
 
 /// Adds a key of a shape, or the name of the shape to the help of one that is there.
@@ -119,7 +136,8 @@ std::vector<Key> counter_body_keys() {
                              .kind = KeyKind::text,
                              .choices = Registry<CounterShapeKind<dim>>::names(),
                              .help = "shape of the rigid counter-body"});
-  for (const auto& part : {motion_keys(dim), press_keys(dim)})
+  for (const auto& part :
+       {motion_keys(dim), press_keys("counter_body.press", dim), entry_keys(dim)})
     keys.insert(keys.end(), part.begin(), part.end());
   return keys;
 }

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/shapes/counter_body_scene.hpp>
 #include <gnomon/shapes/shape_keys.hpp>
+#include <set>
 
 namespace gnomon {
 
@@ -12,6 +14,17 @@ namespace {
 
 bool given(const Scene& scene, const std::string& key) {
   return scene.knows(key) && scene.has(key);
+}
+
+/// The keys that the scene gives for a key of the table, one for each number in the place of a "#".
+std::vector<std::string> given_names(const Scene& scene, const std::string& key) {
+  const std::size_t place = key.find('#');
+  std::vector<std::string> names;
+  if (place == std::string::npos && given(scene, key)) names = {key};
+  if (place == std::string::npos) return names;
+  for (const std::string& number : scene.chosen_names(key))
+    names.push_back(std::string(key).replace(place, 1, number));
+  return names;
 }
 
 template <int dim>
@@ -26,16 +39,16 @@ template <int dim>
 void check_dimension(const Scene& scene) {
   const std::vector<Key> own = counter_body_keys<dim>();
   const char* const here = dim == 2 ? "in the plane" : "in space";
-  for (const Key& key : counter_body_keys()) {
-    if (!given(scene, key.name)) continue;
-    const auto there = std::find_if(own.begin(), own.end(),
-                                    [&](const Key& other) { return other.name == key.name; });
-    if (there == own.end())
-      throw InputError(fmt::format("{}: there is no such key {}", scene.where(key.name), here));
-    if (there->length != 0 && scene.reals(key.name).size() != there->length)
-      throw InputError(fmt::format("{}: expected {} numbers {}, got {}", scene.where(key.name),
-                                   there->length, here, scene.reals(key.name).size()));
-  }
+  for (const Key& key : counter_body_keys())
+    for (const std::string& name : given_names(scene, key.name)) {
+      const auto there = std::find_if(own.begin(), own.end(),
+                                      [&](const Key& other) { return other.name == key.name; });
+      if (there == own.end())
+        throw InputError(fmt::format("{}: there is no such key {}", scene.where(name), here));
+      if (there->length != 0 && scene.reals(name).size() != there->length)
+        throw InputError(fmt::format("{}: expected {} numbers {}, got {}", scene.where(name),
+                                     there->length, here, scene.reals(name).size()));
+    }
 }
 
 /// The scene with the defaults of the shape. Throws where a key of it is missing, or one is given
@@ -95,105 +108,203 @@ void read_motion(const Scene& scene, Section section, CounterBody<dim>& body) {
   body.turning = Turning<dim>{body.motion.spin, center};
 }
 
-/// Throws unless there is one time for each approach, ascending.
-LoadHistory read_travel(const Scene& scene) {
-  const std::vector<double>& travel = scene.reals("counter_body.press.approach");
+/// `values` over the times of a press. Throws unless there is one time for each, ascending.
+LoadHistory read_over_time(const Scene& scene, const std::string& press,
+                           const std::string& values) {
+  const std::string times_key = press + ".times";
   std::vector<double> times = {0};
-  if (given(scene, "counter_body.press.times")) times = scene.reals("counter_body.press.times");
-  if (travel.empty() || travel.size() != times.size())
-    throw InputError(
-        fmt::format("{}: expected one number for each of counter_body.press.times, {}, got {}",
-                    scene.where("counter_body.press.approach"), times.size(), travel.size()));
-  for (const double value : travel)
-    if (!std::isfinite(value))
-      throw InputError(scene.where("counter_body.press.approach") + ": expected finite numbers");
+  if (given(scene, times_key)) times = scene.reals(times_key);
+  const std::vector<double>& numbers = scene.reals(values);
+  if (numbers.empty() || numbers.size() != times.size())
+    throw InputError(fmt::format("{}: expected one number for each of {}, {}, got {}",
+                                 scene.where(values), times_key, times.size(), numbers.size()));
+  for (const double number : numbers)
+    if (!std::isfinite(number)) throw InputError(scene.where(values) + ": expected finite numbers");
   const std::size_t misplaced = LoadHistory::first_misplaced(times);
   for (std::size_t k = 0; k < times.size(); ++k)
     if (!std::isfinite(times[k]) || k == misplaced)
       throw InputError(
           fmt::format("{}: expected ascending times, one twice for a jump, got {} at place {}",
-                      scene.where("counter_body.press.times"), times[k], k + 1));
-  return {times, travel};
+                      scene.where(times_key), times[k], k + 1));
+  return {times, numbers};
+}
+
+/// Throws where one key of a press needs or excludes another.
+void check_press(const Scene& scene, const std::string& press) {
+  const auto has = [&](const char* key) { return given(scene, press + key); };
+  const auto refuse = [&](const char* key, const std::string& expected) {
+    throw InputError(scene.where(press + key) + ": expected " + expected);
+  };
+  const bool force = has(".force"), moves = has(".approach"), moment = has(".moment");
+  if (force && moves) refuse(".approach", "either press.approach or press.force, got both");
+  for (const char* other : {".direction", ".force", ".approach"})
+    if (moment && has(other)) refuse(".moment", "either a moment or press" + std::string(other));
+  for (const char* of_moment : {".center", ".axis"})
+    if (!moment && has(of_moment)) refuse(of_moment, "also " + press + ".moment");
+  const bool times = has(".times"), factors = has(".factors"), loaded = force || moment;
+  if (factors && !loaded) refuse(".factors", "also " + press + ".force, which they multiply");
+  if (loaded && times != factors)
+    refuse(times ? ".times" : ".factors", times ? "also " + press + ".factors, at these times"
+                                                : "also " + press + ".times, of these factors");
+  if (times && !moves && !loaded)
+    refuse(".times", "also " + press + ".approach, at these times, or .force and .factors");
+  if ((force || moves) && !has(".direction"))
+    refuse(force ? ".force" : ".approach", "also " + press + ".direction");
 }
 
 template <int dim>
-void read_press(const Scene& scene, Section section, PressedCounterBody<dim>& result) {
-  const std::string direction = "counter_body.press.direction";
-  const bool force = given(scene, "counter_body.press.force");
-  const bool moves = given(scene, "counter_body.press.approach");
-  if (force && moves)
-    throw InputError(scene.where("counter_body.press.approach") +
-                     ": expected either press.approach or press.force, got both");
-  const bool times = given(scene, "counter_body.press.times");
-  const bool factors = given(scene, "counter_body.press.factors");
-  if (factors && !force)
-    throw InputError(scene.where("counter_body.press.factors") +
-                     ": expected also counter_body.press.force, which they multiply");
-  if (force && times != factors)
-    throw InputError(
-        scene.where(times ? "counter_body.press.times" : "counter_body.press.factors") +
-        (times ? ": expected also counter_body.press.factors, at these times"
-               : ": expected also counter_body.press.times, of these factors"));
-  if (times && !moves && !force)
-    throw InputError(scene.where("counter_body.press.times") +
-                     ": expected also counter_body.press.approach, at these times, or .force and "
-                     ".factors");
-  if ((force || moves) && !given(scene, direction))
-    throw InputError(
-        scene.where(force ? "counter_body.press.force" : "counter_body.press.approach") +
-        ": expected also counter_body.press.direction");
-  if (!given(scene, direction)) return;
-  const Vector<dim> along = read_direction<dim>(scene, direction);
+Guide<dim> read_guide(const Scene& scene, const std::string& press, Section section) {
+  check_press(scene, press);
+  Guide<dim> guide{.key = press};
+  if (given(scene, press + ".factors"))
+    guide.factors = read_over_time(scene, press, press + ".factors");
+  if (given(scene, press + ".moment")) {
+    if (section == Section::meridian)
+      throw InputError(scene.where(press + ".moment") + ": expected none in an axisymmetric scene");
+    guide.force = scene.real(press + ".moment");
+    guide.turn = rotation_spin<dim>(scene, 1, press + ".moment", press + ".axis");
+    guide.centre = rotation_center<dim>(scene, press + ".moment", press + ".center");
+    return guide;
+  }
+  if (!given(scene, press + ".direction"))
+    throw InputError(scene.path().string() + ": [[counter_body.press]]: expected " + press +
+                     ".direction or .moment");
+  const Vector<dim> along = read_direction<dim>(scene, press + ".direction");
   if (section == Section::meridian && along[0] != 0)
-    throw InputError(scene.where(direction) +
+    throw InputError(scene.where(press + ".direction") +
                      ": expected the axis of symmetry, [0, 1] or [0, -1], in an axisymmetric "
                      "scene");
-  result.body.approach = along.normalized();
-  if (force) result.force = scene.real("counter_body.press.force");
-  if (moves) result.body.travel = read_travel(scene);
+  guide.along = along.normalized();
+  guide.force = scene.real_if(press + ".force");
+  if (given(scene, press + ".approach"))
+    guide.travel = read_over_time(scene, press, press + ".approach");
+  return guide;
+}
+
+/// The table `press`, or the entries of an array of it; none where the scene has neither.
+std::vector<std::string> press_tables(const Scene& scene, int dim) {
+  std::set<std::string> tables;
+  for (const Key& key : dim == 2 ? counter_body_keys<2>() : counter_body_keys<3>()) {
+    if (!key.name.starts_with("counter_body.press.")) continue;
+    for (const std::string& name : given_names(scene, key.name))
+      tables.insert(name.substr(0, name.rfind('.')));
+  }
+  if (tables.size() > 1 && tables.contains("counter_body.press"))
+    throw InputError(scene.path().string() +
+                     ": expected either [counter_body.press] or [[counter_body.press]], got both");
+  return {tables.begin(), tables.end()};
+}
+
+/// A motion of the free guides that leaves the surface where it is would be determined by nothing.
+template <int dim>
+void require_determined(const Scene& scene, const CounterBody<dim>& body) {
+  std::vector<const Guide<dim>*> free;
+  for (const Guide<dim>& guide : body.guides)
+    if (guide.force) free.push_back(&guide);
+  const auto count = static_cast<Eigen::Index>(free.size());
+  if (count < 2) return;
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(count, count);
+  const double reach = body.shape.reach(), arm = reach > 0 ? reach : 1;
+  visit_surface<dim>(
+      body.shape, Vector<dim>::Zero(), [&](const Vector<dim>& x, const Vector<dim>& n) {
+        Eigen::VectorXd out(count);
+        for (Eigen::Index k = 0; k < count; ++k)
+          out[k] = free[k]->turns() ? n.dot(free[k]->turn * (x - free[k]->centre)) / arm
+                                    : n.dot(free[k]->along);
+        moved += out * out.transpose();
+      });
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(moved);
+  if (modes.eigenvalues()[0] > 1e-12 * moved.trace()) return;
+  Eigen::Index most = 0;
+  modes.eigenvectors().col(0).cwiseAbs().maxCoeff(&most);
+  throw InputError(fmt::format(
+      "{}: expected a motion that changes where the surface is, but {}: nothing determines how far "
+      "it {}",
+      scene.path().string() + ": [[counter_body.press]]",
+      free[most]->turns() ? "the shape is round about the axis of the moment"
+                          : "the shape looks the same when it moves along its free directions",
+      free[most]->turns() ? "turns" : "moves"));
+}
+
+template <int dim>
+void read_press(const Scene& scene, Section section, CounterBody<dim>& body) {
+  for (const std::string& press : press_tables(scene, dim))
+    body.guides.push_back(read_guide<dim>(scene, press, section));
+  if (body.guides.empty()) return;
+  // Forces first, then what is given, then what is held.
+  const auto rank = [](const Guide<dim>& guide) {
+    return std::pair(guide.turns()  ? 1
+                     : guide.force  ? 0
+                     : guide.travel ? 2
+                                    : 3,
+                     -guide.force.value_or(0));
+  };
+  std::ranges::stable_sort(body.guides, {}, rank);
+  Vector<dim> sum = Vector<dim>::Zero();
+  for (const Guide<dim>& guide : body.guides)
+    if (guide.force && !guide.turns()) sum += *guide.force * guide.along;
+  if (sum.isZero(0) && body.guides.front().force)
+    throw InputError(scene.path().string() +
+                     ": [[counter_body.press]]: expected a direction with a force above zero");
+  for (const Guide<dim>& guide : body.guides)
+    if (guide.travel && !body.guides.front().force) sum += guide.travel->factor(0) * guide.along;
+  Guide<dim>& first = body.guides.front();
+  body.approach = first.along;
+  if (body.guides.size() > 1 && !sum.isZero(0))
+    body.come_along(sum);
+  else if (!first.is_held())
+    first.share = 1;
+  const auto turns = std::ranges::count_if(body.guides, &Guide<dim>::turns);
+  if (turns > 1 || (turns > 0 && body.turning))
+    throw InputError(scene.path().string() +
+                     ": [[counter_body.press]]: expected one moment at most, and none beside a "
+                     "motion.rotation that turns the shape");
+  require_determined(scene, body);
 }
 
 }  // namespace
 
 template <int dim>
-Vector<dim> rotation_center(const Scene& scene, const std::string& rotation) {
-  for (const char* key : {"counter_body.motion.center", "counter_body.center", "counter_body.apex"})
+Vector<dim> rotation_center(const Scene& scene, const std::string& rotation,
+                            const std::string& center) {
+  for (const std::string& key :
+       {center, std::string("counter_body.center"), std::string("counter_body.apex")})
     if (given(scene, key)) return read_point<dim>(scene, key);
-  throw InputError(scene.where(rotation) +
-                   ": expected also counter_body.motion.center, a point of the axis of rotation");
+  throw InputError(scene.where(rotation) + ": expected also " + center +
+                   ", a point of the axis of rotation");
 }
 
 template <int dim>
-Tensor<dim> rotation_spin(const Scene& scene, double rate, const std::string& rotation) {
+Tensor<dim> rotation_spin(const Scene& scene, double rate, const std::string& rotation,
+                          const std::string& axis) {
   if constexpr (dim == 2) {
     return spin_in_plane(rate);
   } else {
-    for (const char* key : {"counter_body.motion.axis", "counter_body.axis"})
+    for (const std::string& key : {axis, std::string("counter_body.axis")})
       if (given(scene, key)) return spin_about(read_direction<3>(scene, key), rate);
-    throw InputError(scene.where(rotation) +
-                     ": expected also counter_body.motion.axis, the direction of the axis of "
-                     "rotation");
+    throw InputError(scene.where(rotation) + ": expected also " + axis +
+                     ", the direction of the axis of rotation");
   }
 }
 
 template <int dim>
-PressedCounterBody<dim> read_counter_body(const Scene& scene, Section section) {
+CounterBody<dim> read_counter_body(const Scene& scene, Section section) {
   check_dimension<dim>(scene);
   const auto& kind =
       Registry<CounterShapeKind<dim>>::find(scene.text("counter_body.shape"), "shape");
   const Scene complete = of_shape(scene, kind);
-  PressedCounterBody<dim> result;
-  result.body.shape = kind.make(complete, section);
-  read_motion(complete, section, result.body);
-  read_press(complete, section, result);
-  return result;
+  CounterBody<dim> body;
+  body.shape = kind.make(complete, section);
+  read_motion(complete, section, body);
+  read_press(complete, section, body);
+  return body;
 }
 
-template Vector<2> rotation_center(const Scene&, const std::string&);
-template Vector<3> rotation_center(const Scene&, const std::string&);
-template Tensor<2> rotation_spin(const Scene&, double, const std::string&);
-template Tensor<3> rotation_spin(const Scene&, double, const std::string&);
-template PressedCounterBody<2> read_counter_body<2>(const Scene&, Section);
-template PressedCounterBody<3> read_counter_body<3>(const Scene&, Section);
+template Vector<2> rotation_center(const Scene&, const std::string&, const std::string&);
+template Vector<3> rotation_center(const Scene&, const std::string&, const std::string&);
+template Tensor<2> rotation_spin(const Scene&, double, const std::string&, const std::string&);
+template Tensor<3> rotation_spin(const Scene&, double, const std::string&, const std::string&);
+template CounterBody<2> read_counter_body<2>(const Scene&, Section);
+template CounterBody<3> read_counter_body<3>(const Scene&, Section);
 
 }  // namespace gnomon

@@ -100,10 +100,9 @@ CounterShape<dim> complement(const CounterShape<dim>& shape) {
 }
 
 template <int dim>
-bool turns_into_itself(const CounterShape<dim>& shape, const Tensor<dim>& spin,
-                       const Vector<dim>& centre) {
+void visit_surface(const CounterShape<dim>& shape, const Vector<dim>& centre,
+                   const std::function<void(const Vector<dim>& x, const Vector<dim>& n)>& visit) {
   constexpr int samples = 200;
-  constexpr double rounding = 1e-9;
   const double extent = shape.reach() + centre.norm(), size = extent > 0 ? extent : 1;
   for (int k = 1; k <= samples; ++k) {
     Vector<dim> x;
@@ -113,11 +112,21 @@ bool turns_into_itself(const CounterShape<dim>& shape, const Tensor<dim>& spin,
     }
     const SignedDistance<dim> from = shape.unchecked(x);
     const Vector<dim> on_surface = x - from.gap * from.normal;
-    if (!from.unique || !on_surface.allFinite()) continue;
-    const double outward = from.normal.dot(spin * (on_surface - centre));
-    if (std::abs(outward) > rounding * spin.norm() * size) return false;
+    if (from.unique && on_surface.allFinite()) visit(on_surface, from.normal);
   }
-  return true;
+}
+
+template <int dim>
+bool turns_into_itself(const CounterShape<dim>& shape, const Tensor<dim>& spin,
+                       const Vector<dim>& centre) {
+  constexpr double rounding = 1e-9;
+  const double extent = shape.reach() + centre.norm(), size = extent > 0 ? extent : 1;
+  bool moves_along_itself = true;
+  visit_surface<dim>(shape, centre, [&](const Vector<dim>& x, const Vector<dim>& n) {
+    if (std::abs(n.dot(spin * (x - centre))) > rounding * spin.norm() * size)
+      moves_along_itself = false;
+  });
+  return moves_along_itself;
 }
 
 template class CounterShape<2>;
@@ -126,5 +135,10 @@ template CounterShape<2> complement(const CounterShape<2>&);
 template CounterShape<3> complement(const CounterShape<3>&);
 template bool turns_into_itself(const CounterShape<2>&, const Tensor<2>&, const Vector<2>&);
 template bool turns_into_itself(const CounterShape<3>&, const Tensor<3>&, const Vector<3>&);
+
+template void visit_surface(const CounterShape<2>&, const Vector<2>&,
+                            const std::function<void(const Vector<2>&, const Vector<2>&)>&);
+template void visit_surface(const CounterShape<3>&, const Vector<3>&,
+                            const std::function<void(const Vector<3>&, const Vector<3>&)>&);
 
 }  // namespace gnomon

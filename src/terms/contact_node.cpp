@@ -61,43 +61,37 @@ private:
 };
 
 /// Derivatives of the traction per nominal area, tau = lambda_eff (n - friction s), and of the
-/// sliding speed, with respect to the node's position relative to the counter-body, its relative
-/// velocity and lambda_eff.
+/// sliding speed, with respect to the partner's normal, the relative velocity and its part out of
+/// the plane, at constant lambda_eff.
 template <int dim>
 struct TractionDerivative {
-  Vector<dim> direction;    // tau / lambda_eff
-  Tensor<dim> by_position;  // at constant lambda_eff and velocity
-  Tensor<dim> by_velocity;  // at constant lambda_eff
-  Vector<dim> speed_by_position, speed_by_velocity;
+  Vector<dim> direction;  // tau / lambda_eff
+  Tensor<dim> by_normal, by_velocity;
+  Vector<dim> by_across;
+  Vector<dim> speed_by_normal, speed_by_velocity;
+  double speed_by_across;
 
-  TractionDerivative(const Vector<dim>& n, const Tensor<dim>& n_by_x, const Vector<dim>& relative,
-                     const Sliding<dim>& sliding, double friction, double traction) {
+  TractionDerivative(const ContactKinematics<dim>& met, double friction) {
+    const Vector<dim>& n = met.normal;
+    const double traction = met.contact.traction, speed = met.sliding.speed;
     const Tensor<dim> tangential = Tensor<dim>::Identity() - n * n.transpose();
-    const Tensor<dim> v_by_x =
-        -(n.dot(relative) * Tensor<dim>::Identity() + n * relative.transpose()) * n_by_x;
-    const Vector<dim>& s = sliding.direction;
+    const Tensor<dim> v_by_n =
+        -(n.dot(met.relative) * Tensor<dim>::Identity() + n * met.relative.transpose());
+    const Vector<dim>& s = met.sliding.direction;
     direction = n - friction * s;
-    speed_by_position = v_by_x.transpose() * s;
+    speed_by_normal = v_by_n.transpose() * s;
     speed_by_velocity = tangential * s;
-    by_position = traction * n_by_x;
+    speed_by_across = met.partner.across == 0 ? 0 : met.partner.across / speed;
+    by_normal = traction * Tensor<dim>::Identity();
     by_velocity.setZero();
-    if (friction == 0 || sliding.speed == 0) return;
+    by_across.setZero();
+    if (friction == 0 || speed == 0) return;
     const Tensor<dim> turn =
-        -friction * traction / sliding.speed * (Tensor<dim>::Identity() - s * s.transpose());
-    by_position += turn * v_by_x;
+        -friction * traction / speed * (Tensor<dim>::Identity() - s * s.transpose());
+    by_normal += turn * v_by_n;
     by_velocity = turn * tangential;
-    friction_traction = friction * traction;
+    by_across = friction * traction / speed * speed_by_across * s;
   }
-
-  /// The speed has a part out of the plane that depends on the position, too.
-  void slide_across(const Sliding<dim>& sliding, double across, const Vector<dim>& across_by_x) {
-    const Vector<dim> by_x = across / sliding.speed * across_by_x;
-    speed_by_position += by_x;
-    by_position += friction_traction / sliding.speed * sliding.direction * by_x.transpose();
-  }
-
-private:
-  double friction_traction = 0;
 };
 
 /// Wdot and its derivatives with respect to the variables of a contact node; q = mu p v is resolved
@@ -108,12 +102,11 @@ struct NodalWear {
 
 template <int dim>
 NodalWear nodal_wear(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
-                     const ContactInput<dim>& at, const UnilateralContact<double>& contact,
-                     double speed, const NodeBranch& branch) {
-  if (!contact.active) return {};
-  const double mu = parameters.friction, p = -contact.traction;
-  const Vector<4> input = wear_variables<dim, double>(patch, at, mu, p, speed);
-  const WearRate rate = parameters.wear.rate(wear_input(patch, input, at.moment), branch.wear);
+                     const WearMoment& moment, const ContactKinematics<dim>& met,
+                     const NodeBranch& branch) {
+  if (!met.contact.active) return {};
+  const double mu = parameters.friction, p = met.wear[0], speed = met.wear[1];
+  const WearRate rate = parameters.wear.rate(wear_input(patch, met.wear, moment), branch.wear);
   return {.rate = rate.value,
           .by_traction = -(rate.by_pressure + mu * speed * rate.by_friction_power),
           .by_speed = rate.by_speed + mu * p * rate.by_friction_power,
@@ -123,8 +116,8 @@ NodalWear nodal_wear(const ContactParameters<dim>& parameters, const ContactPatc
 }  // namespace
 
 template <int dim>
-void require_normal(const ContactPatch<dim>& patch, const SignedDistance<dim>& distance) {
-  if (!distance.unique)
+void require_normal(const ContactPatch<dim>& patch, const Partner<dim>& partner) {
+  if (!partner.unique)
     throw RecoverableError(fmt::format(
         "contact node {} touches the counter-body where several points of its surface are equally "
         "near, so that it has no normal",
@@ -146,74 +139,63 @@ template <int dim>
 void contact_switching(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
                        const ContactInput<dim>& at, const NodeBranch& branch,
                        std::span<double> values) {
-  const CounterBody<dim>& body = parameters.counter_body;
-  const PatchNodal<dim> x = at.X + at.u;
-  const Vector<dim> seen = body.seen(Vector<dim>(x.row(0).transpose()), at.w);
-  const SignedDistance<dim> distance = body.distance(seen, at.moment.time);
-  values[0] = at.lambda + parameters.rho * distance.gap;
+  const ContactKinematics<dim> met(parameters, patch, at, branch);
+  values[0] = at.lambda + parameters.rho * met.gap;
   if (values.size() == 1) return;
-  const UnilateralContact<double> contact(at.lambda, distance.gap, parameters.rho, branch.contact);
-  const Sliding<dim> sliding(
-      streaming_velocity<dim, double>(patch, at.X, x, parameters.streaming) - body.motion.at(seen),
-      distance.normal, body.motion.across_at(seen), velocity_variance(patch, body.motion));
-  const Vector<4> input =
-      wear_variables<dim, double>(patch, at, parameters.friction, -contact.traction, sliding.speed);
-  parameters.wear.switching(wear_input(patch, input, at.moment), values.subspan(1), branch.wear);
+  parameters.wear.switching(wear_input(patch, met.wear, at.moment), values.subspan(1), branch.wear);
 }
 
 template <int dim>
 ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parameters,
                                             const ContactPatch<dim>& patch,
                                             const ContactInput<dim>& at, const NodeBranch& branch) {
-  const CounterBody<dim>& body = parameters.counter_body;
   const NodalSurface<dim> surface(patch, at.X, parameters.normal_rule);
   const SurfaceDerivative<dim> derivative(patch, at.X, parameters.normal_rule);
-  const PatchNodal<dim> x = at.X + at.u;
-  const Vector<dim> seen = body.seen(Vector<dim>(x.row(0).transpose()), at.w);
-  const SignedDistance<dim> distance = body.distance(seen, at.moment.time);
-  const Vector<dim>& n = distance.normal;
-  const UnilateralContact<double> contact(at.lambda, distance.gap, parameters.rho, branch.contact);
-  const Vector<dim> relative =
-      streaming_velocity<dim, double>(patch, at.X, x, parameters.streaming) - body.motion.at(seen);
-  const double across = body.motion.across_at(seen);
-  const Sliding<dim> sliding(relative, n, across, velocity_variance(patch, body.motion));
-  TractionDerivative<dim> traction(n, distance.normal_by_x, relative, sliding, parameters.friction,
-                                   contact.traction);
-  if (across != 0) traction.slide_across(sliding, across, body.motion.across_by_x);
-  const NodalWear wear = nodal_wear(parameters, patch, at, contact, sliding.speed, branch);
-  if (contact.active) require_normal(patch, distance), require_direction(patch, surface.normal);
+  const ContactKinematics<dim> met(parameters, patch, at, branch);
+  const Partner<dim>& partner = met.partner;
+  const UnilateralContact<double>& contact = met.contact;
+  const TractionDerivative<dim> traction(met, parameters.friction);
+  const NodalWear wear = nodal_wear(parameters, patch, at.moment, met, branch);
+  if (contact.active) require_normal(patch, partner), require_direction(patch, surface.normal);
 
-  // The part that depends on the node's position relative to the counter-body, whose surface
-  // velocity may vary with the position.
+  // What depends on the partner, by the node's position and then the partner's unknowns.
   const Tensor<dim> force_by_v = surface.area * traction.by_velocity;
-  const Tensor<dim> force_by_seen =
+  const Columns force_by_z =
       surface.area *
-          (contact.traction_by_gap * traction.direction * n.transpose() + traction.by_position) -
-      force_by_v * body.motion.spin;
-  const Vector<dim> rate_by_seen =
-      wear.by_traction * contact.traction_by_gap * n +
-      wear.by_speed *
-          (traction.speed_by_position - body.motion.spin.transpose() * traction.speed_by_velocity);
-  constraint_by_x = contact.constraint_by_gap * n;
-  constraint_by_lambda = contact.constraint_by_lambda;
-  constraint_by_w = -constraint_by_x.dot(body.approach);
-  force_by_lambda = surface.area * contact.traction_by_lambda * traction.direction;
-  force_by_w = -force_by_seen * body.approach;
+          (contact.traction_by_gap * traction.direction * partner.gap_by +
+           traction.by_normal * partner.normal_by + traction.by_across * partner.across_by) -
+      force_by_v * partner.velocity_by;
+  const Row rate_by_z =
+      wear.by_traction * contact.traction_by_gap * partner.gap_by +
+      wear.by_speed * (traction.speed_by_normal.transpose() * partner.normal_by +
+                       traction.speed_by_across * partner.across_by -
+                       traction.speed_by_velocity.transpose() * partner.velocity_by);
   const Vector<dim> N = patch.shape_free * surface.normal;
+  const Eigen::Index unknowns = partner.unknowns();
+  constraint_by_x = contact.constraint_by_gap * partner.normal;
+  constraint_by_lambda = contact.constraint_by_lambda;
+  constraint_by_q = contact.constraint_by_gap * partner.gap_by.tail(unknowns);
+  force_by_lambda = surface.area * contact.traction_by_lambda * traction.direction;
+  force_by_q = force_by_z.rightCols(unknowns);
   velocity_by_lambda = -wear.by_traction * contact.traction_by_lambda * N;
-  velocity_by_w = N * rate_by_seen.dot(body.approach);
+  velocity_by_q = -N * rate_by_z.tail(unknowns);
+  weights = partner.weights;
+  const Vector<dim> force = surface.area * contact.traction * traction.direction;
+  for (Eigen::Index k = 0; k < unknowns; ++k)
+    if (const Columns& by = partner.weights_by[k]; by.size() > 0)
+      partner_by[k] = -force.transpose() * by;
   for (std::size_t p = 0; p < patch.nodes.size(); ++p) {
     force_by_x[p].setZero();
     velocity_by_x[p].setZero();
     force_by_X[p] = contact.traction * traction.direction * derivative.area[p].transpose();
     velocity_by_X[p] = -wear.rate * patch.shape_free * derivative.normal[p];
   }
-  force_by_x[0] = force_by_seen;
-  velocity_by_x[0] = -N * rate_by_seen.transpose();
+  force_by_x[0] = force_by_z.template leftCols<dim>();
+  velocity_by_x[0] = -N * rate_by_z.template head<dim>();
   velocity_by_X[0] += wear.by_depth * N * patch.initial_normal.transpose();
 
   if (parameters.streaming.isZero(0)) return;
-  const StreamingVelocityDerivative<dim> change(patch, at.X, x, parameters.streaming);
+  const StreamingVelocityDerivative<dim> change(patch, at.X, met.x, parameters.streaming);
   const Tensor<dim> velocity_by_v = -wear.by_speed * N * traction.speed_by_velocity.transpose();
   for (std::size_t p = 0; p < patch.nodes.size(); ++p) {
     force_by_x[p] += force_by_v * change.by_x[p];
@@ -223,8 +205,8 @@ ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parame
   }
 }
 
-template void require_normal(const ContactPatch<2>&, const SignedDistance<2>&);
-template void require_normal(const ContactPatch<3>&, const SignedDistance<3>&);
+template void require_normal(const ContactPatch<2>&, const Partner<2>&);
+template void require_normal(const ContactPatch<3>&, const Partner<3>&);
 template void require_direction(const ContactPatch<2>&, const Vector<2>&);
 template void require_direction(const ContactPatch<3>&, const Vector<3>&);
 template void contact_switching(const ContactParameters<2>&, const ContactPatch<2>&,

@@ -5,14 +5,11 @@
 namespace gnomon {
 
 template <int dim>
-ContactTerm<dim>::ContactTerm(const ContactState<dim>& state, const WornSurface<dim>& surface,
-                              const Numbering& numbering)
+ContactTerm<dim>::ContactTerm(const ContactState<dim>& state, FieldId d, const Numbering& numbering)
     : state_(state),
-      d_(surface.d),
-      evolution_(numbering, surface),
+      d_(d),
       u_numbers_(numbering.nodal<dim>(state.u)),
-      d_numbers_(numbering.nodal<dim>(surface.d)),
-      w_number_(numbering.number(state.w, 0)) {
+      d_numbers_(numbering.nodal<dim>(d)) {
   surfaces_.assign(state.laws.size(), state.parameters);
   for (std::size_t k = 0; k < surfaces_.size(); ++k) surfaces_[k].wear = state.laws[k];
   for (int c = 0; c < count(); ++c) {
@@ -20,31 +17,39 @@ ContactTerm<dim>::ContactTerm(const ContactState<dim>& state, const WornSurface<
     first_switch_.push_back(first_switch_.back() + switching_functions(parameters(c)));
   }
   const CounterBody<dim>& body = state.parameters.counter_body;
-  if (!body.travel) return;
-  double touching = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < body.guides.size(); ++k)
+    q_numbers_.push_back(numbering.number(state.q, static_cast<Eigen::Index>(k)));
+  if (!body.is_given()) return;
+  double touching = std::numeric_limits<double>::infinity(), travel = 0;
   for (const ContactPatch<dim>& patch : state.patches)
-    touching = std::min(touching, body.travel_to(state.mesh.nodes[patch.node]));
-  overlap_ = std::max(0.0, body.travel->factor(0) - touching);
+    touching =
+        std::min(touching, body.travel_to(state.mesh.nodes[patch.node], patch.initial_normal));
+  const PartnerMotion<> given = body.given(0, 0);
+  for (std::size_t k = 0; k < body.guides.size(); ++k) travel += body.guides[k].share * given[k];
+  overlap_ = std::max(0.0, travel - touching);
 }
 
 template <int dim>
-double ContactTerm<dim>::motion(const Evaluation<dim>& at) const {
-  const double unknown = state_.w == FieldId::none ? 0 : at.values.scalar(state_.w)[0];
-  const std::optional<LoadHistory>& travel = state_.parameters.counter_body.travel;
-  if (!travel) return unknown;
-  return unknown + travel->factor(at.t, at.within) - (1 - at.load_fraction) * overlap_;
+PartnerMotion<> ContactTerm<dim>::motion(const Evaluation<dim>& at) const {
+  const CounterBody<dim>& body = state_.parameters.counter_body;
+  PartnerMotion<> q = body.given(at.t, at.within);
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    if (state_.q != FieldId::none) q[k] += at.values.scalar(state_.q)[k];
+    if (body.guides[k].travel) q[k] -= (1 - at.load_fraction) * overlap_ * body.guides[k].share;
+  }
+  return q;
 }
 
 template <int dim>
 std::vector<int> ContactTerm<dim>::row_numbers(int c) const {
-  std::vector<int> result(rows);
+  std::vector<int> result(q_0);
+  const int node = state_.patches[c].node;
   for (int i = 0; i < dim; ++i) {
-    result[u_0 + i] = u_numbers_(state_.patches[c].node, i);
-    result[wear_0 + i] = evolution_.row(c, i);
-    result[reaction_0 + i] = evolution_.factor(c) == 0 ? -1 : evolution_.reaction(c, i);
+    result[u_0 + i] = u_numbers_(node, i);
+    result[wear_0 + i] = wear_row(c, i);
   }
   result[lambda_0] = lambda_numbers_[c];
-  result[w_0] = w_number_;
+  result.insert(result.end(), q_numbers_.begin(), q_numbers_.end());
   return result;
 }
 
@@ -53,7 +58,8 @@ template <int dim>
 std::vector<int> ContactTerm<dim>::column_numbers(int c) const {
   const ContactPatch<dim>& patch = state_.patches[c];
   const bool streams = !state_.parameters.streaming.isZero(0);
-  std::vector<int> result = {lambda_numbers_[c], w_number_};
+  std::vector<int> result = {lambda_numbers_[c]};
+  result.insert(result.end(), q_numbers_.begin(), q_numbers_.end());
   for (int node : patch.nodes)
     for (int i = 0; i < dim; ++i)
       result.push_back(streams || node == patch.node ? u_numbers_(node, i) : -1);
@@ -79,8 +85,8 @@ void ContactTerm<dim>::declare(TermStructure& structure) const {
     add(structure.breakpoints, surface.wear.breakpoints());
     add(structure.stops, surface.wear.stops());
   }
-  if (const auto& travel = state_.parameters.counter_body.travel)
-    add(structure.breakpoints, travel->times());
+  for (const Guide<dim>& guide : state_.parameters.counter_body.guides)
+    if (guide.travel) add(structure.breakpoints, guide.travel->times());
 }
 
 template <int dim>
@@ -134,12 +140,14 @@ template <int dim>
 void ContactTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double> F) const {
   for (int c = 0; c < count(); ++c) {
     const ContactNode<dim> contact = node(at, c);
+    const int mesh_node = state_.patches[c].node;
     if (const int row = lambda_numbers_[c]; row >= 0) F[row] += contact.constraint;
-    if (w_number_ >= 0) F[w_number_] -= contact.force.dot(state_.parameters.counter_body.approach);
-    for (int i = 0; i < dim; ++i)
-      if (const int row = u_numbers_(state_.patches[c].node, i); row >= 0)
-        F[row] += contact.force[i];
-    evolution_.add(c, -weight(c) * contact.velocity, F);
+    for (int k = 0; k < unknowns(); ++k)
+      if (const int row = q_numbers_[k]; row >= 0) F[row] += contact.partner[k];
+    for (int i = 0; i < dim; ++i) {
+      if (const int row = u_numbers_(mesh_node, i); row >= 0) F[row] += contact.force[i];
+      if (const int row = wear_row(c, i); row >= 0) F[row] -= weight(c) * contact.velocity[i];
+    }
   }
 }
 
@@ -148,15 +156,17 @@ typename ContactTerm<dim>::Local ContactTerm<dim>::tangent(const Evaluation<dim>
   const ContactPatch<dim>& patch = state_.patches[c];
   const ContactNodeTangent<dim> node(parameters(c), patch, gather(at, c), branch(at, c));
   const int size = static_cast<int>(patch.nodes.size());
-  Local K = Local::Zero(rows, patch_column + 2 * dim * size);
+  const int own_u = q_column + unknowns(), own_d = own_u + dim * size;
+  Local K = Local::Zero(q_0 + unknowns(), own_d + dim * size);
   K.template block<dim, 1>(u_0, 0) = node.force_by_lambda;
-  K.template block<dim, 1>(u_0, w_column) = node.force_by_w;
+  K.template middleRows<dim>(u_0).middleCols(q_column, unknowns()) = node.force_by_q;
   K(lambda_0, 0) = node.constraint_by_lambda;
-  K(lambda_0, w_column) = node.constraint_by_w;
+  K.row(lambda_0).segment(q_column, unknowns()) = node.constraint_by_q;
   K.template block<dim, 1>(wear_0, 0) = -weight(c) * node.velocity_by_lambda;
-  K.template block<dim, 1>(wear_0, w_column) = -weight(c) * node.velocity_by_w;
+  K.template middleRows<dim>(wear_0).middleCols(q_column, unknowns()) =
+      -weight(c) * node.velocity_by_q;
   for (int p = 0; p < size; ++p) {
-    const int u = patch_column + dim * p, d = u + dim * size;
+    const int u = own_u + dim * p, d = own_d + dim * p;
     K.template block<dim, dim>(u_0, u) = node.force_by_x[p];
     K.template block<dim, dim>(u_0, d) = node.force_by_x[p] + node.force_by_X[p];
     K.template block<dim, dim>(wear_0, u) = -weight(c) * node.velocity_by_x[p];
@@ -164,14 +174,16 @@ typename ContactTerm<dim>::Local ContactTerm<dim>::tangent(const Evaluation<dim>
         -weight(c) * (node.velocity_by_x[p] + node.velocity_by_X[p]);
   }
   // The gap depends only on the node's own position.
-  const int own_u = patch_column, own_d = patch_column + dim * size;
   K.template block<1, dim>(lambda_0, own_u) = node.constraint_by_x.transpose();
   K.template block<1, dim>(lambda_0, own_d) = node.constraint_by_x.transpose();
-  K.row(w_0) =
-      -state_.parameters.counter_body.approach.transpose() * K.template middleRows<dim>(u_0);
-  if (evolution_.factor(c) != 0)
-    K.template middleRows<dim>(reaction_0) =
-        evolution_.factor(c) * K.template middleRows<dim>(wear_0);
+  for (int k = 0; k < unknowns(); ++k) {
+    K.row(q_0 + k) = -node.weights.col(k).transpose() * K.template middleRows<dim>(u_0);
+    const auto& by = node.partner_by[k];
+    if (by.size() == 0) continue;
+    K.row(q_0 + k).segment(q_column, unknowns()) += by.tail(unknowns());
+    for (int own : {own_u, own_d})
+      K.row(q_0 + k).template segment<dim>(own) += by.template head<dim>();
+  }
   return K;
 }
 

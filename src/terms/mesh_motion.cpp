@@ -22,33 +22,28 @@ std::vector<double> stiffness_by_volume(const Mesh<dim>& mesh, double exponent) 
   return factors;
 }
 
-/// Row of the auxiliary equilibrium of each shape value: its own number off the worn surface, that
-/// of mu on it, otherwise -1.
+/// Row of the auxiliary equilibrium of each shape value: its own number off the worn surface,
+/// otherwise -1.
 template <int dim>
-NodalNumbers<dim> auxiliary_rows(const Numbering& numbering, FieldId d, FieldId mu) {
+NodalNumbers<dim> auxiliary_rows(const Numbering& numbering, FieldId d) {
   NodalNumbers<dim> rows = numbering.nodal<dim>(d);
   const FieldSet& set = numbering.set();
   for (Eigen::Index k = 0; k < rows.size(); ++k)
     if (const int block = set[d].block.data()[k]; block >= 0 && set.blocks[block].differential)
       rows.data()[k] = -1;
-  if (mu == FieldId::none) return rows;
-  const std::vector<int>& node = set[mu].node;
-  for (std::size_t c = 0; c < node.size(); ++c)
-    rows.row(node[c]) = numbering.numbers(mu).row(static_cast<Eigen::Index>(c));
   return rows;
 }
+
+}  // namespace
 
 template <int dim>
 CellAssembly<dim> auxiliary_cells(const Mesh<dim>& mesh, const MeshMotionLaw& law,
                                   const NodalNumbers<dim>& rows, const NodalNumbers<dim>& columns,
-                                  const NodalProjectors<dim>* along = nullptr) {
+                                  const NodalProjectors<dim>* along) {
   const Body body{.material = law.material,
                   .element = {ElementTechnology::plain, Kinematics::finite}};
-  return {mesh,    {body}, rows, columns,
-          nullptr, stiffness_by_volume(mesh, law.stiffening), along};
+  return {mesh, {body}, rows, columns, nullptr, stiffness_by_volume(mesh, law.stiffening), along};
 }
-
-}  // namespace
 
 template <int dim>
 struct MeshMotion<dim>::Whole {
@@ -56,8 +51,8 @@ struct MeshMotion<dim>::Whole {
   CellAssembly<dim> cells;
 
   Whole(const Mesh<dim>& mesh, const NodalProjectors<dim>& along, const MeshMotionLaw& law,
-        const Numbering& numbering, FieldId d, FieldId mu)
-      : rows(auxiliary_rows<dim>(numbering, d, mu)),
+        const Numbering& numbering, FieldId d)
+      : rows(auxiliary_rows<dim>(numbering, d)),
         columns(numbering.nodal<dim>(d)),
         cells(auxiliary_cells<dim>(mesh, law, rows, columns, &along)) {}
 };
@@ -69,10 +64,9 @@ struct MeshMotion<dim>::Section {
   NodalNumbers<2> rows, columns;
   CellAssembly<2> cells;
 
-  Section(const CrossSection& s, const MeshMotionLaw& law, const Numbering& numbering, FieldId d,
-          FieldId mu)
+  Section(const CrossSection& s, const MeshMotionLaw& law, const Numbering& numbering, FieldId d)
       : section(s),
-        rows(taken(auxiliary_rows<dim>(numbering, d, mu))),
+        rows(taken(auxiliary_rows<dim>(numbering, d))),
         columns(taken(numbering.nodal<dim>(d))),
         cells(auxiliary_cells<2>(section.mesh, law, rows, columns)) {}
 
@@ -89,12 +83,12 @@ struct MeshMotion<dim>::Section {
 template <int dim>
 MeshMotion<dim>::MeshMotion(const Mesh<dim>& mesh, const CrossSection* section,
                             const NodalProjectors<dim>& along, const MeshMotionLaw& law,
-                            const Numbering& numbering, FieldId d, FieldId mu)
+                            const Numbering& numbering, FieldId d)
     : d_(d) {
   if (section)
-    section_ = std::make_unique<Section>(*section, law, numbering, d, mu);
+    section_ = std::make_unique<Section>(*section, law, numbering, d);
   else
-    whole_ = std::make_unique<Whole>(mesh, along, law, numbering, d, mu);
+    whole_ = std::make_unique<Whole>(mesh, along, law, numbering, d);
 }
 
 template <int dim>
@@ -128,6 +122,12 @@ void MeshMotion<dim>::add_jacobian(const Evaluation<dim>& at, double,
            : whole_->cells.add_jacobian(nullptr, d, values);
 }
 
+template CellAssembly<2> auxiliary_cells(const Mesh<2>&, const MeshMotionLaw&,
+                                         const NodalNumbers<2>&, const NodalNumbers<2>&,
+                                         const NodalProjectors<2>*);
+template CellAssembly<3> auxiliary_cells(const Mesh<3>&, const MeshMotionLaw&,
+                                         const NodalNumbers<3>&, const NodalNumbers<3>&,
+                                         const NodalProjectors<3>*);
 template class MeshMotion<2>;
 template class MeshMotion<3>;
 

@@ -36,6 +36,7 @@ Outcome run_on(const CounterShape<3>& shape) {
     if (body.mesh.nodes[node][2] > block.size - 1e-9)
       body.supports.held(static_cast<Eigen::Index>(node), 2) = 1;
   body.interface.force = block.force;
+  body.interface.partner.guide();
   body.interface.partner.shape = shape;
   const WearModel<3> model(body);
   const ModelRun run = run_model(model, "esdirk-3", 100, 1e-4, 300);

@@ -41,6 +41,7 @@ TEST(GivenApproach, GivesWhatTheForceGives) {
   block.wear = 0;
   auto pressed = held_block(block);
   pressed.interface.force = block.force;
+  pressed.interface.partner.guide();
   Counters counters;
   const WearModel<3> by_force(pressed);
   const State start = by_force.start(counters);
@@ -56,12 +57,12 @@ TEST(GivenApproach, GivesWhatTheForceGives) {
       EXPECT_NEAR(pressure[c], reference[c], 1e-7 * largest);
   };
   auto moved = held_block(block);
-  moved.interface.partner.travel = LoadHistory({0}, {approach});
+  moved.interface.partner.guide(LoadHistory({0}, {approach}));
   const WearModel<3> by_approach(moved);
   expect_reference(by_approach, by_approach.start(counters));
 
   auto coming = held_block(block);  // from where it does not touch yet
-  coming.interface.partner.travel = LoadHistory({10, 70}, {-0.002, approach});
+  coming.interface.partner.guide(LoadHistory({10, 70}, {-0.002, approach}));
   const WearModel<3> over_time(coming);
   const ModelRun run = run_model(over_time, "backward-euler", 20, 1e-3, 80);
   for (const double p : pressures(over_time, run.states.front())) EXPECT_EQ(p, 0);
@@ -72,7 +73,7 @@ TEST(GivenApproach, GivesWhatTheForceGives) {
 TEST(GivenApproach, ComesByTheLoadRamp) {
   const auto start_at = [](double approach) {
     auto body = held_block({.wear = 0});
-    body.interface.partner.travel = LoadHistory({0}, {approach});
+    body.interface.partner.guide(LoadHistory({0}, {approach}));
     const WearModel<3> model(body);
     Counters counters;
     const std::vector<double> pressed = pressures(model, model.start(counters));
@@ -98,8 +99,8 @@ TEST(GivenApproach, AColumnWearsAsFastAsItIsPressed) {
   auto body = held_block(block);
   body.bodies.front().element.kinematics = Kinematics::small;
   const double rate = 2e-5, later = 5e-6;
-  body.interface.partner.travel =
-      LoadHistory({0, 30, 100}, {start, start + 30 * rate, start + 30 * rate + 70 * later});
+  body.interface.partner.guide(
+      LoadHistory({0, 30, 100}, {start, start + 30 * rate, start + 30 * rate + 70 * later}));
   const WearModel<3> model(body);
   const ModelRun run = run_model(model, "esdirk-4", 0, 1e-5, 70);
   const auto on_breakpoint = [](const State& state) { return state.t == 30; };

@@ -41,9 +41,9 @@ TEST(CounterBodyKeys, AreTheSameInAllShapes) {
 TEST(CounterBodyKeys, ServeThePlaneAndSpace) {
   const std::string ring = "[counter_body]\nshape = \"cylinder\"\nradius = 2.0\n";
   const Scene plane = scene_of<0>(ring + "center = [0.0, 3.0]\nmotion = { out_of_plane = 1.0 }\n");
-  EXPECT_DOUBLE_EQ(read_counter_body<2>(plane).body.shape.at({0, 0}).gap, 1);
+  EXPECT_DOUBLE_EQ(read_counter_body<2>(plane).shape.at({0, 0}).gap, 1);
   const Scene space = scene_of<0>(ring + "center = [0.0, 0.0, 3.0]\naxis = [0.0, 1.0, 0.0]\n");
-  EXPECT_DOUBLE_EQ(read_counter_body<3>(space).body.shape.at({0, 7, 0}).gap, 1);
+  EXPECT_DOUBLE_EQ(read_counter_body<3>(space).shape.at({0, 7, 0}).gap, 1);
   const auto refused = [](const auto& read) {
     try {
       read();
@@ -65,7 +65,7 @@ TEST(CounterBodyKeys, ServeThePlaneAndSpace) {
 // By hand, in every section that a shape has.
 TEST(CounterBodyScene, ShapesInThePlane) {
   const auto gap = [](const std::string& text, Vector<2> x, Section section = Section::plane) {
-    return body_of<2>(text, section).body.shape.at(x).gap;
+    return body_of<2>(text, section).shape.at(x).gap;
   };
   EXPECT_DOUBLE_EQ(gap("shape = \"plane\"\npoint = [0.0, 1.0]\nnormal = [0.0, -2.0]", {3, -1}), 2);
   EXPECT_DOUBLE_EQ(gap("shape = \"cylinder\"\nradius = 20.0\ncenter = [0.0, 20.0]", {0, -1}), 1);
@@ -87,8 +87,8 @@ TEST(CounterBodyScene, ShapesInThePlane) {
     EXPECT_NEAR(gap(seat, {0, 2}, section), 3 * std::sqrt(0.75), 1e-15);
   }
   // On the axis a seat has one closest point in the half-plane, a groove in the plane has two.
-  EXPECT_TRUE(body_of<2>(seat, meridian).body.shape.at({0, 2}).unique);
-  EXPECT_FALSE(body_of<2>(seat).body.shape.at({0, 2}).unique);
+  EXPECT_TRUE(body_of<2>(seat, meridian).shape.at({0, 2}).unique);
+  EXPECT_FALSE(body_of<2>(seat).shape.at({0, 2}).unique);
   const std::string rail = "shape = \"profile\"\npoints = [0.0, 0.0, 1.0, 0.0, 2.0, 0.0]";
   EXPECT_DOUBLE_EQ(gap(rail, {0.4, 3}), -3);  // the body is on the left
   EXPECT_DOUBLE_EQ(gap(rail + "\nside = \"right\"", {7, 3}), 3);
@@ -101,7 +101,7 @@ TEST(CounterBodyScene, ShapesInThePlane) {
 
 TEST(CounterBodyScene, ShapesInSpace) {
   const auto gap = [](const std::string& text, Vector<3> x) {
-    return body_of<3>(text).body.shape.at(x).gap;
+    return body_of<3>(text).shape.at(x).gap;
   };
   EXPECT_DOUBLE_EQ(gap("shape = \"plane\"", {4, 5, 2}), 2);  // by defaults z = 0
   EXPECT_DOUBLE_EQ(gap("shape = \"torus\"\ncenter = [0.0, 0.0, 1.0]\naxis = [0.0, 0.0, 1.0]\n"
@@ -162,34 +162,31 @@ TEST(CounterBodyScene, SaysWhatIsMissingOrMisplaced) {
 // A ring of radius 20 mm that turns: its surface moves with 500 mm/s.
 TEST(CounterBodyScene, MotionByPosition) {
   const std::string ring = "shape = \"cylinder\"\nradius = 20.0\ncenter = [0.0, 20.0]\n";
-  const auto turning = body_of<2>(ring + "motion = { rotation = 25.0 }").body;
+  const auto turning = body_of<2>(ring + "motion = { rotation = 25.0 }");
   EXPECT_NEAR((turning.motion.at<double>({0, 0}) - Vector<2>(500, 0)).norm(), 0, 1e-12);
   EXPECT_NEAR((turning.motion.at<double>({20, 20}) - Vector<2>(0, 500)).norm(), 0, 1e-12);
   EXPECT_FALSE(turning.turning);
   EXPECT_DOUBLE_EQ(turning.motion.nominal_speed(Vector<2>::Zero()), 500);
   // It rolls: at rest where it touches.
-  const auto rolling =
-      body_of<2>(ring + "motion = { rotation = 25.0, velocity = [-500.0, 0.0] }").body;
+  const auto rolling = body_of<2>(ring + "motion = { rotation = 25.0, velocity = [-500.0, 0.0] }");
   EXPECT_NEAR(rolling.motion.at<double>({0, 0}).norm(), 0, 1e-12);
-  const auto sliding = body_of<2>(ring + "motion = { out_of_plane = 3.0 }").body;
+  const auto sliding = body_of<2>(ring + "motion = { out_of_plane = 3.0 }");
   EXPECT_DOUBLE_EQ(sliding.motion.across_at<double>({7, 8}), 3);
   // Axisymmetric: omega r around.
   const std::string ball = "shape = \"ball\"\nradius = 2.0\ncenter = [0.0, 2.0]\n";
   const auto spins =
-      body_of<2>(ball + "motion = { rotation = 4.0, velocity = [0.0, 1.0] }", meridian).body;
+      body_of<2>(ball + "motion = { rotation = 4.0, velocity = [0.0, 1.0] }", meridian);
   EXPECT_DOUBLE_EQ(spins.motion.across_at<double>({0.5, 0.1}), 2);
   EXPECT_EQ(spins.motion.at<double>({0.5, 0.1}), Vector<2>(0, 1));
   EXPECT_DOUBLE_EQ(spins.motion.nominal_speed(Vector<2>::Zero()), 1);
   // In space about the axis of the shape, or another.
   const std::string pipe =
       "shape = \"cylinder\"\nradius = 2.0\ncenter = [0.0, 9.0, 2.0]\naxis = [0.0, 3.0, 0.0]\n";
-  const auto space = body_of<3>(pipe + "motion = { rotation = 10.0 }").body;
+  const auto space = body_of<3>(pipe + "motion = { rotation = 10.0 }");
   EXPECT_NEAR((space.motion.at<double>({0, 1, 0}) - Vector<3>(-20, 0, 0)).norm(), 0, 1e-13);
   EXPECT_FALSE(space.turning);
-  const auto tilted =
-      body_of<3>(pipe +
-                 "motion = { rotation = 10.0, axis = [1.0, 0.0, 0.0], center = [5.0, 0.0, 0.0] }")
-          .body;
+  const auto tilted = body_of<3>(
+      pipe + "motion = { rotation = 10.0, axis = [1.0, 0.0, 0.0], center = [5.0, 0.0, 0.0] }");
   EXPECT_NEAR((tilted.motion.at<double>({1, 1, 0}) - Vector<3>(0, 0, 10)).norm(), 0, 1e-13);
   EXPECT_TRUE(tilted.turning);
   EXPECT_THAT(refusal<3>(pipe + "motion = { rotation = 10.0, axis = [1.0, 0.0, 0.0], velocity = "
@@ -207,18 +204,18 @@ TEST(CounterBodyScene, MotionByPosition) {
 TEST(CounterBodyScene, PressAndApproach) {
   const std::string ring = "shape = \"cylinder\"\nradius = 20.0\ncenter = [0.0, 20.0]\n";
   const auto pressed = body_of<2>(ring + "press = { direction = [0, -3], force = 10.8333 }");
-  EXPECT_EQ(pressed.body.approach, Vector<2>(0, -1));
-  EXPECT_EQ(pressed.force, 10.8333);
+  EXPECT_EQ(pressed.approach, Vector<2>(0, -1));
+  EXPECT_EQ(pressed.guides[0].force, 10.8333);
   const auto moved = body_of<2>(
       ring + "press = { direction = [3, -4], times = [0.0, 2.0], approach = [0.0, 0.1] }");
-  EXPECT_FALSE(moved.force);
-  EXPECT_NEAR((moved.body.approach - Vector<2>(0.6, -0.8)).norm(), 0, 1e-15);
-  EXPECT_DOUBLE_EQ(moved.body.travel->factor(1), 0.05);
+  EXPECT_FALSE(moved.guides[0].force);
+  EXPECT_NEAR((moved.approach - Vector<2>(0.6, -0.8)).norm(), 0, 1e-15);
+  EXPECT_DOUBLE_EQ(moved.guides[0].travel->factor(1), 0.05);
   const auto single = body_of<2>(ring + "press = { direction = [0, -1], approach = 0.02 }");
-  EXPECT_EQ(single.body.travel->factor(7), 0.02);
+  EXPECT_EQ(single.guides[0].travel->factor(7), 0.02);
   const auto held = body_of<2>(ring + "press = { direction = [0, -1], approach = [0.02] }");
-  EXPECT_DOUBLE_EQ(held.body.travel->factor(7), 0.02);
-  EXPECT_FALSE(body_of<2>(ring).body.travel);
+  EXPECT_DOUBLE_EQ(held.guides[0].travel->factor(7), 0.02);
+  EXPECT_TRUE(body_of<2>(ring).guides.empty());
   const auto refused = [&](const std::string& press, Section section = Section::plane) {
     return refusal<2>(
         "shape = \"ball\"\nradius = 20.0\ncenter = [0.0, 20.0]\npress = { " + press + " }",

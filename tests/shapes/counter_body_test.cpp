@@ -35,21 +35,21 @@ TEST(CounterBody, ACamTurns) {
   body.turning = Turning<2>{spin_in_plane(2), centre};
   const Vector<2> x(2, 0.3);
   const auto start = body.shape.at(x);
-  EXPECT_DOUBLE_EQ(body.distance(x, 0).gap, start.gap);
+  EXPECT_DOUBLE_EQ(body.unchecked_distance(x, 0).gap, start.gap);
   const Vector<2> from = x - centre;
-  const auto quarter = body.distance(centre + Vector<2>(-from[1], from[0]), M_PI / 4);
+  const auto quarter = body.unchecked_distance(centre + Vector<2>(-from[1], from[0]), M_PI / 4);
   EXPECT_NEAR(quarter.gap, start.gap, 1e-14);
   EXPECT_NEAR((quarter.normal - Vector<2>(-start.normal[1], start.normal[0])).norm(), 0, 1e-14);
   const double h = 1e-5;
   Vector<2> slope;
   Tensor<2> turn;
   for (int i = 0; i < 2; ++i) {
-    const auto above = body.distance(x + h * Vector<2>::Unit(i), 0.37);
-    const auto below = body.distance(x - h * Vector<2>::Unit(i), 0.37);
+    const auto above = body.unchecked_distance(x + h * Vector<2>::Unit(i), 0.37);
+    const auto below = body.unchecked_distance(x - h * Vector<2>::Unit(i), 0.37);
     slope[i] = (above.gap - below.gap) / (2 * h);
     turn.col(i) = (above.normal - below.normal) / (2 * h);
   }
-  const auto at = body.distance(x, 0.37);
+  const auto at = body.unchecked_distance(x, 0.37);
   EXPECT_GT(std::abs(at.gap - start.gap), 1e-2);
   expect_same_matrix(at.normal, slope, 1e-8);
   expect_same_matrix(at.normal_by_x, turn, 1e-6);

@@ -20,7 +20,7 @@ Scene scene_of(const std::string& text, const std::string& name = "scene.toml") 
 }
 
 template <int dim>
-PressedCounterBody<dim> body_of(const std::string& text, Section section = Section::plane) {
+CounterBody<dim> body_of(const std::string& text, Section section = Section::plane) {
   return read_counter_body<dim>(scene_of<dim>("[counter_body]\n" + text), section);
 }
 

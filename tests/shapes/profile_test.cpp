@@ -51,7 +51,7 @@ TEST(ProfilePoints, AFileIsBesideTheSceneAndMovesIntoIt) {
   const Scene scene =
       scene_of<2>("[counter_body]\nshape = \"profile\"\nfile = \"cam.csv\"\nclosed = true\n",
                   (folder / "scene.toml").string());
-  EXPECT_DOUBLE_EQ(read_counter_body<2>(scene).body.shape.at({0, 3}).gap, 2);
+  EXPECT_DOUBLE_EQ(read_counter_body<2>(scene).shape.at({0, 3}).gap, 2);
   std::filesystem::remove_all(folder);
   EXPECT_THROW(read_counter_body<2>(scene), InputError);
 }
@@ -65,7 +65,7 @@ TEST(ProfilePoints, AResultNeedsNoFile) {
                   (folder / "scene.toml").string()));
   std::filesystem::remove_all(folder);
   EXPECT_EQ(scene.reals("counter_body.points").size(), 8u);
-  EXPECT_DOUBLE_EQ(read_counter_body<2>(scene).body.shape.at({0, 3}).gap, 2);
+  EXPECT_DOUBLE_EQ(read_counter_body<2>(scene).shape.at({0, 3}).gap, 2);
 }
 
 // Inside the curve where two of its parts are equally near, and at a centre of curvature.

@@ -35,8 +35,8 @@ Mesh<dim> wavy_surface() {
 /// The counter-bodies: a frictionless plane that slides past (sec. 4.1), the same with friction
 /// (4.2), a ball past which the body streams (4.3), a ball that turns without friction, a cylinder
 /// that turns, with friction (2D: a disk), a conical seat (2D: a groove), the groove of a ring
-/// (2D: a socket), a rail of which the shape turns, and a ball that slides out of the plane, faster
-/// to one side (in space: as the turning ball).
+/// (2D: a socket), a rail of which the shape turns, a ball that slides out of the plane, faster to
+/// one side (in space: as the turning ball), and a rail that moves in two directions and turns.
 enum class Meets {
   plane,
   rough_plane,
@@ -46,7 +46,8 @@ enum class Meets {
   seat,
   rough_groove,
   rough_turning_rail,
-  rough_across
+  rough_across,
+  rough_pivot
 };
 constexpr Meets all_meets[] = {Meets::plane,
                                Meets::rough_plane,
@@ -56,7 +57,8 @@ constexpr Meets all_meets[] = {Meets::plane,
                                Meets::seat,
                                Meets::rough_groove,
                                Meets::rough_turning_rail,
-                               Meets::rough_across};
+                               Meets::rough_across,
+                               Meets::rough_pivot};
 constexpr NormalRule all_rules[] = {NormalRule::averaged, NormalRule::normalised,
                                     NormalRule::conservative};
 
@@ -152,9 +154,11 @@ ContactParameters<dim> parameters_of(Meets meets, NormalRule rule, Law law) {
   parameters.wear = law_of(law);
   parameters.normal_rule = rule;
   body.motion.velocity = 2 * Vector<dim>::Unit(0);
+  body.guide();
   if (meets == Meets::plane) return parameters;
   parameters.friction = meets == Meets::turning_ball || meets == Meets::seat ? 0 : 0.5;
   body.approach = Vector<dim>(Vector<dim>::LinSpaced(0.2, 1)).normalized();
+  body.guide();
   if (meets == Meets::rough_plane) return parameters;
   const Vector<dim> centre = -4.1 * Vector<dim>::Unit(dim - 1) + 0.3 * Vector<dim>::Unit(0);
   body.shape = ball<dim>(centre, 4);
@@ -171,8 +175,13 @@ ContactParameters<dim> parameters_of(Meets meets, NormalRule rule, Law law) {
   if constexpr (dim == 3)
     if (meets == Meets::rough_turning_cylinder)
       body.shape = cylinder(centre, Vector<3>(0.2, 1, 0.1), 4);
-  if (meets == Meets::seat || meets == Meets::rough_groove || meets == Meets::rough_turning_rail)
+  if (meets == Meets::seat || meets == Meets::rough_groove || meets == Meets::rough_turning_rail ||
+      meets == Meets::rough_pivot)
     body.shape = bent_shape<dim>(meets);
+  if (meets == Meets::rough_pivot) {
+    body.guides.push_back({.along = Vector<dim>(Vector<dim>::LinSpaced(1, -0.5)).normalized()});
+    body.guides.push_back({.turn = body.motion.spin / body.motion.spin.norm(), .centre = centre});
+  }
   if (meets == Meets::rough_turning_rail) body.turning = Turning<dim>{body.motion.spin, centre};
   if (dim == 2 && meets == Meets::rough_across) {
     body.motion.across = 1.5;
@@ -191,12 +200,16 @@ struct Fixture {
   ContactParameters<dim> parameters;
   ContactInput<dim> at;
 
+  Eigen::Index guides() const {
+    return static_cast<Eigen::Index>(parameters.counter_body.guides.size());
+  }
+
   Fixture(bool active, NormalRule rule, Meets meets, Law law = Law::archard)
       : parameters(parameters_of<dim>(meets, rule, law)),
         at{PatchNodal<dim>(nodes, dim),
            PatchNodal<dim>(nodes, dim),
            active ? -30.0 : 20.0,
-           0.07,
+           PartnerMotion<>(0.07 * Eigen::VectorXd::LinSpaced(guides(), -2, 1)),
            {.time = 0.04}} {
     for (int p = 0; p < nodes; ++p) {
       at.X.row(p) =
@@ -205,15 +218,17 @@ struct Fixture {
     }
   }
 
-  /// The tangent as matrices whose columns are X, u of the patch, lambda, w.
+  /// The tangent as matrices whose columns are X, u of the patch, lambda, q.
   struct Matrices {
-    Eigen::MatrixXd force, velocity, constraint;
+    Eigen::MatrixXd force, velocity, constraint, partner;
   };
   Matrices tangent(const NodeBranch& branch = {}) const {
     const ContactNodeTangent<dim> t(parameters, patch, at, branch);
-    const int size = 2 * dim * nodes + 2;
-    Matrices m{Eigen::MatrixXd::Zero(dim, size), Eigen::MatrixXd::Zero(dim, size),
-               Eigen::MatrixXd::Zero(1, size)};
+    const int lambda = 2 * dim * nodes, size = lambda + 1 + static_cast<int>(guides());
+    Matrices m{Eigen::MatrixXd::Zero(dim, size),
+               Eigen::MatrixXd::Zero(dim, size),
+               Eigen::MatrixXd::Zero(1, size),
+               {}};
     for (int p = 0; p < nodes; ++p) {
       const int X = dim * p, u = dim * (nodes + p);
       m.force.middleCols(X, dim) = t.force_by_X[p] + t.force_by_x[p];
@@ -223,10 +238,19 @@ struct Fixture {
     }
     for (int own : {0, dim * nodes})
       m.constraint.middleCols(own, dim) = t.constraint_by_x.transpose();
-    m.force.col(size - 2) = t.force_by_lambda, m.force.col(size - 1) = t.force_by_w;
-    m.velocity.col(size - 2) = t.velocity_by_lambda, m.velocity.col(size - 1) = t.velocity_by_w;
-    m.constraint(0, size - 2) = t.constraint_by_lambda;
-    m.constraint(0, size - 1) = t.constraint_by_w;
+    m.force.col(lambda) = t.force_by_lambda;
+    m.velocity.col(lambda) = t.velocity_by_lambda;
+    m.constraint(0, lambda) = t.constraint_by_lambda;
+    m.force.rightCols(guides()) = t.force_by_q;
+    m.velocity.rightCols(guides()) = t.velocity_by_q;
+    m.constraint.rightCols(guides()) = t.constraint_by_q;
+    m.partner = -t.weights.transpose() * m.force;
+    for (Eigen::Index k = 0; k < guides(); ++k) {
+      if (t.partner_by[k].size() == 0) continue;
+      for (int own : {0, dim * nodes})
+        m.partner.row(k).segment(own, dim) += t.partner_by[k].head(dim);
+      m.partner.row(k).tail(guides()) += t.partner_by[k].tail(guides());
+    }
     return m;
   }
 };
@@ -234,11 +258,11 @@ struct Fixture {
 /// Automatic differentiation; a node that does not wear must have no derivative of its wear.
 template <int dim>
 void check_tangent(const Fixture<dim>& f, const NodeBranch& branch, bool active, bool wears) {
-  const int total = 2 * dim * f.nodes + 2;
+  const int lambda = 2 * dim * f.nodes, total = lambda + 1 + static_cast<int>(f.guides());
   const ContactNode<dim, Dual> node(
       f.parameters, f.patch,
       {independent(f.at.X, 0, total), independent(f.at.u, dim * f.nodes, total),
-       Dual(f.at.lambda, total, total - 2), Dual(f.at.w, total, total - 1), f.at.moment},
+       Dual(f.at.lambda, total, lambda), independent(f.at.q, lambda + 1, total), f.at.moment},
       branch);
   ASSERT_EQ(node.active, active);
   const auto m = f.tangent(branch);
@@ -250,6 +274,7 @@ void check_tangent(const Fixture<dim>& f, const NodeBranch& branch, bool active,
   expect_same_matrix(m.constraint, row(node.constraint), 1e-13);
   if (active) {
     expect_same_matrix(m.force, derivative_matrix(node.force, total), 1e-12);
+    expect_same_matrix(m.partner, derivative_matrix(node.partner, total), 1e-12);
   } else {  // an open node exerts no force
     EXPECT_EQ(m.force.norm(), 0);
     EXPECT_EQ(node.force.squaredNorm(), Dual(0));  // the norm has no derivative there
@@ -266,23 +291,25 @@ template <int dim>
 void check_central_differences(Fixture<dim>& f, const NodeBranch& branch) {
   const auto m = f.tangent(branch);
   const double h = 1e-6;
-  Eigen::MatrixXd force = 0 * m.force, velocity = 0 * m.velocity;
+  Eigen::MatrixXd force = 0 * m.force, velocity = 0 * m.velocity, partner = 0 * m.partner;
   const auto shifted = [&](int column, double shift) {
     ContactInput<dim> at = f.at;
     const int size = dim * f.nodes, k = column % size;
     (column < size        ? at.X(k / dim, k % dim)
      : column < 2 * size  ? at.u(k / dim, k % dim)
      : column == 2 * size ? at.lambda
-                          : at.w) += shift;
+                          : at.q[column - 2 * size - 1]) += shift;
     return ContactNode<dim>(f.parameters, f.patch, at, branch);
   };
   for (int column = 0; column < force.cols(); ++column) {
     const auto above = shifted(column, h), below = shifted(column, -h);
     force.col(column) = (above.force - below.force) / (2 * h);
     velocity.col(column) = (above.velocity - below.velocity) / (2 * h);
+    partner.col(column) = (above.partner - below.partner) / (2 * h);
   }
   expect_same_matrix(m.force, force, 1e-7);
   expect_same_matrix(m.velocity, velocity, 1e-7);
+  expect_same_matrix(m.partner, partner, 1e-7);
 }
 
 /// Along a plane (2D: line) that is oblique to all coordinate directions.
@@ -409,7 +436,7 @@ TEST(ContactNode, SlidesOutOfThePlane) {
   motion.across_by_x = Vector<2>(2, 0);
   const ContactNode<2> turning(f.parameters, f.patch, f.at);
   const Vector<2> x = (f.at.X + f.at.u).row(0).transpose();
-  const double r = f.parameters.counter_body.seen<double>(x, f.at.w)[0];
+  const double r = f.parameters.counter_body.seen(x, f.at.q[0])[0];
   double variance = 0, length = 0;
   for (int other : {0, 2}) {
     const Vector<2> e = f.mesh.nodes[other] - f.mesh.nodes[1];
@@ -425,7 +452,7 @@ TEST(ContactNode, SlidesOutOfThePlane) {
 TEST(ContactNode, RefusesAClosedNodeWithoutANormal) {
   Fixture<3> f(false, NormalRule::averaged, Meets::plane);
   f.parameters.counter_body.shape = complement(cone<3>({0, 0, -5}, {0, 0, 1}, 1.0));
-  f.at.w = 0;
+  f.at.q[0] = 0;
   f.at.u.row(0) = Vector<3>(0, 0, 0.1).transpose() - f.at.X.row(0);
   const ContactNode<3> open(f.parameters, f.patch, f.at);
   EXPECT_FALSE(open.active);

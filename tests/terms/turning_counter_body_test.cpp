@@ -42,7 +42,7 @@ template <int dim>
 double speed(const ContactPatch<dim>& patch, const RigidMotion<dim>& motion) {
   const Vector<dim>& x = patch.initial_position;
   return Sliding<dim>(-motion.at(x), patch.initial_normal, motion.across_at(x),
-                      velocity_variance<dim>(patch, motion))
+                      velocity_variance<dim>(patch, motion.spin, motion.across_by_x))
       .speed;
 }
 
@@ -83,10 +83,10 @@ TEST(TurningCounterBody, OnlySlidingThatDiffersCounts) {
   const auto patches = patches_of<3>(sheet(2, {1, 0, 0}, {0, 1, 0}));
   for (const auto& patch : patches) {
     RigidMotion<3> motion = rigid_motion<3>({3, 4, 0}, spin_about({1, 1, 0}, 5), {0, 0, 0});
-    EXPECT_NEAR(velocity_variance(patch, motion), 0, 1e-14);
+    EXPECT_NEAR(velocity_variance<3>(patch, motion.spin, motion.across_by_x), 0, 1e-14);
     EXPECT_NEAR(speed(patch, motion), 5, 1e-12);
     motion.spin = spin_about({0, 0, 1}, 5);
-    EXPECT_GT(velocity_variance(patch, motion), 0.1);
+    EXPECT_GT(velocity_variance<3>(patch, motion.spin, motion.across_by_x), 0.1);
   }
 }
 

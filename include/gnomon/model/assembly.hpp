@@ -17,8 +17,7 @@
 namespace gnomon {
 
 /// How the auxiliary problem is connected to the worn surface: the rows of wear replace the
-/// auxiliary equilibrium there, or the paper's augmented multiplier mu carries the reaction (eq.
-/// 22, 29).
+/// auxiliary equilibrium there, or the paper's multiplier mu carries the reaction (eq. 22).
 enum class ConstraintForm { eliminated, multiplier };
 
 /// Typical magnitudes over a run; they scale residuals and unknowns, and do not change the
@@ -86,8 +85,8 @@ struct Interface {
   /// they wear; read by the conservative rule alone.
   std::vector<typename Mesh<dim>::Facet> boundary{};
   CounterBody<dim> partner{};
-  /// The force that presses the partner along its `approach`, at factor one; without it the partner
-  /// does not move.
+  /// The force that presses the partner along the first of its guides, at factor one; without it
+  /// the partner does not move there.
   std::optional<double> force{};
   LoadHistory history{};                        ///< of the force
   Vector<dim> streaming = Vector<dim>::Zero();  ///< V of eq. (7) [length / time]
@@ -106,7 +105,6 @@ struct ShapeMotion {
   NodalProjectors<dim> along{};
   MeshMotionLaw law{};  ///< eq. (20)
   ConstraintForm constraint = ConstraintForm::eliminated;
-  double augmentation = 0;  ///< of mu: mu^ = mu + augmentation (ddot + Wdot N) [stress time/length]
 
   /// Projector on the directions in which the shape of a node may move.
   Tensor<dim> free(int node) const {

@@ -15,10 +15,21 @@ struct Phase {
   double position = 0;              ///< tau, in the cycle
   double weight = 1;                ///< omega, part of the mean over the cycle
   CounterBody<dim> counter_body{};  ///< where it is in this phase, and how it moves
-  /// The force that presses the counter-body along its `approach`, at factor one of the history;
-  /// without it the counter-body does not move.
+  /// The force that presses the counter-body along the first of its guides, at factor one of the
+  /// history; without it the counter-body does not move there.
   std::optional<double> force{};
   double load = 1;  ///< factor of the loads on the bodies
+
+  /// The force along each guide at factor one; nothing where the counter-body is not free.
+  std::vector<std::optional<double>> forces() const {
+    std::vector<std::optional<double>> result;
+    for (const Guide<dim>& guide : counter_body.guides)
+      result.push_back(result.empty() ? force : guide.force);
+    return result;
+  }
+  bool moves_freely() const {
+    return std::ranges::any_of(forces(), [](const auto& value) { return value.has_value(); });
+  }
 };
 
 /// What moves and loads the bodies over a cycle: its functions, and the axis of its rotation.

@@ -30,10 +30,10 @@ struct KindOfTerm {
 /// Rows, in the order of their unknowns:
 ///   u                equilibrium, eq. 23-25: internal + contact force - load            [force]
 ///   lambda           C_N, eq. 26                                                        [length]
-///   w                contact force on the counter-body - applied force                  [force]
+///   w                contact force on the counter-body - applied force, by guide        [force]
 ///   d (interior)     auxiliary equilibrium, eq. 20                                      [force]
 ///   d (contact)      ddot + Wdot N, eq. 14                                        [length/time]
-///   mu               auxiliary equilibrium minus A^ mu^, eq. 29 (multiplier form)       [force]
+///   mu               auxiliary equilibrium minus A^ mu, eq. 22 (multiplier form)        [force]
 /// With a cross-section, Wdot N of eq. 14 is averaged along the path (sec. 4.3). In a cycle the
 /// first three are those of each phase, and Wdot N is the mean over the phases (docs/cycles.md).
 template <int dim>

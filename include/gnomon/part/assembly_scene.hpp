@@ -30,7 +30,7 @@ template <int dim>
 ShapeMotion<dim> read_shape_motion(const Scene& scene, NodalFlags<dim> held,
                                    NodalProjectors<dim> along = {});
 
-/// The parts with what follows from all of them: rho and the augmentation, the initial gap, the
+/// The parts with what follows from all of them: rho, the initial gap, the
 /// linear solver and its memory. `facet`: a typical length of a contact facet. Throws InputError
 /// like require_memory().
 template <int dim>

@@ -1,10 +1,16 @@
 // The rigid counter-body: its shape, its position, and the motion of its surface.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/laws/load_history.hpp>
 #include <gnomon/shapes/counter_shape.hpp>
+#include <gnomon/shapes/partner.hpp>
+#include <limits>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace gnomon {
 
@@ -71,31 +77,78 @@ struct Turning {
   Tensor<dim> rotation(double t) const;
 };
 
-/// A rigid body that the worn body may not enter. It moves by w along `approach`.
+/// A way in which a rigid body moves as a whole: along a direction, or about an axis. It is given,
+/// or free under a force; else the body is held there.
+template <int dim>
+struct Guide {
+  Vector<dim> along = Vector<dim>::Zero();   ///< unit; zero: it turns
+  Tensor<dim> turn = Tensor<dim>::Zero();    ///< skew, of the rate one
+  Vector<dim> centre = Vector<dim>::Zero();  ///< of the turn, in the coordinates of the shape
+  std::optional<LoadHistory> travel = {};    ///< given: how far, over time [length]
+  /// Free: the force along it, or the moment about it, at factor one [force; force length].
+  std::optional<double> force = {};
+  LoadHistory factors = {};  ///< of the force over time
+  double share = 0;          ///< its part in CounterBody::approach
+  std::string key = {};      ///< the table of a scene that describes it
+
+  bool turns() const { return along.isZero(0); }
+  bool is_held() const { return !travel && !force; }
+};
+
+/// A rigid body that the worn body may not enter. Its motion q has one number for each of `guides`:
+/// a distance, or the angle of the one that turns.
 template <int dim>
 struct CounterBody {
   CounterShape<dim> shape = plane<dim>(Vector<dim>::Zero(), Vector<dim>::Unit(dim - 1));
-  Vector<dim> position = Vector<dim>::Zero();         ///< of the shape's origin at w = 0 [length]
-  Vector<dim> approach = Vector<dim>::Unit(dim - 1);  ///< unit
+  Vector<dim> position = Vector<dim>::Zero();  ///< of the shape's origin at q = 0 [length]
+  /// The direction in which it comes near before a run starts: unit.
+  Vector<dim> approach = Vector<dim>::Unit(dim - 1);
+  std::vector<Guide<dim>> guides;  ///< at most one turns, and none beside `turning`
   RigidMotion<dim> motion;  ///< of its surface, v^2 of eq. (6), in the coordinates of the shape
   /// A shape that does not look the same while it turns with `motion`; else the surface moves along
   /// itself, and the shape stays.
   std::optional<Turning<dim>> turning;
-  /// A given part of w over time [length], beside the unknown one, if there is one.
-  std::optional<LoadHistory> travel;
 
-  /// A point of the worn body in the coordinates of the shape at t = 0 [length].
-  template <class Scalar = double>
-  Vector<dim, Scalar> seen(const Vector<dim, Scalar>& x, const Scalar& w) const {
-    return x - position.template cast<Scalar>() - approach.template cast<Scalar>() * w;
+  /// It moves along `approach` alone, as far as `travel` says or freely.
+  void guide(std::optional<LoadHistory> travel = {}) {
+    guides = {{.along = approach, .travel = std::move(travel), .share = 1}};
   }
-  /// The signed distance of a point as `seen` at the time t. Throws RecoverableError.
-  SignedDistance<dim> distance(const Vector<dim>& seen, double t) const;
-  /// The same without exceptions: not finite or not unique where `distance` throws.
+  bool is_given() const {
+    return std::ranges::any_of(guides, [](const auto& guide) { return guide.travel.has_value(); });
+  }
+  /// It comes near along the part of `direction`, of any length, in which its free guides, or
+  /// without any the given ones, can move it; nothing changes where that is none.
+  void come_along(const Vector<dim>& direction);
+  /// The given part of q.
+  PartnerMotion<> given(double t, double within) const;
+  /// q before the start, when it has come w along `approach`.
+  PartnerMotion<> brought(double w) const;
+
+  /// A point of the worn body in the coordinates of the shape, when the counter-body has come w
+  /// along `approach` [length].
+  Vector<dim> seen(const Vector<dim>& x, double w) const { return x - position - approach * w; }
+  /// The same for a motion q.
+  Vector<dim> seen(const Vector<dim>& x, const PartnerMotion<>& q) const;
+  /// The signed distance of a point as `seen` at the time t, not finite or not unique where it has
+  /// none.
   SignedDistance<dim> unchecked_distance(const Vector<dim>& seen, double t) const;
+  /// The same for a motion q.
+  SignedDistance<dim> unchecked_distance(const Vector<dim>& x, const PartnerMotion<>& q,
+                                         double t) const;
+  /// What a node at x meets. Throws RecoverableError where there is no distance.
+  Partner<dim> meet(const Vector<dim>& x, const PartnerMotion<>& q, double t) const;
   /// The w at which it touches x at t = 0 when it comes from afar [length]; infinite where it
   /// passes by.
   double travel_to(const Vector<dim>& x) const;
+  /// The same for a surface with the outward normal `outward`; infinite where it faces the same way
+  /// as `approach`, so that it is not what comes near that touches it.
+  double travel_to(const Vector<dim>& x, const Vector<dim>& outward) const {
+    return outward.dot(approach) < 0 ? travel_to(x) : std::numeric_limits<double>::infinity();
+  }
+
+private:
+  std::optional<std::pair<Tensor<dim>, Vector<dim>>> place(const PartnerMotion<>& q,
+                                                           double t) const;
 };
 
 }  // namespace gnomon

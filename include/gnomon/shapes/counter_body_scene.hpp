@@ -4,7 +4,6 @@
 
 #include <gnomon/shapes/counter_body.hpp>
 #include <gnomon/shapes/counter_shape_kind.hpp>
-#include <optional>
 #include <vector>
 
 namespace gnomon {
@@ -18,27 +17,20 @@ std::vector<Key> counter_body_keys();
 /// have any length, which read_counter_body checks. Not before all shapes are registered.
 std::vector<Key> counter_body_keys();
 
-/// A counter-body, and the force that presses it along its `approach`.
-template <int dim>
-struct PressedCounterBody {
-  CounterBody<dim> body;
-  /// At factor one of press.times and press.factors, which the caller reads. Without it the
-  /// counter-body stays, or moves as body.travel says.
-  std::optional<double> force;
-};
-
 /// Reads a scene that has the keys of one of these tables. Throws InputError. `motion.reference` is
 /// the origin; set it to a point of the contact. A scene in 3D has no section.
 template <int dim>
-PressedCounterBody<dim> read_counter_body(const Scene& scene, Section section = Section::plane);
+CounterBody<dim> read_counter_body(const Scene& scene, Section section = Section::plane);
 
-/// A point of the axis of a rotation that the key `rotation` gives: counter_body.motion.center, by
+/// A point of the axis of a rotation that the key `rotation` gives: that of the key `center`, by
 /// default the middle of the shape. Throws InputError.
 template <int dim>
-Vector<dim> rotation_center(const Scene& scene, const std::string& rotation);
-/// The spin of a rotation with that rate; in space about counter_body.motion.axis, by default the
-/// axis of the shape. Throws InputError.
+Vector<dim> rotation_center(const Scene& scene, const std::string& rotation,
+                            const std::string& center = "counter_body.motion.center");
+/// The spin of a rotation with that rate; in space about the direction of the key `axis`, by
+/// default the axis of the shape. Throws InputError.
 template <int dim>
-Tensor<dim> rotation_spin(const Scene& scene, double rate, const std::string& rotation);
+Tensor<dim> rotation_spin(const Scene& scene, double rate, const std::string& rotation,
+                          const std::string& axis = "counter_body.motion.axis");
 
 }  // namespace gnomon

@@ -51,8 +51,14 @@ private:
   double reach_;
 };
 
+/// Calls `visit` with points of the surface, spread over its reach and around `centre`, and their
+/// normals.
+template <int dim>
+void visit_surface(const CounterShape<dim>& shape, const Vector<dim>& centre,
+                   const std::function<void(const Vector<dim>& x, const Vector<dim>& n)>& visit);
+
 /// Whether the shape looks the same while it turns with the skew `spin` about `centre`: its surface
-/// then moves along itself. By points of the surface that are spread over its reach.
+/// then moves along itself. By points of the surface.
 template <int dim>
 bool turns_into_itself(const CounterShape<dim>& shape, const Tensor<dim>& spin,
                        const Vector<dim>& centre);

@@ -1,4 +1,5 @@
-// The elastic bodies: rows of a displacement field, over the configuration that a shape field gives.
+// The elastic bodies: rows of a displacement field, over the configuration that a shape field
+// gives.
 #pragma once
 
 #include <gnomon/terms/cell_assembly.hpp>

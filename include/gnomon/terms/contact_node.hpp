@@ -8,8 +8,10 @@
 //   constraint = C_N                              row of lambda
 //   velocity   = -Wdot P N                        row of d: ddot - velocity = 0, eq. (14)
 //
+//   partner    = -G' force                    rows of the partner's unknowns q (partner.hpp)
+//
 // v_T is the tangential part of F V - v^2 and |v_T| the speed (sliding.hpp), n the normal of the
-// counter-body, Wdot the rate of the wear law, N a normal by one of the rules below, P the
+// partner, Wdot the rate of the wear law, N a normal by one of the rules below, P the
 // projector on the directions in which the shape may move.
 #pragma once
 
@@ -60,7 +62,7 @@ struct ContactInput {
   PatchNodal<dim, Scalar> X;  ///< undeformed positions of patch.nodes [length]
   PatchNodal<dim, Scalar> u;  ///< their displacements [length]
   Scalar lambda;              ///< of the node itself [stress]
-  Scalar w = Scalar(0);       ///< motion of the counter-body along `approach` [length]
+  PartnerMotion<Scalar> q{};  ///< of the partner
   WearMoment moment = {};     ///< read by the wear law, and by a counter-body that turns
 };
 
@@ -73,17 +75,41 @@ struct NodeBranch {
       : contact(branch), wear(wear_branches) {}
 };
 
+/// Where a contact node is and what it meets there: what its residual, its derivatives and its
+/// switching functions are made from.
+template <int dim, class Scalar = double>
+struct ContactKinematics {
+  PatchNodal<dim, Scalar> x;     ///< current positions of the patch [length]
+  Partner<dim> partner;          ///< with its derivatives, at the plain state
+  Scalar gap;                    ///< g [length]
+  Vector<dim, Scalar> normal;    ///< n
+  Vector<dim, Scalar> relative;  ///< F V - v^2 [length / time]
+  UnilateralContact<Scalar> contact;
+  Sliding<dim, Scalar> sliding;
+  Vector<4, Scalar> wear;  ///< p, v, h and q of the wear law
+
+  ContactKinematics(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
+                    const ContactInput<dim, Scalar>& at, const NodeBranch& branch = {});
+  /// A number of the partner with its derivatives by the node's position and q.
+  template <class By>
+  Scalar lifted(double value, const By& by, const ContactInput<dim, Scalar>& at) const;
+  template <class By>
+  Vector<dim, Scalar> lifted(const Vector<dim>& value, const By& by,
+                             const ContactInput<dim, Scalar>& at) const;
+};
+
 /// Residual of a contact node.
 template <int dim, class Scalar = double>
 struct ContactNode {
   Vector<dim, Scalar> force;
   Scalar constraint;
   Vector<dim, Scalar> velocity;
-  Scalar wear_rate;    ///< Wdot [length / time]
-  Scalar traction;     ///< lambda_eff [stress]
-  Scalar area;         ///< A
-  Scalar gap;          ///< g [length]
-  Vector<dim> normal;  ///< n of the counter-body
+  PartnerMotion<Scalar> partner;  ///< force on the partner in the rows of q
+  Scalar wear_rate;               ///< Wdot [length / time]
+  Scalar traction;                ///< lambda_eff [stress]
+  Scalar area;                    ///< A
+  Scalar gap;                     ///< g [length]
+  Vector<dim> normal;             ///< n of the partner
   bool active;
 
   ContactNode(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
@@ -104,18 +130,28 @@ void contact_switching(const ContactParameters<dim>& parameters, const ContactPa
                        std::span<double> values);
 
 /// Derivatives of ContactNode. The positions x = X + u depend on u and d in the same way; the
-/// undeformed positions X enter through area, normal and streaming.
+/// undeformed positions X enter through area, normal and streaming. The rows of the partner are -G'
+/// those of the force, and where G is not constant `partner_by` beside.
 template <int dim>
 struct ContactNodeTangent {
   template <class T>
   using PerNode = std::array<T, max_patch_nodes>;  ///< one per node of the patch
+  using Row = typename Partner<dim>::Row;
+  using Columns = typename Partner<dim>::Columns;
 
   PerNode<Tensor<dim>> force_by_x, force_by_X;
-  Vector<dim> force_by_lambda, force_by_w;
+  Vector<dim> force_by_lambda;
+  Columns force_by_q;
   Vector<dim> constraint_by_x;  ///< of the node itself
-  double constraint_by_lambda, constraint_by_w;
+  double constraint_by_lambda;
+  Row constraint_by_q;
   PerNode<Tensor<dim>> velocity_by_x, velocity_by_X;
-  Vector<dim> velocity_by_lambda, velocity_by_w;
+  Vector<dim> velocity_by_lambda;
+  Columns velocity_by_q;
+  Columns weights;  ///< G
+  /// -force' dG, by the node's own position and q: a row for each unknown, empty where G is
+  /// constant.
+  std::array<Row, most_partner_unknowns> partner_by;
 
   ContactNodeTangent(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
                      const ContactInput<dim>& at, const NodeBranch& branch = {});
@@ -142,7 +178,7 @@ inline bool determines_motion(double square, double area) {
 
 /// Throws RecoverableError where a closed node has several normals.
 template <int dim>
-void require_normal(const ContactPatch<dim>& patch, const SignedDistance<dim>& distance);
+void require_normal(const ContactPatch<dim>& patch, const Partner<dim>& partner);
 
 /// Throws RecoverableError if a node that may move has no direction of wear.
 template <int dim>
@@ -191,39 +227,86 @@ NodalSurface<dim, Scalar>::NodalSurface(const ContactPatch<dim>& patch,
 }
 
 template <int dim, class Scalar>
+template <class By>
+Scalar ContactKinematics<dim, Scalar>::lifted(double value, const By& by,
+                                              const ContactInput<dim, Scalar>& at) const {
+  if constexpr (std::is_same_v<Scalar, double>) {
+    return value;
+  } else {
+    Scalar result(value);
+    for (int i = 0; i < dim; ++i) result += by[i] * (x(0, i) - x(0, i).value());
+    for (Eigen::Index k = 0; k < at.q.size(); ++k)
+      result += by[dim + k] * (at.q[k] - at.q[k].value());
+    return result;
+  }
+}
+
+template <int dim, class Scalar>
+template <class By>
+Vector<dim, Scalar> ContactKinematics<dim, Scalar>::lifted(
+    const Vector<dim>& value, const By& by, const ContactInput<dim, Scalar>& at) const {
+  Vector<dim, Scalar> result;
+  for (int i = 0; i < dim; ++i) result[i] = lifted(value[i], by.row(i), at);
+  return result;
+}
+
+/// The plain values of a motion.
+template <class Scalar>
+PartnerMotion<> plain_motion(const PartnerMotion<Scalar>& q) {
+  PartnerMotion<> result(q.size());
+  for (Eigen::Index k = 0; k < q.size(); ++k) result[k] = plain(q[k]);
+  return result;
+}
+
+template <int dim, class Scalar>
+ContactKinematics<dim, Scalar>::ContactKinematics(const ContactParameters<dim>& parameters,
+                                                  const ContactPatch<dim>& patch,
+                                                  const ContactInput<dim, Scalar>& at,
+                                                  const NodeBranch& branch)
+    : x(at.X + at.u),
+      partner(parameters.counter_body.meet(
+          plain<dim, Scalar>(Vector<dim, Scalar>(x.row(0).transpose())), plain_motion(at.q),
+          at.moment.time)),
+      gap(lifted(partner.gap, partner.gap_by, at)),
+      normal(lifted(partner.normal, partner.normal_by, at)),
+      relative(streaming_velocity<dim, Scalar>(patch, at.X, x, parameters.streaming) -
+               lifted(partner.velocity, partner.velocity_by, at)),
+      contact(at.lambda, gap, parameters.rho, branch.contact),
+      sliding(relative, normal, lifted(partner.across, partner.across_by, at),
+              velocity_variance<dim>(patch, partner.velocity_by.template leftCols<dim>(),
+                                     partner.across_by.template head<dim>().transpose())),
+      wear(wear_variables<dim, Scalar>(patch, at, parameters.friction, Scalar(-contact.traction),
+                                       sliding.speed)) {}
+
+template <int dim, class Scalar>
 ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,
                                       const ContactPatch<dim>& patch,
                                       const ContactInput<dim, Scalar>& at,
                                       const NodeBranch& branch) {
-  const CounterBody<dim>& body = parameters.counter_body;
   const NodalSurface<dim, Scalar> surface(patch, at.X, parameters.normal_rule);
-  const PatchNodal<dim, Scalar> x = at.X + at.u;
-  const Vector<dim, Scalar> seen =
-      body.template seen<Scalar>(Vector<dim, Scalar>(x.row(0).transpose()), at.w);
-  const SignedDistance<dim> distance = body.distance(plain<dim, Scalar>(seen), at.moment.time);
-  const auto n = lift<dim, Scalar>(distance.normal, distance.normal_by_x, seen);
-  gap = lift<dim, Scalar>(distance.gap, distance.normal, seen);
-  const UnilateralContact<Scalar> contact(at.lambda, gap, parameters.rho, branch.contact);
-  const Sliding<dim, Scalar> sliding(
-      streaming_velocity<dim, Scalar>(patch, at.X, x, parameters.streaming) -
-          body.motion.template at<Scalar>(seen),
-      n, body.motion.template across_at<Scalar>(seen), velocity_variance<dim>(patch, body.motion));
-  active = contact.active;
-  normal = distance.normal;
-  if (active) require_normal(patch, distance);
-  traction = contact.traction;
+  const ContactKinematics<dim, Scalar> met(parameters, patch, at, branch);
+  gap = met.gap;
+  active = met.contact.active;
+  normal = met.partner.normal;
+  if (active) require_normal(patch, met.partner);
+  traction = met.contact.traction;
   area = surface.area;
-  force = (area * traction) * (n - Scalar(parameters.friction) * sliding.direction);
-  constraint = contact.constraint;
+  force = (area * traction) * (met.normal - Scalar(parameters.friction) * met.sliding.direction);
+  constraint = met.contact.constraint;
+  partner.resize(at.q.size());
+  for (Eigen::Index k = 0; k < at.q.size(); ++k) {
+    Vector<dim, Scalar> G = met.partner.weights.col(k).template cast<Scalar>();
+    if (const auto& by = met.partner.weights_by[k]; by.size() > 0)
+      G = met.lifted(Vector<dim>(met.partner.weights.col(k)), by, at);
+    partner[k] = -G.dot(force);
+  }
   wear_rate = Scalar(0);
   if (active) {  // an open node does not wear
-    const Vector<4, Scalar> input = wear_variables<dim, Scalar>(patch, at, parameters.friction,
-                                                                Scalar(-traction), sliding.speed);
     const WearRate rate =
-        parameters.wear.rate(wear_input(patch, plain<4, Scalar>(input), at.moment), branch.wear);
+        parameters.wear.rate(wear_input(patch, plain<4, Scalar>(met.wear), at.moment), branch.wear);
     wear_rate = lift<4, Scalar>(
         rate.value, {rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power},
-        input);
+        met.wear);
     require_direction(patch, plain<dim, Scalar>(surface.normal));
   }
   velocity = -wear_rate * (patch.shape_free.template cast<Scalar>() * surface.normal);

@@ -16,15 +16,21 @@ struct MeshMotionLaw {
   double stiffening = 0;  ///< chi: a cell is (mean volume / its volume)^chi as stiff
 };
 
-/// Adds to the rows of d off the worn surface; on it to the rows of the shape multiplier `mu`, if
-/// the constraint has the multiplier form, so that both rows there have a nonzero diagonal.
+/// The cells of the auxiliary problem with these rows. What is referred to must outlive the
+/// assembly.
+template <int dim>
+CellAssembly<dim> auxiliary_cells(const Mesh<dim>& mesh, const MeshMotionLaw& law,
+                                  const NodalNumbers<dim>& rows, const NodalNumbers<dim>& columns,
+                                  const NodalProjectors<dim>* along = nullptr);
+
+/// Adds to the rows of d off the worn surface.
 template <int dim>
 class MeshMotion : public Term<dim> {
 public:
   /// `section`: null if the shape is that of the whole mesh. `along`: ShapeMotion::along, not
   /// read with a section. All three must outlive the term.
   MeshMotion(const Mesh<dim>& mesh, const CrossSection* section, const NodalProjectors<dim>& along,
-             const MeshMotionLaw& law, const Numbering& numbering, FieldId d, FieldId mu);
+             const MeshMotionLaw& law, const Numbering& numbering, FieldId d);
   ~MeshMotion() override;
 
   void declare(TermStructure& structure) const override;

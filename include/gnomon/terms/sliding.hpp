@@ -42,13 +42,15 @@ Vector<dim, Scalar> streaming_velocity(const ContactPatch<dim>& patch,
   return result;
 }
 
-/// The variance above of a rigid motion, by the initial share and normal [(length / time)^2].
+/// The variance above, by the initial share and normal of the node and the derivatives of the
+/// partner's velocity and of that out of the plane [(length / time)^2].
 template <int dim>
-double velocity_variance(const ContactPatch<dim>& patch, const RigidMotion<dim>& motion) {
-  double result = motion.across_by_x.dot(patch.initial_spread * motion.across_by_x);
-  if (motion.spin.isZero(0)) return result;
+double velocity_variance(const ContactPatch<dim>& patch, const Tensor<dim>& velocity_by_x,
+                         const Vector<dim>& across_by_x) {
+  double result = across_by_x.dot(patch.initial_spread * across_by_x);
+  if (velocity_by_x.isZero(0)) return result;
   const Vector<dim>& N = patch.initial_normal;
-  const Tensor<dim> along = motion.spin - N * (N.transpose() * motion.spin);
+  const Tensor<dim> along = velocity_by_x - N * (N.transpose() * velocity_by_x);
   return result + (along * patch.initial_spread * along.transpose()).trace();
 }
 
