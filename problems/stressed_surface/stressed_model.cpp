@@ -86,13 +86,12 @@ std::vector<TermFactory<2>> stressed_terms(const std::shared_ptr<const StressedB
     return std::make_unique<SurfaceMotion>(*body, f, numbering);
   });
   terms.push_back([body, f](const Numbering& numbering) -> Made {
-    return std::make_unique<ShapeEvolution<2>>(numbering,
-                                               WornSurface<2>{.d = f.d, .nodes = &body->surface});
+    return std::make_unique<ShapeEvolution<2>>(numbering, body->surface, f.d);
   });
   terms.push_back([body, f](const Numbering& numbering) -> Made {
     return std::make_unique<MeshMotion<2>>(body->mesh, nullptr, body->shape_along,
                                            MeshMotionLaw{harmonic_material(body->mesh_weights)},
-                                           numbering, f.d, FieldId::none);
+                                           numbering, f.d);
   });
   if (body->elastic)
     terms.push_back([body, f](const Numbering& numbering) -> Made {

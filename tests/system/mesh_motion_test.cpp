@@ -69,8 +69,7 @@ Eigen::VectorXd residual(const AssemblyParts<dim>& body, const NodalField<dim>& 
   FieldValues<dim> values(*composition.fields);
   values.vector(shape) = d;
   std::vector<double> F(numbering.size(), 0.0);
-  MeshMotion<dim>(body.mesh, nullptr, body.shape.along, body.shape.law, numbering, shape,
-                  FieldId::none)
+  MeshMotion<dim>(body.mesh, nullptr, body.shape.along, body.shape.law, numbering, shape)
       .add_residual({.values = values, .ydot = {}}, F);
   return Eigen::Map<const Eigen::VectorXd>(F.data(), numbering.size());
 }
