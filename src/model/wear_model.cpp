@@ -326,7 +326,7 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
     surface.worn.push_back(in_space<dim>(body.mesh.nodes[node] + d));
     surface.current.push_back(in_space<dim>(body.mesh.nodes[node] + d + u));
     surface.pressure.push_back(pressure);
-    surface.wear_depth.push_back(d.norm());
+    surface.wear_depth.push_back(assembly().wears(static_cast<int>(c)) ? d.norm() : 0);
     surface.active.push_back(active);
   }
   if (phases.size() > 1)

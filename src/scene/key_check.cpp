@@ -243,9 +243,10 @@ std::optional<std::string> array_without_number(const std::string& name,
 
 bool is_retired(const std::string& name, const RawValue& value) {
   return std::ranges::any_of(retired_keys(), [&](const RetiredKey& key) {
-    return key.name == name && std::ranges::any_of(key.accepted, [&](const SceneValue& accepted) {
-             return toml_text(accepted) == toml_text(value);
-           });
+    return key.name == name && (key.accepted.empty() ||
+                                std::ranges::any_of(key.accepted, [&](const SceneValue& accepted) {
+                                  return toml_text(accepted) == toml_text(value);
+                                }));
   });
 }
 

@@ -188,8 +188,9 @@ std::string refusal(const Overrides& overrides) {
 TEST(LoadHistoryOfThePin, RefusesWhatIsNoHistory) {
   EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1]"}),
               HasSubstr("expected as many as load.times, 2, got 1"));
-  EXPECT_THAT(refusal({"load.times=[0, 1, 1]", "load.factors=[1, 2, 3]"}),
+  EXPECT_THAT(refusal({"load.times=[0, 1, 1, 1]", "load.factors=[1, 2, 3, 4]"}),
               HasSubstr("got 1 after 1"));
+  EXPECT_EQ(refusal({"load.times=[0, 1, 1]", "load.factors=[1, 2, 3]"}), "accepted");  // a jump
   EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1, 0]"}),
               HasSubstr("expected 1e-06 or more, got 0: only a force keeps the bodies together"));
   EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1, -1]"}), HasSubstr("got -1"));
