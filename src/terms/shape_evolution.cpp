@@ -5,11 +5,14 @@ namespace gnomon {
 template <int dim>
 ShapeEvolution<dim>::ShapeEvolution(const Numbering& numbering,
                                     const std::vector<ContactPatch<dim>>& nodes, FieldId d) {
+  const FieldSet& set = numbering.set();
+  const Field& shape = set[d];
   for (const ContactPatch<dim>& patch : nodes)
-    for (int i = 0; i < dim; ++i)
-      if (const int row = numbering.number(d, patch.node, i);
-          row >= 0 && patch.may_move() && numbering.set()[d].carrier_of(patch.node) == patch.node)
+    for (int i = 0; i < dim; ++i) {
+      const int row = numbering.number(d, patch.node, i), block = shape.block(patch.node, i);
+      if (row >= 0 && set.blocks[block].differential && shape.carrier_of(patch.node) == patch.node)
         rows_.push_back(row);
+    }
 }
 
 template <int dim>
