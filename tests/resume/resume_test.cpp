@@ -149,7 +149,7 @@ TEST_F(Resume, OfACycleIsTheUninterruptedRunToRounding) {
 
 TEST_F(Resume, GoesOnToALaterEnd) {
   const Overrides be = {"mesh.elements=[8,6]", "integrator.name=backward-euler",
-                        "integrator.step=10"};
+                        "integrator.step=10", "integrator.nonlinear_fraction=0"};
   const auto with_end = [&](const char* end) {
     Overrides all = be;
     all.push_back(end);
@@ -293,8 +293,12 @@ void one_more_step(const Overrides& overrides, const std::filesystem::path& file
 }
 
 TEST_F(Resume, ARunOfOneStepAtATimeComesToItsEnd) {
-  const Overrides be = {"mesh.elements=[8,6]", "time.end=100", "integrator.name=backward-euler",
-                        "integrator.step=20", "output.checkpoint_seconds=0"};
+  const Overrides be = {"mesh.elements=[8,6]",
+                        "time.end=100",
+                        "integrator.name=backward-euler",
+                        "integrator.step=20",
+                        "output.checkpoint_seconds=0",
+                        "integrator.nonlinear_fraction=0"};
   run_scene(pin, be, file("whole"));
   const std::vector<HistoryRow> whole = ResultReader(file("whole")).history();
   run_scene(pin, be, file("slots"), 1);
