@@ -123,9 +123,9 @@ TEST_F(Parts, AnInterruptedRunGoesOnWhereItWas) {
   const ResultReader result(folder() / "out/runs" / (slow + ".h5"));
   EXPECT_EQ(result.status(), "finished");
   EXPECT_EQ(result.history().size(), 5001u);
-  // Besides those by the clock, runs of studies make checkpoints only where they are interrupted.
-  ASSERT_THAT(result.checkpoints(), SizeIs(1));
-  EXPECT_EQ(result.checkpoints().back().rows, rows_before);
+  // Besides those by the clock, a run makes checkpoints where it is interrupted and at its end.
+  ASSERT_THAT(result.checkpoints(), SizeIs(2));
+  EXPECT_EQ(result.checkpoints().front().rows, rows_before);
 }
 
 /// Waits until a run has made so many steps.
