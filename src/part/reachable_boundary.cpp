@@ -41,10 +41,9 @@ public:
 
   /// Whether the body faces the counter-body there, from where that touches the node.
   bool faces(const ContactPatch<dim>& patch) const {
-    constexpr double oblique =
-        -0.5;  // cosine; sides that nearly go along the approach do not meet it
+    constexpr double oblique = -0.5;  // cosine; steeper sides do not meet it
     const SignedDistance<dim> distance =
-        other_.unchecked_distance(other_.template seen<double>(patch.initial_position, first_), 0);
+        other_.unchecked_distance(other_.seen(patch.initial_position, first_), 0);
     return distance.normal.allFinite() && distance.normal.dot(patch.initial_normal) < oblique;
   }
 

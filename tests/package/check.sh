@@ -87,7 +87,7 @@ manual() {
   completed "plan" study pla
   completed "" study collect --res
   completed "slurm" study x.toml --executor sl
-  completed "terms" list te
+  completed "shapes" list sh
 }
 
 plugin() {
@@ -100,7 +100,8 @@ plugin() {
   local coarse fine
   "$gnomon" --plugin "$my" run "$cone" --force --quiet -o cone.h5 --summary cone.json
   error_of() {
-    "$gnomon" --plugin "$my" run "$cone" --force --quiet -o "cone$1.h5" --summary - --set "integrator.step=$1" |
+    "$gnomon" --plugin "$my" run "$cone" --force --quiet -o "cone$1.h5" --summary - --set "integrator.step=$1" \
+      --set integrator.nonlinear_fraction=0 |
       python3 -c 'import json, sys; print(abs(json.load(sys.stdin)["depth_error"]))'
   }
   coarse=$(error_of 20) fine=$(error_of 10)
