@@ -1,0 +1,152 @@
+// What a run says about a result that it cannot vouch for, on parts with a wrong number in them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <gnomon/base/error.hpp>
+#include <gnomon/checks/checks.hpp>
+
+#include "part/cyclic_flat.hpp"
+
+namespace gnomon {
+namespace {
+
+using namespace testing;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+Examination balanced() {
+  return {.forces = {{"loads", {0, -20, 0}}, {"contact", {0, 20, 0}}}, .deformation = 0.01};
+}
+
+TEST(Doubts, ABalancedResultHasNone) {
+  EXPECT_THAT(doubts(balanced()), ElementsAre());
+}
+
+TEST(Doubts, EachFactHasItsSentenceWithTheFigure) {
+  Examination facts = balanced();
+  facts.forces[1].force[1] = 19;
+  EXPECT_THAT(doubts(facts), ElementsAre(HasSubstr("out of balance by 1, 0.05 of the largest")));
+  facts = balanced();
+  facts.idle_load = 1;
+  EXPECT_THAT(doubts(facts), ElementsAre(HasSubstr("100 % of the loads act on nodes")));
+  facts = balanced();
+  facts.intrusion = BoundaryPoint{{1, 2, 0}, 0.14};
+  EXPECT_THAT(doubts(facts), ElementsAre(HasSubstr("lies 0.14 mm inside the counter-body")));
+  facts = balanced();
+  facts.drag = ElasticDrag{.stroke = 2, .drag = 0.5};
+  EXPECT_THAT(doubts(facts),
+              ElementsAre(HasSubstr("drags the contact by 0.5 mm of a stroke of 2")));
+  facts = balanced();
+  facts.touches = false;
+  EXPECT_THAT(doubts(facts), ElementsAre(HasSubstr("do not touch anywhere")));
+}
+
+TEST(Doubts, BodiesThatWouldStickAreRefused) {
+  Examination facts = balanced();
+  facts.drag = ElasticDrag{.stroke = 2, .drag = 1.9};
+  EXPECT_NO_THROW(require_model(facts));
+  facts.drag->drag = 2.1;
+  EXPECT_THROW(require_model(facts), InputError);
+}
+
+class ResultChecks : public Cycles {
+protected:
+  static Examination start_of(const Model& model) {
+    Counters counters;
+    return model.examine(model.start(counters));
+  }
+  static std::array<double, 3> force(const Examination& facts, const std::string& name) {
+    for (const ResultantForce& each : facts.forces)
+      if (each.name == name) return each.force;
+    ADD_FAILURE() << name;
+    return {};
+  }
+};
+
+constexpr const char* stroke =
+    "[cycle]\nperiod = 1.0\nphases = 4\nx = \"0.2*sin(2*pi*tau)\"\n[friction]\ncoefficient = 0.3";
+
+// The force of the press goes through the contact into the supports, friction beside it.
+TEST_F(ResultChecks, ForcesBalance) {
+  const auto model =
+      this->model(text("motion.velocity = [10.0, 0.0]\n[friction]\ncoefficient = 0.3"));
+  const Examination facts = start_of(*model);
+  EXPECT_THAT(doubts(facts), ElementsAre());
+  EXPECT_NEAR(force(facts, "contact")[1] + force(facts, "friction")[1], -18.5, 1e-6);
+  EXPECT_NEAR(force(facts, "supports")[1], 18.5, 1e-6);
+  EXPECT_NEAR(force(facts, "supports")[0],
+              -force(facts, "friction")[0] - force(facts, "contact")[0], 1e-6);
+  EXPECT_GT(std::abs(force(facts, "friction")[0]), 0.29 * 18.5);
+}
+
+TEST_F(ResultChecks, ALoadOnAHeldFaceIsNamed) {
+  std::string loaded = text("motion.velocity = [10.0, 0.0]");
+  loaded += "\n[[load]]\non = \"bottom\"\npressure = 2.0\n";
+  const Examination facts = start_of(*model(loaded));
+  EXPECT_NEAR(facts.idle_load, 1, 1e-12);
+  EXPECT_NEAR(force(facts, "loads")[1], 2 * 0.8, 1e-9);
+}
+
+// On springs so soft that friction moves the flat by more than the stroke.
+TEST_F(ResultChecks, AFlatThatWouldStickIsRefused) {
+  std::string soft = text(stroke);
+  const std::string rigid = "support = [ { on = \"bottom\" } ]";
+  const auto at = soft.find(rigid);
+  ASSERT_NE(at, std::string::npos);
+  const auto held_by = [&](const char* stiffness) {
+    std::string changed = soft;
+    return changed.replace(
+        at, rigid.size(),
+        std::string("support = [ { on = \"bottom\", directions = [\"y\"] }, { on = \"bottom\", "
+                    "directions = [\"x\"], stiffness = ") +
+            stiffness + " } ]");
+  };
+  EXPECT_THROW(require_model(start_of(*model(held_by("10.0")))), InputError);
+  EXPECT_NO_THROW(require_model(start_of(*model(held_by("1e4")))));
+}
+
+// A shelf that wear.on does not name comes into contact as the sole wears, and carries load.
+TEST_F(ResultChecks, BoundaryThatDoesNotWearTouchesToo) {
+  const SceneFolder folder;
+  folder.write("step.geo", R"(Point(1) = {0, 0, 0}; Point(2) = {5, 0, 0}; Point(3) = {5, 0.1, 0};
+Point(4) = {10, 0.1, 0}; Point(5) = {10, 5, 0}; Point(6) = {0, 5, 0}; Point(7) = {5, 5, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 6};
+Line(6) = {6, 1};
+Curve Loop(1) = {1, 2, 3, 4, 5, 6};
+Plane Surface(1) = {1};
+Mesh.MeshSizeMax = 0.8;
+Physical Curve("sole") = {1};
+Physical Curve("back") = {5};
+Physical Surface("body") = {1};
+)");
+  const auto model = make_model(load_scene(folder.write("step.toml", R"(problem = "worn_body"
+mesh.geometry = "step.geo"
+body = { young_modulus = 1000.0, poisson_ratio = 0.3 }
+support = [ { on = "back" } ]
+wear = { on = "sole", coefficient = 1e-8 }
+time.end = 40000.0
+integrator = { name = "esdirk-3", rtol = 1e-3 }
+[counter_body]
+shape = "plane"
+normal = [0.0, 1.0]
+motion = { velocity = [100.0, 0.0] }
+press = { direction = [0.0, 1.0], force = 40.0 }
+)"),
+                                           {}, key_table));
+  const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 40000);
+  const ContactSurface surface = *model->contact(run.last());
+  double lowest = 1, carried = 0;
+  for (std::size_t c = 0; c < surface.node.size(); ++c)
+    if (surface.initial[c][0] > 5.01) {
+      lowest = std::min(lowest, surface.current[c][1]);
+      carried += surface.pressure[c];
+      EXPECT_EQ(surface.wear_depth[c], 0);
+    }
+  EXPECT_GT(carried, 1);
+  const Examination facts = model->examine(run.last());
+  EXPECT_THAT(doubts(facts), ElementsAre());
+  EXPECT_NEAR(force(facts, "contact")[1], 40, 1e-2);
+}
+
+}  // namespace
+}  // namespace gnomon
