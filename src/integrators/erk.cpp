@@ -7,8 +7,8 @@
 #include <gnomon/integrators/dense_output.hpp>
 #include <gnomon/integrators/erk.hpp>
 #include <gnomon/integrators/error_norm.hpp>
-#include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/expected_error.hpp>
+#include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/rates.hpp>
 #include <gnomon/integrators/step_size.hpp>
 #include <gnomon/integrators/stop_rules.hpp>

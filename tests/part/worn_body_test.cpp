@@ -58,7 +58,8 @@ TEST_F(Parts, BlockOnRingLosesWhatWearsAndFollowsTheRigidLimit) {
   EXPECT_NEAR(observed(*block, run.last(), "worn_volume") / worn, 1, 5e-6);
   const double half_width = std::cbrt(1.5 * R * worn), depth = half_width * half_width / (2 * R);
   double deepest = 0;
-  for (const auto& X : block->contact(run.last()).value().worn) deepest = std::max(deepest, -X[1]);
+  const ContactSurface surface = block->contact(run.last()).value();
+  for (const auto& X : surface.worn) deepest = std::max(deepest, -X[1]);
   EXPECT_NEAR(deepest / depth, 1, 3e-3);
   EXPECT_NEAR(observed(*block, run.last(), "contact_half_width") / half_width, 1, 1e-2);
 }

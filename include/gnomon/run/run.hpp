@@ -39,8 +39,8 @@ struct StorePolicy {
   bool phase_errors = false;
 };
 
-/// What the keys of output and time.until ask for. Throws InputError for times that are too close or
-/// too many.
+/// What the keys of output and time.until ask for. Throws InputError for times that are too close
+/// or too many.
 StorePolicy store_policy(const Scene& scene);
 
 /// What the user should know of the times that the scene asks for: in one line, or empty.
