@@ -312,11 +312,6 @@ std::vector<Key> shape_keys() {
        .range = {.min = 0, .max = 2},
        .help = "exponent c of the auxiliary elasticity: an element is (mean volume / its "
                "volume)^c times as stiff, so that small elements move almost rigidly"},
-      {.name = "shape.augmentation",
-       .presence = defaulted,
-       .default_value = 1.0,
-       .range = {.min = 0, .max = positive_quantity.max},
-       .help = "augmentation of the multiplier form, eq. (29), in its natural unit"},
   };
 }
 
@@ -384,6 +379,7 @@ const std::vector<Key>& run_keys() {
 const std::vector<RetiredKey>& retired_keys() {
   static const std::vector<RetiredKey> keys = {
       {"output.last", {true}, "expected none: the end of a run is always stored"},
+      {"shape.augmentation", {}, "expected none: it changes no solution"},
       {"output.checkpoints",
        {},  // any: it is in every earlier result
        "expected output.checkpoint_seconds, the wall time between checkpoints, in its place"}};
