@@ -175,7 +175,7 @@ Guide<dim> read_guide(const Scene& scene, const std::string& press, Section sect
                      ": expected the axis of symmetry, [0, 1] or [0, -1], in an axisymmetric "
                      "scene");
   guide.along = along.normalized();
-  guide.force = scene.real_if(press + ".force");
+  if (given(scene, press + ".force")) guide.force = scene.real(press + ".force");
   if (given(scene, press + ".approach"))
     guide.travel = read_over_time(scene, press, press + ".approach");
   return guide;
