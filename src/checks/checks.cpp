@@ -34,7 +34,7 @@ std::string point_text(const std::array<double, 3>& x) {
 }  // namespace
 
 std::vector<std::string> doubts(const Examination& facts) {
-  constexpr double unbalanced = 1e-3, idle = 0.5, deep = 0.01, dragged = 0.05;
+  constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05;
   std::vector<std::string> found;
   if (const double left = norm(sum_of(facts.forces)); left > unbalanced * largest_force(facts))
     found.push_back(

@@ -94,6 +94,8 @@ void add_forces(const WornBodyEquations<dim>& equations, const FieldValues<dim>&
             weight * (load(node, i) + spring(node, i) + inner(node, i) + contact(node, i));
       }
   }
+  if (assembly.section() == Section::meridian)  // hoop stresses balance radial forces
+    for (Vector<dim>* each : {&loads, &supports, &springs, &pressed, &rubbed}) (*each)[0] = 0;
   facts.forces = {{"loads", array_of<dim>(loads)},
                   {"supports", array_of<dim>(supports)},
                   {"springs", array_of<dim>(springs)},

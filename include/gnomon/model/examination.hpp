@@ -10,7 +10,8 @@
 namespace gnomon {
 
 /// A resultant force on the bodies; of a cycle its mean over the phases. In 2D per unit of
-/// thickness, z is zero; of a body of revolution that of the whole circumference, (r, z).
+/// thickness, z is zero; of a body of revolution that of the whole circumference along the axis,
+/// (0, z).
 struct ResultantForce {
   std::string name;               ///< "loads", "supports", "springs", "contact", "friction"
   std::array<double, 3> force{};  ///< [force]
