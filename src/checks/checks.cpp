@@ -56,7 +56,7 @@ std::vector<std::string> doubts(const Examination& facts) {
         "friction drags the contact by {:.3g} mm of a stroke of {:.3g} mm: for that "
         "part it sticks, and as much of the wear, {:.0f} %, is too much",
         facts.drag->drag, facts.drag->stroke, 100 * facts.drag->drag / facts.drag->stroke));
-  if (!facts.touches) found.push_back("the bodies do not touch anywhere: nothing wears");
+  if (!facts.touches) found.emplace_back("the bodies do not touch anywhere: nothing wears");
   return found;
 }
 
