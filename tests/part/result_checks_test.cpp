@@ -15,7 +15,10 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 Examination balanced() {
-  return {.forces = {{"loads", {0, -20, 0}}, {"contact", {0, 20, 0}}}, .deformation = 0.01};
+  Examination facts;
+  facts.forces = {{"loads", {0, -20, 0}}, {"contact", {0, 20, 0}}};
+  facts.deformation = 0.01;
+  return facts;
 }
 
 TEST(Doubts, ABalancedResultHasNone) {
