@@ -1,0 +1,47 @@
+// Half of a friction lining on its back plate, in the section across the sliding direction: lining,
+// plate, and the part of the plate that the piston pushes. n: elements along the half.
+If (!Exists(n)) n = 48; EndIf
+half = 60;
+piston = 15;
+lining = 8;
+plate = 5;
+Point(1) = {0, 0, 0};
+Point(2) = {half, 0, 0};
+Point(3) = {0, lining, 0};
+Point(4) = {piston, lining, 0};
+Point(5) = {half, lining, 0};
+Point(6) = {0, lining + plate, 0};
+Point(7) = {piston, lining + plate, 0};
+Point(8) = {half, lining + plate, 0};
+Point(9) = {piston, 0, 0};
+Line(1) = {1, 9};
+Line(2) = {9, 2};
+Line(3) = {3, 4};
+Line(4) = {4, 5};
+Line(5) = {6, 7};
+Line(6) = {7, 8};
+Line(7) = {1, 3};
+Line(8) = {9, 4};
+Line(9) = {2, 5};
+Line(10) = {3, 6};
+Line(11) = {4, 7};
+Line(12) = {5, 8};
+Curve Loop(1) = {1, 8, -3, -7};
+Curve Loop(2) = {2, 9, -4, -8};
+Curve Loop(3) = {3, 11, -5, -10};
+Curve Loop(4) = {4, 12, -6, -11};
+Plane Surface(1) = {1};
+Plane Surface(2) = {2};
+Plane Surface(3) = {3};
+Plane Surface(4) = {4};
+k = Round(n / 4 / Mesh.MeshSizeFactor);
+Transfinite Curve {1, 3, 5} = k + 1;
+Transfinite Curve {2, 4, 6} = 3 * k + 1;
+Transfinite Curve {7:12} = Ceil(k / 3) + 1;
+Transfinite Surface {1:4};
+Recombine Surface {1:4};
+Physical Curve("face") = {1, 2};
+Physical Curve("piston") = {5};
+Physical Curve("middle") = {7, 10};
+Physical Surface("lining") = {1, 2};
+Physical Surface("plate") = {3, 4};
