@@ -127,6 +127,14 @@ twice, same, plain = (float(open(name).read()) for name in ("twice", "same", "pl
 assert abs(twice / plain - 2) < 1e-4, f"{twice} is not twice {plain}"
 assert abs(same / plain - 1) < 1e-6, f"{same} is not {plain}"
 PY
+  # The part of plain data, with the law of the plug-in: as from arrays in Python.
+  "$gnomon" --plugin "$my" run "$source/examples/plugin/cyclic_flat.toml" --force --quiet -o flat.h5 --summary flat.json
+  python3 - flat.json "$source/docs/howto/arrays.md" <<'PY'
+import json, re, sys
+worn, page = json.load(open(sys.argv[1]))["worn_volume"], open(sys.argv[2]).read()
+by_arrays = float(re.search(r"^worn area ([0-9.]+) um", page, re.MULTILINE)[1])
+assert abs(1e6 * worn / by_arrays - 1) < 1e-5, f"{1e6 * worn} is not {by_arrays}"
+PY
   refused 'unknown integrator "crouzeix-3"|worn_cone' "$gnomon" run "$cone"
   # Without the plug-in: a result that did not use it goes on, others say what is missing. Processes that a study
   # starts have the plug-in, too.

@@ -25,9 +25,10 @@ def test_examples():
     assert attempted >= 35
 
 
-def test_the_tutorial():
-    result = doctest.testfile(str(DOCS / "tutorials/python.md"), module_relative=False)
-    assert result.failed == 0 and result.attempted > 20
+@pytest.mark.parametrize("page, examples", [("tutorials/python.md", 20), ("howto/arrays.md", 10)])
+def test_pages(page, examples):
+    result = doctest.testfile(str(DOCS / page), module_relative=False)
+    assert result.failed == 0 and result.attempted > examples
 
 
 def words(text):

@@ -1,0 +1,32 @@
+"""Parts whose mesh is given by arrays."""
+
+import warnings
+
+from gnomon import _gnomon
+
+
+def assemble(scene, points, cells, facets=None, nodes=None, bodies=None):
+    """The Model of a scene with problem = "worn_body", with a mesh of arrays in the place of mesh.file.
+
+    `points` [n, 2] or [n, 3] in mm; `cells` [m, corners] of one kind, their corners in the order of VTK: triangles or
+    quadrilaterals, in space tetrahedra, hexahedra, wedges or pyramids. Named groups are what the scene refers to by
+    support.on, load.on, wear.on and body.name: `facets` {name: [k, corners]} of the boundary, `nodes` {name: [k]},
+    `bodies` {name: [k] numbers of cells}. Numbers begin at 0. The mesh is checked and repaired as one from a file is;
+    what was repaired is a warning. The result of a run keeps the mesh, so that it can be resumed.
+
+    >>> import gnomon
+    >>> scene = gnomon.Scene.from_dict({
+    ...     "problem": "worn_body", "body": {"young_modulus": 1000, "poisson_ratio": 0.0},
+    ...     "support": [{"on": "bottom"}], "wear": {"on": ["top"], "coefficient": 1e-6},
+    ...     "counter_body": {"shape": "plane", "normal": [0, -1], "point": [0, 1], "motion.velocity": [500, 0],
+    ...                      "press": {"direction": [0, -1], "force": 10}},
+    ...     "friction.coefficient": 0, "time.end": 10, "integrator.name": "esdirk-3"})
+    >>> model = gnomon.assemble(scene, points=[[0, 0], [1, 0], [1, 1], [0, 1]], cells=[[0, 1, 2, 3]],
+    ...                         facets={"bottom": [[0, 1]], "top": [[2, 3]]})
+    >>> f"{gnomon.run(model).history['worn_volume'][-1]:.4f} mm^2 of k F v t = {1e-6 * 10 * 500 * 10:.4f}"
+    '0.0500 mm^2 of k F v t = 0.0500'
+    """
+    model, repaired = _gnomon._assemble(scene, points, cells, facets or {}, nodes or {}, bodies or {})
+    for remark in repaired:
+        warnings.warn(remark, stacklevel=2)
+    return model

@@ -1,0 +1,132 @@
+"""Parts whose mesh is given by arrays."""
+
+import subprocess
+
+import gnomon
+import numpy
+import pytest
+
+nan = float("nan")
+
+
+def block(across=12, high=4, lift=0.0):
+    """A block of 2 x 1 of quadrilaterals, with its facets."""
+    x, y = numpy.linspace(-1, 1, across + 1), numpy.linspace(-1, 0, high + 1)
+    points = numpy.array([(a, b + lift * a * a * (1 + b)) for b in y for a in x])
+    number = numpy.arange(len(points)).reshape(high + 1, across + 1)
+    cells = numpy.stack([number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1]], -1).reshape(-1, 4)
+
+    def line(nodes):
+        return numpy.stack([nodes[:-1], nodes[1:]], -1)
+    return points, cells, {"bottom": line(number[0]), "surface": line(number[-1]), "side": line(number[:, 0])}
+
+
+GEOMETRY = """Point(1) = {-1, -1, 0}; Point(2) = {1, -1, 0}; Point(3) = {1, 0, 0}; Point(4) = {-1, 0, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1:4}; Plane Surface(1) = {1};
+Transfinite Curve {1, 3} = 13; Transfinite Curve {2, 4} = 5; Transfinite Surface {1}; Recombine Surface {1};
+Physical Curve("bottom") = {1}; Physical Curve("surface") = {3}; Physical Curve("side") = {4};
+Physical Surface("block") = {1};
+"""
+
+
+def scene(more=None):
+    return gnomon.Scene.from_dict({
+        "problem": "worn_body", "body": {"young_modulus": 1e3, "poisson_ratio": 0.3}, "support": [{"on": "bottom"}],
+        "load": [{"on": "side", "traction": [0.5, 0.0]}],
+        "counter_body": {"shape": "cylinder", "radius": 4, "center": [0, 4],
+                         "press": {"direction": [0, -1], "force": 10}},
+        "cycle": {"period": 1, "phases": 4, "x": "0.3 * sin(2*pi*tau)", "load": "1 + tau * (1 - tau)"},
+        "friction.coefficient": 0.1, "wear": {"on": ["surface"], "coefficient": 1e-5},
+        "time.end": 50, "integrator": {"name": "esdirk-3", "step": 10, "nonlinear_fraction": 0}}, more)
+
+
+def test_a_cyclic_part_is_the_same_as_from_a_scene(tmp_path):
+    try:
+        gnomon.installed("libexec/gnomon/gnomon_gmsh")
+    except gnomon.Error:
+        pytest.skip("built without Gmsh's library")
+    geometry = tmp_path / "block.geo"
+    geometry.write_text(GEOMETRY)
+    theirs = gnomon.run(scene({"mesh.geometry": geometry}))
+    ours = gnomon.run(gnomon.assemble(scene(), *block()))
+    for name in ("worn_volume", "approach", "max_pressure", "wear_depth"):
+        assert ours.history[name] == pytest.approx(theirs.history[name], rel=1e-8), name
+    assert ours.history["worn_volume"][-1] > 1e-3
+
+
+def test_orientation_and_order_do_not_matter():
+    points, cells, facets = block(6, 3)
+    force = gnomon.run(gnomon.assemble(scene(), points, cells, facets)).history["max_pressure"][-1]
+    order = numpy.random.default_rng(1).permutation(len(points))
+    where = numpy.argsort(order)
+    mixed = gnomon.assemble(scene(), points[order], where[cells][::-1, ::-1],
+                            {name: where[group][::-1, ::-1] for name, group in facets.items()})
+    assert gnomon.run(mixed).history["max_pressure"][-1] == pytest.approx(force, rel=1e-8)
+
+
+def test_layers_are_springs_in_series():
+    points, cells, facets = block(2, 4)
+    upper = [cell for cell, nodes in enumerate(cells) if points[nodes, 1].mean() > -0.5]
+    bodies = [{"name": name, "young_modulus": modulus, "poisson_ratio": 0.0, "kinematics": "small"}
+              for name, modulus in (("lower", 2e4), ("upper", 1e3))]
+    layered = gnomon.Scene.from_dict({
+        "problem": "worn_body", "body": bodies, "support": [{"on": "bottom", "directions": ["y"]}, {"on": "corner"}],
+        "counter_body": {"shape": "plane", "normal": [0, -1], "motion.velocity": [1, 0],
+                         "press": {"direction": [0, -1], "approach": 1e-3}},
+        "friction.coefficient": 0, "wear": {"on": ["surface"], "coefficient": 0}, "time.end": 1,
+        "integrator.name": "esdirk-3"})
+    model = gnomon.assemble(layered, points, cells, facets, nodes={"corner": [0]},
+                            bodies={"upper": upper, "lower": [c for c in range(len(cells)) if c not in upper]})
+    pressure = model.contact(model.start())["pressure"]
+    assert pressure == pytest.approx(1e-3 / (0.5 / 2e4 + 0.5 / 1e3), rel=1e-6)
+
+
+def test_a_tetrahedron_is_subdivided_with_a_warning():
+    points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, -1]]
+    text = {"problem": "worn_body", "body": {"young_modulus": 1e3, "poisson_ratio": 0.3},
+            "support": [{"on": "sides"}],
+            "counter_body": {"shape": "plane", "normal": [0, 0, -1], "motion.velocity": [1, 0, 0],
+                             "press": {"direction": [0, 0, -1], "force": 1}},
+            "friction.coefficient": 0, "wear": {"on": ["top"], "coefficient": 1e-6}, "time.end": 1,
+            "integrator.name": "esdirk-3"}
+    with pytest.warns(UserWarning, match="1 tetrahedron"):
+        model = gnomon.assemble(gnomon.Scene.from_dict(text), points, [[0, 1, 2, 3]],
+                                {"top": [[0, 1, 2]], "sides": [[0, 1, 3], [1, 2, 3], [0, 2, 3]]})
+    assert model.grid()["cells"].shape == (4, 8)
+
+
+def test_its_result_goes_on_without_the_arrays(tmp_path):
+    file = tmp_path / "block.h5"
+    ended = gnomon.run(gnomon.assemble(scene(), *block()), file, on_step=lambda step: step.t > 20)
+    assert ended.status == "interrupted"
+    assert gnomon.Result(file).model().grid()["points"].shape == (65, 3)
+    subprocess.run([gnomon.studies._program(), "resume", str(file), "--quiet"], check=True)
+    whole = gnomon.run(gnomon.assemble(scene(), *block()))
+    assert gnomon.Result(file).history()["worn_volume"][-1] == pytest.approx(whole.history["worn_volume"][-1], rel=1e-3)
+
+
+@pytest.mark.parametrize("change, expected", [
+    ({"points": [[0.0, nan], [1, 0], [1, 1], [0, 1]]}, "finite coordinates"),
+    ({"points": [1.0, 2.0]}, "points: expected numbers in rows of two"),
+    ({"points": "none"}, "points: expected numbers"),
+    ({"cells": [[0, 1, 2, 4]]}, "cells: expected numbers from 0 to 3, got 4"),
+    ({"cells": [[0, 1, 2, -1]]}, "got -1"),
+    ({"cells": [[0.5, 1, 2, 3]]}, "cells: expected whole numbers"),
+    ({"cells": [0, 1, 2, 3]}, "cells: expected whole numbers in two dimensions"),
+    ({"cells": [[0, 1]]}, "no element of 2 dimensions has 2 corners"),
+    ({"facets": {"bottom": [[0, 1]], "surface": [[0, 2]], "side": [[3, 0]]}}, "surface"),
+    ({"facets": {"bottom": [[0, 1]], "side": [[3, 0]]}}, "surface"),
+    ({"bodies": {"all": [1]}}, "cells of \"all\": expected numbers from 0 to 0"),
+    ({"scene": gnomon.Scene.example("winkler/pin.toml")}, "expected \"worn_body\""),
+])
+def test_what_is_wrong_is_refused(change, expected):
+    given = {"scene": scene(), "points": [[-1.0, -1], [1, -1], [1, 0], [-1, 0]], "cells": [[0, 1, 2, 3]],
+             "facets": {"bottom": [[0, 1]], "surface": [[2, 3]], "side": [[3, 0]]}} | change
+    with pytest.raises(gnomon.InputError, match=expected):
+        gnomon.assemble(**given)
+
+
+def test_a_scene_with_a_mesh_of_its_own_is_refused():
+    with pytest.raises(gnomon.InputError, match="expected none beside arrays"):
+        gnomon.assemble(scene({"mesh.file": "block.msh"}), *block())
