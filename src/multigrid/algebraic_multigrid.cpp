@@ -34,7 +34,7 @@ class AlgebraicMultigrid : public PetscSolver {
 public:
   AlgebraicMultigrid(const StiffnessLayout& layout, const Nodes& nodes);
 
-  /// The cost of the Galerkin products; the interpolation is kept (docs/benchmarks.md).
+  /// The cost of the Galerkin products; the interpolation is kept (docs/linear.md).
   double set_up_cost() const override { return 8; }
 
 private:
@@ -50,7 +50,7 @@ AlgebraicMultigrid::AlgebraicMultigrid(const StiffnessLayout& layout, const Node
   check(PCGAMGSetReuseInterpolation(multigrid_, PETSC_TRUE));
   // Aggregates of the first two levels are two edges wide, about a hundred nodes: on one level a
   // set-up costs a third of that with narrow aggregates, and a third more iterations are needed; a
-  // second level saves a quarter more and costs none (docs/benchmarks.md).
+  // second level saves a quarter more and costs none (docs/notes/benchmarks.md).
   check(PCGAMGSetAggressiveLevels(multigrid_, 2));
 }
 

@@ -167,7 +167,7 @@ double ComposedSystem<dim>::change_of_strain(std::span<const double> y0,
 }
 
 /// Whether the slow part at hand serves at y. Where strains have changed by less than this, the
-/// counts of Newton iterations of whole runs do not change (docs/linear.md).
+/// counts of Newton iterations of whole runs do not change (docs/notes/linear.md).
 template <int dim>
 bool ComposedSystem<dim>::serves(const SlowPart& slow, std::span<const double> y) const {
   constexpr double most = 0.1;

@@ -45,7 +45,7 @@ double by_mesh(const std::string& scene, const std::vector<std::string>& overrid
   return make_model(load_scene(problems + scene, overrides, key_table))->memory();
 }
 
-// 15 % where it was measured (docs/linear.md); other machines have other libraries.
+// 15 % where it was measured (docs/notes/linear.md); other machines have other libraries.
 TEST_F(Memory, IsEstimatedWithinAQuarterInSpace) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "AddressSanitizer takes much more";

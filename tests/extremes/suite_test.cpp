@@ -164,7 +164,7 @@ TEST_F(Extremes, AFolderOfSomethingElseIsRefused) {
   EXPECT_FALSE(std::filesystem::exists(folder() / "out/extremes.csv"));
 }
 
-// No fault, and the numbers of verdicts as in docs/extremes.md.
+// No fault, and the numbers of verdicts as in docs/notes/extremes.md.
 TEST_F(Extremes, TheCoarseSubsetHasNoFaults) {
   const Outcome outcome =
       gnomon({"extremes", GNOMON_SOURCE_DIR "/problems/pin_on_flat/extremes/coarse.toml",

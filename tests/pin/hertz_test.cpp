@@ -1,5 +1,5 @@
-// The pin at the start against Hertz. What is measured and why it differs: docs/equations.md,
-// Accuracy.
+// The pin at the start against Hertz. What is measured and why it differs:
+// docs/notes/equations.md, Accuracy.
 
 #include <fmt/format.h>
 

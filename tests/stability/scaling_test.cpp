@@ -27,7 +27,7 @@ double constant(const std::string& element, int n, double young) {
 
 struct Expected {
   const char* element;
-  double constant;  // docs/stability.md
+  double constant;  // docs/notes/stability.md
 };
 
 class Scaling : public ::testing::TestWithParam<Expected> {};

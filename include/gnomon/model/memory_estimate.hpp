@@ -20,9 +20,9 @@ struct MeshSize {
 };
 
 /// Peak memory of a run [bytes]: the program, a part proportional to the unknowns (mesh, patterns,
-/// Jacobians), and the factors. The constants are measured (docs/linear.md). In space the error is
-/// less than 15 % from 3,000 nodes on where the factors are analysed, otherwise about a factor of
-/// two, as in the plane, where their entries grow as n log n.
+/// Jacobians), and the factors. The constants are measured (docs/notes/linear.md). In space the
+/// error is less than 15 % from 3,000 nodes on where the factors are analysed, otherwise about a
+/// factor of two, as in the plane, where their entries grow as n log n.
 double estimated_memory(const MeshSize& mesh, const LinearSolverChoice& solver);
 
 /// The memory that this process can still get without swapping [bytes]: the least of the system's

@@ -115,8 +115,8 @@ struct VolumeGradients {
       : g(small ? point.n : point.spatial_gradients()), p(-g * point.H) {}
 };
 
-/// Tangent of a cell: terms of docs/equations.md, Gauss point by Gauss point; weights are put into
-/// the factors.
+/// Tangent of a cell: terms of docs/notes/kernels.md, Gauss point by Gauss point; weights are put
+/// into the factors.
 template <ElementTechnology technology, template <int, class> class Law, bool with_shape, int dim>
 class CellTangent {
 public:
