@@ -1,5 +1,5 @@
 // A file on disk that holds a readable HDF5 image at every instant, so that a run killed anywhere
-// leaves every step that was committed. The rules, and what they rest on, are in docs/results.md.
+// leaves every step that was committed. The rules, and what they rest on: docs/notes/results.md.
 #pragma once
 
 #include <hdf5.h>

@@ -10,7 +10,7 @@ from pathlib import Path
 import gnomon
 
 GROUPS = {
-    "Scenes": ["Scene"],
+    "Scenes": ["Scene", "assemble"],
     "Runs and results": ["run", "Outcome", "Step", "Result"],
     "Step by step": ["Model", "Stepper", "State"],
     "The equations": ["System"],
