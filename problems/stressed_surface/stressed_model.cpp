@@ -14,7 +14,11 @@ namespace gnomon::stressed {
 
 namespace {
 
-constexpr Element plain_small = {ElementTechnology::plain, Kinematics::small};
+/// Without moduli where the body is not elastic.
+std::vector<Body> bodies_of(const StressedBody& body) {
+  return {{.material = {.moduli = body.elastic.value_or(ElasticModuli{})},
+           .element = {ElementTechnology::plain, Kinematics::small}}};
+}
 
 Field field_at_nodes(const StressedBody& body, const char* name, const NodalFlags<2>& held,
                      int block, double row_scale, double unknown_scale) {
@@ -95,25 +99,10 @@ std::vector<TermFactory<2>> stressed_terms(const std::shared_ptr<const StressedB
   });
   if (body->elastic)
     terms.push_back([body, f](const Numbering& numbering) -> Made {
-      const Body elastic{.material = {.moduli = *body->elastic}, .element = plain_small};
-      return std::make_unique<BodyTerm<2>>(body->mesh, std::vector{elastic}, numbering, f.u, f.d);
+      return std::make_unique<BodyTerm<2>>(body->mesh, bodies_of(*body), numbering, f.u, f.d);
     });
   return terms;
 }
-
-/// A cell with its worn positions and displacements, one row per node.
-struct CellAt {
-  CellNodal<2> initial, X, u = CellNodal<2>::Zero();
-
-  CellAt(const Mesh<2>& mesh, const Mesh<2>::Cell& cell, const NodalField<2>& d,
-         const NodalField<2>* displacement)
-      : initial(mesh.positions(cell)), X(initial) {
-    for (int a = 0; a < 4; ++a) {
-      X.row(a) += d.row(cell[a]);
-      if (displacement) u.row(a) = displacement->row(cell[a]);
-    }
-  }
-};
 
 /// The part of the height of the surface along cos(phase), by the trapezoidal rule.
 double amplitude_of(const std::vector<OnWave>& surface) {
@@ -153,7 +142,7 @@ StressedModel::StressedModel(std::shared_ptr<const StressedBody> body)
     : StressedModel(body, Equations(body)) {}
 
 StressedModel::StressedModel(std::shared_ptr<const StressedBody> body, const Equations& equations)
-    : ComposedModel<2>(equations.composition, body->mesh),
+    : Physics<2>(equations.composition, body->mesh),
       body_(std::move(body)),
       fields_(equations.fields) {}
 
@@ -161,19 +150,23 @@ std::vector<SurfaceNode<>> StressedModel::nodes(const FieldValues<2>& values) co
   return dynamic_cast<const SurfaceMotion&>(system().term(0)).nodes(values);
 }
 
+NodalField<2> StressedModel::displacement(const FieldValues<2>& values) const {
+  return body_->elastic ? values.vector(fields_.u)
+                        : NodalField<2>::Zero(values.vector(fields_.d).rows(), 2);
+}
+
 Observation StressedModel::observe(const State& state) const {
   const FieldValues<2> values = system().values(state.t, state.y);
-  const NodalField<2>& d = values.vector(fields_.d);
-  const NodalField<2>* u = body_->elastic ? &values.vector(fields_.u) : nullptr;
+  const NodalField<2>&d = values.vector(fields_.d), u = displacement(values);
   double elastic = 0, before = 0, area = 0, quality = 1, least = 1;
   for (const Mesh<2>::Cell& cell : body_->mesh.cells) {
-    const CellAt at(body_->mesh, cell, d, u);
+    const CellState<2> at(body_->mesh, cell, d, u);
     const double initial = cell_volume<2>(at.initial), now = cell_volume<2>(at.X);
     before += initial;
     area += now;
     least = std::min(least, now / initial);
     quality = std::min(quality, scaled_jacobian<2>(at.X));
-    if (u) elastic += elastic_energy(*body_->elastic, at.X, at.u);
+    if (body_->elastic) elastic += elastic_energy(*body_->elastic, at.X, at.u);
   }
   double length = 0, sharpest = 0;
   std::vector<OnWave> wave;
@@ -199,43 +192,20 @@ Observation StressedModel::observe(const State& state) const {
 
 std::vector<GridField> StressedModel::fields(const State& state) const {
   const FieldValues<2> values = system().values(state.t, state.y);
-  const NodalField<2>& d = values.vector(fields_.d);
-  const NodalField<2>* u = body_->elastic ? &values.vector(fields_.u) : nullptr;
   GridField drive{"driving_stress", "MPa", GridField::On::nodes, 1, {}};
   drive.values.assign(body_->mesh.nodes.size(), 0.0);
   const std::vector<SurfaceNode<>> surface = nodes(values);
   for (std::size_t c = 0; c < surface.size(); ++c)
     drive.values[body_->surface[c].node] = surface[c].drive;
-  GridField stress{"equivalent_stress", "MPa", GridField::On::cells, 1, {}};
-  GridField quality{"element_quality", "", GridField::On::cells, 1, {}};
-  const Material material{.moduli = body_->elastic.value_or(ElasticModuli{})};
-  for (const Mesh<2>::Cell& cell : body_->mesh.cells) {
-    const CellAt at(body_->mesh, cell, d, u);
-    stress.values.push_back(equivalent_stress<2>(plain_small, material, at.X, at.u));
-    quality.values.push_back(scaled_jacobian<2>(at.X));
-  }
-  const NodalField<2> none = NodalField<2>::Zero(d.rows(), 2);
-  return {nodal_field<2>("displacement", u ? *u : none), nodal_field<2>("shape", d), drive, stress,
-          quality};
+  std::vector<GridField> fields = solid_fields<2>(body_->mesh, bodies_of(*body_), {},
+                                                  values.vector(fields_.d), displacement(values));
+  fields.insert(fields.begin() + 2, drive);
+  return fields;
 }
 
 std::optional<ContactSurface> StressedModel::contact(const State& state) const {
   const FieldValues<2> values = system().values(state.t, state.y);
-  ContactSurface surface;
-  for (const ContactPatch<2>& patch : body_->surface) {
-    const Vector<2> X = body_->mesh.nodes[patch.node];
-    const Vector<2> d = values.vector(fields_.d).row(patch.node).transpose();
-    Vector<2> u = Vector<2>::Zero();
-    if (body_->elastic) u = values.vector(fields_.u).row(patch.node).transpose();
-    surface.node.push_back(patch.node);
-    surface.initial.push_back(point_in_space<2>(X));
-    surface.worn.push_back(point_in_space<2>(X + d));
-    surface.current.push_back(point_in_space<2>(X + d + u));
-    surface.pressure.push_back(0);
-    surface.wear_depth.push_back(d.norm());
-    surface.active.push_back(0);
-  }
-  return surface;
+  return surface_of<2>(body_->mesh, body_->surface, values.vector(fields_.d), displacement(values));
 }
 
 /// A circle shrinks as R^2 = R0^2 - 2 m gamma t. So does the polygon of its nodes.

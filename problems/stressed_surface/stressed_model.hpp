@@ -8,12 +8,13 @@
 // u and p only where the body is elastic.
 #pragma once
 
-#include "composed_model.hpp"
+#include <gnomon/model/physics.hpp>
+
 #include "surface_motion.hpp"
 
 namespace gnomon::stressed {
 
-class StressedModel : public ComposedModel<2> {
+class StressedModel : public Physics<2> {
 public:
   explicit StressedModel(std::shared_ptr<const StressedBody> body);
 
@@ -32,6 +33,8 @@ private:
   struct Equations;
   StressedModel(std::shared_ptr<const StressedBody> body, const Equations& equations);
   std::vector<SurfaceNode<>> nodes(const FieldValues<2>& values) const;
+  /// Zero where the body is not elastic.
+  NodalField<2> displacement(const FieldValues<2>& values) const;
 
   std::shared_ptr<const StressedBody> body_;
   StressedFields fields_;

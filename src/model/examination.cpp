@@ -184,7 +184,7 @@ std::optional<ElasticDrag> find_drag(const WornBodyEquations<dim>& equations,
 
 template <int dim>
 Examination WearModel<dim>::examine(const State& state) const {
-  const FieldValues<dim> values = system_.values(state.t, state.y);
+  const FieldValues<dim> values = system().values(state.t, state.y);
   const std::vector<PhaseContact<dim>> contacts = this->contacts(values, state);
   Examination facts;
   add_forces(equations_, values, state.t, contacts, facts);

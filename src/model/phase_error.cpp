@@ -189,7 +189,7 @@ std::optional<PhaseError> WearModel<dim>::phase_error(const State& state) const 
   const Assembly<dim>& body = assembly();
   if (!body.cycle) return {};
   using enum PhaseSet::Kind;
-  const FieldValues<dim> values = system_.values(state.t, state.y);
+  const FieldValues<dim> values = system().values(state.t, state.y);
   FixedShape<dim> shape(state.t, equations_, values, contacts(values, state));
   const auto set = [&](PhaseSet::Kind kind) {
     return phases_of(*body.cycle, body.interface.partner, body.interface.force, {kind});

@@ -19,19 +19,8 @@ CellNodal<dim> worn_positions(CellNodal<dim> initial, const typename Mesh<dim>::
   return initial;
 }
 
-/// A cell with its nodal values, one row per node.
-template <int dim>
-struct CellState {
-  CellNodal<dim> initial, X, u;  // X^, X = X^ + d, u
-
-  CellState(const Mesh<dim>& mesh, const typename Mesh<dim>::Cell& cell,
-            const NodalField<dim>& nodal_d, const NodalField<dim>& nodal_u)
-      : initial(mesh.positions(cell)), X(worn_positions<dim>(initial, cell, nodal_d)) {
-    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a) u.row(a) = nodal_u.row(cell[a]);
-  }
-};
-
-/// Its norm at the centroid, in a body of revolution its largest norm at a Gauss point.
+/// The norm of the displacement gradient at the centroid, in a body of revolution its largest norm
+/// at a Gauss point.
 template <int dim>
 double displacement_gradient(const CellState<dim>& at, [[maybe_unused]] Section section) {
   if constexpr (dim == 2)
@@ -169,35 +158,17 @@ Box<dim> surroundings(const Assembly<dim>& body) {
   return box;
 }
 
-/// In 2D, z is zero.
-template <int dim>
-std::array<double, 3> in_space(const Vector<dim>& v) {
-  std::array<double, 3> point{};
-  std::copy(v.begin(), v.end(), point.begin());
-  return point;
-}
-
 }  // namespace
 
 template <int dim>
 WearModel<dim>::WearModel(std::shared_ptr<const Assembly<dim>> assembly)
-    : surroundings_(surroundings(*assembly)),
-      equations_(std::move(assembly)),
-      system_(equations_.composition()) {}
+    : WearModel(WornBodyEquations<dim>(std::move(assembly))) {}
 
 template <int dim>
-std::vector<BlockSize> WearModel<dim>::blocks() const {
-  const Structure& structure = system_.structure();
-  std::vector<BlockSize> blocks;
-  std::vector<std::size_t> listed;  // of each block: where it is counted
-  for (const Block& block : structure.blocks) {
-    const auto same = std::ranges::find(blocks, block.name, &BlockSize::name);
-    listed.push_back(static_cast<std::size_t>(same - blocks.begin()));
-    if (same == blocks.end()) blocks.push_back({block.name, block.symbol, 0, block.where});
-  }
-  for (int block : structure.block) ++blocks[listed[static_cast<std::size_t>(block)]].size;
-  return blocks;
-}
+WearModel<dim>::WearModel(WornBodyEquations<dim> equations)
+    : Physics<dim>(equations.composition(), equations.assembly().mesh),
+      surroundings_(surroundings(equations.assembly())),
+      equations_(std::move(equations)) {}
 
 template <int dim>
 std::vector<PhaseContact<dim>> WearModel<dim>::contacts(const FieldValues<dim>& values,
@@ -205,7 +176,7 @@ std::vector<PhaseContact<dim>> WearModel<dim>::contacts(const FieldValues<dim>& 
   std::vector<PhaseContact<dim>> result;
   for (std::size_t p = 0; p < equations_.phases().size(); ++p)
     result.push_back(
-        {equations_.phases()[p].weight, equations_.contact_nodes(system_, values, at, p)});
+        {equations_.phases()[p].weight, equations_.contact_nodes(system(), values, at, p)});
   return result;
 }
 
@@ -217,7 +188,7 @@ std::vector<PhaseContact<dim>> WearModel<dim>::contacts(const FieldValues<dim>& 
 
 template <int dim>
 Observation WearModel<dim>::observe(const State& state) const {
-  const FieldValues<dim> values = system_.values(state.t, state.y);
+  const FieldValues<dim> values = system().values(state.t, state.y);
   const std::vector<PhaseContact<dim>> phases = contacts(values, state);
   Observation observed{.dim = assembly().section() == Section::meridian ? 3 : dim};
   observe_contact(phases, assembly().copies, observed);
@@ -251,37 +222,20 @@ Observation WearModel<dim>::observe(const State& state) const {
 template <int dim>
 std::function<double(const Point&)> WearModel<dim>::wear_flux() const {
   return [this](const Point& at) {
-    return wear_flux_of(contacts(system_.values(at.t, at.y), at), assembly().copies);
+    return wear_flux_of(contacts(system().values(at.t, at.y), at), assembly().copies);
   };
 }
 
 template <int dim>
 std::optional<Grid> WearModel<dim>::grid() const {
-  const Mesh<dim>& mesh = assembly().mesh;
-  Grid grid;
-  grid.cell = dim == 2 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
-  for (const Vector<dim>& X : mesh.nodes) grid.points.push_back(in_space<dim>(X));
-  for (const auto& cell : mesh.cells) grid.cells.insert(grid.cells.end(), cell.begin(), cell.end());
-  grid.parts = assembly().named_parts;
+  std::optional<Grid> grid = Physics<dim>::grid();
+  grid->parts = assembly().named_parts;
   return grid;
 }
 
-namespace {
-
-template <int dim>
-GridField nodal_vector(const std::string& name, const NodalField<dim>& values) {
-  GridField field{name, "mm", GridField::On::nodes, 3, {}};
-  field.values.assign(3 * values.rows(), 0.0);
-  for (Eigen::Index node = 0; node < values.rows(); ++node)
-    for (int i = 0; i < dim; ++i) field.values[3 * node + i] = values(node, i);
-  return field;
-}
-
-}  // namespace
-
 template <int dim>
 std::vector<GridField> WearModel<dim>::fields(const State& state) const {
-  const FieldValues<dim> values = system_.values(state.t, state.y);
+  const FieldValues<dim> values = system().values(state.t, state.y);
   const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
         &nodal_d = values.vector(equations_.fields().d);
   const Assembly<dim>& body = assembly();
@@ -290,44 +244,25 @@ std::vector<GridField> WearModel<dim>::fields(const State& state) const {
   for (const auto& [weight, nodes] : contacts(values, state))
     for (std::size_t c = 0; c < nodes.size(); ++c)
       pressure.values[body.contact_nodes[c].node] += weight * std::max(0.0, -nodes[c].traction);
-  GridField stress{"equivalent_stress", "MPa", GridField::On::cells, 1, {}};
-  GridField quality{"element_quality", "", GridField::On::cells, 1, {}};
-  for (std::size_t c = 0; c < body.mesh.cells.size(); ++c) {
-    const CellState<dim> at(body.mesh, body.mesh.cells[c], nodal_d, nodal_u);
-    const Body& of = body.bodies[body.body_of[c]];
-    stress.values.push_back(equivalent_stress<dim>(of.element, of.material, at.X, at.u));
-    quality.values.push_back(scaled_jacobian<dim>(at.X));
-  }
-  return {nodal_vector<dim>("displacement", nodal_u), nodal_vector<dim>("shape", nodal_d), pressure,
-          stress, quality};
+  std::vector<GridField> fields =
+      solid_fields<dim>(body.mesh, body.bodies, body.body_of, nodal_d, nodal_u);
+  fields.insert(fields.begin() + 2, pressure);
+  return fields;
 }
 
 template <int dim>
 std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const {
-  const FieldValues<dim> values = system_.values(state.t, state.y);
-  const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
-        &nodal_d = values.vector(equations_.fields().d);
-  const Assembly<dim>& body = assembly();
+  const FieldValues<dim> values = system().values(state.t, state.y);
   const std::vector<PhaseContact<dim>> phases = contacts(values, state);
-  ContactSurface surface;
-  surface.dim = dim;
-  for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {
-    const int node = body.contact_nodes[c].node;
-    double pressure = 0;
-    int active = 0;
+  ContactSurface surface =
+      surface_of<dim>(assembly().mesh, assembly().contact_nodes,
+                      values.vector(equations_.fields().d), values.vector(equations_.fields().u));
+  for (std::size_t c = 0; c < surface.node.size(); ++c) {
     for (const auto& [weight, nodes] : phases) {
-      pressure += weight * std::max(0.0, -nodes[c].traction);
-      active = std::max<int>(active, nodes[c].active);
+      surface.pressure[c] += weight * std::max(0.0, -nodes[c].traction);
+      surface.active[c] = std::max<int>(surface.active[c], nodes[c].active);
     }
-    const Vector<dim> d = nodal_d.row(node).transpose();
-    const Vector<dim> u = nodal_u.row(node).transpose();
-    surface.node.push_back(node);
-    surface.initial.push_back(in_space<dim>(body.mesh.nodes[node]));
-    surface.worn.push_back(in_space<dim>(body.mesh.nodes[node] + d));
-    surface.current.push_back(in_space<dim>(body.mesh.nodes[node] + d + u));
-    surface.pressure.push_back(pressure);
-    surface.wear_depth.push_back(assembly().wears(static_cast<int>(c)) ? d.norm() : 0);
-    surface.active.push_back(active);
+    if (!assembly().wears(static_cast<int>(c))) surface.wear_depth[c] = 0;
   }
   if (phases.size() > 1)
     for (std::size_t p = 0; p < phases.size(); ++p) {
@@ -345,13 +280,13 @@ std::optional<CounterSurface> WearModel<dim>::counter_surface(const State& state
   const CounterBody<dim>& other = equations_.phases().front().counter_body;
   PartnerMotion<> q = other.given(state.t, state.t);
   if (const FieldId w = equations_.fields().w; w != FieldId::none)
-    q += system_.values(state.t, state.y).scalar(w);
+    q += system().values(state.t, state.y).scalar(w);
   const FacetedSurface<dim> within =
       zero_level<dim>([&](const Vector<dim>& x) { return other.unchecked_distance(x, q, state.t); },
                       surroundings_, cells_along);
   CounterSurface surface;
   surface.dim = dim;
-  for (const Vector<dim>& x : within.points) surface.points.push_back(in_space<dim>(x));
+  surface.points = points_in_space<dim>(within.points);
   for (const auto& facet : within.facets)
     surface.facets.insert(surface.facets.end(), facet.begin(), facet.end());
   return surface;

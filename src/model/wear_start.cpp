@@ -202,9 +202,9 @@ State WearModel<dim>::start(Counters& counters) const {
       find_equilibrium(equations_, contact, ramp_options(assembly()), values, counters);
   if (ramp.reached < 1) throw SolutionError(failure_of(ramp, assembly().bodies.front().element));
   State state;
-  state.y.resize(system_.structure().size);
-  system_.numbering().gather(values, state.y);
-  set_rates(system_, nullptr, state);
+  state.y.resize(system().structure().size);
+  system().numbering().gather(values, state.y);
+  set_rates(system(), nullptr, state);
   return state;
 }
 

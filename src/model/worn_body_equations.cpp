@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/mesh/semi_coarsening.hpp>
+#include <gnomon/model/physics.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
 #include <gnomon/terms/body_term.hpp>
 #include <gnomon/terms/loads.hpp>
@@ -112,14 +113,6 @@ Field rigid_motion_field(const Assembly<dim>& body, const Phase<dim>& phase, con
 }
 
 template <int dim>
-std::vector<std::array<double, 3>> positions(const Mesh<dim>& mesh) {
-  std::vector<std::array<double, 3>> result(mesh.nodes.size());
-  for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
-    std::copy_n(mesh.nodes[node].begin(), dim, result[node].begin());
-  return result;
-}
-
-template <int dim>
 std::shared_ptr<const std::vector<NodeInterpolation>> coarsening(const Assembly<dim>& body) {
   if (body.solver.method != LinearSolverChoice::Method::block ||
       body.solver.preconditioner != LinearSolverChoice::Preconditioner::multigrid)
@@ -168,7 +161,7 @@ WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const Assembly<dim>> a
       held.field = fields.u;
       composition->prescribed.push_back(std::move(held));
     }
-  composition->position = positions(assembly_->mesh);
+  composition->position = points_in_space<dim>(assembly_->mesh.nodes);
   composition->solver = assembly_->solver;
   composition->coarsening = coarsening(*assembly_);
   composition_ = composition;

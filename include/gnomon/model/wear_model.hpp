@@ -1,7 +1,7 @@
 // The model of a wearing assembly: consistent start, observations and fields.
 #pragma once
 
-#include <gnomon/model/model.hpp>
+#include <gnomon/model/physics.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
 #include <gnomon/shapes/counter_surface.hpp>
 #include <memory>
@@ -16,15 +16,14 @@ struct PhaseContact {
 };
 
 template <int dim>
-class WearModel : public Model {
+class WearModel : public Physics<dim> {
 public:
   explicit WearModel(std::shared_ptr<const Assembly<dim>> assembly);
   /// Throws InputError where the parts do not fit together.
   explicit WearModel(AssemblyParts<dim> parts)
       : WearModel(std::make_shared<const Assembly<dim>>(std::move(parts))) {}
 
-  const ComposedSystem<dim>& system() const override { return system_; }
-  std::vector<BlockSize> blocks() const override;
+  using Physics<dim>::system;
   std::vector<std::string> remarks() const override { return assembly().remarks; }
   double memory() const override { return assembly().memory; }
   /// Equilibrium at the initial shape by a load ramp (rows 1-2 of the system, shape frozen). The
@@ -53,13 +52,13 @@ public:
   const WornBodyEquations<dim>& equations() const { return equations_; }
 
 private:
+  explicit WearModel(WornBodyEquations<dim> equations);
   /// The contact law at every contact node, phase by phase; on the state's own smooth branch.
   std::vector<PhaseContact<dim>> contacts(const FieldValues<dim>& values, const Point& at) const;
   std::vector<PhaseContact<dim>> contacts(const FieldValues<dim>& values, const State& state) const;
 
   Box<dim> surroundings_;  ///< in which the counter-body is shown
   WornBodyEquations<dim> equations_;
-  ComposedSystem<dim> system_;
 };
 
 /// Half the distance between the edges of the contact zone [length], across the approach, in the
