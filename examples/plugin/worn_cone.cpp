@@ -94,12 +94,16 @@ private:
 
 class ConeModel : public Model {
 public:
-  explicit ConeModel(const Cone& cone) : cone_(cone), system_(cone, true) {}
+  explicit ConeModel(const Cone& cone) : cone_(cone), system_(cone, true) {
+    blocks = {{"depth", "h", 1, "the point (differential)"}, {"pressure", "p", 1, "the contact"}};
+    differential_scale = cone.start;
+    exact = [cone](double t) {
+      const double h = cone.depth(t), p = cone.force / (cone.shape * h * h);
+      return State{t, {h, 0}, {cone.wear * p, 0}};
+    };
+  }
 
   const System& system() const override { return system_; }
-  std::vector<BlockSize> blocks() const override {
-    return {{"depth", "h", 1, "the point (differential)"}, {"pressure", "p", 1, "the contact"}};
-  }
   State start(Counters&) const override {
     const double h = cone_.start;
     State state{0, {h, cone_.force / (cone_.shape * h * h)}, {}};
@@ -113,14 +117,8 @@ public:
                        {"depth_error", "mm", state.y[0] - cone_.depth(state.t)}};
     return observed;
   }
-  double differential_scale() const override { return cone_.start; }
-  std::optional<Grid> grid() const override { return std::nullopt; }
   std::vector<GridField> fields(const State&) const override { return {}; }
   std::optional<ContactSurface> contact(const State&) const override { return std::nullopt; }
-  std::optional<State> exact(double t) const override {
-    const double h = cone_.depth(t), p = cone_.force / (cone_.shape * h * h);
-    return State{t, {h, 0}, {cone_.wear * p, 0}};
-  }
 
 private:
   Cone cone_;

@@ -133,13 +133,16 @@ private:
 
 class DahlquistModel : public Model {
 public:
-  explicit DahlquistModel(const Equation& equation)
-      : equation_(equation), system_(equation, true) {}
+  explicit DahlquistModel(const Equation& equation) : equation_(equation), system_(equation, true) {
+    blocks = {{"value", "y", 2, "the point (differential)"}, {"image", "z", 2, "the point"}};
+    exact = [this](double t) {
+      const Pair z = equation_.exact(t), y = equation_.y_of(z);
+      const Pair rate = equation_.y_by_z(z) * equation_.rate(t, z);
+      return State{t, {y[0], y[1], 0, 0}, {rate[0], rate[1], 0, 0}};
+    };
+  }
 
   const System& system() const override { return system_; }
-  std::vector<BlockSize> blocks() const override {
-    return {{"value", "y", 2, "the point (differential)"}, {"image", "z", 2, "the point"}};
-  }
   State start(Counters&) const override {
     const Pair z = equation_.exact(0), y = equation_.y_of(z);
     State state{0, {y[0], y[1], z[0], z[1]}, {}};
@@ -156,8 +159,6 @@ public:
                        {"error", "", (y - equation_.y_of(equation_.exact(state.t))).norm()}};
     return observed;
   }
-  double differential_scale() const override { return 1; }
-  std::optional<Grid> grid() const override { return std::nullopt; }
   std::vector<GridField> fields(const State&) const override { return {}; }
   /// One point of the complex plane, so that shapes can be compared.
   std::optional<ContactSurface> contact(const State& state) const override {
@@ -170,11 +171,6 @@ public:
     surface.wear_depth = {(y - from).norm()};
     surface.active = {1};
     return surface;
-  }
-  std::optional<State> exact(double t) const override {
-    const Pair z = equation_.exact(t), y = equation_.y_of(z);
-    const Pair rate = equation_.y_by_z(z) * equation_.rate(t, z);
-    return State{t, {y[0], y[1], 0, 0}, {rate[0], rate[1], 0, 0}};
   }
 
 private:

@@ -144,7 +144,10 @@ StressedModel::StressedModel(std::shared_ptr<const StressedBody> body)
 StressedModel::StressedModel(std::shared_ptr<const StressedBody> body, const Equations& equations)
     : Physics<2>(equations.composition, body->mesh),
       body_(std::move(body)),
-      fields_(equations.fields) {}
+      fields_(equations.fields) {
+  differential_scale = body_->change;
+  if (body_->ratio) Abilities::exact = [this](double t) { return exact(t); };
+}
 
 std::vector<SurfaceNode<>> StressedModel::nodes(const FieldValues<2>& values) const {
   return dynamic_cast<const SurfaceMotion&>(system().term(0)).nodes(values);
@@ -210,7 +213,7 @@ std::optional<ContactSurface> StressedModel::contact(const State& state) const {
 
 /// A circle shrinks as R^2 = R0^2 - 2 m gamma t. So does the polygon of its nodes.
 std::optional<State> StressedModel::exact(double t) const {
-  const std::optional<double> ratio = body_->ratio ? body_->ratio(t) : std::nullopt;
+  const std::optional<double> ratio = body_->ratio(t);
   if (!ratio) return std::nullopt;
   State state{t, std::vector<double>(system().structure().size, 0.0), {}};
   state.ydot = state.y;

@@ -22,17 +22,16 @@ public:
   /// `elastic_energy`, `surface_length`, the `amplitude` of the wave or of the lobes, and the
   /// curvature of the `sharpest_notch`.
   Observation observe(const State& state) const override;
-  double differential_scale() const override { return body_->change; }
   /// displacement, shape, driving_stress (mu of the surface), equivalent_stress, element_quality.
   std::vector<GridField> fields(const State& state) const override;
   /// The free surface, which has no contact: its pressures are zero.
   std::optional<ContactSurface> contact(const State& state) const override;
-  std::optional<State> exact(double t) const override;
 
 private:
   struct Equations;
   StressedModel(std::shared_ptr<const StressedBody> body, const Equations& equations);
   std::vector<SurfaceNode<>> nodes(const FieldValues<2>& values) const;
+  std::optional<State> exact(double t) const;
   /// Zero where the body is not elastic.
   NodalField<2> displacement(const FieldValues<2>& values) const;
 

@@ -71,7 +71,6 @@ double error_of_motion(const Foundation& foundation) {
 
 std::optional<PhaseError> phase_error(const Foundation& foundation, double t,
                                       const std::vector<double>& d) {
-  if (!foundation.phase_set) return {};
   auto [difference, whole] = compare(foundation, foundation.phases, 1, t, d);
   double worn = 0;
   for (std::size_t i = 0; i < d.size(); ++i) worn += foundation.area[i] * d[i];

@@ -73,23 +73,25 @@ class WinklerModel : public Model {
 public:
   /// `steady`: one phase, whose wear rate is proportional to the pressure: the solution is known.
   WinklerModel(std::shared_ptr<const Foundation> foundation, bool steady)
-      : foundation_(std::move(foundation)), steady_(steady), system_(foundation_, true) {}
+      : foundation_(std::move(foundation)), system_(foundation_, true) {
+    const long n = system_.points();
+    phases = system_.phases();
+    blocks = {{"worn_surface", "d", n, "points (differential)"},
+              {"pressure", "p", n * phases, "points, each phase"},
+              {"approach", "delta", phases, "the pin, each phase"}};
+    differential_scale = foundation_->mean_depth();
+    remarks = foundation_->remarks;
+    wear_flux = [this](const Point& at) { return flux(at); };
+    if (steady) exact = [this](double t) { return solution(t); };
+    if (foundation_->phase_set)
+      phase_error = [this](const State& state) {
+        std::vector<double> depths;
+        for (int i = 0; i < system_.points(); ++i) depths.push_back(state.y[system_.d(i)]);
+        return winkler::phase_error(*foundation_, state.t, depths);
+      };
+  }
 
   const System& system() const override { return system_; }
-  std::vector<BlockSize> blocks() const override {
-    const long n = system_.points();
-    return {{"worn_surface", "d", n, "points (differential)"},
-            {"pressure", "p", n * system_.phases(), "points, each phase"},
-            {"approach", "delta", system_.phases(), "the pin, each phase"}};
-  }
-
-  std::vector<std::string> remarks() const override { return foundation_->remarks; }
-  long phases() const override { return system_.phases(); }
-  std::optional<PhaseError> phase_error(const State& state) const override {
-    std::vector<double> depths;
-    for (int i = 0; i < system_.points(); ++i) depths.push_back(state.y[system_.d(i)]);
-    return winkler::phase_error(*foundation_, state.t, depths);
-  }
 
   State start(Counters& counters) const override {
     const Foundation& f = *foundation_;
@@ -134,12 +136,6 @@ public:
     observed.wear_depth = depth;
     return observed;
   }
-  std::function<double(const Point&)> wear_flux() const override {
-    return [this](const Point& at) { return flux(at); };
-  }
-
-  double differential_scale() const override { return foundation_->mean_depth(); }
-  std::optional<Grid> grid() const override { return std::nullopt; }
   std::vector<GridField> fields(const State&) const override { return {}; }
 
   std::optional<ContactSurface> contact(const State& state) const override {
@@ -166,10 +162,10 @@ public:
     return surface;
   }
 
-  std::optional<State> exact(double t) const override {
+private:
+  std::optional<State> solution(double t) const {
     constexpr double memory = 40;  // exp(-40) is below rounding
     const Foundation& f = *foundation_;
-    if (!steady_) return std::nullopt;
     const double a_0 = std::cbrt(1.5 * f.radius * f.force / f.modulus);
     const double kappa = f.modulus * f.wear_by_pressure, s = 1 + kappa * t;
     if (a_0 * std::cbrt(s) > f.width / 2) return std::nullopt;
@@ -189,7 +185,6 @@ public:
     return state;
   }
 
-private:
   double flux(const Point& at) const {
     double sum = 0;
     for (int i = 0; i < system_.points(); ++i)
@@ -223,7 +218,6 @@ private:
   }
 
   std::shared_ptr<const Foundation> foundation_;
-  bool steady_;
   WinklerSystem system_;
 };
 

@@ -226,7 +226,7 @@ py::object contact(SharedModel& model, const State& state) {
 py::list blocks(const SharedModel& model) {
   using namespace py::literals;
   py::list result;
-  for (const BlockSize& block : model.setup.model->blocks())
+  for (const BlockSize& block : model.setup.model->blocks)
     result.append(py::dict("name"_a = block.name, "symbol"_a = block.symbol, "size"_a = block.size,
                            "where"_a = block.where));
   return result;
@@ -246,7 +246,7 @@ void add_model(py::module_& module) {
       .def_property_readonly("_scene",
                              held([](const SharedModel& model) { return model.setup.scene; }))
       .def_property_readonly(
-          "remarks", held([](const SharedModel& model) { return model.setup.model->remarks(); }),
+          "remarks", held([](const SharedModel& model) { return model.setup.model->remarks; }),
           "What was noticed before the start, as text.")
       .def_property_readonly("blocks", held(blocks),
                              "The unknown blocks: name, symbol, size and where they are.")
@@ -266,13 +266,13 @@ void add_model(py::module_& module) {
                  with_model(model, [&] { return columns_of(model.setup.model->observe(state)); }));
            }),
            py::arg("state"), "The scalars of a state.")
-      .def("grid",
-           held([](const SharedModel& model) { return dict_of(model.setup.model->grid()); }),
+      .def("grid", held([](const SharedModel& model) { return dict_of(model.setup.model->grid); }),
            "Points [n, 3] and cells [m, corners], or None.")
       .def("fields", held(fields), py::arg("state"), "Fields over the grid.")
       .def("contact", held(contact), py::arg("state"), "The contact surface, or None.")
       .def("exact", held([](SharedModel& model, double t) {
-             return with_model(model, [&] { return model.setup.model->exact(t); });
+             const auto& exact = model.setup.model->exact;
+             return with_model(model, [&] { return exact ? exact(t) : std::nullopt; });
            }),
            py::arg("t"), "The State in closed form (differential components), or None.");
 }

@@ -109,14 +109,14 @@ py::dict run_model(const Shared& model, const std::optional<fs::path>& result, b
   const RunOutcome outcome = with_model(*model, [&] {
     std::optional<ResultWriter> writer;
     if (result)
-      writer.emplace(*result, header, setup.model->grid(),
+      writer.emplace(*result, header, setup.model->grid,
                      force ? Earlier::replaced : Earlier::refused);
     return run(*setup.model, chosen_integrator(setup.scene), settings, store_policy(setup.scene),
                writer ? &*writer : nullptr, callbacks.hooks());
   });
   callbacks.raise_if_raised();
   const std::string summary =
-      summary_json(setup.scene, header, settings, outcome, setup.model->remarks());
+      summary_json(setup.scene, header, settings, outcome, setup.model->remarks);
   return py::dict("status"_a = outcome.text().substr(0, outcome.text().find(':')),
                   "diagnosis"_a = outcome.diagnosis, "warnings"_a = outcome.warnings,
                   "counters"_a = dict_of(outcome.counters), "wall_seconds"_a = outcome.wall_seconds,
@@ -133,7 +133,7 @@ public:
     const Setup& setup = model_->setup;
     settings_ = integrator_settings(setup.scene, *setup.model);
     with_model(*model_, [&] {
-      settings_.integrand = setup.model->wear_flux();
+      settings_.integrand = setup.model->wear_flux;
       state_ = setup.model->start(counters_);
       stepper_ = chosen_integrator(setup.scene).make(setup.model->system(), settings_, counters_);
     });

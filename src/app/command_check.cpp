@@ -16,15 +16,15 @@ namespace {
 std::string text_of(const Setup& setup) {
   TextTable table({{"# unknowns"}, {"symbol"}, {"size", TextTable::Align::right}, {"on"}});
   long total = 0;
-  for (const BlockSize& block : setup.model->blocks()) {
+  for (const BlockSize& block : setup.model->blocks) {
     table.add({"# " + block.name, block.symbol, fmt::format("{}", block.size), block.where});
     total += block.size;
   }
   table.add({"# all", "", fmt::format("{}", total), ""});
   std::string text = fmt::format("{}\n{}", setup.scene.resolved(), table.text());
-  if (const double memory = setup.model->memory(); memory > 0)
+  if (const double memory = setup.model->memory; memory > 0)
     text += fmt::format("# a run takes about {} of memory\n", memory_text(memory));
-  for (const std::string& remark : setup.model->remarks()) text += fmt::format("# {}\n", remark);
+  for (const std::string& remark : setup.model->remarks) text += fmt::format("# {}\n", remark);
   for (const std::string& remark : remarks_on_keys(setup)) text += fmt::format("# {}\n", remark);
   return text;
 }

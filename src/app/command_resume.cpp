@@ -92,10 +92,10 @@ void check_same(const Model& model, const ResultReader& earlier, const std::stri
   const auto same_block = [](const BlockSize& a, const BlockSize& b) {
     return a.name == b.name && a.size == b.size;
   };
-  const auto grid = model.grid(), old = earlier.grid();
+  const auto grid = model.grid, old = earlier.grid();
   const bool same_grid = grid.has_value() == old.has_value() &&
                          (!grid || (grid->points == old->points && grid->cells == old->cells));
-  if (!std::ranges::equal(model.blocks(), earlier.header().blocks, same_block) || !same_grid)
+  if (!std::ranges::equal(model.blocks, earlier.header().blocks, same_block) || !same_grid)
     throw InputError(
         fmt::format("{}: this version of gnomon makes a different mesh from its scene", name));
 }
@@ -158,15 +158,15 @@ int resume_command(const ResumeOptions& options) {
   const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
   const RunOutcome outcome = [&] {
     const InterruptGuard guard(!options.quiet);
-    ResultWriter writer(options.result, header, setup.model->grid(), Earlier::replaced, reached);
+    ResultWriter writer(options.result, header, setup.model->grid, Earlier::replaced, reached);
     if (from) copy_to_last_checkpoint(earlier, field_names(*setup.model, *from), writer);
     return integrate(setup, settings, writer, options.quiet, from ? &*from : nullptr);
   }();
   const bool replaced = outcome.last && outcome.last->t >= reached;
-  write_summary(files, summary_json(setup.scene, header, settings, outcome, setup.model->remarks()),
+  write_summary(files, summary_json(setup.scene, header, settings, outcome, setup.model->remarks),
                 replaced);
   return report_end(outcome, {.result = options.result,
-                              .has_mesh = setup.model->grid().has_value(),
+                              .has_mesh = setup.model->grid.has_value(),
                               .kept = !replaced,
                               .quiet = options.quiet,
                               .table = options.summary != "-"});

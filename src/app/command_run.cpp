@@ -32,22 +32,21 @@ int run_command(const RunOptions& given) {
   }();
   if (!options.quiet) {
     print_remarks(remarks_on_keys(setup));
-    print_remarks(setup.model->remarks());
+    print_remarks(setup.model->remarks);
   }
   const RunHeader header = run_header(setup);
   const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
   const RunOutcome outcome = [&] {
     const InterruptGuard guard(
         !options.quiet);  // before the result is created, so that it is always closed
-    ResultWriter writer(options.result, header, setup.model->grid(),
+    ResultWriter writer(options.result, header, setup.model->grid,
                         options.force ? Earlier::replaced : Earlier::refused);
     return integrate(setup, settings, writer, options.quiet);
   }();
-  write_summary(options,
-                summary_json(setup.scene, header, settings, outcome, setup.model->remarks()),
+  write_summary(options, summary_json(setup.scene, header, settings, outcome, setup.model->remarks),
                 outcome.last.has_value());
   return report_end(outcome, {.result = options.result,
-                              .has_mesh = setup.model->grid().has_value(),
+                              .has_mesh = setup.model->grid.has_value(),
                               .kept = earlier && !outcome.last,
                               .quiet = options.quiet,
                               .table = options.summary != "-"});

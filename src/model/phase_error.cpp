@@ -187,7 +187,6 @@ ChosenPhases choose_phases(std::shared_ptr<const Assembly<dim>> body, double tol
 template <int dim>
 std::optional<PhaseError> WearModel<dim>::phase_error(const State& state) const {
   const Assembly<dim>& body = assembly();
-  if (!body.cycle) return {};
   using enum PhaseSet::Kind;
   const FieldValues<dim> values = system().values(state.t, state.y);
   FixedShape<dim> shape(state.t, equations_, values, contacts(values, state));
@@ -201,7 +200,8 @@ std::optional<PhaseError> WearModel<dim>::phase_error(const State& state) const 
     whole = std::max(whole, observe(state).worn_volume.value() / (body.copies * state.t));
   if (!(whole > 0)) return {};
   const double of_motion = error_of_motion(body.phases, set(fine));
-  return PhaseError{state.t, phases(), std::max(of_motion, difference / whole)};
+  return PhaseError{state.t, static_cast<long>(body.phases.size()),
+                    std::max(of_motion, difference / whole)};
 }
 
 template class FixedShape<2>;

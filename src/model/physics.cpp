@@ -6,9 +6,9 @@
 
 namespace gnomon {
 
-template <int dim>
-std::vector<BlockSize> Physics<dim>::blocks() const {
-  const Structure& structure = system_.structure();
+namespace {
+
+std::vector<BlockSize> sizes_of(const Structure& structure) {
   std::vector<BlockSize> sizes;
   for (const Block& block : structure.blocks)
     if (std::ranges::find(sizes, block.name, &BlockSize::name) == sizes.end())
@@ -19,22 +19,30 @@ std::vector<BlockSize> Physics<dim>::blocks() const {
 }
 
 template <int dim>
+Grid grid_of(const Mesh<dim>& mesh) {
+  Grid grid;
+  grid.cell = dim == 2 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
+  grid.points = points_in_space<dim>(mesh.nodes);
+  for (const auto& cell : mesh.cells) grid.cells.insert(grid.cells.end(), cell.begin(), cell.end());
+  return grid;
+}
+
+}  // namespace
+
+template <int dim>
+Physics<dim>::Physics(std::shared_ptr<const Composition<dim>> composition, const Mesh<dim>& mesh)
+    : system_(std::move(composition)) {
+  blocks = sizes_of(system_.structure());
+  grid = grid_of(mesh);
+}
+
+template <int dim>
 State Physics<dim>::start(Counters& counters) const {
   State state{0, std::vector<double>(system_.structure().size, 0.0), {}};
   const std::string reason = AlgebraicSolver(system_, counters).solve(0, state.y);
   if (!reason.empty()) throw SolutionError("no equilibrium at t = 0: " + reason);
   set_rates(system_, nullptr, state);
   return state;
-}
-
-template <int dim>
-std::optional<Grid> Physics<dim>::grid() const {
-  Grid grid;
-  grid.cell = dim == 2 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
-  grid.points = points_in_space<dim>(mesh_.nodes);
-  for (const auto& cell : mesh_.cells)
-    grid.cells.insert(grid.cells.end(), cell.begin(), cell.end());
-  return grid;
 }
 
 template <int dim>

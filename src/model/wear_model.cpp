@@ -168,7 +168,22 @@ template <int dim>
 WearModel<dim>::WearModel(WornBodyEquations<dim> equations)
     : Physics<dim>(equations.composition(), equations.assembly().mesh),
       surroundings_(surroundings(equations.assembly())),
-      equations_(std::move(equations)) {}
+      equations_(std::move(equations)) {
+  ModelFacts& facts = *this;
+  facts.differential_scale = assembly().scales.wear_depth;
+  facts.grid->parts = assembly().named_parts;
+  facts.remarks = assembly().remarks;
+  facts.memory = assembly().memory;
+  facts.phases = static_cast<long>(equations_.phases().size());
+  Abilities& can = *this;
+  // One pass over the contact nodes and none over the cells.
+  can.wear_flux = [this](const Point& at) {
+    return wear_flux_of(contacts(system().values(at.t, at.y), at), assembly().copies);
+  };
+  if (assembly().cycle) can.phase_error = [this](const State& state) { return phase_error(state); };
+  can.examine = [this](const State& state) { return examine(state); };
+  can.counter_surface = [this](const State& state) { return counter_surface(state); };
+}
 
 template <int dim>
 std::vector<PhaseContact<dim>> WearModel<dim>::contacts(const FieldValues<dim>& values,
@@ -220,20 +235,6 @@ Observation WearModel<dim>::observe(const State& state) const {
 }
 
 template <int dim>
-std::function<double(const Point&)> WearModel<dim>::wear_flux() const {
-  return [this](const Point& at) {
-    return wear_flux_of(contacts(system().values(at.t, at.y), at), assembly().copies);
-  };
-}
-
-template <int dim>
-std::optional<Grid> WearModel<dim>::grid() const {
-  std::optional<Grid> grid = Physics<dim>::grid();
-  grid->parts = assembly().named_parts;
-  return grid;
-}
-
-template <int dim>
 std::vector<GridField> WearModel<dim>::fields(const State& state) const {
   const FieldValues<dim> values = system().values(state.t, state.y);
   const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
@@ -275,7 +276,7 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
 }
 
 template <int dim>
-std::optional<CounterSurface> WearModel<dim>::counter_surface(const State& state) const {
+CounterSurface WearModel<dim>::counter_surface(const State& state) const {
   constexpr int cells_along = dim == 2 ? 128 : 32;
   const CounterBody<dim>& other = equations_.phases().front().counter_body;
   PartnerMotion<> q = other.given(state.t, state.t);

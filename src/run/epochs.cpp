@@ -8,6 +8,7 @@
 namespace gnomon {
 
 std::optional<Epochs::Change> Epochs::succeed(State& state) {
+  if (!model().succeed) return std::nullopt;
   std::optional<Succession> next = model().succeed(state);
   if (!next) return std::nullopt;
   Change change{

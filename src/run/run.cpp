@@ -48,8 +48,8 @@ public:
         hooks_(hooks),
         wear_integral_(model),
         jumps_(std::in_place, model.system(), settings),
-        initial_quality_(initial_quality(model.grid())) {
-    settings_.integrand = model.wear_flux();
+        initial_quality_(initial_quality(model.grid)) {
+    settings_.integrand = model.wear_flux;
     if (policy.settle && integrator.settles)
       settings_.settled = settled_times(policy, settings.end);
     if (settings.stop_unstable && may_fail_to_damp(integrator, settings))
@@ -70,7 +70,7 @@ public:
     if (outcome_.last) examine_end();
     if (outcome_.status != Status::failed)
       for (const std::string& text :
-           end_warnings(observed_, invisible_volume(model().grid(), observed_.dim),
+           end_warnings(observed_, invisible_volume(model().grid, observed_.dim),
                         memory_.chattering.nodes(), integrator_))
         warn(text);
     if (const std::string text = jumps_->warning(state()); !text.empty()) warn(text);
@@ -95,7 +95,7 @@ private:
     if (until_) excess(*until_, observed);  // refuses an unknown one
     record({}, std::move(observed));
     store();
-    outcome_.examination = model().examine(state());
+    outcome_.examination = examined();
     require_model(outcome_.examination);
     for (const std::string& text : doubts(outcome_.examination)) warn("at the start " + text);
     if (hooks_.interrupted()) return;
@@ -106,7 +106,7 @@ private:
 
   void resume(const Resumption& from) {
     epochs_.repeat(from.epochs);
-    settings_.integrand = model().wear_flux();
+    settings_.integrand = model().wear_flux;
     memory_ = unpacked(from.checkpoint.numbers, model().system().structure());
     if (state().t != from.row.t)
       throw InputError("the time of the checkpoint is not that of its row in the history");
@@ -153,10 +153,12 @@ private:
     return Status::finished;
   }
 
+  Examination examined() { return model().examine ? model().examine(state()) : Examination{}; }
+
   /// What the last state says, but for what was said of the start.
   void examine_end() {
     const std::vector<std::string> before = doubts(outcome_.examination);
-    outcome_.examination = model().examine(state());
+    outcome_.examination = examined();
     for (const std::string& text : doubts(outcome_.examination))
       if (std::ranges::find(before, text) == before.end()) warn("at the end " + text);
   }
@@ -168,8 +170,8 @@ private:
     if (!change) return;
     change->start.rows = last_checkpoint_.rows;
     change->start.stored = last_checkpoint_.stored;
-    settings_.integrand = model().wear_flux();
-    initial_quality_ = initial_quality(model().grid());
+    settings_.integrand = model().wear_flux;
+    initial_quality_ = initial_quality(model().grid);
     jumps_.emplace(model().system(), settings_);
     if (!change->same_unknowns) {
       memory_.chattering = {};
@@ -181,7 +183,7 @@ private:
     stepper_ = std::move(next);
     last_checkpoint_.epoch = epochs_.number();
     if (!writer_) return;
-    writer_->begin_epoch(change->start, model().grid());
+    writer_->begin_epoch(change->start, model().grid);
     if (checkpoint_seconds_ > 0) write_checkpoint();
   }
 
@@ -258,9 +260,11 @@ private:
 
   void store() {
     if (stored_at_ == state().t) return;
-    if (writer_)
-      writer_->store(state().t, model().fields(state()), model().contact(state()),
-                     model().counter_surface(state()));
+    if (writer_) {
+      std::optional<CounterSurface> counter_surface;
+      if (model().counter_surface) counter_surface = model().counter_surface(state());
+      writer_->store(state().t, model().fields(state()), model().contact(state()), counter_surface);
+    }
     ++last_checkpoint_.stored;
     stored_at_ = state().t;
   }
@@ -272,7 +276,7 @@ private:
 
   /// Beside the run: its steps and its counters are the same without it.
   void estimate_phase_error() {
-    if (!estimates_phases_) return;
+    if (!estimates_phases_ || !model().phase_error) return;
     try {
       const std::optional<PhaseError> error = model().phase_error(state());
       if (!error) return;

@@ -89,7 +89,7 @@ Scene with_choices(const Scene& scene, const LinearSolverChoice& solver) {
 
 Setup completed(Scene scene, std::unique_ptr<Model> model) {
   Scene complete = with_choices(scene, model->system().structure().solver);
-  if (chooses_phases(scene)) complete = with_phases(complete, model->phases());
+  if (chooses_phases(scene)) complete = with_phases(complete, model->phases);
   if (scene.knows("counter_body.file")) complete = with_profile_points(complete);
   return {with_cycle_tables(complete), std::move(model)};
 }
@@ -143,7 +143,7 @@ RunHeader run_header(const Setup& setup) {
           .integrator = setup.scene.text("integrator.name"),
           .scene = setup.scene.resolved(),
           .versions = library_versions(),
-          .blocks = setup.model->blocks()};
+          .blocks = setup.model->blocks};
 }
 
 }  // namespace gnomon

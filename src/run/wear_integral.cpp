@@ -8,7 +8,7 @@
 namespace gnomon {
 
 WearIntegral::WearIntegral(const Model& model) {
-  if (model.wear_flux()) value_ = 0;
+  if (model.wear_flux) value_ = 0;
 }
 
 void WearIntegral::resume(const Observation& last) {

@@ -56,7 +56,7 @@ private:
 /// Perturbs by the real part of the direction; its largest entry has the prescribed size.
 void OnsetSearch::perturb(const Eigen::VectorXcd& direction) {
   const Eigen::VectorXd real = direction.real();
-  const double length = options_.perturbation * model_.differential_scale();
+  const double length = options_.perturbation * model_.differential_scale;
   const double factor = length / real.cwiseAbs().maxCoeff();
   perturbed_ = rest_;
   for (std::size_t k = 0; k < components_.size(); ++k)

@@ -48,23 +48,21 @@ private:
 class RestingModel : public Model {
 public:
   RestingModel(const Model& model, const State& state)
-      : model_(model), state_(state), system_(model.system(), state_) {}
+      : model_(model), state_(state), system_(model.system(), state_) {
+    static_cast<ModelFacts&>(*this) = model;
+  }
 
   const System& system() const override { return system_; }
-  std::vector<BlockSize> blocks() const override { return model_.blocks(); }
   State start(Counters&) const override {
     State rest = state_;
     rest.ydot.assign(rest.y.size(), 0.0);
     return rest;
   }
   Observation observe(const State& state) const override { return model_.observe(state); }
-  double differential_scale() const override { return model_.differential_scale(); }
-  std::optional<Grid> grid() const override { return model_.grid(); }
   std::vector<GridField> fields(const State& state) const override { return model_.fields(state); }
   std::optional<ContactSurface> contact(const State& state) const override {
     return model_.contact(state);
   }
-  std::optional<State> exact(double) const override { return std::nullopt; }
 
 private:
   const Model& model_;

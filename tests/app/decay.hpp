@@ -28,8 +28,13 @@ private:
 
 class Decay : public Model {
 public:
+  Decay() {
+    blocks = {{"amount", "y", 1, "everywhere"}};
+    differential_scale = 0.25;
+    wear_flux = [](const Point& at) { return at.y[0]; };
+    exact = [](double t) { return State{t, {std::exp(-t)}, {-std::exp(-t)}}; };
+  }
   const System& system() const override { return system_; }
-  std::vector<BlockSize> blocks() const override { return {{"amount", "y", 1, "everywhere"}}; }
   State start(Counters& counters) const override {
     counters.newton_iterations += 3;
     if (!starts) throw SolutionError("no equilibrium");
@@ -41,11 +46,6 @@ public:
     observed.wear_flux = state.y[0];
     return observed;
   }
-  std::function<double(const Point&)> wear_flux() const override {
-    return [](const Point& at) { return at.y[0]; };
-  }
-  double differential_scale() const override { return 0.25; }
-  std::optional<Grid> grid() const override { return std::nullopt; }
   std::vector<GridField> fields(const State&) const override { return {}; }
   std::optional<ContactSurface> contact(const State& state) const override {
     ContactSurface surface;
@@ -56,10 +56,6 @@ public:
     surface.wear_depth = {1 - state.y[0]};
     surface.active = {1};
     return surface;
-  }
-
-  std::optional<State> exact(double t) const override {
-    return State{t, {std::exp(-t)}, {-std::exp(-t)}};
   }
 
   bool starts = true;

@@ -342,7 +342,7 @@ TEST(Summary, HoldsCountersScalarsUnknownsAndVersions) {
   const RunOutcome outcome = run(model, exact_decay(), settings(0.5, 2), {}, nullptr, {});
   RunHeader facts = header(exact_decay());
   facts.versions = {{"gnomon", "1.2.3"}};
-  facts.blocks = model.blocks();
+  facts.blocks = model.blocks;
   const auto json = nlohmann::json::parse(
       summary_json(pin_scene({}), facts, settings(0.5, 2), outcome, {"contact is narrow"}));
   EXPECT_EQ(json["status"], "finished");

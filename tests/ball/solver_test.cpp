@@ -43,7 +43,7 @@ void check_with_error_control(const std::string& scene, const Overrides& mesh) {
     const auto& differential = direct->system().structure().differential;
     for (std::size_t i = 0; i < differential.size(); ++i)
       if (differential[i]) {
-        ASSERT_NEAR(a.last().y[i], b.last().y[i], 1e-3 * direct->differential_scale())
+        ASSERT_NEAR(a.last().y[i], b.last().y[i], 1e-3 * direct->differential_scale)
             << integrator << " " << i;
       }
   }

@@ -35,7 +35,7 @@ void scene(std::string_view bytes) {
   const Setup setup = set_up(scene);
   expect_resolved(setup.scene);
   long unknowns = 0;
-  for (const BlockSize& block : setup.model->blocks()) unknowns += block.size;
+  for (const BlockSize& block : setup.model->blocks) unknowns += block.size;
   demand(unknowns == setup.model->system().structure().size, "the blocks hold all unknowns");
 }
 

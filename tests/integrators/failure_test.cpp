@@ -40,16 +40,14 @@ private:
 class EndingModel : public Model {
 public:
   explicit EndingModel(std::unique_ptr<Model> model)
-      : model_(std::move(model)), system_(model_->system()) {}
+      : model_(std::move(model)), system_(model_->system()) {
+    static_cast<ModelFacts&>(*this) = *model_;
+  }
   const System& system() const override { return system_; }
-  std::vector<BlockSize> blocks() const override { return model_->blocks(); }
   State start(Counters& counters) const override { return model_->start(counters); }
   Observation observe(const State& state) const override { return model_->observe(state); }
-  double differential_scale() const override { return model_->differential_scale(); }
-  std::optional<Grid> grid() const override { return std::nullopt; }
   std::vector<GridField> fields(const State&) const override { return {}; }
   std::optional<ContactSurface> contact(const State&) const override { return std::nullopt; }
-  std::optional<State> exact(double) const override { return std::nullopt; }
 
 private:
   std::unique_ptr<Model> model_;
@@ -64,7 +62,7 @@ TEST_P(Failure, ComesWhereTheSolutionEndsAndNamesTheReason) {
   State state = model.start(counters);
   IntegratorSettings settings;
   settings.rtol = settings.atol = 1e-4;
-  settings.scale = model.differential_scale();
+  settings.scale = model.differential_scale;
   settings.end = 2;
   const auto stepper =
       Integrators::find(GetParam(), "integrator").make(model.system(), settings, counters);

@@ -69,7 +69,7 @@ TEST(Adaptive, EveryMethodKeepsTheTolerance) {
   const Eigen::VectorXd exact = located("esdirk-5", 0, 1e-8, 200).worn_surface();
   for (const Integrator& integrator : Integrators::all()) {
     const PinRun run = run_pin(integrator.name, 0, 1e-3, 200, coarse);
-    const double depth = run.model->differential_scale();
+    const double depth = run.model->differential_scale;
     EXPECT_LT((run.worn_surface() - exact).norm(), 100 * 1e-3 * depth) << integrator.name;
     EXPECT_GT(run.counters.steps, 3) << integrator.name;
   }

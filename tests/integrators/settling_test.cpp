@@ -82,7 +82,7 @@ Worn worn_ball(const std::string& integrator, double rtol, bool settled,
   Counters counters;
   State state = model->start(counters);
   IntegratorSettings settings = settings_of(*model, rtol, 1000);
-  settings.integrand = model->wear_flux();
+  settings.integrand = model->wear_flux;
   if (settled) settings.settled = times;
   const auto stepper =
       Integrators::find(integrator, "integrator").make(model->system(), settings, counters);

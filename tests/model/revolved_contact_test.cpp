@@ -100,7 +100,7 @@ std::array<double, 2> worn(NormalRule normal, ConstraintForm form) {
   Counters counters;
   State state = model.start(counters);
   IntegratorSettings settings = controlled_settings(model, 1e-5, 1000);
-  settings.integrand = model.wear_flux();
+  settings.integrand = model.wear_flux;
   const auto stepper =
       Integrators::find("esdirk-4", "integrator").make(model.system(), settings, counters);
   double integral = 0;

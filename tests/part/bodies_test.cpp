@@ -133,7 +133,7 @@ TEST_F(Bodies, ACoatingGetsThinnerOnASubstrateThatDoesNot) {
   EXPECT_NEAR(observed(*coated, run.last(), "approach"), worn + first - p * worn / soft, 1e-6);
   EXPECT_NEAR(observed(*coated, run.last(), "element_volume"), 1 - worn / coating, 1e-6);
   const GridField shape = coated->fields(run.last())[1];
-  const Grid grid = coated->grid().value();
+  const Grid grid = coated->grid.value();
   for (std::size_t n = 0; n < grid.points.size(); ++n)
     if (grid.points[n][1] < -coating + 1e-9) {
       EXPECT_NEAR(shape.values[3 * n + 1], 0, 1e-14);
@@ -197,7 +197,7 @@ TEST_F(Bodies, GroupsOfOneMaterialAreRemarked) {
   std::string text = scene("plane.geo", "approach = [1e-3]", 2e3, 2e3);
   const std::size_t begin = text.find("[[body]]"), end = text.find("[counter_body]");
   text.replace(begin, end - begin, "[body]\nyoung_modulus = 2e3\npoisson_ratio = 0.0\n");
-  EXPECT_THAT(model(text)->remarks(),
+  EXPECT_THAT(model(text)->remarks,
               ::testing::Contains(::testing::HasSubstr("\"coating\", \"substrate\" are one body")));
 }
 
@@ -210,7 +210,7 @@ TEST_F(Bodies, AreMadeAgainFromTheirScene) {
   EXPECT_THAT(text, ::testing::Not(::testing::HasSubstr("\n[body]\n")));
   const Scene again = parse_scene(text, "resolved", {}, key_table);
   EXPECT_TRUE(again == scene_of);
-  const Grid grid = make_model(scene_of)->grid().value();
+  const Grid grid = make_model(scene_of)->grid.value();
   const auto remade = remake_model(again, grid);
   EXPECT_NEAR(remade->contact(remade->start(counters_)).value().pressure.front(),
               1e-3 / (coating / 2e3 + substrate / 2e4), 1e-9);

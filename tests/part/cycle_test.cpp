@@ -292,7 +292,7 @@ TEST_F(Cycles, DoNotSlideByLifting) {
     const auto flat =
         model(text(of), {"wear.rate=\"k*p*v*exp(-s/50)\"", "counter_body.radius=600.0",
                          "counter_body.center=[0, 600]"});
-    EXPECT_THAT(flat->remarks(), Not(Contains(HasSubstr("mean of speed")))) << of;
+    EXPECT_THAT(flat->remarks, Not(Contains(HasSubstr("mean of speed")))) << of;
     State start = flat->start(unused_);
     start.t = 10;
     return observed(*flat, start, "wear_flux");

@@ -29,7 +29,7 @@ double depth_of(const std::function<double(double)>& volume) {
 void expect_cut(const Model& model, const State& state, double depth,
                 const std::vector<int>& directions) {
   const ContactSurface face = model.contact(state).value();
-  const std::size_t up = model.grid()->cell == Grid::Cell::hexahedron ? 2 : 1;
+  const std::size_t up = model.grid->cell == Grid::Cell::hexahedron ? 2 : 1;
   int edge = 0;
   for (std::size_t c = 0; c < face.node.size(); ++c) {
     EXPECT_NEAR(face.worn[c][up], depth, 1e-5 * depth) << "node " << face.node[c];
@@ -110,7 +110,7 @@ TEST_F(ObliqueSides, APartTurnedAsAWholeWearsTheSame) {
 // Off the face too the sides stay what they were, and the mesh behind them moves.
 TEST_F(ObliqueSides, NodesOfASideStayOnIt) {
   const auto pin = tapered({"body.young_modulus=1e3"});
-  const Grid grid = pin->grid().value();
+  const Grid grid = pin->grid.value();
   for (const char* method : {"esdirk-3", "erk-3"}) {
     SCOPED_TRACE(method);
     const std::vector<double> shape = shape_of(*pin, run_model(*pin, method, 0, 1e-3, end).last());
@@ -135,7 +135,7 @@ TEST_F(ObliqueSides, AConeIsHeldOnItsAxis) {
                                       plane("[0, 1]", "out_of_plane = 100.0")));
   const std::vector<double> shape =
       shape_of(*pin, run_model(*pin, "esdirk-3", 0, 1e-4, end).last());
-  const Grid grid = pin->grid().value();
+  const Grid grid = pin->grid.value();
   int slides = 0;
   for (std::size_t node = 0; node < grid.points.size(); ++node) {
     const auto [r, z, none] = grid.points[node];
@@ -156,7 +156,7 @@ TEST_F(ObliqueSides, SlideInAModelMadeAgain) {
   const auto first = tapered();
   const SceneFolder folder;
   const Scene again = load_scene(folder.write("pin.toml", text), {}, key_table);
-  const auto second = remake_model(again, first->grid());
+  const auto second = remake_model(again, first->grid);
   const State state = run_model(*first, "esdirk-3", 0, 1e-3, end).last();
   std::vector<double> F(state.y.size()), same(state.y.size());
   ASSERT_EQ(first->system().structure().size, second->system().structure().size);

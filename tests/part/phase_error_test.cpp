@@ -130,7 +130,7 @@ TEST_F(PhaseErrors, SeeWhatRepeatsAsOftenAsThePhases) {
           << of.cycle << phases;
     }
     const gnomon::Setup chosen = with("\"auto\"", of.cycle, of.velocity);
-    EXPECT_GE(chosen.model->phases(), 16);
+    EXPECT_GE(chosen.model->phases, 16);
     Counters counters;
     const double flux = *chosen.model->observe(chosen.model->start(counters)).wear_flux;
     EXPECT_NEAR(flux / (2.9e-6 * of.path * of.force), 1, 1e-3) << of.cycle;
@@ -140,7 +140,7 @@ TEST_F(PhaseErrors, SeeWhatRepeatsAsOftenAsThePhases) {
 /// Said before anything is solved, and where estimates are not wanted.
 TEST_F(PhaseErrors, OfTheMotionAloneAreRemarked) {
   const auto remarks = [&](const std::string& phases) {
-    return setup(phases, "", {"output.phase_errors=false"}).model->remarks();
+    return setup(phases, "", {"output.phase_errors=false"}).model->remarks;
   };
   EXPECT_THAT(
       remarks("2"),
@@ -174,22 +174,21 @@ TEST_F(PhaseErrors, AbsentWithoutACycle) {
   text.erase(text.find("[cycle]"));
   text.insert(text.find("press ="), "motion.velocity = [0.4, 0.0]\n");
   const gnomon::Setup steady = set_up(folder_.write("steady.toml", text), {});
-  Counters counters;
-  EXPECT_FALSE(steady.model->phase_error(steady.model->start(counters)));
+  EXPECT_FALSE(steady.model->phase_error);
 }
 
 TEST_F(PhaseErrors, ChooseTheFewestPhasesWithinTheTolerance) {
   long last = 0;
   for (const double rtol : {0.1, 0.005}) {
     const gnomon::Setup chosen = setup("\"auto\"", "", {fmt::format("integrator.rtol={}", rtol)});
-    const long phases = chosen.model->phases();
+    const long phases = chosen.model->phases;
     EXPECT_GT(phases, last);
     EXPECT_EQ(chosen.scene.reals("cycle.phases"), std::vector<double>{double(phases)});
     EXPECT_LE(estimate(fmt::format("{}", phases)), rtol);
     if (phases > 4) {
       EXPECT_GT(estimate(fmt::format("{}", phases / 2)), rtol);
     }
-    EXPECT_THAT(chosen.model->remarks().back(),
+    EXPECT_THAT(chosen.model->remarks.back(),
                 HasSubstr(fmt::format("cycle.phases = \"auto\": {} phases", phases)));
     last = phases;
   }
@@ -198,7 +197,7 @@ TEST_F(PhaseErrors, ChooseTheFewestPhasesWithinTheTolerance) {
 /// Fixed steps have no tolerance: a thousandth stands for it.
 TEST_F(PhaseErrors, ChoosePhasesForFixedSteps) {
   const auto phases = [&](const Overrides& overrides) {
-    return setup("\"auto\"", "", overrides).model->phases();
+    return setup("\"auto\"", "", overrides).model->phases;
   };
   const Overrides fixed = {"integrator.name=forward-euler", "integrator.step=1"};
   EXPECT_EQ(phases(fixed), phases({"integrator.rtol=1e-3"}));

@@ -156,7 +156,7 @@ Physical Surface("ring") = {1, 2, 3, 4};
 TEST_F(Parts, AreMadeAgainFromTheMeshOfTheirResult) {
   const Scene scene = scene_of(shipped("block_on_ring.toml"), {"mesh.factor=4"});
   const auto first = make_model(scene);
-  const auto second = remake_model(scene, first->grid());
+  const auto second = remake_model(scene, first->grid);
   Counters counters;
   const State start = first->start(counters);
   std::vector<double> F(start.y.size()), again(start.y.size());
@@ -277,7 +277,7 @@ end = 100.0
 name = "esdirk-3"
 )"),
                              {});
-  EXPECT_THAT(block->remarks(), ::testing::Contains(::testing::HasSubstr("turns about a point")));
+  EXPECT_THAT(block->remarks, ::testing::Contains(::testing::HasSubstr("turns about a point")));
   constexpr double F = 50, area = 4, k_omega = 2e-7;
   const double integral_of_r = 4.0 / 3 * (std::sqrt(2) + std::asinh(1.0)),
                integral_of_1_by_r = 8 * std::asinh(1.0);

@@ -86,7 +86,7 @@ TEST(LoadHistoryOfThePin, AStepOfRoundingBehindACornerCostsNoAccuracy) {
   const auto worn = [&](const Integrator& integrator, double between) {
     IntegratorSettings settings;
     settings.step = 0.1;
-    settings.scale = model->differential_scale();
+    settings.scale = model->differential_scale;
     settings.end = 1;
     Counters counters;
     State state = model->start(counters);
@@ -155,7 +155,7 @@ TEST(LoadHistoryOfThePin, ContactIsLostAndRegained) {
   EXPECT_GE(losses, 2);
   EXPECT_GE(gains, 2);
   const Eigen::VectorXd X = esdirk.worn_surface();
-  const double depth = esdirk.model->differential_scale();
+  const double depth = esdirk.model->differential_scale;
   EXPECT_LT((bdf.worn_surface() - X).norm(), 100 * 1e-5 * depth);
   EXPECT_LT((located.worn_surface() - X).norm(), 100 * 1e-5 * depth);
   EXPECT_GE(esdirk.counters.events, 3);
@@ -167,7 +167,7 @@ TEST(LoadHistoryOfThePin, LosingContactAtEveryTurnIsNoChattering) {
   const auto model = pin_model(oscillating);
   IntegratorSettings settings;
   settings.step = 1;
-  settings.scale = model->differential_scale();
+  settings.scale = model->differential_scale;
   settings.stop_unstable = true;
   settings.end = 120;
   const RunOutcome outcome =

@@ -170,7 +170,7 @@ TEST(WearLaw, AFactorOfTimeStretchesTimeInTheClosedForm) {
   const auto varying = springs("k * (1 + a * exp(-t / t0)) * p * v", fine);
   const auto by_distance = springs("k * (1 + a * exp(-s / (t0 * 1000))) * p * v", fine);
   const auto constant = springs("k * p * v");
-  ASSERT_FALSE(varying->exact(1).has_value());
+  ASSERT_FALSE(varying->exact);
   const double stretched = end + 3 * 40 * (1 - std::exp(-end / 40));
   const State closed = constant->exact(stretched).value();
   const State tight = run_model(*constant, "esdirk-4", 0, 1e-8, stretched).last();
@@ -333,11 +333,10 @@ TEST(WearLaw, WrongExpressionsAreRefusedInOneLine) {
 TEST(WearLaw, ThatWearsNothingIsRemarkedOn) {
   using ::testing::Contains;
   using ::testing::HasSubstr;
-  EXPECT_THAT(pin({"wear.rate=k * q"})->remarks(),
-              Contains(HasSubstr("friction.coefficient is 0")));
-  EXPECT_THAT(pin({"wear.rate=\"k * v * max(p - pi * 10, 0)\""})->remarks(),
+  EXPECT_THAT(pin({"wear.rate=k * q"})->remarks, Contains(HasSubstr("friction.coefficient is 0")));
+  EXPECT_THAT(pin({"wear.rate=\"k * v * max(p - pi * 10, 0)\""})->remarks,
               Contains(HasSubstr("the wear law is 0 at pressures up to 20 MPa")));
-  EXPECT_TRUE(pin({})->remarks().empty());
+  EXPECT_TRUE(pin({})->remarks.empty());
 }
 
 TEST(WearLaw, NeedsACoefficientOnlyIfItReadsIt) {
@@ -415,7 +414,7 @@ TEST(WearLawOfAPulse, IsSeenByEveryMethodThatFollowsTheError) {
     const auto model =
         springs(fmt::format("k * p * v * (1 + 1000 * exp(-((t - {}) / {})^2))", at, lasts),
                 {fmt::format("integrator.rtol={}", tolerance)});
-    EXPECT_THAT(model->remarks(),
+    EXPECT_THAT(model->remarks,
                 ::testing::Contains(::testing::HasSubstr("changes with time by itself")));
     for (const Integrator& integrator : Integrators::all()) {
       const ModelRun run = run_model(*model, integrator.name, 0, tolerance, end);

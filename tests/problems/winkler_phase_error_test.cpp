@@ -62,25 +62,24 @@ TEST(WinklerPhaseErrors, ChoosesPhasesByTheTolerance) {
             "0.3)\"",
             {fmt::format("integrator.rtol={}", rtol)});
     Counters counters;
-    EXPECT_GT(model->phases(), last);
+    EXPECT_GT(model->phases, last);
     EXPECT_LE(model->phase_error(model->start(counters)).value().error, rtol);
-    EXPECT_THAT(model->remarks().back(),
-                HasSubstr(fmt::format("cycle.phases = \"auto\": {} phases", model->phases())));
-    last = model->phases();
+    EXPECT_THAT(model->remarks.back(),
+                HasSubstr(fmt::format("cycle.phases = \"auto\": {} phases", model->phases)));
+    last = model->phases;
   }
 }
 
 TEST(WinklerPhaseErrors, AbsentWithoutACycle) {
   const auto steady = model_of("winkler/pin.toml", {"foundation.points=41"});
-  Counters counters;
-  EXPECT_FALSE(steady->phase_error(steady->start(counters)));
+  EXPECT_FALSE(steady->phase_error);
 }
 
 /// A motion to and fro four times a cycle looks constant at four equal positions.
 TEST(WinklerPhaseErrors, OfTheMotionAloneIsRemarked) {
   const auto remarks = [](const char* phases) {
     return pin(fmt::format("phases = {}\nx = \"0.05 * sin(8*pi*tau)\"\nforce = \"4\"", phases))
-        ->remarks();
+        ->remarks;
   };
   EXPECT_THAT(remarks("[0.0, 0.25, 0.5, 0.75]"),
               ElementsAre(HasSubstr("the mean of speed or force over 4 phases")));

@@ -213,7 +213,7 @@ TEST_F(Resume, GoesOnFromBeforeAFailureWithAnotherTolerance) {
       stepper->inner = make(system, settings, counters);
       return stepper;
     };
-    ResultWriter writer(file("r"), run_header(setup), setup.model->grid());
+    ResultWriter writer(file("r"), run_header(setup), setup.model->grid);
     const auto outcome = run(*setup.model, fails, integrator_settings(setup.scene, *setup.model),
                              store_policy(setup.scene), &writer, {});
     ASSERT_EQ(outcome.status, RunOutcome::Status::failed);
@@ -280,7 +280,7 @@ void one_more_step(const Overrides& overrides, const std::filesystem::path& file
   from.checkpoint = earlier.checkpoints().back();
   from.row = earlier.history().at(std::size_t(from.checkpoint.rows - 1));
   from.stored = earlier.stored_times().at(std::size_t(from.checkpoint.stored - 1));
-  ResultWriter writer(file, run_header(setup), setup.model->grid(), Earlier::replaced, from.row.t);
+  ResultWriter writer(file, run_header(setup), setup.model->grid, Earlier::replaced, from.row.t);
   std::vector<std::string> fields;
   for (const GridField& field : setup.model->fields(state_at(from.checkpoint, *setup.model)))
     fields.push_back(field.name);
@@ -399,7 +399,7 @@ TEST_F(Resume, InfoDoesNotInventTheTimeOfAKilledRun) {
 TEST_F(Resume, ARunThatIsStillGoingIsRefused) {
   const gnomon::Setup setup = set_up(GNOMON_SOURCE_DIR "/problems/" + pin,
                                      coarse({"integrator.name=theta", "integrator.step=10"}));
-  ResultWriter writer(file("r"), run_header(setup), setup.model->grid());
+  ResultWriter writer(file("r"), run_header(setup), setup.model->grid);
   int tried = 0;
   const RunHooks hooks{.on_step = [&](const HistoryRow& row) {
     if (row.counters.steps != 10) return;

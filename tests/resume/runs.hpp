@@ -57,7 +57,7 @@ inline RunOutcome run_scene(const std::string& scene, const Overrides& overrides
                             Cut cut = Cut::interrupted) {
   const Setup setup = set_up(GNOMON_SOURCE_DIR "/problems/" + scene, overrides);
   const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
-  ResultWriter writer(file, run_header(setup), setup.model->grid(), Earlier::replaced);
+  ResultWriter writer(file, run_header(setup), setup.model->grid, Earlier::replaced);
   struct Killed : std::exception {};
   long steps = 0;
   RunHooks hooks{.on_step = [&](const HistoryRow& row) {

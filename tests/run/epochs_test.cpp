@@ -142,8 +142,8 @@ protected:
                    const Resumption* from = nullptr) const {
     ResultWriter writer(
         path,
-        {.problem = "p", .integrator = "i", .scene = "s", .versions = {}, .blocks = model.blocks()},
-        model.grid());
+        {.problem = "p", .integrator = "i", .scene = "s", .versions = {}, .blocks = model.blocks},
+        model.grid);
     if (from) copy_to_last_checkpoint(ResultReader(file("cut.h5")), names(model, from), writer);
     long steps = 0;
     RunHooks hooks{.on_step = [&](const HistoryRow& row) { steps = row.counters.steps; }};
@@ -192,7 +192,7 @@ TEST_P(EpochResults, ARunThatWasCutInALaterEpochGoesOnToTheSameResult) {
               ::testing::Pointwise(::testing::DoubleNear(1e-9), shape));
   EXPECT_EQ(a.epoch_of(0), 0u);
   EXPECT_EQ(a.epoch_of(last), static_cast<std::size_t>(whole.epochs) - 1);
-  EXPECT_EQ(a.grid(a.epoch_of(last))->points, model->grid()->points);
+  EXPECT_EQ(a.grid(a.epoch_of(last))->points, model->grid->points);
 }
 
 INSTANTIATE_TEST_SUITE_P(Results, EpochResults, ::testing::Bool());

@@ -129,12 +129,12 @@ TEST(Observation, BalancesWhatIsWornAgainstTheRate) {
 void check_flux(const Model& model) {
   Counters counters;
   const State state = model.start(counters);
-  const double flux = model.wear_flux()({.t = 0, .y = state.y, .branch = state.own_branch()});
+  const double flux = model.wear_flux({.t = 0, .y = state.y, .branch = state.own_branch()});
   EXPECT_GT(flux, 0);
   EXPECT_EQ(flux, model.observe(state).wear_flux);
   // There is no wear on the branch on which all nodes are open.
   const ActiveSet open(model.system().structure().switch_node.size(), 0);
-  EXPECT_EQ(model.wear_flux()({.t = 0, .y = state.y, .branch = &open}), 0);
+  EXPECT_EQ(model.wear_flux({.t = 0, .y = state.y, .branch = &open}), 0);
 }
 
 TEST(WearFlux, IsThatOfTheStateOnItsBranch) {
@@ -146,11 +146,11 @@ TEST(WearFlux, IsProportionalToTheForceOfSprings) {
   const auto model = model_of("winkler/pin.toml", {"foundation.points=41"});
   Counters counters;
   const State state = model->start(counters);
-  EXPECT_NEAR(model->wear_flux()({.t = 0, .y = state.y}), 1e-7 * 1000 * 20, 1e-12);  // k v F
+  EXPECT_NEAR(model->wear_flux({.t = 0, .y = state.y}), 1e-7 * 1000 * 20, 1e-12);  // k v F
 }
 
 TEST(WearFlux, IsNoneOfATestEquation) {
-  EXPECT_FALSE(model_of("dahlquist/decay.toml")->wear_flux());
+  EXPECT_FALSE(model_of("dahlquist/decay.toml")->wear_flux);
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ RunOutcome run_to(double end, const Model& model, const std::string& integrator,
                   double rtol) {
   IntegratorSettings given = settings(step, end);
   given.rtol = rtol;
-  given.scale = model.differential_scale();
+  given.scale = model.differential_scale;
   given.atol = rtol * given.scale;
   return run(model, Integrators::find(integrator, "integrator"), given, {}, nullptr, {});
 }

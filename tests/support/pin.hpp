@@ -41,7 +41,7 @@ struct PinRun : ModelRun {
   }
 };
 
-/// Runs the pin to `end`. `tolerance` is rtol; atol = tolerance * model.differential_scale().
+/// Runs the pin to `end`. `tolerance` is rtol; atol = tolerance * model.differential_scale.
 inline PinRun run_pin(const std::string& integrator, double step, double tolerance, double end,
                       const Overrides& overrides = {}, bool locate_events = false,
                       std::optional<double> nonlinear_fraction = {}) {

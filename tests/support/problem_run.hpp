@@ -42,7 +42,7 @@ struct ModelRun {
 inline constexpr double to_rounding = 0;
 
 /// `step` 0: error control chooses the steps. `tolerance` is rtol; atol = tolerance *
-/// differential_scale(). `nonlinear_fraction` is by default that of scenes, and in fixed steps, by
+/// differential_scale. `nonlinear_fraction` is by default that of scenes, and in fixed steps, by
 /// which tests compare methods and models, that to rounding.
 inline ModelRun run_model(const Model& model, const std::string& integrator, double step,
                           double tolerance, double end, bool locate_events = false,

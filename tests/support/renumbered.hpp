@@ -115,40 +115,30 @@ public:
         epoch_(epoch),
         system_(inner_->system(),
                 places_of_epoch(inner_->system().structure().size, epoch, options.renumber),
-                options.renumber ? 0 : epoch) {}
+                options.renumber ? 0 : epoch) {
+    static_cast<ModelFacts&>(*this) = *inner_;
+    if (inner_->wear_flux)
+      wear_flux = [this](const Point& at) {
+        const std::vector<double> y = moved_back(at.y, system_.places()),
+                                  ydot = moved_back(at.ydot, system_.places());
+        return inner_->wear_flux({at.t, y, ydot, at.branch, at.within});
+      };
+    if (inner_->exact)
+      exact = [this](double t) {
+        const auto exact = inner_->exact(t);
+        return exact ? std::optional(outer(*exact)) : std::nullopt;
+      };
+    succeed = [this](const State& state) { return successor(state); };
+  }
 
   const System& system() const override { return system_; }
-  std::vector<BlockSize> blocks() const override { return inner_->blocks(); }
   State start(Counters& counters) const override { return outer(inner_->start(counters)); }
   Observation observe(const State& state) const override { return inner_->observe(inner(state)); }
-  std::function<double(const Point&)> wear_flux() const override {
-    const auto flux = inner_->wear_flux();
-    if (!flux) return {};
-    return [this, flux](const Point& at) {
-      const std::vector<double> y = moved_back(at.y, system_.places()),
-                                ydot = moved_back(at.ydot, system_.places());
-      return flux({at.t, y, ydot, at.branch, at.within});
-    };
-  }
-  long phases() const override { return inner_->phases(); }
-  std::optional<Succession> succeed(const State& state) const override {
-    if (state.t < (epoch_ + 1) * options_.interval) return {};
-    const int next = static_cast<int>(state.t / options_.interval);
-    auto model = std::make_shared<RenumberedModel>(inner_, options_, next);
-    State same = model->outer(inner(state));
-    return Succession{std::move(model), std::move(same), !options_.renumber};
-  }
-  double differential_scale() const override { return inner_->differential_scale(); }
-  std::optional<Grid> grid() const override { return inner_->grid(); }
   std::vector<GridField> fields(const State& state) const override {
     return inner_->fields(inner(state));
   }
   std::optional<ContactSurface> contact(const State& state) const override {
     return inner_->contact(inner(state));
-  }
-  std::optional<State> exact(double t) const override {
-    const auto exact = inner_->exact(t);
-    return exact ? std::optional(outer(*exact)) : std::nullopt;
   }
 
   State inner(const State& state) const {
@@ -161,6 +151,14 @@ public:
   }
 
 private:
+  std::optional<Succession> successor(const State& state) const {
+    if (state.t < (epoch_ + 1) * options_.interval) return {};
+    const int next = static_cast<int>(state.t / options_.interval);
+    auto model = std::make_shared<RenumberedModel>(inner_, options_, next);
+    State same = model->outer(inner(state));
+    return Succession{std::move(model), std::move(same), !options_.renumber};
+  }
+
   std::shared_ptr<const Model> inner_;
   EpochOptions options_;
   int epoch_;

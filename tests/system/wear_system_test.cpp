@@ -134,7 +134,7 @@ TEST(WearSystem, BlocksAddUpToTheSystem) {
   for (const char* form : {"eliminated", "multiplier"}) {
     const auto model = pin_model({elements(5), std::string("shape.constraint=") + form});
     long sum = 0;
-    for (const BlockSize& block : model->blocks()) sum += block.size;
+    for (const BlockSize& block : model->blocks) sum += block.size;
     EXPECT_EQ(sum, model->system().structure().size);
   }
 }

@@ -24,7 +24,7 @@ struct IntegratorSettings {
   /// iterations may leave; 0: solved to rounding (NewtonOptions::tolerance).
   double nonlinear_fraction = 0;
   double max_step = 0;  ///< upper bound on an adaptive step [time]; 0: none
-  double scale = 0;     ///< Model::differential_scale() [unit of the differential components]
+  double scale = 0;     ///< ModelFacts::differential_scale [unit of the differential components]
   bool locate_events = false;  ///< end steps on changes of the active set
   bool stop_unstable = false;  ///< end runs whose fixed steps do not damp
   double end = 0;              ///< time at which the run ends [time]

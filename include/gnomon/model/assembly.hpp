@@ -132,8 +132,8 @@ struct AssemblyParts {
   double copies = 1;  ///< number of modelled parts in the whole body (symmetry)
   Scales scales{};
   LinearSolverChoice solver{};
-  double memory = 0;                    ///< Model::memory()
-  std::vector<std::string> remarks{};   ///< Model::remarks()
+  double memory = 0;                    ///< ModelFacts::memory
+  std::vector<std::string> remarks{};   ///< ModelFacts::remarks
   std::vector<MeshPart> named_parts{};  ///< of a mesh from a file, for its result to keep
 
   Section section() const { return bodies.front().element.section; }

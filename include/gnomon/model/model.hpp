@@ -91,55 +91,59 @@ struct Succession {
   bool same_unknowns = false;
 };
 
-class Model {
-public:
-  virtual ~Model() = default;
-
-  /// The DAE and its algebraic stages.
-  virtual const System& system() const = 0;
-  /// The unknown blocks; their sizes sum to system().structure().size.
-  virtual std::vector<BlockSize> blocks() const = 0;
+/// What is known of a model before it is solved.
+struct ModelFacts {
+  /// Their sizes sum to system().structure().size.
+  std::vector<BlockSize> blocks;
+  /// Typical size of the differential components over the run, for absolute tolerances: the mean
+  /// wear depth.
+  double differential_scale = 1;
+  std::optional<Grid> grid{};  ///< the mesh, if there is one
   /// What was repaired, chosen or is doubtful in what the scene gives, in sentences for the user.
-  virtual std::vector<std::string> remarks() const { return {}; }
-  /// Estimate of the peak memory of a run [bytes]; 0: there is none.
-  virtual double memory() const { return 0; }
-  /// Consistent state at t = 0. Throws SolutionError with the reason if there is none.
-  virtual State start(Counters& counters) const = 0;
-  /// The observation of a state; its members and `others` are always the same.
-  virtual Observation observe(const State& state) const = 0;
-  /// Observation::wear_flux as a function of a consistent point of system(), on its branch; its
-  /// integral over time is wear_integral. Empty: there is no wear. Keeps a reference to the model.
-  /// Throws like residual().
-  virtual std::function<double(const Point&)> wear_flux() const { return {}; }
-  /// Of a cycle: at how many phases the deformation is taken.
-  virtual long phases() const { return 1; }
-  /// Of a cycle: the error of the mean over its phases at a consistent state, estimated with
-  /// others, as a part of the mean wear rate now or until now, whichever is larger. Absent without
-  /// a cycle, and where nothing wears. Throws InputError or SolutionError where other phases have
-  /// no deformation.
-  virtual std::optional<PhaseError> phase_error(const State&) const { return {}; }
+  std::vector<std::string> remarks{};
+  double memory = 0;  ///< estimate of the peak of a run [bytes]; 0: there is none
+  long phases = 1;    ///< of a cycle, at which the deformation is taken
+};
+
+/// What a model can do beyond its contract; empty is what it cannot. The functions keep a reference
+/// to the model, and take consistent states.
+struct Abilities {
+  /// The volume that wears per time as a function of a point of system(), on its branch; its
+  /// integral over time is wear_integral. Throws like residual().
+  std::function<double(const Point&)> wear_flux{};
+  /// Of a cycle: the error of the mean over its phases, estimated with others, as a part of the
+  /// mean wear rate now or until now, whichever is larger; absent where nothing wears. Throws
+  /// InputError or SolutionError where other phases have no deformation.
+  std::function<std::optional<PhaseError>(const State&)> phase_error{};
   /// Asked after every accepted step: the model that goes on from there instead of this one, a pure
   /// function of the state, so that a result can be read again from the states at which epochs
   /// began. Observations go on across it: worn volumes and depths are those since the start of the
   /// run. Nothing: this model goes on. Throws SolutionError where it cannot.
-  virtual std::optional<Succession> succeed(const State&) const { return {}; }
-  /// Facts of a consistent state by which its numbers can be believed or not; a model without
-  /// bodies has none.
-  virtual Examination examine(const State&) const { return {}; }
-  /// Typical size of the differential components over the run, for absolute tolerances: the mean
-  /// wear depth.
-  virtual double differential_scale() const = 0;
-  /// The mesh, if the problem has one.
-  virtual std::optional<Grid> grid() const = 0;
+  std::function<std::optional<Succession>(const State&)> succeed{};
+  /// Facts by which the numbers of a state can be believed or not.
+  std::function<Examination(const State&)> examine{};
+  std::function<CounterSurface(const State&)> counter_surface{};
+  /// The solution at time t in closed form, where it is known: y of the differential components
+  /// (zero elsewhere), and the state's time.
+  std::function<std::optional<State>(double t)> exact{};
+};
+
+class Model : public ModelFacts, public Abilities {
+public:
+  Model() = default;
+  Model(const Model&) = delete;
+  virtual ~Model() = default;
+
+  /// The DAE and its algebraic stages.
+  virtual const System& system() const = 0;
+  /// Consistent state at t = 0. Throws SolutionError with the reason if there is none.
+  virtual State start(Counters& counters) const = 0;
+  /// The observation of a state; its members and `others` are always the same.
+  virtual Observation observe(const State& state) const = 0;
   /// Fields over the grid; always the same names in the same order. Empty without a grid.
   virtual std::vector<GridField> fields(const State& state) const = 0;
   /// The contact surface, if the problem has one.
   virtual std::optional<ContactSurface> contact(const State& state) const = 0;
-  /// The counter-body, if the problem has one.
-  virtual std::optional<CounterSurface> counter_surface(const State&) const { return {}; }
-  /// The exact solution at time t in closed form, if there is one: y of the differential components
-  /// (zero elsewhere), and the state's time.
-  virtual std::optional<State> exact(double t) const = 0;
 };
 
 }  // namespace gnomon

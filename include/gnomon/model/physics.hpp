@@ -14,24 +14,20 @@
 
 namespace gnomon {
 
-/// What remains to a physics: observe(), differential_scale(), fields(), contact(), exact().
+/// What remains to a physics: observe(), fields(), contact(), differential_scale, and its
+/// abilities.
 template <int dim>
 class Physics : public Model {
 public:
   const ComposedSystem<dim>& system() const final { return system_; }
-  /// Blocks of one name are listed as one.
-  std::vector<BlockSize> blocks() const final;
   /// From zero, by the algebraic stages.
   State start(Counters& counters) const override;
-  std::optional<Grid> grid() const override;
 
 protected:
-  /// `mesh` must outlive the model.
-  Physics(std::shared_ptr<const Composition<dim>> composition, const Mesh<dim>& mesh)
-      : mesh_(mesh), system_(std::move(composition)) {}
+  /// With blocks and grid; blocks of one name are listed as one.
+  Physics(std::shared_ptr<const Composition<dim>> composition, const Mesh<dim>& mesh);
 
 private:
-  const Mesh<dim>& mesh_;
   ComposedSystem<dim> system_;
 };
 

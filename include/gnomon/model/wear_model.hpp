@@ -24,8 +24,6 @@ public:
       : WearModel(std::make_shared<const Assembly<dim>>(std::move(parts))) {}
 
   using Physics<dim>::system;
-  std::vector<std::string> remarks() const override { return assembly().remarks; }
-  double memory() const override { return assembly().memory; }
   /// Equilibrium at the initial shape by a load ramp (rows 1-2 of the system, shape frozen). The
   /// SolutionError names the largest fraction of the load with an equilibrium.
   State start(Counters& counters) const override;
@@ -35,24 +33,18 @@ public:
   /// cycle: nodes that touch in any phase, mean force, wear flux and approach, largest pressure,
   /// displacement gradient and half width.
   Observation observe(const State& state) const override;
-  /// Costs one pass over the contact nodes and no pass over the cells.
-  std::function<double(const Point&)> wear_flux() const override;
-  long phases() const override { return static_cast<long>(equations_.phases().size()); }
-  std::optional<PhaseError> phase_error(const State& state) const override;
-  Examination examine(const State& state) const override;
-  double differential_scale() const override { return assembly().scales.wear_depth; }
-  std::optional<Grid> grid() const override;
   std::vector<GridField> fields(const State& state) const override;
   std::optional<ContactSurface> contact(const State& state) const override;
-  /// Within the box of the initial body, widened by a quarter of its longest side.
-  std::optional<CounterSurface> counter_surface(const State& state) const override;
-  std::optional<State> exact(double) const override { return std::nullopt; }
 
   const Assembly<dim>& assembly() const { return equations_.assembly(); }
   const WornBodyEquations<dim>& equations() const { return equations_; }
 
 private:
   explicit WearModel(WornBodyEquations<dim> equations);
+  std::optional<PhaseError> phase_error(const State& state) const;
+  Examination examine(const State& state) const;
+  /// Within the box of the initial body, widened by a quarter of its longest side.
+  CounterSurface counter_surface(const State& state) const;
   /// The contact law at every contact node, phase by phase; on the state's own smooth branch.
   std::vector<PhaseContact<dim>> contacts(const FieldValues<dim>& values, const Point& at) const;
   std::vector<PhaseContact<dim>> contacts(const FieldValues<dim>& values, const State& state) const;

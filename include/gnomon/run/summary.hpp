@@ -13,7 +13,7 @@ namespace gnomon {
 /// wear_difference, the first minus the second; counters under the names of Counters, unknowns per
 /// block. `diagnosis` is empty unless the run failed.
 /// `phase_errors`: of a cycle, at each time t, else empty.
-/// `remarks`: those of the model (Model::remarks()).
+/// `remarks`: those of the model.
 std::string summary_json(const Scene& scene, const RunHeader& header,
                          const IntegratorSettings& settings, const RunOutcome& outcome,
                          const std::vector<std::string>& remarks);

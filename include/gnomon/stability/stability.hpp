@@ -99,7 +99,7 @@ CriticalStep critical_step(const ButcherTable& table, std::span<const Mode> mode
 /// How the empirical onset of instability is searched.
 struct OnsetOptions {
   int steps = 10;              ///< number of steps over which growth is measured
-  double perturbation = 1e-6;  ///< in units of Model::differential_scale()
+  double perturbation = 1e-6;  ///< in units of ModelFacts::differential_scale
   double accuracy = 0.01;      ///< relative accuracy of the onset
 };
 
