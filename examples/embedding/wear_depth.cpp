@@ -8,7 +8,7 @@
 namespace {
 
 double worn_at(const gnomon::HistoryRow& row) {
-  return gnomon::observation_of(row.scalars).worn_volume.value_or(0);
+  return gnomon::value_of(row.scalars, "worn_volume").value_or(0);
 }
 
 /// Worn volumes after every step, without a result file.

@@ -111,11 +111,9 @@ public:
     return state;
   }
   Observation observe(const State& state) const override {
-    Observation observed;
-    observed.others = {{"depth", "mm", state.y[0]},
-                       {"pressure", "MPa", state.y[1]},
-                       {"depth_error", "mm", state.y[0] - cone_.depth(state.t)}};
-    return observed;
+    return {{"depth", "mm", state.y[0]},
+            {"pressure", "MPa", state.y[1]},
+            {"depth_error", "mm", state.y[0] - cone_.depth(state.t)}};
   }
   std::vector<GridField> fields(const State&) const override { return {}; }
   std::optional<ContactSurface> contact(const State&) const override { return std::nullopt; }

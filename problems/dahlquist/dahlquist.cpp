@@ -152,12 +152,10 @@ public:
   /// The value, its magnitude and the magnitude of its error.
   Observation observe(const State& state) const override {
     const Pair y(state.y[0], state.y[1]);
-    Observation observed;
-    observed.others = {{"real", "", y[0]},
-                       {"imaginary", "", y[1]},
-                       {"magnitude", "", y.norm()},
-                       {"error", "", (y - equation_.y_of(equation_.exact(state.t))).norm()}};
-    return observed;
+    return {{"real", "", y[0]},
+            {"imaginary", "", y[1]},
+            {"magnitude", "", y.norm()},
+            {"error", "", (y - equation_.y_of(equation_.exact(state.t))).norm()}};
   }
   std::vector<GridField> fields(const State&) const override { return {}; }
   /// One point of the complex plane, so that shapes can be compared.

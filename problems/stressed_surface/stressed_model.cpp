@@ -179,18 +179,16 @@ Observation StressedModel::observe(const State& state) const {
     const int k = body_->surface[wave.size()].node;
     wave.push_back(body_->wave(body_->mesh.nodes[k] + d.row(k).transpose()));
   }
-  Observation observed;
-  observed.worn_volume = before - area;
-  observed.element_quality = quality;
-  observed.element_volume = least;
   const double energy = elastic + body_->law.tension * length - body_->law.reference * area;
-  observed.others = {{"energy", "N", energy},
-                     {"elastic_energy", "N", elastic},
-                     {"surface_length", "mm", length},
-                     {"area", "mm^2", area},
-                     {"amplitude", "mm", amplitude_of(wave)},
-                     {"sharpest_notch", "1/mm", sharpest}};
-  return observed;
+  return {common("worn_volume", before - area),
+          common("element_quality", quality),
+          common("element_volume", least),
+          {"energy", "N", energy},
+          {"elastic_energy", "N", elastic},
+          {"surface_length", "mm", length},
+          {"area", "mm^2", area},
+          {"amplitude", "mm", amplitude_of(wave)},
+          {"sharpest_notch", "1/mm", sharpest}};
 }
 
 std::vector<GridField> StressedModel::fields(const State& state) const {

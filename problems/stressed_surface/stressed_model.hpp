@@ -18,8 +18,8 @@ class StressedModel : public Physics<2> {
 public:
   explicit StressedModel(std::shared_ptr<const StressedBody> body);
 
-  /// `worn_volume` is the area that the body has lost. Others: `energy` of surface_motion.hpp, its
-  /// `elastic_energy`, `surface_length`, the `amplitude` of the wave or of the lobes, and the
+  /// `worn_volume` is the area that the body has lost. Of its own: `energy` of surface_motion.hpp,
+  /// its `elastic_energy`, `surface_length`, the `amplitude` of the wave or of the lobes, and the
   /// curvature of the `sharpest_notch`.
   Observation observe(const State& state) const override;
   /// displacement, shape, driving_stress (mu of the surface), equivalent_stress, element_quality.

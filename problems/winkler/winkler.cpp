@@ -126,15 +126,14 @@ public:
       }
     }
     for (int q = 0; q < phases; ++q) half_width = std::max(half_width, half_width_in(q, state.y));
-    Observation observed;
-    observed.contact_nodes = double(active);
-    observed.contact_force = force;
-    observed.max_pressure = pressure;
-    observed.worn_volume = worn;
-    observed.wear_flux = flux({.t = state.t, .y = state.y, .branch = state.own_branch()});
-    observed.contact_half_width = half_width;
-    observed.wear_depth = depth;
-    return observed;
+    const double wear = flux({.t = state.t, .y = state.y, .branch = state.own_branch()});
+    return {common("contact_nodes", double(active)),
+            common("contact_force", force),
+            common("max_pressure", pressure),
+            common("worn_volume", worn),
+            common("wear_flux", wear),
+            common("contact_half_width", half_width),
+            common("wear_depth", depth)};
   }
   std::vector<GridField> fields(const State&) const override { return {}; }
 

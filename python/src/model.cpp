@@ -262,8 +262,7 @@ void add_model(py::module_& module) {
            "The consistent State at t = 0.")
       .def("observe", held([](SharedModel& model, const State& state) {
              require_state(model, state);
-             return dict_of(
-                 with_model(model, [&] { return columns_of(model.setup.model->observe(state)); }));
+             return dict_of(with_model(model, [&] { return model.setup.model->observe(state); }));
            }),
            py::arg("state"), "The scalars of a state.")
       .def("grid", held([](const SharedModel& model) { return dict_of(model.setup.model->grid); }),

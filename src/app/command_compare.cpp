@@ -68,10 +68,8 @@ private:
 };
 
 std::string worn_volume(const HistoryRow& row) {
-  const Observation observed = observation_of(row.scalars);
-  if (!observed.worn_volume) return "-";
-  return fmt::format("{:.6g} {}", *observed.worn_volume,
-                     unit_of(observed, &Observation::worn_volume));
+  const Scalar* const worn = find_scalar(row.scalars, "worn_volume");
+  return worn ? fmt::format("{:.6g} {}", worn->value, worn->unit) : "-";
 }
 
 /// The file, and how its run ended unless it finished.

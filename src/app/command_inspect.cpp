@@ -90,7 +90,7 @@ void print_history(const HistoryRow& last) {
     count("preconditioner_setups", c.preconditioner_setups);
   }
   fmt::print("\nat the end:\n{}", table.text());
-  if (const std::string ledger = ledger_text(observation_of(last.scalars)); !ledger.empty())
+  if (const std::string ledger = ledger_text(last.scalars); !ledger.empty())
     fmt::print("{}\n", ledger);
 }
 

@@ -98,7 +98,7 @@ private:
   void add(const State& state, const std::vector<Mode>& modes, const Integrator& integrator) {
     const CriticalStep critical = critical_step(*integrator.table({}), modes);
     const std::optional<double> onset = observed_onset(state, modes, integrator, critical);
-    const double in_contact = model_.observe(state).contact_nodes.value_or(0);
+    const double in_contact = value_of(model_.observe(state), "contact_nodes").value_or(0);
     table_.add({fmt::format("{:g}", state.t), fmt::format("{:g}", in_contact),
                 modes.empty() ? "-" : eigenvalue_text(modes.front().eigenvalue), integrator.name,
                 fmt::format("{:.4g}", critical.step), onset ? fmt::format("{:.4g}", *onset) : "-"});

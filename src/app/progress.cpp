@@ -49,12 +49,10 @@ std::vector<Item> progress_items(const HistoryRow& row, double end, double elaps
     items.push_back({3, fmt::format("order {}", row.step.order)});
     items.push_back({4, fmt::format("Newton {}", row.step.newton_iterations)});
   }
-  const Observation observed = observation_of(row.scalars);
-  if (observed.contact_nodes)
-    items.push_back({5, fmt::format("contact {:g}", *observed.contact_nodes)});
-  if (observed.worn_volume)
-    items.push_back({8, fmt::format("worn {:.3g} {}", *observed.worn_volume,
-                                    unit_of(observed, &Observation::worn_volume))});
+  if (const auto nodes = value_of(row.scalars, "contact_nodes"))
+    items.push_back({5, fmt::format("contact {:g}", *nodes)});
+  if (const Scalar* const worn = find_scalar(row.scalars, "worn_volume"))
+    items.push_back({8, fmt::format("worn {:.3g} {}", worn->value, worn->unit)});
   return items;
 }
 

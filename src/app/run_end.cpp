@@ -29,11 +29,10 @@ void print_summary(const RunOutcome& outcome, const EndReport& report) {
     table.add({"  " + scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});
   fmt::print("{}", table.text());
   if (const std::string forces =
-          balance_text(outcome.examination, observation_of(outcome.last->scalars).dim);
+          balance_text(outcome.examination, dimension_of(outcome.last->scalars));
       !forces.empty())
     fmt::print("{}\n", forces);
-  if (const std::string ledger = ledger_text(observation_of(outcome.last->scalars));
-      !ledger.empty())
+  if (const std::string ledger = ledger_text(outcome.last->scalars); !ledger.empty())
     fmt::print("{}\n", ledger);
   if (const std::string text = phase_error_text(outcome.phase_errors); !text.empty())
     fmt::print("{}\n", text);

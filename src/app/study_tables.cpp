@@ -25,15 +25,10 @@ std::string own_error_text(const SweepPoint& sweep, const std::optional<double>&
 /// What a table on the terminal has room for, where a study measures no errors.
 constexpr const char* shown[] = {"worn_volume", "max_pressure", "contact_half_width"};
 
-const Scalar* observed(const StudyRow& row, const std::string& name) {
-  const auto found = std::ranges::find(row.observed, name, &Scalar::name);
-  return found == row.observed.end() ? nullptr : &*found;
-}
-
 /// Name and unit of a shown quantity; empty if no run has observed it.
 std::string shown_title(const StudyTable& table, const std::string& name) {
   for (const StudyRow& row : table.rows)
-    if (const Scalar* const scalar = observed(row, name))
+    if (const Scalar* const scalar = find_scalar(row.observed, name))
       return fmt::format("{} [{}]", name, scalar->unit);
   return {};
 }
@@ -57,7 +52,7 @@ void print_observed(const Study& study, const StudyTable& table) {
   for (const StudyRow& row : table.rows) {
     std::vector<std::string> cells = {row.sweep, study.runs[row.point.run].title};
     for (const std::string& name : names) {
-      const Scalar* const scalar = observed(row, name);
+      const Scalar* const scalar = find_scalar(row.observed, name);
       cells.push_back(scalar ? fmt::format("{:.5g}", scalar->value) : "-");
     }
     cells.push_back(row.cpu_seconds ? fmt::format("{:.2f}", *row.cpu_seconds) : "-");

@@ -197,7 +197,7 @@ std::optional<PhaseError> WearModel<dim>::phase_error(const State& state) const 
   auto [difference, whole] = compare_rates(shape.areas(), mean, shape.mean_rate(set(comparison)));
   // Bodies that hardly touch any more: what is lost is then small beside what is worn already.
   if (state.t > 0)
-    whole = std::max(whole, observe(state).worn_volume.value() / (body.copies * state.t));
+    whole = std::max(whole, *value_of(observe(state), "worn_volume") / (body.copies * state.t));
   if (!(whole > 0)) return {};
   const double of_motion = error_of_motion(body.phases, set(fine));
   return PhaseError{state.t, static_cast<long>(body.phases.size()),

@@ -37,7 +37,7 @@ double displacement_gradient(const CellState<dim>& at, [[maybe_unused]] Section 
 /// The part of an observation that is a sum over contact nodes: nodes in contact in any phase, the
 /// mean force, the largest pressure.
 template <int dim>
-void observe_contact(const std::vector<PhaseContact<dim>>& phases, double copies,
+void observe_contact(const std::vector<PhaseContact<dim>>& phases, double copies, int units,
                      Observation& observed) {
   double force = 0, pressure = 0;
   std::vector<char> active(phases.front().nodes.size(), 0);
@@ -47,9 +47,10 @@ void observe_contact(const std::vector<PhaseContact<dim>>& phases, double copies
       pressure = std::max(pressure, -nodes[c].traction);
       if (nodes[c].active) active[c] = 1;
     }
-  observed.contact_nodes = sum_over_processes(double(std::ranges::count(active, 1)));
-  observed.contact_force = sum_over_processes(force);
-  observed.max_pressure = largest_over_processes(pressure);
+  const double touching = sum_over_processes(double(std::ranges::count(active, 1)));
+  observed.push_back(common("contact_nodes", touching));
+  observed.push_back(common("contact_force", sum_over_processes(force), units));
+  observed.push_back(common("max_pressure", largest_over_processes(pressure)));
 }
 
 /// What the guides of the counter-body, and whatever else holds it, exert on it: the reaction to
@@ -72,30 +73,30 @@ template <int dim>
 void observe_reaction(Section section, const Vector<dim>& reaction, Observation& observed) {
   const bool revolved = dim == 2 && section == Section::meridian;
   for (int i = revolved ? 1 : 0; i < dim; ++i)
-    observed.others.push_back({fmt::format("guide_{}", revolved ? 'z' : "xyz"[i]),
-                               unit_of(observed, &Observation::contact_force),
-                               sum_over_processes(reaction[i])});
+    observed.push_back({fmt::format("guide_{}", revolved ? 'z' : "xyz"[i]),
+                        find_scalar(observed, "contact_force")->unit,
+                        sum_over_processes(reaction[i])});
 }
 
 /// The free motion of a counter-body, a part of the mean over a cycle: along the direction of its
 /// largest force, and along or about others by the number of their table.
 template <int dim>
-void observe_motion(const Phase<dim>& phase, double weight, const Eigen::VectorXd& w,
-                    Observation& observed) {
+void add_motion(const Phase<dim>& phase, double weight, const Eigen::VectorXd& w,
+                std::optional<double>& approach, Observation& others) {
   const std::vector<std::optional<double>> forces = phase.forces();
   for (std::size_t k = 0; k < forces.size(); ++k) {
     if (!forces[k]) continue;
     const double part = weight * w[static_cast<Eigen::Index>(k)];
     const Guide<dim>& guide = phase.counter_body.guides[k];
     if (k == 0) {
-      observed.approach = observed.approach.value_or(0) + part;
+      approach = approach.value_or(0) + part;
       continue;
     }
     const std::string name =
         (guide.turns() ? "turn_" : "approach_") + guide.key.substr(guide.key.rfind('.') + 1);
-    const auto there = std::ranges::find(observed.others, name, &Scalar::name);
-    if (there == observed.others.end())
-      observed.others.push_back({name, guide.turns() ? "rad" : "mm", part});
+    const auto there = std::ranges::find(others, name, &Scalar::name);
+    if (there == others.end())
+      others.push_back({name, guide.turns() ? "rad" : "mm", part});
     else
       there->value += part;
   }
@@ -112,7 +113,8 @@ double wear_flux_of(const std::vector<PhaseContact<dim>>& phases, double copies)
 
 /// The part of an observation that needs a sweep over the cells, but no displacements.
 template <int dim>
-void observe_cells(const Assembly<dim>& body, const NodalField<dim>& d, Observation& observed) {
+void observe_cells(const Assembly<dim>& body, const NodalField<dim>& d, double wear_flux, int units,
+                   Observation& observed) {
   double worn = 0, quality = 1, least = 1;
   for (const auto& cell : body.mesh.cells) {
     const CellNodal<dim> initial = body.mesh.positions(cell),
@@ -124,30 +126,30 @@ void observe_cells(const Assembly<dim>& body, const NodalField<dim>& d, Observat
     quality = std::min(quality, scaled_jacobian<dim>(X));
   }
   worn = sum_over_processes(worn) * body.copies;
-  observed.worn_volume = worn;
-  observed.element_quality = -largest_over_processes(-quality);
-  observed.element_volume = -largest_over_processes(-least);
-  if (!body.cross_section) return;
-  observed.worn_volume = worn * body.cross_section->path / body.cross_section->length;
-  observed.groove_section = worn / body.cross_section->length;
+  const auto& groove = body.cross_section;
+  const double volume = groove ? worn * groove->path / groove->length : worn;
+  observed.push_back(common("worn_volume", volume, units));
+  observed.push_back(common("wear_flux", wear_flux, units));
+  observed.push_back(common("element_quality", -largest_over_processes(-quality)));
+  observed.push_back(common("element_volume", -largest_over_processes(-least)));
+  if (groove) observed.push_back(common("groove_section", worn / groove->length));
 }
 
-/// The largest displacement gradient of this and the phases observed before, of bodies with small
-/// strains.
+/// The largest displacement gradient of this and the phases before, of bodies with small strains.
 template <int dim>
-void observe_strains(const Assembly<dim>& body, const NodalField<dim>& d, const NodalField<dim>& u,
-                     Observation& observed) {
+void widen(std::optional<double>& largest, const Assembly<dim>& body, const NodalField<dim>& d,
+           const NodalField<dim>& u) {
   std::vector<char> small;
   for (const Body& each : body.bodies)
     small.push_back(each.element.kinematics == Kinematics::small);
   if (std::ranges::count(small, 1) == 0) return;
-  double gradient = observed.displacement_gradient.value_or(0);
+  double gradient = largest.value_or(0);
   for (std::size_t c = 0; c < body.mesh.cells.size(); ++c)
     if (small[body.body_of[c]])
       gradient = std::max(
           gradient, displacement_gradient<dim>(CellState<dim>(body.mesh, body.mesh.cells[c], d, u),
                                                body.section()));
-  observed.displacement_gradient = largest_over_processes(gradient);
+  largest = largest_over_processes(gradient);
 }
 
 /// The box in which the counter-body is shown; that of a body of revolution ends at the axis.
@@ -205,29 +207,35 @@ template <int dim>
 Observation WearModel<dim>::observe(const State& state) const {
   const FieldValues<dim> values = system().values(state.t, state.y);
   const std::vector<PhaseContact<dim>> phases = contacts(values, state);
-  Observation observed{.dim = assembly().section() == Section::meridian ? 3 : dim};
-  observe_contact(phases, assembly().copies, observed);
-  observed.wear_flux = wear_flux_of(phases, assembly().copies);
+  const int units = assembly().section() == Section::meridian ? 3 : dim;
   const NodalField<dim>& d = values.vector(equations_.fields().d);
+  Vector<dim> reaction = Vector<dim>::Zero();
+  std::optional<double> approach, gradient;
+  double half_width = 0;
+  Observation motion;
+  for (std::size_t p = 0; p < phases.size(); ++p) {
+    const WornBodyFields& fields = equations_.fields(p);
+    widen(gradient, assembly(), d, values.vector(fields.u));
+    const Phase<dim>& phase = equations_.phases()[p];
+    reaction += phases[p].weight * reaction_of(assembly(), phase, phases[p].nodes, state.t);
+    if (fields.w != FieldId::none)
+      add_motion(phase, phases[p].weight, values.scalar(fields.w), approach, motion);
+    if constexpr (dim == 2)
+      half_width =
+          std::max(half_width, contact_half_width(assembly(), fields, values, phases[p].nodes));
+  }
   double depth = 0;
   for (std::size_t c = 0; c < assembly().contact_nodes.size(); ++c)
     if (assembly().wears(static_cast<int>(c)))
       depth = std::max(depth, d.row(assembly().contact_nodes[c].node).norm());
-  observed.wear_depth = largest_over_processes(depth);
-  observe_cells(assembly(), d, observed);
-  Vector<dim> reaction = Vector<dim>::Zero();
-  for (std::size_t p = 0; p < phases.size(); ++p) {
-    const WornBodyFields& fields = equations_.fields(p);
-    observe_strains(assembly(), values.vector(fields.d), values.vector(fields.u), observed);
-    const Phase<dim>& phase = equations_.phases()[p];
-    reaction += phases[p].weight * reaction_of(assembly(), phase, phases[p].nodes, state.t);
-    if (fields.w != FieldId::none)
-      observe_motion(phase, phases[p].weight, values.scalar(fields.w), observed);
-    if constexpr (dim == 2)
-      observed.contact_half_width =
-          std::max(observed.contact_half_width.value_or(0),
-                   contact_half_width(assembly(), fields, values, phases[p].nodes));
-  }
+  Observation observed;
+  observe_contact(phases, assembly().copies, units, observed);
+  observe_cells(assembly(), d, wear_flux_of(phases, assembly().copies), units, observed);
+  if (approach) observed.push_back(common("approach", *approach));
+  if (gradient) observed.push_back(common("displacement_gradient", *gradient));
+  if (dim == 2) observed.push_back(common("contact_half_width", half_width));
+  observed.push_back(common("wear_depth", largest_over_processes(depth)));
+  observed.insert(observed.end(), motion.begin(), motion.end());
   // Of a part of a symmetric body, what is across the symmetry is not known.
   if (!equations_.phases().front().counter_body.guides.empty() && assembly().copies == 1)
     observe_reaction(assembly().section(), reaction, observed);

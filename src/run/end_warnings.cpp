@@ -26,7 +26,7 @@ std::vector<std::string> end_warnings(const Observation& last, double invisible,
         "the worn volume is {:.3g}, the wear integral is {:.3g}: contact may have reached a place "
         "where the surface cannot wear, the end of the contact zone or a held side; then pressures "
         "and shape are worthless",
-        *last.worn_volume, *last.wear_integral));
+        *value_of(last, "worn_volume"), *value_of(last, "wear_integral")));
   return warnings;
 }
 

@@ -42,7 +42,7 @@ void DampingWatch::require_damping_in_wider_contact(const State& state,
   // Ratio of numbers of nodes. Contact that widens tenfold is checked a dozen times, and each check
   // costs one or more factorizations.
   constexpr double wider = 1.2;
-  const double width = observed.contact_nodes.value_or(0);
+  const double width = value_of(observed, "contact_nodes").value_or(0);
   if (width <= wider * widest_) return;
   widest_ = width;
   require_damping(state);

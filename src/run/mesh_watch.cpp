@@ -48,8 +48,8 @@ double initial_quality(const std::optional<Grid>& grid) {
 }
 
 void require_sound_mesh(const Observation& observed) {
-  const double volume = observed.element_volume.value_or(sound);
-  const double quality = observed.element_quality.value_or(sound);
+  const double volume = value_of(observed, "element_volume").value_or(sound);
+  const double quality = value_of(observed, "element_quality").value_or(sound);
   // With such an element steps would become ever shorter without an end.
   if (volume < 0.01)
     throw SolutionError(fmt::format(
@@ -62,8 +62,8 @@ void require_sound_mesh(const Observation& observed) {
 }
 
 std::vector<MeshWarning> mesh_warnings(const Observation& observed, double initial) {
-  const double volume = observed.element_volume.value_or(sound);
-  const double quality = observed.element_quality.value_or(sound);
+  const double volume = value_of(observed, "element_volume").value_or(sound);
+  const double quality = value_of(observed, "element_quality").value_or(sound);
   std::vector<MeshWarning> warnings;
   if (volume < 0.1)
     warnings.push_back(
@@ -73,7 +73,7 @@ std::vector<MeshWarning> mesh_warnings(const Observation& observed, double initi
   else if (quality < nearly_folded)
     warnings.push_back({initial < nearly_folded && quality >= initial / 2 ? "mesh" : "wear",
                         folding_text(quality, initial)});
-  const double gradient = observed.displacement_gradient.value_or(0);
+  const double gradient = value_of(observed, "displacement_gradient").value_or(0);
   if (gradient > 0.5)
     warnings.push_back(
         {"strain",

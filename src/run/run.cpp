@@ -70,7 +70,7 @@ public:
     if (outcome_.last) examine_end();
     if (outcome_.status != Status::failed)
       for (const std::string& text :
-           end_warnings(observed_, invisible_volume(model().grid, observed_.dim),
+           end_warnings(observed_, invisible_volume(model().grid, dimension_of(observed_)),
                         memory_.chattering.nodes(), integrator_))
         warn(text);
     if (const std::string text = jumps_->warning(state()); !text.empty()) warn(text);
@@ -111,7 +111,7 @@ private:
     if (state().t != from.row.t)
       throw InputError("the time of the checkpoint is not that of its row in the history");
     counters_ = from.row.counters;
-    observed_ = observation_of(from.row.scalars);
+    observed_ = from.row.scalars;
     wear_integral_.resume(observed_);
     outcome_.phase_errors = from.phase_errors;
     outcome_.last = from.row;
@@ -210,7 +210,9 @@ private:
   /// After a step that is not yet recorded.
   Observation observe(const StepReport& report) {
     Observation observed = model().observe(state());
-    if (const auto sum = wear_integral_.value()) observed.wear_integral = *sum + report.integral;
+    if (const auto sum = wear_integral_.value())  // where earlier versions have the column
+      observed.insert(std::ranges::find(observed, "wear_depth", &Scalar::name),
+                      common("wear_integral", *sum + report.integral, dimension_of(observed)));
     return observed;
   }
 
@@ -235,7 +237,7 @@ private:
 
   void record(const StepReport& report, Observation observed) {
     observed_ = std::move(observed);
-    HistoryRow row{state().t, report, counters_, columns_of(observed_)};
+    HistoryRow row{state().t, report, counters_, observed_};
     memory_.chattering.add(model().contact(state()));
     if (is_breakpoint(model().system().structure(), state().t)) memory_.chattering.begin_anew();
     if (writer_) writer_->append(row);

@@ -53,7 +53,7 @@ void add_scalars(Json& json, const RunOutcome& outcome) {
     json[name] = nullptr;
   if (!outcome.last) return;
   for (const Scalar& scalar : outcome.last->scalars) json[scalar.name] = scalar.value;
-  if (const auto difference = observation_of(outcome.last->scalars).wear_difference())
+  if (const auto difference = wear_difference(outcome.last->scalars))
     json["wear_difference"] = *difference;
 }
 
@@ -125,13 +125,14 @@ std::string phase_error_text(const std::vector<PhaseError>& errors) {
 }
 
 std::string ledger_text(const Observation& observed) {
-  const std::optional<double> difference = observed.wear_difference();
+  const std::optional<double> difference = wear_difference(observed);
   if (!difference) return {};
-  const std::string unit = unit_of(observed, &Observation::worn_volume);
+  const auto& [name, unit, worn] = *find_scalar(observed, "worn_volume");
+  const double integral = *value_of(observed, "wear_integral");
   std::string text =
-      fmt::format("worn volume {:#.6g} {}, wear integral {:#.6g} {}, difference {:.1e} {}",
-                  *observed.worn_volume, unit, *observed.wear_integral, unit, *difference, unit);
-  if (const double percent = 100 * *difference / *observed.wear_integral; std::isfinite(percent))
+      fmt::format("worn volume {:#.6g} {}, wear integral {:#.6g} {}, difference {:.1e} {}", worn,
+                  unit, integral, unit, *difference, unit);
+  if (const double percent = 100 * *difference / integral; std::isfinite(percent))
     text += fmt::format(" ({:.2g} %)", percent);
   return text;
 }

@@ -10,7 +10,7 @@ namespace gnomon {
 
 double excess(const Until& until, const Observation& observed) {
   std::vector<std::string> names;
-  for (const Scalar& scalar : columns_of(observed)) {
+  for (const Scalar& scalar : observed) {
     if (scalar.name == until.observation)
       return until.above ? scalar.value - until.value : until.value - scalar.value;
     names.push_back(scalar.name);

@@ -12,7 +12,7 @@ WearIntegral::WearIntegral(const Model& model) {
 }
 
 void WearIntegral::resume(const Observation& last) {
-  if (value_) value_ = last.wear_integral.value_or(0);
+  if (value_) value_ = value_of(last, "wear_integral").value_or(0);
 }
 
 void WearIntegral::add(double increment) {
@@ -37,9 +37,10 @@ double invisible_volume(const std::optional<Grid>& grid, int dim) {
 bool has_lost_wear(const Observation& observed, double invisible) {
   constexpr double most =
       0.1;  // part of the integral; on the coarsest meshes a few hundredths differ
-  const std::optional<double> difference = observed.wear_difference();
+  const std::optional<double> difference = wear_difference(observed);
   if (!difference) return false;
-  return !(std::abs(*difference) <= most * std::abs(*observed.wear_integral) + invisible);
+  const double integral = *value_of(observed, "wear_integral");
+  return !(std::abs(*difference) <= most * std::abs(integral) + invisible);
 }
 
 }  // namespace gnomon

@@ -128,17 +128,6 @@ std::vector<StudyColumn> sweep_columns(const Study& study) {
   return columns;
 }
 
-CellValue observed(const StudyRow& row, const std::string& name) {
-  const auto found = std::ranges::find(row.observed, name, &Scalar::name);
-  return found == row.observed.end() ? CellValue() : CellValue(found->value);
-}
-
-std::string meaning_of(const std::string& name) {
-  for (const Quantity& quantity : quantities())
-    if (name == quantity.name) return quantity.meaning;
-  return name == "wear_difference" ? "worn volume minus wear integral" : "";
-}
-
 std::vector<StudyColumn> observed_columns(const StudyTable& table) {
   std::vector<StudyColumn> columns;
   const auto is_new = [&](const std::string& name) {
@@ -150,7 +139,9 @@ std::vector<StudyColumn> observed_columns(const StudyTable& table) {
       if (is_new(scalar.name))
         columns.push_back(
             {{scalar.name, scalar.unit, Type::real, "observation", meaning_of(scalar.name)},
-             [name = scalar.name](const StudyRow& r) { return observed(r, name); }});
+             [name = scalar.name](const StudyRow& r) {
+               return maybe(value_of(r.observed, name));
+             }});
   return columns;
 }
 

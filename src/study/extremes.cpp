@@ -66,8 +66,8 @@ private:
   /// The references have this error too, so that they agree in spite of it.
   bool lost_wear() const try {
     const ResultReader result(files_.result);
-    const Observation last = observation_of(result.history().back().scalars);
-    return has_lost_wear(last, invisible_volume(result.grid(), last.dim));
+    const Observation last = result.history().back().scalars;
+    return has_lost_wear(last, invisible_volume(result.grid(), dimension_of(last)));
   } catch (const Error&) {
     return false;
   }

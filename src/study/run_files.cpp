@@ -147,10 +147,8 @@ std::vector<Scalar> read_observed(const RunFiles& files) {
   const std::vector<HistoryRow> history = ResultReader(files.result).history();
   if (history.empty()) throw InputError(fmt::format("{}: it holds no step", files.result.string()));
   std::vector<Scalar> columns = history.back().scalars;
-  const Observation observation = observation_of(columns);
-  if (const std::optional<double> difference = observation.wear_difference())
-    columns.push_back(
-        {"wear_difference", unit_of(observation, &Observation::worn_volume), *difference});
+  if (const std::optional<double> difference = wear_difference(columns))
+    columns.push_back(common("wear_difference", *difference, dimension_of(columns)));
   return columns;
 }
 

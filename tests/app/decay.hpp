@@ -41,10 +41,7 @@ public:
     return {0, {1.0}, {-1.0}};
   }
   Observation observe(const State& state) const override {
-    Observation observed;
-    observed.worn_volume = 1 - state.y[0];
-    observed.wear_flux = state.y[0];
-    return observed;
+    return {common("worn_volume", 1 - state.y[0]), common("wear_flux", state.y[0])};
   }
   std::vector<GridField> fields(const State&) const override { return {}; }
   std::optional<ContactSurface> contact(const State& state) const override {

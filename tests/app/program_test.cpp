@@ -293,7 +293,7 @@ TEST_F(Program, StopsWhenThePinIsWornAway) {
   EXPECT_LT(end, outcome.err.size()) << outcome.err;
   // The state before is kept; its mesh is usable.
   const HistoryRow last = ResultReader(folder() / "a.h5").history().back();
-  EXPECT_GE(observation_of(last.scalars).element_volume.value(), 0.01);
+  EXPECT_GE(value_of(last.scalars, "element_volume").value(), 0.01);
 }
 
 TEST_F(Program, StoresThePhasesOfSprings) {

@@ -61,14 +61,14 @@ TEST(RevolvedContact, BallOnPlaneIsThatOfHertz) {
     const HertzPoint hertz(ball.force, ball.radius, ball.young_modulus, ball.poisson_ratio);
     std::printf("%s: radius %.4f, pressure %.4f of Hertz\n",
                 technology_names[static_cast<std::size_t>(technology)],
-                *start.contact_half_width / hertz.radius,
-                *start.max_pressure / hertz.peak_pressure);
+                *value_of(start, "contact_half_width") / hertz.radius,
+                *value_of(start, "max_pressure") / hertz.peak_pressure);
     EXPECT_NEAR(hertz.radius, 1, 1e-12);
-    EXPECT_NEAR(*start.contact_half_width, hertz.radius, 0.03);  // facets of 0.2
-    EXPECT_NEAR(*start.max_pressure / hertz.peak_pressure, 1, 0.02);
-    EXPECT_NEAR(*start.contact_force, ball.force, 1e-6 * ball.force);
-    EXPECT_EQ(unit_of(start, &Observation::contact_force), "N");
-    EXPECT_EQ(unit_of(start, &Observation::worn_volume), "mm^3");
+    EXPECT_NEAR(*value_of(start, "contact_half_width"), hertz.radius, 0.03);  // facets of 0.2
+    EXPECT_NEAR(*value_of(start, "max_pressure") / hertz.peak_pressure, 1, 0.02);
+    EXPECT_NEAR(*value_of(start, "contact_force"), ball.force, 1e-6 * ball.force);
+    EXPECT_EQ(find_scalar(start, "contact_force")->unit, "N");
+    EXPECT_EQ(find_scalar(start, "worn_volume")->unit, "mm^3");
   }
 }
 
@@ -80,15 +80,15 @@ TEST(RevolvedContact, AFlatEndWearsEvenly) {
   const WearModel<2> model(revolved_ball(ball));
   const ModelRun run = run_model(model, "esdirk-4", 0, 1e-5, ball.duration);
   const double pressure = ball.force / (M_PI * ball.size * ball.size);
-  EXPECT_NEAR(*model.observe(run.last()).displacement_gradient,
+  EXPECT_NEAR(observed(model, run.last(), "displacement_gradient"),
               pressure / 640 * std::sqrt(1 + 2 * 0.3 * 0.3), 1e-10);
   const ContactSurface surface = model.contact(run.last()).value();
   for (std::size_t c = 0; c < surface.pressure.size(); ++c) {
     EXPECT_NEAR(surface.pressure[c], pressure, 1e-8);
     EXPECT_NEAR(surface.wear_depth[c], ball.wear * pressure * ball.slide * ball.duration, 1e-9);
   }
-  EXPECT_NEAR(*model.observe(run.last()).contact_half_width, ball.size * (1 + 0.3 * pressure / 640),
-              1e-8);
+  EXPECT_NEAR(observed(model, run.last(), "contact_half_width"),
+              ball.size * (1 + 0.3 * pressure / 640), 1e-8);
 }
 
 /// Worn volume and integral of the wear flux of a ball that loses two thirds of a cubic millimetre.
@@ -105,7 +105,7 @@ std::array<double, 2> worn(NormalRule normal, ConstraintForm form) {
       Integrators::find("esdirk-4", "integrator").make(model.system(), settings, counters);
   double integral = 0;
   while (state.t < settings.end) integral += stepper->advance(state, settings.end).integral;
-  return {*model.observe(state).worn_volume, integral};
+  return {observed(model, state, "worn_volume"), integral};
 }
 
 TEST(RevolvedContact, VolumeLostIsWhatWears) {
@@ -137,8 +137,9 @@ TEST(RevolvedContact, FarFromTheAxisIsPlane) {
   const WearModel<2> in_space(ring), in_plane(plane);
   const Observation revolved = in_space.observe(in_space.start(counters)),
                     flat = in_plane.observe(in_plane.start(counters));
-  EXPECT_NEAR(*revolved.max_pressure / *flat.max_pressure, 1, 1e-4);
-  EXPECT_NEAR(*revolved.contact_force / (2 * M_PI * far), *flat.contact_force, 1e-3);
+  EXPECT_NEAR(*value_of(revolved, "max_pressure") / *value_of(flat, "max_pressure"), 1, 1e-4);
+  EXPECT_NEAR(*value_of(revolved, "contact_force") / (2 * M_PI * far),
+              *value_of(flat, "contact_force"), 1e-3);
 }
 
 TEST(RevolvedContact, RefusesBodiesOfDifferentSections) {

@@ -132,7 +132,7 @@ TEST_F(PhaseErrors, SeeWhatRepeatsAsOftenAsThePhases) {
     const gnomon::Setup chosen = with("\"auto\"", of.cycle, of.velocity);
     EXPECT_GE(chosen.model->phases, 16);
     Counters counters;
-    const double flux = *chosen.model->observe(chosen.model->start(counters)).wear_flux;
+    const double flux = observed(*chosen.model, chosen.model->start(counters), "wear_flux");
     EXPECT_NEAR(flux / (2.9e-6 * of.path * of.force), 1, 1e-3) << of.cycle;
   }
 }
@@ -164,7 +164,8 @@ TEST_F(PhaseErrors, AtTheEndArePartsOfTheMeanRate) {
   const State last = run_model(*held.model, "esdirk-3", 0, 1e-4, 0.2).last();
   const Observation end = held.model->observe(last);
   const double of_the_mean = held.model->phase_error(last).value().error,
-               of_the_rate = of_the_mean * *end.worn_volume / last.t / *end.wear_flux;
+               of_the_rate = of_the_mean * *value_of(end, "worn_volume") / last.t /
+                             *value_of(end, "wear_flux");
   EXPECT_GT(of_the_rate, 0.3);
   EXPECT_LT(of_the_mean, 0.01 * first);
 }

@@ -308,8 +308,8 @@ TEST_F(Resume, ARunOfOneStepAtATimeComesToItsEnd) {
   }
   const std::vector<HistoryRow> slots = ResultReader(file("slots")).history();
   ASSERT_EQ(slots.size(), whole.size());
-  const double worn = observation_of(whole.back().scalars).worn_volume.value();
-  EXPECT_NEAR(observation_of(slots.back().scalars).worn_volume.value(), worn, 1e-8 * worn);
+  const double worn = value_of(whole.back().scalars, "worn_volume").value();
+  EXPECT_NEAR(value_of(slots.back().scalars, "worn_volume").value(), worn, 1e-8 * worn);
 }
 
 TEST_F(Resume, CheckpointsDoNotChangeTheRun) {

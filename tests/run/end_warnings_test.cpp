@@ -18,10 +18,7 @@ const Integrator& integrator(const std::string& name) {
 }
 
 Observation worn(double volume, double integral) {
-  Observation observed;
-  observed.worn_volume = volume;
-  observed.wear_integral = integral;
-  return observed;
+  return {common("worn_volume", volume), common("wear_integral", integral)};
 }
 
 TEST(EndWarnings, TellOfNodesThatAnExplicitMethodMakesLeaveContact) {

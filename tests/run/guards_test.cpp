@@ -103,9 +103,7 @@ TEST(DampingWatch, LooksAgainWhereContactHasBecomeWiderByAFifth) {
   watched.settings.end = 5;
   DampingWatch watch(*watched.model, integrator("forward-euler"), watched.settings);
   const auto look = [&](double nodes) {
-    Observation observed;
-    observed.contact_nodes = nodes;
-    watch.require_damping_in_wider_contact(watched.state, observed);
+    watch.require_damping_in_wider_contact(watched.state, {common("contact_nodes", nodes)});
   };
   EXPECT_THROW(look(10), SolutionError);
   EXPECT_NO_THROW(look(12));  // has been checked already

@@ -26,7 +26,7 @@ RunOutcome run_springs(const std::string& rate, const std::string& integrator, d
 }
 
 double worn(const RunOutcome& outcome) {
-  return observation_of(outcome.last->scalars).worn_volume.value();
+  return value_of(outcome.last->scalars, "worn_volume").value();
 }
 
 TEST(JumpLedger, SaysWhatFixedStepsMayMiss) {

@@ -17,10 +17,7 @@ using ::testing::Not;
 using ::testing::ThrowsMessage;
 
 Observation mesh(double volume, double quality) {
-  Observation observed;
-  observed.element_volume = volume;
-  observed.element_quality = quality;
-  return observed;
+  return {common("element_volume", volume), common("element_quality", quality)};
 }
 
 std::vector<std::string> warned_of(const Observation& observed, double initial = 1) {
@@ -79,11 +76,11 @@ TEST(MeshWatch, KnowsTheQualityOfAMeshBeforeWear) {
 
 TEST(MeshWatch, WarnsOfStrainsThatAreNotSmall) {
   Observation observed = mesh(1, 1);
-  observed.displacement_gradient = 0.5;
+  observed.push_back(common("displacement_gradient", 0.5));
   EXPECT_THAT(warned_of(observed), IsEmpty());
-  observed.displacement_gradient = 0.51;
+  observed.back().value = 0.51;
   EXPECT_THAT(warned_of(observed), ElementsAre("strain"));
-  observed.element_volume = 0.05;
+  observed.front().value = 0.05;
   EXPECT_THAT(warned_of(observed), ElementsAre("wear", "strain"));
 }
 

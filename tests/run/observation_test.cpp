@@ -28,28 +28,16 @@ Observation at_rest(const Model& model) {
 }
 
 std::vector<std::string> headings(const Model& model) {
-  return headings(columns_of(at_rest(model)));
+  return headings(at_rest(model));
 }
 
 // ---- columns. Results of gnomon 0.1.0 have these names, units and order.
 
-TEST(Observation, HasColumnsInOneOrder) {
-  Observation all;
-  for (const Quantity& quantity : quantities()) all.*quantity.member = 1;
-  all.others = {{"error", "", 2}};
-  EXPECT_THAT(headings(columns_of(all)),
-              ElementsAre("contact_nodes []", "contact_force [N/mm]", "max_pressure [MPa]",
-                          "worn_volume [mm^2]", "wear_flux [mm^2/s]", "element_quality []",
-                          "element_volume []", "groove_section [mm^2]", "approach [mm]",
-                          "displacement_gradient []", "contact_half_width [mm]",
-                          "wear_integral [mm^2]", "wear_depth [mm]", "error []"));
-  all.dim = 3;
-  EXPECT_THAT(headings(columns_of(all)),
-              ElementsAre("contact_nodes []", "contact_force [N]", "max_pressure [MPa]",
-                          "worn_volume [mm^3]", "wear_flux [mm^3/s]", "element_quality []",
-                          "element_volume []", "groove_section [mm^2]", "approach [mm]",
-                          "displacement_gradient []", "contact_half_width [mm]",
-                          "wear_integral [mm^3]", "wear_depth [mm]", "error []"));
+TEST(Observation, HasUnitsOfThePlaneOrOfSpace) {
+  EXPECT_EQ(common("contact_force", 1).unit, "N/mm");
+  EXPECT_EQ(common("contact_force", 1, 3).unit, "N");
+  EXPECT_EQ(common("wear_depth", 1, 3).unit, "mm");
+  EXPECT_THROW(common("wear_deepth", 1), std::logic_error);
 }
 
 TEST(Observation, OfAPin) {
@@ -87,41 +75,22 @@ TEST(Observation, OfATestEquation) {
               ElementsAre("real []", "imaginary []", "magnitude []", "error []"));
 }
 
-// ---- and back
+// ---- by name
 
-TEST(Observation, IsReadFromItsColumns) {
-  for (const int dim : {2, 3}) {
-    Observation observed{.dim = dim};
-    double value = 0;
-    for (const Quantity& quantity : quantities()) observed.*quantity.member = ++value;
-    observed.others = {{"error", "mm", 0.5}};
-    const Observation read = observation_of(columns_of(observed));
-    EXPECT_EQ(read.dim, dim);
-    for (const Quantity& quantity : quantities())
-      EXPECT_EQ(read.*quantity.member, observed.*quantity.member) << quantity.name;
-    ASSERT_THAT(read.others, SizeIs(1));
-    EXPECT_EQ(read.others[0].name, "error");
-    EXPECT_EQ(read.others[0].unit, "mm");
-    EXPECT_EQ(read.others[0].value, 0.5);
-  }
-}
-
-TEST(Observation, HasNoMemberWithoutItsColumn) {
-  const Observation read = observation_of({{"worn_volume", "mm^3", 2}});
-  EXPECT_EQ(read.dim, 3);
-  for (const Quantity& quantity : quantities())
-    EXPECT_EQ((read.*quantity.member).has_value(), quantity.member == &Observation::worn_volume)
-        << quantity.name;
-  EXPECT_EQ(unit_of(read, &Observation::wear_flux), "mm^3/s");
+TEST(Observation, IsKnownByItsNames) {
+  const Observation observed = {{"worn_volume", "mm^3", 2}, {"own", "mm", 0.5}};
+  EXPECT_EQ(value_of(observed, "own"), 0.5);
+  EXPECT_FALSE(value_of(observed, "wear_flux"));
+  EXPECT_EQ(find_scalar(observed, "wear_flux"), nullptr);
+  EXPECT_EQ(dimension_of(observed), 3);
+  EXPECT_EQ(dimension_of(Observation{common("worn_volume", 2)}), 2);
+  EXPECT_EQ(dimension_of(Observation{}), 2);
 }
 
 TEST(Observation, BalancesWhatIsWornAgainstTheRate) {
-  Observation observed;
-  EXPECT_FALSE(observed.wear_difference());
-  observed.worn_volume = 2.25;
-  EXPECT_FALSE(observed.wear_difference());
-  observed.wear_integral = 2;
-  EXPECT_EQ(observed.wear_difference(), 0.25);
+  EXPECT_FALSE(wear_difference({}));
+  EXPECT_FALSE(wear_difference({common("worn_volume", 2.25)}));
+  EXPECT_EQ(wear_difference({common("worn_volume", 2.25), common("wear_integral", 2)}), 0.25);
 }
 
 // ---- the wear flux of a point
@@ -131,7 +100,7 @@ void check_flux(const Model& model) {
   const State state = model.start(counters);
   const double flux = model.wear_flux({.t = 0, .y = state.y, .branch = state.own_branch()});
   EXPECT_GT(flux, 0);
-  EXPECT_EQ(flux, model.observe(state).wear_flux);
+  EXPECT_EQ(flux, observed(model, state, "wear_flux"));
   // There is no wear on the branch on which all nodes are open.
   const ActiveSet open(model.system().structure().switch_node.size(), 0);
   EXPECT_EQ(model.wear_flux({.t = 0, .y = state.y, .branch = &open}), 0);

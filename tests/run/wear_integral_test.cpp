@@ -29,7 +29,7 @@ TEST(WearIntegral, IsTheSumOfItsIncrements) {
 
 TEST(WearIntegral, GoesOnFromTheHistory) {
   WearIntegral integral{Decay()};
-  integral.resume(observation_of({{"worn_volume", "mm^2", 2.5}, {"wear_integral", "mm^2", 2}}));
+  integral.resume({{"worn_volume", "mm^2", 2.5}, {"wear_integral", "mm^2", 2}});
   EXPECT_EQ(integral.value(), 2);
   integral.add(0.5);
   EXPECT_EQ(integral.value(), 2.5);
@@ -81,16 +81,11 @@ TEST(Ledger, HasKeysWhateverIsKnown) {
 }
 
 TEST(Ledger, IsOneLineForPeople) {
-  Observation observed;
-  EXPECT_THAT(ledger_text(observed), IsEmpty());
-  observed.worn_volume = 1.99711;
-  observed.wear_integral = 2;
-  EXPECT_EQ(ledger_text(observed),
+  EXPECT_THAT(ledger_text({}), IsEmpty());
+  EXPECT_EQ(ledger_text({common("worn_volume", 1.99711), common("wear_integral", 2)}),
             "worn volume 1.99711 mm^2, wear integral 2.00000 mm^2, difference -2.9e-03 mm^2 "
             "(-0.14 %)");
-  observed.dim = 3;
-  observed.worn_volume = observed.wear_integral = 0;
-  EXPECT_EQ(ledger_text(observed),
+  EXPECT_EQ(ledger_text({common("worn_volume", 0, 3), common("wear_integral", 0, 3)}),
             "worn volume 0.00000 mm^3, wear integral 0.00000 mm^3, difference 0.0e+00 mm^3");
 }
 
@@ -108,9 +103,9 @@ TEST(Ledger, OfAPinBalancesToTheTolerance) {
   const auto model = pin_model({elements(8), "wear.normal=conservative"});
   for (const char* name : {"esdirk-4", "bdf"}) {
     const RunOutcome outcome = run_to(200, *model, name, 0, 1e-4);
-    const Observation last = observation_of(outcome.last->scalars);
-    EXPECT_NEAR(last.wear_integral.value(), 0.4, 1e-8) << name;  // k v F t
-    EXPECT_NEAR(last.wear_difference().value(), 0, 1e-5) << name;
+    const Observation& last = outcome.last->scalars;
+    EXPECT_NEAR(value_of(last, "wear_integral").value(), 0.4, 1e-8) << name;  // k v F t
+    EXPECT_NEAR(wear_difference(last).value(), 0, 1e-5) << name;
   }
 }
 
@@ -120,9 +115,9 @@ TEST(Ledger, OfSpringsBalances) {
   const auto model = model_of("winkler/pin.toml", {"foundation.points=41"});
   for (const char* name : {"backward-euler", "esdirk-3"}) {
     const RunOutcome outcome = run_to(50, *model, name, 10, 1e-4);
-    const Observation last = observation_of(outcome.last->scalars);
-    EXPECT_NEAR(last.worn_volume.value(), 0.1, 1e-8) << name;  // k v F t
-    EXPECT_NEAR(last.wear_difference().value(), 0, 1e-9) << name;
+    const Observation& last = outcome.last->scalars;
+    EXPECT_NEAR(value_of(last, "worn_volume").value(), 0.1, 1e-8) << name;  // k v F t
+    EXPECT_NEAR(wear_difference(last).value(), 0, 1e-9) << name;
   }
 }
 

@@ -25,8 +25,7 @@ inline std::unique_ptr<Model> model_of(const std::string& scene, const Overrides
 }
 
 inline double observed(const Model& model, const State& state, const std::string& name) {
-  for (const Scalar& column : columns_of(model.observe(state)))
-    if (column.name == name) return column.value;
+  if (const auto value = value_of(model.observe(state), name)) return *value;
   ADD_FAILURE() << "the model observes no " << name;
   return 0;
 }

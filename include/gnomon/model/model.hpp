@@ -138,7 +138,7 @@ public:
   virtual const System& system() const = 0;
   /// Consistent state at t = 0. Throws SolutionError with the reason if there is none.
   virtual State start(Counters& counters) const = 0;
-  /// The observation of a state; its members and `others` are always the same.
+  /// The scalars of a state; always the same names in the same order.
   virtual Observation observe(const State& state) const = 0;
   /// Fields over the grid; always the same names in the same order. Empty without a grid.
   virtual std::vector<GridField> fields(const State& state) const = 0;

@@ -1,9 +1,10 @@
-// The observations of a state: typed members, and the named columns for files.
+// The observations of a state: numbers with names, by which results, histories and time.until know
+// them.
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gnomon {
@@ -15,55 +16,23 @@ struct Scalar {
   double value = 0;
 };
 
-/// The observations of a state; each member is present if the model has it. Forces and volumes are
-/// those of the whole body, and per unit thickness in 2D: their units depend on the dimension.
-struct Observation {
-  int dim = 2;  ///< 2 or 3; 3 for a body of revolution, too
+/// The scalars of a state, in the order of their columns. Forces and volumes are those of the whole
+/// body, and per unit thickness in 2D.
+using Observation = std::vector<Scalar>;
 
-  std::optional<double> contact_nodes{};          ///< number of nodes in contact
-  std::optional<double> contact_force{};          ///< integral of the pressure [N/mm | N]
-  std::optional<double> max_pressure{};           ///< [MPa]
-  std::optional<double> worn_volume{};            ///< volume that the shape has lost [mm^2 | mm^3]
-  std::optional<double> wear_flux{};              ///< volume that wears per time [mm^2/s | mm^3/s]
-  std::optional<double> element_quality{};        ///< least scaled Jacobian of the worn mesh
-  std::optional<double> element_volume{};         ///< least, relative to the initial element
-  std::optional<double> groove_section{};         ///< worn area of a groove's section [mm^2]
-  std::optional<double> approach{};               ///< w, of the counter-body [mm]
-  std::optional<double> displacement_gradient{};  ///< its largest norm, with small strains
-  std::optional<double> contact_half_width{};     ///< [mm]
-  /// Integral of wear_flux over the run [mm^2 | mm^3]; computed by the run loop, not by a model.
-  std::optional<double> wear_integral{};
-  std::optional<double> wear_depth{};  ///< largest of a contact node [mm]
+/// A scalar that several physics observe, with its name, unit and meaning in the table of
+/// observation.cpp. `dim`: 3 in space and of a body of revolution, where the unit may differ.
+/// Throws std::logic_error if the table has no such name.
+Scalar common(std::string_view name, double value, int dim = 2);
+/// A few words; empty for what a single physics observes.
+std::string meaning_of(std::string_view name);
 
-  /// Observations of a single problem (the error against its exact solution), with names different
-  /// from those above.
-  std::vector<Scalar> others{};
-
-  /// worn_volume minus wear_integral, if both are known: zero for a run that conserves volume.
-  std::optional<double> wear_difference() const;
-};
-
-/// One member of Observation and its column.
-struct Quantity {
-  using Member = std::optional<double> Observation::*;
-  Member member;
-  const char* name;
-  const char* unit_2d;
-  const char* unit_3d;
-  const char* meaning;  ///< a few words
-
-  const char* unit(int dim) const { return dim == 2 ? unit_2d : unit_3d; }
-};
-
-/// All quantities, in the order of their columns.
-std::span<const Quantity> quantities();
-/// The unit of a member in this observation.
-std::string unit_of(const Observation& observation, Quantity::Member member);
-
-/// The columns of the present members: the quantities, then the others.
-std::vector<Scalar> columns_of(const Observation& observation);
-/// The observation from the columns of a file. Names that are not among quantities() go to
-/// `others`; the dimension follows from the units.
-Observation observation_of(const std::vector<Scalar>& columns);
+/// Null where it is not observed.
+const Scalar* find_scalar(const Observation& observed, std::string_view name);
+std::optional<double> value_of(const Observation& observed, std::string_view name);
+/// 3 if the volume that is worn is one in space, otherwise 2.
+int dimension_of(const Observation& observed);
+/// worn_volume minus wear_integral, if both are known: zero for a run that conserves volume.
+std::optional<double> wear_difference(const Observation& observed);
 
 }  // namespace gnomon
