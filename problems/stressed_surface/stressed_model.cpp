@@ -5,7 +5,6 @@
 #include <gnomon/terms/material.hpp>
 #include <gnomon/terms/mesh_motion.hpp>
 #include <gnomon/terms/shape_evolution.hpp>
-#include <numeric>
 
 #include "configurational_force.hpp"
 #include "harmonic_mesh.hpp"
@@ -18,18 +17,6 @@ namespace {
 std::vector<Body> bodies_of(const StressedBody& body) {
   return {{.material = {.moduli = body.elastic.value_or(ElasticModuli{})},
            .element = {ElementTechnology::plain, Kinematics::small}}};
-}
-
-Field field_at_nodes(const StressedBody& body, const char* name, const NodalFlags<2>& held,
-                     int block, double row_scale, double unknown_scale) {
-  std::vector<int> nodes(body.mesh.nodes.size());
-  std::iota(nodes.begin(), nodes.end(), 0);
-  Field field(name, std::move(nodes), 2);
-  for (Eigen::Index k = 0; k < field.block.size(); ++k)
-    field.block.data()[k] = held.data()[k] ? -1 : block;
-  field.row_scale.setConstant(row_scale);
-  field.unknown_scale.setConstant(unknown_scale);
-  return field;
 }
 
 /// The fields of a body, and which blocks the algebraic stages solve for.
@@ -45,9 +32,9 @@ struct StressedSet {
     int displacement = -1;
     if (body.elastic) {
       displacement = set.add({"displacement", "u", "all nodes", Role::stiffness});
-      fields.u = set.add(field_at_nodes(body, "displacement", body.displacement_fixed, displacement,
-                                        body.stress * body.size,
-                                        body.stress / body.elastic->young_modulus() * body.size));
+      fields.u = set.add(field_at_nodes<2>(
+          "displacement", body.displacement_fixed, displacement, body.stress * body.size,
+          body.stress / body.elastic->young_modulus() * body.size));
     }
     const int inside = set.add({"shape", "d", "nodes off the free surface", Role::extension});
     const int surface = set.add({.name = "free_surface",
@@ -57,8 +44,7 @@ struct StressedSet {
                                  .differential = true});
     // Rounding errors of positions must not exceed what the equations are solved to.
     const double change = std::max(body.change, 1e-3 * body.size);
-    fields.d =
-        set.add(field_at_nodes(body, "shape", body.shape_fixed, inside, change, body.change));
+    fields.d = set.add(field_at_nodes<2>("shape", body.shape_fixed, inside, change, body.change));
     NodalFlags<2> boundary = body.shape_fixed;
     for (const ContactPatch<2>& patch : body.surface) {
       boundary.row(patch.node).setOnes();
@@ -71,8 +57,8 @@ struct StressedSet {
     int adjoint = -1;
     if (body.elastic) {
       adjoint = set.add({"adjoint", "p", "nodes off the free surface", Role::extension});
-      fields.p = set.add(field_at_nodes(body, "adjoint", boundary, adjoint, density * body.size,
-                                        density * body.size));
+      fields.p = set.add(field_at_nodes<2>("adjoint", boundary, adjoint, density * body.size,
+                                           density * body.size));
     }
     for (const int block : {inside, displacement, adjoint}) {
       if (block < 0) continue;

@@ -3,6 +3,7 @@
 #include <gnomon/integrators/rates.hpp>
 #include <gnomon/model/physics.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
+#include <numeric>
 
 namespace gnomon {
 
@@ -43,6 +44,19 @@ State Physics<dim>::start(Counters& counters) const {
   if (!reason.empty()) throw SolutionError("no equilibrium at t = 0: " + reason);
   set_rates(system_, nullptr, state);
   return state;
+}
+
+template <int dim>
+Field field_at_nodes(const std::string& name, const NodalFlags<dim>& held, int block,
+                     double row_scale, double unknown_scale) {
+  std::vector<int> nodes(static_cast<std::size_t>(held.rows()));
+  std::iota(nodes.begin(), nodes.end(), 0);
+  Field field(name, std::move(nodes), dim);
+  for (Eigen::Index k = 0; k < field.block.size(); ++k)
+    field.block.data()[k] = held.data()[k] ? -1 : block;
+  field.row_scale.setConstant(row_scale);
+  field.unknown_scale.setConstant(unknown_scale);
+  return field;
 }
 
 template <int dim>
@@ -108,6 +122,8 @@ ContactSurface surface_of(const Mesh<dim>& mesh, std::span<const ContactPatch<di
 
 template class Physics<2>;
 template class Physics<3>;
+template Field field_at_nodes(const std::string&, const NodalFlags<2>&, int, double, double);
+template Field field_at_nodes(const std::string&, const NodalFlags<3>&, int, double, double);
 template std::array<double, 3> point_in_space(const Vector<2>&);
 template std::array<double, 3> point_in_space(const Vector<3>&);
 template std::vector<std::array<double, 3>> points_in_space(const std::vector<Vector<2>>&);

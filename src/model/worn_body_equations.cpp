@@ -9,7 +9,6 @@
 #include <gnomon/terms/shape_evolution.hpp>
 #include <gnomon/terms/shape_multiplier.hpp>
 #include <gnomon/terms/springs.hpp>
-#include <numeric>
 
 namespace gnomon {
 
@@ -36,12 +35,6 @@ Scales above_rounding(const Assembly<dim>& body) {
   return scales;
 }
 
-std::vector<int> all_nodes(std::size_t count) {
-  std::vector<int> nodes(count);
-  std::iota(nodes.begin(), nodes.end(), 0);
-  return nodes;
-}
-
 template <int dim>
 std::vector<int> contact_nodes(const Assembly<dim>& body) {
   std::vector<int> nodes;
@@ -49,27 +42,10 @@ std::vector<int> contact_nodes(const Assembly<dim>& body) {
   return nodes;
 }
 
-/// Values that are not held belong to a block.
-void assign(Field& field, const auto& held, int block) {
-  for (Eigen::Index k = 0; k < field.block.size(); ++k)
-    field.block.data()[k] = held.data()[k] ? -1 : block;
-}
-
-template <int dim>
-Field displacement_field(const Assembly<dim>& body, const Scales& scales, int block) {
-  Field u("displacement", all_nodes(body.mesh.nodes.size()), dim);
-  assign(u, body.supports.held, block);
-  u.row_scale.setConstant(scales.force);
-  u.unknown_scale.setConstant(scales.displacement);
-  return u;
-}
-
 template <int dim>
 Field shape_field(const Assembly<dim>& body, const Scales& scales, int interior, int surface) {
-  Field d("shape", all_nodes(body.mesh.nodes.size()), dim);
-  assign(d, body.shape.held, interior);
-  d.row_scale.setConstant(scales.auxiliary_force);
-  d.unknown_scale.setConstant(scales.wear_depth);
+  Field d = field_at_nodes<dim>("shape", body.shape.held, interior, scales.auxiliary_force,
+                                scales.wear_depth);
   for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {
     if (!body.wears(static_cast<int>(c))) continue;
     const int node = body.contact_nodes[c].node;
@@ -296,7 +272,8 @@ FieldSet WornBodyEquations<dim>::make_fields() {
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     const int displacement =
         set.add(of_phase({"displacement", "u", "all nodes", Role::stiffness}, p));
-    fields_[p].u = set.add(displacement_field(*assembly_, scales, displacement));
+    fields_[p].u = set.add(field_at_nodes<dim>("displacement", assembly_->supports.held,
+                                               displacement, scales.force, scales.displacement));
   }
   const int interior = set.add({"shape", "d", "nodes off the contact surface", Role::extension});
   const int surface = set.add({.name = "worn_surface",

@@ -31,6 +31,11 @@ private:
   ComposedSystem<dim> system_;
 };
 
+/// A vector at each node of a mesh, of one block where it is not held.
+template <int dim>
+Field field_at_nodes(const std::string& name, const NodalFlags<dim>& held, int block,
+                     double row_scale, double unknown_scale);
+
 /// In 2D, z is zero.
 template <int dim>
 std::array<double, 3> point_in_space(const Vector<dim>& v);
