@@ -19,6 +19,7 @@ set(gnomon_public_headers
   gnomon/model/assembly.hpp          # wearing bodies as data
   gnomon/model/magnitudes.hpp
   gnomon/model/wear_model.hpp        # and their model
+  gnomon/model/physics.hpp           # models of other physics on a mesh
   gnomon/part/part_scene.hpp         # what a scene says of them
   gnomon/part/assembly_scene.hpp
   gnomon/cycles/cycle_scene.hpp      # and of cycles
