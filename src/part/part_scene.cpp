@@ -182,8 +182,9 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
 /// Contact belongs to all boundary that the counter-body can reach; wear.on says what wears.
 template <int dim>
 void join_reachable_boundary(const Magnitudes& magnitudes, AssemblyParts<dim>& parts) {
-  // What is met later is found by the checks of the result.
+  // What is met later joins in an epoch of its own.
   const double depth = 1.5 * (magnitudes.deepest + magnitudes.scales.displacement);
+  parts.interface.reach = depth;
   Surface<dim> others = reachable_boundary(parts, depth);
   if (others.facets.empty()) return;
   parts.remarks.push_back(fmt::format(

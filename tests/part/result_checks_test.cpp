@@ -6,6 +6,7 @@
 #include <gnomon/checks/checks.hpp>
 
 #include "part/cyclic_flat.hpp"
+#include "part/stepped_part.hpp"
 
 namespace gnomon {
 namespace {
@@ -111,31 +112,7 @@ TEST_F(ResultChecks, AFlatThatWouldStickIsRefused) {
 // A shelf that wear.on does not name comes into contact as the sole wears, and carries load.
 TEST_F(ResultChecks, BoundaryThatDoesNotWearTouchesToo) {
   const SceneFolder folder;
-  folder.write("step.geo", R"(Point(1) = {0, 0, 0}; Point(2) = {5, 0, 0}; Point(3) = {5, 0.1, 0};
-Point(4) = {10, 0.1, 0}; Point(5) = {10, 5, 0}; Point(6) = {0, 5, 0}; Point(7) = {5, 5, 0};
-Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 6};
-Line(6) = {6, 1};
-Curve Loop(1) = {1, 2, 3, 4, 5, 6};
-Plane Surface(1) = {1};
-Mesh.MeshSizeMax = 0.8;
-Physical Curve("sole") = {1};
-Physical Curve("back") = {5};
-Physical Surface("body") = {1};
-)");
-  const auto model = make_model(load_scene(folder.write("step.toml", R"(problem = "worn_body"
-mesh.geometry = "step.geo"
-body = { young_modulus = 1000.0, poisson_ratio = 0.3 }
-support = [ { on = "back" } ]
-wear = { on = "sole", coefficient = 1e-8 }
-time.end = 40000.0
-integrator = { name = "esdirk-3", rtol = 1e-3 }
-[counter_body]
-shape = "plane"
-normal = [0.0, 1.0]
-motion = { velocity = [100.0, 0.0] }
-press = { direction = [0.0, 1.0], force = 40.0 }
-)"),
-                                           {}, key_table));
+  const auto model = stepped_part(folder);
   const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 40000);
   const ContactSurface surface = *model->contact(run.last());
   double lowest = 1, carried = 0;

@@ -84,6 +84,9 @@ struct Interface {
   /// Facets of the boundary, among them those beside the surfaces, which their nodes move when
   /// they wear; read by the conservative rule alone.
   std::vector<typename Mesh<dim>::Facet> boundary{};
+  /// Other boundary that comes nearer to the partner than half of this joins the contact, with all
+  /// that is within it; 0: none does [length].
+  double reach = 0;
   CounterBody<dim> partner{};
   /// The force that presses the partner along the first of its guides, at factor one; without it
   /// the partner does not move there.

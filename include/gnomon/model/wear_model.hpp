@@ -43,6 +43,8 @@ private:
   explicit WearModel(WornBodyEquations<dim> equations);
   std::optional<PhaseError> phase_error(const State& state) const;
   Examination examine(const State& state) const;
+  /// Boundary that the counter-body comes near to joins the contact (Interface::reach).
+  std::optional<Succession> succeed(const State& state) const;
   /// Within the box of the initial body, widened by a quarter of its longest side.
   CounterSurface counter_surface(const State& state) const;
   /// The contact law at every contact node, phase by phase; on the state's own smooth branch.

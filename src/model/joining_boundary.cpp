@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <gnomon/integrators/rates.hpp>
+#include <gnomon/model/joining_boundary.hpp>
+#include <gnomon/model/wear_model.hpp>
+#include <gnomon/newton/algebraic_solver.hpp>
+#include <map>
+#include <set>
+
+namespace gnomon {
+
+namespace {
+
+template <int dim>
+using Facet = typename Mesh<dim>::Facet;
+
+template <int dim>
+Facet<dim> by_nodes(Facet<dim> facet) {
+  std::ranges::sort(facet);
+  return facet;
+}
+
+template <int dim>
+std::vector<Facet<dim>> boundary_without_contact(const AssemblyParts<dim>& parts) {
+  std::set<Facet<dim>> touching;
+  for (const Facet<dim>& facet : facets_of(parts.interface.surfaces))
+    touching.insert(by_nodes<dim>(facet));
+  std::vector<Facet<dim>> others;
+  for (const Facet<dim>& facet : parts.interface.boundary)
+    if (!touching.contains(by_nodes<dim>(facet))) others.push_back(facet);
+  // Facets on the axis of a body of revolution have no area, and no contact.
+  if (dim == 2 && parts.section() == Section::meridian)
+    std::erase_if(others, [&](const Facet<dim>& facet) {
+      return std::ranges::all_of(facet, [&](int node) { return parts.mesh.nodes[node][0] == 0; });
+    });
+  return others;
+}
+
+/// Whether supports hold the node along its normal.
+template <int dim>
+bool held_across(const AssemblyParts<dim>& parts, const ContactPatch<dim>& patch) {
+  double free = 0;
+  for (int i = 0; i < dim; ++i)
+    if (!parts.supports.held(patch.node, i))
+      free += patch.initial_normal[i] * patch.initial_normal[i];
+  return free <= 0.5;
+}
+
+}  // namespace
+
+template <int dim>
+Surface<dim> joining_boundary(const AssemblyParts<dim>& parts,
+                              const std::function<bool(const ContactPatch<dim>&)>& near) {
+  Surface<dim> surface{.name = "", .facets = {}, .wear = WearLaw(), .wears = false};
+  const std::vector<Facet<dim>> others = boundary_without_contact(parts);
+  std::set<int> reached, held;
+  for (const auto& patch : contact_patches<dim>(parts.mesh, others, {}, parts.section()))
+    if (held_across(parts, patch))
+      held.insert(patch.node);
+    else if (near(patch))
+      reached.insert(patch.node);
+  for (const Facet<dim>& facet : others)
+    if (std::ranges::any_of(facet, [&](int node) { return reached.contains(node); }) &&
+        std::ranges::none_of(facet, [&](int node) { return held.contains(node); }))
+      surface.facets.push_back(facet);
+  return surface;
+}
+
+namespace {
+
+/// What lies nearer than `distance` to the counter-body in some phase of a state.
+template <int dim>
+Surface<dim> boundary_within(double distance, const WornBodyEquations<dim>& equations,
+                             const FieldValues<dim>& values, double t) {
+  std::vector<PartnerMotion<>> q;  // by phase
+  for (std::size_t p = 0; p < equations.phases().size(); ++p) {
+    q.push_back(equations.phases()[p].counter_body.given(t, t));
+    if (const FieldId w = equations.fields(p).w; w != FieldId::none) q.back() += values.scalar(w);
+  }
+  return joining_boundary<dim>(equations.assembly(), [&](const ContactPatch<dim>& patch) {
+    for (std::size_t p = 0; p < q.size(); ++p) {
+      const Vector<dim> d = values.vector(equations.fields(p).d).row(patch.node).transpose(),
+                        u = values.vector(equations.fields(p).u).row(patch.node).transpose();
+      const SignedDistance<dim> at = equations.phases()[p].counter_body.unchecked_distance(
+          patch.initial_position + d + u, q[p], t);
+      if (at.gap < distance && faces<dim>(patch.initial_normal, at.normal)) return true;
+    }
+    return false;
+  });
+}
+
+template <int dim>
+AssemblyParts<dim> with_surface(AssemblyParts<dim> parts, Surface<dim> joining) {
+  std::vector<Surface<dim>>& surfaces = parts.interface.surfaces;
+  if (surfaces.back().wears)
+    surfaces.push_back(std::move(joining));
+  else
+    surfaces.back().facets.insert(surfaces.back().facets.end(), joining.facets.begin(),
+                                  joining.facets.end());
+  return parts;
+}
+
+/// The values of the same nodes; zero at nodes that a field did not have.
+template <int dim>
+FieldValues<dim> moved(const FieldSet& from, const FieldValues<dim>& values, const FieldSet& to) {
+  FieldValues<dim> result(to);
+  for (std::size_t f = 0; f < to.fields.size(); ++f) {
+    const std::vector<int>&before = from.fields[f].node, &now = to.fields[f].node;
+    const int width = to.fields[f].components();
+    if (before == now) {
+      std::copy_n(values.data(f), now.size() * width, result.data(f));
+      continue;
+    }
+    std::map<int, std::size_t> place;
+    for (std::size_t e = 0; e < before.size(); ++e) place[before[e]] = e;
+    for (std::size_t e = 0; e < now.size(); ++e)
+      if (const auto found = place.find(now[e]); found != place.end())
+        std::copy_n(values.data(f) + found->second * width, width, result.data(f) + e * width);
+  }
+  return result;
+}
+
+}  // namespace
+
+template <int dim>
+std::optional<Succession> WearModel<dim>::succeed(const State& state) const {
+  const double reach = assembly().interface.reach;
+  const FieldValues<dim> values = system().values(state.t, state.y);
+  if (boundary_within(reach / 2, equations_, values, state.t).facets.empty()) return {};
+  auto next = std::make_shared<WearModel>(
+      with_surface<dim>(assembly(), boundary_within(reach, equations_, values, state.t)));
+  State start{state.t, std::vector<double>(next->system().structure().size), {}};
+  next->system().numbering().gather(
+      moved(*equations_.composition()->fields, values, *next->equations_.composition()->fields),
+      start.y);
+  // Boundary that came all the way in one step is inside of the counter-body.
+  Counters counters;
+  if (const std::string reason = AlgebraicSolver(next->system(), counters).solve(state.t, start.y);
+      !reason.empty())
+    throw SolutionError("no equilibrium with the boundary that joins the contact: " + reason);
+  set_rates(next->system(), nullptr, start);
+  return Succession{std::move(next), std::move(start)};
+}
+
+template Surface<2> joining_boundary(const AssemblyParts<2>&,
+                                     const std::function<bool(const ContactPatch<2>&)>&);
+template Surface<3> joining_boundary(const AssemblyParts<3>&,
+                                     const std::function<bool(const ContactPatch<3>&)>&);
+template std::optional<Succession> WearModel<2>::succeed(const State&) const;
+template std::optional<Succession> WearModel<3>::succeed(const State&) const;
+
+}  // namespace gnomon
