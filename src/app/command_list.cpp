@@ -9,6 +9,7 @@
 #include <gnomon/base/installation.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/problem.hpp>
+#include <gnomon/newton/linear_solver_kind.hpp>
 #include <gnomon/shapes/counter_shape_kind.hpp>
 #include <gnomon/terms/material_law.hpp>
 #include <gnomon/wear_laws/wear_law_kind.hpp>
@@ -99,7 +100,7 @@ std::string list_files(bool studies) {
 
 const std::vector<std::string>& list_subjects() {
   static const std::vector<std::string> subjects = {
-      "integrators", "laws", "materials", "problems", "scenes", "shapes", "studies"};
+      "integrators", "laws", "materials", "problems", "scenes", "shapes", "solvers", "studies"};
   return subjects;
 }
 
@@ -115,6 +116,8 @@ int list_command(const std::string& what) {
     fmt::print("{}", list_entries<WearLawKind>());
   } else if (what == "materials") {
     fmt::print("{}", list_entries<MaterialLaw>());
+  } else if (what == "solvers") {
+    fmt::print("{}", list_entries<LinearSolverKind>());
   } else if (what == "shapes") {
     fmt::print("{}", list_shapes());
   } else if (what == "scenes") {

@@ -19,8 +19,9 @@ std::size_t states_of(const Structure& structure) {
   return owners.size();
 }
 
-std::unique_ptr<CoreSolver> make_core(const Structure& structure) {
-  return states_of(structure) > 1 ? make_compliance_core(structure) : make_spring_core(structure);
+std::unique_ptr<CoreSolver> make_core(const Structure& structure, const InnerSolverMaker& inner) {
+  return states_of(structure) > 1 ? make_compliance_core(structure, inner)
+                                  : make_spring_core(structure, inner);
 }
 
 }  // namespace
@@ -34,10 +35,10 @@ struct BlockPreconditioner::Blocks {
   std::vector<int> multipliers;
   std::vector<double> work;
 
-  explicit Blocks(const Structure& s)
+  Blocks(const Structure& s, const InnerSolverMaker& inner)
       : structure(s),
-        core(make_core(s)),
-        mesh_motion(s, Role::extension, true),
+        core(make_core(s, inner)),
+        mesh_motion(s, Role::extension, true, inner),
         mesh_motion_row(s, {Role::extension}, {Role::evolution}),
         multiplier_row(s, {Role::reaction}, {Role::evolution, Role::extension}),
         multipliers(unknowns_of(s, {Role::reaction})),
@@ -46,10 +47,11 @@ struct BlockPreconditioner::Blocks {
   double diagonal(int i) const { return J[structure.pattern.find(i, i)]; }
 };
 
-BlockPreconditioner::BlockPreconditioner(const Structure& structure) {
+BlockPreconditioner::BlockPreconditioner(const Structure& structure,
+                                         const InnerSolverMaker& inner) {
   if (structure.blocks.empty() || structure.position.empty())
     throw InputError("solver.method = \"block\": the system of this problem has no blocks");
-  blocks_ = std::make_unique<Blocks>(structure);
+  blocks_ = std::make_unique<Blocks>(structure, inner);
 }
 BlockPreconditioner::~BlockPreconditioner() = default;
 

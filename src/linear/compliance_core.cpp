@@ -20,10 +20,10 @@ std::vector<NodeUnknowns> numbers_in_block(const PhaseContact& phase, const Symm
 
 }  // namespace
 
-ComplianceCore::ComplianceCore(const Structure& structure)
+ComplianceCore::ComplianceCore(const Structure& structure, const InnerSolverMaker& inner)
     : structure_(structure),
-      by_factors_(structure.solver.preconditioner == LinearSolverChoice::Preconditioner::factor),
-      stiffness_(structure, Role::stiffness, false),
+      column_cost_(inner.column_cost),
+      stiffness_(structure, Role::stiffness, false, inner),
       contacts_(structure, stiffness_.owners()),
       compliance_(numbers_in_block(contacts_.phases().front(), stiffness_.part())),
       systems_(stiffness_.owners()),
@@ -39,23 +39,18 @@ void ComplianceCore::refresh(std::span<const double> J) {
   wear_block_.factorize(J);
 }
 
-double ComplianceCore::cost_of_column() const {
-  // Factors solve for many columns together.
-  return by_factors_ ? 0.25 : 1;
-}
-
 double ComplianceCore::in_applications(double solves) const {
-  return solves / (1 + 2 * cost_of_column() * static_cast<double>(stiffness_.owners()));
+  return solves / (1 + 2 * column_cost_ * static_cast<double>(stiffness_.owners()));
 }
 
 double ComplianceCore::update_cost() const {
   const auto missing = static_cast<double>(compliance_.missing(contacts_.touching()));
-  return in_applications(cost_of_column() * missing);
+  return in_applications(column_cost_ * missing);
 }
 
 double ComplianceCore::set_up_cost() const {
   const auto columns = static_cast<double>(compliance_.columns());
-  return in_applications(cost_of_column() * columns + stiffness_.solver().set_up_cost());
+  return in_applications(column_cost_ * columns + stiffness_.solver().set_up_cost());
 }
 
 int ComplianceCore::set_up(bool) {
@@ -227,8 +222,9 @@ void ComplianceCore::solve(std::span<double> s, std::span<double> z) {
   wear_block_.solve(s, z);
 }
 
-std::unique_ptr<CoreSolver> make_compliance_core(const Structure& structure) {
-  return std::make_unique<ComplianceCore>(structure);
+std::unique_ptr<CoreSolver> make_compliance_core(const Structure& structure,
+                                                 const InnerSolverMaker& inner) {
+  return std::make_unique<ComplianceCore>(structure, inner);
 }
 
 }  // namespace gnomon

@@ -42,7 +42,7 @@ namespace gnomon {
 class ComplianceCore : public CoreSolver {
 public:
   /// `structure` must outlive the object; throws as StiffnessBlock.
-  explicit ComplianceCore(const Structure& structure);
+  ComplianceCore(const Structure& structure, const InnerSolverMaker& inner);
 
   void refresh(std::span<const double> J) override;
   double update_cost() const override;
@@ -58,7 +58,6 @@ private:
     Eigen::MatrixXd fed_back;  ///< V A^-1 (a.m)
     Eigen::VectorXd right;     ///< f
   };
-  double cost_of_column() const;  // in solves with K
   double in_applications(double solves) const;
   Eigen::MatrixXd response(const PhaseContact& phase) const;
   void make_system(std::size_t p);
@@ -70,7 +69,7 @@ private:
 
   const Structure& structure_;
   std::span<const double> J_;
-  const bool by_factors_;
+  const double column_cost_;  // in solves with K
   StiffnessBlock stiffness_;
   PhaseContacts contacts_;
   ContactCompliance compliance_;

@@ -2,6 +2,7 @@
 // Jacobian, solved together.
 #pragma once
 
+#include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/system/system.hpp>
 #include <memory>
 #include <span>
@@ -30,9 +31,11 @@ public:
 
 /// For one contact state: closed nodes are springs in the matrix that is set up
 /// (contact_elimination.hpp). References must outlive the solver; throws as StiffnessBlock.
-std::unique_ptr<CoreSolver> make_spring_core(const Structure& structure);
+std::unique_ptr<CoreSolver> make_spring_core(const Structure& structure,
+                                             const InnerSolverMaker& inner);
 
 /// For several contact states, which share one stiffness without springs (compliance_core.hpp).
-std::unique_ptr<CoreSolver> make_compliance_core(const Structure& structure);
+std::unique_ptr<CoreSolver> make_compliance_core(const Structure& structure,
+                                                 const InnerSolverMaker& inner);
 
 }  // namespace gnomon

@@ -210,6 +210,10 @@ std::unique_ptr<InnerSolver> make_factor_solver(const StiffnessLayout& layout,
   return std::make_unique<FactorSolver>(layout, sizes);
 }
 
+InnerSolverMaker factor_solvers() {
+  return {[](const StiffnessLayout& layout) { return make_factor_solver(layout); }, 0.25};
+}
+
 double factor_entries(const SparsePattern& pattern) {
   if (pattern.size() == 0) return 0;
   std::vector<int> group(pattern.size());

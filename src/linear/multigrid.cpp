@@ -41,4 +41,8 @@ std::unique_ptr<InnerSolver> make_multigrid_solver(const StiffnessLayout&) {
 
 #endif
 
+InnerSolverMaker multigrid_solvers() {
+  return {make_multigrid_solver, 1};
+}
+
 }  // namespace gnomon

@@ -16,10 +16,10 @@ constexpr Roles core_roles = {Role::stiffness, Role::multiplier, Role::evolution
 /// The stiffness with springs is solved, and the rigid motions, any number, are bordered.
 class SpringCore : public CoreSolver {
 public:
-  explicit SpringCore(const Structure& s)
-      : by_factors_(s.solver.preconditioner == LinearSolverChoice::Preconditioner::factor),
-        stiffness_(s, Role::stiffness, true),
-        contact_(s, by_factors_),
+  SpringCore(const Structure& s, const InnerSolverMaker& inner)
+      : column_cost_(inner.column_cost),
+        stiffness_(s, Role::stiffness, true, inner),
+        contact_(s, follows_springs()),
         rigid_row_(s, {Role::rigid}, core_roles),
         rigid_block_(s, {Role::rigid}, {Role::rigid}),
         rigid_column_(s, core_roles, {Role::rigid}),
@@ -35,9 +35,7 @@ public:
     bordered_ = false;
   }
   double update_cost() const override {
-    // Factors solve for many columns together.
-    const double cost_of_a_column = by_factors_ ? 0.25 : 1;
-    return cost_of_a_column * static_cast<double>(change_.columns_to_solve(terms_));
+    return column_cost_ * static_cast<double>(change_.columns_to_solve(terms_));
   }
   void update() override {
     if (!stiffness_.empty()) change_.set(terms_, stiffness_.solver(), stiffness_.size());
@@ -47,7 +45,7 @@ public:
     terms_ = contact_.low_rank_terms(stiffness_.part());  // common wear alone
     // With multigrid the columns cost more than the set-up: they are kept until fresh ones are
     // needed.
-    if (by_factors_ || whole) change_.clear();
+    if (follows_springs() || whole) change_.clear();
     const int factorizations = stiffness_.set_up("the stiffness of the body");
     update();
     bordered_ = false;
@@ -63,6 +61,7 @@ public:
   }
 
 private:
+  bool follows_springs() const { return column_cost_ < 1; }
   /// Solves the rows of u, lambda and c; s is changed.
   void solve_free(std::span<double> s, std::span<double> z) {
     contact_.condense(s);
@@ -112,7 +111,7 @@ private:
   }
 
   std::span<const double> J_;
-  const bool by_factors_;
+  const double column_cost_;
   StiffnessBlock stiffness_;
   ContactElimination contact_;
   LowRankUpdate change_;            // of the stiffness
@@ -128,8 +127,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<CoreSolver> make_spring_core(const Structure& structure) {
-  return std::make_unique<SpringCore>(structure);
+std::unique_ptr<CoreSolver> make_spring_core(const Structure& structure,
+                                             const InnerSolverMaker& inner) {
+  return std::make_unique<SpringCore>(structure, inner);
 }
 
 }  // namespace gnomon

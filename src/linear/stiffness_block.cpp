@@ -9,12 +9,6 @@ namespace gnomon {
 
 namespace {
 
-std::unique_ptr<InnerSolver> make_inner(const StiffnessLayout& layout, const Structure& structure) {
-  return structure.solver.preconditioner == LinearSolverChoice::Preconditioner::multigrid
-             ? make_multigrid_solver(layout)
-             : make_factor_solver(layout);
-}
-
 std::vector<std::vector<int>> by_owner(const Structure& structure, Role role, bool together) {
   std::map<int, std::vector<int>> owned;
   for (int i : unknowns_of(structure, {role}))
@@ -27,7 +21,8 @@ std::vector<std::vector<int>> by_owner(const Structure& structure, Role role, bo
 
 }  // namespace
 
-StiffnessBlock::StiffnessBlock(const Structure& structure, Role role, bool together)
+StiffnessBlock::StiffnessBlock(const Structure& structure, Role role, bool together,
+                               const InnerSolverMaker& inner)
     : unknowns_(by_owner(structure, role, together)) {
   for (const std::vector<int>& unknowns : unknowns_) {
     parts_.emplace_back(structure.pattern, unknowns);
@@ -44,7 +39,7 @@ StiffnessBlock::StiffnessBlock(const Structure& structure, Role role, bool toget
     layout_.group.push_back(structure.group[i]);
     layout_.component.push_back(structure.component[i]);
   }
-  solver_ = make_inner(layout_, structure);
+  solver_ = inner.make(layout_);
 }
 
 std::vector<double>& StiffnessBlock::gather(std::span<const double> J) {

@@ -16,7 +16,8 @@ class StiffnessBlock {
 public:
   /// `together`: all unknowns as one block, whoever owns them. Throws InputError where multigrid is
   /// chosen and not built in; Error where the blocks of two owners are not alike.
-  StiffnessBlock(const Structure& structure, Role role, bool together);
+  StiffnessBlock(const Structure& structure, Role role, bool together,
+                 const InnerSolverMaker& inner);
   StiffnessBlock(const StiffnessBlock&) = delete;
   StiffnessBlock& operator=(const StiffnessBlock&) = delete;
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/problem.hpp>
-#include <gnomon/model/solver_scene.hpp>
 #include <gnomon/terms/material_law.hpp>
 #include <gnomon/wear_laws/wear_law_kind.hpp>
 
@@ -12,8 +11,7 @@ namespace gnomon {
 double estimated_memory(const Scene& scene) {
   const Problem& problem = Problems::find(scene.text("problem"), "problem");
   if (!problem.mesh_size) return 0;
-  const MeshSize mesh = problem.mesh_size(scene);
-  return estimated_memory(mesh, linear_solver_of(scene, mesh));
+  return estimated_memory(scene, problem.mesh_size(scene));
 }
 
 namespace {
@@ -21,9 +19,8 @@ namespace {
 /// In space, where the estimate by the keys is rough, only what is certainly too much is refused;
 /// when the mesh exists, its memory is estimated again.
 void require_memory_by_keys(const Scene& scene, const MeshSize& mesh) {
-  const LinearSolverChoice solver = linear_solver_of(scene, mesh);
-  if (mesh.dim == 3 && estimated_memory(mesh, solver) / 2 <= available_memory()) return;
-  require_memory(scene, mesh, solver);
+  if (mesh.dim == 3 && estimated_memory(scene, mesh) / 2 <= available_memory()) return;
+  required_memory(scene, mesh);
 }
 
 }  // namespace
@@ -67,6 +64,7 @@ std::vector<Key> own_keys(const Problem& problem) {
   for (const char* material : {"body.material", "body.#.material", "shape.energy"})
     add_material_keys(keys, material);
   add_registered<WearLawKind>(keys, "wear.law");
+  add_registered<LinearSolverKind>(keys, "solver.method");
   return keys;
 }
 

@@ -90,9 +90,7 @@ Field rigid_motion_field(const Assembly<dim>& body, const Phase<dim>& phase, con
 
 template <int dim>
 std::shared_ptr<const std::vector<NodeInterpolation>> coarsening(const Assembly<dim>& body) {
-  if (body.solver.method != LinearSolverChoice::Method::block ||
-      body.solver.preconditioner != LinearSolverChoice::Preconditioner::multigrid)
-    return nullptr;
+  if (!body.solver.coarsens) return nullptr;
   return std::make_shared<const std::vector<NodeInterpolation>>(semi_coarsening(body.mesh));
 }
 

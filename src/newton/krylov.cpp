@@ -11,13 +11,15 @@ namespace {
 constexpr int most_iterations = 80;
 }  // namespace
 
-BlockSolver::BlockSolver(const Structure& structure, Counters& counters, SUNContext context)
+BlockSolver::BlockSolver(const Structure& structure, Counters& counters,
+                         const InnerSolverMaker& inner)
     : structure_(structure),
       counters_(counters),
-      preconditioner_(structure),
-      solution_(make_vector(structure.size, context)),
-      row_scale_(make_vector(structure.size, context)),
-      gmres_(SUNLinSol_SPFGMR(solution_.get(), SUN_PREC_RIGHT, most_iterations, context)) {
+      preconditioner_(structure, inner),
+      right_(make_vector(structure.size, context_)),
+      solution_(make_vector(structure.size, context_)),
+      row_scale_(make_vector(structure.size, context_)),
+      gmres_(SUNLinSol_SPFGMR(solution_.get(), SUN_PREC_RIGHT, most_iterations, context_)) {
   check(gmres_.get(), "SUNLinSol_SPFGMR");
   for (long i = 0; i < structure.size; ++i) view(row_scale_.get())[i] = 1 / structure.row_scale[i];
   const auto product = [](void* self, N_Vector v, N_Vector Jv) {
@@ -38,12 +40,12 @@ BlockSolver::BlockSolver(const Structure& structure, Counters& counters, SUNCont
   check(SUNLinSolInitialize(gmres_.get()), "SUNLinSolInitialize");
 }
 
-void BlockSolver::set_up(std::span<const double> J, bool anew) {
+void BlockSolver::set_up(std::span<const double> J) {
   require_finite(J, "the Jacobian");
   J_ = J;
   preconditioner_.refresh(J);
   policy_.spent(preconditioner_.update_cost());
-  if (anew || policy_.due())
+  if (policy_.due())
     set_up_preconditioner();
   else
     preconditioner_.update();
@@ -57,13 +59,14 @@ void BlockSolver::set_up_preconditioner() {
   policy_.made(whole, preconditioner_.set_up_cost());
 }
 
-double BlockSolver::iterate(N_Vector b, double reduction) {
+double BlockSolver::iterate(double reduction) {
   SUNLinearSolver gmres = gmres_.get();
-  const double size = N_VWL2Norm(b, row_scale_.get());
+  const double size = N_VWL2Norm(right_.get(), row_scale_.get());
   N_VConst(0, solution_.get());
   if (size == 0) return 0;
   check(SUNLinSolSetZeroGuess(gmres, SUNTRUE), "SUNLinSolSetZeroGuess");
-  check(SUNLinSolSolve(gmres, nullptr, solution_.get(), b, reduction * size), "SUNLinSolSolve");
+  check(SUNLinSolSolve(gmres, nullptr, solution_.get(), right_.get(), reduction * size),
+        "SUNLinSolSolve");
   const int iterations = SUNLinSolNumIters(gmres);
   counters_.krylov_iterations += iterations;
   const double reached = SUNLinSolResNorm(gmres) / size;
@@ -76,18 +79,20 @@ double BlockSolver::iterate(N_Vector b, double reduction) {
   return reached;
 }
 
-void BlockSolver::solve(N_Vector b, N_Vector x, double reduction, double acceptable) {
+void BlockSolver::solve(std::span<const double> b, std::span<double> x, double reduction,
+                        double acceptable) {
+  std::ranges::copy(b, view(right_.get()).begin());
   bool fresh = policy_.fresh();
-  double reached = iterate(b, reduction);
+  double reached = iterate(reduction);
   if (reached > reduction && !fresh) {
     set_up_preconditioner();
-    reached = iterate(b, reduction);
+    reached = iterate(reduction);
     fresh = true;
   }
   fresh_iterations_ = fresh ? SUNLinSolNumIters(gmres_.get()) : 0;
   if (reached > std::max(reduction, acceptable))
     throw RecoverableError("the block solver did not converge");
-  N_VScale(1, solution_.get(), x);
+  std::ranges::copy(view(solution_.get()), x.begin());
 }
 
 }  // namespace gnomon::sundials

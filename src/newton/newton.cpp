@@ -6,10 +6,10 @@
 #include <functional>
 #include <gnomon/newton/newton.hpp>
 
-#include "newton/linear_solver.hpp"
 #include "newton/newton_policy.hpp"
 #include "newton/pressure_level.hpp"
 #include "newton/residual_norm.hpp"
+#include "newton/sun_linear_solver.hpp"
 
 namespace gnomon {
 

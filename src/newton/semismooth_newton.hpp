@@ -6,7 +6,7 @@
 #include <functional>
 #include <gnomon/newton/newton_options.hpp>
 
-#include "newton/linear_solver.hpp"
+#include "newton/sun_linear_solver.hpp"
 
 namespace gnomon::sundials {
 

@@ -6,7 +6,7 @@
 #include <gnomon/base/same_time.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/mesh/semi_coarsening.hpp>
-#include <gnomon/model/solver_scene.hpp>
+#include <gnomon/model/memory_estimate.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/terms/material_law.hpp>
@@ -52,6 +52,7 @@ double factor_entries_of(const Mesh<dim>& mesh, const NodalFlags<dim>& held) {
   return dim * dim * factor_entries(nodes.build());
 }
 
+/// Valid while the parts are.
 template <int dim>
 MeshSize size_of(const AssemblyParts<dim>& parts) {
   MeshSize size{.dim = dim,
@@ -60,21 +61,20 @@ MeshSize size_of(const AssemblyParts<dim>& parts) {
   if (dim == 2) return size;
   size.grid_lines = !semi_coarsening(parts.mesh).empty();
   size.displacements = double((parts.supports.held.array() == 0).count());
-  if (!parts.cross_section) size.shapes = double((parts.shape.held.array() == 0).count());
+  size.displacement_factor = [&] {
+    return factor_entries_of<dim>(parts.mesh, parts.supports.held);
+  };
+  if (parts.cross_section) return size;
+  size.shapes = double((parts.shape.held.array() == 0).count());
+  size.shape_factor = [&] { return factor_entries_of<dim>(parts.mesh, parts.shape.held); };
   return size;
 }
 
-/// Factors are analysed only where they are used.
 template <int dim>
 void choose_solver(const Scene& scene, AssemblyParts<dim>& parts) {
-  MeshSize size = size_of(parts);
-  parts.solver = linear_solver_of(scene, size);
-  if (dim == 3 && parts.solver.uses_factors()) {
-    size.displacement_factor = factor_entries_of<dim>(parts.mesh, parts.supports.held);
-    if (size.shapes > 0) size.shape_factor = factor_entries_of<dim>(parts.mesh, parts.shape.held);
-  }
-  parts.memory = estimated_memory(size, parts.solver);
-  require_memory(scene, size, parts.solver);
+  const MeshSize size = size_of(parts);
+  parts.solver = linear_solver_kind(scene).make(scene, size);
+  parts.memory = required_memory(scene, size);
 }
 
 }  // namespace

@@ -92,10 +92,6 @@ std::vector<Key> shared_keys() {
     }
     if (key.name == "wear.coefficient") key.range.min = 0;  // a contact analysis
     if (key.name.starts_with("body.")) key.idle = idle_beside_bodies;
-    if (key.name == "solver.method") {
-      key.presence = optional;
-      key.absent_meaning = "block";
-    }
     keys.push_back(std::move(key));
   }
   return keys;

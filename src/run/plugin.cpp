@@ -6,6 +6,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/problem.hpp>
+#include <gnomon/newton/linear_solver_kind.hpp>
 #include <gnomon/run/plugin.hpp>
 #include <gnomon/shapes/counter_shape_kind.hpp>
 #include <gnomon/terms/material_law.hpp>
@@ -25,7 +26,7 @@ std::size_t registered() {
 /// Everything that a plug-in may register. Throws RegistrationError for a name that was taken.
 std::size_t all_registered() {
   return registered<Integrator, Problem, WearLawKind, CounterShapeKind<2>, CounterShapeKind<3>,
-                    MaterialLaw>();
+                    MaterialLaw, LinearSolverKind>();
 }
 
 /// Refuses a plug-in that was compiled for other headers than this library: its objects would have

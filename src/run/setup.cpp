@@ -78,13 +78,9 @@ Scene checked_scene_of_text(const std::string& text, const std::string& name,
 namespace {
 
 /// The scene with the choices that follow from the size of the model, for the resolved scene.
-Scene with_choices(const Scene& scene, const LinearSolverChoice& solver) {
-  const bool block = solver.method == LinearSolverChoice::Method::block;
-  if (scene.knows("solver.method") && !scene.has("solver.method"))
-    return with_choices(scene.with("solver.method", block ? "block" : "direct"), solver);
-  if (!block || scene.has("solver.preconditioner")) return scene;
-  const bool factor = solver.preconditioner == LinearSolverChoice::Preconditioner::factor;
-  return scene.with("solver.preconditioner", factor ? "factor" : "multigrid");
+Scene with_choices(Scene scene, const LinearSolverMaker& solver) {
+  for (const auto& [key, value] : solver.keys) scene = scene.with(key, value);
+  return scene;
 }
 
 Setup completed(Scene scene, std::unique_ptr<Model> model) {

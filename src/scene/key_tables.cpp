@@ -315,40 +315,16 @@ std::vector<Key> shape_keys() {
   };
 }
 
-/// A problem may choose the method where the scene does not.
-std::string solves_directly(const Scene& scene) {
-  return scene.has("solver.method") && scene.text("solver.method") == "direct"
-             ? "solver.method is \"direct\""
-             : "";
-}
-
-std::vector<Key> solver_keys() {
-  return {
-      {.name = "solver.method",
-       .kind = KeyKind::text,
-       .presence = defaulted,
-       .default_value = "block",
-       .choices = {"direct", "block"},
-       .on_resume = true,
-       .help = "linear systems: factors of the whole Jacobian, or flexible GMRES on it, "
-               "preconditioned block by block"},
-      {.name = "solver.preconditioner",
-       .kind = KeyKind::text,
-       .presence = optional,
-       .absent_meaning = "chosen by size: factor unless in 3D and large (docs/linear.md)",
-       .choices = {"factor", "multigrid"},
-       .on_resume = true,
-       .help =
-           "how solver.method = \"block\" solves with the stiffness: by Cholesky factors, or by "
-           "multigrid, along the grid lines of the mesh where it has them (needs PETSc)",
-       .idle = solves_directly},
-  };
-}
-
 std::vector<Key> make_worn_body_keys(int dim) {
   std::vector<Key> keys;
-  for (const auto& part : {body_keys(), load_and_wear_keys(dim), shape_keys(), solver_keys()})
+  for (const auto& part : {body_keys(), load_and_wear_keys(dim), shape_keys()})
     keys.insert(keys.end(), part.begin(), part.end());
+  keys.push_back({.name = "solver.method",
+                  .kind = KeyKind::text,
+                  .presence = defaulted,
+                  .default_value = "block",
+                  .on_resume = true,
+                  .help = "how linear systems are solved (gnomon list solvers)"});
   keys.push_back(friction_key(dim));
   keys.push_back({.name = "contact.initial_gap",
                   .unit = "mm",

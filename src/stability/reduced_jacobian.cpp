@@ -23,13 +23,13 @@ constexpr double reduction_of_a_solve = 1e-6;
 struct ReducedJacobian::Stage {
   AlgebraicStage equations;
   std::vector<double> values;  // of its Jacobian
-  LinearSolve linear;
+  std::unique_ptr<LinearSolver> linear;
   std::vector<double> right_side, solution;
 
   Stage(AlgebraicStage stage, const SparsePattern& pattern, std::span<const double> J,
         Counters& counters)
       : equations(std::move(stage)),
-        linear(structure(), counters),
+        linear(make_linear_solver(structure(), counters)),
         right_side(equations.unknowns.size()),
         solution(equations.unknowns.size()) {
     const std::vector<int>& unknown = equations.unknowns;
@@ -38,7 +38,7 @@ struct ReducedJacobian::Stage {
     for (int column = 0; column < own.size(); ++column)
       for (int k = own.column_start[column]; k < own.column_start[column + 1]; ++k)
         values.push_back(J[pattern.find(unknown[own.row_index[k]], unknown[column])]);
-    linear.set_up(values);
+    linear->set_up(values);
   }
 
   const Structure& structure() const { return equations.system->structure(); }
@@ -55,7 +55,7 @@ struct ReducedJacobian::Stage {
 
   /// Adds its solution to the change of all components.
   void correct(double reduction, std::span<double> change) {
-    linear.solve(right_side, solution, reduction);
+    linear->solve(right_side, solution, reduction);
     for (std::size_t k = 0; k < solution.size(); ++k) change[equations.unknowns[k]] += solution[k];
   }
 };

@@ -115,26 +115,29 @@ TEST_F(Memory, TooLargeAMeshIsRefusedWithTheFigures) {
 
 // A body of 100,000 nodes in space.
 TEST(MissingMemory, IsToldWithTheSolverAndAThriftierOne) {
-  using Choice = LinearSolverChoice;
   const MeshSize mesh{.dim = 3, .nodes = 1e5, .displacements = 3e5};
-  const Choice direct{Choice::Method::direct, Choice::Preconditioner::factor},
-      factor{Choice::Method::block, Choice::Preconditioner::factor},
-      multigrid{Choice::Method::block, Choice::Preconditioner::multigrid};
-  const double by_direct = estimated_memory(mesh, direct),
-               by_factor = estimated_memory(mesh, factor),
-               by_multigrid = estimated_memory(mesh, multigrid);
-  ASSERT_LT(by_multigrid, 0.5 * by_factor);
-  ASSERT_LT(by_factor, 0.5 * by_direct);
-  EXPECT_EQ(missing_memory_text(mesh, direct, by_direct), "");
-
-  const auto text = [&](const Choice& solver, double available) {
-    return missing_memory_text(mesh, solver, available);
+  const auto scene = [](const char* method, const char* preconditioner) {
+    return load_scene(problems + "ball_on_half_space/small_deformation.toml",
+                      {std::string("solver.method=") + method,
+                       std::string("solver.preconditioner=") + preconditioner},
+                      key_table);
   };
+  const Scene direct = scene("direct", "factor"), factor = scene("block", "factor"),
+              multigrid = scene("block", "multigrid");
+  const double by_direct = estimated_memory(direct, mesh),
+               by_factor = estimated_memory(factor, mesh),
+               by_multigrid = estimated_memory(multigrid, mesh);
+  ASSERT_LT(by_factor, 0.5 * by_direct);
+  const auto text = [&](const Scene& solver, double available) {
+    return missing_memory_text(solver, mesh, estimated_memory(solver, mesh), available);
+  };
+  EXPECT_EQ(text(direct, by_direct), "");
   const std::string needed =
       "about " + memory_text(by_factor) + " of memory with solver.preconditioner = \"factor\", ";
   const std::string thrifty =
       ", or solver.preconditioner = \"multigrid\", which needs about " + memory_text(by_multigrid);
   if (has_multigrid()) {
+    ASSERT_LT(by_multigrid, 0.5 * by_factor);
     EXPECT_EQ(text(factor, by_multigrid), needed + memory_text(by_multigrid) +
                                               " are available; expected a coarser mesh" + thrifty);
   }

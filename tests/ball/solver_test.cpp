@@ -2,7 +2,6 @@
 
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/model/problem.hpp>
-#include <gnomon/model/solver_scene.hpp>
 #include <gnomon/model/wear_scene.hpp>
 
 #include "ball/coarse.hpp"
@@ -76,41 +75,41 @@ Scene scene_of(const std::string& scene, const Overrides& overrides) {
   return load_scene(std::string(GNOMON_SOURCE_DIR "/problems/") + scene, overrides, key_table);
 }
 
-LinearSolverChoice::Preconditioner chosen_for(double nodes, bool grid_lines,
-                                              const Overrides& overrides) {
-  return linear_solver_of(scene_of(groove_small, overrides),
-                          {.dim = 3, .nodes = nodes, .grid_lines = grid_lines})
-      .preconditioner;
+std::string chosen(const Scene& scene, const MeshSize& mesh) {
+  return linear_solver_kind(scene).make(scene, mesh).keys.at("solver.preconditioner");
 }
 
+std::string chosen_for(double nodes, bool grid_lines, const Overrides& overrides) {
+  return chosen(scene_of(groove_small, overrides),
+                {.dim = 3, .nodes = nodes, .grid_lines = grid_lines});
+}
+
+const std::string factor = "factor", multigrid = "multigrid",
+                  multigrid_if_built = has_multigrid() ? multigrid : factor;
+
 TEST(Solver, LargeBodiesAskForMultigridUnlessToldOtherwise) {
-  using enum LinearSolverChoice::Preconditioner;
   EXPECT_EQ(chosen_for(99'999, false, {}), factor);
-  EXPECT_EQ(chosen_for(100'000, false, {}), has_multigrid() ? multigrid : factor);
+  EXPECT_EQ(chosen_for(100'000, false, {}), multigrid_if_built);
   EXPECT_EQ(chosen_for(100'000, false, {"solver.preconditioner=factor"}), factor);
   EXPECT_EQ(chosen_for(10, false, {"solver.preconditioner=multigrid"}), multigrid);
 }
 
 TEST(Solver, AlongGridLinesSmallerBodiesAskForMultigrid) {
-  using enum LinearSolverChoice::Preconditioner;
-  EXPECT_EQ(chosen_for(32 * 32 * 32, true, {}), factor);  // 98,304 displacements
-  EXPECT_EQ(chosen_for(32 * 32 * 33, true, {}), has_multigrid() ? multigrid : factor);  // 101,376
+  EXPECT_EQ(chosen_for(32 * 32 * 32, true, {}), factor);              // 98,304 displacements
+  EXPECT_EQ(chosen_for(32 * 32 * 33, true, {}), multigrid_if_built);  // 101,376
 }
 
 // The estimate of the memory needs the choice before there is a mesh.
 TEST(Solver, IsChosenByTheKeysAsByTheMesh) {
-  const auto chosen = [](const std::string& scene, const Overrides& overrides) {
+  const auto by_keys = [](const std::string& scene, const Overrides& overrides) {
     const Scene keys = scene_of(scene, overrides);
-    return linear_solver_of(keys, Problems::find(keys.text("problem"), "").mesh_size(keys))
-        .preconditioner;
+    return chosen(keys, Problems::find(keys.text("problem"), "").mesh_size(keys));
   };
-  using enum LinearSolverChoice::Preconditioner;
-  const auto large = has_multigrid() ? multigrid : factor;
-  EXPECT_EQ(chosen(groove_small, {"mesh.elements=[30, 31, 31]"}), factor);
-  EXPECT_EQ(chosen(groove_small, {"mesh.elements=[32, 31, 31]"}), large);
-  EXPECT_EQ(chosen(ball_small, {}), factor);
-  EXPECT_EQ(chosen(ball_small, {"mesh.elements=[27, 9, 12]"}), large);
-  EXPECT_EQ(chosen("pin_on_flat/small_deformation.toml", {"mesh.elements=[400, 400]"}), factor);
+  EXPECT_EQ(by_keys(groove_small, {"mesh.elements=[30, 31, 31]"}), factor);
+  EXPECT_EQ(by_keys(groove_small, {"mesh.elements=[32, 31, 31]"}), multigrid_if_built);
+  EXPECT_EQ(by_keys(ball_small, {}), factor);
+  EXPECT_EQ(by_keys(ball_small, {"mesh.elements=[27, 9, 12]"}), multigrid_if_built);
+  EXPECT_EQ(by_keys("pin_on_flat/small_deformation.toml", {"mesh.elements=[400, 400]"}), factor);
 }
 
 }  // namespace

@@ -20,17 +20,19 @@ namespace gnomon::block_solver_test {
 namespace {
 
 using namespace testing;
-using Preconditioner = LinearSolverChoice::Preconditioner;
 
-/// A Jacobian, a right side, and a structure that chooses the block solver.
+/// A Jacobian, a right side, and inner solvers.
 struct Problem {
   Structure structure;
+  InnerSolverMaker inner;
   std::vector<double> J, F;
 
   Problem(const System& system, const std::vector<double>& y, double alpha,
-          Preconditioner preconditioner, const ActiveSet* branch = nullptr)
-      : structure(system.structure()), J(structure.pattern.nonzeros()), F(structure.size) {
-    structure.solver = {LinearSolverChoice::Method::block, preconditioner};
+          InnerSolverMaker inner_solvers, const ActiveSet* branch = nullptr)
+      : structure(system.structure()),
+        inner(std::move(inner_solvers)),
+        J(structure.pattern.nonzeros()),
+        F(structure.size) {
     const std::vector<double> rest(structure.size, 0.0);
     system.residual({0, y, rest, branch}, F);
     system.jacobian({0, y, rest, branch}, alpha, J);
@@ -46,41 +48,36 @@ struct Problem {
   };
   /// At a relative tolerance of 1e-8; the residual is checked.
   Solution solve() const {
-    gnomon::sundials::Context context;
     Counters counters;
-    gnomon::sundials::BlockSolver solver(structure, counters, context);
-    const auto b = gnomon::sundials::make_vector(structure.size, context);
-    const auto x = gnomon::sundials::make_vector(structure.size, context);
-    std::copy(F.begin(), F.end(), gnomon::sundials::view(b.get()).begin());
+    gnomon::sundials::BlockSolver solver(structure, counters, inner);
+    std::vector<double> x(structure.size), r(structure.size);
     solver.set_up(J);
-    solver.solve(b.get(), x.get(), 1e-8, 1e-8);
-    const auto values = gnomon::sundials::view(x.get());
-    std::vector<double> r(structure.size);
-    multiply(structure.pattern, J, values, r);
+    solver.solve(F, x, 1e-8, 1e-8);
+    multiply(structure.pattern, J, x, r);
     for (long i = 0; i < structure.size; ++i) r[i] -= F[i];
     EXPECT_LT(size(r), 2e-8 * size(F));
-    return {counters.krylov_iterations, {values.begin(), values.end()}};
+    return {counters.krylov_iterations, x};
   }
   long iterations() const { return solve().iterations; }
 };
 
 /// The pin at 50 s and the residual of a step of size `step` there.
-Problem pin_problem(int n, double step, Preconditioner preconditioner, const Overrides& more = {}) {
+Problem pin_problem(int n, double step, const InnerSolverMaker& inner, const Overrides& more = {}) {
   Overrides overrides = {elements(n)};
   overrides.insert(overrides.end(), more.begin(), more.end());
   const PinRun run = run_pin("backward-euler", 25, 1e-4, 50, overrides);
-  return {run.model->system(), run.last().y, 1 / step, preconditioner};
+  return {run.model->system(), run.last().y, 1 / step, inner};
 }
 
 /// Whether multigrid is told the grid lines of the block.
 enum class Lines { unknown, known };
 
 /// The block under a Hertzian guess of the pressure, an eighth of its surface in contact.
-Problem block_problem(int n, double step, Preconditioner preconditioner, double poisson_ratio = 0.3,
+Problem block_problem(int n, double step, const InnerSolverMaker& inner, double poisson_ratio = 0.3,
                       Lines lines = Lines::unknown) {
   const PressedBlock block{.across = n, .high = n, .poisson_ratio = poisson_ratio};
   AssemblyParts<3> parts = pressed_block(block);
-  if (lines == Lines::known) parts.solver = {LinearSolverChoice::Method::block, preconditioner};
+  if (lines == Lines::known) parts.solver.coarsens = true;
   const auto body = std::make_shared<const Assembly<3>>(std::move(parts));
   const WornBodyEquations<3> equations(body);
   const ComposedSystem<3> system(equations.composition());
@@ -96,7 +93,7 @@ Problem block_problem(int n, double step, Preconditioner preconditioner, double 
   }
   std::vector<double> y(system.structure().size);
   system.numbering().gather(values, y);
-  return {system, y, 1 / step, preconditioner, &branch};
+  return {system, y, 1 / step, inner, &branch};
 }
 
 /// Drops the derivatives that the preconditioner drops: equilibrium by shape, and wear by the shape
@@ -117,9 +114,9 @@ void decouple(Problem& problem) {
 TEST(BlockPreconditioner, IsTheInverseOfWhatItKeeps) {
   for (const char* form : {"eliminated", "multiplier"}) {
     Problem problem =
-        pin_problem(10, 200, Preconditioner::factor, {std::string("shape.constraint=") + form});
+        pin_problem(10, 200, factor_solvers(), {std::string("shape.constraint=") + form});
     decouple(problem);
-    BlockPreconditioner preconditioner(problem.structure);
+    BlockPreconditioner preconditioner(problem.structure, problem.inner);
     preconditioner.refresh(problem.J);
     preconditioner.set_up(true);
     const long n = problem.structure.size;
@@ -137,23 +134,23 @@ TEST(BlockPreconditioner, IsTheInverseOfWhatItKeeps) {
 
 // Then flexible GMRES has nothing left to do, for all scales of the rows.
 TEST(BlockSolver, IsDoneAtOnceWhereNothingIsNeglected) {
-  Problem problem = pin_problem(10, 200, Preconditioner::factor);
+  Problem problem = pin_problem(10, 200, factor_solvers());
   decouple(problem);
   EXPECT_LE(problem.iterations(), 2);
 }
 
 TEST(BlockSolver, IterationsHardlyGrowWithTheMeshOrTheStep) {
-  const long coarse = pin_problem(20, 50, Preconditioner::factor).iterations();
-  const long fine = pin_problem(40, 50, Preconditioner::factor).iterations();
+  const long coarse = pin_problem(20, 50, factor_solvers()).iterations();
+  const long fine = pin_problem(40, 50, factor_solvers()).iterations();
   EXPECT_LE(coarse, 8);
   EXPECT_LE(fine, coarse + 2);
-  EXPECT_LE(pin_problem(40, 5, Preconditioner::factor).iterations(), 7);
-  EXPECT_LE(pin_problem(40, 200, Preconditioner::factor).iterations(), 10);
+  EXPECT_LE(pin_problem(40, 5, factor_solvers()).iterations(), 7);
+  EXPECT_LE(pin_problem(40, 200, factor_solvers()).iterations(), 10);
 }
 
 TEST(BlockSolver, SolvesInThreeDimensions) {
-  const long coarse = block_problem(4, 5, Preconditioner::factor).iterations();
-  const long fine = block_problem(8, 5, Preconditioner::factor).iterations();
+  const long coarse = block_problem(4, 5, factor_solvers()).iterations();
+  const long fine = block_problem(8, 5, factor_solvers()).iterations();
   EXPECT_LE(coarse, 12);
   EXPECT_LE(fine, coarse + 3);
 }
@@ -165,13 +162,13 @@ TEST(Multigrid, IterationsHardlyGrowWithTheMesh) {
   for (const auto& [poisson_ratio, most] : {std::pair{0.3, 14}, {0.45, 19}}) {
     SCOPED_TRACE(poisson_ratio);
     const auto iterations = [&](int n) {
-      return block_problem(n, 5, Preconditioner::multigrid, poisson_ratio).iterations();
+      return block_problem(n, 5, multigrid_solvers(), poisson_ratio).iterations();
     };
     const long coarse = iterations(8), fine = iterations(16);
     EXPECT_LE(coarse, most);
     EXPECT_LE(fine, coarse + 6);  // wide aggregates on two levels: four more when nearly
   }                               // incompressible, two more otherwise
-  EXPECT_LE(pin_problem(40, 50, Preconditioner::multigrid).iterations(), 16);
+  EXPECT_LE(pin_problem(40, 50, multigrid_solvers()).iterations(), 16);
 }
 
 // Twice as fine, and twice again. Nearly incompressible bodies have motions without change of
@@ -180,8 +177,7 @@ TEST(Multigrid, AlongGridLinesTakesNearlyTheSameIterationsOnEveryMesh) {
   if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
   for (const auto& [poisson_ratio, most, growth] : {std::tuple{0.3, 12, 2}, {0.45, 20, 4}}) {
     const auto iterations = [&](int n) {
-      return block_problem(n, 5, Preconditioner::multigrid, poisson_ratio, Lines::known)
-          .iterations();
+      return block_problem(n, 5, multigrid_solvers(), poisson_ratio, Lines::known).iterations();
     };
     const long coarse = iterations(6), fine = iterations(12), finest = iterations(24);
     EXPECT_LE(std::max({coarse, fine, finest}), most) << poisson_ratio;
@@ -191,9 +187,9 @@ TEST(Multigrid, AlongGridLinesTakesNearlyTheSameIterationsOnEveryMesh) {
 
 TEST(Multigrid, AgreesWithFactors) {
   if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
-  const auto factors = block_problem(8, 50, Preconditioner::factor).solve();
+  const auto factors = block_problem(8, 50, factor_solvers()).solve();
   for (const Lines lines : {Lines::unknown, Lines::known}) {
-    const Problem problem = block_problem(8, 50, Preconditioner::multigrid, 0.3, lines);
+    const Problem problem = block_problem(8, 50, multigrid_solvers(), 0.3, lines);
     EXPECT_EQ(problem.structure.coarsening != nullptr, lines == Lines::known);
     const auto multigrid = problem.solve();
     for (long i = 0; i < problem.structure.size; ++i)
@@ -209,9 +205,10 @@ INSTANTIATE_TEST_SUITE_P(Multigrid, BothMultigrids,
 TEST_P(BothMultigrids, AreOneLinearMap) {
   if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
   const Lines lines = GetParam();
-  const Problem problem = block_problem(10, 5, Preconditioner::multigrid, 0.3, lines);
+  const Problem problem = block_problem(10, 5, multigrid_solvers(), 0.3, lines);
   const auto& scale = problem.structure.row_scale;
-  BlockPreconditioner first(problem.structure), second(problem.structure);
+  BlockPreconditioner first(problem.structure, problem.inner),
+      second(problem.structure, problem.inner);
   for (BlockPreconditioner* p : {&first, &second}) {
     p->refresh(problem.J);
     p->set_up(true);
@@ -238,7 +235,7 @@ TEST_P(BothMultigrids, AreOneLinearMap) {
 }
 
 TEST(BlockSolver, RefusesASystemWithoutBlocks) {
-  EXPECT_THROW(BlockPreconditioner{Structure{}}, InputError);
+  EXPECT_THROW(BlockPreconditioner(Structure{}, factor_solvers()), InputError);
 }
 
 TEST(BlockSolver, GivesTheTrajectoriesOfTheDirectOne) {

@@ -128,8 +128,9 @@ def studies(program):
 
 def catalogue(program):
     subjects = {"laws": "Wear laws: `wear.law`", "materials": "Materials: `body.material`, `shape.energy`",
-                "shapes": "Shapes of counter-bodies: `counter_body.shape`", "problems": "Problems"}
-    lines = ["# Laws, materials, shapes, problems\n", "What scenes may name, by `gnomon list`. How one is added:",
+                "shapes": "Shapes of counter-bodies: `counter_body.shape`",
+                "solvers": "Linear solvers: `solver.method`", "problems": "Problems"}
+    lines = ["# Laws, materials, shapes, solvers, problems\n", "What scenes may name, by `gnomon list`. How one is added:",
              "[architecture](../architecture.md#what-can-be-extended-and-how).\n"]
     for subject, title in subjects.items():
         lines.append(f"## {title}\n")

@@ -1,6 +1,7 @@
 // Preconditioner of the coupled Jacobian by its blocks (docs/linear.md).
 #pragma once
 
+#include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/system/system.hpp>
 #include <memory>
 #include <span>
@@ -14,10 +15,9 @@ namespace gnomon {
 /// Blocks that a system lacks are skipped, so the stages of a system are solved by the same code.
 class BlockPreconditioner {
 public:
-  /// Blocks by the roles of `structure.blocks`, inner solvers by `structure.solver`. Throws
-  /// InputError where a system has no blocks or multigrid is not built in. `structure` must outlive
-  /// the object.
-  explicit BlockPreconditioner(const Structure& structure);
+  /// Blocks by the roles of `structure.blocks`. Throws InputError where a system has no blocks or
+  /// multigrid is not built in. `structure` must outlive the object.
+  BlockPreconditioner(const Structure& structure, const InnerSolverMaker& inner);
   ~BlockPreconditioner();
 
   /// Takes the values of a new Jacobian, which must outlive their use. The inner solvers stay.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <gnomon/fields/sparse_pattern.hpp>
 #include <gnomon/mesh/node_interpolation.hpp>
 #include <memory>
@@ -36,6 +37,13 @@ public:
   virtual double set_up_cost() const = 0;
 };
 
+/// Inner solvers of one kind.
+struct InnerSolverMaker {
+  /// The layout must outlive the solver.
+  std::function<std::unique_ptr<InnerSolver>(const StiffnessLayout&)> make;
+  double column_cost;  ///< of one of many columns, in applications; below 1 many are worthwhile
+};
+
 /// Sizes from which factors are treated as large.
 struct FactorSizes {
   double rounded = 5e6;  ///< entries, more than caches hold: single columns in single precision
@@ -47,6 +55,7 @@ struct FactorSizes {
 /// %; the outer iteration corrects this. `layout` must outlive the solver.
 std::unique_ptr<InnerSolver> make_factor_solver(const StiffnessLayout& layout,
                                                 const FactorSizes& sizes = {});
+InnerSolverMaker factor_solvers();
 
 /// Entries of the factors of a symmetric matrix on this pattern, ordered in the same way; only
 /// counted.
@@ -59,5 +68,6 @@ bool has_multigrid();
 /// aggregation (PETSc GAMG) that uses the rigid-body modes. Throws InputError where gnomon was
 /// built without PETSc. `layout` must outlive the solver.
 std::unique_ptr<InnerSolver> make_multigrid_solver(const StiffnessLayout& layout);
+InnerSolverMaker multigrid_solvers();
 
 }  // namespace gnomon

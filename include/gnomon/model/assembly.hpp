@@ -7,7 +7,7 @@
 #include <gnomon/mesh/mesh_part.hpp>
 #include <gnomon/model/cyclic_phases.hpp>
 #include <gnomon/system/composed_system.hpp>
-#include <gnomon/system/linear_solver_choice.hpp>
+#include <gnomon/system/linear_solver.hpp>
 #include <gnomon/terms/contact_node.hpp>
 #include <gnomon/terms/mesh_motion.hpp>
 #include <optional>
@@ -134,7 +134,7 @@ struct AssemblyParts {
   std::optional<CrossSection> cross_section{};  ///< 3D only: uniform along x
   double copies = 1;  ///< number of modelled parts in the whole body (symmetry)
   Scales scales{};
-  LinearSolverChoice solver{};
+  LinearSolverMaker solver{};
   double memory = 0;                    ///< ModelFacts::memory
   std::vector<std::string> remarks{};   ///< ModelFacts::remarks
   std::vector<MeshPart> named_parts{};  ///< of a mesh from a file, for its result to keep

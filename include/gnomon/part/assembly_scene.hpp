@@ -32,7 +32,7 @@ ShapeMotion<dim> read_shape_motion(const Scene& scene, NodalFlags<dim> held,
 
 /// The parts with what follows from all of them: rho, the initial gap, the
 /// linear solver and its memory. `facet`: a typical length of a contact facet. Throws InputError
-/// like require_memory().
+/// like required_memory().
 template <int dim>
 AssemblyParts<dim> completed(const Scene& scene, double facet, AssemblyParts<dim> parts);
 

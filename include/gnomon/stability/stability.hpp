@@ -10,7 +10,7 @@
 #include <gnomon/base/counters.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/model.hpp>
-#include <gnomon/newton/linear_solve.hpp>
+#include <gnomon/newton/linear_solver_kind.hpp>
 #include <gnomon/system/system.hpp>
 #include <memory>
 #include <span>

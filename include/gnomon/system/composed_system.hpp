@@ -30,7 +30,7 @@ struct Composition {
   std::vector<BlockSelection> stages;
   std::vector<std::array<double, 3>> position;  ///< of the mesh nodes, initial [length]
   std::shared_ptr<const std::vector<NodeInterpolation>> coarsening;  ///< as in Structure
-  LinearSolverChoice solver;
+  LinearSolverMaker solver;
 };
 
 /// F is the sum of the terms; the rows are those of the unknowns of the selected blocks. Not safe

@@ -11,7 +11,7 @@
 #include <gnomon/fields/block.hpp>
 #include <gnomon/fields/sparse_pattern.hpp>
 #include <gnomon/mesh/node_interpolation.hpp>
-#include <gnomon/system/linear_solver_choice.hpp>
+#include <gnomon/system/linear_solver.hpp>
 #include <gnomon/system/state.hpp>
 #include <memory>
 #include <optional>
@@ -36,7 +36,7 @@ struct Structure {
   /// Ascending times, beside the breakpoints, at which steps that follow the error shall end: what
   /// F does for a short time, smoothly in t, would be stepped over.
   std::vector<double> stops = {};
-  LinearSolverChoice solver = {};
+  LinearSolverMaker solver = {};  ///< factors where it makes none
   // For solvers by blocks; empty where a system has no such blocks.
   std::vector<Block> blocks = {};
   std::vector<int> block = {};       ///< size entries: in `blocks`

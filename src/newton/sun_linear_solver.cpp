@@ -1,13 +1,14 @@
-#include "newton/linear_solver.hpp"
+#include "newton/sun_linear_solver.hpp"
 
-#include <gnomon/newton/linear_solve.hpp>
+#include <gnomon/newton/linear_solver_kind.hpp>
 
 namespace gnomon::sundials {
 
 namespace {
 
 struct LinearContent {
-  LinearSolve linear;
+  std::unique_ptr<LinearSolver> linear;
+  Counters& counters;
   Guard& guard;
   const LinearRequest& request;
 };
@@ -27,11 +28,12 @@ LinearSolverOwner make_linear_solver(const Structure& structure, Counters& count
   solver->ops->initialize = [](SUNLinearSolver) { return 0; };
   solver->ops->setup = [](SUNLinearSolver s, SUNMatrix J) {
     LinearContent& c = content(s);
-    return c.request.keep ? 0 : c.guard.run([&] { c.linear.set_up(values(J)); });
+    return c.request.keep ? 0 : c.guard.run([&] { c.linear->set_up(values(J)); });
   };
   solver->ops->solve = [](SUNLinearSolver s, SUNMatrix, N_Vector x, N_Vector b, sunrealtype) {
     LinearContent& c = content(s);
-    return c.guard.run([&] { c.linear.solve(view(b), view(x), c.request.reduction); });
+    ++c.counters.linear_solves;
+    return c.guard.run([&] { c.linear->solve(view(b), view(x), c.request.reduction); });
   };
   solver->ops->free = [](SUNLinearSolver s) {
     delete static_cast<LinearContent*>(s->content);
@@ -40,7 +42,8 @@ LinearSolverOwner make_linear_solver(const Structure& structure, Counters& count
     return 0;
   };
   LinearSolverOwner owner(solver);
-  solver->content = new LinearContent{LinearSolve(structure, counters), guard, request};
+  solver->content =
+      new LinearContent{gnomon::make_linear_solver(structure, counters), counters, guard, request};
   return owner;
 }
 

@@ -1,4 +1,4 @@
-// LinearSolve as a SUNLinearSolver.
+// LinearSolver as a SUNLinearSolver.
 #pragma once
 
 #include <sundials/sundials_linearsolver.h>
