@@ -35,7 +35,7 @@ double distance_at_the_end(const NewtonOptions& options, double rate) {
 TEST(TimeError, EndsAKnownContractionAtTheFirstIterateThatIsNearEnough) {
   for (const double rate : {0.01, 0.1, 0.19, 0.5})
     for (const double fraction : {1e-3, 0.02, 0.3}) {
-      SCOPED_TRACE(testing::Message() << "rate " << rate << ", fraction " << fraction);
+      SCOPED_TRACE(::testing::Message() << "rate " << rate << ", fraction " << fraction);
       const double distance = distance_at_the_end(options_with(fraction), rate);
       EXPECT_LE(distance, fraction);
       EXPECT_GT(distance, fraction * rate);
