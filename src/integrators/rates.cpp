@@ -11,7 +11,13 @@ void set_rates(const System& system, const ActiveSet* branch, State& state,
                std::optional<double> within) {
   std::vector<double> F(state.y.size());
   state.ydot.assign(state.y.size(), 0.0);
-  system.residual({state.t, state.y, state.ydot, branch, within}, F);
+  system.residual({.t = state.t,
+                   .y = state.y,
+                   .ydot = state.ydot,
+                   .branch = branch,
+                   .within = within,
+                   .rates_only = true},
+                  F);
   const std::vector<char>& differential = system.structure().differential;
   for (std::size_t i = 0; i < F.size(); ++i)
     if (differential[i]) state.ydot[i] = -F[i];

@@ -113,8 +113,9 @@ template <int dim>
 void ComposedSystem<dim>::residual(const Point& at, std::span<double> F) const {
   fill(at.y, time(at), within(at), values_);
   std::fill(F.begin(), F.end(), 0.0);
-  for_terms(std::nullopt,
-            [&](std::size_t k) { terms_[k]->add_residual(evaluation(at, values_, k), F); });
+  for_terms(std::nullopt, [&](std::size_t k) {
+    if (!at.rates_only || !sweeps_[k]) terms_[k]->add_residual(evaluation(at, values_, k), F);
+  });
 }
 
 template <int dim>

@@ -29,6 +29,8 @@ struct Point {
   /// with it, and their slow part is kept unless y is too far away; otherwise it becomes known.
   /// A system that has no slow part ignores it. Null: all of J is that of this point.
   SlowPart* slow = nullptr;
+  /// Read by residual() alone: the rates are asked for, and other rows of F may be left incomplete.
+  bool rates_only = false;
 };
 
 /// A consistent point of the DAE. y and ydot have system().size() entries; ydot is meaningful for

@@ -20,7 +20,8 @@ struct TermStructure {
   std::vector<double> stops = {};        ///< times at which steps shall end (Structure)
   bool slow = false;  ///< its derivatives change slowly and are expensive (SlowPart)
   /// It sweeps over all cells of a mesh, and no other term of the system that does so adds to its
-  /// rows: such terms are evaluated at the same time, each by one thread, where there are many.
+  /// rows, which are not differential: such terms are evaluated at the same time, each by one
+  /// thread, where there are many, and not at all for rates.
   bool sweeps_cells = false;
 };
 
