@@ -92,15 +92,23 @@ bool by_multigrid(const Scene& scene, const MeshSize& mesh) {
   return mesh.dim == 3 && mesh.dim * mesh.nodes >= many_displacements && has_multigrid();
 }
 
+bool is_algebraic(const Structure& structure) {
+  return std::ranges::count(structure.differential, 1) == 0;
+}
+
+/// In the plane factors solve the algebraic stages in less time; those of several phases are large.
 LinearSolverMaker make(const Scene& scene, const MeshSize& mesh) {
-  const bool multigrid = by_multigrid(scene, mesh), plane = mesh.dim == 2;
-  return {.make = [inner = multigrid ? multigrid_solvers() : factor_solvers(), plane](
-                      const Structure& s, Counters& counters) -> std::unique_ptr<LinearSolver> {
-            if (plane) return std::make_unique<BlocksOrFactors>(s, counters, inner);
-            return std::make_unique<sundials::BlockSolver>(s, counters, inner);
-          },
-          .keys = {{preconditioner, multigrid ? "multigrid" : "factor"}},
-          .coarsens = multigrid};
+  const bool multigrid = by_multigrid(scene, mesh), plane = mesh.dim == 2,
+             direct_stages = plane && mesh.phases == 1 && !multigrid;
+  return {
+      .make = [inner = multigrid ? multigrid_solvers() : factor_solvers(), plane, direct_stages](
+                  const Structure& s, Counters& counters) -> std::unique_ptr<LinearSolver> {
+        if (direct_stages && is_algebraic(s)) return make_direct_solver(s, counters);
+        if (plane) return std::make_unique<BlocksOrFactors>(s, counters, inner);
+        return std::make_unique<sundials::BlockSolver>(s, counters, inner);
+      },
+      .keys = {{preconditioner, multigrid ? "multigrid" : "factor"}},
+      .coarsens = multigrid};
 }
 
 /// Without PETSc, multigrid is not offered as what needs less.
