@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <gnomon/base/counter_names.hpp>
 #include <gnomon/base/error.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/results/results.hpp>
@@ -69,25 +70,15 @@ std::string shortened_scene(const std::string& scene) {
 }
 
 void print_history(const HistoryRow& last) {
-  const Counters& c = last.counters;
   TextTable table({{}, {.align = Align::right}, {}});
   table.add({"t", fmt::format("{:.8g}", last.t), "s"});
   for (const Scalar& scalar : last.scalars)
     table.add({scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});
-  const auto count = [&](const char* name, long value) {
-    table.add({name, fmt::format("{}", value), ""});
-  };
-  count("steps", c.steps);
-  count("rejected_steps", c.rejected_steps);
-  count("events", c.events);
-  count("newton_iterations", c.newton_iterations);
-  count("residual_evaluations", c.residual_evaluations);
-  count("jacobian_evaluations", c.jacobian_evaluations);
-  count("factorizations", c.factorizations);
-  count("linear_solves", c.linear_solves);
-  if (c.preconditioner_setups > 0) {
-    count("krylov_iterations", c.krylov_iterations);
-    count("preconditioner_setups", c.preconditioner_setups);
+  for (const NamedCounter& counter : named_counters) {
+    const bool of_block_solver = counter.value == &Counters::krylov_iterations ||
+                                 counter.value == &Counters::preconditioner_setups;
+    if (!of_block_solver || last.counters.preconditioner_setups > 0)
+      table.add({counter.name, fmt::format("{}", last.counters.*counter.value), ""});
   }
   fmt::print("\nat the end:\n{}", table.text());
   if (const std::string ledger = ledger_text(last.scalars); !ledger.empty())
@@ -143,9 +134,8 @@ int info_command(const std::filesystem::path& file) {
                                       : "not known: the run goes on, or was killed"});
   table.add({"unknowns", blocks_text(header.blocks)});
   if (const auto grid = result.grid())
-    table.add({"mesh", fmt::format("{} points, {} cells", grid->points.size(),
-                                   grid->cells.size() /
-                                       (grid->cell == Grid::Cell::quadrilateral ? 4 : 8))});
+    table.add(
+        {"mesh", fmt::format("{} points, {} cells", grid->points.size(), grid->cell_count())});
   const std::vector<std::string> fields = result.field_names();
   table.add({"fields", fields.empty() ? "none" : fmt::format("{}", fmt::join(fields, ", "))});
   table.add({"stored at t", times_text(result.stored_times())});

@@ -9,31 +9,13 @@
 #include <gnomon/results/mesh_view.hpp>
 
 #include "app/plotting_script.hpp"
+#include "part/stored_part.hpp"
 
 namespace gnomon::app {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-template <int dim>
-Grid grid_of(const ImportedBody<dim>& body) {
-  Grid grid;
-  grid.cell = dim == 2 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
-  for (const Vector<dim>& X : body.mesh.nodes)
-    std::copy(X.begin(), X.end(), grid.points.emplace_back().begin());
-  for (const auto& cell : body.mesh.cells)
-    grid.cells.insert(grid.cells.end(), cell.begin(), cell.end());
-  for (const auto& [name, facets] : body.mesh.boundary) {
-    MeshPart part{MeshPart::Kind::facets, name, {}};
-    for (const auto& facet : facets)
-      part.nodes.insert(part.nodes.end(), facet.begin(), facet.end());
-    grid.parts.push_back(std::move(part));
-  }
-  for (const auto& [name, nodes] : body.point_groups)
-    grid.parts.push_back({MeshPart::Kind::points, name, nodes});
-  return grid;
-}
 
 /// A folder that is removed with all its contents.
 class TemporaryFolder {

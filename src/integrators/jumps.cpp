@@ -47,6 +47,7 @@ CrossedJumps jumps_between(const System& system, const State& from, const State&
   }
   if (size && !on_all_processes(found.functions.empty()))
     found.by = jump_of_rates(system, from, to, own, other);
+  found.before = std::move(before);
   return found;
 }
 

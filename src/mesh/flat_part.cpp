@@ -5,8 +5,6 @@
 
 namespace gnomon {
 
-namespace {
-
 Vector<2> area_vector(const Mesh<2>& mesh, const Mesh<2>::Facet& facet) {
   const Vector<2> along = mesh.nodes[facet[1]] - mesh.nodes[facet[0]];
   return {along[1], -along[0]};
@@ -16,8 +14,6 @@ Vector<3> area_vector(const Mesh<3>& mesh, const Mesh<3>::Facet& facet) {
   const auto& X = mesh.nodes;
   return (X[facet[2]] - X[facet[0]]).cross(X[facet[3]] - X[facet[1]]) / 2;
 }
-
-}  // namespace
 
 template <int dim>
 FlatPart<dim> flat_part(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,

@@ -14,13 +14,13 @@ namespace gnomon {
 namespace {
 
 /// A law in C++ reads neither the expression nor its names: they count as used.
-void require_no_expression(const Scene& scene) {
+void require_no_expression(const Scene& scene, const std::string& rate_key) {
   const std::string& law = scene.text("wear.law");
   const auto refuse = [&](const std::string& key) {
     throw InputError(scene.where(key) + ": expected nothing: wear.law = \"" + law +
                      "\" does not read it");
   };
-  if (!scene.is_default("wear.rate")) refuse("wear.rate");
+  if (rate_key != "wear.rate" || !scene.is_default(rate_key)) refuse(rate_key);
   for (const char* key : {"wear.constants.*", "wear.tables.*.x", "wear.tables.*.y"})
     if (const auto names = scene.chosen_names(key); !names.empty())
       refuse(std::string(key).replace(std::string(key).find('*'), 1, names.front()));
@@ -38,12 +38,15 @@ std::vector<std::array<double, 3>> some_of(const std::vector<std::array<double, 
 
 }  // namespace
 
-WearLaw read_wear_law(const Scene& scene, std::optional<double> speed) {
+WearLaw read_wear_law(const Scene& scene, std::optional<double> speed,
+                      const std::string& rate_key) {
   require_coefficient(scene);
-  if (scene.text("wear.law") != "expression") require_no_expression(scene);
   const WearLawKind& kind = Registry<WearLawKind>::find(scene.text("wear.law"), "wear law");
+  if (kind.name == "expression")
+    return expression_wear_law(scene, rate_key, speed ? *speed : scene.real("wear.velocity"));
+  require_no_expression(scene, rate_key);
   try {
-    return kind.make(speed ? scene.with("wear.velocity", *speed) : scene);
+    return kind.make(scene);
   } catch (const RegistrationError& error) {
     throw RegistrationError("the wear law \"" + kind.name + "\": " + error.what());
   }
@@ -52,8 +55,8 @@ WearLaw read_wear_law(const Scene& scene, std::optional<double> speed) {
 namespace {
 
 /// The key that gives the law.
-std::string where_law(const Scene& scene) {
-  return scene.where(scene.text("wear.law") == "expression" ? "wear.rate" : "wear.law");
+std::string where_law(const Scene& scene, const std::string& rate_key = "wear.rate") {
+  return scene.where(scene.text("wear.law") == "expression" ? rate_key : "wear.law");
 }
 
 /// Wdot / p at a pressure; of a rate that is proportional to it, whatever the pressure, to the last
@@ -123,7 +126,7 @@ std::string remark_on_time(const LawInTime& in_time, std::size_t stops, double f
 }  // namespace
 
 WearLaw required_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at,
-                     std::vector<std::string>& remarks) {
+                     std::vector<std::string>& remarks, const std::string& rate_key) {
   const WearRange range{.pressure = at.pressure,
                         .speed = at.speed,
                         .depth = at.depth,
@@ -131,7 +134,7 @@ WearLaw required_law(const Scene& scene, const WearLaw& law, const WearCircumsta
                         .friction = at.friction,
                         .nominal_speed = at.speed,
                         .initial = some_of(at.initial)};
-  check_wear_law(law, range, where_law(scene));
+  check_wear_law(law, range, where_law(scene, rate_key));
   const auto remark = [&](std::string text) {
     if (!text.empty()) remarks.push_back(std::move(text));
   };

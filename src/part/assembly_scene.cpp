@@ -202,23 +202,22 @@ Load<2> read_load_on_top(const Scene& scene, const Mesh<2>& mesh) {
           .presses = true};
 }
 
+template <int dim>
+NodalField<dim> surface_load(const Mesh<dim>& mesh,
+                             const std::vector<typename Mesh<dim>::Facet>& facets,
+                             const Vector<dim>& load, bool is_resultant, Section section) {
+  NodalField<dim> forces = NodalField<dim>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), dim);
+  double area = 0;
+  for (const auto& patch : contact_patches<dim>(mesh, facets, {}, section)) {
+    area += patch.initial_area;
+    forces.row(patch.node) = patch.initial_area * load.transpose();
+  }
+  return is_resultant ? NodalField<dim>(forces / area) : forces;
+}
+
 NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part, const Vector<2>& resultant,
                            Section section) {
-  NodalField<2> load = NodalField<2>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), 2);
-  double total = 0;
-  if (section == Section::meridian) {
-    for (const auto& patch : contact_patches<2>(mesh, mesh.boundary.at(part), {}, section)) {
-      total += patch.initial_area;
-      load.row(patch.node) = patch.initial_area * resultant.transpose();
-    }
-    return load / total;
-  }
-  for (const auto& facet : mesh.boundary.at(part)) {
-    const double length = (mesh.nodes[facet[1]] - mesh.nodes[facet[0]]).norm();
-    total += length;
-    for (int node : facet) load.row(node) += length / 2 * resultant.transpose();
-  }
-  return load / total;
+  return surface_load<2>(mesh, mesh.boundary.at(part), resultant, true, section);
 }
 
 template <int dim>
@@ -243,6 +242,10 @@ NodalField<dim> volume_load(const Mesh<dim>& mesh, const Vector<dim>& density, S
   return load;
 }
 
+template NodalField<2> surface_load(const Mesh<2>&, const std::vector<Mesh<2>::Facet>&,
+                                    const Vector<2>&, bool, Section);
+template NodalField<3> surface_load(const Mesh<3>&, const std::vector<Mesh<3>::Facet>&,
+                                    const Vector<3>&, bool, Section);
 template NodalField<2> volume_load(const Mesh<2>&, const Vector<2>&, Section,
                                    const std::vector<int>*);
 template NodalField<3> volume_load(const Mesh<3>&, const Vector<3>&, Section,

@@ -1,8 +1,17 @@
 #include "part/groups.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <gnomon/base/error.hpp>
+#include <gnomon/mesh/contact_patch.hpp>
+#include <gnomon/model/wear_scene.hpp>
+#include <map>
+#include <set>
 
 #include "part/histories.hpp"
+#include "part/supports.hpp"
 
 namespace gnomon::part {
 
@@ -51,5 +60,98 @@ template std::vector<int> group_nodes(const Scene&, const std::string&, const st
                                       const ImportedBody<3>&);
 template void find_unknown_groups(const Scene&, const ImportedBody<2>&, Mistakes&);
 template void find_unknown_groups(const Scene&, const ImportedBody<3>&, Mistakes&);
+
+namespace {
+
+/// The groups of a list; none where the scene has no value for it.
+std::vector<std::string> groups_of(const Scene& scene, const std::string& key) {
+  return given(scene, key) ? scene.texts(key) : std::vector<std::string>();
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+}  // namespace
+
+void find_conflicts(const Scene& scene, Mistakes& mistakes) {
+  for (const char* key : {"wear.on", "shape.hold", "shape.slide"}) {
+    std::set<std::string> known;
+    for (const std::string& name : groups_of(scene, key))
+      if (!known.insert(name).second)
+        mistakes.add(
+            fmt::format("{}: expected each group once, got \"{}\" twice", scene.where(key), name));
+  }
+  const std::vector<std::string> wearing = groups_of(scene, "wear.on"),
+                                 held = groups_of(scene, "shape.hold");
+  for (const char* key : {"shape.hold", "shape.slide"})
+    for (const std::string& name : groups_of(scene, key))
+      if (contains(wearing, name))
+        mistakes.add(fmt::format("{}: expected groups that do not wear, but \"{}\" is in wear.on",
+                                 scene.where(key), name));
+  for (const std::string& name : groups_of(scene, "shape.slide"))
+    if (contains(held, name))
+      mistakes.add(fmt::format("{}: expected groups that are not held, but \"{}\" is in shape.hold",
+                               scene.where("shape.slide"), name));
+}
+
+std::vector<std::string> remarks_on_loads(const Scene& scene) {
+  std::vector<std::string> remarks;
+  std::map<std::string, std::vector<std::string>> loads;  // by group
+  for (const std::string& number : scene.chosen_names("load.#.on"))
+    loads[scene.text("load." + number + ".on")].push_back(number);
+  if (loads.empty() && scene.has("cycle.load"))
+    remarks.push_back("cycle.load has no effect: there is no [[load]]");
+  for (const auto& [group, numbers] : loads)
+    if (numbers.size() > 1)
+      remarks.push_back(fmt::format("\"{}\" has several loads, [[load]] number {}: they add up",
+                                    group, fmt::join(numbers, ", ")));
+  for (const auto& [group, numbers] : loads)
+    if (contains(scene.texts("wear.on"), group))
+      remarks.push_back(
+          fmt::format("[[load]] number {} acts on \"{}\", which wears: it is there beside the "
+                      "pressure of contact",
+                      fmt::join(numbers, ", "), group));
+  return remarks;
+}
+
+template <int dim>
+void require_free_contact(const Scene& scene, const ImportedBody<dim>& part) {
+  for (const std::string& number : scene.chosen_names("support.#.on")) {
+    const std::string support = "support." + number, group = scene.text(support + ".on");
+    if (!contains(scene.texts("wear.on"), group) || given(scene, support + ".stiffness")) continue;
+    double along = 0, area = 0;
+    for (const auto& patch :
+         contact_patches<dim>(part.mesh, part.mesh.boundary.at(group), {}, section_of(scene))) {
+      area += patch.initial_area;
+      for (int i : directions_of<dim>(scene, support))
+        along += patch.initial_area * patch.initial_normal[i] * patch.initial_normal[i];
+    }
+    if (along > area / 2)
+      throw InputError(fmt::format(
+          "{}: expected a surface that does not wear, or directions along it: held across itself, "
+          "\"{}\" would have no contact pressure",
+          scene.where(support + ".on"), group));
+  }
+}
+
+template <int dim>
+void require_moving_shape(const Scene& scene, const std::vector<ContactPatch<dim>>& patches,
+                          const ShapeMotion<dim>& shape) {
+  const auto may_move = [&](const ContactPatch<dim>& patch) {
+    return !shape.free(patch.node).isZero(0);
+  };
+  if (!asks_for_wear(scene) || std::ranges::any_of(patches, may_move)) return;
+  throw InputError(scene.where("wear.on") +
+                   ": expected surfaces that can wear, but all their nodes lie on sides that hold "
+                   "the shape: shape.hold, or curved sides");
+}
+
+template void require_moving_shape(const Scene&, const std::vector<ContactPatch<2>>&,
+                                   const ShapeMotion<2>&);
+template void require_moving_shape(const Scene&, const std::vector<ContactPatch<3>>&,
+                                   const ShapeMotion<3>&);
+template void require_free_contact(const Scene&, const ImportedBody<2>&);
+template void require_free_contact(const Scene&, const ImportedBody<3>&);
 
 }  // namespace gnomon::part

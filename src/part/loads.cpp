@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <gnomon/base/error.hpp>
-#include <gnomon/mesh/contact_patch.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 
 #include "part/groups.hpp"
@@ -60,21 +59,6 @@ Vector<dim> read_vector(const Scene& scene, const std::string& key) {
   return Eigen::Map<const Vector<dim>>(values.data());
 }
 
-/// Nodal forces of a traction that is constant over the facets.
-template <int dim>
-NodalField<dim> nodal_forces(const ImportedBody<dim>& part,
-                             const std::vector<typename Mesh<dim>::Facet>& facets,
-                             const Vector<dim>& load, bool is_resultant, Section section) {
-  const auto patches = contact_patches<dim>(part.mesh, facets, {}, section);
-  double area = 0;
-  for (const auto& patch : patches) area += patch.initial_area;
-  NodalField<dim> forces =
-      NodalField<dim>::Zero(static_cast<Eigen::Index>(part.mesh.nodes.size()), dim);
-  for (const auto& patch : patches)
-    forces.row(patch.node) = (patch.initial_area / (is_resultant ? area : 1)) * load.transpose();
-  return forces;
-}
-
 template <int dim>
 NodalField<dim> weight(const Mesh<dim>& mesh, const std::vector<Body>& bodies,
                        const Vector<dim>& acceleration, Section section) {
@@ -129,7 +113,7 @@ Load<dim> read_load(const Scene& scene, const std::string& load, const ImportedB
   if (kind == "acceleration")
     result.forces = weight<dim>(part.mesh, bodies, vector, section);
   else
-    result.forces = nodal_forces<dim>(part, result.facets, vector, kind == "force", section);
+    result.forces = surface_load<dim>(part.mesh, result.facets, vector, kind == "force", section);
   return result;
 }
 

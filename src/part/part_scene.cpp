@@ -11,18 +11,15 @@
 #include <gnomon/shapes/counter_body_scene.hpp>
 
 #include "part/bodies.hpp"
-#include "part/conflicts.hpp"
-#include "part/gross_sliding.hpp"
 #include "part/groups.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
 #include "part/nominal_speed.hpp"
 #include "part/phases.hpp"
-#include "part/reachable_boundary.hpp"
 #include "part/shape_support.hpp"
 #include "part/stored_part.hpp"
 #include "part/supports.hpp"
-#include "part/surface_laws.hpp"
+#include "part/surfaces.hpp"
 
 namespace gnomon {
 

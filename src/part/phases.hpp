@@ -1,4 +1,4 @@
-// The phases of a scene with [cycle].
+// The phases of a scene with [cycle], and whether the bodies slide over a whole cycle.
 #pragma once
 
 #include <functional>
@@ -36,5 +36,13 @@ Eigen::Matrix<double, dim + 1, 1> surface_velocity(const CyclicMotion<dim>& moti
 /// Its magnitude, the mean over the cycle.
 template <int dim>
 double mean_speed(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest);
+
+/// Refuses a motion whose strokes are shorter than the elastic shear of the contact: part of the
+/// contact would stick, which depends on the path within the cycle. By Mindlin's formula for round
+/// bodies (K. L. Johnson, Contact Mechanics, eq. 7.43); `parts` have their scales. Short strokes
+/// that are less than a twentieth of the path are let pass. Throws InputError.
+template <int dim>
+void require_gross_sliding(const Scene& scene, const CyclicMotion<dim>& cycle,
+                           const AssemblyParts<dim>& parts);
 
 }  // namespace gnomon::part

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <set>
 
+#include "mesh/facet_table.hpp"
 #include "part/groups.hpp"
 
 namespace gnomon::part {
@@ -29,24 +30,6 @@ Held<dim> held_across(Vector<dim> normal, double tolerance) {
     if (std::abs(component) <= tolerance) component = 0;
   normal.normalize();
   return normal * normal.transpose();
-}
-
-template <int dim>
-Vector<dim> facet_normal(const Mesh<dim>& mesh, const typename Mesh<dim>::Facet& facet) {
-  if constexpr (dim == 2) {
-    const Vector<2> edge = mesh.nodes[facet[1]] - mesh.nodes[facet[0]];
-    return Vector<2>(edge[1], -edge[0]).normalized();
-  } else {
-    const Vector<3> a = mesh.nodes[facet[2]] - mesh.nodes[facet[0]];
-    const Vector<3> b = mesh.nodes[facet[3]] - mesh.nodes[facet[1]];
-    return a.cross(b).normalized();
-  }
-}
-
-template <int dim>
-typename Mesh<dim>::Facet sorted(typename Mesh<dim>::Facet facet) {
-  std::sort(facet.begin(), facet.end());
-  return facet;
 }
 
 /// Whether all nodes of a side have one distance from an axis along a coordinate direction, to a
@@ -131,8 +114,9 @@ std::vector<Facets<dim>> smooth_sheets(const Mesh<dim>& mesh, const Facets<dim>&
     for (std::size_t i = 0; i < facets[k].size(); ++i) {
       const auto [other, is_first] = first_at.try_emplace(border<dim>(facets[k], i), k);
       if (!is_first &&
-          facet_normal(mesh, facets[k]).dot(facet_normal(mesh, facets[other->second])) >
-              std::cos(sharp))
+          area_vector(mesh, facets[k])
+                  .normalized()
+                  .dot(area_vector(mesh, facets[other->second]).normalized()) > std::cos(sharp))
         sheet[root(k)] = root(other->second);
     }
   std::map<int, Facets<dim>> by_root;
@@ -150,19 +134,18 @@ std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_sides(
     const std::vector<typename Mesh<dim>::Facet>& wearing) {
   std::map<typename Mesh<dim>::Facet, Held<dim>> sides;
   std::set<typename Mesh<dim>::Facet> worn;
-  for (const auto& facet : wearing) worn.insert(sorted<dim>(facet));
+  for (const auto& facet : wearing) worn.insert(sorted(facet));
   Facets<dim> rest;
   for (const auto& facet : part.exterior)
-    if (!worn.contains(sorted<dim>(facet))) {
+    if (!worn.contains(sorted(facet))) {
       rest.push_back(facet);
-      sides[sorted<dim>(facet)] = held_by_facet<dim>(facet_normal(part.mesh, facet));
+      sides[sorted(facet)] = held_by_facet<dim>(area_vector(part.mesh, facet).normalized());
     }
   const auto slide = [&](const Facets<dim>& facets, double tolerance) {
     const Held<dim> held = held_by_side<dim>(part.mesh, facets, tolerance);
     if (held == altogether<dim>()) return false;
     for (const auto& facet : facets)
-      if (const auto side = sides.find(sorted<dim>(facet)); side != sides.end())
-        side->second = held;
+      if (const auto side = sides.find(sorted(facet)); side != sides.end()) side->second = held;
     return true;
   };
   // Groups, because they may end where the surface goes on smoothly; sheets, because not all are

@@ -10,6 +10,10 @@ namespace gnomon {
 template <int dim>
 std::vector<MeshPart> stored_parts(const ImportedBody<dim>& part);
 
+/// Its mesh with these parts.
+template <int dim>
+Grid grid_of(const ImportedBody<dim>& part);
+
 /// The part again. `file` is for messages, which InputError throws where the grid has no parts.
 template <int dim>
 ImportedBody<dim> part_of_grid(const Grid& grid, const std::string& file);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <gnomon/base/counter_names.hpp>
+
 #include "results/hdf5_values.hpp"
 #include "results/layout.hpp"
 
@@ -15,24 +17,13 @@ using hdf5::own;
 namespace {
 
 const std::vector<Column>& fixed_columns() {
-  static const std::vector<Column> columns = {
-      {"t", "s", false},
-      {"step_size", "s", false},
-      {"order", "", true},
-      {"step_newton_iterations", "", true},
-      {"restarted", "", true},
-      {"switched", "", true},
-      {"steps", "", true},
-      {"rejected_steps", "", true},
-      {"events", "", true},
-      {"newton_iterations", "", true},
-      {"residual_evaluations", "", true},
-      {"jacobian_evaluations", "", true},
-      {"factorizations", "", true},
-      {"linear_solves", "", true},
-      {"krylov_iterations", "", true},
-      {"preconditioner_setups", "", true},
-  };
+  static const std::vector<Column> columns = [] {
+    std::vector<Column> all = {{"t", "s", false},       {"step_size", "s", false},
+                               {"order", "", true},     {"step_newton_iterations", "", true},
+                               {"restarted", "", true}, {"switched", "", true}};
+    for (const NamedCounter& counter : named_counters) all.push_back({counter.name, "", true});
+    return all;
+  }();
   return columns;
 }
 
@@ -67,12 +58,8 @@ HistoryRow row_of(const Cell* cell, const std::vector<Column>& columns) {
   row.step.newton_iterations = (cell++)->integer;
   row.step.restarted = (cell++)->integer != 0;
   row.step.switched = static_cast<int>((cell++)->integer);
-  Counters& c = row.counters;
-  for (long* counter : {&c.steps, &c.rejected_steps, &c.events, &c.newton_iterations,
-                        &c.residual_evaluations, &c.jacobian_evaluations, &c.factorizations,
-                        &c.linear_solves, &c.krylov_iterations, &c.preconditioner_setups}) {
-    *counter = count_of((cell++)->integer, "read the history");
-  }
+  for (const NamedCounter& counter : named_counters)
+    row.counters.*counter.value = count_of((cell++)->integer, "read the history");
   for (std::size_t i = fixed_columns().size(); i < columns.size(); ++i) {
     row.scalars.push_back({columns[i].name, columns[i].unit, (cell++)->real});
   }
@@ -88,16 +75,14 @@ std::vector<Column> columns_of(const HistoryRow& row) {
 }
 
 std::vector<Cell> cells_of(const HistoryRow& row) {
-  const Counters& c = row.counters;
-  std::vector<Cell> cells = {{.real = row.t}, {.real = row.step.step}};
-  for (const long value :
-       {static_cast<long>(row.step.order), row.step.newton_iterations,
-        static_cast<long>(row.step.restarted), static_cast<long>(row.step.switched), c.steps,
-        c.rejected_steps, c.events, c.newton_iterations, c.residual_evaluations,
-        c.jacobian_evaluations, c.factorizations, c.linear_solves, c.krylov_iterations,
-        c.preconditioner_setups}) {
-    cells.push_back({.integer = value});
-  }
+  std::vector<Cell> cells = {{.real = row.t},
+                             {.real = row.step.step},
+                             {.integer = row.step.order},
+                             {.integer = row.step.newton_iterations},
+                             {.integer = row.step.restarted},
+                             {.integer = row.step.switched}};
+  for (const NamedCounter& counter : named_counters)
+    cells.push_back({.integer = row.counters.*counter.value});
   for (const Scalar& scalar : row.scalars) cells.push_back({.real = scalar.value});
   return cells;
 }

@@ -44,12 +44,10 @@ void read_parts(hid_t parent, Grid& grid) {
   const auto names = hdf5::read_texts_attribute(group.id(), "names");
   if (kinds.size() != names.size())
     throw Failure("cannot read the mesh: its parts have kinds and names of different number");
-  const std::size_t corners = grid.cell == Grid::Cell::quadrilateral ? 4 : 8;
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     MeshPart part{kind_of(kinds[k]), names[k], hdf5::read_ints(group.id(), std::to_string(k))};
     const bool of_cells = part.kind == MeshPart::Kind::cells;
-    const auto count =
-        static_cast<int>(of_cells ? grid.cells.size() / corners : grid.points.size());
+    const auto count = static_cast<int>(of_cells ? grid.cell_count() : grid.points.size());
     if (std::ranges::any_of(part.nodes, [=](int k) { return k < 0 || k >= count; }))
       throw Failure("cannot read the mesh: a part has nodes that the mesh does not have");
     grid.parts.push_back(std::move(part));
@@ -60,11 +58,10 @@ void read_parts(hid_t parent, Grid& grid) {
 
 void write_mesh(hid_t parent, const Grid& grid) {
   const Handle mesh = create_group(parent, "mesh", 2);
-  const hsize_t corners = grid.cell == Grid::Cell::quadrilateral ? 4 : 8;
   hdf5::write_dataset(mesh.id(), "points", {grid.points.size(), 3},
                       grid.points.empty() ? nullptr : grid.points.front().data(),
                       hdf5::Storage::compressed);
-  hdf5::write_dataset(mesh.id(), "cells", {grid.cells.size() / corners, corners}, grid.cells.data(),
+  hdf5::write_dataset(mesh.id(), "cells", {grid.cell_count(), grid.corners()}, grid.cells.data(),
                       hdf5::Storage::compressed);
   if (!grid.parts.empty()) write_parts(mesh.id(), grid.parts);
 }

@@ -24,10 +24,8 @@ void JumpLedger::add(const State& before, const State& after) {
   // turns.
   constexpr int crossing = 3, many = 20;
   if (jumps_.empty()) return;
-  std::vector<double> values(system_.structure().switch_node.size());
-  system_.switching({.t = before.t, .y = before.y}, values);
-  for (const std::size_t j : jumps_) largest_ = std::max(largest_, std::abs(values[j]));
   const CrossedJumps crossed = jumps_between(system_, before, after, passes_over_);
+  for (const std::size_t j : jumps_) largest_ = std::max(largest_, std::abs(crossed.before[j]));
   error_.resize(after.y.size());
   for (std::size_t i = 0; i < crossed.by.size(); ++i)
     error_[i] += (after.t - before.t) * std::abs(crossed.by[i]);

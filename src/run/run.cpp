@@ -8,16 +8,12 @@
 #include <gnomon/run/run.hpp>
 #include <set>
 
-#include "run/checkpoint_numbers.hpp"
 #include "run/end_warnings.hpp"
-#include "run/epochs.hpp"
-#include "run/instability.hpp"
+#include "run/guards.hpp"
 #include "run/jump_ledger.hpp"
+#include "run/memory.hpp"
 #include "run/mesh_watch.hpp"
-#include "run/progress_watch.hpp"
 #include "run/store_schedule.hpp"
-#include "run/until.hpp"
-#include "run/wear_integral.hpp"
 
 namespace gnomon {
 
@@ -46,7 +42,6 @@ public:
         schedule_(policy, settings.end),
         writer_(writer),
         hooks_(hooks),
-        wear_integral_(model),
         jumps_(std::in_place, model.system(), settings),
         initial_quality_(initial_quality(model.grid)) {
     settings_.integrand = model.wear_flux;
@@ -112,7 +107,6 @@ private:
       throw InputError("the time of the checkpoint is not that of its row in the history");
     counters_ = from.row.counters;
     observed_ = from.row.scalars;
-    wear_integral_.resume(observed_);
     outcome_.phase_errors = from.phase_errors;
     outcome_.last = from.row;
     last_checkpoint_ = from.checkpoint;
@@ -138,7 +132,6 @@ private:
       if (until_) end_early(before, report, observed);
       jumps_->add(before, state());
       require_mesh(observed, before);
-      wear_integral_.add(report.integral);
       record(report, std::move(observed));
       progress.require(state().t, counters_);
       if (damping_) require_damping();
@@ -210,9 +203,11 @@ private:
   /// After a step that is not yet recorded.
   Observation observe(const StepReport& report) {
     Observation observed = model().observe(state());
-    if (const auto sum = wear_integral_.value())  // where earlier versions have the column
+    if (settings_.integrand) {  // where earlier versions have the column
+      const double before = value_of(observed_, "wear_integral").value_or(0);
       observed.insert(std::ranges::find(observed, "wear_depth", &Scalar::name),
-                      common("wear_integral", *sum + report.integral, dimension_of(observed)));
+                      common("wear_integral", before + report.integral, dimension_of(observed)));
+    }
     return observed;
   }
 
@@ -349,7 +344,6 @@ private:
   RunMemory memory_;
   std::optional<DampingWatch> damping_;
   std::unique_ptr<Stepper> stepper_;
-  WearIntegral wear_integral_;
   std::optional<JumpLedger> jumps_;
   double initial_quality_;  // of the mesh at the beginning of the epoch
   Observation observed_;    // of the last good state

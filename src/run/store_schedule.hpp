@@ -1,6 +1,8 @@
-// Decides during a run which states are stored, and at which times steps have to end.
+// Decides during a run which states are stored, at which times steps have to end, and when it ends
+// before time.end: where an observation passes a value.
 #pragma once
 
+#include <gnomon/model/observation.hpp>
 #include <gnomon/run/run.hpp>
 
 namespace gnomon {
@@ -27,5 +29,13 @@ private:
   double end_;
   std::size_t next_ = 0;  // of policy_.times
 };
+
+/// Negative before the end, in the unit of the observation. Throws InputError if there is no such
+/// observation.
+double excess(const Until& until, const Observation& observed);
+
+/// Of an observation that changes evenly from `before` (negative) to `after`: the part of the
+/// step at which the run ends, or 1 if the step ends there or shortly behind.
+double part_until(double before, double after);
 
 }  // namespace gnomon

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <gnomon/base/counter_names.hpp>
 #include <gnomon/cycles/phase_mean.hpp>
 #include <gnomon/run/summary.hpp>
 #include <nlohmann/json.hpp>
@@ -23,19 +24,6 @@ const char* status_name(RunOutcome::Status status) {
       return "failed";
   }
   return "";
-}
-
-void add_counters(Json& json, const Counters& counters) {
-  json["steps"] = counters.steps;
-  json["rejected_steps"] = counters.rejected_steps;
-  json["events"] = counters.events;
-  json["newton_iterations"] = counters.newton_iterations;
-  json["residual_evaluations"] = counters.residual_evaluations;
-  json["jacobian_evaluations"] = counters.jacobian_evaluations;
-  json["factorizations"] = counters.factorizations;
-  json["linear_solves"] = counters.linear_solves;
-  json["krylov_iterations"] = counters.krylov_iterations;
-  json["preconditioner_setups"] = counters.preconditioner_setups;
 }
 
 /// Of a cycle.
@@ -98,7 +86,8 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
   json["ended_by"] = outcome.ended_by;
   json["t"] = outcome.last ? Json(outcome.last->t) : Json(nullptr);
   json["t_end"] = settings.end;
-  add_counters(json, outcome.counters);
+  for (const NamedCounter& counter : named_counters)
+    json[counter.name] = outcome.counters.*counter.value;
   json["remarks"] = remarks;
   json["warnings"] = outcome.warnings;
   json["chattering_nodes"] = outcome.chattering_nodes;

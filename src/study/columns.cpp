@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <gnomon/base/counter_names.hpp>
 
 #include "study/declaration.hpp"
 
@@ -78,26 +79,20 @@ std::vector<StudyColumn> reference_columns(const StudyTable& table) {
 }
 
 std::vector<StudyColumn> cost_columns() {
-  return {
-      count("steps", &Counters::steps, "accepted steps"),
-      count("rejected", &Counters::rejected_steps,
-            "rejected attempts of steps: error test, or nonlinear solve failed"),
-      count("events", &Counters::events, "located changes of the active set"),
-      count("newton_iterations", &Counters::newton_iterations, "iterations of Newton's method"),
-      count("residual_evaluations", &Counters::residual_evaluations, "evaluations of the residual"),
-      count("jacobian_evaluations", &Counters::jacobian_evaluations, "evaluations of the Jacobian"),
-      count("factorizations", &Counters::factorizations, "numeric factorizations"),
-      count("linear_solves", &Counters::linear_solves, "solves with the Jacobian"),
-      count("krylov_iterations", &Counters::krylov_iterations, "iterations of the block solver"),
-      count("preconditioner_setups", &Counters::preconditioner_setups,
-            "set-ups of the block solver, by factors or multigrid"),
+  std::vector<StudyColumn> columns;
+  for (const NamedCounter& counter : named_counters) {
+    const std::string name = counter.name;  // the column of rejected steps is older
+    columns.push_back(
+        count(name == "rejected_steps" ? "rejected" : name, counter.value, counter.meaning));
+  }
+  columns.push_back(
       real("wall_seconds", "s", "cost", &StudyRow::wall_seconds,
-           "wall time of the integration; runs at the same time slow each other down"),
-      real("cpu_seconds", "s", "cost", &StudyRow::cpu_seconds,
-           "CPU time of the whole process, user and system"),
-      real("peak_memory_mb", "MB", "cost", &StudyRow::peak_memory_mb,
-           "peak resident memory of the whole process"),
-  };
+           "wall time of the integration; runs at the same time slow each other down"));
+  columns.push_back(real("cpu_seconds", "s", "cost", &StudyRow::cpu_seconds,
+                         "CPU time of the whole process, user and system"));
+  columns.push_back(real("peak_memory_mb", "MB", "cost", &StudyRow::peak_memory_mb,
+                         "peak resident memory of the whole process"));
+  return columns;
 }
 
 /// The number that a text is, if it is one.

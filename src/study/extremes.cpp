@@ -5,7 +5,7 @@
 #include <gnomon/results/results.hpp>
 #include <gnomon/study/extremes.hpp>
 
-#include "run/wear_integral.hpp"
+#include "run/end_warnings.hpp"
 #include "study/run_files.hpp"
 
 namespace gnomon {

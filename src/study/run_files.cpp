@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include <fstream>
+#include <gnomon/base/counter_names.hpp>
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/results/results.hpp>
@@ -27,17 +28,10 @@ std::string read_text(const fs::path& file) {
 namespace {
 
 Counters counters_of(const Json& json) {
-  const auto get = [&](const char* name) { return json.value(name, 0L); };
-  return {.steps = get("steps"),
-          .rejected_steps = get("rejected_steps"),
-          .events = get("events"),
-          .newton_iterations = get("newton_iterations"),
-          .residual_evaluations = get("residual_evaluations"),
-          .jacobian_evaluations = get("jacobian_evaluations"),
-          .factorizations = get("factorizations"),
-          .linear_solves = get("linear_solves"),
-          .krylov_iterations = get("krylov_iterations"),
-          .preconditioner_setups = get("preconditioner_setups")};
+  Counters counters;
+  for (const NamedCounter& counter : named_counters)
+    counters.*counter.value = json.value(counter.name, 0L);
+  return counters;
 }
 
 /// Why a process that wrote no summary has failed: the last line of its messages.

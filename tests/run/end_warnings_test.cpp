@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "run/wear_integral.hpp"
-
 namespace gnomon::end_warnings_test {
 namespace {
 

@@ -1,12 +1,11 @@
 // The checks that end a run whose numbers are worthless, or that makes no progress.
+#include "run/guards.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <gnomon/base/error.hpp>
 
-#include "run/chattering.hpp"
-#include "run/instability.hpp"
-#include "run/progress_watch.hpp"
 #include "support/problem_run.hpp"
 
 namespace gnomon::guards_test {

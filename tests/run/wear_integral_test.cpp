@@ -1,6 +1,4 @@
 // The integral of the wear flux, and the ledger: its comparison with the worn volume.
-#include "run/wear_integral.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/decay.hpp"
+#include "run/end_warnings.hpp"
 #include "support/pin.hpp"
 
 namespace gnomon::wear_integral_test {
@@ -18,29 +17,6 @@ using namespace testing;
 using test::Decay;
 using test::exact_decay;
 using ::testing::IsEmpty;
-
-TEST(WearIntegral, IsTheSumOfItsIncrements) {
-  WearIntegral integral{Decay()};
-  EXPECT_EQ(integral.value(), 0);
-  integral.add(0.25);
-  integral.add(0.5);
-  EXPECT_EQ(integral.value(), 0.75);
-}
-
-TEST(WearIntegral, GoesOnFromTheHistory) {
-  WearIntegral integral{Decay()};
-  integral.resume({{"worn_volume", "mm^2", 2.5}, {"wear_integral", "mm^2", 2}});
-  EXPECT_EQ(integral.value(), 2);
-  integral.add(0.5);
-  EXPECT_EQ(integral.value(), 2.5);
-}
-
-TEST(WearIntegral, IsNoneOfAModelWithoutWear) {
-  WearIntegral integral{*model_of("dahlquist/decay.toml")};
-  integral.add(1);
-  integral.resume({});
-  EXPECT_FALSE(integral.value());
-}
 
 // ---- the ledger
 

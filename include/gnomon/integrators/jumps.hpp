@@ -14,6 +14,7 @@ struct CrossedJumps {
   std::vector<std::size_t> functions;  ///< the switching functions that changed their sign
   double first = 1;             ///< part of the step after which the first of them did, by a line
   std::vector<double> by = {};  ///< jump of the rate of each unknown, at the end of the step
+  std::vector<double> before = {};  ///< values of the switching functions at the start
 };
 
 /// The jumps between two states, `by` only if `size` is wanted.

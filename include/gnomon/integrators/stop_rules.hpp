@@ -5,7 +5,7 @@
 
 namespace gnomon {
 
-/// Largest number of Newton iterations for one step, or for 1e-5 of a run (run/progress_watch.hpp).
+/// Largest number of Newton iterations for one step, or for 1e-5 of a run (run/guards.hpp).
 /// It allows a dozen attempts with seven stages that use all 60 iterations of modified_newton each.
 inline constexpr long most_newton_iterations = 5000;
 

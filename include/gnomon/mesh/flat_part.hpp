@@ -5,6 +5,10 @@
 
 namespace gnomon {
 
+/// Outwards, of the length of the area (2D: length).
+Vector<2> area_vector(const Mesh<2>& mesh, const Mesh<2>::Facet& facet);
+Vector<3> area_vector(const Mesh<3>& mesh, const Mesh<3>::Facet& facet);
+
 template <int dim>
 struct FlatPart {
   bool flat = false;

@@ -12,8 +12,9 @@
 namespace gnomon {
 
 /// The law that `wear.law` names, made of its keys, for this speed of sliding, by default
-/// wear.velocity. Throws InputError where they are no law.
-WearLaw read_wear_law(const Scene& scene, std::optional<double> speed = {});
+/// wear.velocity. `rate_key`: of the expression. Throws InputError where they are no law.
+WearLaw read_wear_law(const Scene& scene, std::optional<double> speed = {},
+                      const std::string& rate_key = "wear.rate");
 
 /// What a wear law meets in a run, for scales and checks.
 struct WearCircumstances {
@@ -40,7 +41,7 @@ InputError unsound_law(const Scene& scene, const RecoverableError& error);
 /// the error; adds remarks for the user. Throws InputError, in one line, where check_wear_law()
 /// does for the values that the run may meet.
 WearLaw required_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at,
-                     std::vector<std::string>& remarks);
+                     std::vector<std::string>& remarks, const std::string& rate_key = "wear.rate");
 
 /// Throws InputError where a law of the scene reads wear.coefficient, but it is not given.
 void require_coefficient(const Scene& scene);

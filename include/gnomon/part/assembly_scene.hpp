@@ -58,9 +58,15 @@ NodalFlags<2> held_sides(const Mesh<2>& mesh);
 /// load.force, which presses the top of a body down.
 Load<2> read_load_on_top(const Scene& scene, const Mesh<2>& mesh);
 
-/// Nodal dead loads of a uniform traction on a boundary part: its integral over the part is
-/// `resultant` [force; per thickness of a plane body; of a body of revolution the part's area is
-/// that of the whole circumference, so that the component r is no resultant].
+/// Nodal dead loads of a uniform traction on facets, `load` [stress], or where this `is_resultant`
+/// its integral over them [force; per thickness of a plane body; of a body of revolution the area
+/// is that of the whole circumference, so that the component r is no resultant].
+template <int dim>
+NodalField<dim> surface_load(const Mesh<dim>& mesh,
+                             const std::vector<typename Mesh<dim>::Facet>& facets,
+                             const Vector<dim>& load, bool is_resultant,
+                             Section section = Section::plane);
+/// The resultant on a boundary part.
 NodalField<2> uniform_load(const Mesh<2>& mesh, const std::string& part, const Vector<2>& resultant,
                            Section section = Section::plane);
 

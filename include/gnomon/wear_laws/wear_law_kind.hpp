@@ -29,9 +29,10 @@ const std::vector<std::string>& wear_law_variables();
 
 /// The wear rate as an expression of wear_law_variables(), in this order. Its kinks that depend on
 /// t and s alone become breakpoints, which are searched in (0, end]; two changes of one condition
-/// within
-/// a thousandth of `end` may be missed. s = nominal_speed t there.
+/// within a thousandth of `end` may be missed. s = nominal_speed t there.
 WearLaw expression_wear_law(const Expression& rate, double end, double nominal_speed);
+/// The same of the expression that a key of the scene gives, "wear.rate". Throws InputError.
+WearLaw expression_wear_law(const Scene& scene, const std::string& key, double nominal_speed);
 
 /// Largest values of the inputs that may occur in a run, for checks of a law.
 struct WearRange {

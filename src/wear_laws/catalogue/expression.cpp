@@ -166,21 +166,27 @@ ExpressionNames read_names(const Scene& scene) {
   return names;
 }
 
-WearLaw make(const Scene& scene) {
+}  // namespace
+
+WearLaw expression_wear_law(const Scene& scene, const std::string& key, double nominal_speed) {
   const ExpressionNames names = read_names(scene);
   try {
-    const Expression rate(scene.text("wear.rate"), names);
-    return expression_wear_law(rate, scene.real("time.end"), scene.real("wear.velocity"));
+    return expression_wear_law(Expression(scene.text(key), names), scene.real("time.end"),
+                               nominal_speed);
   } catch (const ExpressionError& error) {
-    throw InputError(scene.where("wear.rate") + ": " + error.what());
+    throw InputError(scene.where(key) + ": " + error.what());
   }
 }
+
+namespace {
 
 const Registration<WearLawKind> registration(
     {.name = "expression",
      .help = "the expression wear.rate of p, v, h, q, t, s, x0, y0, z0",
      .keys = {},
-     .make = make});
+     .make = [](const Scene& scene) {
+       return expression_wear_law(scene, "wear.rate", scene.real("wear.velocity"));
+     }});
 
 }  // namespace
 

@@ -1,4 +1,5 @@
-// The models of a run, one for each epoch.
+// What a run remembers: its data in a checkpoint, without rounding (state, the stepper's memory,
+// the chattering counts), and its models, one for each epoch.
 #pragma once
 
 #include <gnomon/model/model.hpp>
@@ -6,8 +7,27 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
+
+#include "run/guards.hpp"
 
 namespace gnomon {
+
+struct RunMemory {
+  State state;
+  std::vector<double> stepper;  ///< Stepper::memory()
+  Chattering chattering;
+};
+
+/// A state as numbers.
+std::vector<double> packed(const State& state, const Structure& structure);
+/// Throws InputError if the numbers do not belong to a system with this structure.
+State unpacked_state(const std::vector<double>& numbers, const Structure& structure);
+
+/// The data as numbers, whose count is the same at every checkpoint of an epoch.
+std::vector<double> packed(const RunMemory& memory, const Structure& structure);
+/// Throws InputError if the numbers do not belong to a system with this structure.
+RunMemory unpacked(const std::vector<double>& numbers, const Structure& structure);
 
 class Epochs {
 public:

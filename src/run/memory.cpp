@@ -1,7 +1,9 @@
-#include "run/checkpoint_numbers.hpp"
+#include "run/memory.hpp"
 
+#include <gnomon/base/error.hpp>
 #include <gnomon/base/packed_numbers.hpp>
 #include <gnomon/system/system.hpp>
+#include <utility>
 
 namespace gnomon {
 
@@ -52,6 +54,26 @@ RunMemory unpacked(const std::vector<double>& numbers, const Structure& structur
   memory.chattering.unpack_from(rest);
   memory.stepper.assign(rest.rest().begin(), rest.rest().end());
   return memory;
+}
+
+std::optional<Epochs::Change> Epochs::succeed(State& state) {
+  if (!model().succeed) return std::nullopt;
+  std::optional<Succession> next = model().succeed(state);
+  if (!next) return std::nullopt;
+  Change change{
+      successor_, {.numbers = packed(state, model().system().structure())}, next->same_unknowns};
+  successor_ = std::move(next->model);
+  state = std::move(next->state);
+  ++number_;
+  return change;
+}
+
+void Epochs::repeat(std::span<const EpochStart> starts) {
+  for (const EpochStart& start : starts) {
+    State state = unpacked_state(start.numbers, model().system().structure());
+    if (!succeed(state))
+      throw InputError("this version of gnomon does not begin the epochs that the result has");
+  }
 }
 
 }  // namespace gnomon

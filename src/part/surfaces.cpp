@@ -1,14 +1,17 @@
-#include "part/surface_laws.hpp"
+#include "part/surfaces.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
+#include <gnomon/model/joining_boundary.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/scene/toml_key.hpp>
+#include <limits>
 #include <map>
 
+#include "mesh/facet_table.hpp"
 #include "part/groups.hpp"
 #include "part/histories.hpp"
 
@@ -16,22 +19,10 @@ namespace gnomon::part {
 
 namespace {
 
-std::string rate_key(const std::string& surface) {
-  return "wear.surfaces." + toml_key(surface) + ".rate";
-}
-
-/// What `read` makes of the scene whose wear.rate is that of a surface. Complaints name the
-/// surface's key.
-template <class Read>
-auto with_rate_of(const Scene& scene, const std::string& surface, const Read& read) {
-  const std::string key = rate_key(surface), common = scene.where("wear.rate");
-  try {
-    return read(scene.with("wear.rate", scene.text(key)));
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    if (!what.starts_with(common)) throw;
-    throw InputError(scene.where(key) + what.substr(common.size()));
-  }
+/// That of the surface, if it has one.
+std::string rate_key(const Scene& scene, const std::string& surface) {
+  const std::string own = "wear.surfaces." + toml_key(surface) + ".rate";
+  return given(scene, own) ? own : "wear.rate";
 }
 
 }  // namespace
@@ -44,9 +35,7 @@ std::vector<Surface<dim>> wearing_surfaces(const Scene& scene, const ImportedBod
     Surface<dim>& surface = surfaces.emplace_back();
     surface.name = name;
     for (const auto& facet : group_facets(scene, "wear.on", name, part)) {
-      auto sorted = facet;
-      std::sort(sorted.begin(), sorted.end());
-      const auto [first, is_new] = surface_of.try_emplace(sorted, name);
+      const auto [first, is_new] = surface_of.try_emplace(sorted(facet), name);
       if (is_new)
         surface.facets.push_back(facet);
       else if (first->second != name)  // a name given twice is reported by find_conflicts()
@@ -61,9 +50,7 @@ std::vector<Surface<dim>> wearing_surfaces(const Scene& scene, const ImportedBod
 }
 
 WearLaw read_surface_law(const Scene& scene, const std::string& surface, double speed) {
-  if (!given(scene, rate_key(surface))) return read_wear_law(scene, speed);
-  return with_rate_of(scene, surface,
-                      [speed](const Scene& own) { return read_wear_law(own, speed); });
+  return read_wear_law(scene, speed, rate_key(scene, surface));
 }
 
 void require_surface_names(const Scene& scene) {
@@ -82,17 +69,13 @@ void complete_surface_laws(const Scene& scene, AssemblyParts<dim>& parts) {
   for (Surface<dim>& surface : parts.interface.surfaces) {
     if (!surface.wears) continue;
     std::vector<std::string> remarks;
-    const auto complete = [&](const Scene& own) {
-      return required_law(own, surface.wear, at, remarks);
-    };
-    if (!given(scene, rate_key(surface.name))) {
-      surface.wear = complete(scene);
+    const std::string key = rate_key(scene, surface.name);
+    surface.wear = required_law(scene, surface.wear, at, remarks, key);
+    if (key == "wear.rate")
       common = std::move(remarks);
-      continue;
-    }
-    surface.wear = with_rate_of(scene, surface.name, complete);
-    for (const std::string& remark : remarks)
-      parts.remarks.push_back(fmt::format("\"{}\": {}", surface.name, remark));
+    else
+      for (const std::string& remark : remarks)
+        parts.remarks.push_back(fmt::format("\"{}\": {}", surface.name, remark));
   }
   parts.remarks.insert(parts.remarks.end(), common.begin(), common.end());
 }
@@ -101,5 +84,48 @@ template std::vector<Surface<2>> wearing_surfaces(const Scene&, const ImportedBo
 template std::vector<Surface<3>> wearing_surfaces(const Scene&, const ImportedBody<3>&);
 template void complete_surface_laws(const Scene&, AssemblyParts<2>&);
 template void complete_surface_laws(const Scene&, AssemblyParts<3>&);
+
+namespace {
+
+/// How far the counter-body of an instant moves to touch each node; infinite where it passes by.
+template <int dim>
+class Travels {
+public:
+  Travels(const AssemblyParts<dim>& parts, const CounterBody<dim>& other) : other_(other) {
+    for (const auto& facet : facets_of(parts.interface.surfaces))
+      for (const int node : facet) first_ = std::min(first_, to(parts.mesh.nodes[node]));
+  }
+
+  /// Whether it touches the node at most `depth` behind its first touch, and the body faces it
+  /// there, seen from where it touches first.
+  bool within(double depth, const ContactPatch<dim>& patch) const {
+    const Vector<dim>& X = patch.initial_position;
+    return to(X) - first_ <= depth &&
+           faces<dim>(patch.initial_normal,
+                      other_.unchecked_distance(other_.seen(X, first_), 0).normal);
+  }
+
+private:
+  double to(const Vector<dim>& X) const { return other_.travel_to(X); }
+
+  const CounterBody<dim>& other_;
+  double first_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+template <int dim>
+Surface<dim> reachable_boundary(const AssemblyParts<dim>& parts, double depth) {
+  const auto instants = parts.instants();
+  std::vector<Travels<dim>> travels;
+  for (const Phase<dim>& instant : instants) travels.emplace_back(parts, instant.counter_body);
+  return joining_boundary<dim>(parts, [&](const ContactPatch<dim>& patch) {
+    return std::ranges::any_of(travels,
+                               [&](const auto& each) { return each.within(depth, patch); });
+  });
+}
+
+template Surface<2> reachable_boundary(const AssemblyParts<2>&, double);
+template Surface<3> reachable_boundary(const AssemblyParts<3>&, double);
 
 }  // namespace gnomon::part

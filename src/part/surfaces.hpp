@@ -1,4 +1,5 @@
-// The wearing surfaces of a scene, and their laws: wear.on, wear.surfaces.NAME.rate.
+// The surfaces of a part: those that wear, with their laws (wear.on, wear.surfaces.NAME.rate), and
+// the boundary beside them that the counter-body can touch.
 #pragma once
 
 #include <gnomon/mesh/imported_body.hpp>
@@ -22,5 +23,12 @@ void require_surface_names(const Scene& scene);
 /// when scales are known. Throws InputError.
 template <int dim>
 void complete_surface_laws(const Scene& scene, AssemblyParts<dim>& parts);
+
+/// A surface that touches but does not wear: the facets of the boundary, outside of the surfaces
+/// that `parts` have, that face the counter-body in some instant and that it reaches when it moves
+/// by `depth` beyond its first touch. Without facets where there are none. What supports hold
+/// across itself is left out.
+template <int dim>
+Surface<dim> reachable_boundary(const AssemblyParts<dim>& parts, double depth);
 
 }  // namespace gnomon::part
