@@ -15,7 +15,7 @@
 #include "app/interrupt.hpp"
 #include "app/program.hpp"
 #include "app/run_end.hpp"
-#include "app/study_flags.hpp"
+#include "app/options.hpp"
 #include "app/study_page.hpp"
 #include "app/study_progress.hpp"
 #include "app/text_table.hpp"

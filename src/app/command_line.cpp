@@ -10,19 +10,11 @@
 #include <gnomon/scene/scene.hpp>
 
 #include "app/manual.hpp"
-#include "app/option_checks.hpp"
-#include "app/study_flags.hpp"
+#include "app/options.hpp"
 
 namespace gnomon::app {
 
 namespace {
-
-/// Each occurrence takes one argument, so that the arguments after it are not taken too.
-void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
-  command->add_option("--set", overrides, "Replaces a scene key; repeatable")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-}
 
 /// Throws InputError that names the option, because the scene does not contain it.
 const std::string& known_integrator(const std::string& name) {
@@ -42,11 +34,9 @@ void load_for_all(const std::filesystem::path& plugin) {
   setenv("GNOMON_PLUGINS", (earlier ? earlier + (":" + name) : name).c_str(), 1);
 }
 
-void add_run_options(CLI::App* command, std::filesystem::path& summary, bool& quiet) {
-  command->add_option("--summary", summary, "Also writes a summary as JSON; - prints it instead")
-      ->type_name("FILE.json")
-      ->check(check_file_name);
-  command->add_flag("--quiet", quiet, "Prints nothing but errors");
+void add_summary(CLI::App* command, std::filesystem::path& summary) {
+  add_name(command, "--summary", summary, "FILE.json",
+           "Also writes a summary as JSON; - prints it instead");
 }
 
 }  // namespace
@@ -57,12 +47,9 @@ CommandLine::CommandLine()
   app_.add_flag_callback(
       "--version", [this] { command_ = version_command; },
       "Shows the versions of gnomon and its libraries");
-  app_.add_option(
-          "--plugin", plugins_,
-          "Loads a plug-in; stands before the command; repeatable; GNOMON_PLUGINS=A.so:B.so does "
-          "the same")
-      ->type_name("FILE.so")
-      ->check(check_file_name)
+  add_name(&app_, "--plugin", plugins_, "FILE.so",
+           "Loads a plug-in; stands before the command; repeatable; GNOMON_PLUGINS=A.so:B.so does "
+           "the same")
       ->allow_extra_args(false);
   app_.require_subcommand(0, 1);
   app_.footer(
@@ -84,102 +71,81 @@ CommandLine::CommandLine()
   refuse_values_of_flags(&app_);
 }
 
+void CommandLine::on(CLI::App* command, std::function<int()> run) {
+  command->callback([this, run = std::move(run)] { command_ = run; });
+}
+
 void CommandLine::add_run() {
   CLI::App* command = app_.add_subcommand("run", "Integrates a scene in time");
-  command->add_option("SCENE", run_.scene, "Scene file (TOML)")->required()->type_name("");
+  add_argument(command, "SCENE", run_.scene, "Scene file (TOML)");
   command->add_option("--integrator", integrator_, "The same as --set integrator.name=NAME")
       ->type_name("NAME");
   add_overrides(command, run_.overrides);
-  command
-      ->add_option("-o,--output", run_.result,
-                   "Result file; default: SCENE's name, -NAME and .h5, in the current folder")
-      ->type_name("RESULT.h5")
-      ->check(check_file_name);
+  add_name(command, "-o,--output", run_.result, "RESULT.h5",
+           "Result file; default: SCENE's name, -NAME and .h5, in the current folder");
   command->add_flag(
       "--force", run_.force,
       "Replaces result, sidecar and summary of an earlier run, once the start is solved");
-  add_run_options(command, run_.summary, run_.quiet);
-  command->callback([this] {
-    command_ = [this] {
-      if (integrator_)
-        run_.overrides.push_back("integrator.name=" + known_integrator(*integrator_));
-      return run_command(run_);
-    };
+  add_summary(command, run_.summary);
+  add_quiet(command, run_.quiet);
+  on(command, [this] {
+    if (integrator_) run_.overrides.push_back("integrator.name=" + known_integrator(*integrator_));
+    return run_command(run_);
   });
 }
 
 void CommandLine::add_resume() {
   CLI::App* command = app_.add_subcommand(
       "resume", "Continues a run that was interrupted, failed, was killed, or has ended");
-  command->add_option("RESULT", resume_.result, "Result file (HDF5); the new steps are added to it")
-      ->required()
-      ->type_name("");
-  command->add_option("--end", resume_.end, "A later end; the same as --set time.end=T")
-      ->type_name("T")
-      ->check(check_number);
+  add_argument(command, "RESULT", resume_.result,
+               "Result file (HDF5); the new steps are added to it");
+  add_number(command, "--end", resume_.end, "T", "A later end; the same as --set time.end=T");
   add_overrides(command, resume_.overrides);
   command->add_flag("--force", resume_.force, "Replaces an earlier summary");
-  add_run_options(command, resume_.summary, resume_.quiet);
-  command->callback([this] { command_ = [this] { return resume_command(resume_); }; });
+  add_summary(command, resume_.summary);
+  add_quiet(command, resume_.quiet);
+  on(command, [this] { return resume_command(resume_); });
 }
 
 void CommandLine::add_check() {
   CLI::App* command =
       app_.add_subcommand("check", "Validates a scene; prints all its keys and its unknowns");
-  command->add_option("SCENE", run_.scene, "Scene file (TOML)")->required()->type_name("");
+  add_argument(command, "SCENE", run_.scene, "Scene file (TOML)");
   add_overrides(command, run_.overrides);
-  command->callback(
-      [this] { command_ = [this] { return check_command(run_.scene, run_.overrides); }; });
+  on(command, [this] { return check_command(run_.scene, run_.overrides); });
 }
 
 void CommandLine::add_extremes() {
   CLI::App* command = app_.add_subcommand(
       "extremes", "Runs studies at the extremes of their parameters and judges every run");
-  command
-      ->add_option("STUDIES", extremes_.studies,
-                   "Study files (TOML) and folders of them; default: problems/*/extremes")
-      ->type_name("")
-      ->check(check_file_name);
-  command
-      ->add_option("-o,--output", extremes_.folder,
-                   "Folder of the results; default: extremes, in the current folder")
-      ->type_name("DIR")
-      ->check(check_file_name);
+  add_name(command, "STUDIES", extremes_.studies, "",
+           "Study files (TOML) and folders of them; default: problems/*/extremes");
+  add_name(command, "-o,--output", extremes_.folder, "DIR",
+           "Folder of the results; default: extremes, in the current folder");
   add_jobs(command, extremes_.jobs);
-  command
-      ->add_option("--limit", extremes_.limit,
-                   "Wall time after which a run counts as hung; default: 300")
-      ->type_name("SECONDS")
-      ->check(check_number)
+  add_number(command, "--limit", extremes_.limit, "SECONDS",
+             "Wall time after which a run counts as hung; default: 300")
       ->check(CLI::Range(0.01, 1e6));
   add_flags_of_studies(command, extremes_.resume, extremes_.quiet);
-  command->callback([this] { command_ = [this] { return extremes_command(extremes_); }; });
+  on(command, [this] { return extremes_command(extremes_); });
 }
 
 void CommandLine::add_compare() {
   CLI::App* command = app_.add_subcommand("compare", "Compares results in a table");
-  command->add_option("RESULTS", results_, "Result files (HDF5)")->required()->type_name("");
-  command
-      ->add_option("--reference", reference_,
-                   "Result against which shape errors are measured; default: the last result")
-      ->type_name("RESULT.h5")
-      ->check(check_file_name);
-  command->callback(
-      [this] { command_ = [this] { return compare_command(results_, reference_); }; });
+  add_argument(command, "RESULTS", results_, "Result files (HDF5)");
+  add_name(command, "--reference", reference_, "RESULT.h5",
+           "Result against which shape errors are measured; default: the last result");
+  on(command, [this] { return compare_command(results_, reference_); });
 }
 
 void CommandLine::add_stability() {
   CLI::App* command = app_.add_subcommand(
       "stability",
       "Shows the spectrum of the wear rate, and the largest stable step of every explicit method");
-  command->add_option("SCENE", stability_.scene, "Scene file (TOML)")->required()->type_name("");
-  command
-      ->add_option("--time", stability_.times,
-                   "Time at which the spectrum is computed; repeatable; default: the start, "
-                   "time.end / 5 and "
-                   "time.end")
-      ->type_name("T")
-      ->check(check_number)
+  add_argument(command, "SCENE", stability_.scene, "Scene file (TOML)");
+  add_number(command, "--time", stability_.times, "T",
+             "Time at which the spectrum is computed; repeatable; default: the start, time.end / 5 "
+             "and time.end")
       ->allow_extra_args(false);
   command
       ->add_option("--integrator", stability_.methods,
@@ -187,41 +153,27 @@ void CommandLine::add_stability() {
       ->type_name("NAME")
       ->allow_extra_args(false);
   add_overrides(command, stability_.overrides);
-  command
-      ->add_option("--rtol", stability_.rtol,
-                   "Relative tolerance of the run to these times, by esdirk-4; default: 1e-5")
-      ->type_name("R")
-      ->check(check_number)
-      ->allow_extra_args(false);
+  add_number(command, "--rtol", stability_.rtol, "R",
+             "Relative tolerance of the run to these times, by esdirk-4; default: 1e-5");
   command->add_flag("--no-onset", stability_.no_onset,
                     "Only the linearized equations: does not measure the onset of instability");
   command->add_flag("--all", stability_.all,
                     "The whole spectrum instead of the largest eigenvalues");
-  command
-      ->add_option("-o,--output", stability_.folder,
-                   "Folder for spectrum.csv and critical_steps.csv; made if it does not exist")
-      ->type_name("DIR")
-      ->check(check_file_name);
-  command->callback([this] { command_ = [this] { return stability_command(stability_); }; });
+  add_name(command, "-o,--output", stability_.folder, "DIR",
+           "Folder for spectrum.csv and critical_steps.csv; made if it does not exist");
+  on(command, [this] { return stability_command(stability_); });
 }
 
 void CommandLine::add_plot() {
   CLI::App* command =
       app_.add_subcommand("plot", "Draws figures as PNG and SVG, and pages of studies");
-  command
-      ->add_option("RESULT|DIR", results_,
-                   "Result files (HDF5), and folders of studies, spectra or results")
-      ->required()
-      ->type_name("")
+  add_argument(command, "RESULT|DIR", results_,
+               "Result files (HDF5), and folders of studies, spectra or results")
       ->check(check_file_name);
-  command
-      ->add_option(
-          "-o,--output", figures_,
-          "Folder of the figures, then without pages; default: the folder figures beside each "
-          "target")
-      ->type_name("DIR")
-      ->check(check_file_name);
-  command->callback([this] { command_ = [this] { return plot_command(results_, figures_); }; });
+  add_name(command, "-o,--output", figures_, "DIR",
+           "Folder of the figures, then without pages; default: the folder figures beside each "
+           "target");
+  on(command, [this] { return plot_command(results_, figures_); });
 }
 
 void CommandLine::add_help() {
@@ -232,7 +184,7 @@ void CommandLine::add_help() {
       ->add_option("PROBLEM", problem_,
                    "For the topic scene: the problem whose keys are shown; default: all problems")
       ->type_name("");
-  command->callback([this] { command_ = [this] { return help(); }; });
+  on(command, [this] { return help(); });
 }
 
 int CommandLine::help() const {

@@ -24,6 +24,8 @@ public:
   std::string complaint(const CLI::ParseError& error) const;
 
 private:
+  /// What the command does, if it is given.
+  void on(CLI::App* command, std::function<int()> run);
   void add_run();
   void add_resume();
   void add_check();

@@ -1,7 +1,7 @@
 // The commands that show what a result or a mesh holds, and lists of what gnomon has.
 
 #include "app/command_line.hpp"
-#include "app/option_checks.hpp"
+#include "app/options.hpp"
 #include "app/stored_time.hpp"
 
 namespace gnomon::app {
@@ -14,31 +14,26 @@ void CommandLine::add_inspection() {
                    "integrators, laws, materials, shapes, terms, problems, scenes or studies; "
                    "default: these names")
       ->type_name("");
-  list->callback([this] { command_ = [this] { return list_command(subject_); }; });
+  on(list, [this] { return list_command(subject_); });
 
-  CLI::App* info = app_.add_subcommand("info", "Shows the contents of a result file");
-  info->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
-  info->callback([this] { command_ = [this] { return info_command(result_); }; });
-
+  const auto add = [this](const char* name, const char* help,
+                          int (*show)(const std::filesystem::path&)) {
+    CLI::App* command = app_.add_subcommand(name, help);
+    add_argument(command, "RESULT", result_, "Result file (HDF5)");
+    on(command, [this, show] { return show(result_); });
+  };
+  add("info", "Shows the contents of a result file", info_command);
   CLI::App* contact = app_.add_subcommand("contact", "Prints the contact surface as CSV");
-  contact->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
+  add_argument(contact, "RESULT", result_, "Result file (HDF5)");
   contact
-      ->add_option(
-          "--time", time_,
-          "A stored time, as it was printed or stands in a figure (350, \"350 s\"); default: "
-          "the last one")
+      ->add_option("--time", time_,
+                   "A stored time, as it was printed or stands in a figure (350, \"350 s\"); "
+                   "default: the last one")
       ->type_name("T")
       ->check(check_time);
-  contact->callback([this] { command_ = [this] { return contact_command(result_, time_); }; });
-
-  CLI::App* scene = app_.add_subcommand("scene", "Prints the scene of a result");
-  scene->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
-  scene->callback([this] { command_ = [this] { return scene_command(result_); }; });
-
-  CLI::App* history =
-      app_.add_subcommand("history", "Prints what was observed after every step as CSV");
-  history->add_option("RESULT", result_, "Result file (HDF5)")->required()->type_name("");
-  history->callback([this] { command_ = [this] { return history_command(result_); }; });
+  on(contact, [this] { return contact_command(result_, time_); });
+  add("scene", "Prints the scene of a result", scene_command);
+  add("history", "Prints what was observed after every step as CSV", history_command);
 }
 
 void CommandLine::add_meshes() {
@@ -47,28 +42,21 @@ void CommandLine::add_meshes() {
   CLI::App* part =
       app_.add_subcommand("new", "Writes a commented scene for a mesh or geometry of one's own");
   for (CLI::App* command : {mesh, part}) {
-    command
-        ->add_option("FILE", result_,
-                     command == mesh ? "Mesh (.msh), geometry (.geo, .step), or result (.h5) whose "
-                                       "mesh came from a file"
-                                     : "Mesh (.msh) or geometry (.geo, .step)")
-        ->required()
-        ->type_name("");
-    command->add_option("--size", size_, "Longest edge where the geometry asks for no smaller one")
-        ->type_name("LENGTH")
-        ->check(check_number);
+    add_argument(command, "FILE", result_,
+                 command == mesh
+                     ? "Mesh (.msh), geometry (.geo, .step), or result (.h5) whose mesh "
+                       "came from a file"
+                     : "Mesh (.msh) or geometry (.geo, .step)");
+    add_number(command, "--size", size_, "LENGTH",
+               "Longest edge where the geometry asks for no smaller one");
   }
-  part->add_option("-o,--output", scene_, "Scene file; default: FILE's name and .toml")
-      ->type_name("SCENE.toml")
-      ->check(check_file_name);
-  mesh->add_option(
-          "-o,--output", scene_,
-          "Also draws the mesh with its named parts (a picture, or a file for ParaView), or "
-          "writes the mesh that a run would use, for Gmsh (.msh)")
-      ->type_name("FILE.png|.svg|.xdmf|.msh")
-      ->check(check_file_name);
-  mesh->callback([this] { command_ = [this] { return mesh_command(result_, size_, scene_); }; });
-  part->callback([this] { command_ = [this] { return new_command(result_, size_, scene_); }; });
+  add_name(part, "-o,--output", scene_, "SCENE.toml", "Scene file; default: FILE's name and .toml");
+  add_name(
+      mesh, "-o,--output", scene_, "FILE.png|.svg|.xdmf|.msh",
+      "Also draws the mesh with its named parts (a picture, or a file for ParaView), or writes "
+      "the mesh that a run would use, for Gmsh (.msh)");
+  on(mesh, [this] { return mesh_command(result_, size_, scene_); });
+  on(part, [this] { return new_command(result_, size_, scene_); });
 }
 
 }  // namespace gnomon::app

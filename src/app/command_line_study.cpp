@@ -1,8 +1,7 @@
 // gnomon study and its parts: plan, run, collect.
 
 #include "app/command_line.hpp"
-#include "app/option_checks.hpp"
-#include "app/study_flags.hpp"
+#include "app/options.hpp"
 
 namespace gnomon::app {
 
@@ -15,27 +14,20 @@ void add_study_file(CLI::App* command, StudyCommandOptions& options, bool requir
                    "collect is given as ./plan")
       ->required(required)
       ->type_name("");
-  command
-      ->add_option("-o,--output", options.folder,
-                   "Folder of the results; default: STUDY's name, in the current folder")
-      ->type_name("DIR")
-      ->check(check_file_name);
+  add_name(command, "-o,--output", options.folder, "DIR",
+           "Folder of the results; default: STUDY's name, in the current folder");
 }
 
 void add_planned_folder(CLI::App* command, StudyCommandOptions& options) {
-  command->add_option("DIR", options.folder, "Folder that gnomon study plan has made")
-      ->required()
-      ->type_name("")
+  add_argument(command, "DIR", options.folder, "Folder that gnomon study plan has made")
       ->check(check_file_name);
 }
 
 void add_times(CLI::App* command, StudyCommandOptions& options) {
-  command
-      ->add_option("--lost-after", options.lost_after,
-                   "Time without a sign of life after which a run of another process counts as "
-                   "lost and is done again; default: 120")
-      ->type_name("SECONDS")
-      ->check(check_number)
+  add_number(
+      command, "--lost-after", options.lost_after, "SECONDS",
+      "Time without a sign of life after which a run of another process counts as lost and is "
+      "done again; default: 120")
       ->check(CLI::Range(0.1, 1e6));
 }
 
@@ -50,10 +42,8 @@ void add_executor(CLI::App* command, StudyCommandOptions& options) {
                    "An option for sbatch, as --slurm-option=--time=60; repeatable")
       ->type_name("OPTION")
       ->allow_extra_args(false);
-  command
-      ->add_option("--poll", options.poll, "Time between looks at the jobs of Slurm; default: 10")
-      ->type_name("SECONDS")
-      ->check(check_number)
+  add_number(command, "--poll", options.poll, "SECONDS",
+             "Time between looks at the jobs of Slurm; default: 10")
       ->check(CLI::Range(0.05, 1e6));
 }
 
@@ -79,26 +69,24 @@ void CommandLine::add_parts_of_study(CLI::App* study) {
       study->add_subcommand("plan", "Makes the folder of a study with the scenes of all its runs");
   add_study_file(plan, study_, true);
   add_flags_of_studies(plan, study_.resume, study_.quiet);
-  plan->callback([this] { command_ = [this] { return study_plan_command(study_); }; });
+  on(plan, [this] { return study_plan_command(study_); });
 
   CLI::App* run = study->add_subcommand(
       "run", "Does runs of a planned study that are not done and that nobody else is doing");
   add_planned_folder(run, study_);
-  run->add_option("NUMBERS", study_.numbers,
-                  "Runs by their numbers in plan.csv: one (3), a range (3-7), or several of both "
-                  "with commas and without blanks (3,5,9-12)")
-      ->required()
-      ->type_name("");
+  add_argument(run, "NUMBERS", study_.numbers,
+               "Runs by their numbers in plan.csv: one (3), a range (3-7), or several of both with "
+               "commas and without blanks (3,5,9-12)");
   add_jobs(run, study_.jobs);
   add_times(run, study_);
-  run->add_flag("--quiet", study_.quiet, "Prints nothing but errors");
-  run->callback([this] { command_ = [this] { return study_run_command(study_); }; });
+  add_quiet(run, study_.quiet);
+  on(run, [this] { return study_run_command(study_); });
 
   CLI::App* collect = study->add_subcommand(
       "collect", "Makes the tables and the page of a planned study, and tells what is missing");
   add_planned_folder(collect, study_);
-  collect->add_flag("--quiet", study_.quiet, "Prints nothing but errors");
-  collect->callback([this] { command_ = [this] { return study_collect_command(study_); }; });
+  add_quiet(collect, study_.quiet);
+  on(collect, [this] { return study_collect_command(study_); });
 }
 
 }  // namespace gnomon::app

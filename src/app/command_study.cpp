@@ -12,7 +12,7 @@
 #include "app/interrupt.hpp"
 #include "app/program.hpp"
 #include "app/run_end.hpp"
-#include "app/study_flags.hpp"
+#include "app/options.hpp"
 #include "app/study_progress.hpp"
 #include "app/study_tables.hpp"
 #include "study/run_numbers.hpp"

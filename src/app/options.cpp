@@ -1,0 +1,61 @@
+#include "app/options.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <thread>
+
+namespace gnomon::app {
+
+std::string check_file_name(const std::string& name) {
+  return name.empty() ? "expected a name, got an empty text" : "";
+}
+
+std::string check_number(const std::string& text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [parsed, error] = std::from_chars(text.data(), end, number);
+  const bool valid = parsed == end && error == std::errc() && std::isfinite(number);
+  return valid ? "" : fmt::format("expected a finite number, got `{}`", text);
+}
+
+void refuse_values_of_flags(CLI::App* command) {
+  for (CLI::Option* option : command->get_options())
+    if (option->get_items_expected_max() == 0) option->disable_flag_override();
+  for (CLI::App* below : command->get_subcommands([](CLI::App*) { return true; }))
+    refuse_values_of_flags(below);
+}
+
+/// Each occurrence takes one argument, so that the arguments after it are not taken too.
+void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
+  command->add_option("--set", overrides, "Replaces a scene key; repeatable")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_quiet(CLI::App* command, bool& quiet) {
+  command->add_flag("--quiet", quiet, "Prints nothing but errors");
+}
+
+void add_jobs(CLI::App* command, int& jobs) {
+  command
+      ->add_option("--jobs", jobs, "Number of runs at the same time; default: the number of cores")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+}
+
+StudyOptions options_of_runs(int jobs, bool resume) {
+  StudyOptions options;
+  options.program = std::filesystem::read_symlink("/proc/self/exe");
+  options.jobs = jobs > 0 ? jobs : std::max(1, int(std::thread::hardware_concurrency()));
+  options.resume = resume;
+  return options;
+}
+
+void add_flags_of_studies(CLI::App* command, bool& resume, bool& quiet) {
+  command->add_flag("--resume", resume, "Continues in an existing folder and keeps finished runs");
+  add_quiet(command, quiet);
+}
+
+}  // namespace gnomon::app
