@@ -29,15 +29,14 @@ std::string text_of(const Setup& setup) {
   return text;
 }
 
-std::string checked(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
-  const LiveLine line(making_the_model);
-  return text_of(set_up(scene, overrides));
-}
-
 }  // namespace
 
 int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
-  fmt::print("{}", checked(scene, overrides));
+  const Setup setup = [&] {
+    const LiveLine line(making_the_model);
+    return set_up(scene, overrides);
+  }();
+  fmt::print("{}", text_of(setup));
   return success;
 }
 

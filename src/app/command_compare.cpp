@@ -4,14 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <gnomon/base/error.hpp>
+#include <gnomon/base/same_time.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/results/results.hpp>
+#include <gnomon/results/surface_error.hpp>
 #include <optional>
 #include <set>
 
 #include "app/commands.hpp"
 #include "app/program.hpp"
-#include "app/result_errors.hpp"
 #include "app/text_table.hpp"
 
 namespace gnomon::app {
@@ -80,12 +81,42 @@ std::string name_and_status(const std::filesystem::path& file, const ResultReade
   return fmt::format("{} (at t = {:g} s: {})", file.filename().string(), t, status);
 }
 
-void add_row(TextTable& table, const std::filesystem::path& file, const ResultErrors& errors) {
+/// As texts: numbers, or why there are none.
+struct ResultError {
+  std::string shape;     ///< the paper's error [length]; "other mesh", "other time"
+  std::string pressure;  ///< largest difference of a nodal contact pressure [stress]; "-" for none
+};
+
+/// The result with which others are compared.
+struct Reference {
+  explicit Reference(const std::filesystem::path& name) : file(name) {
+    const ResultReader result(file);
+    surface = result.contact(std::nullopt);
+    time = result.stored_times().back();
+  }
+  std::filesystem::path file;
+  ContactSurface surface;
+  double time = 0;
+};
+
+/// Errors of the last stored state of `result`, read from `file`.
+ResultError error_of(const std::filesystem::path& file, const ResultReader& result,
+                     const Reference& reference) {
+  if (std::filesystem::equivalent(file, reference.file)) return {"reference", "-"};
+  if (result.stored_times().empty()) return {"nothing stored", "-"};
+  const ContactSurface surface = result.contact(std::nullopt);
+  if (surface.initial != reference.surface.initial) return {"other mesh", "-"};
+  if (!same_time(result.stored_times().back(), reference.time)) return {"other time", "-"};
+  return {fmt::format("{:.3e}", shape_error(surface, reference.surface)),
+          fmt::format("{:.3e}", pressure_error(surface, reference.surface))};
+}
+
+void add_row(TextTable& table, const std::filesystem::path& file, const Reference& reference) {
   const ResultReader result(file);
   const std::vector<HistoryRow> history = result.history();
   const HistoryRow last = history.empty() ? HistoryRow{} : history.back();
   const Counters& c = last.counters;
-  const ResultError error = errors.against(file, result);
+  const ResultError error = error_of(file, result, reference);
   const auto count = [](long value) { return fmt::format("{}", value); };
   table.add({result.header().integrator, setting(scene_of(result.header(), file)), count(c.steps),
              count(c.rejected_steps), count(c.newton_iterations), count(c.factorizations),
@@ -98,7 +129,7 @@ void add_row(TextTable& table, const std::filesystem::path& file, const ResultEr
 int compare_command(const std::vector<std::filesystem::path>& results,
                     const std::filesystem::path& reference) {
   const std::filesystem::path& chosen = reference.empty() ? results.back() : reference;
-  const ResultErrors errors{chosen};
+  const Reference chosen_result(chosen);
   TextTable table({{"integrator"},
                    {"setting"},
                    {"steps", Align::right},
@@ -110,7 +141,7 @@ int compare_command(const std::vector<std::filesystem::path>& results,
                    {"shape error [mm]", Align::right},
                    {"pressure error [MPa]", Align::right},
                    {"result"}});
-  for (const auto& file : results) add_row(table, file, errors);
+  for (const auto& file : results) add_row(table, file, chosen_result);
   fmt::print(
       "{}\nshape error: Euclidean norm of the differences of worn contact-node positions to the\n"
       "reference, {}, in the last stored state;\n"

@@ -13,11 +13,11 @@
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
-#include "app/program.hpp"
-#include "app/run_end.hpp"
 #include "app/options.hpp"
-#include "app/study_page.hpp"
-#include "app/study_progress.hpp"
+#include "app/plotting_script.hpp"
+#include "app/program.hpp"
+#include "app/progress.hpp"
+#include "app/run_end.hpp"
 #include "app/text_table.hpp"
 
 namespace gnomon::app {

@@ -19,6 +19,7 @@
 #include "app/program.hpp"
 #include "app/stored_time.hpp"
 #include "app/text_table.hpp"
+#include "study/table.hpp"
 
 namespace gnomon::app {
 
@@ -101,14 +102,6 @@ std::vector<std::string> surface_names(const ResultReader& result, const Contact
   std::vector<std::string> names;
   for (int node : contact.node) names.push_back(name_of[node]);
   return names;
-}
-
-/// A field of CSV; quotes are doubled within quotes.
-std::string csv_text(const std::string& text) {
-  if (text.find_first_of(",\"\n") == text.npos) return text;
-  std::string doubled;
-  for (char letter : text) doubled.append(letter == '"' ? 2 : 1, letter);
-  return fmt::format("\"{}\"", doubled);
 }
 
 void print_contact_row(const ContactSurface& surface, std::size_t i, const std::string& end) {
@@ -198,7 +191,8 @@ int contact_command(const std::filesystem::path& file, const std::string& time) 
   fmt::print("{},pressure [MPa],wear_depth [mm],active{}\n", header,
              names.empty() ? "" : ",surface");
   for (std::size_t i = 0; i < surface.node.size(); ++i)
-    print_contact_row(surface, i, names.empty() ? "" : fmt::format(",{}", csv_text(names[i])));
+    print_contact_row(surface, i,
+                      names.empty() ? "" : fmt::format(",{}", study::csv_text(names[i])));
   return success;
 }
 

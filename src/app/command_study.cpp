@@ -10,10 +10,10 @@
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
-#include "app/program.hpp"
-#include "app/run_end.hpp"
 #include "app/options.hpp"
-#include "app/study_progress.hpp"
+#include "app/program.hpp"
+#include "app/progress.hpp"
+#include "app/run_end.hpp"
 #include "app/study_tables.hpp"
 #include "study/run_numbers.hpp"
 

@@ -1,8 +1,10 @@
-// Shows the progress of a run: one live line on a terminal, a few plain lines elsewhere.
+// Shows the progress of a run, or of a study: one live line on a terminal, a few plain lines
+// elsewhere.
 #pragma once
 
 #include <chrono>
 #include <gnomon/results/results.hpp>
+#include <gnomon/study/study.hpp>
 #include <string>
 
 namespace gnomon::app {
@@ -58,6 +60,21 @@ private:
   Clock::time_point shown_at_{};
   double shown_t_ = 0;
   bool shown_ = false;
+};
+
+/// "[#####.....] 12 of 40 runs  2 failed  left 3:20". `elapsed` is in seconds.
+std::string study_progress_text(const StudyProgress& progress, double elapsed);
+
+class StudyProgressBar {
+public:
+  explicit StudyProgressBar(Progress::Mode mode) : mode_(mode) {}
+  void show(const StudyProgress& progress);
+  /// Ends the live line, so that further output begins on a new one.
+  void finish();
+
+private:
+  Progress::Mode mode_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace gnomon::app

@@ -6,7 +6,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
 
-#include "app/study_page.hpp"
+#include "app/plotting_script.hpp"
 #include "app/text_table.hpp"
 
 namespace gnomon::app {

@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 
+#include "mesh/facet_table.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -14,19 +16,13 @@ template <int dim>
 using Facet = typename Mesh<dim>::Facet;
 
 template <int dim>
-Facet<dim> by_nodes(Facet<dim> facet) {
-  std::ranges::sort(facet);
-  return facet;
-}
-
-template <int dim>
 std::vector<Facet<dim>> boundary_without_contact(const AssemblyParts<dim>& parts) {
   std::set<Facet<dim>> touching;
   for (const Facet<dim>& facet : facets_of(parts.interface.surfaces))
-    touching.insert(by_nodes<dim>(facet));
+    touching.insert(sorted(facet));
   std::vector<Facet<dim>> others;
   for (const Facet<dim>& facet : parts.interface.boundary)
-    if (!touching.contains(by_nodes<dim>(facet))) others.push_back(facet);
+    if (!touching.contains(sorted(facet))) others.push_back(facet);
   // Facets on the axis of a body of revolution have no area, and no contact.
   if (dim == 2 && parts.section() == Section::meridian)
     std::erase_if(others, [&](const Facet<dim>& facet) {

@@ -1,10 +1,9 @@
-#include "study/columns.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <gnomon/base/counter_names.hpp>
 
 #include "study/declaration.hpp"
+#include "study/table.hpp"
 
 namespace gnomon::study {
 

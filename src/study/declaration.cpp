@@ -12,7 +12,6 @@
 #include "scene/raw_value.hpp"
 #include "scene/toml_reader.hpp"
 #include "scene/toml_text.hpp"
-#include "study/declaration_keys.hpp"
 #include "study/text_file.hpp"
 
 namespace gnomon::study {

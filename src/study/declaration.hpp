@@ -53,6 +53,10 @@ struct Declaration {
 /// Reads and checks a study file. Throws InputError.
 Declaration read_declaration(const std::filesystem::path& file, Impossible impossible);
 
+/// The closed form of a problem as the reference of a study: the contact surface at these times;
+/// empty without one. Throws InputError for a problem that has no contact surface to compare.
+std::vector<ContactSurface> closed_form(const Model& model, const std::vector<double>& times);
+
 /// "step", "rtol".
 std::string kind_name(StudySetting::Kind kind);
 /// Shortest text of a number: 20 for 20.0.

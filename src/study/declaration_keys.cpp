@@ -1,8 +1,8 @@
-#include "study/declaration_keys.hpp"
-
 #include <fmt/format.h>
 
 #include <gnomon/study/study.hpp>
+
+#include "study/keyed_table.hpp"
 
 namespace gnomon::study {
 

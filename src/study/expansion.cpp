@@ -16,7 +16,6 @@
 #include "scene/key_check.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/toml_text.hpp"
-#include "study/closed_form.hpp"
 #include "study/declaration.hpp"
 
 namespace gnomon {
@@ -300,6 +299,18 @@ private:
 };
 
 }  // namespace
+
+std::vector<ContactSurface> study::closed_form(const Model& model,
+                                               const std::vector<double>& times) {
+  std::vector<ContactSurface> surfaces;
+  if (!model.exact || !model.exact(times.back())) return surfaces;
+  for (const double t : times) {
+    const auto surface = model.contact(*model.exact(t));
+    if (!surface) throw InputError("the problem has no contact surface, expected one to compare");
+    surfaces.push_back(*surface);
+  }
+  return surfaces;
+}
 
 Study load_study(const std::filesystem::path& file, Impossible impossible) {
   const Declaration declaration = read_declaration(file, impossible);

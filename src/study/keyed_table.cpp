@@ -5,7 +5,6 @@
 #include <gnomon/base/error.hpp>
 
 #include "scene/key_check.hpp"
-#include "study/declaration_keys.hpp"
 
 namespace gnomon::study {
 

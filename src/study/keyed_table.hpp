@@ -19,6 +19,12 @@ struct SceneSetting {
   std::string origin;  ///< beginning of a message about it
 };
 
+/// The keys of a study file, each specified once (declaration_keys.cpp).
+std::vector<Key> top_keys();
+std::vector<Key> sweep_keys();
+std::vector<Key> method_keys();
+std::vector<Key> reference_keys();
+
 /// What gives a run its integrator, and this its step or tolerance.
 enum class MethodFrom { method, reference, scene };
 

@@ -1,18 +1,14 @@
-#include "study/plan.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <gnomon/base/error.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "study/closed_form.hpp"
 #include "study/declaration.hpp"
 #include "study/run_files.hpp"
+#include "study/study_folder.hpp"
 #include "study/text_file.hpp"
 
 namespace gnomon {
@@ -27,14 +23,6 @@ constexpr const char* list_file = "plan.csv";
 constexpr const char* text_file = "study.toml";
 
 using study::text_of;
-
-/// Scenes that have not changed keep their files: other processes may be reading them.
-void write_if_new(const fs::path& file, const std::string& text) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream earlier;
-  earlier << stream.rdbuf();
-  if (!stream.is_open() || earlier.str() != text) write_file(file, text, Earlier::replaced);
-}
 
 Json json_of(const SweepPoint& point) {
   Json json;
@@ -159,7 +147,11 @@ Study checked_plan(const fs::path& folder, const Json& json) {
 namespace study {
 
 void write_plan(const fs::path& folder, const Study& study) {
-  for (const StudyRun& run : study.runs) write_if_new(RunFiles(folder, run.name).scene, run.scene);
+  // Scenes that have not changed keep their files: other processes may be reading them.
+  for (const StudyRun& run : study.runs)
+    if (const fs::path file = RunFiles(folder, run.name).scene;
+        !fs::exists(file) || read_text(file) != run.scene)
+      write_file(file, run.scene, Earlier::replaced);
   Json json;
   json["study"] = study.name;
   json["title"] = study.title;

@@ -18,13 +18,6 @@ namespace gnomon::study {
 
 namespace fs = std::filesystem;
 
-std::string read_text(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 namespace {
 
 Counters counters_of(const Json& json) {

@@ -55,8 +55,6 @@ double checkpointed_time(const RunFiles& files);
 bool copy_at_rest(const std::filesystem::path& from, const std::filesystem::path& to);
 /// Removes the result and its sidecar.
 void remove_result(const RunFiles& files);
-/// The text of a file; empty if there is none.
-std::string read_text(const std::filesystem::path& file);
 
 /// What a result observed at its end, and how far the worn volume is from the integral of the wear
 /// (wear_difference). Throws InputError when it cannot be read.

@@ -10,11 +10,11 @@
 #include <gnomon/study/study.hpp>
 #include <map>
 
-#include "study/plan.hpp"
 #include "study/process_pool.hpp"
 #include "study/run_claim.hpp"
 #include "study/run_files.hpp"
 #include "study/study_folder.hpp"
+#include "study/text_file.hpp"
 
 namespace gnomon {
 

@@ -11,8 +11,6 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
 
-#include "study/plan.hpp"
-
 namespace gnomon {
 
 namespace study {

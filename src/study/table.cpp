@@ -27,6 +27,8 @@ struct JsonOf {
   Json operator()(const std::string& value) const { return value; }
 };
 
+}  // namespace
+
 std::string csv_text(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string result = "\"";
@@ -36,8 +38,6 @@ std::string csv_text(const std::string& text) {
   }
   return result + '"';
 }
-
-}  // namespace
 
 std::string cell_text(const CellValue& value) {
   return std::visit(TextOf{}, value);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <gnomon/study/study.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -50,9 +51,15 @@ Table table_of(const std::vector<ColumnOf<Row>>& columns, const std::vector<Row>
   return table;
 }
 
+/// The table of a study (columns.cpp): the columns that every study has, one for each swept key,
+/// and one for each quantity that a run has observed.
+Table results_of(const Study& study, const StudyTable& table);
+
 /// Shortest exact text of a cell; empty when there is no value.
 std::string cell_text(const CellValue& value);
 
+/// A field of CSV; quotes are doubled within quotes.
+std::string csv_text(const std::string& text);
 /// The names, then one line per row.
 std::string csv_of(const Table& table);
 

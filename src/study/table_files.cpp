@@ -11,7 +11,7 @@
 #include "results/hdf5_handles.hpp"
 #include "results/hdf5_values.hpp"
 #include "results/replaced_file.hpp"
-#include "study/columns.hpp"
+#include "study/table.hpp"
 #include "study/text_file.hpp"
 
 namespace gnomon {

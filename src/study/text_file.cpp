@@ -4,18 +4,19 @@
 
 #include <fstream>
 #include <gnomon/base/error.hpp>
+#include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace gnomon::study {
 
-std::string text_of(const std::filesystem::path& file) {
+std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream.is_open() || stream.bad())
-    throw InputError(fmt::format("{}: cannot be read", file.string()));
-  return text.str();
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  if (!std::ifstream(file)) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  return read_text(file);
 }
 
 Json read_json(const std::filesystem::path& file) {

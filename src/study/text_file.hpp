@@ -7,7 +7,9 @@
 
 namespace gnomon::study {
 
-/// Throws InputError if it cannot be read.
+/// The text of a file; empty if there is none.
+std::string read_text(const std::filesystem::path& file);
+/// The same; throws InputError if it cannot be read.
 std::string text_of(const std::filesystem::path& file);
 
 using Json = nlohmann::ordered_json;
