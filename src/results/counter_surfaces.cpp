@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "results/hdf5_values.hpp"
-#include "results/result_parts.hpp"
+#include "results/layout.hpp"
 
 namespace gnomon::layout {
 

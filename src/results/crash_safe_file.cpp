@@ -9,7 +9,6 @@
 #include <cstring>
 
 #include "results/replaced_file.hpp"
-#include "results/write_claim.hpp"
 
 namespace gnomon::hdf5 {
 

@@ -17,8 +17,8 @@ namespace gnomon::hdf5 {
 /// HDF5 file that holds all that was committed:
 ///
 /// 1. allocate() takes new space at the end only, and space is never given back. Whatever lies
-///    behind committed_end() is therefore unknown to the file on disk.
-/// 2. write() behind committed_end() goes to the disk at once. A write before it would change what
+///    behind committed_end_ is therefore unknown to the file on disk.
+/// 2. write() behind committed_end_ goes to the disk at once. A write before it would change what
 ///    readers see: it waits in memory, where read() finds it.
 /// 3. commit(), called by H5Fflush, lengthens the file to all that is allocated, and writes the
 ///    waiting changes, in an order in which each refers only to what is on disk already:
@@ -63,7 +63,6 @@ public:
   haddr_t allocate(H5FD_mem_t type, hsize_t size);
   haddr_t end() const { return end_; }
   void set_end(haddr_t end) { end_ = end; }
-  haddr_t committed_end() const { return committed_end_; }
 
 private:
   struct Change {

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "results/checkpoint_table.hpp"
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
 #include "results/hdf5_values.hpp"
 #include "results/layout.hpp"
-#include "results/result_parts.hpp"
 #include "results/stored_mesh.hpp"
 
 namespace gnomon::layout {
@@ -74,6 +77,76 @@ std::optional<Grid> read_grid_of_epoch(hid_t file, hid_t gnomon, std::size_t epo
     if (hdf5::exists(gnomon, epoch_path(epoch) + "/mesh"))
       return read_grid(open_epoch(gnomon, epoch).id());
   return read_grid(file);
+}
+
+using hdf5::check;
+using hdf5::Failure;
+
+namespace {
+
+constexpr const char* kName = "checkpoints";
+constexpr hsize_t kPlaces = 2;
+constexpr std::size_t kHead = 4;  // checksum, number, rows, stored
+
+/// FNV-1a over all numbers except the first, with as many bits as a double represents exactly.
+double checksum(const std::vector<double>& row) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (std::size_t i = 1; i < row.size(); ++i) {
+    const auto bits = std::bit_cast<std::uint64_t>(row[i]);
+    for (int byte = 0; byte < 8; ++byte) hash = (hash ^ (bits >> 8 * byte & 0xff)) * 0x100000001b3;
+  }
+  return static_cast<double>(hash >> 11);
+}
+
+bool is_count(double value) {
+  return value >= 0 && value < 9e15 && value == std::floor(value);
+}
+
+}  // namespace
+
+CheckpointTable CheckpointTable::create(hid_t group, std::size_t count) {
+  CheckpointTable table;
+  table.count_ = count;
+  const std::vector<double> empty(kPlaces * (kHead + count));
+  hdf5::write_dataset(group, kName, {kPlaces, kHead + count}, empty.data());
+  table.dataset_ = own(H5Dopen2(group, kName, H5P_DEFAULT), H5Dclose, "open the checkpoints");
+  return table;
+}
+
+void CheckpointTable::put(const Checkpoint& checkpoint) {
+  if (checkpoint.numbers.size() != count_)
+    throw Failure("cannot write a checkpoint: its length differs from that of the first");
+  std::vector<double> row = {0, double(checkpoint.number), double(checkpoint.rows),
+                             double(checkpoint.stored)};
+  row.insert(row.end(), checkpoint.numbers.begin(), checkpoint.numbers.end());
+  row[0] = checksum(row);
+  const hsize_t start[] = {hsize_t(checkpoint.number) % kPlaces, 0}, size[] = {1, row.size()};
+  const Handle memory = own(H5Screate_simple(2, size, nullptr), H5Sclose, "write a checkpoint");
+  const Handle file = own(H5Dget_space(dataset_.id()), H5Sclose, "write a checkpoint");
+  check(H5Sselect_hyperslab(file.id(), H5S_SELECT_SET, start, nullptr, size, nullptr),
+        "write a checkpoint");
+  check(H5Dwrite(dataset_.id(), H5T_NATIVE_DOUBLE, memory.id(), file.id(), H5P_DEFAULT, row.data()),
+        "write a checkpoint");
+}
+
+std::vector<Checkpoint> read_checkpoints(hid_t group) {
+  if (!hdf5::exists(group, kName)) return {};
+  const auto [extents, values] = hdf5::read_doubles(group, kName);
+  if (extents.size() != 2 || extents[0] != kPlaces || extents[1] < kHead)
+    throw Failure("cannot read the checkpoints: their extents are wrong");
+  std::vector<Checkpoint> checkpoints;
+  for (std::size_t place = 0; place < kPlaces; ++place) {
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(place * extents[1]);
+    const std::vector<double> row(begin, begin + static_cast<std::ptrdiff_t>(extents[1]));
+    if (row[0] != checksum(row) || row[2] == 0) continue;  // incomplete, or not written yet
+    if (!(is_count(row[1]) && is_count(row[2]) && is_count(row[3])))
+      throw Failure("cannot read the checkpoints: their positions in the result are not numbers");
+    checkpoints.push_back(
+        {long(row[1]), long(row[2]), long(row[3]), {row.begin() + kHead, row.end()}});
+  }
+  std::sort(checkpoints.begin(), checkpoints.end(),
+            [](const Checkpoint& a, const Checkpoint& b) { return a.number < b.number; });
+  return checkpoints;
 }
 
 }  // namespace gnomon::layout

@@ -1,5 +1,7 @@
 // The groups "gnomon/epochs/0001", ...: the beginnings of epochs, and what only an epoch has: its
-// mesh, unless it is that of the epoch before, and its checkpoints.
+// mesh, unless it is that of the epoch before, and its checkpoints. These are the dataset
+// "checkpoints" of "gnomon", or of an epoch: two rows to which checkpoints are written in turn, so
+// that one of them is complete whenever a run is killed. A checksum shows which one.
 #pragma once
 
 #include <hdf5.h>
@@ -28,5 +30,23 @@ std::vector<EpochStart> read_epochs(hid_t gnomon);
 std::vector<Checkpoint> read_last_checkpoints(hid_t gnomon);
 /// The mesh of an epoch; 0 is the first, whose mesh is that of `file`.
 std::optional<Grid> read_grid_of_epoch(hid_t file, hid_t gnomon, std::size_t epoch);
+
+class CheckpointTable {
+public:
+  CheckpointTable() = default;
+  /// Creates the table in a group, for checkpoints of `count` numbers.
+  static CheckpointTable create(hid_t group, std::size_t count);
+
+  /// Throws hdf5::Failure if the checkpoint has a different count of numbers.
+  void put(const Checkpoint& checkpoint);
+  explicit operator bool() const { return static_cast<bool>(dataset_); }
+
+private:
+  hdf5::Handle dataset_;
+  std::size_t count_ = 0;
+};
+
+/// The complete checkpoints, ascending by number; none if there is no table.
+std::vector<Checkpoint> read_checkpoints(hid_t group);
 
 }  // namespace gnomon::layout

@@ -88,13 +88,10 @@ std::vector<Cell> cells_of(const HistoryRow& row) {
 }
 
 Handle history_type(const std::vector<Column>& columns) {
-  Handle type =
-      own(H5Tcreate(H5T_COMPOUND, columns.size() * sizeof(Cell)), H5Tclose, "describe the history");
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    check(H5Tinsert(type.id(), columns[i].name.c_str(), i * sizeof(Cell),
-                    columns[i].integer ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE),
-          "describe the history");
-  }
+  Handle type = compound(columns.size() * sizeof(Cell));
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    insert(type, columns[i].name, i * sizeof(Cell),
+           columns[i].integer ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE);
   return type;
 }
 

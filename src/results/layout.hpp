@@ -8,11 +8,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <gnomon/model/model.hpp>
+#include <gnomon/results/results.hpp>
 #include <string>
 #include <vector>
 
+#include "results/crash_safe_file.hpp"
 #include "results/hdf5_handles.hpp"
+#include "results/hdf5_values.hpp"
 
 namespace gnomon::layout {
 
@@ -41,6 +45,23 @@ long count_of(std::int64_t value, const char* what);
 std::string step_path(std::size_t step);
 std::string group_path(std::size_t step);
 
+/// A type of rows in memory and in the file, and its members.
+hdf5::Handle compound(std::size_t size);
+void insert(const hdf5::Handle& type, const std::string& name, std::size_t offset, hid_t member);
+
+/// All rows of a table whose row in memory is `Row`, described by `type`.
+template <class Row>
+std::vector<Row> read_rows(const hdf5::Handle& dataset, const hdf5::Handle& type,
+                           const std::string& what) {
+  const auto extents = hdf5::extents_of(dataset.id());
+  if (extents.size() != 1) throw hdf5::Failure("cannot " + what + ": it is not a table");
+  std::vector<Row> rows(extents.front());
+  if (!rows.empty())
+    hdf5::check(H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()),
+                what.c_str());
+  return rows;
+}
+
 /// A row of "gnomon/stored".
 struct StoredRow {
   double t;
@@ -68,5 +89,15 @@ struct BlockRow {
   std::array<char, 64> where;
 };
 hdf5::Handle block_type();
+
+hdf5::Handle create_file(hdf5::CrashSafeFile& disk, const std::filesystem::path& path);
+
+/// A group that keeps its links in its own header, with space for `links` of them: a single
+/// structure of less than a page changes when a step is added.
+hdf5::Handle create_group(hid_t parent, const std::string& name, std::size_t links);
+
+void write_header(hid_t gnomon, const RunHeader& header);
+void write_field(hid_t step, const GridField& field);
+void write_contact(hid_t group, const std::string& name, const ContactSurface& contact);
 
 }  // namespace gnomon::layout

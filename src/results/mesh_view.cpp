@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <gnomon/results/mesh_view.hpp>
 
-#include "results/xml_text.hpp"
+#include "results/xdmf_sidecar.hpp"
 
 namespace gnomon {
 

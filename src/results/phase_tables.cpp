@@ -5,11 +5,9 @@
 
 #include "results/hdf5_values.hpp"
 #include "results/layout.hpp"
-#include "results/result_parts.hpp"
 
 namespace gnomon::layout {
 
-using hdf5::check;
 using hdf5::Failure;
 using hdf5::Handle;
 using hdf5::own;
@@ -27,13 +25,10 @@ struct ErrorRow {
 };
 
 Handle error_type() {
-  Handle type = own(H5Tcreate(H5T_COMPOUND, sizeof(ErrorRow)), H5Tclose, "describe a table");
-  const auto insert = [&](const char* name, std::size_t offset, hid_t member) {
-    check(H5Tinsert(type.id(), name, offset, member), "describe a table");
-  };
-  insert("t", offsetof(ErrorRow, t), H5T_NATIVE_DOUBLE);
-  insert("phases", offsetof(ErrorRow, phases), H5T_NATIVE_INT64);
-  insert("error", offsetof(ErrorRow, error), H5T_NATIVE_DOUBLE);
+  Handle type = compound(sizeof(ErrorRow));
+  insert(type, "t", offsetof(ErrorRow, t), H5T_NATIVE_DOUBLE);
+  insert(type, "phases", offsetof(ErrorRow, phases), H5T_NATIVE_INT64);
+  insert(type, "error", offsetof(ErrorRow, error), H5T_NATIVE_DOUBLE);
   return type;
 }
 
@@ -89,17 +84,11 @@ void PhaseErrorTable::append(const PhaseError& error) {
 
 std::vector<PhaseError> read_phase_errors(hid_t gnomon) {
   if (!hdf5::exists(gnomon, kErrors)) return {};
-  const Handle dataset =
-      own(H5Dopen2(gnomon, kErrors, H5P_DEFAULT), H5Dclose, "read the errors of the mean");
-  const auto extents = hdf5::extents_of(dataset.id());
-  if (extents.size() != 1) throw Failure("cannot read the errors of the mean: they are no table");
-  std::vector<ErrorRow> rows(extents.front());
-  if (!rows.empty())
-    check(H5Dread(dataset.id(), error_type().id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()),
-          "read the errors of the mean");
+  constexpr const char* what = "read the errors of the mean";
+  const Handle dataset = own(H5Dopen2(gnomon, kErrors, H5P_DEFAULT), H5Dclose, what);
   std::vector<PhaseError> errors;
-  for (const ErrorRow& row : rows)
-    errors.push_back({row.t, count_of(row.phases, "read the errors of the mean"), row.error});
+  for (const ErrorRow& row : read_rows<ErrorRow>(dataset, error_type(), what))
+    errors.push_back({row.t, count_of(row.phases, what), row.error});
   return errors;
 }
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "results/growing_table.hpp"
 #include "results/hdf5_handles.hpp"
 
 namespace gnomon::layout {

@@ -1,4 +1,5 @@
-// A file that gets its name only when it is complete: it is made beside the target and renamed.
+// A file that gets its name only when it is complete: it is made beside the target and renamed; and
+// who writes it: a lock that only one run can have, and that does not affect readers.
 #pragma once
 
 #include <filesystem>
@@ -27,5 +28,16 @@ std::filesystem::path replaceable(const std::filesystem::path& target);
 /// Renames the part to its target: a reader finds either the whole old file or the whole new one.
 /// Throws Error with the system's reason, or if there is an old file that must not be replaced.
 void publish_part(const std::filesystem::path& target, Earlier earlier);
+
+/// Claims an open file for this writer alone, as long as the descriptor is open. Returns false if
+/// another writer has it. On a file system without locks it always succeeds.
+bool claim_alone(int descriptor);
+
+/// Allows readers that lock the file (readers of HDF5 do; on a network file system with the same
+/// kind of lock); for another writer the file is still claimed.
+void share_claim(int descriptor);
+
+/// Whether a writer, of this process or another, has claimed the file.
+bool is_claimed(const std::filesystem::path& file);
 
 }  // namespace gnomon

@@ -13,7 +13,7 @@
 #include "results/history_table.hpp"
 #include "results/layout.hpp"
 #include "results/phase_tables.hpp"
-#include "results/write_claim.hpp"
+#include "results/replaced_file.hpp"
 
 namespace gnomon {
 
@@ -40,22 +40,11 @@ Handle open_dataset(hid_t parent, const std::string& path, const char* what) {
   return own(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), H5Dclose, what);
 }
 
-// Reads all rows of a table whose row in memory is `Row`, described by `type`.
-template <class Row>
-std::vector<Row> read_rows(const Handle& dataset, const Handle& type, const char* what) {
-  const auto extents = hdf5::extents_of(dataset.id());
-  if (extents.size() != 1) throw Failure(fmt::format("cannot {}: it is not a table", what));
-  std::vector<Row> rows(extents.front());
-  if (rows.empty()) return rows;
-  check(H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()), what);
-  return rows;
-}
-
 std::vector<BlockSize> read_blocks(hid_t gnomon) {
   const Handle dataset = open_dataset(gnomon, "blocks", "read the blocks");
   std::vector<BlockSize> blocks;
   for (const auto& row :
-       read_rows<layout::BlockRow>(dataset, layout::block_type(), "read the blocks")) {
+       layout::read_rows<layout::BlockRow>(dataset, layout::block_type(), "read the blocks")) {
     blocks.push_back({layout::text_of(row.name), layout::text_of(row.symbol),
                       layout::count_of(row.size, "read the blocks"), layout::text_of(row.where)});
   }
@@ -79,8 +68,8 @@ RunHeader read_header(hid_t gnomon) {
 ContactSurface read_contact(hid_t file, const std::string& path) {
   if (!hdf5::exists(file, path)) throw Failure("the problem has no contact surface");
   const Handle dataset = open_dataset(file, path, "read the contact surface");
-  const auto rows =
-      read_rows<layout::ContactRow>(dataset, layout::contact_type(), "read the contact surface");
+  const auto rows = layout::read_rows<layout::ContactRow>(dataset, layout::contact_type(),
+                                                          "read the contact surface");
   ContactSurface contact;
   const double dim = hdf5::read_number_attribute(dataset.id(), "dim");
   if (dim != 2 && dim != 3)
@@ -206,8 +195,8 @@ public:
 
   std::vector<layout::StoredRow> stored() const {
     const Handle dataset = open_dataset(gnomon_.id(), "stored", "read the stored steps");
-    auto rows =
-        read_rows<layout::StoredRow>(dataset, layout::stored_type(), "read the stored steps");
+    auto rows = layout::read_rows<layout::StoredRow>(dataset, layout::stored_type(),
+                                                     "read the stored steps");
     for (layout::StoredRow& row : rows) row.path.back() = '\0';
     return rows;
   }

@@ -4,19 +4,16 @@
 #include <functional>
 #include <gnomon/results/results.hpp>
 
-#include "results/checkpoint_table.hpp"
 #include "results/counter_surfaces.hpp"
 #include "results/crash_safe_file.hpp"
 #include "results/epoch_groups.hpp"
-#include "results/growing_table.hpp"
+#include "results/hdf5_handles.hpp"
 #include "results/hdf5_values.hpp"
 #include "results/history_table.hpp"
 #include "results/layout.hpp"
 #include "results/phase_tables.hpp"
 #include "results/replaced_file.hpp"
-#include "results/result_parts.hpp"
 #include "results/stored_mesh.hpp"
-#include "results/write_claim.hpp"
 #include "results/xdmf_sidecar.hpp"
 
 namespace gnomon {

@@ -5,7 +5,6 @@
 
 #include "results/hdf5_values.hpp"
 #include "results/layout.hpp"
-#include "results/result_parts.hpp"
 
 namespace gnomon::layout {
 

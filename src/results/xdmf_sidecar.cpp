@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+
 #include "results/replaced_file.hpp"
-#include "results/xml_text.hpp"
 
 namespace gnomon {
 
@@ -98,6 +99,35 @@ void XdmfSidecar::write(Earlier earlier) const {
   std::string text = xdmf_head;
   if (!counter_steps_.empty()) text += counter_body + counter_steps_ + collection_end;
   write_file(path_, text + body + steps_ + collection_end + xdmf_end, earlier);
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+bool begins_with(const std::filesystem::path& file, const std::string& text) {
+  std::string start(text.size(), '\0');
+  std::ifstream stream(file, std::ios::binary);
+  return stream.read(start.data(), static_cast<std::streamsize>(start.size())) && start == text;
 }
 
 }  // namespace gnomon
