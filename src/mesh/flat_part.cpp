@@ -1,7 +1,7 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <gnomon/mesh/flat_part.hpp>
-#include <limits>
 
 namespace gnomon {
 
@@ -22,15 +22,14 @@ FlatPart<dim> flat_part(const Mesh<dim>& mesh, const std::vector<typename Mesh<d
   if (facets.empty()) return part;
   const Vector<dim> origin = mesh.nodes[facets[0][0]];
   Vector<dim> middle = Vector<dim>::Zero(), total = Vector<dim>::Zero();
-  Vector<dim> low = origin, high = origin;
+  Eigen::AlignedBox<double, dim> box;
   double area = 0;
   for (const auto& facet : facets) {
     const Vector<dim> own = area_vector(mesh, facet);
     Vector<dim> centre = Vector<dim>::Zero();
     for (int node : facet) {
       centre += (mesh.nodes[node] - origin) / static_cast<double>(facet.size());
-      low = low.cwiseMin(mesh.nodes[node]);
-      high = high.cwiseMax(mesh.nodes[node]);
+      box.extend(mesh.nodes[node]);
     }
     total += own;
     middle += own.norm() * centre;
@@ -39,7 +38,7 @@ FlatPart<dim> flat_part(const Mesh<dim>& mesh, const std::vector<typename Mesh<d
   if (!(total.norm() > 1e-12 * area)) return part;  // closed
   middle = origin + middle / area;
   part.normal = total.normalized();
-  const double size = (high - low).norm();
+  const double size = box.diagonal().norm();
   bool same_way = true;
   for (const auto& facet : facets) {
     same_way = same_way && area_vector(mesh, facet).dot(part.normal) > 0;
@@ -59,18 +58,15 @@ int planes_of(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet
   };
   constexpr std::size_t most = 6;
   constexpr double cosine = 0.87;  // of 30 degrees
-  Vector<dim> low = Vector<dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  Eigen::AlignedBox<double, dim> box;
   for (const auto& facet : facets)
-    for (int node : facet) {
-      low = low.cwiseMin(mesh.nodes[node]);
-      high = high.cwiseMax(mesh.nodes[node]);
-    }
+    for (int node : facet) box.extend(mesh.nodes[node]);
   std::vector<Plane> planes;
   for (const auto& facet : facets) {
     const Vector<dim> normal = area_vector(mesh, facet).normalized(), point = mesh.nodes[facet[0]];
     const auto known = std::find_if(planes.begin(), planes.end(), [&](const Plane& plane) {
       return (normal - plane.normal).norm() < tolerance &&
-             std::abs((point - plane.point).dot(plane.normal)) < tolerance * (high - low).norm();
+             std::abs((point - plane.point).dot(plane.normal)) < tolerance * box.diagonal().norm();
     });
     if (known != planes.end()) continue;
     for (const Plane& plane : planes)

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -13,8 +14,9 @@ namespace {
 /// How near to a facet, by its size, a node hangs on it; a gap so narrow is none that was meant.
 constexpr double nearness = 1e-3;
 
-Vector<2> nearest_on_segment(const Vector<2>& x, const Vector<2>& a, const Vector<2>& b) {
-  const Vector<2> along = b - a;
+template <int dim>
+Vector<dim> nearest_on_segment(const Vector<dim>& x, const Vector<dim>& a, const Vector<dim>& b) {
+  const Vector<dim> along = b - a;
   return a + std::clamp((x - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
 }
 
@@ -28,17 +30,14 @@ Vector<3> nearest_on_triangle(const Vector<3>& x, const std::array<Vector<3>, 3>
   if (s >= 0 && t >= 0 && s + t <= 1) return corners[0] + s * a + t * b;
   Vector<3> best = corners[0];
   for (int k = 0; k < 3; ++k) {
-    const Vector<3>& begin = corners[k];
-    const Vector<3> along = corners[(k + 1) % 3] - begin;
-    const double r = std::clamp((x - begin).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    const Vector<3> point = begin + r * along;
+    const Vector<3> point = nearest_on_segment<3>(x, corners[k], corners[(k + 1) % 3]);
     if ((x - point).norm() < (x - best).norm()) best = point;
   }
   return best;
 }
 
 Vector<2> nearest_on_facet(const Vector<2>& x, const std::array<Vector<2>, 2>& facet) {
-  return nearest_on_segment(x, facet[0], facet[1]);
+  return nearest_on_segment<2>(x, facet[0], facet[1]);
 }
 
 /// Of the four triangles between the centroid and the sides.
@@ -51,26 +50,6 @@ Vector<3> nearest_on_facet(const Vector<3>& x, const std::array<Vector<3>, 4>& f
   }
   return best;
 }
-
-template <int dim>
-struct Box {
-  Vector<dim> low, high;
-
-  explicit Box(const std::vector<Vector<dim>>& nodes, const typename Mesh<dim>::Facet& facet)
-      : low(nodes[facet[0]]), high(low) {
-    for (int node : facet) {
-      low = low.cwiseMin(nodes[node]);
-      high = high.cwiseMax(nodes[node]);
-    }
-  }
-  void grow(double margin) {
-    low.array() -= margin;
-    high.array() += margin;
-  }
-  bool contains(const Vector<dim>& x) const {
-    return (x.array() >= low.array()).all() && (x.array() <= high.array()).all();
-  }
-};
 
 /// Nodes of the boundary, ascending in the first coordinate.
 template <int dim>
@@ -104,12 +83,14 @@ void check_hanging_nodes(const ImportedBody<dim>& body) {
   const auto& X = body.mesh.nodes;
   const std::vector<int> nodes = sorted_nodes(body);
   for (const auto& facet : body.exterior) {
-    Box<dim> box(X, facet);
-    const double margin = nearness * (box.high - box.low).norm();
-    box.grow(margin);
-    auto at = std::lower_bound(nodes.begin(), nodes.end(), box.low[0],
+    Eigen::AlignedBox<double, dim> box;
+    for (int node : facet) box.extend(X[node]);
+    const double margin = nearness * box.diagonal().norm();
+    box.min().array() -= margin;
+    box.max().array() += margin;
+    auto at = std::lower_bound(nodes.begin(), nodes.end(), box.min()[0],
                                [&X](int node, double x) { return X[node][0] < x; });
-    for (; at != nodes.end() && X[*at][0] <= box.high[0]; ++at) {
+    for (; at != nodes.end() && X[*at][0] <= box.max()[0]; ++at) {
       if (!box.contains(X[*at])) continue;
       if (std::find(facet.begin(), facet.end(), *at) != facet.end()) continue;
       if (hangs<dim>(X[*at], facet, X, margin))

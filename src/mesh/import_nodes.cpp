@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <limits>
 
 #include "scene/toml_text.hpp"
 
@@ -21,18 +21,10 @@ void sort_once(std::vector<int>& numbers) {
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
-struct Extent {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  double length() const { return most - least; }
-};
-
-Extent extent_of(const ImportedMesh& mesh, int axis) {
-  Extent extent;
-  for (const auto& place : mesh.nodes) {
-    extent.least = std::min(extent.least, place[axis]);
-    extent.most = std::max(extent.most, place[axis]);
-  }
-  return extent;
+Eigen::AlignedBox3d box_of(const ImportedMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const auto& place : mesh.nodes) box.extend(Eigen::Vector3d::Map(place.data()));
+  return box;
 }
 
 /// Elements that stand in for themselves stay, in the list and in the groups; the others give their
@@ -97,8 +89,7 @@ std::string place_text(std::span<const double> place) {
 }
 
 double diagonal(const ImportedMesh& mesh) {
-  return std::hypot(extent_of(mesh, 0).length(), extent_of(mesh, 1).length(),
-                    extent_of(mesh, 2).length());
+  return box_of(mesh).diagonal().norm();
 }
 
 void check_content(const ImportedMesh& mesh, int dim) {
@@ -140,24 +131,25 @@ void renumber_nodes(ImportedMesh& mesh, const std::vector<int>& now) {
 }
 
 void lay_in_plane(ImportedMesh& mesh) {
-  const double tolerance = same_plane * diagonal(mesh);
-  const Extent x = extent_of(mesh, 0), y = extent_of(mesh, 1), z = extent_of(mesh, 2);
-  if (z.length() > tolerance) {
-    if (y.length() <= tolerance)
+  const Eigen::AlignedBox3d box = box_of(mesh);
+  const Eigen::Vector3d size = box.diagonal();
+  const double tolerance = same_plane * size.norm(), least = box.min()[2], most = box.max()[2];
+  if (size[2] > tolerance) {
+    if (size[1] <= tolerance)
       refuse_mesh(mesh,
                   "lies in the plane of x and z, expected that of x and y (in Gmsh: Rotate "
                   "{{1, 0, 0}, {0, 0, 0}, -Pi/2})");
-    if (x.length() <= tolerance)
+    if (size[0] <= tolerance)
       refuse_mesh(mesh,
                   "lies in the plane of y and z, expected that of x and y (in Gmsh: Rotate "
                   "{{0, 1, 0}, {0, 0, 0}, Pi/2})");
     refuse_mesh(mesh, fmt::format("is a surface in space (z from {:.6g} to {:.6g}), expected a "
                                   "plane mesh with z = 0 or cells of a volume (in Gmsh: mesh in "
                                   "3D, and name the volume by Physical Volume)",
-                                  z.least, z.most));
+                                  least, most));
   }
-  if (std::max(std::abs(z.least), std::abs(z.most)) > tolerance)
-    mesh.remarks.push_back(fmt::format("lies at z = {:.6g}, which was taken for 0", z.least));
+  if (std::max(std::abs(least), std::abs(most)) > tolerance)
+    mesh.remarks.push_back(fmt::format("lies at z = {:.6g}, which was taken for 0", least));
   for (auto& place : mesh.nodes) place[2] = 0;
 }
 

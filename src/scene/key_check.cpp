@@ -201,7 +201,10 @@ std::optional<Key> find_key(const std::vector<Key>& table, const std::string& na
 
 namespace {
 
-bool names_table(const std::string& name, const std::vector<Key>& table);
+bool names_table(const std::string& name, const std::vector<Key>& table) {
+  return std::any_of(table.begin(), table.end(),
+                     [&](const Key& key) { return key.name.starts_with(name + "."); });
+}
 
 /// The table before a number in the name: "mesh" of "mesh.1.elements", if keys stand in it and it
 /// is no array.
@@ -216,11 +219,6 @@ std::optional<std::string> table_given_as_array(const std::string& name,
       return before;
   }
   return std::nullopt;
-}
-
-bool names_table(const std::string& name, const std::vector<Key>& table) {
-  return std::any_of(table.begin(), table.end(),
-                     [&](const Key& key) { return key.name.starts_with(name + "."); });
 }
 
 }  // namespace

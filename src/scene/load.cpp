@@ -5,8 +5,8 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/scene/scene.hpp>
 
-#include "scene/nesting.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/toml_mistakes.hpp"
 #include "scene/toml_reader.hpp"
 #include "scene/toml_text.hpp"
 

@@ -2,30 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "scene/toml_text.hpp"
 
 namespace gnomon {
-
-namespace {
-
-struct Description {
-  std::string operator()(bool value) const { return value ? "true" : "false"; }
-  std::string operator()(long value) const { return fmt::format("{}", value); }
-  // 2.0 stays "2.0", so that "expected an integer, got 2.0" makes sense.
-  std::string operator()(double value) const {
-    return std::isfinite(value) ? toml_text(value) : fmt::format("{}", value);
-  }
-  std::string operator()(const ForeignValue& value) const { return value.description; }
-  std::string operator()(const std::string& value) const {
-    constexpr std::size_t longest = 60;  // a message stays one readable line
-    if (value.size() <= longest) return toml_text(value);
-    return toml_text(value.substr(0, longest)) + "...";
-  }
-};
-
-}  // namespace
 
 bool is_table(const RawValue& value) {
   const auto* scalar = std::get_if<RawScalar>(&value.content);
@@ -34,7 +13,11 @@ bool is_table(const RawValue& value) {
 }
 
 std::string describe(const RawScalar& value) {
-  return std::visit(Description{}, value);
+  constexpr std::size_t longest = 60;  // a message stays one readable line
+  if (const auto* foreign = std::get_if<ForeignValue>(&value)) return foreign->description;
+  if (const auto* text = std::get_if<std::string>(&value); text && text->size() > longest)
+    return toml_text(text->substr(0, longest)) + "...";
+  return toml_text(RawValue{value});
 }
 
 std::string describe(const RawValue& value) {

@@ -35,7 +35,20 @@ std::string key_comment(const Key& key) {
 
 namespace {
 
-std::string presence(const Key& key) {
+/// Whether a key of an array of tables, "body.#.element", is also one of a single table.
+bool stands_in_table_too(const Key& key, const std::vector<Key>& table) {
+  const std::size_t number = key.name.find("#.");
+  return number != std::string::npos &&
+         std::ranges::count(table, std::string(key.name).erase(number, 2), &Key::name) > 0;
+}
+
+std::string presence(const Key& key, const std::vector<Key>& table) {
+  const std::size_t dot = key.name.rfind('.');
+  if (dot != std::string::npos &&
+      std::ranges::count(table, std::string(key.name).insert(dot, ".#"), &Key::name) > 0) {
+    const std::string name = key.name.substr(0, dot);
+    return presence(key, {}) + fmt::format("; [{0}], or each [[{0}]]", name);
+  }
   switch (key.presence) {
     case Key::Presence::required:
       return "required";
@@ -52,10 +65,12 @@ std::string presence(const Key& key) {
 std::string describe_keys(const std::vector<Key>& table) {
   std::string text;
   for (const KeyGroup& group : group_keys(table)) {
-    text += text.empty() ? "" : "\n";
+    std::string entries;
     for (const Key& key : group.keys)
-      text +=
-          fmt::format("{}: {}\n    {}; {}\n", key.name, key.help, expectation(key), presence(key));
+      if (!stands_in_table_too(key, table))
+        entries += fmt::format("{}: {}\n    {}; {}\n", key.name, key.help, expectation(key),
+                               presence(key, table));
+    text += text.empty() || entries.empty() ? entries : "\n" + entries;
   }
   return text;
 }

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "base/untrapped_arithmetic.hpp"
-#include "scene/nesting.hpp"
 #include "scene/toml_mistakes.hpp"
 #include "scene/toml_text.hpp"
 

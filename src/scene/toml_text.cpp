@@ -4,7 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+
+#include "scene/key_check.hpp"
 
 namespace gnomon {
 
@@ -36,34 +39,15 @@ std::string toml_text(const std::string& value) {
   return text + '"';
 }
 
-namespace {
-
-template <class T>
-std::string array_text(const std::vector<T>& values) {
-  std::vector<std::string> texts;
-  for (const T& value : values) {
-    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::string>)
-      texts.push_back(toml_text(value));
-    else
-      texts.push_back(fmt::format("{}", value));
-  }
-  return fmt::format("[{}]", fmt::join(texts, ", "));
+std::string toml_text(const SceneValue& value) {
+  return toml_text(raw_value(value));
 }
 
-struct TextOf {
-  std::string operator()(bool value) const { return value ? "true" : "false"; }
-  std::string operator()(long value) const { return fmt::format("{}", value); }
-  std::string operator()(double value) const { return toml_text(value); }
-  std::string operator()(const std::string& value) const { return toml_text(value); }
-  std::string operator()(const std::vector<long>& value) const { return array_text(value); }
-  std::string operator()(const std::vector<double>& value) const { return array_text(value); }
-  std::string operator()(const std::vector<std::string>& value) const { return array_text(value); }
-};
-
-}  // namespace
-
-std::string toml_text(const SceneValue& value) {
-  return std::visit(TextOf{}, value);
+std::string toml_key(const std::string& key) {
+  const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
+    return c < 0x80 && (std::isalnum(c) || c == '_' || c == '-');
+  });
+  return bare ? key : toml_text(key);
 }
 
 namespace {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <gnomon/shapes/spline_curve.hpp>
@@ -29,11 +30,8 @@ bool cross_each_other(const Line& a, const Line& b) {
 }
 
 bool boxes_meet(const Line& a, const Line& b) {
-  for (int i = 0; i < 2; ++i)
-    if (std::max(a.start[i], a.end[i]) < std::min(b.start[i], b.end[i]) ||
-        std::max(b.start[i], b.end[i]) < std::min(a.start[i], a.end[i]))
-      return false;
-  return true;
+  return Eigen::AlignedBox2d(a.start).extend(a.end).intersects(
+      Eigen::AlignedBox2d(b.start).extend(b.end));
 }
 
 }  // namespace

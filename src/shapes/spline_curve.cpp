@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <gnomon/shapes/spline_curve.hpp>
@@ -11,57 +12,27 @@ namespace {
 
 using Points = std::vector<Vector<2>>;
 
-/// Solves a tridiagonal system with dominant diagonal, in place of its right-hand side.
-void solve_tridiagonal(const std::vector<double>& below, std::vector<double> diagonal,
-                       const std::vector<double>& above, Points& rhs) {
-  const std::size_t n = rhs.size();
-  for (std::size_t i = 1; i < n; ++i) {
-    const double factor = below[i] / diagonal[i - 1];
-    diagonal[i] -= factor * above[i - 1];
-    rhs[i] -= factor * rhs[i - 1];
+/// The second derivatives at the points: zero at the ends of a natural spline; of a closed one,
+/// whose last point repeats the first, periodic.
+Points moments_of(const Points& p, const std::vector<double>& h, bool closed) {
+  const auto pieces = static_cast<int>(h.size()), first = closed ? 0 : 1, count = pieces - first;
+  Points moments(p.size(), Vector<2>::Zero());
+  if (count == 0) return moments;
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::MatrixX2d rhs(count, 2);
+  for (int k = 0; k < count; ++k) {
+    const int i = first + k, before = i == 0 ? pieces - 1 : i - 1;
+    entries.emplace_back(k, k, 2 * (h[before] + h[i]));
+    const int next = k + 1 < count ? k + 1 : 0;
+    if (closed || next > k) entries.insert(entries.end(), {{k, next, h[i]}, {next, k, h[i]}});
+    rhs.row(k) = 6 * ((p[i + 1] - p[i]) / h[i] - (p[i] - p[before]) / h[before]);
   }
-  rhs[n - 1] /= diagonal[n - 1];
-  for (std::size_t i = n - 1; i-- > 0;) rhs[i] = (rhs[i] - above[i] * rhs[i + 1]) / diagonal[i];
-}
-
-/// The second derivatives at the points of a natural spline.
-Points natural_moments(const Points& p, const std::vector<double>& h) {
-  const std::size_t n = h.size();
-  Points moments(n + 1, Vector<2>::Zero());
-  if (n < 2) return moments;
-  std::vector<double> below, diagonal, above;
-  Points rhs;
-  for (std::size_t i = 1; i < n; ++i) {
-    below.push_back(h[i - 1]), diagonal.push_back(2 * (h[i - 1] + h[i])), above.push_back(h[i]);
-    rhs.push_back(6 * ((p[i + 1] - p[i]) / h[i] - (p[i] - p[i - 1]) / h[i - 1]));
-  }
-  solve_tridiagonal(below, diagonal, above, rhs);
-  std::copy(rhs.begin(), rhs.end(), moments.begin() + 1);
+  Eigen::SparseMatrix<double> matrix(count, count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::MatrixX2d solved = Eigen::SimplicialLDLT<decltype(matrix)>(matrix).solve(rhs);
+  for (int k = 0; k < count; ++k) moments[first + k] = solved.row(k);
+  if (closed) moments.back() = moments.front();
   return moments;
-}
-
-/// Of a periodic one, whose last point repeats the first. The matrix is tridiagonal but for its two
-/// corners, c; with v = (1, 0, ..., 0, 1) it is T + c v v', where T has c less at both ends of its
-/// diagonal (Sherman and Morrison).
-Points periodic_moments(const Points& p, const std::vector<double>& h) {
-  const std::size_t n = h.size();
-  std::vector<double> below(n), diagonal(n), above(n);
-  Points rhs(n), corner(n, Vector<2>::Zero());
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t before = i == 0 ? n - 1 : i - 1;
-    below[i] = h[before], above[i] = h[i], diagonal[i] = 2 * (h[before] + h[i]);
-    rhs[i] = 6 * ((p[i + 1] - p[i]) / h[i] - (p[i] - p[before]) / h[before]);
-  }
-  const double c = h[n - 1];
-  diagonal[0] -= c, diagonal[n - 1] -= c;
-  corner[0].setOnes(), corner[n - 1].setOnes();
-  solve_tridiagonal(below, diagonal, above, rhs);
-  solve_tridiagonal(below, diagonal, above, corner);
-  const double weight = c / (1 + c * (corner[0][0] + corner[n - 1][0]));
-  const Vector<2> ends = rhs[0] + rhs[n - 1];
-  for (std::size_t i = 0; i < n; ++i) rhs[i] -= weight * corner[i].cwiseProduct(ends);
-  rhs.push_back(rhs.front());
-  return rhs;
 }
 
 }  // namespace
@@ -100,7 +71,7 @@ void SplineCurve::build(const Points& p) {
     h.push_back((p[i] - p[i - 1]).norm());
     knots_.push_back(knots_.back() + h.back());
   }
-  const Points M = closed_ ? periodic_moments(p, h) : natural_moments(p, h);
+  const Points M = moments_of(p, h, closed_);
   for (std::size_t i = 0; i < h.size(); ++i) {
     const Vector<2> chord = (p[i + 1] - p[i]) / h[i];
     const Vector<2> start = chord - h[i] / 6 * (2 * M[i] + M[i + 1]);
