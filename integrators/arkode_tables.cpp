@@ -84,8 +84,8 @@ Integrator explicit_on_reduced(const Entry& entry) {
     return arkode_erk_table(name);
   };
   integrator.make = [name = entry.table](const System& system, const IntegratorSettings& settings,
-                                         Counters& counters) -> std::unique_ptr<Stepper> {
-    return std::make_unique<ErkSolver>(system, settings, counters, name);
+                                         Counters& counters) {
+    return make_erk(system, settings, counters, name);
   };
   return integrator;
 }

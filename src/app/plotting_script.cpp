@@ -1,60 +1,28 @@
 #include "app/plotting_script.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/installation.hpp>
-#include <iterator>
-#include <optional>
 #include <sstream>
+
+#include "study/captured.hpp"
 
 namespace gnomon::app {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-constexpr int cannot_start = 127;
-
-/// Status of `python3 ARGUMENTS` as of waitpid(); nothing if there was no process.
-std::optional<int> run_python(const std::vector<std::string>& arguments, const std::string& log) {
-  std::vector<char*> argv = {const_cast<char*>("python3")};
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  const pid_t process = fork();
-  if (process < 0) return {};
-  if (process == 0) {
-    const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    dup2(out, STDOUT_FILENO);
-    dup2(out, STDERR_FILENO);
-    execvp(argv[0], argv.data());
-    _exit(cannot_start);
-  }
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0)
-    if (errno != EINTR) return {};
-  return status;
-}
-
-std::string text_of(const std::filesystem::path& log) {
-  std::ifstream stream(log, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// Why a program failed that printed nothing.
-std::string why_silent(const std::optional<int>& status) {
-  if (!status) return "a process for drawing cannot be started";
-  if (WIFSIGNALED(*status))
-    return fmt::format("drawing was ended by signal {} ({})", WTERMSIG(*status),
-                       strsignal(WTERMSIG(*status)));
-  if (WEXITSTATUS(*status) == cannot_start)
+std::string why_silent(const study::Captured& end) {
+  if (end.signal != 0)
+    return fmt::format("drawing was ended by signal {} ({})", end.signal, strsignal(end.signal));
+  if (end.exit_code == 127)
     return fmt::format("drawing needs Python 3 and the packages {}", drawing_packages);
-  return fmt::format("the drawing program ended with exit code {} and no message",
-                     WEXITSTATUS(*status));
+  return fmt::format("the drawing program ended with exit code {} and no message", end.exit_code);
 }
 
 /// The last line that a failed program printed, without the name of the program before it.
@@ -64,39 +32,6 @@ std::string last_line(std::string text) {
   if (const std::string name = "gnomon: "; line.starts_with(name)) line.erase(0, name.size());
   return line;
 }
-
-}  // namespace
-
-std::filesystem::path plotting_script() {
-  return installed("share/gnomon/plot/gnomon_plot.py");
-}
-
-ScriptEnd run_plotting_script(const std::vector<std::string>& arguments,
-                              const std::filesystem::path& log) {
-  std::vector<std::string> words;
-  try {
-    words = {plotting_script().string()};
-  } catch (const Error& error) {
-    return {.exit_code = 1, .complaint = error.what(), .printed = {}};
-  }
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  const std::optional<int> status = run_python(words, log.string());
-  ScriptEnd end{.exit_code = status && WIFEXITED(*status) ? WEXITSTATUS(*status) : -1,
-                .complaint = {},
-                .printed = text_of(log)};
-  if (end.exit_code != 0) {
-    end.complaint = last_line(end.printed);
-    if (end.complaint.empty() || end.exit_code < 0) end.complaint = why_silent(status);
-  } else {
-    std::error_code error;
-    std::filesystem::remove(log, error);
-  }
-  return end;
-}
-
-namespace fs = std::filesystem;
-
-namespace {
 
 /// Of what the script printed, the figures that it left out: "NAME: REASON; ...".
 std::string left_out(const std::string& printed) {
@@ -113,6 +48,27 @@ std::string left_out(const std::string& printed) {
 }
 
 }  // namespace
+
+std::filesystem::path plotting_script() {
+  return installed("share/gnomon/plot/gnomon_plot.py");
+}
+
+ScriptEnd run_plotting_script(const std::vector<std::string>& arguments,
+                              const std::filesystem::path& log) try {
+  std::vector<std::string> words = {"python3", plotting_script().string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const study::Captured captured = study::run_captured(words);
+  ScriptEnd end{captured.exit_code, {}, captured.out + captured.err};
+  std::error_code error;
+  std::filesystem::remove(log, error);
+  if (end.exit_code == 0) return end;
+  std::ofstream(log, std::ios::binary) << end.printed;
+  end.complaint = last_line(end.printed);
+  if (end.complaint.empty() || end.exit_code < 0) end.complaint = why_silent(captured);
+  return end;
+} catch (const Error& error) {
+  return {.exit_code = 1, .complaint = error.what(), .printed = {}};
+}
 
 DrawnPage draw_page(const fs::path& folder, const std::string& kind) {
   const fs::path page = folder / "index.html";

@@ -66,17 +66,23 @@ constexpr PiController pi_controller{.proportional = 0.8,
 /// A number of failures in one step that is practically unlimited: a step is then a billionth of
 /// its first size.
 constexpr int most_failures = 30;
-}  // namespace
 
-class ErkSolver::Memory {
+/// ERKStep on the differential components: y' = rate(t, y), where the rate follows from a solve of
+/// the algebraic stages (AlgebraicSolver).
+class ErkSolver : public Stepper {
 public:
-  Memory(const System& system, const IntegratorSettings& settings, Counters& counters,
-         const std::string& table);
-  StepReport advance(State& state, double t_stop);
-  double proposal() const { return proposal_; }
-  void restore(double proposal);
+  ErkSolver(const System& system, const IntegratorSettings& settings, Counters& counters,
+            const std::string& table);
+  std::vector<double> memory() const override { return {proposal_}; }
+  void restore(const State& state, std::span<const double> memory) override;
+  /// The size of the steps remains; the controller of ARKODE begins anew.
+  bool follow(Stepper& before, const State& state, bool) override {
+    restore(state, before.memory());
+    return true;
+  }
 
 private:
+  StepReport take_step(State& state, double t_stop) override;
   static int rate(sunrealtype t, N_Vector d, N_Vector ddot, void* self);
   static int weights(N_Vector d, N_Vector w, void* self);
   void begin(const State& state);
@@ -118,9 +124,10 @@ private:
   Owner<void, destroy_erk> erk_;
 };
 
-ErkSolver::Memory::Memory(const System& system, const IntegratorSettings& settings,
-                          Counters& counters, const std::string& table)
-    : system_(system),
+ErkSolver::ErkSolver(const System& system, const IntegratorSettings& settings, Counters& counters,
+                     const std::string& table)
+    : Stepper(counters),
+      system_(system),
       settings_(settings),
       counters_(counters),
       table_(arkode_erk_table(table)),
@@ -132,13 +139,13 @@ ErkSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
       step_control_(pi_controller, context_),
       d_(make_vector(static_cast<long>(norm_.components().size()), context_)) {}
 
-void ErkSolver::Memory::gather(const std::vector<double>& y, std::span<double> d) const {
+void ErkSolver::gather(const std::vector<double>& y, std::span<double> d) const {
   const std::vector<int>& components = norm_.components();
   for (std::size_t k = 0; k < components.size(); ++k) d[k] = y[components[k]];
 }
 
 /// The state from which ERKStep begins, or begins again.
-void ErkSolver::Memory::set_state(const State& state) {
+void ErkSolver::set_state(const State& state) {
   whole_ = state;
   dense_output_.clear();
   dense_output_.add(state.t, state.y);
@@ -146,7 +153,7 @@ void ErkSolver::Memory::set_state(const State& state) {
 }
 
 /// Makes whole_ the consistent state with differential components d, including its rates.
-void ErkSolver::Memory::evaluate(double t, std::span<const double> d) {
+void ErkSolver::evaluate(double t, std::span<const double> d) {
   State next = whole_;
   next.t = t;
   if (t != whole_.t) dense_output_.evaluate(t, next.y);
@@ -166,8 +173,8 @@ void ErkSolver::Memory::evaluate(double t, std::span<const double> d) {
   whole_ = std::move(next);
 }
 
-int ErkSolver::Memory::rate(sunrealtype t, N_Vector d, N_Vector ddot, void* data) {
-  Memory& self = *static_cast<Memory*>(data);
+int ErkSolver::rate(sunrealtype t, N_Vector d, N_Vector ddot, void* data) {
+  ErkSolver& self = *static_cast<ErkSolver*>(data);
   return self.guard_.run([&] {
     self.evaluate(t, view(d));
     self.gather(self.whole_.ydot, view(ddot));
@@ -181,7 +188,7 @@ int ErkSolver::Memory::rate(sunrealtype t, N_Vector d, N_Vector ddot, void* data
 /// The place in evaluated_ of the second stage of the step of size h that ERKStep has just taken
 /// from `start`, the first stage. The others were evaluated last, one after the other; after them
 /// there may be the end of the step, as a separate stage or for the next step.
-std::ptrdiff_t ErkSolver::Memory::second_stage(const State& start, double h) const {
+std::ptrdiff_t ErkSolver::second_stage(const State& start, double h) const {
   const double rounding = 1e-9 * h + 8 * std::numeric_limits<double>::epsilon() * start.t;
   const std::ptrdiff_t later = table_.stages() - 1;
   const std::ptrdiff_t behind = stages_with_end(table_) - table_.stages();
@@ -198,7 +205,7 @@ std::ptrdiff_t ErkSolver::Memory::second_stage(const State& start, double h) con
 
 /// The integral over the step, and what it leaves for the next if its size is fixed: its error.
 /// Both by the weights of the table.
-double ErkSolver::Memory::sum_up(const State& start, double h) {
+double ErkSolver::sum_up(const State& start, double h) {
   if (!settings_.integrand && settings_.step == 0) return 0;
   // Stages of so short a step differ by rounding; its error is nothing.
   if (!settings_.integrand && h <= 1e-9 * settings_.step) return 0;
@@ -217,22 +224,22 @@ double ErkSolver::Memory::sum_up(const State& start, double h) {
   return h * integral;
 }
 
-int ErkSolver::Memory::weights(N_Vector d, N_Vector w, void* data) {
-  const Memory& self = *static_cast<Memory*>(data);
+int ErkSolver::weights(N_Vector d, N_Vector w, void* data) {
+  const ErkSolver& self = *static_cast<ErkSolver*>(data);
   for (std::size_t k = 0; k < view(d).size(); ++k)
     view(w)[k] = self.norm_.weight(self.norm_.components()[k], view(d)[k]);
   return 0;
 }
 
-void ErkSolver::Memory::begin(const State& state) {
+void ErkSolver::begin(const State& state) {
   set_state(state);
-  erk_.reset(ERKStepCreate(&Memory::rate, state.t, d_.get(), context_));
+  erk_.reset(ERKStepCreate(&ErkSolver::rate, state.t, d_.get(), context_));
   void* erk = erk_.get();
   check(erk, "ERKStepCreate");
   GNOMON_SILENCE(ERKStepSetErrHandlerFn, erk);
   check(ARKodeSetUserData(erk, this), "ARKodeSetUserData");
   check(ERKStepSetTable(erk, table_with_end(table_).get()), "ERKStepSetTable");
-  check(ARKodeWFtolerances(erk, &Memory::weights), "ARKodeWFtolerances");
+  check(ARKodeWFtolerances(erk, &ErkSolver::weights), "ARKodeWFtolerances");
   check(step_control_.give_to(erk), "StepControl");
   check(ARKodeSetMaxGrowth(erk, most_growth), "ARKodeSetMaxGrowth");
   check(ARKodeSetMaxErrTestFails(erk, most_failures), "ARKodeSetMaxErrTestFails");
@@ -246,12 +253,13 @@ void ErkSolver::Memory::begin(const State& state) {
   check(ARKodeSetInitStep(erk, proposal_), "ARKodeSetInitStep");
 }
 
-void ErkSolver::Memory::restore(double proposal) {
-  proposal_ = settings_.step > 0 ? std::min(proposal, settings_.step) : proposal;
+void ErkSolver::restore(const State&, std::span<const double> memory) {
+  if (memory.empty()) throw InputError("the checkpoint does not belong to this integrator");
+  proposal_ = settings_.step > 0 ? std::min(memory.front(), settings_.step) : memory.front();
 }
 
 /// Restarts after a failed evaluation: from the last good state with a shorter step.
-void ErkSolver::Memory::restart(const State& state, double h) {
+void ErkSolver::restart(const State& state, double h) {
   set_state(state);
   check(ARKodeReset(erk_.get(), state.t, d_.get()), "ARKodeReset");
   if (settings_.step > 0)
@@ -260,7 +268,7 @@ void ErkSolver::Memory::restart(const State& state, double h) {
     check(ARKodeSetInitStep(erk_.get(), h), "ARKodeSetInitStep");
 }
 
-void ErkSolver::Memory::set_step(const State& state, double t_stop) {
+void ErkSolver::set_step(const State& state, double t_stop) {
   check(ARKodeSetStopTime(erk_.get(), t_stop), "ARKodeSetStopTime");
   step_ = std::min(proposal_, t_stop - state.t);
   if (settings_.step == 0) return;
@@ -269,7 +277,7 @@ void ErkSolver::Memory::set_step(const State& state, double t_stop) {
   check(ARKodeSetFixedStep(erk_.get(), step_), "ARKodeSetFixedStep");
 }
 
-StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
+StepReport ErkSolver::take_step(State& state, double t_stop) {
   from_ = state.t;
   if (!erk_)
     begin(state);
@@ -319,28 +327,11 @@ StepReport ErkSolver::Memory::advance(State& state, double t_stop) {
   return report;
 }
 
-ErkSolver::ErkSolver(const System& system, const IntegratorSettings& settings, Counters& counters,
-                     const std::string& table)
-    : Stepper(counters), memory_(std::make_unique<Memory>(system, settings, counters, table)) {}
-ErkSolver::~ErkSolver() = default;
+}  // namespace
 
-std::vector<double> ErkSolver::memory() const {
-  return {memory_->proposal()};
-}
-
-void ErkSolver::restore(const State&, std::span<const double> memory) {
-  if (memory.empty()) throw InputError("the checkpoint does not belong to this integrator");
-  memory_->restore(memory.front());
-}
-
-/// The size of the steps remains; the controller of ARKODE begins anew.
-bool ErkSolver::follow(Stepper& before, const State& state, bool) {
-  restore(state, before.memory());
-  return true;
-}
-
-StepReport ErkSolver::take_step(State& state, double t_stop) {
-  return memory_->advance(state, t_stop);
+std::unique_ptr<Stepper> make_erk(const System& system, const IntegratorSettings& settings,
+                                  Counters& counters, const std::string& table) {
+  return std::make_unique<ErkSolver>(system, settings, counters, table);
 }
 
 }  // namespace gnomon

@@ -5,7 +5,6 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/packed_numbers.hpp>
 #include <gnomon/integrators/rates.hpp>
-#include <gnomon/integrators/step_account.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/integrators/stop_rules.hpp>
 #include <gnomon/integrators/stop_times.hpp>
@@ -24,13 +23,12 @@ namespace {
 /// shortest_step.
 class Patience {
 public:
-  Patience(const StepAccount& account, double wanted, double shortest)
-      : account_(account), wanted_(wanted), shortest_(shortest) {}
+  Patience(double wanted, double shortest) : wanted_(wanted), shortest_(shortest) {}
 
-  /// May a step of this size be tried?
-  bool allows(double h) const {
+  /// May a step of this size be tried after so many iterations of this step?
+  bool allows(double h, long newton_iterations) const {
     return failures_ < plain_attempts + continued_attempts && h > shortest_ &&
-           account_.newton_iterations() < most_newton_iterations;
+           newton_iterations < most_newton_iterations;
   }
   bool by_continuation() const { return failures_ >= plain_attempts; }
   /// After a failure: the size to try next, where half the last one is `halved`.
@@ -38,7 +36,6 @@ public:
 
 private:
   static constexpr int plain_attempts = 8, continued_attempts = 8;
-  const StepAccount& account_;
   double wanted_, shortest_;
   int failures_ = 0;
 };
@@ -221,19 +218,18 @@ ActiveSet OneStepStepper::active(const State& state) const {
 }
 
 /// Attempts from `state` until one is acceptable; next_ is then the end of the step.
-OneStepStepper::Step OneStepStepper::ordinary_step(const State& state, double t_stop,
-                                                   StepAccount& account) {
-  Patience patience(account, proposal_, shortest_step(settings_));
+OneStepStepper::Step OneStepStepper::ordinary_step(const State& state, double t_stop) {
+  Patience patience(proposal_, shortest_step(settings_));
   double shortest_tried = proposal_;
   std::string reason = "the error test fails";
-  while (patience.allows(proposal_)) {
+  while (patience.allows(proposal_, newton_iterations())) {
     const Plan plan = this->plan(state, t_stop, proposal_);
     shortest_tried = std::min(shortest_tried, plan.h);
     const Landing landing = take(
         state, plan,
         {.continuation = patience.by_continuation(), .error = expected_error_.of_step(plan.h)});
     if (acceptable(landing.attempt)) return {plan, landing};
-    account.reject();
+    ++counters_.rejected_steps;
     if (landing.attempt.success) {
       const double wanted = control_.after_rejection(plan.h, landing.attempt.error);
       proposal_ = landing.attempt.shorter > 0 ? landing.attempt.shorter : wanted;
@@ -244,7 +240,7 @@ OneStepStepper::Step OneStepStepper::ordinary_step(const State& state, double t_
   }
   throw SolutionError(fmt::format(
       "no step from t = {:.6g} s succeeds, down to {:.3g} s and after {} Newton iterations: {}",
-      state.t, shortest_tried, account.newton_iterations(), reason));
+      state.t, shortest_tried, newton_iterations(), reason));
 }
 
 /// The short steps that lead to a settled time, as one step to next_; none if they cannot be
@@ -263,32 +259,31 @@ std::optional<OneStepStepper::Step> OneStepStepper::short_step(const State& stat
 /// Where a node has closed recently, a settled time is reached by short steps; otherwise the
 /// damping of the method is enough. An ordinary step to that time in which a node closes is taken
 /// back.
-OneStepStepper::Step OneStepStepper::next_step(const State& state, double t_stop,
-                                               StepAccount& account) {
+OneStepStepper::Step OneStepStepper::next_step(const State& state, double t_stop) {
   std::optional<Settling> settling;
   if (closings_) settling = next_settling(system_.structure(), settings_, state.t);
-  if (!settling || settling->end > t_stop) return ordinary_step(state, t_stop, account);
+  if (!settling || settling->end > t_stop) return ordinary_step(state, t_stop);
   if (!settling->before(state.t)) {
     if (const std::optional<Step> step = short_step(state, t_stop)) return *step;
-    account.reject();
-    return ordinary_step(state, settling->shorter(state.t), account);
+    ++counters_.rejected_steps;
+    return ordinary_step(state, settling->shorter(state.t));
   }
   if (!closings_->recent()) {
     const std::optional<EventLocator> before = locator_;
-    const Step step = ordinary_step(state, t_stop, account);
+    const Step step = ordinary_step(state, t_stop);
     if (!step.lands() || !closings_->closes(active(next_))) return step;
-    account.reject();
+    ++counters_.rejected_steps;
     if (before) locator_.emplace(*before);
   }
-  return ordinary_step(state, settling->begin, account);
+  return ordinary_step(state, settling->begin);
 }
 
 StepReport OneStepStepper::take_step(State& state, double t_stop) {
   if (!begun_) begin(state);
-  StepAccount account(counters_);
+  newton_before_ = counters_.newton_iterations;
   t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
   if (!fixed()) t_stop = end_at_stop(system_.structure(), state.t, t_stop);
-  const Step step = next_step(state, t_stop, account);
+  const Step step = next_step(state, t_stop);
   if (!step.settles) proposal_ = after_success(step.plan, step.landing);
   accept(state, step);
   // The rates change quickly behind an event, and the error estimate of a long step, which damps

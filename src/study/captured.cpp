@@ -61,10 +61,8 @@ Captured run_captured(const std::vector<std::string>& arguments) {
   int status = 0;
   while (waitpid(process, &status, 0) < 0)
     if (errno != EINTR) break;
-  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  if (code == 127)
-    throw Error(fmt::format("cannot start {}: is Slurm installed here?", arguments.front()));
-  return {code, out.text(), err.text()};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, WIFSIGNALED(status) ? WTERMSIG(status) : 0,
+          out.text(), err.text()};
 }
 
 }  // namespace gnomon::study

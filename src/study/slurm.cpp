@@ -37,6 +37,13 @@ std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
+Captured run_slurm(const std::vector<std::string>& command) {
+  Captured end = run_captured(command);
+  if (end.exit_code == 127)
+    throw Error(fmt::format("cannot start {}: is Slurm installed here?", command.front()));
+  return end;
+}
+
 class SlurmExecutor {
 public:
   SlurmExecutor(const Study& study, const StudyOptions& options, const SlurmOptions& slurm,
@@ -88,7 +95,7 @@ private:
   /// Whether a job is waiting or runs. Forgets those that Slurm does not know any more.
   bool look_at_jobs() {
     std::erase_if(jobs_, [](const std::string& job) {
-      const Captured seen = run_captured({"squeue", "--noheader", "--format=%i", "--jobs=" + job});
+      const Captured seen = run_slurm({"squeue", "--noheader", "--format=%i", "--jobs=" + job});
       if (seen.exit_code == 0) return seen.out.find(job) == std::string::npos;
       return seen.err.find("Invalid job id") != std::string::npos;  // else Slurm does not answer
     });
@@ -145,7 +152,7 @@ private:
         "--open-mode=append"};
     command.insert(command.end(), slurm_.sbatch.begin(), slurm_.sbatch.end());
     command.insert(command.end(), {(own_ / "job.sh").string(), std::to_string(offset)});
-    const Captured answer = run_captured(command);
+    const Captured answer = run_slurm(command);
     if (answer.exit_code != 0)
       throw Error(fmt::format("sbatch refuses the study: {}", first_line(answer.err)));
     const std::string line = first_line(answer.out);  // "JOB" or "JOB;CLUSTER"

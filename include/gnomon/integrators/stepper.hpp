@@ -8,7 +8,6 @@
 #include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/one_step.hpp>
 #include <gnomon/integrators/rates.hpp>
-#include <gnomon/integrators/step_account.hpp>
 #include <gnomon/integrators/step_size.hpp>
 #include <memory>
 #include <optional>
@@ -43,8 +42,8 @@ private:
   StepReport take_step(State& state, double t_stop) override;
   void begin(const State& state);
   Plan plan(const State& state, double t_stop, double h) const;
-  Step next_step(const State& state, double t_stop, StepAccount& account);
-  Step ordinary_step(const State& state, double t_stop, StepAccount& account);
+  Step next_step(const State& state, double t_stop);
+  Step ordinary_step(const State& state, double t_stop);
   std::optional<Step> short_step(const State& state, double t_end);
   ActiveSet active(const State& state) const;
   Landing take(const State& state, const Plan& plan, AttemptOptions options);
@@ -56,6 +55,8 @@ private:
   void add_error_of_jumps(const State& state, Landing& whole) const;
   double after_success(const Plan& plan, const Landing& landing);
   bool fixed() const { return settings_.step > 0; }
+  /// Since the step began.
+  long newton_iterations() const { return counters_.newton_iterations - newton_before_; }
 
   const System& system_;
   IntegratorSettings settings_;
@@ -69,6 +70,7 @@ private:
   std::optional<EventLocator> locator_;
   std::optional<Closings> closings_;  // only with settled times
   bool begun_ = false;
+  long newton_before_ = 0;
   double proposal_ = 0;  // size of the next step
   State next_;           // end of the last attempt
 };
