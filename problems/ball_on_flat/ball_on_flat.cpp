@@ -18,6 +18,7 @@
 #include <gnomon/mesh/quarter_ball.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/part/assembly_scene.hpp>
+#include <gnomon/shapes/shape_keys.hpp>
 
 namespace gnomon {
 
@@ -25,10 +26,7 @@ namespace {
 
 std::vector<Key> keys() {
   std::vector<Key> result = {
-      {.name = "ball.radius",
-       .unit = "mm",
-       .range = positive_quantity,
-       .help = "radius R of the ball"},
+      length_key("ball.radius", "radius R of the ball"),
       {.name = "mesh.elements",
        .kind = KeyKind::integers,
        .presence = Key::Presence::defaulted,

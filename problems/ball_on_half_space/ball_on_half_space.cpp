@@ -20,6 +20,7 @@
 #include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/part/assembly_scene.hpp>
+#include <gnomon/shapes/shape_keys.hpp>
 
 namespace gnomon {
 
@@ -27,33 +28,19 @@ namespace {
 
 std::vector<Key> keys() {
   std::vector<Key> result = {
-      {.name = "ball.radius",
-       .unit = "mm",
-       .range = positive_quantity,
-       .help = "radius R of the ball"},
-      {.name = "block.length",
-       .unit = "mm",
-       .range = positive_quantity,
-       .help = "length of the block, along the sliding direction"},
-      {.name = "block.half_width",
-       .unit = "mm",
-       .range = positive_quantity,
-       .help = "half the width of the block"},
-      {.name = "block.depth",
-       .unit = "mm",
-       .range = positive_quantity,
-       .help = "depth of the block, down to a rigid base"},
+      length_key("ball.radius", "radius R of the ball"),
+      length_key("block.length", "length of the block, along the sliding direction"),
+      length_key("block.half_width", "half the width of the block"),
+      length_key("block.depth", "depth of the block, down to a rigid base"),
       {.name = "block.sides",
        .kind = KeyKind::text,
        .presence = Key::Presence::defaulted,
        .default_value = "held",
        .choices = {"held", "free"},
        .help = "displacement of the two ends and of the outer side: held at zero, or free"},
-      {.name = "path.length",
-       .unit = "mm",
-       .range = positive_quantity,
-       .help = "sliding length L of a cycle: length of the groove along which the ball slides in "
-               "each turn"},
+      length_key("path.length",
+                 "sliding length L of a cycle: length of the groove along which the ball slides in "
+                 "each turn"),
       {.name = "mesh.elements",
        .kind = KeyKind::integers,
        .presence = Key::Presence::defaulted,

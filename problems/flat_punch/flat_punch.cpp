@@ -28,6 +28,7 @@
 #include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/part/assembly_scene.hpp>
+#include <gnomon/shapes/shape_keys.hpp>
 
 namespace gnomon {
 
@@ -35,18 +36,9 @@ namespace {
 
 std::vector<Key> keys() {
   std::vector<Key> result = {
-      {.name = "punch.half_width",
-       .unit = "mm",
-       .range = positive_quantity,
-       .help = "half width a"},
-      {.name = "block.width",
-       .unit = "mm",
-       .range = positive_quantity,
-       .help = "width W of the block"},
-      {.name = "block.depth",
-       .unit = "mm",
-       .range = positive_quantity,
-       .help = "depth H of the block"},
+      length_key("punch.half_width", "half width a"),
+      length_key("block.width", "width W of the block"),
+      length_key("block.depth", "depth H of the block"),
       {.name = "mesh.punch_elements",
        .kind = KeyKind::integer,
        .presence = Key::Presence::defaulted,

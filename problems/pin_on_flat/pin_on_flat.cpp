@@ -15,6 +15,7 @@
 #include <gnomon/mesh/distortion.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/part/assembly_scene.hpp>
+#include <gnomon/shapes/shape_keys.hpp>
 
 namespace gnomon {
 
@@ -35,15 +36,9 @@ std::vector<Key> keys() {
        .range = {.min = 0, .max = 1},
        .help =
            "largest displacement of the inner nodes, relative to the shortest edge at the node"},
-      {.name = "pin.radius",
-       .unit = "mm",
-       .range = positive_quantity,
-       .help = "radius of curvature R of the contact surface y = x^2/(2R)"},
-      {.name = "pin.width", .unit = "mm", .range = positive_quantity, .help = "width L of the pin"},
-      {.name = "pin.height",
-       .unit = "mm",
-       .range = positive_quantity,
-       .help = "largest height H of the pin, at its centre line"},
+      length_key("pin.radius", "radius of curvature R of the contact surface y = x^2/(2R)"),
+      length_key("pin.width", "width L of the pin"),
+      length_key("pin.height", "largest height H of the pin, at its centre line"),
       {.name = "pin.sides",
        .kind = KeyKind::text,
        .presence = Key::Presence::defaulted,

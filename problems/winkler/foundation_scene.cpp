@@ -4,6 +4,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/model/wear_scene.hpp>
+#include <gnomon/shapes/shape_keys.hpp>
 #include <string>
 
 #include "phase_error.hpp"
@@ -87,11 +88,8 @@ std::shared_ptr<Foundation> foundation_of(const Scene& scene) {
 
 std::vector<Key> foundation_keys() {
   std::vector<Key> result = {
-      {.name = "pin.radius",
-       .unit = "mm",
-       .range = positive_quantity,
-       .help = "radius of curvature R of the pin's surface y = x^2/(2R)"},
-      {.name = "pin.width", .unit = "mm", .range = positive_quantity, .help = "width L of the pin"},
+      length_key("pin.radius", "radius of curvature R of the pin's surface y = x^2/(2R)"),
+      length_key("pin.width", "width L of the pin"),
       {.name = "foundation.modulus",
        .unit = "MPa/mm",
        .range = positive_quantity,
