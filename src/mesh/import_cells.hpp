@@ -20,14 +20,11 @@ template <int dim>
 template <int dim>
 void orient_cells(ImportedBody<dim>& body);
 
-/// (connection.cpp) Refuses cells that overlap at a facet, a body in several parts, and one that
-/// touches itself in a node (2D) or an edge (3D) only. `exterior` has to be filled.
+/// (connection.cpp) Refuses cells that overlap at a facet, nodes of the boundary within a facet of
+/// it, a body in several parts, and one that touches itself in a node (2D) or an edge (3D) only.
+/// `exterior` has to be filled.
 template <int dim>
 void check_connection(const ImportedBody<dim>& body, const FacetTable<dim>& facets);
-
-/// (hanging_nodes.cpp) Refuses nodes of the boundary that lie within a facet of the boundary.
-template <int dim>
-void check_hanging_nodes(const ImportedBody<dim>& body);
 
 /// (import_groups.cpp) Fills the groups of the body from those of the mesh it was made of.
 template <int dim>
