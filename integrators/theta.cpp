@@ -19,7 +19,6 @@ ButcherTable backward_euler(const IntegratorSettings&) {
 
 const Key alpha_key = {
     .name = "integrator.alpha",
-    .presence = Key::Presence::defaulted,
     .default_value = 0.5,
     .range = {.min = 1e-6, .max = 1},
     .help = "alpha of eq. (21): 1 is backward Euler, 0.5 the trapezoidal rule",

@@ -177,24 +177,19 @@ private:
 };
 
 std::vector<Key> keys() {
-  constexpr auto defaulted = Key::Presence::defaulted;
   return {{.name = "dahlquist.rate_real", .unit = "1/s", .help = "real part of lambda"},
           {.name = "dahlquist.rate_imag",
            .unit = "1/s",
-           .presence = defaulted,
            .default_value = 0.0,
            .help = "imaginary part of lambda"},
           {.name = "dahlquist.forcing",
-           .presence = defaulted,
            .default_value = 0.0,
            .help = "amplitude of phi: 0 Dahlquist's equation, 1 Prothero and Robinson's, z = phi"},
           {.name = "dahlquist.frequency",
            .unit = "1/s",
-           .presence = defaulted,
            .default_value = 1.0,
            .help = "angular frequency omega of phi"},
           {.name = "dahlquist.nonlinearity",
-           .presence = defaulted,
            .default_value = 0.0,
            .range = {.min = 0},
            .help = "c of y = z + c |z|^2 z; 0 is the linear equation"}};

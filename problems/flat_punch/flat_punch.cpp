@@ -41,12 +41,10 @@ std::vector<Key> keys() {
       length_key("block.depth", "depth H of the block"),
       {.name = "mesh.punch_elements",
        .kind = KeyKind::integer,
-       .presence = Key::Presence::defaulted,
        .default_value = 20L,
        .range = {.min = 2, .max = 2000},
        .help = "elements under the punch, equally wide"},
       {.name = "mesh.grading",
-       .presence = Key::Presence::defaulted,
        .default_value = 1.2,
        .range = {.min = 1, .max = 3, .min_open = true},
        .help = "largest ratio of neighbouring elements away from the punch"}};

@@ -25,13 +25,11 @@ std::vector<Key> keys() {
   std::vector<Key> result = {
       {.name = "mesh.elements",
        .kind = KeyKind::integers,
-       .presence = Key::Presence::defaulted,
        .default_value = std::vector<long>{40, 40},
        .range = {.min = 2, .max = 4000},
        .length = 2,
        .help = "elements across and along the height of the pin"},
       {.name = "mesh.distortion",
-       .presence = Key::Presence::defaulted,
        .default_value = 0.0,
        .range = {.min = 0, .max = 1},
        .help =
@@ -41,7 +39,6 @@ std::vector<Key> keys() {
       length_key("pin.height", "largest height H of the pin, at its centre line"),
       {.name = "pin.sides",
        .kind = KeyKind::text,
-       .presence = Key::Presence::defaulted,
        .default_value = "sliding",
        .choices = {"sliding", "held"},
        .help =

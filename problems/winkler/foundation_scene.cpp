@@ -96,7 +96,6 @@ std::vector<Key> foundation_keys() {
        .help = "modulus K_w of the springs: pressure per unit of compression"},
       {.name = "foundation.points",
        .kind = KeyKind::integer,
-       .presence = Key::Presence::defaulted,
        .default_value = 401L,
        .range = {.min = 3, .max = 1000000},
        .help = "number of springs over the width, both ends included"}};

@@ -85,7 +85,6 @@ std::vector<Key> phase_keys() {
   std::vector<Key> keys;
   for (Key key : worn_body_keys(2)) {
     if (key.name != "load.force" && key.name != "wear.velocity") continue;
-    key.presence = Key::Presence::optional;
     key.absent_meaning = key.name == "load.force" ? "cycle.force or cycle.y" : "that of cycle.x";
     keys.push_back(key);
   }

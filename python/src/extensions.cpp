@@ -176,7 +176,6 @@ std::vector<Key> keys_of(const std::map<std::string, double>& constants) {
   std::vector<Key> keys;
   for (const auto& [name, unused] : constants)
     keys.push_back({.name = "wear." + name,
-                    .presence = Key::Presence::optional,
                     .absent_meaning = "the value that the law was registered with",
                     .help = "constant of a wear law in Python"});
   return keys;

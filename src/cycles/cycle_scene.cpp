@@ -11,14 +11,12 @@ namespace gnomon {
 
 namespace {
 
-constexpr auto optional = Key::Presence::optional;
 constexpr double most_phases = 4096;
 
 Key function_key(const std::string& name, const std::string& unit, const std::string& help) {
   return {.name = name,
           .kind = KeyKind::text,
           .unit = unit,
-          .presence = optional,
           .absent_meaning = "does not change over the cycle",
           .help = help};
 }
@@ -27,19 +25,16 @@ std::vector<Key> make_keys() {
   const std::string how = ": an expression of tau in [0, 1), or a file (.csv) of tau and values";
   return {{.name = "cycle.period",
            .unit = "s",
-           .presence = optional,
            .absent_meaning = "no cycle",
            .range = positive_quantity,
            .help = "duration of a cycle of motion and load, over which wear is averaged"},
           {.name = "time.cycles",
-           .presence = optional,
            .absent_meaning = "time.end is given",
            .range = positive_quantity,
            .on_resume = true,
            .help = "end of the run in cycles, instead of time.end"},
           {.name = "cycle.phases",
            .kind = KeyKind::reals,
-           .presence = optional,
            .absent_meaning = "needed by cycle.period",
            .range = {.min = 0, .max = most_phases},
            .or_single = Range{.min = 1, .max = most_phases},
@@ -58,14 +53,12 @@ std::vector<Key> make_keys() {
           function_key("cycle.load", "", "factor of all [[load]]"),
           {.name = "cycle.tables.*.x",
            .kind = KeyKind::reals,
-           .presence = optional,
            .absent_meaning = "no such table",
            .range = {.min = -1e30, .max = 1e30},
            .help = "arguments, ascending, of a function that cycle.x and the like call: linear "
                    "between, constant beyond"},
           {.name = "cycle.tables.*.y",
            .kind = KeyKind::reals,
-           .presence = optional,
            .absent_meaning = "no such table",
            .range = {.min = -1e30, .max = 1e30},
            .help = "values of this function, as many as arguments"}};

@@ -168,7 +168,6 @@ const Key& max_order_key() {
   static const Key key = {
       .name = "integrator.max_order",
       .kind = KeyKind::integer,
-      .presence = Key::Presence::defaulted,
       .default_value = 5L,
       .range = {.min = 1, .max = 5},
       .help = "highest order",

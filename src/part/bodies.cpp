@@ -41,23 +41,20 @@ const std::vector<int>& cells_of(const Scene& scene, const std::string& table,
 std::vector<Key> body_table_keys() {
   std::vector<Key> keys = {{.name = "model.plane",
                             .kind = KeyKind::text,
-                            .presence = Key::Presence::optional,
                             .absent_meaning = "body.plane",
                             .choices = {"strain", "axisymmetric"},
                             .help = "body.plane, in scenes with [[body]]"},
                            {.name = "body.#.name",
                             .kind = KeyKind::text,
-                            .presence = Key::Presence::optional,
                             .absent_meaning = "needed in every [[body]]",
                             .help = "group of elements that is this body; bodies that share nodes "
                                     "are bonded"},
                            density_key("body.#.density")};
   for (Key key : worn_body_keys(2)) {
     if (!key.name.starts_with("body.")) continue;
-    const bool defaulted = key.presence == Key::Presence::defaulted;
-    key.absent_meaning = defaulted ? "\"" + std::get<std::string>(key.default_value) + "\""
-                                   : "needed in every [[body]]";
-    key.presence = Key::Presence::optional;
+    key.absent_meaning = key.default_value ? "\"" + std::get<std::string>(*key.default_value) + "\""
+                                           : "needed in every [[body]]";
+    key.default_value.reset();
     key.name.insert(5, "#.");
     keys.push_back(std::move(key));
   }

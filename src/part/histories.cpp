@@ -42,7 +42,6 @@ std::vector<std::string> direction_names(const Scene& scene) {
 Key density_key(const std::string& name, std::function<std::string(const Scene&)> idle) {
   return {.name = name,
           .unit = "t/mm^3",
-          .presence = Key::Presence::optional,
           .absent_meaning = "no load.#.acceleration",
           .range = positive_quantity,
           .help = "mass by volume",
@@ -53,7 +52,6 @@ Key times_key(const std::string& prefix, const std::string& quantity) {
   return {.name = prefix + ".times",
           .kind = KeyKind::reals,
           .unit = "s",
-          .presence = Key::Presence::optional,
           .absent_meaning = quantity + " does not change with time",
           .range = {.min = 0},
           .help = "ascending times of factors, one twice for a jump; steps end on them exactly"};
@@ -62,7 +60,6 @@ Key times_key(const std::string& prefix, const std::string& quantity) {
 Key factors_key(const std::string& prefix, const std::string& quantity) {
   return {.name = prefix + ".factors",
           .kind = KeyKind::reals,
-          .presence = Key::Presence::optional,
           .absent_meaning = quantity + " does not change with time",
           .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
           .help =

@@ -14,9 +14,6 @@ namespace {
 
 using namespace part;
 
-constexpr auto defaulted = Key::Presence::defaulted;
-constexpr auto optional = Key::Presence::optional;
-
 std::string idle_beside_bodies(const Scene& scene) {
   return has_bodies(scene) ? "each [[body]] has its own" : "";
 }
@@ -24,24 +21,20 @@ std::string idle_beside_bodies(const Scene& scene) {
 std::vector<Key> mesh_keys() {
   return {{.name = "mesh.file",
            .kind = KeyKind::text,
-           .presence = optional,
            .absent_meaning = "mesh.geometry is meshed",
            .names_file = true,
            .help = "mesh of Gmsh (.msh), beside the scene or by its path"},
           {.name = "mesh.geometry",
            .kind = KeyKind::text,
-           .presence = optional,
            .absent_meaning = "mesh.file is read",
            .names_file = true,
            .help = "geometry (.geo, .step) that Gmsh meshes"},
           {.name = "mesh.size",
            .unit = "mm",
-           .presence = optional,
            .absent_meaning = "as the geometry asks for",
            .range = positive_quantity,
            .help = "longest edge of an element where mesh.geometry asks for no smaller one"},
           {.name = "mesh.factor",
-           .presence = defaulted,
            .default_value = 1.0,
            .range = {.min = 1e-3, .max = 1e3},
            .help = "multiplies every edge of mesh.geometry: 0.5 for a mesh twice as fine"}};
@@ -51,7 +44,6 @@ std::vector<Key> own_keys() {
   return {
       {.name = "body.plane",
        .kind = KeyKind::text,
-       .presence = defaulted,
        .default_value = "strain",
        .choices = {"strain", "axisymmetric"},
        .help = "what a mesh in the plane is a section of: plane strain, or a body of revolution "
@@ -60,12 +52,10 @@ std::vector<Key> own_keys() {
       density_key("body.density", idle_beside_bodies),
       {.name = "wear.on",
        .kind = KeyKind::texts,
-       .presence = Key::Presence::required,
        .help = "groups of the mesh that touch the counter-body and wear"},
       {.name = "wear.surfaces.\"*\".rate",
        .kind = KeyKind::text,
        .unit = "mm/s",
-       .presence = optional,
        .absent_meaning = "wear.rate",
        .help = "wear rate of one of wear.on by its name, as wear.rate"}};
 }
@@ -81,7 +71,6 @@ std::vector<Key> shared_keys() {
   for (Key key : worn_body_keys(2)) {
     if (replaced(key.name)) continue;
     if (key.name == "wear.velocity") {
-      key.presence = optional;
       key.absent_meaning = "that of counter_body.motion at the contact";
       key.help = "sliding speed that s = v t is counted with";
       key.idle = [](const Scene& scene) {

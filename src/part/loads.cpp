@@ -18,7 +18,6 @@ Key vector_key(const std::string& name, const std::string& unit, const std::stri
   return {.name = name,
           .kind = KeyKind::reals,
           .unit = unit,
-          .presence = Key::Presence::optional,
           .absent_meaning = "none",
           .range = any_quantity,
           .help = help};
@@ -30,7 +29,6 @@ std::vector<Key> load_keys() {
   return {
       {.name = "load.#.on",
        .kind = KeyKind::text,
-       .presence = Key::Presence::optional,
        .absent_meaning = "the whole body, for an acceleration",
        .help = "group of the mesh that the load acts on"},
       vector_key("load.#.force", "N/mm in plane strain, else N",
@@ -38,7 +36,6 @@ std::vector<Key> load_keys() {
       vector_key("load.#.traction", "MPa", "force by initial area; its direction stays"),
       {.name = "load.#.pressure",
        .unit = "MPa",
-       .presence = Key::Presence::optional,
        .absent_meaning = "none",
        .range = any_quantity,
        .help = "pressure, positive pushes on the body; follows the deformed surface"},

@@ -19,19 +19,16 @@ namespace gnomon::part {
 std::vector<Key> shape_support_keys() {
   return {{.name = "shape.reach",
            .unit = "mm",
-           .presence = Key::Presence::optional,
            .absent_meaning = "the whole body, or, where it is large, what the wear is expected to "
                              "move (gnomon check prints it)",
            .range = positive_quantity,
            .help = "distance from the wearing surfaces up to which the mesh moves (Remark 2)"},
           {.name = "shape.hold",
            .kind = KeyKind::texts,
-           .presence = Key::Presence::defaulted,
            .default_value = std::vector<std::string>{},
            .help = "groups of the mesh whose shape is held altogether"},
           {.name = "shape.slide",
            .kind = KeyKind::texts,
-           .presence = Key::Presence::defaulted,
            .default_value = std::vector<std::string>{},
            .help = "groups that are nearly planes, whose shape slides in them, or nearly round "
                    "cylinders along a coordinate direction, along which it slides; exact ones do "

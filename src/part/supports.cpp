@@ -12,27 +12,22 @@
 namespace gnomon::part {
 
 std::vector<Key> support_keys() {
-  constexpr auto optional = Key::Presence::optional;
   return {
       {.name = "support.#.on",
        .kind = KeyKind::text,
-       .presence = optional,
        .absent_meaning = "needed in every [[support]]",
        .help = "group of the mesh that is held: facets, or single points"},
       {.name = "support.#.directions",
        .kind = KeyKind::texts,
-       .presence = optional,
        .absent_meaning = "all directions",
        .help = "directions that are held: of \"x\", \"y\", \"z\" (axisymmetric: \"r\", \"z\")"},
       {.name = "support.#.value",
        .kind = KeyKind::reals,
        .unit = "mm",
-       .presence = optional,
        .absent_meaning = "held at zero",
        .help = "displacement in each of the directions; of springs, that of their other ends"},
       {.name = "support.#.stiffness",
        .unit = "MPa/mm",
-       .presence = optional,
        .absent_meaning = "held rigidly",
        .range = positive_quantity,
        .help = "held by springs: traction for each unit of displacement"},

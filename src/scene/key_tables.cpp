@@ -6,10 +6,6 @@ namespace gnomon {
 
 namespace {
 
-constexpr auto required = Key::Presence::required;
-constexpr auto defaulted = Key::Presence::defaulted;
-constexpr auto optional = Key::Presence::optional;
-
 constexpr Range non_negative{.min = 0};
 // Wide enough for every set of units, and far from where rounding errors exceed differences.
 constexpr Range duration{.min = 1e-6, .max = 1e12};
@@ -27,17 +23,14 @@ std::vector<Key> integrator_keys() {
   return {
       {.name = "integrator.name",
        .kind = KeyKind::text,
-       .presence = required,
        .help = "time integration method (gnomon list integrators)"},
       {.name = "integrator.step",
        .unit = "s",
-       .presence = optional,
        .absent_meaning = "steps chosen by the error estimate",
        .range = duration,
        .on_resume = true,
        .help = "fixed step, halved only if its equations cannot be solved; not for bdf"},
       {.name = "integrator.rtol",
-       .presence = defaulted,
        .default_value = 1e-4,
        .range = relative_tolerance,
        .on_resume = true,
@@ -45,14 +38,12 @@ std::vector<Key> integrator_keys() {
        .idle = steps_are_fixed},
       {.name = "integrator.atol",
        .unit = "mm",
-       .presence = optional,
        .absent_meaning = "rtol times the mean wear depth at time.end",
        .range = {.min = 1e-20},
        .on_resume = true,
        .help = "absolute tolerance of the worn surface per step, when steps follow the error",
        .idle = steps_are_fixed},
       {.name = "integrator.nonlinear_fraction",
-       .presence = defaulted,
        .default_value = 0.01,
        .range = {.min = 0, .max = 0.5},
        .on_resume = true,
@@ -61,7 +52,6 @@ std::vector<Key> integrator_keys() {
            "iterations may leave; 0: they go on to rounding, 1e-11 of the scaled residual"},
       {.name = "integrator.max_step",
        .unit = "s",
-       .presence = optional,
        .absent_meaning = "no bound",
        .range = duration,
        .on_resume = true,
@@ -69,14 +59,12 @@ std::vector<Key> integrator_keys() {
        .idle = steps_are_fixed},
       {.name = "integrator.events",
        .kind = KeyKind::text,
-       .presence = defaulted,
        .default_value = "ignore",
        .choices = {"ignore", "locate"},
        .help = "locate: end steps where contact nodes switch (implicit one-step methods, "
                "forward-euler and bdf)"},
       {.name = "integrator.unstable",
        .kind = KeyKind::text,
-       .presence = defaulted,
        .default_value = "stop",
        .choices = {"stop", "accept"},
        .help = "for fixed steps that amplify the fastest mode or hardly damp it: stop the run, or "
@@ -89,7 +77,6 @@ std::vector<Key> output_keys() {
   return {
       {.name = "output.every",
        .kind = KeyKind::integer,
-       .presence = defaulted,
        .default_value = 10L,
        .range = non_negative,
        .on_resume = true,
@@ -97,21 +84,18 @@ std::vector<Key> output_keys() {
       {.name = "output.times",
        .kind = KeyKind::reals,
        .unit = "s",
-       .presence = defaulted,
        .default_value = std::vector<double>{},
        .range = non_negative,
        .on_resume = true,
        .help = "store fields at these times; steps end on them exactly"},
       {.name = "output.interval",
        .unit = "s",
-       .presence = optional,
        .absent_meaning = "no such times",
        .range = duration,
        .on_resume = true,
        .help = "store fields every so many seconds; steps end on these times exactly"},
       {.name = "output.settle",
        .kind = KeyKind::flag,
-       .presence = defaulted,
        .default_value = true,
        .on_resume = true,
        .help =
@@ -120,7 +104,6 @@ std::vector<Key> output_keys() {
            "follow the error, of integrators that settle (gnomon list integrators)"},
       {.name = "output.checkpoint_seconds",
        .unit = "s",
-       .presence = defaulted,
        .default_value = 10.0,
        .range = non_negative,
        .on_resume = true,
@@ -128,7 +111,6 @@ std::vector<Key> output_keys() {
                "is interrupted; 0: no others"},
       {.name = "output.phase_errors",
        .kind = KeyKind::flag,
-       .presence = defaulted,
        .default_value = true,
        .help = "estimate the error of the mean over the phases of a cycle, with other ones, at "
                "the start and at the end of the run",
@@ -140,18 +122,15 @@ std::vector<Key> make_run_keys() {
   std::vector<Key> keys = {
       {.name = "problem",
        .kind = KeyKind::text,
-       .presence = required,
        .help = "the problem that the scene sets (gnomon list problems)"},
       {.name = "time.end",
        .unit = "s",
-       .presence = required,
        .range = duration,
        .or_product = {"time.cycles", "cycle.period"},
        .on_resume = true,
        .help = "end of the run, which begins at t = 0; in scenes with a cycle also as time.cycles"},
       {.name = "time.until",
        .kind = KeyKind::text,
-       .presence = optional,
        .absent_meaning = "the run goes on to time.end",
        .on_resume = true,
        .help = "ends the run where this holds, before time.end: an observation of the history, > "
@@ -165,8 +144,7 @@ std::vector<Key> make_run_keys() {
 /// In 3D it is required: the balls of the paper wear by friction.
 Key friction_key(int dim) {
   return {.name = "friction.coefficient",
-          .presence = dim == 2 ? defaulted : required,
-          .default_value = 0.0,
+          .default_value = dim == 2 ? std::optional<SceneValue>(0.0) : std::nullopt,
           .range = {.min = 0, .max = positive_quantity.max},
           .help = "Coulomb's coefficient of friction f, eq. (10)"};
 }
@@ -175,33 +153,28 @@ std::vector<Key> load_and_wear_keys(int dim) {
   return {
       {.name = "load.force",
        .unit = dim == 2 ? "N/mm" : "N",
-       .presence = required,
        .range = positive_quantity,
        .help = dim == 2 ? "normal force F, per unit of thickness"
                         : "normal force F, on the whole body"},
       {.name = "load.times",
        .kind = KeyKind::reals,
        .unit = "s",
-       .presence = defaulted,
        .default_value = std::vector<double>{},
        .range = non_negative,
        .help = "ascending times of load.factors, one twice for a jump; steps end on them exactly"},
       {.name = "load.factors",
        .kind = KeyKind::reals,
-       .presence = defaulted,
        .default_value = std::vector<double>{},
        .range = {.max = positive_quantity.max},
        .help = "factors of F at load.times, 1e-6 or more: linear between them, constant "
                "before the first and after the last"},
       {.name = "wear.law",
        .kind = KeyKind::text,
-       .presence = defaulted,
        .default_value = "expression",
        .help = "wear law: the expression wear.rate, or a built-in law (gnomon list laws)"},
       {.name = "wear.rate",
        .kind = KeyKind::text,
        .unit = "mm/s",
-       .presence = defaulted,
        .default_value = dim == 2 ? "k * p * v" : "k * f * p * v",
        .help =
            "wear rate, from pressure p, sliding speed v, friction power q = f p v, wear depth h, "
@@ -210,35 +183,29 @@ std::vector<Key> load_and_wear_keys(int dim) {
            "constants and tables (docs/wear_laws.md)"},
       {.name = "wear.coefficient",
        .unit = "1/MPa",
-       .presence = optional,
        .absent_meaning = "no wear law reads k",
        .range = positive_quantity,
        .help = "wear coefficient, k of wear.rate; needed by a law that reads it"},
       {.name = "wear.constants.*",
-       .presence = optional,
        .absent_meaning = "no such constant",
        .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
        .help = "a constant of wear.rate, by its name"},
       {.name = "wear.tables.*.x",
        .kind = KeyKind::reals,
-       .presence = optional,
        .absent_meaning = "no such table",
        .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
        .help = "arguments, ascending, of a function in wear.rate: linear between, constant beyond"},
       {.name = "wear.tables.*.y",
        .kind = KeyKind::reals,
-       .presence = optional,
        .absent_meaning = "no such table",
        .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
        .help = "values of this function, as many as arguments"},
       {.name = "wear.velocity",
        .unit = "mm/s",
-       .presence = required,
        .range = positive_quantity,
        .help = "sliding velocity v"},
       {.name = "wear.normal",
        .kind = KeyKind::text,
-       .presence = defaulted,
        .default_value = "conservative",
        .choices = {"conservative", "averaged", "normalised"},
        .help = "direction of wear at a node: such that the volume lost is exactly what wears, the "
@@ -250,30 +217,25 @@ std::vector<Key> body_keys() {
   return {
       {.name = "body.young_modulus",
        .unit = "MPa",
-       .presence = required,
        .range = positive_quantity,
        .help = "Young's modulus E of the worn body (of the linearized law)"},
       {.name = "body.poisson_ratio",
-       .presence = required,
        .range = {.min = 0, .max = 0.5, .max_open = true},
        .help = "Poisson's ratio nu of the worn body (of the linearized law)"},
       // Choices, and keys of the materials that follow it, are filled in where materials are known.
       {.name = "body.material",
        .kind = KeyKind::text,
-       .presence = defaulted,
        .default_value = "neo-hookean",
        .help =
            "elastic law of the body with finite strains (docs/equations.md); with small strains "
            "it is linear"},
       {.name = "body.element",
        .kind = KeyKind::text,
-       .presence = defaulted,
        .default_value = "f-bar",
        .choices = {"plain", "f-bar", "f-bar-variational"},
        .help = "plain, F-bar (de Souza Neto), or F-bar as the variation of eq. (32)"},
       {.name = "body.kinematics",
        .kind = KeyKind::text,
-       .presence = defaulted,
        .default_value = "finite",
        .choices = {"finite", "small"},
        .help = "strains of the body: finite, or linearized (K_uu then depends on the shape alone)"},
@@ -284,30 +246,25 @@ std::vector<Key> shape_keys() {
   return {
       {.name = "shape.constraint",
        .kind = KeyKind::text,
-       .presence = defaulted,
        .default_value = "eliminated",
        .choices = {"eliminated", "multiplier"},
        .help = "shape of the contact surface: reaction eliminated, or multiplier mu, eq. (22)"},
       {.name = "shape.young_modulus",
        .unit = "MPa",
-       .presence = defaulted,
        .default_value = 1.0,
        .range = positive_quantity,
        .help = "Young's modulus of the auxiliary elasticity, eq. (20)"},
       {.name = "shape.poisson_ratio",
-       .presence = defaulted,
        .default_value = 0.3,
        .range = {.min = 0, .max = 0.5, .max_open = true},
        .help = "Poisson's ratio of the auxiliary elasticity, eq. (20)"},
       {.name = "shape.energy",
        .kind = KeyKind::text,
-       .presence = defaulted,
        .default_value = "neo-hookean",
        .help = "elastic law of the auxiliary elasticity: eq. (38), or blatz-ko, for example, which "
                "keeps "
                "elements from collapsing; a larger Poisson's ratio strengthens this"},
       {.name = "shape.stiffening",
-       .presence = defaulted,
        .default_value = 0.0,
        .range = {.min = 0, .max = 2},
        .help = "exponent c of the auxiliary elasticity: an element is (mean volume / its "
@@ -321,21 +278,18 @@ std::vector<Key> make_worn_body_keys(int dim) {
     keys.insert(keys.end(), part.begin(), part.end());
   keys.push_back({.name = "solver.method",
                   .kind = KeyKind::text,
-                  .presence = defaulted,
                   .default_value = "block",
                   .on_resume = true,
                   .help = "how linear systems are solved (gnomon list solvers)"});
   keys.push_back(friction_key(dim));
   keys.push_back({.name = "contact.initial_gap",
                   .unit = "mm",
-                  .presence = defaulted,
                   .default_value = 0.0,
                   .range = {.min = -1e5, .max = 1e5},  // beyond, rounding errors are too large
                   .help = "distance of the bodies before they are loaded (negative: they overlap); "
                           "under a force only the approach depends on it"});
   keys.push_back(
       {.name = "contact.regularization",
-       .presence = defaulted,
        .default_value = 0.01,
        .range = positive_quantity,
        .help = "rho of eq. (26) in units of E / facet length (smaller under a light load); only "

@@ -22,7 +22,7 @@ void add_key_of_choice(std::vector<Key>& table, const Key& key, const std::strin
     table.back().idle = idle;
     return;
   }
-  if (same->kind != key.kind || same->presence != key.presence ||
+  if (same->kind != key.kind || same->required() != key.required() ||
       same->default_value != key.default_value)
     throw RegistrationError(thing + ", for " + choice + ", has the key " + key.name +
                             " with another kind or default than the key of this name that is "

@@ -154,7 +154,7 @@ Scene Scene::with(Key key, SceneValue value) const {
 }
 
 Scene Scene::without(const std::string& key) const {
-  if (entry(key).key.presence != Key::Presence::optional)
+  if (entry(key).key.absent_meaning.empty())
     throw std::logic_error("scene key `" + key + "` is not optional");
   Scene result = *this;
   result.value(key).reset();

@@ -147,8 +147,7 @@ private:
   /// Values that the key does not accept are reported by check() and left out.
   Scene::Entry resolve(const Key& key, const std::set<std::string>& meant,
                        Mistakes& mistakes) const {
-    Scene::Entry entry{key, std::nullopt, {}};
-    if (key.presence == Key::Presence::defaulted) entry.value = key.default_value;
+    Scene::Entry entry{key, key.default_value, {}};
     for (const auto* values : {&overrides_, &in_file_})
       if (const GivenValue* given = find(*values, key.name)) {
         entry.origin = given->origin;
@@ -156,8 +155,8 @@ private:
         if (const auto* value = std::get_if<SceneValue>(&checked)) entry.value = *value;
         return entry;
       }
-    if (key.presence == Key::Presence::required && key.or_product.empty() &&
-        !meant.contains(key.name) && !given_as_array(key.name))
+    if (key.required() && key.or_product.empty() && !meant.contains(key.name) &&
+        !given_as_array(key.name))
       mistakes.collect([&] { refuse_missing_key(message_about(name_, 0, key.name), key); });
     return entry;
   }

@@ -29,7 +29,7 @@ std::string last_part(const std::string& name) {
 
 std::string key_comment(const Key& key) {
   std::string comment = key.unit.empty() ? key.help : fmt::format("[{}] {}", key.unit, key.help);
-  if (key.presence == Key::Presence::optional) comment += "; absent: " + key.absent_meaning;
+  if (!key.absent_meaning.empty()) comment += "; absent: " + key.absent_meaning;
   return comment;
 }
 
@@ -49,15 +49,8 @@ std::string presence(const Key& key, const std::vector<Key>& table) {
     const std::string name = key.name.substr(0, dot);
     return presence(key, {}) + fmt::format("; [{0}], or each [[{0}]]", name);
   }
-  switch (key.presence) {
-    case Key::Presence::required:
-      return "required";
-    case Key::Presence::defaulted:
-      return "default " + toml_text(key.default_value);
-    case Key::Presence::optional:
-      return "optional, absent: " + key.absent_meaning;
-  }
-  return {};
+  if (key.default_value) return "default " + toml_text(*key.default_value);
+  return key.required() ? "required" : "optional, absent: " + key.absent_meaning;
 }
 
 }  // namespace

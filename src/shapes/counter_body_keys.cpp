@@ -9,14 +9,11 @@ namespace gnomon {
 
 namespace {
 
-constexpr auto optional = Key::Presence::optional;
-
 Key vector_key(const std::string& name, std::size_t length, const std::string& unit,
                const std::string& absent, const std::string& help) {
   return {.name = name,
           .kind = KeyKind::reals,
           .unit = unit,
-          .presence = optional,
           .absent_meaning = absent,
           .length = length,
           .help = help};
@@ -26,7 +23,6 @@ Key real_key(const std::string& name, const std::string& unit, const std::string
              const std::string& help) {
   return {.name = name,
           .unit = unit,
-          .presence = optional,
           .absent_meaning = absent,
           .range = {.min = -1e30, .max = 1e30},
           .help = help};
@@ -59,14 +55,12 @@ std::vector<Key> press_keys(const std::string& press, std::size_t dim) {
                  "approach it is held there"),
       {.name = press + ".force",
        .unit = "N",
-       .presence = optional,
        .absent_meaning = "it does not move, or as press.approach says",
        .range = {.min = 0, .max = positive_quantity.max},
        .help = "force along press.direction, in 2D per mm out of the plane; axisymmetric: the "
                "whole force"},
       {.name = press + ".factors",
        .kind = KeyKind::reals,
-       .presence = optional,
        .absent_meaning = "press.force does not change with time",
        .range = {.max = positive_quantity.max},
        .help = "factors of press.force at press.times, 1e-6 or more: linear between them, "
@@ -74,7 +68,6 @@ std::vector<Key> press_keys(const std::string& press, std::size_t dim) {
       {.name = press + ".approach",
        .kind = KeyKind::reals,
        .unit = "mm",
-       .presence = optional,
        .absent_meaning = "it does not move",
        .or_single = Range{},
        .help = "how far it has moved along press.direction: one number, or numbers at press.times, "
@@ -82,7 +75,6 @@ std::vector<Key> press_keys(const std::string& press, std::size_t dim) {
       {.name = press + ".times",
        .kind = KeyKind::reals,
        .unit = "s",
-       .presence = optional,
        .absent_meaning = "one force, or one approach, at all times",
        .range = {.min = 0},
        .help =
@@ -117,8 +109,7 @@ void add_shape_key(std::vector<Key>& keys, std::vector<std::vector<std::string>>
     return;
   }
   keys.push_back(key);
-  keys.back().presence = optional;
-  keys.back().default_value = {};
+  keys.back().default_value.reset();
   owners.push_back({shape});
 }
 

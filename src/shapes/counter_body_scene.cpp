@@ -56,11 +56,11 @@ void check_dimension(const Scene& scene) {
 template <int dim>
 Scene of_shape(Scene scene, const CounterShapeKind<dim>& kind) {
   for (const Key& key : kind.keys) {
-    if (scene.has(key.name) || key.presence == Key::Presence::optional) continue;
-    if (key.presence == Key::Presence::required)
+    if (scene.has(key.name) || !key.absent_meaning.empty()) continue;
+    if (key.required())
       throw InputError(fmt::format("{}: expected also {}, {}", scene.where("counter_body.shape"),
                                    key.name, key.help));
-    scene = scene.with(key.name, key.default_value);
+    scene = scene.with(key.name, *key.default_value);
   }
   const std::vector<std::string> own = names_of(kind);
   for (const auto& other : Registry<CounterShapeKind<dim>>::all())

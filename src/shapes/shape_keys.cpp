@@ -40,7 +40,6 @@ Key length_key(const std::string& name, const std::string& help) {
 Key concave_key() {
   return {.name = "counter_body.concave",
           .kind = KeyKind::flag,
-          .presence = Key::Presence::defaulted,
           .default_value = false,
           .help = "whether the counter-body is what is outside of the shape: socket, bore, seat"};
 }

@@ -8,21 +8,17 @@ namespace gnomon::study {
 
 namespace {
 
-constexpr auto required = Key::Presence::required;
-constexpr auto optional = Key::Presence::optional;
 constexpr Range positive{.min = 0, .min_open = true};
 
 Key integrator_key() {
   return {.name = "integrator",
           .kind = KeyKind::text,
-          .presence = required,
           .help = "time integration method (gnomon list integrators)"};
 }
 
 Key name_key() {
   return {.name = "name",
           .kind = KeyKind::text,
-          .presence = optional,
           .absent_meaning = "that of its integrator",
           .help = "its name in tables and figures"};
 }
@@ -31,36 +27,28 @@ Key name_key() {
 
 std::vector<Key> top_keys() {
   return {
-      {.name = "scene",
-       .kind = KeyKind::text,
-       .presence = required,
-       .help = "scene file, relative to the study file"},
+      {.name = "scene", .kind = KeyKind::text, .help = "scene file, relative to the study file"},
       {.name = "times",
        .kind = KeyKind::reals,
        .unit = "s",
-       .presence = optional,
        .absent_meaning = "five equal parts of time.end; none with reference = \"none\"",
        .range = positive,
        .help = "times at which errors are measured, besides time.end; steps end there exactly"},
       {.name = "reference",
        .kind = KeyKind::text,
-       .presence = optional,
        .absent_meaning = "a closed form, or two runs: those of two [[reference]] tables",
        .choices = {"none"},
        .help = "\"none\": no errors are measured, as for a parameter sweep; methods may be absent"},
       {.name = "self_reference.method",
        .kind = KeyKind::text,
-       .presence = optional,
        .absent_meaning = "no errors against a run of the study itself",
        .help = "the method whose run is a second reference, as in the paper"},
       {.name = "self_reference.step",
        .unit = "s",
-       .presence = optional,
        .absent_meaning = "self_reference.tolerance is given",
        .range = positive,
        .help = "fixed step of this run"},
       {.name = "self_reference.tolerance",
-       .presence = optional,
        .absent_meaning = "self_reference.step is given",
        .range = relative_tolerance,
        .help = "relative tolerance of this run"},
@@ -70,7 +58,6 @@ std::vector<Key> top_keys() {
 std::vector<Key> sweep_keys() {
   return {{.name = "key",
            .kind = KeyKind::text,
-           .presence = required,
            .help = "the scene key that is varied; `values` holds its values"}};
 }
 
@@ -80,14 +67,12 @@ std::vector<Key> method_keys() {
           {.name = "steps",
            .kind = KeyKind::reals,
            .unit = "s",
-           .presence = optional,
            .absent_meaning = "`tolerances` are given",
            .range = positive,
            .or_single = positive,
            .help = "fixed steps (integrator.step), one run each; `step` is the same"},
           {.name = "tolerances",
            .kind = KeyKind::reals,
-           .presence = optional,
            .absent_meaning = "`steps` are given",
            .range = relative_tolerance,
            .or_single = relative_tolerance,
@@ -99,7 +84,6 @@ std::vector<Key> reference_keys() {
           integrator_key(),
           {.name = "tolerances",
            .kind = KeyKind::reals,
-           .presence = required,
            .range = relative_tolerance,
            .length = 1,
            .or_single = relative_tolerance,

@@ -66,8 +66,7 @@ KeyedTable::KeyedTable(const std::string& file, int line, const std::vector<RawE
     : file_(file), line_(line), prefix_(spec.prefix) {
   for (const RawEntry& entry : entries) read(entry, spec);
   for (const Key& key : spec.keys)
-    if (key.presence == Key::Presence::required && !has(key.name))
-      refuse_missing_key(where(key.name), key);
+    if (key.required() && !has(key.name)) refuse_missing_key(where(key.name), key);
   if (!spec.open_key.empty() && open_values_.empty())
     throw InputError(where(spec.open_key) + ": expected an array of one or more values");
 }

@@ -33,7 +33,6 @@ const Registration<WearLawKind> registration(
     {.name = "sarkar",
      .help = "Archard's law amplified by friction",
      .keys = {{.name = "wear.amplification",
-               .presence = Key::Presence::defaulted,
                .default_value = 3.0,
                .range = {.min = 0, .max = positive_quantity.max},
                .help = "factor of f^2 in the law sarkar"}},
@@ -83,10 +82,7 @@ TEST(OwnWearLaw, SharesAKeyOnlyWithTheSameDefault) {
   const auto law = [](const std::string& name, double value) {
     return WearLawKind{.name = name,
                        .help = "",
-                       .keys = {{.name = "wear.shared",
-                                 .presence = Key::Presence::defaulted,
-                                 .default_value = value,
-                                 .help = ""}},
+                       .keys = {{.name = "wear.shared", .default_value = value, .help = ""}},
                        .make = [](const Scene&) { return WearLaw(); }};
   };
   Registry<WearLawKind>::put(law("first", 1));

@@ -186,10 +186,7 @@ TEST(WearLaw, IsMadeOfASceneByItsName) {
     std::vector<Key> keys = run_keys();
     keys.push_back({.name = "wear.velocity"});
     keys.push_back({.name = "wear.coefficient"});
-    keys.push_back({.name = "wear.rate",
-                    .kind = KeyKind::text,
-                    .presence = Key::Presence::defaulted,
-                    .default_value = "k * p * v"});
+    keys.push_back({.name = "wear.rate", .kind = KeyKind::text, .default_value = "k * p * v"});
     keys.insert(keys.end(), kind.keys.begin(), kind.keys.end());
     return kind.make(
         parse_scene("problem = \"any\"\ntime.end = 20.0\nintegrator.name = \"any\"\n"

@@ -52,7 +52,6 @@ const Registration<LinearSolverKind> registration(
     {.name = "dense",
      .help = "dense factors",
      .keys = {{.name = most_nodes,
-               .presence = Key::Presence::defaulted,
                .default_value = 100.0,
                .help = "of a mesh for dense factors"}},
      .make =

@@ -365,7 +365,7 @@ TEST_F(Resume, RefusesInOneLine) {
 TEST_F(Resume, KeysOfAnIntegratorMayChangeIfTheySaySo) {
   Integrator own = Integrators::find("backward-euler", "integrator");
   own.name = "own";
-  const Key key{.presence = Key::Presence::defaulted, .default_value = 1.0};
+  const Key key{.default_value = 1.0};
   own.keys = {key, key};
   own.keys[0].name = "integrator.care";
   own.keys[0].on_resume = true;

@@ -10,15 +10,11 @@ namespace gnomon::array_of_tables_test {
 namespace {
 
 std::vector<Key> table(const std::string&) {
-  constexpr auto optional = Key::Presence::optional;
   return {{.name = "problem", .kind = KeyKind::text},
-          {.name = "load.#.on", .kind = KeyKind::text, .presence = optional},
-          {.name = "load.#.force", .kind = KeyKind::reals, .presence = optional},
-          {.name = "constants.*", .presence = optional},
-          {.name = "names",
-           .kind = KeyKind::texts,
-           .presence = Key::Presence::defaulted,
-           .default_value = std::vector<std::string>{}}};
+          {.name = "load.#.on", .kind = KeyKind::text, .absent_meaning = "none"},
+          {.name = "load.#.force", .kind = KeyKind::reals, .absent_meaning = "none"},
+          {.name = "constants.*", .absent_meaning = "none"},
+          {.name = "names", .kind = KeyKind::texts, .default_value = std::vector<std::string>{}}};
 }
 
 Scene scene(const std::string& text, const std::vector<std::string>& overrides = {}) {

@@ -10,10 +10,9 @@ namespace gnomon::quoted_name_test {
 namespace {
 
 std::vector<Key> table(const std::string&) {
-  constexpr auto optional = Key::Presence::optional;
   return {{.name = "problem", .kind = KeyKind::text},
-          {.name = "law.\"*\".rate", .presence = optional},
-          {.name = "constants.*", .presence = optional}};
+          {.name = "law.\"*\".rate", .absent_meaning = "none"},
+          {.name = "constants.*", .absent_meaning = "none"}};
 }
 
 Scene scene(const std::string& text, const std::vector<std::string>& overrides = {}) {

@@ -40,7 +40,7 @@ struct IntegratorSettings {
   /// The value of one of these keys.
   SceneValue value(const Key& key) const {
     const auto given = own.find(key.name);
-    return given == own.end() ? key.default_value : given->second;
+    return given == own.end() ? key.default_value.value() : given->second;
   }
 };
 

@@ -42,18 +42,15 @@ class Scene;
 
 /// Specification of one scene key.
 struct Key {
-  enum class Presence { required, defaulted, optional };
-
   /// Dotted, for example "body.young_modulus". A part "*" stands for any identifier that the scene
   /// chooses: "wear.constants.*" is a table of numbers; a part "\"*\"" for any text, in quotes
   /// where TOML needs them (toml_key()); a part "#" for the number, from 1, of a table of an array:
   /// "load.#.on" is the key `on` of every [[load]]. All three kinds of keys are optional.
   std::string name{};
   KeyKind kind = KeyKind::real;
-  std::string unit{};  ///< "MPa"; empty when dimensionless
-  Presence presence = Presence::required;
-  SceneValue default_value{};          ///< used when presence == defaulted
-  std::string absent_meaning{};        ///< what absence means when presence == optional
+  std::string unit{};                         ///< "MPa"; empty when dimensionless
+  std::optional<SceneValue> default_value{};  ///< its value in scenes without the key
+  std::string absent_meaning{};        ///< of a key without a default that scenes may leave out
   Range range{};                       ///< numbers only
   std::vector<std::string> choices{};  ///< texts only; empty means any text
   std::size_t length = 0;              ///< arrays only; 0 means any length
@@ -70,6 +67,8 @@ struct Key {
   /// has one. Where it has none, resolved() leaves the key out if it has its default, so that the
   /// scene can be read without laws that it does not choose. No function: there always is a use.
   std::function<std::string(const Scene&)> idle{};
+
+  bool required() const { return !default_value && absent_meaning.empty(); }
 };
 
 /// What became of a key that scenes no longer have. Values with which it changes nothing are

@@ -131,7 +131,6 @@ const Registration<LinearSolverKind> registration(
      .help = "flexible GMRES on the whole Jacobian, preconditioned block by block",
      .keys = {{.name = preconditioner,
                .kind = KeyKind::text,
-               .presence = Key::Presence::optional,
                .absent_meaning = "chosen by size: factor unless in 3D and large (docs/linear.md)",
                .choices = {"factor", "multigrid"},
                .on_resume = true,

@@ -38,23 +38,19 @@ std::vector<Key> keys(int dim) {
       {.name = "counter_body.points",
        .kind = KeyKind::reals,
        .unit = "mm",
-       .presence = Key::Presence::optional,
        .absent_meaning = "those of counter_body.file",
        .help = "coordinates of the points of the curve, two for each, one point after the other"},
       {.name = "counter_body.file",
        .kind = KeyKind::text,
-       .presence = Key::Presence::optional,
        .absent_meaning = "counter_body.points",
        .names_file = true,
        .help = "file with the points of the curve, two numbers per line; beside the scene"},
       {.name = "counter_body.closed",
        .kind = KeyKind::flag,
-       .presence = Key::Presence::defaulted,
        .default_value = false,
        .help = "whether the curve goes back to its first point; else on straight beyond its ends"},
       {.name = "counter_body.side",
        .kind = KeyKind::text,
-       .presence = Key::Presence::optional,
        .absent_meaning = "left",
        .choices = {"left", "right"},
        .help = "side of an open curve on which the counter-body is, along the points"},
@@ -66,13 +62,11 @@ std::vector<Key> keys(int dim) {
                   .help = "whether the curve, in coordinates (r, z), is turned about the axis, or "
                           "moved along it"});
   Key center = center_key(3, "origin of the curve's coordinates");
-  center.presence = Key::Presence::defaulted;
   center.default_value = std::vector<double>(3, 0.0);
   keys.push_back(center);
   keys.push_back(axis_key(3, "axis of revolution, or direction of the extrusion"));
   keys.push_back({.name = "counter_body.up",
                   .kind = KeyKind::reals,
-                  .presence = Key::Presence::defaulted,
                   .default_value = std::vector<double>{0, 0, 1},
                   .length = 3,
                   .help = "direction of the second coordinate of an extruded curve, made "

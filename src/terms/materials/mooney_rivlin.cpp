@@ -27,7 +27,6 @@ const Registration<MaterialLaw> registration{
      .help = "Mooney and Rivlin, compressible: eq. (38) with a term of the second invariant",
      .kernels = &law_kernels<MooneyRivlinPoint>,
      .keys = {{.name = "mooney_ratio",
-               .presence = Key::Presence::optional,
                .absent_meaning = fmt::format("{:g} with mooney-rivlin", usual_ratio),
                .range = {.min = 0, .max = 1},
                .help = "C01 / (C10 + C01) of the material mooney-rivlin"}},
