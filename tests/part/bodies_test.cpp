@@ -40,10 +40,10 @@ const std::string groups_in_space =
     "Physical Surface(\"bottom\") = {out[2]}; Physical Surface(\"surface\") = {out[10]};\n"
     "Physical Volume(\"substrate\") = {out[1]}; Physical Volume(\"coating\") = {out[7]};\n";
 
-class Bodies : public ::testing::Test {
+class Bodies : public PartScenes {
 protected:
   void SetUp() override {
-    if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
+    PartScenes::SetUp();
     folder_.write("plane.geo", layers(2, 0.25, 4) + groups_in_plane);
     folder_.write("space.geo", layers(2, 0.5, 2) + groups_in_space);
   }
@@ -81,19 +81,7 @@ press = {{ direction = {4}, {6} }}
                        in_space ? "[0.0, -1.0, 0.0]" : "[0.0, -1.0]",
                        in_space ? "[1.0, 0.0, 0.0]" : "[1.0, 0.0]", press, more);
   }
-  std::unique_ptr<Model> model(const std::string& text, const Overrides& overrides = {}) const {
-    return make_model(load_scene(folder_.write("scene.toml", text), overrides, key_table));
-  }
-  std::string refusal(const std::string& text, const Overrides& overrides = {}) const {
-    try {
-      model(text, overrides);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
-  }
 
-  SceneFolder folder_;
   Counters counters_;
 };
 

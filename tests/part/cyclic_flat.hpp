@@ -27,10 +27,10 @@ Physical Surface("flat") = {{1}};
                      high + 1);
 }
 
-class Cycles : public ::testing::Test {
+class Cycles : public PartScenes {
 protected:
   void SetUp() override {
-    if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
+    PartScenes::SetUp();
     folder_.write("flat.geo", flat_geometry(6));
   }
 
@@ -52,19 +52,7 @@ press = {{ direction = [0.0, -1.0]{}{} }}
 )",
                        press.empty() ? "" : ", ", press, motion);
   }
-  std::unique_ptr<Model> model(const std::string& text, const Overrides& overrides = {}) const {
-    return make_model(load_scene(folder_.write("flat.toml", text), overrides, key_table));
-  }
-  std::string refusal(const std::string& text, const Overrides& overrides = {}) const {
-    try {
-      model(text, overrides);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
-  }
 
-  SceneFolder folder_;
   Counters unused_;
 };
 

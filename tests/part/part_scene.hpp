@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <gnomon/base/error.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
 #include <sstream>
 #include <string>
@@ -42,5 +43,26 @@ inline std::string text_of(const std::filesystem::path& file) {
 inline std::filesystem::path shipped(const std::string& name) {
   return std::filesystem::path(GNOMON_SOURCE_DIR "/problems/worn_body") / name;
 }
+
+/// Tests of scenes that are one text, beside the files that they name.
+class PartScenes : public ::testing::Test {
+protected:
+  void SetUp() override {
+    if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
+  }
+  std::unique_ptr<Model> model(const std::string& text, const Overrides& overrides = {}) const {
+    return make_model(load_scene(folder_.write("scene.toml", text), overrides, key_table));
+  }
+  std::string refusal(const std::string& text, const Overrides& overrides = {}) const {
+    try {
+      model(text, overrides);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  SceneFolder folder_;
+};
 
 }  // namespace gnomon::testing
