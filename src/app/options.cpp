@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
+#include <gnomon/base/number_text.hpp>
 #include <thread>
 
 namespace gnomon::app {
@@ -13,11 +13,9 @@ std::string check_file_name(const std::string& name) {
 }
 
 std::string check_number(const std::string& text) {
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [parsed, error] = std::from_chars(text.data(), end, number);
-  const bool valid = parsed == end && error == std::errc() && std::isfinite(number);
-  return valid ? "" : fmt::format("expected a finite number, got `{}`", text);
+  const auto number = parsed_number<double>(text);
+  return number && std::isfinite(*number) ? ""
+                                          : fmt::format("expected a finite number, got `{}`", text);
 }
 
 void refuse_values_of_flags(CLI::App* command) {

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/base/number_text.hpp>
 #include <optional>
 
 namespace gnomon::app {
@@ -45,11 +46,9 @@ int last_digit(const std::string& number) {
 }
 
 std::optional<PrintedNumber> read(const std::string& number) {
-  double value = 0;
-  const char* const end = number.data() + number.size();
-  const auto [parsed, error] = std::from_chars(number.data(), end, value);
-  if (parsed != end || error != std::errc() || !std::isfinite(value)) return std::nullopt;
-  return PrintedNumber{value, 0.5 * std::pow(10.0, last_digit(number))};
+  const auto value = parsed_number<double>(number);
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  return PrintedNumber{*value, 0.5 * std::pow(10.0, last_digit(number))};
 }
 
 std::string neighbours(const std::vector<double>& times, double t) {

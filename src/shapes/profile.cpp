@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
 #include <fstream>
 #include <gnomon/base/error.hpp>
+#include <gnomon/base/number_text.hpp>
 #include <gnomon/shapes/profile.hpp>
 #include <gnomon/shapes/shape_keys.hpp>
 #include <iterator>
@@ -51,18 +52,15 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   }
 }
 
-/// Whether the whole field is a number, "nan" and "inf" included.
-bool read_number(std::string_view field, double& value) {
-  if (!field.empty() && field.front() == '+') field.remove_prefix(1);
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  return error == std::errc() && end == field.data() + field.size();
+/// Of the whole field, "nan" and "inf" included.
+std::optional<double> read_number(std::string_view field) {
+  return parsed_number<double>(field.substr(field.starts_with('+') ? 1 : 0));
 }
 
 /// Whether a field is meant as a number, be it out of range or followed by a unit.
 bool looks_like_number(std::string_view field) {
-  double ignored;
   const std::size_t digit = field.find_first_not_of("+-.");
-  return read_number(field, ignored) ||
+  return read_number(field) ||
          (digit != std::string_view::npos && field[digit] >= '0' && field[digit] <= '9');
 }
 
@@ -85,14 +83,12 @@ std::vector<Vector<2>> parse_points(const std::string& text, const std::string& 
     rest.remove_prefix(std::min(line.size() + 1, rest.size()));
     const auto fields = fields_of(line);
     if (fields.empty()) continue;
-    Vector<2> point;
-    const bool is_point = fields.size() == 2 && read_number(fields[0], point[0]) &&
-                          read_number(fields[1], point[1]) && point.allFinite();
-    if (is_point) {
+    const auto x = read_number(fields[0]), y = read_number(fields.back());
+    if (fields.size() == 2 && x && y && std::isfinite(*x) && std::isfinite(*y)) {
       if (points.size() == SplineCurve::max_points)
         throw InputError(fmt::format("{}:{}: expected {} points or fewer", name, number,
                                      SplineCurve::max_points));
-      points.push_back(point);
+      points.emplace_back(*x, *y);
     } else if (!header_allowed || std::ranges::any_of(fields, looks_like_number)) {
       throw InputError(
           fmt::format("{}:{}: expected two finite numbers, got {}", name, number, shown(line)));

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <charconv>
 #include <gnomon/base/counter_names.hpp>
+#include <gnomon/base/number_text.hpp>
 
 #include "study/declaration.hpp"
 #include "study/table.hpp"
@@ -94,21 +94,12 @@ std::vector<StudyColumn> cost_columns() {
   return columns;
 }
 
-/// The number that a text is, if it is one.
-std::optional<double> number_in(const std::string& text) {
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [parsed, error] = std::from_chars(text.data(), end, number);
-  if (parsed != end || error != std::errc()) return std::nullopt;
-  return number;
-}
-
 /// One for each swept key; every point of a sweep has the same keys.
 std::vector<StudyColumn> sweep_columns(const Study& study) {
   std::vector<StudyColumn> columns;
   for (std::size_t i = 0; i < study.sweep.front().values.size(); ++i) {
     const bool numbers = std::ranges::all_of(study.sweep, [i](const SweepPoint& point) {
-      return number_in(point.values[i].second).has_value();
+      return parsed_number<double>(point.values[i].second).has_value();
     });
     const std::string& key = study.sweep.front().values[i].first;
     const auto unit = study.units.find(key);
@@ -116,7 +107,7 @@ std::vector<StudyColumn> sweep_columns(const Study& study) {
                         numbers ? Type::real : Type::text, "sweep", "swept key of the scene"},
                        [&study, i, numbers](const StudyRow& row) {
                          const std::string& value = study.sweep[row.point.sweep].values[i].second;
-                         return numbers ? maybe(number_in(value)) : CellValue(value);
+                         return numbers ? maybe(parsed_number<double>(value)) : CellValue(value);
                        }});
   }
   return columns;

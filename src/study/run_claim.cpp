@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <gnomon/base/error.hpp>
+#include <gnomon/base/number_text.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/results/versions.hpp>
 #include <nlohmann/json.hpp>
@@ -75,11 +75,8 @@ int latest_attempt(const fs::path& attempts) {
   std::error_code error;
   for (fs::directory_iterator entry(attempts, error), end; !error && entry != end;
        entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    int number = 0;
-    const char* const last = name.data() + name.size();
-    const auto [parsed, bad] = std::from_chars(name.data(), last, number);
-    if (bad == std::errc() && parsed == last) latest = std::max(latest, number);
+    const auto number = parsed_number<int>(entry->path().filename().string());
+    latest = std::max(latest, number.value_or(0));
   }
   return latest;
 }

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <gnomon/base/error.hpp>
+#include <gnomon/base/number_text.hpp>
 #include <set>
 #include <sstream>
 
@@ -13,14 +13,12 @@ namespace gnomon::study {
 namespace {
 
 std::size_t number_of(const std::string& text, const std::string& whole, std::size_t count) {
-  std::size_t number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [parsed, error] = std::from_chars(text.data(), end, number);
-  if (parsed != end || error != std::errc() || number < 1 || number > count)
+  const auto number = parsed_number<std::size_t>(text);
+  if (!number || *number < 1 || *number > count)
     throw InputError(
         fmt::format("runs `{}`: expected numbers from 1 to {}, as 3, 3-7 or 3,5,9-12, got `{}`",
                     whole, count, text));
-  return number;
+  return *number;
 }
 
 }  // namespace
