@@ -71,10 +71,10 @@ NewtonIteration::NewtonIteration(const Example& example, bool coupled, bool kept
       rest_(structure().size),
       F_(structure().size),
       J_(structure().pattern.nonzeros()),
+      solution_(structure().size),
       kept_(kept),
-      right_(sundials::make_vector(structure().size, context_)),
-      solution_(sundials::make_vector(structure().size, context_)),
-      solver_(structure(), counters_, context_) {
+      solver_(structure(), counters_,
+              example.body->solver.coarsens ? multigrid_solvers() : factor_solvers()) {
   const FieldValues<3> values = guess(example);
   for (double lambda : values.scalar(equations_.fields().lambda)) branch_.push_back(lambda < 0);
   system_.numbering().gather(values, y_);
@@ -87,9 +87,8 @@ void NewtonIteration::run() {
   const Point at{.t = 0, .y = y_, .ydot = rest_, .branch = &branch_, .slow = slow};
   residual_.time([&] { system_.residual(at, F_); });
   jacobian_.time([&] { system_.jacobian(at, alpha, J_); });
-  std::copy(F_.begin(), F_.end(), sundials::view(right_.get()).begin());
   set_up_.time([&] { solver_.set_up(J_, true); });
-  solve_.time([&] { solver_.solve(right_.get(), solution_.get(), reduction, reduction); });
+  solve_.time([&] { solver_.solve(F_, solution_, reduction, reduction); });
   ++runs_;
 }
 

@@ -56,14 +56,12 @@ private:
 
   WornBodyEquations<3> equations_;
   ComposedSystem<3> system_;
-  std::vector<double> y_, rest_, F_, J_;
+  std::vector<double> y_, rest_, F_, J_, solution_;
   ActiveSet branch_;
   bool kept_;
   SlowPart slow_;
-  sundials::Context context_;
   Counters counters_;
   long runs_ = 0;
-  sundials::VectorOwner right_, solution_;
   sundials::BlockSolver solver_;
   Stopwatch residual_, jacobian_, set_up_, solve_;
 };

@@ -40,12 +40,12 @@ BlockSolver::BlockSolver(const Structure& structure, Counters& counters,
   check(SUNLinSolInitialize(gmres_.get()), "SUNLinSolInitialize");
 }
 
-void BlockSolver::set_up(std::span<const double> J) {
+void BlockSolver::set_up(std::span<const double> J, bool anew) {
   require_finite(J, "the Jacobian");
   J_ = J;
   preconditioner_.refresh(J);
   policy_.spent(preconditioner_.update_cost());
-  if (policy_.due())
+  if (anew || policy_.due())
     set_up_preconditioner();
   else
     preconditioner_.update();

@@ -17,7 +17,9 @@ public:
   /// References must outlive the solver. Errors as BlockPreconditioner.
   BlockSolver(const Structure& structure, Counters& counters, const InnerSolverMaker& inner);
 
-  void set_up(std::span<const double> J) override;
+  void set_up(std::span<const double> J) override { set_up(J, false); }
+  /// `anew`: with a new preconditioner even if the old one is good enough.
+  void set_up(std::span<const double> J, bool anew);
   void solve(std::span<const double> b, std::span<double> x, double reduction) override {
     constexpr double useful = 0.3;  // to Newton's method
     solve(b, x, reduction, useful);

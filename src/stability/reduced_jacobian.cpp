@@ -96,6 +96,7 @@ void ReducedJacobian::solve(Stage& stage) const {
       throw RecoverableError("the linear solver did not converge");
     }
     // Half of what would be enough, because the residual is not exactly that of the solver.
+    ++counters_.linear_solves;
     stage.correct(std::max(reduction_of_a_solve, accuracy * size / left / 2), change_);
     minus_jacobian_times_change();
     before = left;

@@ -75,7 +75,7 @@ TEST_F(CycleSolver, IsTheInverseOfWhatItKeeps) {
     std::vector<double> J = jacobian(state.y, 10);
     decouple(structure, J);
     share_stiffness(structure, J);
-    BlockPreconditioner preconditioner(structure);
+    BlockPreconditioner preconditioner(structure, factor_solvers());
     preconditioner.refresh(J);
     EXPECT_EQ(preconditioner.set_up(true), 2);  // of the body, whatever phases; of the mesh motion
     const long n = structure.size;
