@@ -8,6 +8,7 @@
 
 #include "app/plotting_script.hpp"
 #include "app/text_table.hpp"
+#include "study/recommendation.hpp"
 
 namespace gnomon::app {
 
@@ -89,6 +90,35 @@ void print_errors(const Study& study, const StudyTable& table) {
     fmt::print("* less than ten times the error of the reference, or the latter is unknown\n");
 }
 
+/// The cheapest run of each accuracy.
+void print_advice(const Study& study, const StudyTable& table) {
+  constexpr auto right = TextTable::Align::right;
+  TextTable text({{"sweep"},
+                  {"error / wear", right},
+                  {"cheapest run"},
+                  {"shape error [mm]", right},
+                  {"Newton", right},
+                  {"CPU [s]", right}});
+  const auto found = study::recommendations(table);
+  for (const auto& each : found) {
+    std::vector<std::string> cells = {study.sweep[each.sweep].label,
+                                      fmt::format("{:.0e}", each.error)};
+    if (each.row) {
+      const StudyRow& row = table.rows[*each.row];
+      cells.insert(cells.end(),
+                   {study.runs[row.point.run].title, fmt::format("{:.2e}", *row.shape_error),
+                    fmt::format("{}", row.counters->newton_iterations),
+                    fmt::format("{:.2f}", *row.cpu_seconds)});
+    } else {
+      cells.insert(cells.end(), {"none of these", "-", "-", "-"});
+    }
+    text.add(cells);
+  }
+  if (!found.empty()) fmt::print("recommended:\n{}", text.text());
+  if (const std::string remark = study::hidden_tolerances(study, table); !remark.empty())
+    fmt::print("{}\n", remark);
+}
+
 }  // namespace
 
 void write_study(const Study& study, const std::filesystem::path& folder, bool quiet) {
@@ -99,6 +129,7 @@ void write_study(const Study& study, const std::filesystem::path& folder, bool q
   const DrawnPage page = draw_page(folder, "study");
   if (!quiet) {
     study.compared ? print_errors(study, table) : print_observed(study, table);
+    if (study.compared) print_advice(study, table);
     fmt::print("{}results: {} ({}study.csv, study.json, study.h5, runs)\n", page.complaint,
                folder.string(), page.listed());
   }

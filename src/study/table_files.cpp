@@ -11,6 +11,7 @@
 #include "results/hdf5_handles.hpp"
 #include "results/hdf5_values.hpp"
 #include "results/replaced_file.hpp"
+#include "study/recommendation.hpp"
 #include "study/table.hpp"
 #include "study/text_file.hpp"
 
@@ -146,6 +147,7 @@ std::string study_json(const Study& study, const StudyTable& table) {
     json["rows"].push_back({{"sweep", table.rows[i].point.sweep},
                             {"marked", marked_of(table.rows[i])},
                             {"values", values_json(results, i)}});
+  if (study.compared) add_advice(json, study, table);
   return json_text(json);
 }
 

@@ -26,6 +26,7 @@ def view(data):
         "counts": ", ".join([of(len(rows), "run"), f"{len(failed)} failed"]
                             + [f"{len(missing)} missing"] * bool(missing)),
         "references": references(data) if data["compared"] else None,
+        "recommended": recommended(data) if data["compared"] and data["recommendations"] else None,
         "any_closed": any(closed),
         "all_closed": all(closed),
         "times": times(data["sweep"]) if data["compared"] else "",
@@ -141,6 +142,27 @@ def references(data):
                  Cell(number(reference["pressure_error"], ".2e"))]
         label = [text(point["label"], parts=True)] * swept
         rows.append(Row(label + cells, failed=reference["error"] is None))
+    return Table(headings, rows)
+
+
+def recommended(data):
+    """The cheapest run of each accuracy, for each combination of swept values."""
+    swept = any(point["label"] for point in data["sweep"])
+    headings = [Heading("sweep", numeric=False)] * swept + [
+        Heading("error / wear"), Heading("method", numeric=False),
+        Heading("setting", numeric=False), Heading("Newton iterations"), Heading("CPU time", "s")]
+    rows = []
+    for each in data["recommendations"]:
+        cells = [text(data["sweep"][each["sweep"]]["label"], parts=True)] * swept
+        cells.append(Cell(plain(each["error"])))
+        if each["row"] is None:
+            cells.append(text("none of these", span=4))
+        else:
+            row = data["rows"][each["row"]]
+            cells += [text(method(row)), text(setting(row)),
+                      Cell(number(row["values"]["newton_iterations"], "d")),
+                      Cell(number(row["values"]["cpu_seconds"], ".2f"))]
+        rows.append(Row(cells))
     return Table(headings, rows)
 
 
