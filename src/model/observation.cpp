@@ -43,6 +43,8 @@ Scalar common(std::string_view name, double value, int dim) {
 }
 
 std::string meaning_of(std::string_view name) {
+  if (name.starts_with("force_") || name.starts_with("torque_"))
+    return "what loads, supports or contact exert on the bodies";
   const auto quantity = std::ranges::find(table, name, &Quantity::name);
   return quantity == table.end() ? std::string() : std::string(quantity->meaning);
 }
