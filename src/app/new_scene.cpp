@@ -19,6 +19,7 @@ namespace {
 template <int dim>
 struct Suggestion {
   std::string held = "bottom", wearing = "surface";
+  std::optional<double> bore;  ///< its radius; `point` is its centre
   Vector<dim> outward = -Vector<dim>::Unit(dim - 1), point = Vector<dim>::Zero();
 };
 
@@ -43,15 +44,47 @@ void meet(const ImportedBody<dim>& body, Suggestion<dim>& suggestion) {
   }
 }
 
-/// Whether somebody may have named a part so because it wears.
-bool sounds_worn(const std::string& name) {
-  for (const char* word : {"contact", "surface", "wear", "worn"})
-    if (name.find(word) != std::string::npos) return true;
-  return false;
+/// A circle whose normals look to its centre, at least a half of one.
+void find_bore(const ImportedBody<2>& body, Suggestion<2>& suggestion) {
+  constexpr double round = 1e-3;  // of the radius
+  Vector<2> low = Vector<2>::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  const auto patches = contact_patches<2>(body.mesh, body.mesh.boundary.at(suggestion.wearing));
+  for (const auto& patch : patches) {
+    low = low.cwiseMin(patch.initial_position);
+    high = high.cwiseMax(patch.initial_position);
+  }
+  const double radius = (high - low).maxCoeff() / 2;
+  Vector<2> centre = (low + high) / 2;
+  for (int i = 0; i < 2; ++i)  // of half a circle
+    if (const double height = high[i] - low[i]; height < (2 - round) * radius)
+      centre[i] = suggestion.outward[i] > 0 ? low[i] : high[i];
+  for (const auto& patch : patches) {
+    const Vector<2> arm = patch.initial_position - centre;
+    if (std::abs(arm.norm() - radius) > round * radius || arm.dot(patch.initial_normal) >= 0)
+      return;
+  }
+  suggestion.bore = radius;
+  suggestion.point = centre;
 }
 
-/// The part that sounds so wears, else a curved one, else the first; of the flat others that one is
-/// held which looks most away from where the wearing one looks.
+/// Whether somebody may have named a part so because it is what these words say.
+bool sounds_like(const std::string& name, std::initializer_list<const char*> words) {
+  return std::ranges::any_of(
+      words, [&](const char* word) { return name.find(word) != std::string::npos; });
+}
+
+bool sounds_worn(const std::string& name) {
+  return sounds_like(name, {"contact", "surface", "wear", "worn", "sole", "bore", "seat", "slid"});
+}
+
+bool sounds_held(const std::string& name) {
+  return sounds_like(name, {"back", "base", "bottom", "clamp", "fix", "held", "hold", "housing",
+                            "mount", "support"});
+}
+
+/// The part that sounds so wears, else a curved one, else the first. Of the others that one is held
+/// which sounds so, else of flat ones that which looks most away from where the wearing one looks,
+/// else any.
 template <int dim>
 Suggestion<dim> suggest(const ImportedBody<dim>& body) {
   Suggestion<dim> suggestion;
@@ -64,11 +97,15 @@ Suggestion<dim> suggest(const ImportedBody<dim>& body) {
         parts, [&](const auto& part) { return !flat_part<dim>(body.mesh, part.second).flat; });
   suggestion.wearing = (wearing == parts.end() ? parts.begin() : wearing)->first;
   meet(body, suggestion);
+  if constexpr (dim == 2) find_bore(body, suggestion);
+  suggestion.held = "...";
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [name, facets] : parts) {
+    if (name == suggestion.wearing) continue;
     const FlatPart<dim> part = flat_part<dim>(body.mesh, facets);
-    if (!part.flat || name == suggestion.wearing) continue;
-    const double along = part.normal.dot(suggestion.outward);
+    const double along = sounds_held(name) ? -2
+                         : part.flat       ? part.normal.dot(suggestion.outward)
+                                           : 2;
     if (along < least) suggestion.held = name, least = along;
   }
   return suggestion;
@@ -93,6 +130,22 @@ Vector<dim> sliding_direction(const Vector<dim>& outward) {
   if constexpr (dim == 2) return {-outward[1], outward[0]};
   const Vector<dim> across = Vector<dim>::Unit(std::abs(outward[0]) < 0.9 ? 0 : 1);
   return (across - across.dot(outward) * outward).normalized();
+}
+
+/// A plane, or a shaft in a bore, and how it moves.
+template <int dim>
+std::string counter_shape(const Suggestion<dim>& s) {
+  constexpr double clearance = 1e-3;  // of the radius
+  if (s.bore)
+    return fmt::format(
+        "shape = \"cylinder\"\ncenter = {}  # mm\nradius = {:.6g}  # mm\n"
+        "motion = {{ rotation = 10.0 }}  # rad/s\n",
+        coordinates<dim>(s.point), (1 - clearance) * *s.bore);
+  return fmt::format(
+      "shape = \"plane\"\npoint = {}  # mm\nnormal = {}  # towards the part\n"
+      "motion = {{ velocity = {} }}  # mm/s\n",
+      coordinates<dim>(s.point), coordinates<dim>(-s.outward),
+      coordinates<dim>(1000 * sliding_direction<dim>(s.outward)));
 }
 
 }  // namespace
@@ -122,12 +175,9 @@ std::string new_scene(const std::filesystem::path& mesh, std::optional<double> s
   text +=
       "\n# [[load]]  # may be several\n# on = \"...\"\n# force = [...]  # or traction, pressure\n";
   text += fmt::format(
-      "\n[counter_body]  # plane, ball, cylinder, cone, torus, profile: docs/counter_bodies.md\n"
-      "shape = \"plane\"\npoint = {}  # mm\nnormal = {}  # towards the part\n"
-      "motion = {{ velocity = {} }}  # mm/s\n"
+      "\n[counter_body]  # plane, ball, cylinder, cone, torus, profile: docs/counter_bodies.md\n{}"
       "press = {{ direction = {}, force = 100.0 }}  # {}\n",
-      coordinates<dim>(s.point), coordinates<dim>(-s.outward),
-      coordinates<dim>(1000 * sliding_direction<dim>(s.outward)), coordinates<dim>(-s.outward),
+      counter_shape(s), coordinates<dim>(s.bore ? s.outward : -s.outward),
       dim == 2 ? "N per mm of thickness; axisymmetric: N" : "N");
   text += fmt::format(
       "\n[wear]\non = [\"{}\"]\ncoefficient = 1e-8  # 1/MPa  k\nrate = \"k * p * v\"\n"
