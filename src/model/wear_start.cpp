@@ -177,6 +177,31 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
 
 namespace {
 
+/// The sum of all loads at factor one, on the unworn bodies.
+template <int dim>
+Vector<dim> sum_of_loads(const Assembly<dim>& body) {
+  Vector<dim> sum = Vector<dim>::Zero();
+  for (const Load<dim>& load : body.loads) {
+    if (load.forces.size() > 0) sum += load.forces.colwise().sum().matrix().transpose();
+    for (const auto& patch : contact_patches<dim>(body.mesh, load.facets, {}, body.section()))
+      sum -= load.pressure * patch.initial_area * patch.initial_normal;
+  }
+  return sum;
+}
+
+/// How loads pull the bodies off a counter-body that no force presses; empty where they do not.
+template <int dim>
+std::string pulled_off(const WornBodyEquations<dim>& equations) {
+  const Assembly<dim>& body = equations.assembly();
+  const Phase<dim>& phase = equations.phases().front();
+  const double off = sum_of_loads(body).dot(phase.counter_body.approach);
+  if (phase.moves_freely() || off <= 0) return {};
+  return fmt::format(
+      "no equilibrium was found at the start: the loads, {:.4g} N{} along the approach of the "
+      "counter-body, pull the bodies off it",
+      off, dim == 2 && body.section() == Section::plane ? "/mm" : "");
+}
+
 /// A part of the load has an equilibrium, so that the body is sound and the load too large for it;
 /// or none has.
 std::string failure_of(const RampReport& ramp, const Element& element) {
@@ -200,7 +225,10 @@ State WearModel<dim>::start(Counters& counters) const {
   FieldValues<dim> values(*equations_.composition()->fields);
   const RampReport ramp =
       find_equilibrium(equations_, contact, ramp_options(assembly()), values, counters);
-  if (ramp.reached < 1) throw SolutionError(failure_of(ramp, assembly().bodies.front().element));
+  if (ramp.reached < 1) {
+    const std::string off = pulled_off(equations_);
+    throw SolutionError(off.empty() ? failure_of(ramp, assembly().bodies.front().element) : off);
+  }
   State state;
   state.y.resize(system().structure().size);
   system().numbering().gather(values, state.y);
