@@ -6,6 +6,7 @@
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/terms/sliding.hpp>
 #include <limits>
+#include <map>
 #include <vector>
 
 #include "part/phases.hpp"
@@ -19,6 +20,30 @@ using Patches = std::vector<const ContactPatch<dim>*>;
 /// The counter-body at several positions of a cycle, or where it is.
 template <int dim>
 using Instants = std::vector<CounterBody<dim>>;
+
+/// Whether the counter-body meets facets between their nodes.
+template <int dim>
+bool meets_between_nodes(const Instants<dim>& instants, const Patches<dim>& all) {
+  std::map<int, Vector<dim>> place;
+  for (const auto* patch : all) place[patch->node] = patch->initial_position;
+  const auto meets = [&](const Vector<dim>& x, const Vector<dim>& outward) {
+    return std::ranges::any_of(instants, [&](const CounterBody<dim>& other) {
+      return std::isfinite(other.travel_to(x, outward));
+    });
+  };
+  constexpr int parts = 8;
+  for (const auto* patch : all)
+    for (const auto& corner : patch->corners)
+      for (const int other : corner.nodes) {
+        const auto to = place.find(patch->nodes[static_cast<std::size_t>(other)]);
+        if (to == place.end()) continue;
+        const Vector<dim>& from = patch->initial_position;
+        for (int k = 1; k < parts; ++k)
+          if (meets(from + double(k) / parts * (to->second - from), patch->initial_normal))
+            return true;
+      }
+  return false;
+}
 
 /// The contact nodes that touch first.
 template <int dim>
@@ -44,6 +69,10 @@ Patches<dim> first_touch(const Scene& scene, const Instants<dim>& instants,
     throw InputError(scene.where("counter_body.press.direction") +
                      ": expected a direction into the body, but the surfaces of wear.on face the "
                      "same way");
+  if (!std::isfinite(least) && meets_between_nodes(instants, all))
+    throw InputError(scene.where("counter_body.shape") +
+                     ": the counter-body meets the surfaces of wear.on between their nodes alone, "
+                     "expected a mesh that is finer there");
   if (!std::isfinite(least))
     throw InputError(
         scene.where("counter_body.shape") +
