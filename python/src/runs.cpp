@@ -115,13 +115,18 @@ py::dict run_model(const Shared& model, const std::optional<fs::path>& result, b
                writer ? &*writer : nullptr, callbacks.hooks());
   });
   callbacks.raise_if_raised();
+  const std::optional<ContactSurface> surface = with_model(*model, [&] {
+    const Model& last = outcome.successor ? *outcome.successor : *setup.model;
+    return outcome.state ? last.contact(*outcome.state) : std::nullopt;
+  });
   const std::string summary =
       summary_json(setup.scene, header, settings, outcome, setup.model->remarks);
   return py::dict("status"_a = outcome.text().substr(0, outcome.text().find(':')),
                   "diagnosis"_a = outcome.diagnosis, "warnings"_a = outcome.warnings,
                   "counters"_a = dict_of(outcome.counters), "wall_seconds"_a = outcome.wall_seconds,
                   "summary"_a = summary, "history"_a = dict_of_rows(callbacks.rows()),
-                  "state"_a = outcome.state);
+                  "state"_a = outcome.state,
+                  "surface"_a = surface ? py::object(dict_of(*surface)) : py::object(py::none()));
 }
 
 }  // namespace

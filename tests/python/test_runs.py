@@ -21,6 +21,8 @@ def test_a_run_is_that_of_the_program(pin, tmp_path):
         assert numpy.array_equal(ours.history()[name], theirs.history()[name]), name
         assert numpy.array_equal(ours.history()[name], outcome.history[name]), name
     assert numpy.array_equal(ours.contact()["pressure"], theirs.contact()["pressure"])
+    for name, values in ours.contact().items():
+        assert numpy.array_equal(outcome.surface[name], values), name
     assert ours.scene == theirs.scene
 
 
