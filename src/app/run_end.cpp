@@ -25,13 +25,17 @@ void print_summary(const RunOutcome& outcome, const EndReport& report) {
       outcome.text(), outcome.last->t, outcome.wall_seconds, counters.steps,
       counters.rejected_steps, counters.newton_iterations, counters.factorizations);
   TextTable table({{}, {.align = TextTable::Align::right}, {}});
+  const auto is_of_balance = [](const std::string& name) {
+    return name.starts_with("force_") || name.starts_with("torque_");
+  };
   for (const Scalar& scalar : outcome.last->scalars)
-    table.add({"  " + scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});
+    if (!is_of_balance(scalar.name))
+      table.add({"  " + scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});
   fmt::print("{}", table.text());
   if (const std::string forces =
           balance_text(outcome.examination, dimension_of(outcome.last->scalars));
       !forces.empty())
-    fmt::print("{}\n", forces);
+    fmt::print("{}", forces);
   if (const std::string ledger = ledger_text(outcome.last->scalars); !ledger.empty())
     fmt::print("{}\n", ledger);
   if (const std::string text = phase_error_text(outcome.phase_errors); !text.empty())

@@ -20,10 +20,11 @@ double largest_force(const Examination& facts) {
   return largest;
 }
 
-std::array<double, 3> sum_of(const std::vector<ResultantForce>& forces) {
+std::array<double, 3> sum_of(const std::vector<ResultantForce>& forces,
+                             std::array<double, 3> ResultantForce::*member) {
   std::array<double, 3> sum{};
   for (const ResultantForce& each : forces)
-    for (int i = 0; i < 3; ++i) sum[i] += each.force[i];
+    for (int i = 0; i < 3; ++i) sum[i] += (each.*member)[i];
   return sum;
 }
 
@@ -34,13 +35,21 @@ std::string point_text(const std::array<double, 3>& x) {
 }  // namespace
 
 std::vector<std::string> doubts(const Examination& facts) {
-  constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05;
+  constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
+                   inside = 1e-3;
   std::vector<std::string> found;
-  if (const double left = norm(sum_of(facts.forces)); left > unbalanced * largest_force(facts))
+  if (const double left = norm(sum_of(facts.forces, &ResultantForce::force));
+      left > unbalanced * largest_force(facts))
     found.push_back(
         fmt::format("loads, supports, springs and contact are out of balance by {:.3g}, {:.2g} of "
                     "the largest of them",
                     left, left / largest_force(facts)));
+  if (const double left = norm(sum_of(facts.forces, &ResultantForce::torque));
+      left > unbalanced * largest_force(facts) * facts.size)
+    found.push_back(fmt::format(
+        "torques of loads, supports, springs and contact are out of balance by {:.3g}, {:.2g} of "
+        "the largest force times the size of the bodies",
+        left, left / largest_force(facts) / facts.size));
   if (facts.idle_load > idle)
     found.push_back(
         fmt::format("{:.0f} % of the loads act on nodes that supports hold in the same direction: "
@@ -56,7 +65,35 @@ std::vector<std::string> doubts(const Examination& facts) {
         "friction drags the contact by {:.3g} mm of a stroke of {:.3g} mm: for that "
         "part it sticks, and as much of the wear, {:.0f} %, is too much",
         facts.drag->drag, facts.drag->stroke, 100 * facts.drag->drag / facts.drag->stroke));
-  if (!facts.touches) found.emplace_back("the bodies do not touch anywhere: nothing wears");
+  if (facts.overlap > inside * facts.size)
+    found.push_back(fmt::format(
+        "the counter-body lies {:.3g} mm inside the unloaded bodies and cannot give way: they are "
+        "pressed by as much, besides an approach",
+        facts.overlap));
+  if (facts.edge && facts.edge->pressure > peak * facts.edge->inside)
+    found.push_back(fmt::format(
+        "the largest pressure, {:.4g} MPa, is that of the last node in contact, at {}, and within "
+        "the contact it is {:.4g} MPa at most: the former depends on the tolerance of the steps "
+        "and on the mesh",
+        facts.edge->pressure, point_text(facts.edge->position), facts.edge->inside));
+  if (!facts.touches)
+    found.push_back(fmt::format(
+        "the bodies do not touch anywhere, they are {:.3g} mm apart: nothing wears", facts.gap));
+  return found;
+}
+
+std::vector<std::string> doubts(const std::vector<Body>& bodies) {
+  constexpr double locking = 0.48;
+  std::vector<std::string> found;
+  for (const Body& each : bodies) {
+    const ElasticModuli& moduli = each.material.moduli;
+    const double ratio = moduli.lambda / (2 * (moduli.lambda + moduli.mu));
+    if (each.element.technology == ElementTechnology::plain && ratio > locking)
+      found.push_back(fmt::format(
+          "element \"plain\" locks at Poisson's ratio {:.4g}{}: the body is too stiff, and its "
+          "approach and contact too small; \"f-bar\" does not lock",
+          ratio, each.name.empty() ? "" : fmt::format(" (\"{}\")", each.name)));
+  }
   return found;
 }
 
@@ -71,12 +108,25 @@ void require_model(const Examination& facts) {
 
 std::string balance_text(const Examination& facts, int dim) {
   if (facts.forces.empty()) return {};
-  std::vector<std::string> parts;
-  for (const ResultantForce& each : facts.forces) {
-    const std::vector<double> components(each.force.begin(), each.force.begin() + dim);
-    parts.push_back(fmt::format("{} ({:.4g})", each.name, fmt::join(components, ", ")));
-  }
-  return fmt::format("forces on the bodies: {}", fmt::join(parts, ", "));
+  const auto line = [](const char* title, const std::vector<ResultantForce>& all,
+                       std::array<double, 3> ResultantForce::*member, int from, int to) {
+    std::vector<std::string> parts;
+    for (const ResultantForce& each : all) {
+      const auto& v = each.*member;
+      const std::vector<double> components(v.begin() + from, v.begin() + to);
+      parts.push_back(fmt::format("{} ({:.4g})", each.name, fmt::join(components, ", ")));
+    }
+    return parts.empty() ? "" : fmt::format("{}: {}\n", title, fmt::join(parts, ", "));
+  };
+  const auto torque = &ResultantForce::torque;
+  const int first = dim == 2 ? 2 : 0;
+  const bool turned = std::ranges::any_of(
+      facts.forces, [&](const ResultantForce& each) { return norm(each.torque) > 0; });
+  return line("forces on the bodies", facts.forces, &ResultantForce::force, 0, dim) +
+         line("reactions", facts.reactions, &ResultantForce::force, 0, dim) +
+         (turned ? line("torques about the origin", facts.forces, torque, first, 3) +
+                       line("reacting torques", facts.reactions, torque, first, 3)
+                 : "");
 }
 
 }  // namespace gnomon

@@ -1,113 +1,45 @@
 #include <algorithm>
 #include <gnomon/model/examination.hpp>
 #include <gnomon/model/wear_model.hpp>
-#include <gnomon/terms/loads.hpp>
 #include <limits>
 #include <set>
+#include <span>
+
+#include "model/contact_extent.hpp"
+#include "model/resultants.hpp"
 
 namespace gnomon {
 
 namespace {
 
+/// Points between the nodes of a facet, by the weights of its nodes in cyclic order.
 template <int dim>
-std::array<double, 3> array_of(const Vector<dim>& v) {
-  std::array<double, 3> result{};
-  std::copy(v.begin(), v.end(), result.begin());
-  return result;
-}
-
-/// The rows of u of every node, also of those that supports hold: what they carry.
-template <int dim>
-std::shared_ptr<FieldSet> without_supports(const WornBodyEquations<dim>& equations) {
-  auto set = std::make_shared<FieldSet>(*equations.composition()->fields);
-  for (std::size_t p = 0; p < equations.phases().size(); ++p) {
-    Field& u = (*set)[equations.fields(p).u];
-    const int block = u.block.maxCoeff();
-    u.block.setConstant(std::max(block, 0));
-  }
-  return set;
-}
-
-template <int dim>
-class Resultants {
-public:
-  Resultants(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values, double t)
-      : equations_(equations),
-        values_(values),
-        t_(t),
-        numbering_(without_supports(equations),
-                   BlockSelection(equations.composition()->fields->blocks.size(), 1)) {}
-
-  /// The rows of u to which the terms of a kind add, nodes x dim, in a phase; on the bodies.
-  NodalField<dim> of(TermKind kind, std::size_t phase) const {
-    std::vector<double> F(static_cast<std::size_t>(numbering_.size()));
-    const std::vector<double> ydot(F.size());
-    for (std::size_t k = 0; k < equations_.kinds().size(); ++k) {
-      const KindOfTerm& each = equations_.kinds()[k];
-      if (each.kind != kind || each.phase != phase) continue;
-      Evaluation<dim> at{.values = values_, .ydot = ydot, .t = t_, .within = t_};
-      equations_.composition()->terms[k](numbering_)->add_residual(at, F);
-    }
-    const Field::Indices& numbers = numbering_.numbers(equations_.fields(phase).u);
-    NodalField<dim> force(numbers.rows(), dim);
-    for (Eigen::Index k = 0; k < force.size(); ++k) force.data()[k] = -F[numbers.data()[k]];
-    return force;
-  }
-
-private:
-  const WornBodyEquations<dim>& equations_;
-  const FieldValues<dim>& values_;
-  double t_;
-  Numbering numbering_;
-};
-
-/// Forces on the bodies, means over the phases, and how much of the loads does nothing.
-template <int dim>
-void add_forces(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values, double t,
-                const std::vector<PhaseContact<dim>>& contacts, Examination& facts) {
-  const Assembly<dim>& assembly = equations.assembly();
-  const Resultants<dim> resultants(equations, values, t);
-  Vector<dim> loads = Vector<dim>::Zero(), springs = loads, supports = loads, pressed = loads,
-              rubbed = loads;
-  double idle = 0, all = 0;
-  for (std::size_t p = 0; p < equations.phases().size(); ++p) {
-    const double weight = assembly.copies * equations.phases()[p].weight;
-    const NodalField<dim> load = resultants.of(TermKind::load, p),
-                          spring = resultants.of(TermKind::spring, p),
-                          inner = resultants.of(TermKind::body, p);
-    loads += weight * load.colwise().sum().transpose();
-    springs += weight * spring.colwise().sum().transpose();
-    NodalField<dim> contact = NodalField<dim>::Zero(load.rows(), dim);
-    for (std::size_t c = 0; c < contacts[p].nodes.size(); ++c) {
-      const ContactNode<dim>& node = contacts[p].nodes[c];
-      const Vector<dim> force = -node.force, along = node.normal * node.normal.dot(force);
-      contact.row(assembly.contact_nodes[c].node) += force.transpose();
-      pressed += weight * along;
-      rubbed += weight * (force - along);
-    }
-    for (Eigen::Index node = 0; node < load.rows(); ++node)
-      for (int i = 0; i < dim; ++i) {
-        all += weight * std::abs(load(node, i));
-        if (!assembly.supports.held(node, i)) continue;
-        idle += weight * std::abs(load(node, i));
-        supports[i] -=
-            weight * (load(node, i) + spring(node, i) + inner(node, i) + contact(node, i));
+const std::vector<std::array<double, 1 << (dim - 1)>>& points_between() {
+  static const auto points = [] {
+    constexpr int parts = dim == 2 ? 8 : 4;
+    std::vector<std::array<double, 1 << (dim - 1)>> made;
+    for (int i = 1; i < parts; ++i) {
+      const double a = double(i) / parts;
+      if constexpr (dim == 2) {
+        made.push_back({1 - a, a});
+      } else {
+        for (int j = 1; j < parts; ++j) {
+          const double b = double(j) / parts;
+          made.push_back({(1 - a) * (1 - b), a * (1 - b), a * b, (1 - a) * b});
+        }
       }
-  }
-  if (assembly.section() == Section::meridian)  // hoop stresses balance radial forces
-    for (Vector<dim>* each : {&loads, &supports, &springs, &pressed, &rubbed}) (*each)[0] = 0;
-  facts.forces = {{"loads", array_of<dim>(loads)},
-                  {"supports", array_of<dim>(supports)},
-                  {"springs", array_of<dim>(springs)},
-                  {"contact", array_of<dim>(pressed)},
-                  {"friction", array_of<dim>(rubbed)}};
-  facts.idle_load = all > 0 ? idle / all : 0;
+    }
+    return made;
+  }();
+  return points;
 }
 
-/// The deepest node of the boundary without contact inside the counter-body, in any phase.
+/// The deepest of the boundary without contact inside the counter-body, in any phase: nodes that
+/// cannot touch, and points between nodes that do not.
 template <int dim>
 std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equations,
-                                            const FieldValues<dim>& values, double t) {
+                                            const FieldValues<dim>& values, double t,
+                                            const std::vector<PhaseContact<dim>>& contacts) {
   const Assembly<dim>& assembly = equations.assembly();
   std::set<int> nodes;
   for (const auto& facet : assembly.interface.boundary) nodes.insert(facet.begin(), facet.end());
@@ -118,14 +50,24 @@ std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equati
     const CounterBody<dim>& other = equations.phases()[p].counter_body;
     PartnerMotion<> q = other.given(t, t);
     if (fields.w != FieldId::none) q += values.scalar(fields.w);
-    for (const int node : nodes) {
-      const Vector<dim> x = assembly.mesh.nodes[node] +
-                            values.vector(fields.d).row(node).transpose() +
-                            values.vector(fields.u).row(node).transpose();
-      const SignedDistance<dim> distance = other.unchecked_distance(x, q, t);
-      if (distance.gap < -(deepest ? deepest->depth : 0))
-        deepest = BoundaryPoint{array_of<dim>(assembly.mesh.nodes[node]), -distance.gap};
-    }
+    const auto look = [&](std::span<const int> at, std::span<const double> weights) {
+      Vector<dim> initial = Vector<dim>::Zero(), x = initial;
+      for (std::size_t a = 0; a < at.size(); ++a) {
+        initial += weights[a] * assembly.mesh.nodes[at[a]];
+        x += weights[a] *
+             (values.vector(fields.d).row(at[a]) + values.vector(fields.u).row(at[a])).transpose();
+      }
+      const double gap = other.unchecked_distance(initial + x, q, t).gap;
+      if (gap < -(deepest ? deepest->depth : 0))
+        deepest = BoundaryPoint{point_in_space<dim>(initial), -gap};
+    };
+    for (const int node : nodes) look(std::array{node}, std::array{1.0});
+    std::set<int> closed;
+    for (std::size_t c = 0; c < contacts[p].nodes.size(); ++c)
+      if (contacts[p].nodes[c].active) closed.insert(assembly.contact_nodes[c].node);
+    for (const auto& facet : facets_of(assembly.interface.surfaces))
+      if (std::ranges::none_of(facet, [&](int node) { return closed.contains(node); }))
+        for (const auto& weights : points_between<dim>()) look(facet, weights);
   }
   return deepest;
 }
@@ -180,18 +122,44 @@ std::optional<ElasticDrag> find_drag(const WornBodyEquations<dim>& equations,
   return found;
 }
 
+/// Of a counter-body that no force moves, and of bodies that no load does.
+template <int dim>
+double find_overlap(const WornBodyEquations<dim>& equations) {
+  const Assembly<dim>& assembly = equations.assembly();
+  double deepest = 0;
+  for (const Phase<dim>& phase : equations.phases()) {
+    if (phase.moves_freely() || !assembly.loads.empty()) return 0;
+    PartnerMotion<> q = phase.counter_body.given(0, 0);
+    q.setZero();
+    for (const ContactPatch<dim>& patch : assembly.contact_nodes) {
+      const double gap = phase.counter_body.unchecked_distance(patch.initial_position, q, 0).gap;
+      deepest = std::max(deepest, -gap);
+    }
+  }
+  return deepest;
+}
+
 }  // namespace
 
 template <int dim>
 Examination WearModel<dim>::examine(const State& state) const {
   const FieldValues<dim> values = system().values(state.t, state.y);
   const std::vector<PhaseContact<dim>> contacts = this->contacts(values, state);
-  Examination facts;
-  add_forces(equations_, values, state.t, contacts, facts);
-  facts.intrusion = find_intrusion(equations_, values, state.t);
+  ForceBalance balance = resultants_->balance(equations_, values, state.t, contacts);
+  Examination facts{.forces = std::move(balance.forces),
+                    .reactions = std::move(balance.reactions),
+                    .idle_load = balance.idle_load};
+  facts.intrusion = find_intrusion(equations_, values, state.t, contacts);
   facts.drag = find_drag(equations_, values, contacts);
+  if (state.t > 0) facts.edge = edge_pressure(assembly(), contacts);
+  facts.overlap = find_overlap(equations_);
   facts.deformation = assembly().scales.displacement;
+  const Box<dim> box = Box<dim>::around(assembly().mesh.nodes);
+  facts.size = (box.high - box.low).norm();
   facts.touches = std::ranges::any_of(contacts, touches<dim>);
+  facts.gap = std::numeric_limits<double>::infinity();
+  for (const PhaseContact<dim>& phase : contacts)
+    for (const ContactNode<dim>& node : phase.nodes) facts.gap = std::min(facts.gap, node.gap);
   return facts;
 }
 

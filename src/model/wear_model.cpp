@@ -7,6 +7,9 @@
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/terms/meridian_point.hpp>
 
+#include "model/contact_extent.hpp"
+#include "model/resultants.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -170,7 +173,8 @@ template <int dim>
 WearModel<dim>::WearModel(WornBodyEquations<dim> equations)
     : Physics<dim>(equations.composition(), equations.assembly().mesh),
       surroundings_(surroundings(equations.assembly())),
-      equations_(std::move(equations)) {
+      equations_(std::move(equations)),
+      resultants_(std::make_shared<const Resultants<dim>>(equations_)) {
   ModelFacts& facts = *this;
   facts.differential_scale = assembly().scales.wear_depth;
   facts.grid->parts = assembly().named_parts;
@@ -214,6 +218,7 @@ Observation WearModel<dim>::observe(const State& state) const {
   Vector<dim> reaction = Vector<dim>::Zero();
   std::optional<double> approach, gradient;
   double half_width = 0;
+  ContactArea area;
   Observation motion;
   for (std::size_t p = 0; p < phases.size(); ++p) {
     const WornBodyFields& fields = equations_.fields(p);
@@ -222,6 +227,8 @@ Observation WearModel<dim>::observe(const State& state) const {
     reaction += phases[p].weight * reaction_of(assembly(), phase, phases[p].nodes, state.t);
     if (fields.w != FieldId::none)
       add_motion(phase, phases[p].weight, values.scalar(fields.w), approach, motion);
+    const ContactArea now = contact_area(assembly(), d, phases[p].nodes);
+    if (now.area >= area.area) area = now;
     if constexpr (dim == 2)
       half_width =
           std::max(half_width, contact_half_width(assembly(), fields, values, phases[p].nodes));
@@ -237,10 +244,15 @@ Observation WearModel<dim>::observe(const State& state) const {
   if (gradient) observed.push_back(common("displacement_gradient", *gradient));
   if (dim == 2) observed.push_back(common("contact_half_width", half_width));
   observed.push_back(common("wear_depth", largest_over_processes(depth)));
+  observed.push_back(common("contact_area", area.area, units));
+  observed.push_back(common("contact_area_error", area.unknown, units));
   observed.insert(observed.end(), motion.begin(), motion.end());
   // Of a part of a symmetric body, what is across the symmetry is not known.
   if (!equations_.phases().front().counter_body.guides.empty() && assembly().copies == 1)
     observe_reaction(assembly().section(), reaction, observed);
+  for (Scalar& column :
+       force_columns(assembly(), resultants_->balance(equations_, values, state.t, phases)))
+    observed.push_back(std::move(column));
   return observed;
 }
 

@@ -222,6 +222,8 @@ void WornBodyEquations<dim>::add_springs(const SpringSupport<dim>& springs,
   Field::Values pull =
       Field::Values::Zero(static_cast<Eigen::Index>(assembly_->mesh.nodes.size()), dim);
   const Section section = assembly_->section();
+  const auto number = static_cast<std::size_t>(&springs - assembly_->supports.springs.data());
+  const auto first = kinds_.size();
   for (const auto& patch : contact_patches<dim>(assembly_->mesh, springs.facets, {}, section))
     for (int i = 0; i < dim; ++i)
       pull(patch.node, i) = springs.stiffness[i] * patch.initial_area * springs.displacement[i];
@@ -238,6 +240,7 @@ void WornBodyEquations<dim>::add_springs(const SpringSupport<dim>& springs,
             return std::make_unique<Loads<dim>>(n, f.u, pull, history, Loads<dim>::Purpose::acts);
           });
   }
+  for (std::size_t k = first; k < kinds_.size(); ++k) kinds_[k].number = number;
 }
 
 template <int dim>

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/checks/checks.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/model/magnitudes.hpp>
@@ -217,6 +218,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
         "the mesh moves within {:.3g} mm of the wearing surfaces (shape.reach)", support.reach));
   warn_of_coarse_contact<dim>(magnitudes, parts.remarks);
   append(parts.remarks, remarks_on_bodies(scene, part));
+  append(parts.remarks, doubts(parts.bodies));
   append(parts.remarks, remarks_on_loads(scene));
   const std::vector<ContactPatch<dim>> patches = contact_nodes_of(parts);
   append(parts.remarks, remarks_on_speeds(scene, patches, parts.interface.partner, cycle));

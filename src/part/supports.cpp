@@ -76,7 +76,8 @@ template <int dim>
 SpringSupport<dim> read_springs(const Scene& scene, const ImportedBody<dim>& part,
                                 const std::string& support, const std::vector<int>& directions) {
   const std::string on = support + ".on";
-  SpringSupport<dim> springs{.facets = group_facets(scene, on, scene.text(on), part),
+  SpringSupport<dim> springs{.name = "support_" + support.substr(support.rfind('.') + 1),
+                             .facets = group_facets(scene, on, scene.text(on), part),
                              .history = read_history(scene, support)};
   for (int i : directions) springs.stiffness[i] = scene.real(support + ".stiffness");
   if (!given(scene, support + ".value")) return springs;
@@ -132,8 +133,13 @@ Supports<dim> read_supports(const Scene& scene, const ImportedBody<dim>& part) {
         return;
       }
       const std::vector<int> nodes = group_nodes(scene, on, scene.text(on), part);
+      NamedSupport named{"support_" + support.substr(support.rfind('.') + 1), {}};
       for (int node : nodes)
-        for (int i : directions) result.held(node, i) = 1;
+        for (int i : directions) {
+          if (!result.held(node, i)) named.held.emplace_back(node, i);
+          result.held(node, i) = 1;
+        }
+      result.named.push_back(std::move(named));
       if (PrescribedValues moved = read_moved(scene, support, nodes, directions);
           !moved.entries.empty())
         result.moved.push_back(std::move(moved));

@@ -33,11 +33,21 @@ void add_phase_errors(Json& json, const RunOutcome& outcome) {
     json["phase_errors"].push_back({{"t", at.t}, {"phases", at.phases}, {"error", at.error}});
 }
 
+void add_balance(Json& json, const Examination& examination) {
+  for (const char* name : {"forces", "torques", "reactions"}) json[name] = Json::object();
+  for (const ResultantForce& each : examination.forces) {
+    json["forces"][each.name] = each.force;
+    json["torques"][each.name] = each.torque;
+  }
+  for (const ResultantForce& each : examination.reactions)
+    json["reactions"][each.name] = {{"force", each.force}, {"torque", each.torque}};
+}
+
 void add_scalars(Json& json, const RunOutcome& outcome) {
   // Included even if they are absent, so that scripts find the keys in every summary.
   for (const char* name : {"contact_nodes", "contact_force", "max_pressure", "worn_volume",
                            "wear_flux", "wear_integral", "wear_difference", "element_quality",
-                           "element_volume", "contact_half_width", "wear_depth"})
+                           "element_volume", "contact_half_width", "wear_depth", "contact_area"})
     json[name] = nullptr;
   if (!outcome.last) return;
   for (const Scalar& scalar : outcome.last->scalars) json[scalar.name] = scalar.value;
@@ -92,9 +102,7 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
   json["warnings"] = outcome.warnings;
   json["chattering_nodes"] = outcome.chattering_nodes;
   add_phase_errors(json, outcome);
-  json["forces"] = Json::object();
-  for (const ResultantForce& each : outcome.examination.forces)
-    json["forces"][each.name] = each.force;
+  add_balance(json, outcome.examination);
   json["wall_seconds"] = outcome.wall_seconds;
   add_scalars(json, outcome);
   Json unknowns = Json::object();

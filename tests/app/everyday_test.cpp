@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/results/results.hpp>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/child.hpp"
@@ -45,6 +46,22 @@ TEST_F(Everyday, AFailedStartLeavesNoFileAndTellsThatTheLoadIsTooLarge) {
     EXPECT_THAT(outcome.err, HasSubstr("a.h5 is not written"));
     EXPECT_THAT(files(), ElementsAre("s.json"));
   }
+}
+
+// The table of a run does not repeat what its lines of forces say; history and summary have all.
+TEST_F(Everyday, ForcesAndTorquesAreInLinesSummaryAndHistory) {
+  const Outcome outcome = gnomon(
+      {"run", pin, "--set", coarse, "--set", "time.end=100", "-o", "a.h5", "--summary", "s.json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\nforces on the bodies: loads (0, -20), supports ("));
+  EXPECT_THAT(outcome.out, HasSubstr("\ntorques about the origin: loads ("));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("torque_contact")));
+  const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
+  EXPECT_NEAR(json["forces"]["contact"][1].get<double>(), 20, 1e-2);
+  const double torque = json["torques"]["loads"][2].get<double>();
+  EXPECT_NEAR(json["torques"]["contact"][2].get<double>() + torque, 0, 1e-2 * 20);
+  EXPECT_EQ(json["torque_loads_z"], torque);
+  EXPECT_THAT(gnomon({"history", "a.h5"}).out, HasSubstr(",force_contact_y [N/mm],"));
 }
 
 TEST_F(Everyday, AFailedStartKeepsAnEarlierResult) {

@@ -4,6 +4,7 @@
 
 #include <gnomon/model/examination.hpp>
 #include <gnomon/model/observation.hpp>
+#include <gnomon/terms/material.hpp>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,14 @@ namespace gnomon {
 /// Why the numbers of a start or of a result may be wrong.
 std::vector<std::string> doubts(const Examination& facts);
 
+/// Why elements make bodies stiffer than they are.
+std::vector<std::string> doubts(const std::vector<Body>& bodies);
+
 /// Throws InputError where the model cannot hold: bodies that would stick instead of sliding.
 void require_model(const Examination& facts);
 
-/// The resultants in one line: "balance [N/mm]: loads (0, -20), supports (0, 0), ...".
+/// The resultants in lines: "forces on the bodies: loads (0, -20), supports (0, 0), ...", the
+/// reactions of named supports, and the torques.
 std::string balance_text(const Examination& facts, int dim);
 
 }  // namespace gnomon

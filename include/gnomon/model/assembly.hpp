@@ -43,10 +43,17 @@ inline double regularization_unit(double young, double facet, const Scales& scal
 /// A part of the boundary on springs, whose other ends may move.
 template <int dim>
 struct SpringSupport {
+  std::string name{};  ///< for its reaction
   std::vector<typename Mesh<dim>::Facet> facets;
   Vector<dim> stiffness = Vector<dim>::Zero();     ///< traction by displacement [stress / length]
   Vector<dim> displacement = Vector<dim>::Zero();  ///< of the other ends, at factor one [length]
   LoadHistory history{};                           ///< of the displacement
+};
+
+/// What one support holds: its reaction is told by its name.
+struct NamedSupport {
+  std::string name;                       ///< "support_1"
+  std::vector<std::pair<int, int>> held;  ///< nodes of the mesh, and directions
 };
 
 /// What holds the displacement.
@@ -55,6 +62,8 @@ struct Supports {
   NodalFlags<dim> held;                   ///< 1 where u is held, by node of the mesh
   std::vector<PrescribedValues> moved{};  ///< at other values than zero, among those held
   std::vector<SpringSupport<dim>> springs{};
+  /// They share nothing that they hold; not all that is held has a name.
+  std::vector<NamedSupport> named{};
 };
 
 /// A load on the bodies: dead forces at nodes, or a pressure that follows the deformed surface.

@@ -15,12 +15,22 @@ namespace gnomon {
 struct ResultantForce {
   std::string name;               ///< "loads", "supports", "springs", "contact", "friction"
   std::array<double, 3> force{};  ///< [force]
+  /// About the origin of the coordinates, in 2D its z [force * length]; zero of bodies of
+  /// revolution and of parts of a symmetric body.
+  std::array<double, 3> torque{};
 };
 
 /// A point of the boundary.
 struct BoundaryPoint {
   std::array<double, 3> position{};  ///< initial [length]
   double depth = 0;                  ///< how deep it lies in the counter-body [length]
+};
+
+/// The largest pressure, where a node beside an open one has it.
+struct EdgePressure {
+  std::array<double, 3> position{};  ///< of the node, initial [length]
+  double pressure = 0;               ///< [stress]
+  double inside = 0;                 ///< the largest of nodes among closed ones [stress]
 };
 
 /// Of a motion that reverses: how far the bodies slide, and how far friction drags a touching node
@@ -33,14 +43,23 @@ struct ElasticDrag {
 struct Examination {
   /// They add up to zero within the tolerance of the equilibrium.
   std::vector<ResultantForce> forces;
+  /// Of each support that has a name, "support_1": parts of "supports" and "springs".
+  std::vector<ResultantForce> reactions{};
   /// The part of the loads that acts on nodes that supports hold, in the directions that they hold:
   /// it does nothing; as a part of all loads.
   double idle_load = 0;
   /// The deepest of the boundary that has no contact and lies inside the counter-body.
-  std::optional<BoundaryPoint> intrusion;
-  std::optional<ElasticDrag> drag;
+  std::optional<BoundaryPoint> intrusion{};
+  std::optional<ElasticDrag> drag{};
+  /// After the start, at which pressures are in equilibrium whatever the steps are.
+  std::optional<EdgePressure> edge{};
+  /// How deep the unloaded bodies lie in a counter-body that cannot give way, before it approaches
+  /// [length].
+  double overlap = 0;
   double deformation = 0;  ///< typical displacement: much less of a depth does not count [length]
+  double size = 0;         ///< of the bodies, from corner to corner [length]
   bool touches = true;     ///< some contact node, in some phase
+  double gap = 0;          ///< the smallest of a contact node [length]
 };
 
 }  // namespace gnomon

@@ -16,6 +16,9 @@ struct PhaseContact {
 };
 
 template <int dim>
+class Resultants;
+
+template <int dim>
 class WearModel : public Physics<dim> {
 public:
   explicit WearModel(std::shared_ptr<const Assembly<dim>> assembly);
@@ -53,6 +56,7 @@ private:
 
   Box<dim> surroundings_;  ///< in which the counter-body is shown
   WornBodyEquations<dim> equations_;
+  std::shared_ptr<const Resultants<dim>> resultants_;
 };
 
 /// Half the distance between the edges of the contact zone [length], across the approach, in the

@@ -25,6 +25,8 @@ enum class TermKind { body, press, mesh_motion, contact, evolution, spring, load
 struct KindOfTerm {
   TermKind kind;
   std::size_t phase;
+  std::size_t number = 0;  ///< of springs: which
+  bool operator==(const KindOfTerm&) const = default;
 };
 
 /// Rows, in the order of their unknowns:

@@ -1,0 +1,177 @@
+#include "model/resultants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <gnomon/base/processes.hpp>
+
+namespace gnomon {
+
+namespace {
+
+/// With rows of u of every node, also of those that supports hold.
+template <int dim>
+std::shared_ptr<FieldSet> without_supports(const WornBodyEquations<dim>& equations) {
+  auto set = std::make_shared<FieldSet>(*equations.composition()->fields);
+  for (std::size_t p = 0; p < equations.phases().size(); ++p) {
+    Field& u = (*set)[equations.fields(p).u];
+    const int block = u.block.maxCoeff();
+    u.block.setConstant(std::max(block, 0));
+  }
+  return set;
+}
+
+bool acts_on_bodies(TermKind kind) {
+  return kind == TermKind::body || kind == TermKind::load || kind == TermKind::spring;
+}
+
+/// Where forces act: on the deformed bodies; with small strains they balance on the undeformed.
+template <int dim>
+NodalField<dim> places_of(const Assembly<dim>& assembly, const FieldValues<dim>& values,
+                          const WornBodyFields& fields) {
+  NodalField<dim> places = values.vector(fields.d);
+  for (Eigen::Index node = 0; node < places.rows(); ++node)
+    places.row(node) += assembly.mesh.nodes[static_cast<std::size_t>(node)].transpose();
+  const bool small = std::ranges::any_of(assembly.bodies, [](const Body& body) {
+    return body.element.kinematics == Kinematics::small;
+  });
+  if (!small) places += values.vector(fields.u);
+  return places;
+}
+
+/// Sums of forces at nodes.
+template <int dim>
+class NodalSum {
+public:
+  explicit NodalSum(const Assembly<dim>& assembly) : assembly_(assembly) {}
+  void add(ResultantForce& to, double weight, const Vector<dim>& place,
+           const Vector<dim>& force) const {
+    const bool revolved = assembly_.section() == Section::meridian;
+    const std::array<double, 3> x = point_in_space<dim>(place),
+                                f = point_in_space<dim>(weight * force);
+    for (int i = revolved ? 1 : 0; i < 3; ++i) to.force[i] += f[i];  // hoop stresses: radial ones
+    if (revolved || assembly_.copies != 1) return;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      to.torque[i] += x[j] * f[k] - x[k] * f[j];
+    }
+  }
+  void add_all(ResultantForce& to, double weight, const NodalField<dim>& places,
+               const NodalField<dim>& forces) const {
+    for (Eigen::Index node = 0; node < forces.rows(); ++node)
+      add(to, weight, places.row(node).transpose(), forces.row(node).transpose());
+  }
+
+private:
+  const Assembly<dim>& assembly_;
+};
+
+}  // namespace
+
+template <int dim>
+Resultants<dim>::Resultants(const WornBodyEquations<dim>& equations)
+    : numbering_(without_supports(equations),
+                 BlockSelection(equations.composition()->fields->blocks.size(), 1)) {
+  for (std::size_t k = 0; k < equations.kinds().size(); ++k)
+    terms_.push_back(acts_on_bodies(equations.kinds()[k].kind)
+                         ? equations.composition()->terms[k](numbering_)
+                         : nullptr);
+}
+
+/// The rows of u to which terms of a kind, phase and number add, nodes x dim; on the bodies.
+template <int dim>
+NodalField<dim> Resultants<dim>::of(const WornBodyEquations<dim>& equations,
+                                    const FieldValues<dim>& values, double t,
+                                    KindOfTerm wanted) const {
+  std::vector<double> F(static_cast<std::size_t>(numbering_.size()));
+  const std::vector<double> ydot(F.size());
+  const Evaluation<dim> at{.values = values, .ydot = ydot, .t = t, .within = t};
+  for (std::size_t k = 0; k < terms_.size(); ++k)
+    if (equations.kinds()[k] == wanted) terms_[k]->add_residual(at, F);
+  const Field::Indices& numbers = numbering_.numbers(equations.fields(wanted.phase).u);
+  NodalField<dim> force(numbers.rows(), dim);
+  for (Eigen::Index k = 0; k < force.size(); ++k) force.data()[k] = -F[numbers.data()[k]];
+  return force;
+}
+
+template <int dim>
+ForceBalance Resultants<dim>::balance(const WornBodyEquations<dim>& equations,
+                                      const FieldValues<dim>& values, double t,
+                                      const std::vector<PhaseContact<dim>>& contacts) const {
+  const Assembly<dim>& assembly = equations.assembly();
+  const Supports<dim>& held = assembly.supports;
+  const NodalSum<dim> sum(assembly);
+  ResultantForce loads{"loads"}, supports{"supports"}, springs{"springs"}, pressed{"contact"},
+      rubbed{"friction"};
+  ForceBalance balance;
+  for (const NamedSupport& each : held.named) balance.reactions.push_back({each.name});
+  for (const SpringSupport<dim>& each : held.springs) balance.reactions.push_back({each.name});
+  double idle = 0, all = 0;
+  for (std::size_t p = 0; p < equations.phases().size(); ++p) {
+    const double weight = assembly.copies * equations.phases()[p].weight;
+    const NodalField<dim> places = places_of(assembly, values, equations.fields(p));
+    const NodalField<dim> load = of(equations, values, t, {TermKind::load, p});
+    NodalField<dim> others = load + of(equations, values, t, {TermKind::body, p});
+    sum.add_all(loads, weight, places, load);
+    for (std::size_t k = 0; k < held.springs.size(); ++k) {
+      const NodalField<dim> spring = of(equations, values, t, {TermKind::spring, p, k});
+      others += spring;
+      sum.add_all(springs, weight, places, spring);
+      sum.add_all(balance.reactions[held.named.size() + k], weight, places, spring);
+    }
+    for (std::size_t c = 0; c < contacts[p].nodes.size(); ++c) {
+      const ContactNode<dim>& contact = contacts[p].nodes[c];
+      const int node = assembly.contact_nodes[c].node;
+      const Vector<dim> place = places.row(node).transpose(), force = -contact.force,
+                        along = contact.normal * contact.normal.dot(force);
+      others.row(node) += force.transpose();
+      sum.add(pressed, weight, place, along);
+      sum.add(rubbed, weight, place, force - along);
+    }
+    const NodalField<dim> carried =
+        -(others.array() * held.held.template cast<double>().array()).matrix();
+    sum.add_all(supports, weight, places, carried);
+    for (std::size_t k = 0; k < held.named.size(); ++k)
+      for (const auto& [node, i] : held.named[k].held)
+        sum.add(balance.reactions[k], weight, places.row(node).transpose(),
+                carried(node, i) * Vector<dim>::Unit(i));
+    all += weight * load.cwiseAbs().sum();
+    idle += weight * (load.array().abs() * held.held.template cast<double>().array()).sum();
+  }
+  balance.forces = {loads, supports, springs, pressed, rubbed};
+  balance.idle_load = all > 0 ? idle / all : 0;
+  return balance;
+}
+
+template <int dim>
+std::vector<Scalar> force_columns(const Assembly<dim>& assembly, const ForceBalance& balance) {
+  std::vector<Scalar> columns;
+  if (assembly.copies != 1) return columns;
+  const bool revolved = assembly.section() == Section::meridian;
+  const char* const force_unit = dim == 3 || revolved ? "N" : "N/mm";
+  const auto add = [&](const ResultantForce& each) {
+    for (int i = revolved ? 1 : 0; i < dim; ++i)
+      columns.push_back({fmt::format("force_{}_{}", each.name, revolved ? 'z' : "xyz"[i]),
+                         force_unit, sum_over_processes(each.force[i])});
+    for (int i = dim == 2 ? 2 : 0; i < 3 && !revolved; ++i)
+      columns.push_back({fmt::format("torque_{}_{}", each.name, "xyz"[i]), dim == 3 ? "N mm" : "N",
+                         sum_over_processes(each.torque[i])});
+  };
+  const auto has = [&](const std::string& name) {
+    if (name == "loads") return !assembly.loads.empty();
+    if (name == "supports") return assembly.supports.named.empty();
+    if (name == "friction") return assembly.interface.friction != 0;
+    return name == "contact";
+  };
+  for (const ResultantForce& each : balance.forces)
+    if (has(each.name)) add(each);
+  for (const ResultantForce& each : balance.reactions) add(each);
+  return columns;
+}
+
+template class Resultants<2>;
+template class Resultants<3>;
+template std::vector<Scalar> force_columns(const Assembly<2>&, const ForceBalance&);
+template std::vector<Scalar> force_columns(const Assembly<3>&, const ForceBalance&);
+
+}  // namespace gnomon
