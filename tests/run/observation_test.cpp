@@ -41,18 +41,23 @@ TEST(Observation, HasUnitsOfThePlaneOrOfSpace) {
 }
 
 TEST(Observation, OfAPin) {
-  EXPECT_THAT(headings(*pin_model({elements(4), "body.kinematics=small"})),
-              ElementsAre("contact_nodes []", "contact_force [N/mm]", "max_pressure [MPa]",
-                          "worn_volume [mm^2]", "wear_flux [mm^2/s]", "element_quality []",
-                          "element_volume []", "displacement_gradient []",
-                          "contact_half_width [mm]", "wear_depth [mm]"));
+  EXPECT_THAT(
+      headings(*pin_model({elements(4), "body.kinematics=small"})),
+      ElementsAre("contact_nodes []", "contact_force [N/mm]", "max_pressure [MPa]",
+                  "worn_volume [mm^2]", "wear_flux [mm^2/s]", "element_quality []",
+                  "element_volume []", "displacement_gradient []", "contact_half_width [mm]",
+                  "wear_depth [mm]", "contact_area [mm]", "contact_area_error [mm]",
+                  "force_loads_x [N/mm]", "force_loads_y [N/mm]", "torque_loads_z [N]",
+                  "force_supports_x [N/mm]", "force_supports_y [N/mm]", "torque_supports_z [N]",
+                  "force_contact_x [N/mm]", "force_contact_y [N/mm]", "torque_contact_z [N]"));
 }
 
 TEST(Observation, OfABall) {
   EXPECT_THAT(headings(*model_of(ball_small, ball_mesh(3, 2, 3))),
               ElementsAre("contact_nodes []", "contact_force [N]", "max_pressure [MPa]",
                           "worn_volume [mm^3]", "wear_flux [mm^3/s]", "element_quality []",
-                          "element_volume []", "approach [mm]", "wear_depth [mm]"));
+                          "element_volume []", "approach [mm]", "wear_depth [mm]",
+                          "contact_area [mm^2]", "contact_area_error [mm^2]"));
 }
 
 TEST(Observation, OfAGroove) {
@@ -60,7 +65,7 @@ TEST(Observation, OfAGroove) {
               ElementsAre("contact_nodes []", "contact_force [N]", "max_pressure [MPa]",
                           "worn_volume [mm^3]", "wear_flux [mm^3/s]", "element_quality []",
                           "element_volume []", "groove_section [mm^2]", "approach [mm]",
-                          "wear_depth [mm]"));
+                          "wear_depth [mm]", "contact_area [mm^2]", "contact_area_error [mm^2]"));
 }
 
 TEST(Observation, OfSprings) {
