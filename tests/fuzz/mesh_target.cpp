@@ -9,12 +9,12 @@ namespace gnomon::fuzz {
 
 namespace {
 
-Vector<2> area_vector(const Mesh<2>& mesh, const Mesh<2>::Facet& facet) {
+Vector<2> facet_area(const Mesh<2>& mesh, const Mesh<2>::Facet& facet) {
   const Vector<2> along = mesh.nodes[facet[1]] - mesh.nodes[facet[0]];
   return {along[1], -along[0]};
 }
 
-Vector<3> area_vector(const Mesh<3>& mesh, const Mesh<3>::Facet& facet) {
+Vector<3> facet_area(const Mesh<3>& mesh, const Mesh<3>::Facet& facet) {
   return (mesh.nodes[facet[2]] - mesh.nodes[facet[0]])
              .cross(mesh.nodes[facet[3]] - mesh.nodes[facet[1]]) /
          2;
@@ -28,7 +28,7 @@ void check(const ImportedMesh& imported) {
   Vector<dim> closing = Vector<dim>::Zero();
   double area = 0, volume = 0;
   for (const auto& facet : body.exterior) {
-    const Vector<dim> normal = area_vector(mesh, facet);
+    const Vector<dim> normal = facet_area(mesh, facet);
     Vector<dim> centre = Vector<dim>::Zero();
     for (int node : facet) centre += (mesh.nodes[node] - mesh.nodes[0]) / facet.size();
     closing += normal;

@@ -82,7 +82,7 @@ TEST(ImportedBody, TurnsCellsAndFacetsOfAnyOrientation) {
     expect_sound(solid.mesh);
     EXPECT_NEAR(volume(solid.mesh), 1, 1e-14);
     for (const auto& facet : solid.mesh.boundary.at("top"))
-      EXPECT_GT(area_vector(solid.mesh, facet)[2], 0);
+      EXPECT_GT(facet_area(solid.mesh, facet)[2], 0);
   }
 }
 

@@ -110,7 +110,7 @@ TEST(Subdivision, OfTetrahedraKeepsTheVolumeAndFitsAtEveryFacet) {
   for (const char* name : {"bottom", "top", "left", "right", "front", "back"}) {
     double area = 0;
     for (const auto& facet : body.mesh.boundary.at(name))
-      area += area_vector(body.mesh, facet).norm();
+      area += facet_area(body.mesh, facet).norm();
     EXPECT_NEAR(area, 1, 1e-14) << name;
   }
 }

@@ -31,7 +31,7 @@ inline double least_scaled_jacobian(const Mesh<3>& mesh) {
 }
 
 /// Area vector of a bilinear facet.
-inline Vector<3> area_vector(const Mesh<3>& mesh, const Mesh<3>::Facet& f) {
+inline Vector<3> facet_area(const Mesh<3>& mesh, const Mesh<3>::Facet& f) {
   return (mesh.nodes[f[2]] - mesh.nodes[f[0]]).cross(mesh.nodes[f[3]] - mesh.nodes[f[1]]) / 2;
 }
 
@@ -100,7 +100,7 @@ inline void expect_sound(const Mesh<3>& mesh) {
   for (const auto& [name, part] : mesh.boundary)
     for (const auto& facet : part) {
       EXPECT_TRUE(named.insert(node_set(facet)).second) << "twice, second in " << name;
-      closing += area_vector(mesh, facet);
+      closing += facet_area(mesh, facet);
       enclosed += cone_volume(mesh, facet);
     }
   std::set<std::set<int>> outer;
