@@ -32,7 +32,8 @@ def literal(text):
 
 def key_entry(key, help_text, value):
     """One key as an entry of a definition list: what it is, then kind, unit, range and default."""
-    kind, presence = re.match(r"^(.*?); (required|default .*|optional.*)$", value).groups()
+    kind, presence, where = re.match(r"^(.*?); (required|default .*?|optional.*?)(?:; (\[\S+\], or each \S+))?$",
+                                     value).groups()
     parts = KIND.match(kind).groupdict()
     facts = [escaped(parts["kind"])]
     if parts["unit"]:
@@ -43,6 +44,8 @@ def key_entry(key, help_text, value):
         facts.append(f"default `{presence.removeprefix('default ')}`")
     else:
         facts.append(escaped(presence.replace("optional, absent: ", "optional; if absent: ")))
+    if where:
+        facts.append(escaped(where))
     return f"`{key}`\n: {escaped(help_text)}\n\n  *{'; '.join(facts)}*\n"
 
 
