@@ -134,7 +134,7 @@ TEST(Material, KeysOfLawsStandBehindTheirChoice) {
     const auto place = std::ranges::find(keys, choice, &Key::name);
     ASSERT_NE(place, keys.end());
     EXPECT_EQ(place->choices, MaterialLaws::names());
-    EXPECT_EQ(std::get<std::string>(place->default_value), "neo-hookean");
+    EXPECT_EQ(std::get<std::string>(*place->default_value), "neo-hookean");
     EXPECT_THAT((place + 1)->name, ::testing::EndsWith(".mooney_ratio"));
   }
 }
