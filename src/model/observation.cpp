@@ -31,7 +31,8 @@ constexpr std::array table = {
     Quantity{"wear_integral", "mm^2", "mm^3", "integral of the wear flux over time"},
     Quantity{"wear_difference", "mm^2", "mm^3", "worn volume minus wear integral"},
     Quantity{"wear_depth", "mm", "mm", "largest depth of wear at a contact node"},
-    Quantity{"contact_area", "mm", "mm^2", "area of contact along the worn surface, in 2D its width"},
+    Quantity{"contact_area", "mm", "mm^2",
+             "area of contact along the worn surface, in 2D its width"},
     Quantity{"contact_area_error", "mm", "mm^2",
              "half of the elements that are in contact in part: by this contact_area is not known"},
 };

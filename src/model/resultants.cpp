@@ -9,16 +9,20 @@ namespace gnomon {
 
 namespace {
 
-/// With rows of u of every node, also of those that supports hold.
+/// Of all values of u, also of those that supports hold, or of the latter alone.
 template <int dim>
-std::shared_ptr<FieldSet> without_supports(const WornBodyEquations<dim>& equations) {
-  auto set = std::make_shared<FieldSet>(*equations.composition()->fields);
+Numbering numbering_of(const WornBodyEquations<dim>& equations, bool held_alone) {
+  const auto& composition = *equations.composition();
+  auto set = std::make_shared<FieldSet>(*composition.fields);
   for (std::size_t p = 0; p < equations.phases().size(); ++p) {
     Field& u = (*set)[equations.fields(p).u];
-    const int block = u.block.maxCoeff();
-    u.block.setConstant(std::max(block, 0));
+    const int block = std::max(u.block.maxCoeff(), 0);
+    u.block.setConstant(block);
+    if (held_alone)
+      u.block = equations.assembly().supports.held.unaryExpr(
+          [block](auto held) { return held ? block : -1; });
   }
-  return set;
+  return {std::move(set), BlockSelection(composition.fields->blocks.size(), 1)};
 }
 
 bool acts_on_bodies(TermKind kind) {
@@ -70,27 +74,30 @@ private:
 
 template <int dim>
 Resultants<dim>::Resultants(const WornBodyEquations<dim>& equations)
-    : numbering_(without_supports(equations),
-                 BlockSelection(equations.composition()->fields->blocks.size(), 1)) {
-  for (std::size_t k = 0; k < equations.kinds().size(); ++k)
-    terms_.push_back(acts_on_bodies(equations.kinds()[k].kind)
-                         ? equations.composition()->terms[k](numbering_)
-                         : nullptr);
+    : all_(numbering_of(equations, false)), held_(numbering_of(equations, true)) {
+  for (std::size_t k = 0; k < equations.kinds().size(); ++k) {
+    const TermKind kind = equations.kinds()[k].kind;
+    terms_.push_back(acts_on_bodies(kind) ? equations.composition()->terms[k](of_kind(kind))
+                                          : nullptr);
+  }
 }
 
-/// The rows of u to which terms of a kind, phase and number add, nodes x dim; on the bodies.
+/// The rows of u to which terms of a kind, phase and number add, nodes x dim; on the bodies. What
+/// the bodies carry themselves, only where supports hold them.
 template <int dim>
 NodalField<dim> Resultants<dim>::of(const WornBodyEquations<dim>& equations,
                                     const FieldValues<dim>& values, double t,
                                     KindOfTerm wanted) const {
-  std::vector<double> F(static_cast<std::size_t>(numbering_.size()));
+  const Numbering& numbering = of_kind(wanted.kind);
+  std::vector<double> F(static_cast<std::size_t>(numbering.size()));
   const std::vector<double> ydot(F.size());
   const Evaluation<dim> at{.values = values, .ydot = ydot, .t = t, .within = t};
   for (std::size_t k = 0; k < terms_.size(); ++k)
     if (equations.kinds()[k] == wanted) terms_[k]->add_residual(at, F);
-  const Field::Indices& numbers = numbering_.numbers(equations.fields(wanted.phase).u);
-  NodalField<dim> force(numbers.rows(), dim);
-  for (Eigen::Index k = 0; k < force.size(); ++k) force.data()[k] = -F[numbers.data()[k]];
+  const Field::Indices& numbers = numbering.numbers(equations.fields(wanted.phase).u);
+  NodalField<dim> force = NodalField<dim>::Zero(numbers.rows(), dim);
+  for (Eigen::Index k = 0; k < force.size(); ++k)
+    if (numbers.data()[k] >= 0) force.data()[k] = -F[numbers.data()[k]];
   return force;
 }
 

@@ -27,7 +27,10 @@ private:
   NodalField<dim> of(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values,
                      double t, KindOfTerm wanted) const;
 
-  Numbering numbering_;  // also of the values that supports hold: what they carry
+  /// The inner forces are asked for only at supports, and so only the cells there are visited.
+  const Numbering& of_kind(TermKind kind) const { return kind == TermKind::body ? held_ : all_; }
+
+  Numbering all_, held_;  // of all values of u, and of those that supports hold
   std::vector<std::unique_ptr<Term<dim>>> terms_;  // null where a term exerts no force on a body
 };
 
