@@ -149,9 +149,9 @@ TEST_F(Balance, ElementsThatLockAreNamed) {
   const std::string sound = replaced(text("motion.velocity = [10.0, 0.0]"), "poisson_ratio = 0.3",
                                      "poisson_ratio = 0.4999");
   const auto locks = Contains(HasSubstr("locks at Poisson's ratio 0.4999"));
-  EXPECT_THAT(model(sound)->remarks(), Not(locks));
-  EXPECT_THAT(model(sound, {"body.element=plain"})->remarks(), locks);
-  EXPECT_THAT(model(text("motion.velocity = [10.0, 0.0]"), {"body.element=plain"})->remarks(),
+  EXPECT_THAT(model(sound)->remarks, Not(locks));
+  EXPECT_THAT(model(sound, {"body.element=plain"})->remarks, locks);
+  EXPECT_THAT(model(text("motion.velocity = [10.0, 0.0]"), {"body.element=plain"})->remarks,
               Not(locks));
 }
 

@@ -59,8 +59,8 @@ TEST_P(Renumbered, OneStepMethodsTakeTheSameStepsToTheSameState) {
     EXPECT_EQ(outcome.restarts, 0);
     EXPECT_EQ(outcome.counters.steps, plain.counters.steps);
     EXPECT_LT(largest_difference(*model, inner_y(renumbered, outcome), plain.state->y), 1e-8);
-    const double depth = *observation_of(plain.last->scalars).wear_depth;
-    EXPECT_NEAR(*observation_of(outcome.last->scalars).wear_depth, depth, 1e-9 * depth);
+    const double depth = *value_of(plain.last->scalars, "wear_depth");
+    EXPECT_NEAR(*value_of(outcome.last->scalars, "wear_depth"), depth, 1e-9 * depth);
   }
 }
 
