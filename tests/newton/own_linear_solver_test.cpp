@@ -51,9 +51,7 @@ const char* const most_nodes = "solver.most_nodes";
 const Registration<LinearSolverKind> registration(
     {.name = "dense",
      .help = "dense factors",
-     .keys = {{.name = most_nodes,
-               .default_value = 100.0,
-               .help = "of a mesh for dense factors"}},
+     .keys = {{.name = most_nodes, .default_value = 100.0, .help = "of a mesh for dense factors"}},
      .make =
          [](const Scene& scene, const MeshSize& mesh) {
            if (mesh.nodes > scene.real(most_nodes))

@@ -52,13 +52,10 @@ public:
 private:
   RunOutcome write(const std::string& name, long most_steps = 1000,
                    const Resumption* from = nullptr) const {
-    ResultWriter writer(folder_ / name,
-                        {.problem = "p",
-                         .integrator = "i",
-                         .scene = "s",
-                         .versions = {},
-                         .blocks = model_.blocks},
-                        model_.grid);
+    ResultWriter writer(
+        folder_ / name,
+        {.problem = "p", .integrator = "i", .scene = "s", .versions = {}, .blocks = model_.blocks},
+        model_.grid);
     if (from) copy_to_last_checkpoint(ResultReader(folder_ / "cut.h5"), names(from), writer);
     long steps = 0;
     RunHooks hooks{.on_step = [&](const HistoryRow& row) { steps = row.counters.steps; }};
