@@ -159,6 +159,12 @@ def scene_value(path, key):
     return flattened(document).get(key)
 
 
+def end_of(path):
+    """The end of the run [s]; of a cycle, time.cycles periods."""
+    end = scene_value(path, "time.end")
+    return scene_value(path, "time.cycles") * scene_value(path, "cycle.period") if end is None else end
+
+
 def shipped(problems, folder=None):
     """Names of the scenes in problems/*/, or of the studies in problems/*/FOLDER/."""
     files = problems.glob(f"*/{folder}/*.toml" if folder else "*/*.toml")
@@ -174,7 +180,7 @@ def scene_cases(problems, integrators, quick):
             if name not in integrators:
                 continue
             explicit = integrators[name].startswith("explicit")
-            end = scene_value(path, "time.end")
+            end = end_of(path)
             settings = mesh | {"integrator.name": name}
             if explicit and scene in STIFF_END:
                 end = STIFF_END[scene]
@@ -408,7 +414,7 @@ class Program:
                      "--summary", summary]]
         if case.resume_at:
             commands.append(["resume", result, "--quiet", "--force", "--summary", summary,
-                             "--end", repr(scene_value(file, "time.end"))])
+                             "--end", repr(end_of(file))])
         return commands
 
     def study_commands(self, case, file, settings, folder):
