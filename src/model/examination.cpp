@@ -40,6 +40,8 @@ template <int dim>
 std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equations,
                                             const FieldValues<dim>& values, double t,
                                             const std::vector<PhaseContact<dim>>& contacts) {
+  // Part of a facet by which a smooth counter-body that its nodes resolve lies between them.
+  constexpr double resolved = 0.02;
   const Assembly<dim>& assembly = equations.assembly();
   std::set<int> nodes;
   for (const auto& facet : assembly.interface.boundary) nodes.insert(facet.begin(), facet.end());
@@ -50,7 +52,7 @@ std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equati
     const CounterBody<dim>& other = equations.phases()[p].counter_body;
     PartnerMotion<> q = other.given(t, t);
     if (fields.w != FieldId::none) q += values.scalar(fields.w);
-    const auto look = [&](std::span<const int> at, std::span<const double> weights) {
+    const auto look = [&](std::span<const int> at, std::span<const double> weights, double least) {
       Vector<dim> initial = Vector<dim>::Zero(), x = initial;
       for (std::size_t a = 0; a < at.size(); ++a) {
         initial += weights[a] * assembly.mesh.nodes[at[a]];
@@ -58,16 +60,18 @@ std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equati
              (values.vector(fields.d).row(at[a]) + values.vector(fields.u).row(at[a])).transpose();
       }
       const double gap = other.unchecked_distance(initial + x, q, t).gap;
-      if (gap < -(deepest ? deepest->depth : 0))
+      if (gap < -std::max(least, deepest ? deepest->depth : 0))
         deepest = BoundaryPoint{point_in_space<dim>(initial), -gap};
     };
-    for (const int node : nodes) look(std::array{node}, std::array{1.0});
+    for (const int node : nodes) look(std::array{node}, std::array{1.0}, 0);
     std::set<int> closed;
     for (std::size_t c = 0; c < contacts[p].nodes.size(); ++c)
       if (contacts[p].nodes[c].active) closed.insert(assembly.contact_nodes[c].node);
     for (const auto& facet : facets_of(assembly.interface.surfaces))
       if (std::ranges::none_of(facet, [&](int node) { return closed.contains(node); }))
-        for (const auto& weights : points_between<dim>()) look(facet, weights);
+        for (const auto& weights : points_between<dim>())
+          look(facet, weights,
+               resolved * (assembly.mesh.nodes[facet[1]] - assembly.mesh.nodes[facet[0]]).norm());
   }
   return deepest;
 }

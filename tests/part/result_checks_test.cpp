@@ -124,8 +124,7 @@ TEST_F(ResultChecks, BoundaryThatDoesNotWearTouchesToo) {
     }
   EXPECT_GT(carried, 1);
   const Examination facts = model->examine(run.last());
-  // No pressure of its corner converges.
-  EXPECT_THAT(doubts(facts), ElementsAre(HasSubstr("last node in contact, at (5, 0.1, 0)")));
+  EXPECT_THAT(doubts(facts), ElementsAre());
   EXPECT_NEAR(force(facts, "contact")[1], 40, 1e-2);
 }
 
