@@ -10,6 +10,14 @@ int SparsePattern::find(int row, int column) const {
   return place != last && *place == row ? static_cast<int>(place - row_index.begin()) : -1;
 }
 
+std::vector<int> SparsePattern::positions(const std::vector<int>& rows,
+                                          const std::vector<int>& columns) const {
+  std::vector<int> result;
+  for (int column : columns)
+    for (int row : rows) result.push_back(row >= 0 && column >= 0 ? find(row, column) : -1);
+  return result;
+}
+
 namespace {
 
 void sort_unique(std::vector<int>& rows) {

@@ -2,11 +2,10 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/terms/cell_assembly.hpp>
 #include <optional>
-
-#include "cell_projection.hpp"
 
 namespace gnomon {
 
@@ -75,8 +74,8 @@ void CellAssembly<dim>::fill_map(const SparsePattern& pattern, const Numbers& co
   for (int cell : cells_) {
     cell_numbers(cell, rows_, rows);
     cell_numbers(cell, columns, cols);
-    for (int column : cols)
-      for (int row : rows) map.push_back(row >= 0 && column >= 0 ? pattern.find(row, column) : -1);
+    const std::vector<int> positions = pattern.positions(rows, cols);
+    map.insert(map.end(), positions.begin(), positions.end());
   }
 }
 
@@ -112,6 +111,50 @@ void CellAssembly<dim>::throw_inverted(int cell, const NodalField<dim>* shape) c
 }
 
 namespace {
+
+/// Equations of a cell some nodes of which keep to a plane or line: P R(P u) + k (1 - P) u = 0,
+/// with the derivative P K P + k (1 - P), symmetric where K is. R and K have no part across, so
+/// that k, a stiffness of the cell, does not change the solution.
+template <int dim>
+class CellProjection {
+public:
+  /// `X`: reference positions of the nodes of `cell`. `along` must outlive the object.
+  CellProjection(const typename Mesh<dim>::Cell& cell, const NodalProjectors<dim>& along,
+                 const ElasticModuli& moduli, const CellNodal<dim>& X)
+      : stiffness_((moduli.lambda + 2 * moduli.mu) * std::pow(cell_volume<dim>(X), 1 - 2.0 / dim)) {
+    for (int a = 0; a < Mesh<dim>::cell_nodes; ++a)
+      if (const auto found = along.find(cell[a]); found != along.end())
+        corners_.push_back({a, found->second});
+  }
+
+  void of_displacement(CellNodal<dim>& u) const {
+    for (const auto& [a, P] : corners_) u.row(a) = (u.row(a) * P).eval();
+  }
+
+  /// `u`: the displacement before its projection.
+  void of_residual(const CellNodal<dim>& u, CellNodal<dim>& R) const {
+    for (const auto& [a, P] : corners_)
+      R.row(a) = (R.row(a) * P + stiffness_ * (u.row(a) - u.row(a) * P)).eval();
+  }
+
+  void of_tangent(CellMatrix<dim>& K) const {
+    for (const auto& [a, P] : corners_) {
+      auto rows = K.template middleRows<dim>(dim * a);
+      rows = (P * rows).eval();
+      auto columns = K.template middleCols<dim>(dim * a);
+      columns = (columns * P).eval();
+      K.template block<dim, dim>(dim * a, dim * a) += stiffness_ * (Tensor<dim>::Identity() - P);
+    }
+  }
+
+private:
+  struct Corner {
+    int corner;
+    Tensor<dim> P;
+  };
+  double stiffness_;
+  std::vector<Corner> corners_;
+};
 
 /// Entries of tangents (or residuals) below which threads cost more than they gain.
 constexpr long worth_threads = 1'000'000;

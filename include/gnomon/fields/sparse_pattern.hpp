@@ -14,6 +14,8 @@ struct SparsePattern {
   long nonzeros() const { return static_cast<long>(row_index.size()); }
   /// Position of entry (row, column) in the values, or -1 where it is structurally zero.
   int find(int row, int column) const;
+  /// find() of rows x columns, column by column; -1 also where a number is negative.
+  std::vector<int> positions(const std::vector<int>& rows, const std::vector<int>& columns) const;
 };
 
 /// Collects cliques (rows x columns) and makes the pattern of their union with the diagonal.

@@ -13,14 +13,25 @@ class BodyTerm : public Term<dim> {
 public:
   /// `mesh` must outlive the term.
   BodyTerm(const Mesh<dim>& mesh, const std::vector<Body>& bodies, const Numbering& numbering,
-           FieldId u, FieldId d);
+           FieldId u, FieldId d)
+      : u_(u),
+        d_(d),
+        u_numbers_(numbering.nodal<dim>(u)),
+        d_numbers_(numbering.nodal<dim>(d)),
+        cells_(mesh, bodies, u_numbers_, u_numbers_, &d_numbers_) {}
 
-  void declare(TermStructure& structure) const override;
-  void map_to(const SparsePattern& pattern) override;
-  void add_residual(const Evaluation<dim>& at, std::span<double> F) const override;
-  void add_jacobian(const Evaluation<dim>& at, double rate_weight,
-                    std::span<double> values) const override;
-  void switching(const Evaluation<dim>&, std::span<double>) const override {}
+  void declare(TermStructure& structure) const override {
+    cells_.add_to_pattern(structure.pattern);
+    structure.slow = dim == 3;  // in the plane assembly is cheap beside factors
+    structure.sweeps_cells = true;
+  }
+  void map_to(const SparsePattern& pattern) override { cells_.map_to(pattern); }
+  void add_residual(const Evaluation<dim>& at, std::span<double> F) const override {
+    cells_.add_residual(&at.values.vector(d_), at.values.vector(u_), F);
+  }
+  void add_jacobian(const Evaluation<dim>& at, double, std::span<double> values) const override {
+    cells_.add_jacobian(&at.values.vector(d_), at.values.vector(u_), values);
+  }
 
 private:
   FieldId u_, d_;

@@ -2,6 +2,7 @@
 // counter-body.
 #pragma once
 
+#include <gnomon/base/error.hpp>
 #include <gnomon/laws/load_history.hpp>
 #include <gnomon/terms/term.hpp>
 
@@ -16,13 +17,27 @@ public:
 
   /// `forces`: at factor one, entities x components of the field [force]. The field may be absent.
   Loads(const Numbering& numbering, FieldId field, const Field::Values& forces, LoadHistory history,
-        Purpose purpose = Purpose::presses);
+        Purpose purpose = Purpose::presses)
+      : history_(std::move(history)), purpose_(purpose) {
+    const Field::Indices& numbers = numbering.numbers(field);
+    for (Eigen::Index k = 0; k < numbers.size(); ++k)
+      if (numbers.data()[k] >= 0 && forces.data()[k] != 0)
+        entries_.push_back({numbers.data()[k], forces.data()[k]});
+  }
 
-  void declare(TermStructure& structure) const override;
-  void map_to(const SparsePattern&) override {}
-  void add_residual(const Evaluation<dim>& at, std::span<double> F) const override;
+  void declare(TermStructure& structure) const override {
+    structure.breakpoints.insert(structure.breakpoints.end(), history_.times().begin(),
+                                 history_.times().end());
+  }
+  /// Throws if the load, continued past its breakpoint, is no longer positive.
+  void add_residual(const Evaluation<dim>& at, std::span<double> F) const override {
+    if (entries_.empty()) return;
+    const double factor = at.load_fraction * history_.factor(at.t, at.within);
+    if (factor <= 0 && purpose_ == Purpose::presses)
+      throw RecoverableError("no load is left at a stage past the end of the step");
+    for (const Entry& entry : entries_) F[entry.row] -= factor * entry.force;
+  }
   void add_jacobian(const Evaluation<dim>&, double, std::span<double>) const override {}
-  void switching(const Evaluation<dim>&, std::span<double>) const override {}
 
 private:
   struct Entry {

@@ -38,7 +38,6 @@ public:
   void add_residual(const Evaluation<dim>& at, std::span<double> F) const override;
   void add_jacobian(const Evaluation<dim>& at, double rate_weight,
                     std::span<double> values) const override;
-  void switching(const Evaluation<dim>&, std::span<double>) const override {}
 
 private:
   struct Whole;

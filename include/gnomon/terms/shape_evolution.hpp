@@ -12,14 +12,31 @@ class ShapeEvolution : public Term<dim> {
 public:
   /// `nodes`: of the worn surface; `d`: the shape, at all nodes of the mesh.
   ShapeEvolution(const Numbering& numbering, const std::vector<ContactPatch<dim>>& nodes,
-                 FieldId d);
+                 FieldId d) {
+    const FieldSet& set = numbering.set();
+    const Field& shape = set[d];
+    for (const ContactPatch<dim>& patch : nodes)
+      for (int i = 0; i < dim; ++i) {
+        const int row = numbering.number(d, patch.node, i), block = shape.block(patch.node, i);
+        if (row >= 0 && set.blocks[block].differential &&
+            shape.carrier_of(patch.node) == patch.node)
+          rows_.push_back(row);
+      }
+  }
 
-  void declare(TermStructure& structure) const override;
-  void map_to(const SparsePattern& pattern) override;
-  void add_residual(const Evaluation<dim>& at, std::span<double> F) const override;
-  void add_jacobian(const Evaluation<dim>& at, double rate_weight,
-                    std::span<double> values) const override;
-  void switching(const Evaluation<dim>&, std::span<double>) const override {}
+  void declare(TermStructure& structure) const override {
+    for (int row : rows_) structure.pattern.add({row}, {row});
+  }
+  void map_to(const SparsePattern& pattern) override {
+    for (int row : rows_) by_rate_.push_back(pattern.find(row, row));
+  }
+  void add_residual(const Evaluation<dim>& at, std::span<double> F) const override {
+    for (int row : rows_) F[row] += at.ydot[row];
+  }
+  void add_jacobian(const Evaluation<dim>&, double rate_weight,
+                    std::span<double> values) const override {
+    for (int position : by_rate_) values[position] += rate_weight;
+  }
 
 private:
   std::vector<int> rows_, by_rate_;  // numbers; their positions in J

@@ -15,14 +15,27 @@ public:
   /// length]. The field is the displacement at all nodes of the mesh.
   Springs(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
           const Vector<dim>& stiffness, const Numbering& numbering, FieldId u,
-          Section section = Section::plane);
+          Section section = Section::plane)
+      : u_(u) {
+    for (const ContactPatch<dim>& patch : contact_patches<dim>(mesh, facets, {}, section))
+      for (int i = 0; i < dim; ++i)
+        if (const int row = numbering.number(u, patch.node, i); row >= 0 && stiffness[i] != 0)
+          springs_.push_back({row, -1, patch.node, i, stiffness[i] * patch.initial_area});
+  }
 
-  void declare(TermStructure& structure) const override;
-  void map_to(const SparsePattern& pattern) override;
-  void add_residual(const Evaluation<dim>& at, std::span<double> F) const override;
-  void add_jacobian(const Evaluation<dim>& at, double rate_weight,
-                    std::span<double> values) const override;
-  void switching(const Evaluation<dim>&, std::span<double>) const override {}
+  void declare(TermStructure& structure) const override {
+    for (const Spring& spring : springs_) structure.pattern.add({spring.row}, {spring.row});
+  }
+  void map_to(const SparsePattern& pattern) override {
+    for (Spring& spring : springs_) spring.position = pattern.find(spring.row, spring.row);
+  }
+  void add_residual(const Evaluation<dim>& at, std::span<double> F) const override {
+    for (const Spring& spring : springs_)
+      F[spring.row] += spring.stiffness * at.values.vector(u_)(spring.node, spring.component);
+  }
+  void add_jacobian(const Evaluation<dim>&, double, std::span<double> values) const override {
+    for (const Spring& spring : springs_) values[spring.position] += spring.stiffness;
+  }
 
 private:
   struct Spring {

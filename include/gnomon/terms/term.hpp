@@ -36,7 +36,7 @@ struct Evaluation {
   std::span<const char> branch{};  ///< of the term's switching functions, 1: active; empty: by sign
 };
 
-/// Made for one numbering. Five members, no defaults: one virtual call per term and sweep.
+/// Made for one numbering.
 template <int dim>
 class Term {
 public:
@@ -46,14 +46,14 @@ public:
   virtual void declare(TermStructure& structure) const = 0;
   /// Computes the positions of its entries in the values of J; called once, after the pattern is
   /// built.
-  virtual void map_to(const SparsePattern& pattern) = 0;
+  virtual void map_to(const SparsePattern&) {}
   /// F += residual. Throws RecoverableError if there is none (inverted element).
   virtual void add_residual(const Evaluation<dim>& at, std::span<double> F) const = 0;
   /// values += dF/dy + rate_weight dF/dydot. Same errors.
   virtual void add_jacobian(const Evaluation<dim>& at, double rate_weight,
                             std::span<double> values) const = 0;
   /// One value per entry of TermStructure::switch_node, <= 0 where it is active.
-  virtual void switching(const Evaluation<dim>& at, std::span<double> values) const = 0;
+  virtual void switching(const Evaluation<dim>&, std::span<double>) const {}
 };
 
 /// A term of a numbering: systems of some blocks are made of the same factories as the whole.
