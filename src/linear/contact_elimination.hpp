@@ -1,8 +1,11 @@
 // The worn surface and the contact multipliers of a coupled Jacobian, eliminated node by node.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <gnomon/linear/jacobian_block.hpp>
 #include <gnomon/system/system.hpp>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -53,22 +56,93 @@ public:
   /// `structure` must outlive the object. `follows_springs`: whether springs that move are handed
   /// out until the next set-up. Worthwhile with factors, because many columns cost less than a
   /// factorization; a set-up of multigrid costs as much as a few columns.
-  ContactElimination(const Structure& structure, bool follows_springs);
+  ContactElimination(const Structure& structure, bool follows_springs)
+      : follows_springs_(follows_springs),
+        entries_(structure),
+        surface_(entries_.surfaces().size()),
+        contact_(entries_.nodes().size()),
+        wear_row_(structure, {Role::evolution}, {Role::stiffness, Role::multiplier}),
+        wear_block_(structure, {Role::evolution}),
+        work_(contact_.size()) {}
 
   /// Takes the values of J; the span must outlive their use.
-  void update(std::span<const double> J);
+  void update(std::span<const double> J) {
+    J_ = J;
+    entries_.update(J);
+    for (std::size_t c = 0; c < contact_.size(); ++c) update_contact(c);
+    share_surfaces();
+    for (ContactNode& node : contact_) update_spring(node);
+    for (SurfaceNode& node : surface_) update_gamma(node);
+    find_moved_springs();
+    wear_block_.factorize(J);
+  }
 
   /// Set-up: adds the springs of the diagonal of D to `values` of K, and remembers them.
-  void add_springs(const SymmetricPart& part, std::vector<double>& values);
+  void add_springs(const SymmetricPart& part, std::vector<double>& values) {
+    moved_.clear();
+    for (std::size_t c = 0; c < contact_.size(); ++c) {
+      ContactNode& node = contact_[c];
+      node.spring_at_setup = node.spring;
+      node.has_moved = false;
+      if (node.spring == 0) continue;
+      node.direction_at_setup = node.C.normalized();
+      const NodeUnknowns& u = entries_.nodes()[c].u;
+      for (int k = 0; k < most_components; ++k)
+        for (int m = 0; m <= k; ++m)
+          if (u[k] >= 0 && u[m] >= 0)
+            values[part.find(u[k], u[m])] +=
+                node.spring * node.direction_at_setup[k] * node.direction_at_setup[m];
+    }
+  }
+
   /// What the matrix of (u') has beyond K with the springs of add_springs().
-  std::vector<RankOneTerm> low_rank_terms(const SymmetricPart& part) const;
+  std::vector<RankOneTerm> low_rank_terms(const SymmetricPart& part) const {
+    std::vector<RankOneTerm> result;
+    for (int c : moved_) result.push_back(moved_spring(c, part));
+    for (std::size_t s = 0; s < surface_.size(); ++s) {
+      if (surface_[s].closed.size() < 2) continue;
+      RankOneTerm term = common_wear(static_cast<int>(s), part);
+      if (term.k != 0) result.push_back(std::move(term));
+    }
+    return result;
+  }
 
   /// s holds r; s_u becomes the right side of (u'), s_l that of (l'); s_c stays.
-  void condense(std::span<double> s);
+  void condense(std::span<double> s) {
+    for (std::size_t i = 0; i < contact_.size(); ++i) {
+      double& right = s[entries_.nodes()[i].multiplier];
+      right -= entries_.shape_part(contact_[i].on, s);
+      work_[i] = right;
+    }
+    solve_D(work_);
+    for (std::size_t i = 0; i < contact_.size(); ++i) {
+      const NodeUnknowns& u = entries_.nodes()[i].u;
+      for (int k = 0; k < most_components; ++k)
+        if (u[k] >= 0) s[u[k]] += contact_[i].B[k] * work_[i];
+    }
+  }
+
   /// z_l and z_c from z_u. `s` must be as condense() left it; it is changed.
-  void recover(std::span<double> s, std::span<double> z);
+  void recover(std::span<double> s, std::span<double> z) {
+    for (std::size_t i = 0; i < contact_.size(); ++i) {
+      const ContactEntries::Node& at = entries_.nodes()[i];
+      work_[i] = contact_[i].C.dot(values_at(at.u, z)) - s[at.multiplier];
+    }
+    solve_D(work_);
+    for (std::size_t i = 0; i < contact_.size(); ++i) z[entries_.nodes()[i].multiplier] = work_[i];
+    wear_row_.subtract(J_, z, s);
+    wear_block_.solve(s, z);
+  }
 
 private:
+  static void append(SparseVector& vector, const SymmetricPart& part, const NodeUnknowns& unknowns,
+                     const NodeValues& values) {
+    for (int k = 0; k < most_components; ++k)
+      if (unknowns[k] >= 0) {
+        vector.index.push_back(part.number(unknowns[k]));
+        vector.value.push_back(values[k]);
+      }
+  }
   using Values = NodeValues;
   struct SurfaceNode {
     std::vector<int> closed;  ///< contact nodes upon it, in contact_
@@ -87,14 +161,128 @@ private:
     bool has_moved = false;  ///< since then, so far that low_rank_terms() makes up for it
   };
 
-  void update_contact(std::size_t c);
-  void share_surfaces();
-  void update_spring(ContactNode& node) const;
-  void update_gamma(SurfaceNode& surface) const;
-  void find_moved_springs();
-  RankOneTerm moved_spring(int c, const SymmetricPart& part) const;
-  RankOneTerm common_wear(int s, const SymmetricPart& part) const;
-  void solve_D(std::vector<double>& r) const;
+  void update_contact(std::size_t c) {
+    ContactNode& node = contact_[c];
+    const ContactEntries::Node& at = entries_.nodes()[c];
+    const int l = at.multiplier;
+    NodeSquare K;
+    for (int k = 0; k < most_components; ++k) {
+      node.B[k] = entries_.at(at.u[k], l);
+      node.C[k] = entries_.at(l, at.u[k]);
+      for (int m = 0; m < most_components; ++m) K(k, m) = entries_.at(at.u[k], at.u[m]);
+    }
+    node.D = -entries_.at(l, l);  // share_surfaces() adds a J_cl
+    node.a_m = node.e_m = 0;
+    node.on = entries_.on_surface(at);
+    if (node.on.surface >= 0) {
+      const NodeUnknowns& surface = entries_.surfaces()[node.on.surface];
+      for (int k = 0; k < most_components; ++k)
+        for (int m = 0; m < most_components; ++m)
+          node.C[m] -= node.on.a[k] * entries_.at(surface[k], at.u[m]);
+    }
+    node.CB = node.C.dot(node.B);
+    node.own_stiffness = node.CB == 0 ? 0 : node.C.dot(K * node.C) / node.C.squaredNorm();
+  }
+
+  /// Completes D_0. A node that is alone on its surface node has its wear in D_0; closed nodes that
+  /// share one have theirs in a_m and e_m, along the mean direction m of what their pressures wear.
+  void share_surfaces() {
+    for (SurfaceNode& surface : surface_) surface.closed.clear();
+    for (std::size_t c = 0; c < contact_.size(); ++c)
+      if (contact_[c].on.surface >= 0 && contact_[c].CB != 0)
+        surface_[contact_[c].on.surface].closed.push_back(static_cast<int>(c));
+    for (SurfaceNode& surface : surface_) {
+      if (surface.closed.size() < 2) {
+        for (int c : surface.closed) contact_[c].D += contact_[c].on.a.dot(contact_[c].on.e);
+        continue;
+      }
+      Values sum = Values::Zero();
+      for (int c : surface.closed) sum += contact_[c].on.e;
+      if (sum == Values::Zero()) continue;  // nothing wears
+      const Values m = sum.stableNormalized();
+      for (int c : surface.closed) {
+        ContactNode& node = contact_[c];
+        node.a_m = node.on.a.dot(m);
+        node.e_m = node.on.e.dot(m);
+      }
+    }
+  }
+
+  void update_spring(ContactNode& node) const {
+    // Instead of a rigid constraint: a spring ten times as stiff as the node itself leaves the
+    // preconditioned multipliers' spectrum within 10 % of one.
+    constexpr double stiff = 10;
+    node.spring = 0;
+    if (node.CB == 0) {  // open
+      if (node.D == 0) node.D = 1;
+      return;
+    }
+    const double least = std::abs(node.CB) / (stiff * std::abs(node.own_stiffness));
+    // Of the sign of C.B, so that the spring is positive and K with springs stays definite.
+    node.D = std::copysign(std::max(std::copysign(1.0, node.CB) * node.D, least), node.CB);
+    node.spring = node.CB / node.D;
+  }
+
+  void update_gamma(SurfaceNode& surface) const {
+    double sum = 1;
+    for (int c : surface.closed) sum += contact_[c].e_m * contact_[c].a_m / contact_[c].D;
+    surface.gamma = sum == 0 ? 0 : 1 / sum;
+  }
+
+  /// A preconditioner works with a spring that is wrong by half, or by little beside the node's own
+  /// stiffness. A spring that has moved once is followed exactly until the next set-up.
+  void find_moved_springs() {
+    if (!follows_springs_) return;
+    for (std::size_t c = 0; c < contact_.size(); ++c) {
+      ContactNode& node = contact_[c];
+      const double change = std::abs(node.spring - node.spring_at_setup);
+      if (node.has_moved || change <= 0.5 * std::max(node.spring, node.spring_at_setup) ||
+          change <= 0.3 * node.own_stiffness)
+        continue;
+      if (node.spring_at_setup == 0) node.direction_at_setup = node.C.normalized();
+      node.has_moved = true;
+      moved_.push_back(static_cast<int>(c));
+    }
+  }
+
+  /// (s - s at the set-up) n n^T.
+  RankOneTerm moved_spring(int c, const SymmetricPart& part) const {
+    const ContactNode& node = contact_[c];
+    RankOneTerm term{c, node.spring - node.spring_at_setup, {}, {}};
+    append(term.u, part, entries_.nodes()[c].u, node.direction_at_setup);
+    term.v = term.u;
+    return term;
+  }
+
+  /// -gamma (B D_0^-1 a_m) (e_m^T D_0^-1 C) of a surface node, with B along C as in the springs.
+  /// Its first vector has length one: LowRankUpdate solves for its column again only when the
+  /// vector has turned, and a_m changes with every step. A factor of zero: nothing wears.
+  RankOneTerm common_wear(int s, const SymmetricPart& part) const {
+    RankOneTerm term{static_cast<int>(contact_.size()) + s, -surface_[s].gamma, {}, {}};
+    for (int c : surface_[s].closed) {
+      const ContactNode& node = contact_[c];
+      const double B_by_C = node.CB / node.C.squaredNorm();
+      const NodeUnknowns& u = entries_.nodes()[c].u;
+      append(term.u, part, u, node.C * (B_by_C * node.a_m / node.D));
+      append(term.v, part, u, node.C * (node.e_m / node.D));
+    }
+    const double length = std::sqrt(
+        std::inner_product(term.u.value.begin(), term.u.value.end(), term.u.value.begin(), 0.0));
+    if (length > 0)
+      for (double& value : term.u.value) value /= length;
+    term.k *= length;
+    return term;
+  }
+
+  /// r becomes D^-1 r, by the formula of Sherman and Morrison.
+  void solve_D(std::vector<double>& r) const {
+    for (std::size_t c = 0; c < contact_.size(); ++c) r[c] /= contact_[c].D;
+    for (const SurfaceNode& surface : surface_) {
+      double sum = 0;
+      for (int c : surface.closed) sum += contact_[c].e_m * r[c];
+      for (int c : surface.closed) r[c] -= surface.gamma * sum * contact_[c].a_m / contact_[c].D;
+    }
+  }
 
   const bool follows_springs_;
   std::span<const double> J_;

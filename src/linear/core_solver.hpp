@@ -34,7 +34,7 @@ public:
 std::unique_ptr<CoreSolver> make_spring_core(const Structure& structure,
                                              const InnerSolverMaker& inner);
 
-/// For several contact states, which share one stiffness without springs (compliance_core.hpp).
+/// For several contact states, which share one stiffness without springs (compliance_core.cpp).
 std::unique_ptr<CoreSolver> make_compliance_core(const Structure& structure,
                                                  const InnerSolverMaker& inner);
 

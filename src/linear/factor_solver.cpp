@@ -49,34 +49,6 @@ struct Workspace {
   Workspace& operator=(const Workspace&) = delete;
 };
 
-class FactorSolver : public InnerSolver {
-public:
-  FactorSolver(const StiffnessLayout& layout, const FactorSizes& sizes);
-  ~FactorSolver() override;
-
-  bool set_up(std::span<const double> values) override;
-  void apply(std::span<const double> b, std::span<double> x) override;
-  int factorizations() const override { return factorizations_; }
-  double set_up_cost() const override;
-
-private:
-  cholmod_sparse view() const;
-  bool factorize();
-  cholmod_dense columns(std::span<const double> values) const;
-  bool solve(Workspace& workspace, std::span<const double> b, std::span<double> x) const;
-
-  const StiffnessLayout& layout_;
-  const FactorSizes sizes_;
-  Common common_;
-  std::vector<SuiteSparse_long> start_, row_;
-  std::vector<double> values_;
-  cholmod_factor* factor_ = nullptr;
-  RoundedFactor rounded_;                   // empty where the factors are small
-  std::deque<Workspace> workspaces_;        // one per thread
-  std::vector<SuiteSparse_long> diagonal_;  // positions in values_
-  int factorizations_ = 0;
-};
-
 /// A symmetric matrix of which the lower triangle is used.
 cholmod_sparse symmetric(std::size_t size, const std::vector<SuiteSparse_long>& start,
                          const std::vector<SuiteSparse_long>& row) {
@@ -93,115 +65,130 @@ cholmod_sparse symmetric(std::size_t size, const std::vector<SuiteSparse_long>& 
   return matrix;
 }
 
-FactorSolver::FactorSolver(const StiffnessLayout& layout, const FactorSizes& sizes)
-    : layout_(layout),
-      sizes_(sizes),
-      start_(layout.lower.column_start.begin(), layout.lower.column_start.end()),
-      row_(layout.lower.row_index.begin(), layout.lower.row_index.end()),
-      values_(row_.size(), 1.0) {
-  use_blas_threads(1);
-  for (int j = 0; j < layout.lower.size(); ++j) diagonal_.push_back(layout.lower.find(j, j));
-  const std::vector<int> order = nested_dissection(layout.lower, layout.group);
-  std::vector<SuiteSparse_long> permutation(order.begin(), order.end());
-  cholmod_sparse matrix = view();
-  factor_ = cholmod_l_analyze_p(&matrix, permutation.data(), nullptr, 0, &common_.data);
-  if (!factor_)
-    throw Error("CHOLMOD could not analyse a matrix of " + std::to_string(layout.lower.size()) +
-                " unknowns");
-}
-
-FactorSolver::~FactorSolver() {
-  cholmod_l_free_factor(&factor_, &common_.data);
-}
-
-cholmod_sparse FactorSolver::view() const {
-  cholmod_sparse matrix = symmetric(static_cast<std::size_t>(layout_.lower.size()), start_, row_);
-  matrix.x = const_cast<double*>(values_.data());
-  matrix.xtype = CHOLMOD_REAL;
-  return matrix;
-}
-
-cholmod_dense FactorSolver::columns(std::span<const double> values) const {
-  cholmod_dense dense{};
-  dense.nrow = dense.d = static_cast<std::size_t>(layout_.lower.size());
-  dense.nzmax = values.size();
-  dense.ncol = values.size() / dense.nrow;
-  dense.x = const_cast<double*>(values.data());
-  dense.xtype = CHOLMOD_REAL;
-  dense.dtype = CHOLMOD_DOUBLE;
-  return dense;
-}
-
 constexpr double worth_threads = 1e10;  // operations; below, waking threads costs more
 
-/// Returns false where the matrix is not positive definite.
-bool FactorSolver::factorize() {
-  cholmod_sparse matrix = view();
-  ++factorizations_;
-  if (common_.data.fl > worth_threads) use_blas_threads(omp_get_max_threads());
-  // CHOLMOD uses four threads for its small loops on every number of cores; on two cores they wait
-  // for each other for as long as all other work takes.
-  const int levels = omp_get_max_active_levels();
-  omp_set_max_active_levels(0);
-  cholmod_l_factorize(&matrix, factor_, &common_.data);
-  omp_set_max_active_levels(levels);
-  use_blas_threads(1);
-  if (common_.data.status == CHOLMOD_OUT_OF_MEMORY || common_.data.status == CHOLMOD_TOO_LARGE)
-    throw Error("out of memory while factorizing a matrix of " +
-                std::to_string(layout_.lower.size()) + " unknowns");
-  return common_.data.status == CHOLMOD_OK && factor_->minor == factor_->n;
-}
+class FactorSolver : public InnerSolver {
+public:
+  FactorSolver(const StiffnessLayout& layout, const FactorSizes& sizes)
+      : layout_(layout),
+        sizes_(sizes),
+        start_(layout.lower.column_start.begin(), layout.lower.column_start.end()),
+        row_(layout.lower.row_index.begin(), layout.lower.row_index.end()),
+        values_(row_.size(), 1.0) {
+    use_blas_threads(1);
+    for (int j = 0; j < layout.lower.size(); ++j) diagonal_.push_back(layout.lower.find(j, j));
+    const std::vector<int> order = nested_dissection(layout.lower, layout.group);
+    std::vector<SuiteSparse_long> permutation(order.begin(), order.end());
+    cholmod_sparse matrix = view();
+    factor_ = cholmod_l_analyze_p(&matrix, permutation.data(), nullptr, 0, &common_.data);
+    if (!factor_)
+      throw Error("CHOLMOD could not analyse a matrix of " + std::to_string(layout.lower.size()) +
+                  " unknowns");
+  }
 
-bool FactorSolver::set_up(std::span<const double> values) {
-  factorizations_ = 0;
-  for (const double stiffer : {0.0, 0.01, 0.1, 1.0}) {
-    std::copy(values.begin(), values.end(), values_.begin());
-    for (SuiteSparse_long k : diagonal_) values_[k] += stiffer * std::abs(values_[k]);
-    if (!factorize()) continue;
-    if (common_.data.lnz >= sizes_.rounded) rounded_.copy(*factor_);
+  ~FactorSolver() override { cholmod_l_free_factor(&factor_, &common_.data); }
+
+  bool set_up(std::span<const double> values) override {
+    factorizations_ = 0;
+    for (const double stiffer : {0.0, 0.01, 0.1, 1.0}) {
+      std::copy(values.begin(), values.end(), values_.begin());
+      for (SuiteSparse_long k : diagonal_) values_[k] += stiffer * std::abs(values_[k]);
+      if (!factorize()) continue;
+      if (common_.data.lnz >= sizes_.rounded) rounded_.copy(*factor_);
+      return true;
+    }
+    return false;
+  }
+
+  void apply(std::span<const double> b, std::span<double> x) override {
+    // CHOLMOD copies the columns; its dense kernels are as efficient with a few columns as with
+    // all.
+    constexpr long most = 32;
+    const long size = layout_.lower.size(), count = static_cast<long>(b.size()) / size;
+    if (count == 1 && !rounded_.empty()) return rounded_.solve(b, x);
+    const double operations = 4 * common_.data.lnz * static_cast<double>(count);
+    const long threads =
+        operations > sizes_.threads ? std::min<long>(count, omp_get_max_threads()) : 1;
+    while (static_cast<long>(workspaces_.size()) < threads) workspaces_.emplace_back();
+    const long part = std::min(most, (count + threads - 1) / threads);
+    bool solved = true;
+#pragma omp parallel for num_threads(static_cast <int>(threads)) reduction(&& : solved)
+    for (long start = 0; start < count; start += part) {
+      const long entries = std::min(part, count - start) * size;
+      solved = solve(workspaces_[omp_get_thread_num()], b.subspan(start * size, entries),
+                     x.subspan(start * size, entries)) &&
+               solved;
+    }
+    if (!solved) throw Error("CHOLMOD could not solve");
+  }
+
+  int factorizations() const override {
+    return factorizations_;
+  }
+  double set_up_cost() const override {
+    // Dense kernels of a factorization do about 5 operations in the time of one operation of a
+    // solve, which waits for memory (191,100 unknowns, 4.5e11 operations, 1.9e8 entries: 12 s by
+    // two threads against 0.155 s, in double precision and with CHOLMOD's own threads on).
+    constexpr double faster = 5;
+    return common_.data.fl / (4 * common_.data.lnz * faster);
+  }
+
+private:
+  cholmod_sparse view() const {
+    cholmod_sparse matrix = symmetric(static_cast<std::size_t>(layout_.lower.size()), start_, row_);
+    matrix.x = const_cast<double*>(values_.data());
+    matrix.xtype = CHOLMOD_REAL;
+    return matrix;
+  }
+
+  /// Returns false where the matrix is not positive definite.
+  bool factorize() {
+    cholmod_sparse matrix = view();
+    ++factorizations_;
+    if (common_.data.fl > worth_threads) use_blas_threads(omp_get_max_threads());
+    // CHOLMOD uses four threads for its small loops on every number of cores; on two cores they
+    // wait for each other for as long as all other work takes.
+    const int levels = omp_get_max_active_levels();
+    omp_set_max_active_levels(0);
+    cholmod_l_factorize(&matrix, factor_, &common_.data);
+    omp_set_max_active_levels(levels);
+    use_blas_threads(1);
+    if (common_.data.status == CHOLMOD_OUT_OF_MEMORY || common_.data.status == CHOLMOD_TOO_LARGE)
+      throw Error("out of memory while factorizing a matrix of " +
+                  std::to_string(layout_.lower.size()) + " unknowns");
+    return common_.data.status == CHOLMOD_OK && factor_->minor == factor_->n;
+  }
+
+  cholmod_dense columns(std::span<const double> values) const {
+    cholmod_dense dense{};
+    dense.nrow = dense.d = static_cast<std::size_t>(layout_.lower.size());
+    dense.nzmax = values.size();
+    dense.ncol = values.size() / dense.nrow;
+    dense.x = const_cast<double*>(values.data());
+    dense.xtype = CHOLMOD_REAL;
+    dense.dtype = CHOLMOD_DOUBLE;
+    return dense;
+  }
+  bool solve(Workspace& workspace, std::span<const double> b, std::span<double> x) const {
+    auto& [common, result, y, e] = workspace;
+    cholmod_dense right = columns(b);
+    cholmod_l_solve2(CHOLMOD_A, factor_, &right, nullptr, &result, nullptr, &y, &e, &common.data);
+    if (common.data.status != CHOLMOD_OK) return false;
+    std::copy_n(static_cast<const double*>(result->x), x.size(), x.begin());
     return true;
   }
-  return false;
-}
 
-bool FactorSolver::solve(Workspace& workspace, std::span<const double> b,
-                         std::span<double> x) const {
-  auto& [common, result, y, e] = workspace;
-  cholmod_dense right = columns(b);
-  cholmod_l_solve2(CHOLMOD_A, factor_, &right, nullptr, &result, nullptr, &y, &e, &common.data);
-  if (common.data.status != CHOLMOD_OK) return false;
-  std::copy_n(static_cast<const double*>(result->x), x.size(), x.begin());
-  return true;
-}
-
-void FactorSolver::apply(std::span<const double> b, std::span<double> x) {
-  // CHOLMOD copies the columns; its dense kernels are as efficient with a few columns as with all.
-  constexpr long most = 32;
-  const long size = layout_.lower.size(), count = static_cast<long>(b.size()) / size;
-  if (count == 1 && !rounded_.empty()) return rounded_.solve(b, x);
-  const double operations = 4 * common_.data.lnz * static_cast<double>(count);
-  const long threads =
-      operations > sizes_.threads ? std::min<long>(count, omp_get_max_threads()) : 1;
-  while (static_cast<long>(workspaces_.size()) < threads) workspaces_.emplace_back();
-  const long part = std::min(most, (count + threads - 1) / threads);
-  bool solved = true;
-#pragma omp parallel for num_threads(static_cast <int>(threads)) reduction(&& : solved)
-  for (long start = 0; start < count; start += part) {
-    const long entries = std::min(part, count - start) * size;
-    solved = solve(workspaces_[omp_get_thread_num()], b.subspan(start * size, entries),
-                   x.subspan(start * size, entries)) &&
-             solved;
-  }
-  if (!solved) throw Error("CHOLMOD could not solve");
-}
-
-double FactorSolver::set_up_cost() const {
-  // Dense kernels of a factorization do about 5 operations in the time of one operation of a solve,
-  // which waits for memory (191,100 unknowns, 4.5e11 operations, 1.9e8 entries: 12 s by two threads
-  // against 0.155 s, in double precision and with CHOLMOD's own threads on).
-  constexpr double faster = 5;
-  return common_.data.fl / (4 * common_.data.lnz * faster);
-}
+  const StiffnessLayout& layout_;
+  const FactorSizes sizes_;
+  Common common_;
+  std::vector<SuiteSparse_long> start_, row_;
+  std::vector<double> values_;
+  cholmod_factor* factor_ = nullptr;
+  RoundedFactor rounded_;                   // empty where the factors are small
+  std::deque<Workspace> workspaces_;        // one per thread
+  std::vector<SuiteSparse_long> diagonal_;  // positions in values_
+  int factorizations_ = 0;
+};
 
 }  // namespace
 

@@ -1,10 +1,14 @@
 // A symmetric diagonal block of a Jacobian with its own solver.
 #pragma once
 
+#include <algorithm>
+#include <gnomon/base/error.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/linear/jacobian_block.hpp>
+#include <map>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace gnomon {
@@ -17,7 +21,26 @@ public:
   /// `together`: all unknowns as one block, whoever owns them. Throws InputError where multigrid is
   /// chosen and not built in; Error where the blocks of two owners are not alike.
   StiffnessBlock(const Structure& structure, Role role, bool together,
-                 const InnerSolverMaker& inner);
+                 const InnerSolverMaker& inner)
+      : unknowns_(by_owner(structure, role, together)) {
+    for (const std::vector<int>& unknowns : unknowns_) {
+      parts_.emplace_back(structure.pattern, unknowns);
+      if (parts_.back().lower().row_index != part().lower().row_index)
+        throw Error("the stiffness blocks of two contact states are not alike");
+    }
+    b_.resize(owners() * unknowns().size());
+    x_.resize(b_.size());
+    if (unknowns().empty()) return;
+    layout_.lower = part().lower();
+    layout_.position = structure.position;
+    layout_.coarsening = structure.coarsening;
+    for (int i : unknowns()) {
+      layout_.group.push_back(structure.group[i]);
+      layout_.component.push_back(structure.component[i]);
+    }
+    solver_ = inner.make(layout_);
+  }
+
   StiffnessBlock(const StiffnessBlock&) = delete;
   StiffnessBlock& operator=(const StiffnessBlock&) = delete;
 
@@ -32,15 +55,48 @@ public:
   const InnerSolver& solver() const { return *solver_; }
 
   /// The matrix to be set up, on part().lower(): the mean over the owners.
-  std::vector<double>& gather(std::span<const double> J);
+  std::vector<double>& gather(std::span<const double> J) {
+    parts_.front().gather(J, values_);
+    for (std::size_t owner = 1; owner < owners(); ++owner) {
+      parts_[owner].gather(J, of_owner_);
+      for (std::size_t k = 0; k < values_.size(); ++k) values_[k] += of_owner_[k];
+    }
+    for (double& value : values_) value /= static_cast<double>(owners());
+    return values_;
+  }
   /// Sets up the solver. Returns how many factorizations were made. Throws RecoverableError, which
   /// names the block by `what`, where it is singular.
-  int set_up(const char* what);
+  int set_up(const char* what) {
+    if (empty()) return 0;
+    if (!solver_->set_up(values_)) throw RecoverableError(std::string(what) + " is singular");
+    is_set_up_ = true;
+    return solver_->factorizations();
+  }
   /// x = approximately K^-1 s, the columns of all owners one after the other.
-  std::span<double> solve(std::span<const double> s);
-  void scatter(std::span<const double> x, std::span<double> z) const;
+  std::span<double> solve(std::span<const double> s) {
+    auto target = b_.begin();
+    for (const std::vector<int>& unknowns : unknowns_)
+      for (int i : unknowns) *target++ = s[i];
+    if (!empty()) solver_->apply(b_, x_);
+    return x_;
+  }
+  void scatter(std::span<const double> x, std::span<double> z) const {
+    auto source = x.begin();
+    for (const std::vector<int>& unknowns : unknowns_)
+      for (int i : unknowns) z[i] = *source++;
+  }
 
 private:
+  static std::vector<std::vector<int>> by_owner(const Structure& structure, Role role,
+                                                bool together) {
+    std::map<int, std::vector<int>> owned;
+    for (int i : unknowns_of(structure, {role}))
+      owned[together ? 0 : structure.blocks[structure.block[i]].owner].push_back(i);
+    std::vector<std::vector<int>> result;
+    for (auto& [owner, unknowns] : owned) result.push_back(std::move(unknowns));
+    if (result.empty()) result.emplace_back();
+    return result;
+  }
   std::vector<std::vector<int>> unknowns_;  // by owner
   std::vector<SymmetricPart> parts_;
   StiffnessLayout layout_;

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <gnomon/linear/block_preconditioner.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/linear/jacobian_block.hpp>
 #include <numbers>
 #include <tuple>
 
+#include "linear/block_preconditioner.hpp"
 #include "newton/krylov.hpp"
 #include "support/pin.hpp"
 #include "support/pressed_block.hpp"

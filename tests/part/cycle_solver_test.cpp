@@ -2,10 +2,10 @@
 // derivation.
 
 #include <cmath>
-#include <gnomon/linear/block_preconditioner.hpp>
 #include <gnomon/linear/jacobian_block.hpp>
 #include <gnomon/model/problem.hpp>
 
+#include "linear/block_preconditioner.hpp"
 #include "part/cyclic_flat.hpp"
 
 namespace gnomon::cycle_solver_test {
