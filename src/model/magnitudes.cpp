@@ -7,47 +7,59 @@
 
 namespace gnomon {
 
-GapProfile::GapProfile(std::vector<double> gaps, std::vector<double> areas) {
-  std::vector<std::size_t> order(gaps.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return gaps[a] < gaps[b]; });
-  for (std::size_t k : order) {
-    gap_.push_back(gaps[k] - gaps[order.front()]);
-    area_.push_back(areas[k]);
-  }
-}
-
-double GapProfile::area(double depth) const {
-  double sum = 0;
-  for (std::size_t k = 0; k < gap_.size() && gap_[k] <= depth; ++k) sum += area_[k];
-  return sum;
-}
-
-double GapProfile::count(double depth) const {
-  return static_cast<double>(std::upper_bound(gap_.begin(), gap_.end(), depth) - gap_.begin());
-}
-
-double GapProfile::volume(double depth) const {
-  double sum = 0;
-  for (std::size_t k = 0; k < gap_.size() && gap_[k] < depth; ++k)
-    sum += area_[k] * (depth - gap_[k]);
-  return sum;
-}
-
-/// Volume is linear in the depth between one gap and the next.
-double GapProfile::depth_of(double volume) const {
-  double area = 0, moment = 0;
-  for (std::size_t k = 0; k < gap_.size(); ++k) {
-    area += area_[k];
-    moment += area_[k] * gap_[k];
-    const double depth = (volume + moment) / area;
-    if (k + 1 == gap_.size() || depth <= gap_[k + 1]) return depth;
-  }
-  return 0;
-}
-
 namespace {
+
+/// Gaps between the contact surface and the counter-body where they first touch, with their areas.
+/// As if each node were on a spring of its own, it tells how much of the surface a load or the wear
+/// brings into contact: enough for scales.
+class GapProfile {
+public:
+  /// One entry for each contact node: gap from the first touch [length], area.
+  GapProfile(std::vector<double> gaps, std::vector<double> areas) {
+    std::vector<std::size_t> order(gaps.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return gaps[a] < gaps[b]; });
+    for (std::size_t k : order) {
+      gap_.push_back(gaps[k] - gaps[order.front()]);
+      area_.push_back(areas[k]);
+    }
+  }
+
+  /// Of the surface that overlaps when the bodies approach by `depth`.
+  double area(double depth) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < gap_.size() && gap_[k] <= depth; ++k) sum += area_[k];
+    return sum;
+  }
+  /// Nodes of that surface.
+  double count(double depth) const {
+    return static_cast<double>(std::upper_bound(gap_.begin(), gap_.end(), depth) - gap_.begin());
+  }
+  /// Volume of the overlap.
+  double volume(double depth) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < gap_.size() && gap_[k] < depth; ++k)
+      sum += area_[k] * (depth - gap_[k]);
+    return sum;
+  }
+
+  /// The depth with that volume of overlap.
+  /// Volume is linear in the depth between one gap and the next.
+  double depth_of(double volume) const {
+    double area = 0, moment = 0;
+    for (std::size_t k = 0; k < gap_.size(); ++k) {
+      area += area_[k];
+      moment += area_[k] * gap_[k];
+      const double depth = (volume + moment) / area;
+      if (k + 1 == gap_.size() || depth <= gap_[k + 1]) return depth;
+    }
+    return 0;
+  }
+
+private:
+  std::vector<double> gap_, area_;  // ascending gaps
+};
 
 /// How far the bodies come together, on springs of stiffness E* by the width of the contact.
 struct Indentation {

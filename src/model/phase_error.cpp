@@ -24,117 +24,131 @@ double distance(double a, double b) {
 constexpr NewtonOptions rough_newton{
     .tolerance = 1e-6, .acceptable = 1e-5, .max_iterations = 60, .keep_factors = true};
 
-}  // namespace
-
+/// The deformation of a body in any phases of its cycle, at a fixed shape and time. What is known
+/// of some phases gives the first guesses for others. At most as many phases as the body has, or
+/// some, are solved at a time, for they take memory.
 template <int dim>
-FixedShape<dim>::FixedShape(std::shared_ptr<const Assembly<dim>> body)
-    : body_(std::move(body)),
-      d_(NodalField<dim>::Zero(static_cast<Eigen::Index>(body_->mesh.nodes.size()), dim)) {}
-
-template <int dim>
-FixedShape<dim>::FixedShape(double t, const WornBodyEquations<dim>& equations,
-                            const FieldValues<dim>& values,
-                            const std::vector<PhaseContact<dim>>& contacts)
-    : body_(equations.shared_assembly()), t_(t), d_(values.vector(equations.fields().d)) {
-  for (std::size_t p = 0; p < contacts.size(); ++p)
-    keep(equations.phases()[p], equations.fields(p), values, contacts[p].nodes);
-}
-
-template <int dim>
-void FixedShape<dim>::keep(const Phase<dim>& phase, const WornBodyFields& fields,
-                           const FieldValues<dim>& values,
-                           const std::vector<ContactNode<dim>>& nodes) {
-  Known known{
-      phase.position,
-      values.vector(fields.u),
-      values.scalar(fields.lambda),
-      fields.w == FieldId::none ? Eigen::VectorXd() : Eigen::VectorXd(values.scalar(fields.w)),
-      {}};
-  areas_.clear();
-  for (const ContactNode<dim>& node : nodes) {
-    known.rate.push_back(node.wear_rate);
-    areas_.push_back(node.area);  // those of the shape, the same in all phases
+class FixedShape {
+public:
+  /// The unworn shape at t = 0.
+  explicit FixedShape(std::shared_ptr<const Assembly<dim>> body)
+      : body_(std::move(body)),
+        d_(NodalField<dim>::Zero(static_cast<Eigen::Index>(body_->mesh.nodes.size()), dim)) {}
+  /// The shape and time of a state, whose phases are known: its values, and contact in each phase.
+  FixedShape(double t, const WornBodyEquations<dim>& equations, const FieldValues<dim>& values,
+             const std::vector<PhaseContact<dim>>& contacts)
+      : body_(equations.shared_assembly()), t_(t), d_(values.vector(equations.fields().d)) {
+    for (std::size_t p = 0; p < contacts.size(); ++p)
+      keep(equations.phases()[p], equations.fields(p), values, contacts[p].nodes);
   }
-  known_.push_back(std::move(known));
-}
 
-template <int dim>
-auto FixedShape<dim>::nearest(double position) const -> const Known& {
-  return *std::ranges::min_element(
-      known_, {}, [&](const Known& known) { return distance(known.position, position); });
-}
-
-template <int dim>
-bool FixedShape<dim>::is_known(double position) const {
-  constexpr double rounding = 1e-12;
-  return std::ranges::any_of(
-      known_, [&](const Known& known) { return distance(known.position, position) < rounding; });
-}
-
-/// From the guess, or by a load ramp where that fails.
-template <int dim>
-void FixedShape<dim>::find_deformation(const WornBodyEquations<dim>& equations,
-                                       ComposedSystem<dim>& deformation,
-                                       std::vector<double>& y) const {
-  Counters counters;
-  if (!known_.empty()) {
-    NewtonSolver newton(deformation.structure(), counters, rough_newton);
-    std::vector<double> guessed = y;
-    if (newton.solve(algebraic_function(deformation), guessed).converged) {
-      y = guessed;
-      return;
+  /// Mean wear rate over the phases at every contact node [length / time]. Throws SolutionError.
+  std::vector<double> mean_rate(const std::vector<Phase<dim>>& phases) {
+    std::vector<Phase<dim>> unknown;
+    for (const Phase<dim>& phase : phases)
+      if (!is_known(phase.position)) unknown.push_back(phase);
+    constexpr std::size_t cheap = 16;
+    const std::size_t at_a_time = std::max(body_->phases.size(), cheap);
+    for (std::size_t first = 0; first < unknown.size(); first += at_a_time) {
+      const std::size_t count = std::min(at_a_time, unknown.size() - first);
+      const auto begin = unknown.begin() + static_cast<std::ptrdiff_t>(first);
+      solve({begin, begin + static_cast<std::ptrdiff_t>(count)});
     }
+    std::vector<double> mean(body_->contact_nodes.size(), 0.0);
+    for (const Phase<dim>& phase : phases) {
+      const Known& known = nearest(phase.position);
+      for (std::size_t c = 0; c < mean.size(); ++c) mean[c] += phase.weight * known.rate[c];
+    }
+    return mean;
   }
-  FieldValues<dim> values(*equations.composition()->fields);
-  values.vector(equations.fields().d) = d_;
-  const RampReport ramp =
-      find_equilibrium(equations, deformation, ramp_options(*body_), values, counters);
-  if (ramp.reached < 1) throw SolutionError(ramp.reason);
-  deformation.numbering().gather(values, y);
-}
 
-template <int dim>
-void FixedShape<dim>::solve(const std::vector<Phase<dim>>& phases) {
-  const WornBodyEquations<dim> equations(body_, phases);
-  ComposedSystem<dim> deformation(equations.composition(), equations.deformation());
-  FieldValues<dim> values(*equations.composition()->fields);
-  values.vector(equations.fields().d) = d_;
-  deformation.freeze(values, t_);
-  for (std::size_t p = 0; p < phases.size() && !known_.empty(); ++p) {
-    const Known& guess = nearest(phases[p].position);
-    const WornBodyFields& fields = equations.fields(p);
-    values.vector(fields.u) = guess.u;
-    values.scalar(fields.lambda) = guess.lambda;
-    if (fields.w != FieldId::none) values.scalar(fields.w) = guess.w;
-  }
-  std::vector<double> y(static_cast<std::size_t>(deformation.structure().size));
-  deformation.numbering().gather(values, y);
-  find_deformation(equations, deformation, y);
-  values = deformation.values(t_, y);
-  for (std::size_t p = 0; p < phases.size(); ++p)
-    keep(phases[p], equations.fields(p), values,
-         equations.contact_nodes(deformation, values, {.t = t_, .y = y}, p));
-}
+  /// A part of its volume: of every contact node, known after mean_rate() [length^(dim - 1)].
+  const std::vector<double>& areas() const { return areas_; }
 
-template <int dim>
-std::vector<double> FixedShape<dim>::mean_rate(const std::vector<Phase<dim>>& phases) {
-  std::vector<Phase<dim>> unknown;
-  for (const Phase<dim>& phase : phases)
-    if (!is_known(phase.position)) unknown.push_back(phase);
-  constexpr std::size_t cheap = 16;
-  const std::size_t at_a_time = std::max(body_->phases.size(), cheap);
-  for (std::size_t first = 0; first < unknown.size(); first += at_a_time) {
-    const std::size_t count = std::min(at_a_time, unknown.size() - first);
-    const auto begin = unknown.begin() + static_cast<std::ptrdiff_t>(first);
-    solve({begin, begin + static_cast<std::ptrdiff_t>(count)});
+private:
+  struct Known {
+    double position;
+    NodalField<dim> u;
+    Eigen::VectorXd lambda;
+    Eigen::VectorXd w;
+    std::vector<double> rate;  // of wear, at every contact node
+  };
+  void solve(const std::vector<Phase<dim>>& phases) {
+    const WornBodyEquations<dim> equations(body_, phases);
+    ComposedSystem<dim> deformation(equations.composition(), equations.deformation());
+    FieldValues<dim> values(*equations.composition()->fields);
+    values.vector(equations.fields().d) = d_;
+    deformation.freeze(values, t_);
+    for (std::size_t p = 0; p < phases.size() && !known_.empty(); ++p) {
+      const Known& guess = nearest(phases[p].position);
+      const WornBodyFields& fields = equations.fields(p);
+      values.vector(fields.u) = guess.u;
+      values.scalar(fields.lambda) = guess.lambda;
+      if (fields.w != FieldId::none) values.scalar(fields.w) = guess.w;
+    }
+    std::vector<double> y(static_cast<std::size_t>(deformation.structure().size));
+    deformation.numbering().gather(values, y);
+    find_deformation(equations, deformation, y);
+    values = deformation.values(t_, y);
+    for (std::size_t p = 0; p < phases.size(); ++p)
+      keep(phases[p], equations.fields(p), values,
+           equations.contact_nodes(deformation, values, {.t = t_, .y = y}, p));
   }
-  std::vector<double> mean(body_->contact_nodes.size(), 0.0);
-  for (const Phase<dim>& phase : phases) {
-    const Known& known = nearest(phase.position);
-    for (std::size_t c = 0; c < mean.size(); ++c) mean[c] += phase.weight * known.rate[c];
+
+  /// From the guess, or by a load ramp where that fails.
+  void find_deformation(const WornBodyEquations<dim>& equations, ComposedSystem<dim>& deformation,
+                        std::vector<double>& y) const {
+    Counters counters;
+    if (!known_.empty()) {
+      NewtonSolver newton(deformation.structure(), counters, rough_newton);
+      std::vector<double> guessed = y;
+      if (newton.solve(algebraic_function(deformation), guessed).converged) {
+        y = guessed;
+        return;
+      }
+    }
+    FieldValues<dim> values(*equations.composition()->fields);
+    values.vector(equations.fields().d) = d_;
+    const RampReport ramp =
+        find_equilibrium(equations, deformation, ramp_options(*body_), values, counters);
+    if (ramp.reached < 1) throw SolutionError(ramp.reason);
+    deformation.numbering().gather(values, y);
   }
-  return mean;
-}
+
+  void keep(const Phase<dim>& phase, const WornBodyFields& fields, const FieldValues<dim>& values,
+            const std::vector<ContactNode<dim>>& nodes) {
+    Known known{
+        phase.position,
+        values.vector(fields.u),
+        values.scalar(fields.lambda),
+        fields.w == FieldId::none ? Eigen::VectorXd() : Eigen::VectorXd(values.scalar(fields.w)),
+        {}};
+    areas_.clear();
+    for (const ContactNode<dim>& node : nodes) {
+      known.rate.push_back(node.wear_rate);
+      areas_.push_back(node.area);  // those of the shape, the same in all phases
+    }
+    known_.push_back(std::move(known));
+  }
+
+  const Known& nearest(double position) const {
+    return *std::ranges::min_element(
+        known_, {}, [&](const Known& known) { return distance(known.position, position); });
+  }
+  bool is_known(double position) const {
+    constexpr double rounding = 1e-12;
+    return std::ranges::any_of(
+        known_, [&](const Known& known) { return distance(known.position, position) < rounding; });
+  }
+
+  std::shared_ptr<const Assembly<dim>> body_;
+  double t_ = 0;
+  NodalField<dim> d_;
+  std::vector<Known> known_;
+  std::vector<double> areas_;
+};
+
+}  // namespace
 
 RateDifference compare_rates(const std::vector<double>& areas, const std::vector<double>& coarse,
                              const std::vector<double>& fine) {
@@ -204,8 +218,6 @@ std::optional<PhaseError> WearModel<dim>::phase_error(const State& state) const 
                     std::max(of_motion, difference / whole)};
 }
 
-template class FixedShape<2>;
-template class FixedShape<3>;
 template double error_of_motion(const std::vector<Phase<2>>&, const std::vector<Phase<2>>&);
 template double error_of_motion(const std::vector<Phase<3>>&, const std::vector<Phase<3>>&);
 template ChosenPhases choose_phases(std::shared_ptr<const Assembly<2>>, double);

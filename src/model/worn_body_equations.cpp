@@ -152,17 +152,15 @@ void WornBodyEquations<dim>::add(std::vector<TermFactory<dim>>& terms, TermKind 
 /// Factories share the ownership of the assembly, so that terms may refer to it.
 template <int dim>
 void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
-  using Made = std::unique_ptr<Term<dim>>;
   for (std::size_t p = 0; p < phases_.size(); ++p) add_equilibrium(p, terms);
-  add(terms, TermKind::mesh_motion, 0,
-      [of = assembly_, f = fields()](const Numbering& numbering) -> Made {
-        return std::make_unique<MeshMotion<dim>>(of->mesh,
-                                                 of->cross_section ? &*of->cross_section : nullptr,
-                                                 of->shape.along, of->shape.law, numbering, f.d);
-      });
+  add(terms, TermKind::mesh_motion, 0, [of = assembly_, f = fields()](const Numbering& numbering) {
+    return std::make_unique<MeshMotion<dim>>(of->mesh,
+                                             of->cross_section ? &*of->cross_section : nullptr,
+                                             of->shape.along, of->shape.law, numbering, f.d);
+  });
   if (assembly_->shape.constraint == ConstraintForm::multiplier)
     add(terms, TermKind::mesh_motion, 0,
-        [of = assembly_, f = fields()](const Numbering& numbering) -> Made {
+        [of = assembly_, f = fields()](const Numbering& numbering) {
           return std::make_unique<ShapeMultiplier<dim>>(of->mesh, of->shape.along, of->shape.law,
                                                         of->contact_nodes, numbering, f.d, f.mu);
         });
@@ -170,16 +168,14 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     contact_terms_.push_back(terms.size());
     add(terms, TermKind::contact, p,
-        [of = assembly_, phase = phases_[p], f = fields_[p],
-         speed](const Numbering& numbering) -> Made {
+        [of = assembly_, phase = phases_[p], f = fields_[p], speed](const Numbering& numbering) {
           return std::make_unique<ContactTerm<dim>>(contact_state(*of, phase, f, speed), f.d,
                                                     numbering);
         });
   }
-  add(terms, TermKind::evolution, 0,
-      [of = assembly_, f = fields()](const Numbering& numbering) -> Made {
-        return std::make_unique<ShapeEvolution<dim>>(numbering, of->contact_nodes, f.d);
-      });
+  add(terms, TermKind::evolution, 0, [of = assembly_, f = fields()](const Numbering& numbering) {
+    return std::make_unique<ShapeEvolution<dim>>(numbering, of->contact_nodes, f.d);
+  });
   for (const SpringSupport<dim>& springs : assembly_->supports.springs) add_springs(springs, terms);
   for (const Load<dim>& load : assembly_->loads) add_load(load, terms);
 }
@@ -188,11 +184,9 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
 /// follows the history of the interface.
 template <int dim>
 void WornBodyEquations<dim>::add_equilibrium(std::size_t p, std::vector<TermFactory<dim>>& terms) {
-  using Made = std::unique_ptr<Term<dim>>;
-  add(terms, TermKind::body, p,
-      [of = assembly_, f = fields_[p]](const Numbering& numbering) -> Made {
-        return std::make_unique<BodyTerm<dim>>(of->mesh, of->bodies, numbering, f.u, f.d);
-      });
+  add(terms, TermKind::body, p, [of = assembly_, f = fields_[p]](const Numbering& numbering) {
+    return std::make_unique<BodyTerm<dim>>(of->mesh, of->bodies, numbering, f.u, f.d);
+  });
   const std::vector<std::optional<double>> forces = phases_[p].forces();
   for (std::size_t k = 0; k < forces.size(); ++k) {
     if (!forces[k]) continue;
@@ -205,7 +199,7 @@ void WornBodyEquations<dim>::add_equilibrium(std::size_t p, std::vector<TermFact
     // What presses the bodies on each other may not vanish.
     add(terms, TermKind::press, p,
         [of = assembly_, f = fields_[p], along, k,
-         factors = guide.factors](const Numbering& numbering) -> Made {
+         factors = guide.factors](const Numbering& numbering) {
           using Purpose = typename Loads<dim>::Purpose;
           return k == 0
                      ? std::make_unique<Loads<dim>>(numbering, f.w, along, of->interface.history)
@@ -218,7 +212,6 @@ void WornBodyEquations<dim>::add_equilibrium(std::size_t p, std::vector<TermFact
 template <int dim>
 void WornBodyEquations<dim>::add_springs(const SpringSupport<dim>& springs,
                                          std::vector<TermFactory<dim>>& terms) {
-  using Made = std::unique_ptr<Term<dim>>;
   Field::Values pull =
       Field::Values::Zero(static_cast<Eigen::Index>(assembly_->mesh.nodes.size()), dim);
   const Section section = assembly_->section();
@@ -230,13 +223,13 @@ void WornBodyEquations<dim>::add_springs(const SpringSupport<dim>& springs,
   for (std::size_t p = 0; p < fields_.size(); ++p) {
     const WornBodyFields& fields = fields_[p];
     add(terms, TermKind::spring, p,
-        [of = assembly_, f = fields, springs](const Numbering& numbering) -> Made {
+        [of = assembly_, f = fields, springs](const Numbering& numbering) {
           return std::make_unique<Springs<dim>>(of->mesh, springs.facets, springs.stiffness,
                                                 numbering, f.u, of->section());
         });
     if (!pull.isZero(0))
       add(terms, TermKind::spring, p,
-          [f = fields, pull, history = springs.history](const Numbering& n) -> Made {
+          [f = fields, pull, history = springs.history](const Numbering& n) {
             return std::make_unique<Loads<dim>>(n, f.u, pull, history, Loads<dim>::Purpose::acts);
           });
   }
@@ -245,12 +238,11 @@ void WornBodyEquations<dim>::add_springs(const SpringSupport<dim>& springs,
 
 template <int dim>
 void WornBodyEquations<dim>::add_load(const Load<dim>& load, std::vector<TermFactory<dim>>& terms) {
-  using Made = std::unique_ptr<Term<dim>>;
   const auto purpose = load.presses ? Loads<dim>::Purpose::presses : Loads<dim>::Purpose::acts;
   for (std::size_t p = 0; p < phases_.size(); ++p)
     add(terms, TermKind::load, p,
         [of = assembly_, f = fields_[p], factor = phases_[p].load, load,
-         purpose](const Numbering& numbering) -> Made {
+         purpose](const Numbering& numbering) -> std::unique_ptr<Term<dim>> {
           if (load.forces.size() > 0)
             return std::make_unique<Loads<dim>>(numbering, f.u, factor * load.forces, load.history,
                                                 purpose);

@@ -5,27 +5,6 @@
 
 namespace gnomon {
 
-/// Gaps between the contact surface and the counter-body where they first touch, with their areas.
-/// As if each node were on a spring of its own, it tells how much of the surface a load or the wear
-/// brings into contact: enough for scales.
-class GapProfile {
-public:
-  /// One entry for each contact node: gap from the first touch [length], area.
-  GapProfile(std::vector<double> gaps, std::vector<double> areas);
-
-  /// Of the surface that overlaps when the bodies approach by `depth`.
-  double area(double depth) const;
-  /// Nodes of that surface.
-  double count(double depth) const;
-  /// Volume of the overlap.
-  double volume(double depth) const;
-  /// The depth with that volume of overlap.
-  double depth_of(double volume) const;
-
-private:
-  std::vector<double> gap_, area_;  // ascending gaps
-};
-
 /// What brings the bodies together: a force, or without one a displacement.
 struct Pressing {
   double force = 0;    ///< the largest of a cycle, at factor one
