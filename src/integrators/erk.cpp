@@ -72,9 +72,24 @@ constexpr int most_failures = 30;
 class ErkSolver : public Stepper {
 public:
   ErkSolver(const System& system, const IntegratorSettings& settings, Counters& counters,
-            const std::string& table);
+            const std::string& table)
+      : Stepper(counters),
+        system_(system),
+        settings_(settings),
+        counters_(counters),
+        table_(arkode_erk_table(table)),
+        norm_(system.structure(), settings),
+        jumps_(system, settings),
+        expected_error_(settings, table_.embedded_order),
+        algebraic_(system, counters, settings.nonlinear_fraction),
+        proposal_(settings.step),
+        step_control_(pi_controller, context_),
+        d_(make_vector(static_cast<long>(norm_.components().size()), context_)) {}
   std::vector<double> memory() const override { return {proposal_}; }
-  void restore(const State& state, std::span<const double> memory) override;
+  void restore(const State&, std::span<const double> memory) override {
+    if (memory.empty()) throw InputError("the checkpoint does not belong to this integrator");
+    proposal_ = settings_.step > 0 ? std::min(memory.front(), settings_.step) : memory.front();
+  }
   /// The size of the steps remains; the controller of ARKODE begins anew.
   bool follow(Stepper& before, const State& state, bool) override {
     restore(state, before.memory());
@@ -82,20 +97,191 @@ public:
   }
 
 private:
-  StepReport take_step(State& state, double t_stop) override;
-  static int rate(sunrealtype t, N_Vector d, N_Vector ddot, void* self);
-  static int weights(N_Vector d, N_Vector w, void* self);
-  void begin(const State& state);
-  void restart(const State& state, double h);
-  void set_step(const State& state, double t_stop);
-  void evaluate(double t, std::span<const double> d);
-  void gather(const std::vector<double>& y, std::span<double> d) const;
-  void set_state(const State& state);
+  StepReport take_step(State& state, double t_stop) override {
+    from_ = state.t;
+    if (!erk_)
+      begin(state);
+    else if (is_breakpoint(system_.structure(), state.t) &&
+             pass_breakpoint(system_, counters_, nullptr, state))
+      restart(state, proposal_);  // ERKStep has kept the rate before the jump
+    void* erk = erk_.get();
+    t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
+    if (settings_.step == 0) t_stop = end_at_stop(system_.structure(), state.t, t_stop);
+    sunrealtype t = state.t;
+    for (int failures = 0;; ++failures) {
+      set_step(state, t_stop);
+      guard_.clear();
+      t = state.t;
+      const int flag = ARKodeEvolve(erk, t_stop, d_.get(), &t, ARK_ONE_STEP);
+      const bool done = flag >= 0 && guard_.run([&] { evaluate(t, view(d_.get())); }) ==
+                                         0;  // the state that it has reached
+      guard_.rethrow();
+      long error_fails = 0;
+      check(ARKodeGetNumErrTestFails(erk, &error_fails), "ARKodeGetNumErrTestFails");
+      counters_.rejected_steps += error_fails - std::exchange(rejected_, error_fails);
+      if (done) {
+        const double shorter = settings_.step > 0 ? 0 : jumps_(state, whole_, t - state.t).shorter;
+        if (shorter == 0) break;
+        ++counters_.rejected_steps;
+        restart(state, shorter);
+        continue;
+      }
+      double tried = t - state.t;
+      if (flag < 0) check(ARKodeGetCurrentStep(erk, &tried), "ARKodeGetCurrentStep");
+      // Ever smaller steps would approach the end of the solution without reaching it.
+      const bool shortest = tried <= shortest_step(settings_);
+      if (guard_.recoverable().empty() || shortest || failures == most_failures)
+        throw SolutionError(fmt::format(
+            "{} cannot continue from t = {:.6g}: code {}{}{}", table_.name, state.t, flag,
+            guard_.recoverable().empty() ? "" : "; last: ", guard_.recoverable()));
+      ++counters_.rejected_steps;
+      restart(state, std::min(tried, t_stop - state.t) / 2);
+    }
+    if (settings_.step > 0)
+      proposal_ = std::min(settings_.step, 2 * proposal_);
+    else
+      check(ARKodeGetCurrentStep(erk, &proposal_), "ARKodeGetCurrentStep");
+    const StepReport report{
+        .step = t - state.t, .order = table_.order, .integral = sum_up(state, t - state.t)};
+    state = whole_;
+    return report;
+  }
+
+  static int rate(sunrealtype t, N_Vector d, N_Vector ddot, void* data) {
+    ErkSolver& self = *static_cast<ErkSolver*>(data);
+    return self.guard_.run([&] {
+      self.evaluate(t, view(d));
+      self.gather(self.whole_.ydot, view(ddot));
+      const double integrand = self.settings_.integrand ? self.integrand(self.whole_) : 0;
+      self.evaluated_.push_back({t, integrand, {view(ddot).begin(), view(ddot).end()}});
+      if (self.evaluated_.size() > static_cast<std::size_t>(self.table_.stages()) + 2)
+        self.evaluated_.pop_front();
+    });
+  }
+
+  static int weights(N_Vector d, N_Vector w, void* data) {
+    const ErkSolver& self = *static_cast<ErkSolver*>(data);
+    for (std::size_t k = 0; k < view(d).size(); ++k)
+      view(w)[k] = self.norm_.weight(self.norm_.components()[k], view(d)[k]);
+    return 0;
+  }
+
+  void begin(const State& state) {
+    set_state(state);
+    erk_.reset(ERKStepCreate(&ErkSolver::rate, state.t, d_.get(), context_));
+    void* erk = erk_.get();
+    check(erk, "ERKStepCreate");
+    GNOMON_SILENCE(ERKStepSetErrHandlerFn, erk);
+    check(ARKodeSetUserData(erk, this), "ARKodeSetUserData");
+    check(ERKStepSetTable(erk, table_with_end(table_).get()), "ERKStepSetTable");
+    check(ARKodeWFtolerances(erk, &ErkSolver::weights), "ARKodeWFtolerances");
+    check(step_control_.give_to(erk), "StepControl");
+    check(ARKodeSetMaxGrowth(erk, most_growth), "ARKodeSetMaxGrowth");
+    check(ARKodeSetMaxErrTestFails(erk, most_failures), "ARKodeSetMaxErrTestFails");
+    check(ARKodeSetMaxNumSteps(erk, -1), "ARKodeSetMaxNumSteps");
+    if (settings_.max_step > 0)
+      check(ARKodeSetMaxStep(erk, settings_.max_step), "ARKodeSetMaxStep");
+    if (settings_.step > 0) return;
+    if (proposal_ > 0)  // not the first step, which may be far too small
+      check(ARKodeSetMaxFirstGrowth(erk, most_growth), "ARKodeSetMaxFirstGrowth");
+    else
+      proposal_ = first_step(state, system_.structure(), settings_, table_.embedded_order);
+    check(ARKodeSetInitStep(erk, proposal_), "ARKodeSetInitStep");
+  }
+
+  /// Restarts after a failed evaluation: from the last good state with a shorter step.
+  void restart(const State& state, double h) {
+    set_state(state);
+    check(ARKodeReset(erk_.get(), state.t, d_.get()), "ARKodeReset");
+    if (settings_.step > 0)
+      proposal_ = h;
+    else
+      check(ARKodeSetInitStep(erk_.get(), h), "ARKodeSetInitStep");
+  }
+  void set_step(const State& state, double t_stop) {
+    check(ARKodeSetStopTime(erk_.get(), t_stop), "ARKodeSetStopTime");
+    step_ = std::min(proposal_, t_stop - state.t);
+    if (settings_.step == 0) return;
+    const double left = end_of_fixed_step(state.t, settings_.step, t_stop) - state.t;
+    step_ = proposal_ < left * (1 - shortest_remainder) ? proposal_ : left;
+    check(ARKodeSetFixedStep(erk_.get(), step_), "ARKodeSetFixedStep");
+  }
+
+  /// Makes whole_ the consistent state with differential components d, including its rates.
+  void evaluate(double t, std::span<const double> d) {
+    State next = whole_;
+    next.t = t;
+    if (t != whole_.t) dense_output_.evaluate(t, next.y);
+    const std::vector<int>& components = norm_.components();
+    for (std::size_t k = 0; k < components.size(); ++k) next.y[components[k]] = d[k];
+    const double error = expected_error_.of_step(step_);
+    const Distance distance = [&](std::span<const double> before, std::span<const double> y) {
+      return step_ * distance_of_rates(system_, norm_, nullptr, next, before, y, from_) / error;
+    };
+    if (t != whole_.t || norm_.distance(next.y, whole_.y, next.y) > 0) {
+      const std::string reason =
+          algebraic_.solve(inside_step(system_.structure(), from_, t), next.y, nullptr,
+                           error > 0 ? distance : Distance{});
+      if (!reason.empty()) throw RecoverableError(reason);
+      dense_output_.add(t, next.y);
+    }
+    set_rates(system_, nullptr, next, from_);
+    whole_ = std::move(next);
+  }
+
+  void gather(const std::vector<double>& y, std::span<double> d) const {
+    const std::vector<int>& components = norm_.components();
+    for (std::size_t k = 0; k < components.size(); ++k) d[k] = y[components[k]];
+  }
+  /// The state from which ERKStep begins, or begins again.
+  void set_state(const State& state) {
+    whole_ = state;
+    dense_output_.clear();
+    dense_output_.add(state.t, state.y);
+    gather(state.y, view(d_.get()));
+  }
   double integrand(const State& at) const {
     return settings_.integrand({at.t, at.y, at.ydot, nullptr, from_});
   }
-  std::ptrdiff_t second_stage(const State& start, double h) const;
-  double sum_up(const State& start, double h);
+
+  /// The place in evaluated_ of the second stage of the step of size h that ERKStep has just taken
+  /// from `start`, the first stage. The others were evaluated last, one after the other; after them
+  /// there may be the end of the step, as a separate stage or for the next step.
+  std::ptrdiff_t second_stage(const State& start, double h) const {
+    const double rounding = 1e-9 * h + 8 * std::numeric_limits<double>::epsilon() * start.t;
+    const std::ptrdiff_t later = table_.stages() - 1;
+    const std::ptrdiff_t behind = stages_with_end(table_) - table_.stages();
+    for (auto first = std::ssize(evaluated_) - behind - later; first >= 0; --first) {
+      int i = 1;
+      while (i <= later &&
+             std::abs(evaluated_[first + i - 1].t - (start.t + table_.c[i] * h)) <= rounding)
+        ++i;
+      if (i > later) return first;
+    }
+    throw SolutionError("the stages of " + table_.name +
+                        " cannot be told apart: steps are too short");
+  }
+
+  /// The integral over the step, and what it leaves for the next if its size is fixed: its error.
+  /// Both by the weights of the table.
+  double sum_up(const State& start, double h) {
+    if (!settings_.integrand && settings_.step == 0) return 0;
+    // Stages of so short a step differ by rounding; its error is nothing.
+    if (!settings_.integrand && h <= 1e-9 * settings_.step) return 0;
+    const std::ptrdiff_t second = second_stage(start, h);
+    double integral = settings_.integrand ? table_.b[0] * integrand(start) : 0;
+    std::vector<double> error(norm_.components().size());
+    gather(start.ydot, error);
+    for (double& e : error) e *= h * (table_.b[0] - table_.b_embedded[0]);
+    for (int i = 1; i < table_.stages(); ++i) {
+      const Evaluated& stage = evaluated_[second + i - 1];
+      integral += table_.b[i] * stage.integrand;
+      for (std::size_t k = 0; k < error.size(); ++k)
+        error[k] += h * (table_.b[i] - table_.b_embedded[i]) * stage.rates[k];
+    }
+    expected_error_.learn(h, norm_(error, whole_.y));
+    return h * integral;
+  }
 
   const System& system_;
   IntegratorSettings settings_;
@@ -123,209 +309,6 @@ private:
   VectorOwner d_;  // the differential components
   Owner<void, destroy_erk> erk_;
 };
-
-ErkSolver::ErkSolver(const System& system, const IntegratorSettings& settings, Counters& counters,
-                     const std::string& table)
-    : Stepper(counters),
-      system_(system),
-      settings_(settings),
-      counters_(counters),
-      table_(arkode_erk_table(table)),
-      norm_(system.structure(), settings),
-      jumps_(system, settings),
-      expected_error_(settings, table_.embedded_order),
-      algebraic_(system, counters, settings.nonlinear_fraction),
-      proposal_(settings.step),
-      step_control_(pi_controller, context_),
-      d_(make_vector(static_cast<long>(norm_.components().size()), context_)) {}
-
-void ErkSolver::gather(const std::vector<double>& y, std::span<double> d) const {
-  const std::vector<int>& components = norm_.components();
-  for (std::size_t k = 0; k < components.size(); ++k) d[k] = y[components[k]];
-}
-
-/// The state from which ERKStep begins, or begins again.
-void ErkSolver::set_state(const State& state) {
-  whole_ = state;
-  dense_output_.clear();
-  dense_output_.add(state.t, state.y);
-  gather(state.y, view(d_.get()));
-}
-
-/// Makes whole_ the consistent state with differential components d, including its rates.
-void ErkSolver::evaluate(double t, std::span<const double> d) {
-  State next = whole_;
-  next.t = t;
-  if (t != whole_.t) dense_output_.evaluate(t, next.y);
-  const std::vector<int>& components = norm_.components();
-  for (std::size_t k = 0; k < components.size(); ++k) next.y[components[k]] = d[k];
-  const double error = expected_error_.of_step(step_);
-  const Distance distance = [&](std::span<const double> before, std::span<const double> y) {
-    return step_ * distance_of_rates(system_, norm_, nullptr, next, before, y, from_) / error;
-  };
-  if (t != whole_.t || norm_.distance(next.y, whole_.y, next.y) > 0) {
-    const std::string reason = algebraic_.solve(inside_step(system_.structure(), from_, t), next.y,
-                                                nullptr, error > 0 ? distance : Distance{});
-    if (!reason.empty()) throw RecoverableError(reason);
-    dense_output_.add(t, next.y);
-  }
-  set_rates(system_, nullptr, next, from_);
-  whole_ = std::move(next);
-}
-
-int ErkSolver::rate(sunrealtype t, N_Vector d, N_Vector ddot, void* data) {
-  ErkSolver& self = *static_cast<ErkSolver*>(data);
-  return self.guard_.run([&] {
-    self.evaluate(t, view(d));
-    self.gather(self.whole_.ydot, view(ddot));
-    const double integrand = self.settings_.integrand ? self.integrand(self.whole_) : 0;
-    self.evaluated_.push_back({t, integrand, {view(ddot).begin(), view(ddot).end()}});
-    if (self.evaluated_.size() > static_cast<std::size_t>(self.table_.stages()) + 2)
-      self.evaluated_.pop_front();
-  });
-}
-
-/// The place in evaluated_ of the second stage of the step of size h that ERKStep has just taken
-/// from `start`, the first stage. The others were evaluated last, one after the other; after them
-/// there may be the end of the step, as a separate stage or for the next step.
-std::ptrdiff_t ErkSolver::second_stage(const State& start, double h) const {
-  const double rounding = 1e-9 * h + 8 * std::numeric_limits<double>::epsilon() * start.t;
-  const std::ptrdiff_t later = table_.stages() - 1;
-  const std::ptrdiff_t behind = stages_with_end(table_) - table_.stages();
-  for (auto first = std::ssize(evaluated_) - behind - later; first >= 0; --first) {
-    int i = 1;
-    while (i <= later &&
-           std::abs(evaluated_[first + i - 1].t - (start.t + table_.c[i] * h)) <= rounding)
-      ++i;
-    if (i > later) return first;
-  }
-  throw SolutionError("the stages of " + table_.name +
-                      " cannot be told apart: steps are too short");
-}
-
-/// The integral over the step, and what it leaves for the next if its size is fixed: its error.
-/// Both by the weights of the table.
-double ErkSolver::sum_up(const State& start, double h) {
-  if (!settings_.integrand && settings_.step == 0) return 0;
-  // Stages of so short a step differ by rounding; its error is nothing.
-  if (!settings_.integrand && h <= 1e-9 * settings_.step) return 0;
-  const std::ptrdiff_t second = second_stage(start, h);
-  double integral = settings_.integrand ? table_.b[0] * integrand(start) : 0;
-  std::vector<double> error(norm_.components().size());
-  gather(start.ydot, error);
-  for (double& e : error) e *= h * (table_.b[0] - table_.b_embedded[0]);
-  for (int i = 1; i < table_.stages(); ++i) {
-    const Evaluated& stage = evaluated_[second + i - 1];
-    integral += table_.b[i] * stage.integrand;
-    for (std::size_t k = 0; k < error.size(); ++k)
-      error[k] += h * (table_.b[i] - table_.b_embedded[i]) * stage.rates[k];
-  }
-  expected_error_.learn(h, norm_(error, whole_.y));
-  return h * integral;
-}
-
-int ErkSolver::weights(N_Vector d, N_Vector w, void* data) {
-  const ErkSolver& self = *static_cast<ErkSolver*>(data);
-  for (std::size_t k = 0; k < view(d).size(); ++k)
-    view(w)[k] = self.norm_.weight(self.norm_.components()[k], view(d)[k]);
-  return 0;
-}
-
-void ErkSolver::begin(const State& state) {
-  set_state(state);
-  erk_.reset(ERKStepCreate(&ErkSolver::rate, state.t, d_.get(), context_));
-  void* erk = erk_.get();
-  check(erk, "ERKStepCreate");
-  GNOMON_SILENCE(ERKStepSetErrHandlerFn, erk);
-  check(ARKodeSetUserData(erk, this), "ARKodeSetUserData");
-  check(ERKStepSetTable(erk, table_with_end(table_).get()), "ERKStepSetTable");
-  check(ARKodeWFtolerances(erk, &ErkSolver::weights), "ARKodeWFtolerances");
-  check(step_control_.give_to(erk), "StepControl");
-  check(ARKodeSetMaxGrowth(erk, most_growth), "ARKodeSetMaxGrowth");
-  check(ARKodeSetMaxErrTestFails(erk, most_failures), "ARKodeSetMaxErrTestFails");
-  check(ARKodeSetMaxNumSteps(erk, -1), "ARKodeSetMaxNumSteps");
-  if (settings_.max_step > 0) check(ARKodeSetMaxStep(erk, settings_.max_step), "ARKodeSetMaxStep");
-  if (settings_.step > 0) return;
-  if (proposal_ > 0)  // not the first step, which may be far too small
-    check(ARKodeSetMaxFirstGrowth(erk, most_growth), "ARKodeSetMaxFirstGrowth");
-  else
-    proposal_ = first_step(state, system_.structure(), settings_, table_.embedded_order);
-  check(ARKodeSetInitStep(erk, proposal_), "ARKodeSetInitStep");
-}
-
-void ErkSolver::restore(const State&, std::span<const double> memory) {
-  if (memory.empty()) throw InputError("the checkpoint does not belong to this integrator");
-  proposal_ = settings_.step > 0 ? std::min(memory.front(), settings_.step) : memory.front();
-}
-
-/// Restarts after a failed evaluation: from the last good state with a shorter step.
-void ErkSolver::restart(const State& state, double h) {
-  set_state(state);
-  check(ARKodeReset(erk_.get(), state.t, d_.get()), "ARKodeReset");
-  if (settings_.step > 0)
-    proposal_ = h;
-  else
-    check(ARKodeSetInitStep(erk_.get(), h), "ARKodeSetInitStep");
-}
-
-void ErkSolver::set_step(const State& state, double t_stop) {
-  check(ARKodeSetStopTime(erk_.get(), t_stop), "ARKodeSetStopTime");
-  step_ = std::min(proposal_, t_stop - state.t);
-  if (settings_.step == 0) return;
-  const double left = end_of_fixed_step(state.t, settings_.step, t_stop) - state.t;
-  step_ = proposal_ < left * (1 - shortest_remainder) ? proposal_ : left;
-  check(ARKodeSetFixedStep(erk_.get(), step_), "ARKodeSetFixedStep");
-}
-
-StepReport ErkSolver::take_step(State& state, double t_stop) {
-  from_ = state.t;
-  if (!erk_)
-    begin(state);
-  else if (is_breakpoint(system_.structure(), state.t) &&
-           pass_breakpoint(system_, counters_, nullptr, state))
-    restart(state, proposal_);  // ERKStep has kept the rate before the jump
-  void* erk = erk_.get();
-  t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
-  if (settings_.step == 0) t_stop = end_at_stop(system_.structure(), state.t, t_stop);
-  sunrealtype t = state.t;
-  for (int failures = 0;; ++failures) {
-    set_step(state, t_stop);
-    guard_.clear();
-    t = state.t;
-    const int flag = ARKodeEvolve(erk, t_stop, d_.get(), &t, ARK_ONE_STEP);
-    const bool done = flag >= 0 && guard_.run([&] { evaluate(t, view(d_.get())); }) ==
-                                       0;  // the state that it has reached
-    guard_.rethrow();
-    long error_fails = 0;
-    check(ARKodeGetNumErrTestFails(erk, &error_fails), "ARKodeGetNumErrTestFails");
-    counters_.rejected_steps += error_fails - std::exchange(rejected_, error_fails);
-    if (done) {
-      const double shorter = settings_.step > 0 ? 0 : jumps_(state, whole_, t - state.t).shorter;
-      if (shorter == 0) break;
-      ++counters_.rejected_steps;
-      restart(state, shorter);
-      continue;
-    }
-    double tried = t - state.t;
-    if (flag < 0) check(ARKodeGetCurrentStep(erk, &tried), "ARKodeGetCurrentStep");
-    // Ever smaller steps would approach the end of the solution without reaching it.
-    const bool shortest = tried <= shortest_step(settings_);
-    if (guard_.recoverable().empty() || shortest || failures == most_failures)
-      throw SolutionError(
-          fmt::format("{} cannot continue from t = {:.6g}: code {}{}{}", table_.name, state.t, flag,
-                      guard_.recoverable().empty() ? "" : "; last: ", guard_.recoverable()));
-    ++counters_.rejected_steps;
-    restart(state, std::min(tried, t_stop - state.t) / 2);
-  }
-  if (settings_.step > 0)
-    proposal_ = std::min(settings_.step, 2 * proposal_);
-  else
-    check(ARKodeGetCurrentStep(erk, &proposal_), "ARKodeGetCurrentStep");
-  const StepReport report{
-      .step = t - state.t, .order = table_.order, .integral = sum_up(state, t - state.t)};
-  state = whole_;
-  return report;
-}
 
 }  // namespace
 

@@ -32,72 +32,67 @@ struct Nodes {
 
 class AlgebraicMultigrid : public PetscSolver {
 public:
-  AlgebraicMultigrid(const StiffnessLayout& layout, const Nodes& nodes);
+  AlgebraicMultigrid(const StiffnessLayout& layout, const Nodes& nodes)
+      : PetscSolver(layout, nodes.row, static_cast<int>(nodes.held.size())) {
+    check(MatSetBlockSize(matrix_, nodes.dim));
+    know_rigid_modes(layout, nodes);
+    check(PCSetType(multigrid_, PCGAMG));
+    check(PCGAMGSetReuseInterpolation(multigrid_, PETSC_TRUE));
+    // Aggregates of the first two levels are two edges wide, about a hundred nodes: on one level a
+    // set-up costs a third of that with narrow aggregates, and a third more iterations are needed;
+    // a second level saves a quarter more and costs none (docs/notes/benchmarks.md).
+    check(PCGAMGSetAggressiveLevels(multigrid_, 2));
+  }
 
   /// The cost of the Galerkin products; the interpolation is kept (docs/linear.md).
   double set_up_cost() const override { return 8; }
 
 private:
-  void know_rigid_modes(const StiffnessLayout& layout, const Nodes& nodes);
-  void adjust() override;
-};
-
-AlgebraicMultigrid::AlgebraicMultigrid(const StiffnessLayout& layout, const Nodes& nodes)
-    : PetscSolver(layout, nodes.row, static_cast<int>(nodes.held.size())) {
-  check(MatSetBlockSize(matrix_, nodes.dim));
-  know_rigid_modes(layout, nodes);
-  check(PCSetType(multigrid_, PCGAMG));
-  check(PCGAMGSetReuseInterpolation(multigrid_, PETSC_TRUE));
-  // Aggregates of the first two levels are two edges wide, about a hundred nodes: on one level a
-  // set-up costs a third of that with narrow aggregates, and a third more iterations are needed; a
-  // second level saves a quarter more and costs none (docs/notes/benchmarks.md).
-  check(PCGAMGSetAggressiveLevels(multigrid_, 2));
-}
-
-void AlgebraicMultigrid::know_rigid_modes(const StiffnessLayout& layout, const Nodes& nodes) {
-  Vec coordinates = nullptr;
-  check(VecCreateSeq(PETSC_COMM_SELF, static_cast<PetscInt>(nodes.held.size()), &coordinates));
-  check(VecSetBlockSize(coordinates, nodes.dim));
-  PetscScalar* place = nullptr;
-  check(VecGetArray(coordinates, &place));
-  for (std::size_t node = 0; node < nodes.group.size(); ++node)
-    std::copy_n(layout.position[nodes.group[node]].begin(), nodes.dim, place + nodes.dim * node);
-  check(VecRestoreArray(coordinates, &place));
-  MatNullSpace modes = nullptr;
-  check(MatNullSpaceCreateRigidBody(coordinates, &modes));
-  // The modes are zero at held values.
-  PetscInt count = 0;
-  const Vec* vectors = nullptr;
-  check(MatNullSpaceGetVecs(modes, nullptr, &count, &vectors));
-  for (PetscInt k = 0; k < count; ++k) {
-    check(VecGetArray(vectors[k], &place));
-    for (std::size_t i = 0; i < nodes.held.size(); ++i)
-      if (nodes.held[i]) place[i] = 0;
-    check(VecRestoreArray(vectors[k], &place));
+  void know_rigid_modes(const StiffnessLayout& layout, const Nodes& nodes) {
+    Vec coordinates = nullptr;
+    check(VecCreateSeq(PETSC_COMM_SELF, static_cast<PetscInt>(nodes.held.size()), &coordinates));
+    check(VecSetBlockSize(coordinates, nodes.dim));
+    PetscScalar* place = nullptr;
+    check(VecGetArray(coordinates, &place));
+    for (std::size_t node = 0; node < nodes.group.size(); ++node)
+      std::copy_n(layout.position[nodes.group[node]].begin(), nodes.dim, place + nodes.dim * node);
+    check(VecRestoreArray(coordinates, &place));
+    MatNullSpace modes = nullptr;
+    check(MatNullSpaceCreateRigidBody(coordinates, &modes));
+    // The modes are zero at held values.
+    PetscInt count = 0;
+    const Vec* vectors = nullptr;
+    check(MatNullSpaceGetVecs(modes, nullptr, &count, &vectors));
+    for (PetscInt k = 0; k < count; ++k) {
+      check(VecGetArray(vectors[k], &place));
+      for (std::size_t i = 0; i < nodes.held.size(); ++i)
+        if (nodes.held[i]) place[i] = 0;
+      check(VecRestoreArray(vectors[k], &place));
+    }
+    check(MatSetNearNullSpace(matrix_, modes));
+    check(MatNullSpaceDestroy(&modes));
+    check(VecDestroy(&coordinates));
   }
-  check(MatSetNearNullSpace(matrix_, modes));
-  check(MatNullSpaceDestroy(&modes));
-  check(VecDestroy(&coordinates));
-}
 
-void AlgebraicMultigrid::adjust() {
-  PetscInt levels = 0;
-  check(PCMGGetLevels(multigrid_, &levels));
-  if (levels < 2) return;
-  // With a W-cycle the iterations do not grow with the number of levels; the coarser levels cost
-  // little.
-  check(PCMGSetCycleType(multigrid_, PC_MG_CYCLE_W));
-  KSP smoother = nullptr;
-  PC sweep = nullptr;
-  check(PCMGGetSmoother(multigrid_, levels - 1, &smoother));
-  check(KSPGetPC(smoother, &sweep));
-  // On the finest level only: an aggregate of one node has fewer unknowns than there are rigid
-  // modes, which leaves zero rows on the levels below. There Jacobi works, and a sweep fails.
-  check(PCSetType(sweep, PCSOR));
-  // With symmetric sweeps all eigenvalues are in (0, 1].
-  check(KSPChebyshevSetEigenvalues(smoother, 1, 0.1));
-  check(KSPSetUp(smoother));
-}
+  void adjust() override {
+    PetscInt levels = 0;
+    check(PCMGGetLevels(multigrid_, &levels));
+    if (levels < 2) return;
+    // With a W-cycle the iterations do not grow with the number of levels; the coarser levels cost
+    // little.
+    check(PCMGSetCycleType(multigrid_, PC_MG_CYCLE_W));
+    KSP smoother = nullptr;
+    PC sweep = nullptr;
+    check(PCMGGetSmoother(multigrid_, levels - 1, &smoother));
+    check(KSPGetPC(smoother, &sweep));
+    // On the finest level only: an aggregate of one node has fewer unknowns than there are rigid
+    // modes, which leaves zero rows on the levels below. There Jacobi works, and a sweep fails.
+    check(PCSetType(sweep, PCSOR));
+    // With symmetric sweeps all eigenvalues are in (0, 1].
+    check(KSPChebyshevSetEigenvalues(smoother, 1, 0.1));
+    check(KSPSetUp(smoother));
+  }
+};
 
 }  // namespace
 

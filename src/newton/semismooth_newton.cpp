@@ -28,46 +28,43 @@ struct NewtonContent {
   SUNNonlinSolLSolveFn solve = nullptr;
   long failures = 0;
 
-  int iterate(N_Vector ycor, N_Vector weights, bool set_up_demanded, void* ida);
-  int set_up(bool after_iterations, void* ida);
+  // Positive: recoverable, IDA shortens the step. Negative: fatal.
+  int iterate(N_Vector ycor, N_Vector weights, bool set_up_demanded, void* ida) {
+    using Verdict = NewtonPolicy::Verdict;
+    policy.begin();
+    double change = std::numeric_limits<double>::infinity();
+    for (;;) {
+      if (const int flag = residual(ycor, delta.get(), ida)) return flag;
+      const Point at = state_at(ycor);
+      const Verdict verdict =
+          policy.judge({norm(view(delta.get())), branch_at(at), change, level(at.y)});
+      if (verdict == Verdict::failed) return SUN_NLS_CONV_RECVR;
+      if (verdict != Verdict::go_on) return 0;
+      const bool at_guess = policy.iterations() == 0;
+      const NewtonPolicy::Plan plan = policy.plan(at_guess && set_up_demanded);
+      if (plan.whole) slow.known = false;
+      if (plan.set_up)
+        if (const int flag = set_up(!at_guess, ida)) return flag;
+      request.reduction = plan.reduction;
+      N_VScale(-1.0, delta.get(), delta.get());
+      if (const int flag = solve(delta.get(), ida)) return flag;
+      N_VLinearSum(1.0, ycor, 1.0, delta.get(), ycor);
+      change = N_VWrmsNormMask(delta.get(), weights, differential);
+      ++counters.newton_iterations;
+    }
+  }
+
+  /// When a Jacobian is made in the middle of an iteration, IDA is told that the last one was bad.
+  int set_up(bool after_iterations, void* ida) {
+    int current = 0;
+    const int flag = setup(after_iterations ? SUNFALSE : SUNTRUE, &current, ida);
+    if (!flag) policy.factors_made();
+    return flag;
+  }
 };
 
 NewtonContent& content(SUNNonlinearSolver solver) {
   return *static_cast<NewtonContent*>(solver->content);
-}
-
-/// When a Jacobian is made in the middle of an iteration, IDA is told that the last one was bad.
-int NewtonContent::set_up(bool after_iterations, void* ida) {
-  int current = 0;
-  const int flag = setup(after_iterations ? SUNFALSE : SUNTRUE, &current, ida);
-  if (!flag) policy.factors_made();
-  return flag;
-}
-
-// Positive: recoverable, IDA shortens the step. Negative: fatal.
-int NewtonContent::iterate(N_Vector ycor, N_Vector weights, bool set_up_demanded, void* ida) {
-  using Verdict = NewtonPolicy::Verdict;
-  policy.begin();
-  double change = std::numeric_limits<double>::infinity();
-  for (;;) {
-    if (const int flag = residual(ycor, delta.get(), ida)) return flag;
-    const Point at = state_at(ycor);
-    const Verdict verdict =
-        policy.judge({norm(view(delta.get())), branch_at(at), change, level(at.y)});
-    if (verdict == Verdict::failed) return SUN_NLS_CONV_RECVR;
-    if (verdict != Verdict::go_on) return 0;
-    const bool at_guess = policy.iterations() == 0;
-    const NewtonPolicy::Plan plan = policy.plan(at_guess && set_up_demanded);
-    if (plan.whole) slow.known = false;
-    if (plan.set_up)
-      if (const int flag = set_up(!at_guess, ida)) return flag;
-    request.reduction = plan.reduction;
-    N_VScale(-1.0, delta.get(), delta.get());
-    if (const int flag = solve(delta.get(), ida)) return flag;
-    N_VLinearSum(1.0, ycor, 1.0, delta.get(), ycor);
-    change = N_VWrmsNormMask(delta.get(), weights, differential);
-    ++counters.newton_iterations;
-  }
 }
 
 }  // namespace

@@ -39,12 +39,47 @@ public:
   }
 
   /// Whether the perturbation grows over steps of this size. If a step cannot be taken, it does.
-  bool grows(double step) const;
+  bool grows(double step) const {
+    State state = perturbed_;
+    try {
+      return !take(state, step) || distance(state) > distance(perturbed_);
+    } catch (const SolutionError&) {
+      return true;
+    }
+  }
 
 private:
-  void perturb(const Eigen::VectorXcd& direction);
-  bool take(State& state, double step) const;
-  double distance(const State& state) const;
+  /// Perturbs by the real part of the direction; its largest entry has the prescribed size.
+  void perturb(const Eigen::VectorXcd& direction) {
+    const Eigen::VectorXd real = direction.real();
+    const double length = options_.perturbation * model_.differential_scale;
+    const double factor = length / real.cwiseAbs().maxCoeff();
+    perturbed_ = rest_;
+    for (std::size_t k = 0; k < components_.size(); ++k)
+      perturbed_.y[components_[k]] += factor * real[static_cast<Eigen::Index>(k)];
+    perturbed_ = consistent(model_.system(), perturbed_);
+  }
+
+  /// Takes steps of exactly this size; returns false if one of them had to be shortened. Fixed
+  /// steps end on the multiples of their size, so time is shifted to such a multiple, by at most
+  /// half a step.
+  bool take(State& state, double step) const {
+    const double first = std::round(state.t / step);
+    IntegratorSettings settings = controlled_settings(model_, 1, (first + options_.steps) * step);
+    settings.step = step;
+    Counters counters;
+    const auto stepper = integrator_.make(model_.system(), settings, counters);
+    state.t = first * step;
+    for (int k = 1; k <= options_.steps; ++k)
+      if (stepper->advance(state, (first + k) * step).restarted) return false;
+    return true;
+  }
+
+  double distance(const State& state) const {
+    double sum = 0;
+    for (int i : components_) sum += (state.y[i] - rest_.y[i]) * (state.y[i] - rest_.y[i]);
+    return std::sqrt(sum);
+  }
 
   const Integrator& integrator_;
   OnsetOptions options_;
@@ -52,47 +87,6 @@ private:
   State rest_, perturbed_;
   std::vector<int> components_;
 };
-
-/// Perturbs by the real part of the direction; its largest entry has the prescribed size.
-void OnsetSearch::perturb(const Eigen::VectorXcd& direction) {
-  const Eigen::VectorXd real = direction.real();
-  const double length = options_.perturbation * model_.differential_scale;
-  const double factor = length / real.cwiseAbs().maxCoeff();
-  perturbed_ = rest_;
-  for (std::size_t k = 0; k < components_.size(); ++k)
-    perturbed_.y[components_[k]] += factor * real[static_cast<Eigen::Index>(k)];
-  perturbed_ = consistent(model_.system(), perturbed_);
-}
-
-double OnsetSearch::distance(const State& state) const {
-  double sum = 0;
-  for (int i : components_) sum += (state.y[i] - rest_.y[i]) * (state.y[i] - rest_.y[i]);
-  return std::sqrt(sum);
-}
-
-/// Takes steps of exactly this size; returns false if one of them had to be shortened. Fixed steps
-/// end on the multiples of their size, so time is shifted to such a multiple, by at most half a
-/// step.
-bool OnsetSearch::take(State& state, double step) const {
-  const double first = std::round(state.t / step);
-  IntegratorSettings settings = controlled_settings(model_, 1, (first + options_.steps) * step);
-  settings.step = step;
-  Counters counters;
-  const auto stepper = integrator_.make(model_.system(), settings, counters);
-  state.t = first * step;
-  for (int k = 1; k <= options_.steps; ++k)
-    if (stepper->advance(state, (first + k) * step).restarted) return false;
-  return true;
-}
-
-bool OnsetSearch::grows(double step) const {
-  State state = perturbed_;
-  try {
-    return !take(state, step) || distance(state) > distance(perturbed_);
-  } catch (const SolutionError&) {
-    return true;
-  }
-}
 
 }  // namespace
 
