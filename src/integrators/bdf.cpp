@@ -14,7 +14,7 @@ using namespace sundials;
 
 /// At an event the state is made consistent on the branch after the event. Returns false if there
 /// is no event.
-bool BdfSolver::Memory::cross_event(State& state, bool at_root, StepReport& report) {
+bool BdfMemory::cross_event(State& state, bool at_root, StepReport& report) {
   std::vector<int> roots(branch_->size(), 0);
   if (at_root) check(IDAGetRootInfo(ida_.get(), roots.data()), "IDAGetRootInfo");
   report.switched = branch_->switch_nodes(state.t, state.y, at_root ? &roots : nullptr);
@@ -29,7 +29,7 @@ bool BdfSolver::Memory::cross_event(State& state, bool at_root, StepReport& repo
 
 /// Restarts at order one after an event or a breakpoint, because a polynomial through earlier
 /// states does not predict the rates there.
-void BdfSolver::Memory::restart(const State& state) {
+void BdfMemory::restart(const State& state) {
   std::copy(state.y.begin(), state.y.end(), view(y_.get()).begin());
   std::copy(state.ydot.begin(), state.ydot.end(), view(ydot_.get()).begin());
   check(IDAReInit(ida_.get(), state.t, y_.get(), ydot_.get()), "IDAReInit");
@@ -42,7 +42,7 @@ void BdfSolver::Memory::restart(const State& state) {
 
 /// Passes over a time of the size of rounding errors, for example to an output time right after
 /// resuming. IDA refuses such steps. The state does not change, so the integral is zero.
-StepReport BdfSolver::Memory::skip_to(State& state, double t) {
+StepReport BdfMemory::skip_to(State& state, double t) {
   const double step = t - state.t;
   state.t = t;
   restart(state);
@@ -51,7 +51,7 @@ StepReport BdfSolver::Memory::skip_to(State& state, double t) {
 }
 
 /// Counts the attempts that IDA rejected in the last step.
-void BdfSolver::Memory::count_rejected() {
+void BdfMemory::count_rejected() {
   long error_fails = 0, newton_fails = 0;
   check(IDAGetNumErrTestFails(ida_.get(), &error_fails), "IDAGetNumErrTestFails");
   check(IDAGetNumStepSolveFails(ida_.get(), &newton_fails), "IDAGetNumStepSolveFails");
@@ -60,7 +60,7 @@ void BdfSolver::Memory::count_rejected() {
 }
 
 /// Where the solution ends, steps succeed but become ever smaller. Returns true if this persists.
-bool BdfSolver::Memory::vanishes(double step) {
+bool BdfMemory::vanishes(double step) {
   constexpr int many = 20;
   constexpr double tiny =
       1e-12;  // part of the run; a hundred of the shortest steps (stop_rules.hpp)
@@ -70,7 +70,7 @@ bool BdfSolver::Memory::vanishes(double step) {
 }
 
 /// The integral over the step that IDA has just made.
-double BdfSolver::Memory::take_integral() {
+double BdfMemory::take_integral() {
   if (!settings_.integrand) return 0;
   sunrealtype t = 0;
   check(IDAGetQuad(ida_.get(), &t, integral_.get()), "IDAGetQuad");
@@ -80,8 +80,8 @@ double BdfSolver::Memory::take_integral() {
 
 /// The latest end of a step from t: where a node has closed recently, two short steps lead to a
 /// settled time.
-double BdfSolver::Memory::settling_stop(const std::optional<Settling>& settling, double t,
-                                        double t_stop) const {
+double BdfMemory::settling_stop(const std::optional<Settling>& settling, double t,
+                                double t_stop) const {
   if (!settling) return t_stop;
   if (settling->before(t)) return closings_->recent() ? std::min(settling->begin, t_stop) : t_stop;
   return std::min(settling->in_first_step(t) ? settling->middle() : settling->end, t_stop);
@@ -91,14 +91,14 @@ double BdfSolver::Memory::settling_stop(const std::optional<Settling>& settling,
 /// settling begins because none had closed before. The step is then taken back, and IDA begins
 /// anew: its polynomial cannot lead to that time, because it has worn the node before it closed.
 /// (A located closing does not need it: it is at the end of a step.)
-bool BdfSolver::Memory::needs_settling(const std::optional<Settling>& settling, double t,
-                                       const State& reached) const {
+bool BdfMemory::needs_settling(const std::optional<Settling>& settling, double t,
+                               const State& reached) const {
   return settling && settling->before(t) && !settling->before(reached.t) && !branch() &&
          !closings_->recent() && closings_->closes(active(reached));
 }
 
 /// One step of IDA at most to t_stop, in `reached`.
-int BdfSolver::Memory::step(double t_stop, State& reached) {
+int BdfMemory::step(double t_stop, State& reached) {
   void* ida = ida_.get();
   check(IDASetInitStep(ida, std::exchange(first_step_, 0)), "IDASetInitStep");  // 0: IDA's choice
   check(IDASetStopTime(ida, t_stop), "IDASetStopTime");
@@ -112,7 +112,7 @@ int BdfSolver::Memory::step(double t_stop, State& reached) {
   return flag;
 }
 
-StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
+StepReport BdfMemory::advance(State& state, double t_stop) {
   // Relative distance of two times that are meant to be equal. IDA refuses to begin with a step of
   // a few rounding errors.
   constexpr double nothing = 1e-12;
@@ -153,7 +153,7 @@ StepReport BdfSolver::Memory::advance(State& state, double t_stop) {
   return report;
 }
 
-void BdfSolver::Memory::fail(int flag, double t) const {
+void BdfMemory::fail(int flag, double t) const {
   const char* what = flag == IDA_ERR_FAIL       ? "the error test failed at the smallest step"
                      : flag == IDA_CONV_FAIL    ? "Newton failed at the smallest step"
                      : flag == IDA_TOO_MUCH_ACC ? "the tolerance is below rounding"
@@ -173,23 +173,6 @@ const Key& max_order_key() {
       .help = "highest order",
   };
   return key;
-}
-
-BdfSolver::BdfSolver(const System& system, const IntegratorSettings& settings, Counters& counters)
-    : Stepper(counters), memory_(std::make_unique<Memory>(system, settings, counters)) {}
-BdfSolver::~BdfSolver() = default;
-
-/// IDA keeps its history where the unknowns are the same; it cannot be given others.
-bool BdfSolver::follow(Stepper& before, const State&, bool same) {
-  auto& earlier = dynamic_cast<BdfSolver&>(before);
-  if (!same || !earlier.memory_->begun()) return !earlier.memory_->begun();
-  earlier.memory_->adopt(memory_->system(), memory_->settings());
-  memory_ = std::move(earlier.memory_);
-  return true;
-}
-
-StepReport BdfSolver::take_step(State& state, double t_stop) {
-  return memory_->advance(state, t_stop);
 }
 
 }  // namespace gnomon

@@ -14,8 +14,7 @@ namespace {
 constexpr int steps_to_damp = 5;
 }  // namespace
 
-BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settings,
-                          Counters& counters)
+BdfMemory::BdfMemory(const System& system, const IntegratorSettings& settings, Counters& counters)
     : system_(&system),
       settings_(settings),
       counters_(counters),
@@ -31,7 +30,7 @@ BdfSolver::Memory::Memory(const System& system, const IntegratorSettings& settin
   solvers_ = make_solvers();
 }
 
-BdfSolver::Memory::Solvers BdfSolver::Memory::make_solvers() {
+BdfMemory::Solvers BdfMemory::make_solvers() {
   const Structure& structure = system_->structure();
   const auto state_at = [this](N_Vector ycor) {
     N_Vector predicted = nullptr;
@@ -55,7 +54,7 @@ BdfSolver::Memory::Solvers BdfSolver::Memory::make_solvers() {
 }
 
 /// IDA keeps its handles, and what they hold is made for the new pattern.
-void BdfSolver::Memory::adopt(const System& system, const IntegratorSettings& settings) {
+void BdfMemory::adopt(const System& system, const IntegratorSettings& settings) {
   system_ = &system;
   settings_ = settings;
   norm_ = ErrorNorm(system.structure(), settings);
@@ -68,16 +67,16 @@ void BdfSolver::Memory::adopt(const System& system, const IntegratorSettings& se
   replace_content(solvers_.nonlinear.get(), std::move(fresh.nonlinear));
 }
 
-void BdfSolver::Memory::begin(const State& state) {
+void BdfMemory::begin(const State& state) {
   std::copy(state.y.begin(), state.y.end(), view(y_.get()).begin());
   std::copy(state.ydot.begin(), state.ydot.end(), view(ydot_.get()).begin());
   ida_.reset(IDACreate(context_));
   void* ida = ida_.get();
   check(ida, "IDACreate");
   GNOMON_SILENCE(IDASetErrHandlerFn, ida);
-  check(IDAInit(ida, &Memory::residual, state.t, y_.get(), ydot_.get()), "IDAInit");
+  check(IDAInit(ida, &BdfMemory::residual, state.t, y_.get(), ydot_.get()), "IDAInit");
   check(IDASetUserData(ida, this), "IDASetUserData");
-  check(IDAWFtolerances(ida, &Memory::weights), "IDAWFtolerances");
+  check(IDAWFtolerances(ida, &BdfMemory::weights), "IDAWFtolerances");
   check(IDASetId(ida, id_.get()), "IDASetId");
   check(IDASetSuppressAlg(ida, SUNTRUE), "IDASetSuppressAlg");
   const auto max_order = static_cast<int>(std::get<long>(settings_.value(max_order_key())));
@@ -93,21 +92,21 @@ void BdfSolver::Memory::begin(const State& state) {
   check(IDASetMaxConvFails(ida, most_failures), "IDASetMaxConvFails");
   check(IDASetLinearSolver(ida, solvers_.linear.get(), solvers_.matrix.get()),
         "IDASetLinearSolver");
-  check(IDASetJacFn(ida, &Memory::jacobian), "IDASetJacFn");
+  check(IDASetJacFn(ida, &BdfMemory::jacobian), "IDASetJacFn");
   check(IDASetNonlinearSolver(ida, solvers_.nonlinear.get()), "IDASetNonlinearSolver");
   if (settings_.locate_events) {
     branch_.emplace(*system_, state.t, state.y, settings_.end);
-    check(IDARootInit(ida, branch_->size(), &Memory::switching), "IDARootInit");
+    check(IDARootInit(ida, branch_->size(), &BdfMemory::switching), "IDARootInit");
     check(IDASetNoInactiveRootWarn(ida), "IDASetNoInactiveRootWarn");
   }
   if (!settings_.settled.empty()) closings_.emplace(steps_to_damp).begin(active(state));
   if (settings_.integrand)
-    check(IDAQuadInit(ida, &Memory::integrand, integral_.get()), "IDAQuadInit");
+    check(IDAQuadInit(ida, &BdfMemory::integrand, integral_.get()), "IDAQuadInit");
   begun_ = true;
 }
 
-int BdfSolver::Memory::residual(sunrealtype t, N_Vector y, N_Vector ydot, N_Vector F, void* data) {
-  Memory& self = *static_cast<Memory*>(data);
+int BdfMemory::residual(sunrealtype t, N_Vector y, N_Vector ydot, N_Vector F, void* data) {
+  BdfMemory& self = *static_cast<BdfMemory*>(data);
   return self.guard_.run([&] {
     ++self.counters_.residual_evaluations;
     self.system_->residual({t, view(y), view(ydot), self.branch(), self.from_}, view(F));
@@ -115,9 +114,9 @@ int BdfSolver::Memory::residual(sunrealtype t, N_Vector y, N_Vector ydot, N_Vect
   });
 }
 
-int BdfSolver::Memory::jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_Vector ydot,
-                                N_Vector, SUNMatrix J, void* data, N_Vector, N_Vector, N_Vector) {
-  Memory& self = *static_cast<Memory*>(data);
+int BdfMemory::jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_Vector ydot, N_Vector,
+                        SUNMatrix J, void* data, N_Vector, N_Vector, N_Vector) {
+  BdfMemory& self = *static_cast<BdfMemory*>(data);
   return self.guard_.run([&] {
     ++self.counters_.jacobian_evaluations;
     self.system_->jacobian({t, view(y), view(ydot), self.branch(), self.from_, &self.slow_}, alpha,
@@ -128,17 +127,17 @@ int BdfSolver::Memory::jacobian(sunrealtype t, sunrealtype alpha, N_Vector y, N_
 // IDA averages the masked squares over ALL components; the factor makes it the mean over the
 // differential ones, so that the meaning of rtol does not depend on the number of algebraic
 // unknowns.
-int BdfSolver::Memory::weights(N_Vector y, N_Vector w, void* data) {
-  const Memory& self = *static_cast<Memory*>(data);
+int BdfMemory::weights(N_Vector y, N_Vector w, void* data) {
+  const BdfMemory& self = *static_cast<BdfMemory*>(data);
   const double spread = std::sqrt(double(view(y).size()) / double(self.norm_.components().size()));
   for (std::size_t i = 0; i < view(y).size(); ++i)
     view(w)[i] = spread * self.norm_.weight(i, view(y)[i]);
   return 0;
 }
 
-int BdfSolver::Memory::switching(sunrealtype t, N_Vector y, N_Vector ydot, sunrealtype* values,
-                                 void* data) {
-  Memory& self = *static_cast<Memory*>(data);
+int BdfMemory::switching(sunrealtype t, N_Vector y, N_Vector ydot, sunrealtype* values,
+                         void* data) {
+  BdfMemory& self = *static_cast<BdfMemory*>(data);
   return self.guard_.run([&] {
     self.system_->switching({.t = t, .y = view(y), .ydot = view(ydot)},
                             std::span<double>(values, self.branch_->size()));
@@ -146,9 +145,8 @@ int BdfSolver::Memory::switching(sunrealtype t, N_Vector y, N_Vector ydot, sunre
 }
 
 // IDA integrates it by its own formula, order and step; it does not take part in the error test.
-int BdfSolver::Memory::integrand(sunrealtype t, N_Vector y, N_Vector ydot, N_Vector value,
-                                 void* data) {
-  Memory& self = *static_cast<Memory*>(data);
+int BdfMemory::integrand(sunrealtype t, N_Vector y, N_Vector ydot, N_Vector value, void* data) {
+  BdfMemory& self = *static_cast<BdfMemory*>(data);
   return self.guard_.run([&] {
     view(value)[0] = self.settings_.integrand({t, view(y), view(ydot), self.branch(), self.from_});
   });

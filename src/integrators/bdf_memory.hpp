@@ -1,11 +1,11 @@
-// IDA on a model, as BdfSolver uses it: set up in bdf_callbacks.cpp, advanced in bdf.cpp.
+// IDA on a model, as the integrator bdf uses it: set up in bdf_callbacks.cpp, advanced in bdf.cpp.
 #pragma once
 
 #include <idas/idas.h>
 
-#include <gnomon/integrators/bdf.hpp>
 #include <gnomon/integrators/closings.hpp>
 #include <gnomon/integrators/error_norm.hpp>
+#include <gnomon/integrators/integrator.hpp>
 #include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
@@ -20,9 +20,14 @@ inline void destroy_ida(void* memory) {
   IDAFree(&memory);
 }
 
-class BdfSolver::Memory {
+/// integrator.max_order.
+const Key& max_order_key();
+
+/// IDA on the DAE of a model. The error test contains only the differential components (weighted
+/// root mean square over them; docs/integrators.md says which errors this does not control).
+class BdfMemory {
 public:
-  Memory(const System& system, const IntegratorSettings& settings, Counters& counters);
+  BdfMemory(const System& system, const IntegratorSettings& settings, Counters& counters);
   StepReport advance(State& state, double t_stop);
   bool begun() const { return begun_; }
   const System& system() const { return *system_; }
