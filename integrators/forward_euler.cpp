@@ -70,14 +70,9 @@ const Registration<Integrator> registration({
     .settles = false,
     .table =
         [](const IntegratorSettings&) {
-          ButcherTable table{"eq. (15)",
-                             1,
-                             Eigen::MatrixXd::Zero(1, 1),
-                             Eigen::VectorXd::Ones(1),
-                             Eigen::VectorXd::Zero(1),
-                             0,
-                             {}};
-          return table;
+          return ButcherTable{
+              "eq. (15)", 1, Eigen::MatrixXd{{0.0}}, Eigen::VectorXd{{1.0}}, Eigen::VectorXd{{0.0}},
+              0,          {}};
         },
     .make = [](const System& system, const IntegratorSettings& settings,
                Counters& counters) -> std::unique_ptr<Stepper> {

@@ -9,12 +9,8 @@ namespace gnomon {
 namespace {
 
 ButcherTable backward_euler(const IntegratorSettings&) {
-  ButcherTable table{"eq. (18)", 1, Eigen::MatrixXd(1, 1), Eigen::VectorXd(1), Eigen::VectorXd(1),
-                     0,          {}};
-  table.A << 1;
-  table.b << 1;
-  table.c << 1;
-  return table;
+  return {"eq. (18)", 1, Eigen::MatrixXd{{1.0}}, Eigen::VectorXd{{1.0}}, Eigen::VectorXd{{1.0}},
+          0,          {}};
 }
 
 const Key alpha_key = {
@@ -26,17 +22,13 @@ const Key alpha_key = {
 
 ButcherTable theta(const IntegratorSettings& settings) {
   const double alpha = std::get<double>(settings.value(alpha_key));
-  ButcherTable table{"eq. (21)",
-                     alpha == 0.5 ? 2 : 1,
-                     Eigen::MatrixXd(2, 2),
-                     Eigen::VectorXd(2),
-                     Eigen::VectorXd(2),
-                     0,
-                     {}};
-  table.A << 0, 0, 1 - alpha, alpha;
-  table.b << 1 - alpha, alpha;
-  table.c << 0, 1;
-  return table;
+  return {"eq. (21)",
+          alpha == 0.5 ? 2 : 1,
+          Eigen::MatrixXd{{0.0, 0.0}, {1 - alpha, alpha}},
+          Eigen::VectorXd{{1 - alpha, alpha}},
+          Eigen::VectorXd{{0.0, 1.0}},
+          0,
+          {}};
 }
 
 template <auto table>

@@ -15,20 +15,13 @@ namespace {
 /// Two steps of implicit Euler, half of h each. With the rates k_1 and k_2 at their ends, their
 /// errors add up to h/2 (k_2 - k_1): the first has damped the stiff components, so that their rates
 /// before it do not matter.
-const ButcherTable two_euler_steps = [] {
-  ButcherTable table{"two steps of implicit Euler",
-                     1,
-                     Eigen::MatrixXd(2, 2),
-                     Eigen::VectorXd(2),
-                     Eigen::VectorXd(2),
-                     1,
-                     Eigen::VectorXd(2)};
-  table.A << 0.5, 0, 0.5, 0.5;
-  table.b << 0.5, 0.5;
-  table.c << 0.5, 1;
-  table.b_embedded << 1, 0;
-  return table;
-}();
+const ButcherTable two_euler_steps = {"two steps of implicit Euler",
+                                      1,
+                                      Eigen::MatrixXd{{0.5, 0.0}, {0.5, 0.5}},
+                                      Eigen::VectorXd{{0.5, 0.5}},
+                                      Eigen::VectorXd{{0.5, 1.0}},
+                                      1,
+                                      Eigen::VectorXd{{1.0, 0.0}}};
 
 /// The part of kappa that each solve gets. An error e of d in stage j is an error e / (h a_jj) of
 /// its rate, and so b_j / a_jj e of d at the end of the step (if stiff components do not damp it,
