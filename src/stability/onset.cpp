@@ -6,12 +6,73 @@
 #include <gnomon/model/controlled_settings.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <gnomon/stability/stability.hpp>
-
-#include "stability/resting_model.hpp"
+#include <utility>
 
 namespace gnomon {
 
 namespace {
+
+/// Differential rows ydot + f(t_0, y) - f(t_0, y_0); all other rows are unchanged.
+class RestingSystem : public System {
+public:
+  /// `state`: with its rates. Both must outlive the object.
+  RestingSystem(const System& system, const State& state)
+      : system_(system), state_(state), structure_(system.structure()) {
+    structure_.breakpoints.clear();
+    structure_.stops.clear();
+  }
+
+  const Structure& structure() const override { return structure_; }
+  void residual(const Point& at, std::span<double> F) const override {
+    system_.residual({state_.t, at.y, at.ydot, at.branch}, F);
+    for (std::size_t i = 0; i < F.size(); ++i)
+      if (structure().differential[i]) F[i] += state_.ydot[i];
+  }
+  void jacobian(const Point& at, double alpha, std::span<double> values) const override {
+    system_.jacobian({state_.t, at.y, at.ydot, at.branch}, alpha, values);
+  }
+  void switching(const Point& at, std::span<double> values) const override {
+    system_.switching({.t = state_.t, .y = at.y}, values);
+  }
+  std::vector<AlgebraicStage> algebraic_stages() const override {
+    std::vector<AlgebraicStage> stages = system_.algebraic_stages();
+    for (AlgebraicStage& stage : stages)
+      stage.freeze = [freeze = std::move(stage.freeze), t = state_.t](
+                         double, std::span<const double> y) { freeze(t, y); };
+    return stages;
+  }
+
+private:
+  const System& system_;
+  const State& state_;
+  Structure structure_;
+};
+
+/// The model of such a system, for integrators.
+class RestingModel : public Model {
+public:
+  RestingModel(const Model& model, const State& state)
+      : model_(model), state_(state), system_(model.system(), state_) {
+    static_cast<ModelFacts&>(*this) = model;
+  }
+
+  const System& system() const override { return system_; }
+  State start(Counters&) const override {
+    State rest = state_;
+    rest.ydot.assign(rest.y.size(), 0.0);
+    return rest;
+  }
+  Observation observe(const State& state) const override { return model_.observe(state); }
+  std::vector<GridField> fields(const State& state) const override { return model_.fields(state); }
+  std::optional<ContactSurface> contact(const State& state) const override {
+    return model_.contact(state);
+  }
+
+private:
+  const Model& model_;
+  State state_;
+  RestingSystem system_;
+};
 
 /// The state, made consistent within the tolerance of the steppers' own solves, with its rates.
 State consistent(const System& system, State state) {
@@ -106,6 +167,21 @@ double empirical_onset(const Model& model, const Integrator& integrator, const S
     (search.grows(middle) ? unstable : stable) = middle;
   }
   return (stable + unstable) / 2;
+}
+
+std::vector<State> accurate_states(const Model& model, std::span<const double> times,
+                                   Counters& counters, double rtol) {
+  std::vector<State> states;
+  if (times.empty()) return states;
+  State state = model.start(counters);
+  const auto stepper =
+      Integrators::find("esdirk-4", "integrator")
+          .make(model.system(), controlled_settings(model, rtol, times.back()), counters);
+  for (double time : times) {
+    while (state.t < time) stepper->advance(state, time);
+    states.push_back(state);
+  }
+  return states;
 }
 
 }  // namespace gnomon
