@@ -9,6 +9,13 @@ namespace gnomon {
 /// Steps by the error to the time `end`, within rtol of the positions and of the model's typical
 /// wear depth. Everything else is as in IntegratorSettings: steps are solved to rounding, and no
 /// event is located.
-IntegratorSettings controlled_settings(const Model& model, double rtol, double end);
+inline IntegratorSettings controlled_settings(const Model& model, double rtol, double end) {
+  IntegratorSettings settings;
+  settings.rtol = rtol;
+  settings.scale = model.differential_scale;
+  settings.atol = rtol * settings.scale;
+  settings.end = end;
+  return settings;
+}
 
 }  // namespace gnomon
