@@ -39,7 +39,6 @@
 #include <gnomon/newton/algebraic_solver.hpp>
 
 #include "foundation_scene.hpp"
-#include "phase_error.hpp"
 #include "winkler_system.hpp"
 
 namespace gnomon {

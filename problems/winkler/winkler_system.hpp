@@ -13,19 +13,16 @@
 
 namespace gnomon::winkler {
 
-/// Data of the pin and its springs, and the trapezoidal points.
-struct Foundation {
-  double radius, width;              ///< R, L [mm]
-  double modulus;                    ///< K_w [MPa/mm]
-  std::vector<Phase> phases;         ///< of the flat; one without a cycle
-  PhaseSource phase_set;             ///< other phases of the cycle; empty: there is no cycle
-  double force, speed;               ///< typical F [N/mm] and mean v [mm/s] over the cycle
-  WearLaw wear;                      ///< of p, v, t, s, x0 and h = d
-  double wear_by_pressure;           ///< typical Wdot / p [mm/s/MPa]
-  double duration;                   ///< of the run [s]
-  std::vector<double> x;             ///< positions of the points [mm]
-  std::vector<double> area;          ///< A_i [mm]
-  std::vector<std::string> remarks;  ///< for the user
+/// Data of the pin, its springs and the flat, and the trapezoidal points.
+struct Foundation : FlatMotion {
+  double radius, width;      ///< R, L [mm]
+  double modulus;            ///< K_w [MPa/mm]
+  double force, speed;       ///< typical F [N/mm] and mean v [mm/s] over the cycle
+  WearLaw wear;              ///< of p, v, t, s, x0 and h = d
+  double wear_by_pressure;   ///< typical Wdot / p [mm/s/MPa]
+  double duration;           ///< of the run [s]
+  std::vector<double> x;     ///< positions of the points [mm]
+  std::vector<double> area;  ///< A_i [mm]
 
   double profile(double at) const { return at * at / (2 * radius); }
   double mean_pressure() const { return force / width; }
