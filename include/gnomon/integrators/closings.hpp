@@ -1,7 +1,10 @@
 // Whether nodes have come into contact in the last steps.
 #pragma once
 
+#include <algorithm>
+#include <gnomon/base/processes.hpp>
 #include <gnomon/system/system.hpp>
+#include <utility>
 
 namespace gnomon {
 
@@ -16,9 +19,17 @@ public:
   /// The active set of the state from which the next step starts.
   void begin(ActiveSet start) { active_ = std::move(start); }
   /// Whether a node that is open at the start of the step is closed at its end.
-  bool closes(const ActiveSet& end) const;
+  bool closes(const ActiveSet& end) const {
+    bool none = true;
+    for (std::size_t j = 0; j < end.size(); ++j) none = none && (active_[j] || !end[j]);
+    return !on_all_processes(none);
+  }
   /// The step was accepted. `settled`: it has damped the closings before it.
-  void accept(ActiveSet end, bool settled);
+  void accept(ActiveSet end, bool settled) {
+    const int before = settled ? steps_ : std::min(since_ + 1, steps_);
+    since_ = closes(end) ? 0 : before;
+    active_ = std::move(end);
+  }
   bool recent() const { return since_ < steps_; }
 
   /// For a checkpoint, with begin().
