@@ -187,7 +187,52 @@ public:
 
   /// Adds a point to R, K_u and, if it is not null, K_d.
   void add(const MeridianPoint<>& point, CellNodal<2>& R, CellMatrix<2>& K_u,
-           CellMatrix<2>* K_d) const;
+           CellMatrix<2>* K_d) const {
+    constexpr bool small = At::small;
+    const Tensor<3> one = Tensor<3>::Identity();
+    const At at(moduli_, mean_, point);
+    const VolumeChange<technology> change(point, At::kinematics);
+    const Tensor<3> P = at.law.stress();
+    Eigen::Matrix<double, 5, 5> D;
+    for (int k = 0; k < 5; ++k) {
+      Tensor<3> unit = Tensor<3>::Zero();
+      (k == 4 ? unit(2, 2) : unit(k % 2, k / 2)) = 1;
+      D.col(k) = meridian::components(at.law.stress_change(unit));
+    }
+    const double q = variational(technology) ? at.pressure_change(P, point) : 0;
+    const meridian::Changes B = meridian::product(one, point);
+    const meridian::Five P5 = meridian::components(P),
+                         Z = D * meridian::components(small ? one : at.strain),
+                         weighted = meridian::components(small ? one : point.F);
+    const Row e = change_0_.by_u - change.by_u;
+    const Row S = P5.transpose() * B + q * e;
+
+    const auto tangent = [&](const Variation& by) {
+      const Row stretch = by.volume / 3;
+      meridian::Changes dP = at.c * D * by.strain;
+      Row weight = by.weight;
+      if constexpr (averaged(technology)) {
+        dP += Z * stretch;
+        if constexpr (!small) weight += (variational(technology) ? 1 : -2) * stretch;
+      }
+      CellMatrix<2> K = B.transpose().lazyProduct(dP);  // small: faster than blocks
+      K += S.transpose() * weight;
+      if constexpr (variational(technology)) {
+        Row dq = weighted.transpose() * dP / 3;
+        if constexpr (!small) dq += P5.transpose() * by.strain / 3;
+        K += e.transpose() * dq;
+        if (by.gradients) K += q * (change_0_.second - change.second);
+      }
+      return K;
+    };
+    for (int a = 0; a < 4; ++a) R.row(a) += at.weight * S.segment<2>(2 * a);
+    K_u += at.weight * tangent({B, change_0_.by_u - change.by_u, Row::Zero(), !small});
+    if (!K_d) return;
+    const Row by_volume = meridian::row(point.work(one));
+    *K_d += at.weight * (tangent({-meridian::product(point.H, point), change_0_.by_d - change.by_d,
+                                  by_volume, true}) -
+                         meridian::crossed(point, P, one, one));
+  }
 
 private:
   /// A variation of the point, by all unknowns.
@@ -202,55 +247,6 @@ private:
   MeridianMean<> mean_;
   VolumeChange<technology> change_0_;
 };
-
-template <ElementTechnology technology, template <int, class> class Law>
-void MeridianTangent<technology, Law>::add(const MeridianPoint<>& point, CellNodal<2>& R,
-                                           CellMatrix<2>& K_u, CellMatrix<2>* K_d) const {
-  constexpr bool small = At::small;
-  const Tensor<3> one = Tensor<3>::Identity();
-  const At at(moduli_, mean_, point);
-  const VolumeChange<technology> change(point, At::kinematics);
-  const Tensor<3> P = at.law.stress();
-  Eigen::Matrix<double, 5, 5> D;
-  for (int k = 0; k < 5; ++k) {
-    Tensor<3> unit = Tensor<3>::Zero();
-    (k == 4 ? unit(2, 2) : unit(k % 2, k / 2)) = 1;
-    D.col(k) = meridian::components(at.law.stress_change(unit));
-  }
-  const double q = variational(technology) ? at.pressure_change(P, point) : 0;
-  const meridian::Changes B = meridian::product(one, point);
-  const meridian::Five P5 = meridian::components(P),
-                       Z = D * meridian::components(small ? one : at.strain),
-                       weighted = meridian::components(small ? one : point.F);
-  const Row e = change_0_.by_u - change.by_u;
-  const Row S = P5.transpose() * B + q * e;
-
-  const auto tangent = [&](const Variation& by) {
-    const Row stretch = by.volume / 3;
-    meridian::Changes dP = at.c * D * by.strain;
-    Row weight = by.weight;
-    if constexpr (averaged(technology)) {
-      dP += Z * stretch;
-      if constexpr (!small) weight += (variational(technology) ? 1 : -2) * stretch;
-    }
-    CellMatrix<2> K = B.transpose().lazyProduct(dP);  // small: faster than blocks
-    K += S.transpose() * weight;
-    if constexpr (variational(technology)) {
-      Row dq = weighted.transpose() * dP / 3;
-      if constexpr (!small) dq += P5.transpose() * by.strain / 3;
-      K += e.transpose() * dq;
-      if (by.gradients) K += q * (change_0_.second - change.second);
-    }
-    return K;
-  };
-  for (int a = 0; a < 4; ++a) R.row(a) += at.weight * S.segment<2>(2 * a);
-  K_u += at.weight * tangent({B, change_0_.by_u - change.by_u, Row::Zero(), !small});
-  if (!K_d) return;
-  const Row by_volume = meridian::row(point.work(one));
-  *K_d += at.weight * (tangent({-meridian::product(point.H, point), change_0_.by_d - change.by_d,
-                                by_volume, true}) -
-                       meridian::crossed(point, P, one, one));
-}
 
 /// solid_tangent of a body of revolution.
 template <ElementTechnology technology, template <int, class> class Law, bool with_shape>

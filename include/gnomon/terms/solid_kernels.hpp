@@ -126,7 +126,47 @@ public:
   CellTangent(const ElasticModuli& moduli, const CellPoint<dim>& centre)
       : moduli_(moduli), centre_(centre), at_centre_(At::small, centre) {}
 
-  void add(const CellPoint<dim>& point, CellNodal<dim>& R);
+  void add(const CellPoint<dim>& point, CellNodal<dim>& R) {
+    const At at(moduli_, centre_, point);
+    const double m = at.weight, c = at.c;
+    const VolumeGradients<dim> here(At::small, point);
+    const Nodal &n = point.n, &g = here.g, &p = here.p, &g0 = at_centre_.g, &p0 = at_centre_.p;
+    const Tensor<dim> P = at.law.stress();
+    const Nodal Pn = m * n * P.transpose();
+    double crossed = 0;  // factor of g_b (x) g_a in K_u, in addition to the law
+    Nodal S = Pn;
+    if constexpr (averaged(technology)) {
+      Tensor<dim> B = Tensor<dim>::Identity();  // change of the strain by a change of volume
+      if constexpr (!At::small) B = at.strain;
+      const Tensor<dim> Z = at.law.stress_change(B);
+      const Nodal Zn = m * n * Z.transpose();
+      Nodal h = Zn / dim;
+      if constexpr (technology == ElementTechnology::f_bar && !At::small) h += (1.0 / dim - 1) * Pn;
+      if constexpr (variational(technology)) {
+        const double q = m * P.cwiseProduct(B).sum() / (dim * c);
+        const Nodal e = g0 - g;
+        Nodal dq = Zn / dim;
+        S += q * e;
+        h += (m * Z.cwiseProduct(B).sum() / (dim * dim * c)) * e;
+        if constexpr (!At::small) h += S / dim, dq += Pn / dim;
+        by_u_.direct.add(e, dq);
+        if constexpr (!At::small) crossed = q, by_u_.crossed.add(g0, -q * g0);
+        if constexpr (with_shape) {
+          by_d_.direct.add(e, -dq * point.H);
+          by_d_.crossed.add(g, q * g);
+          by_d_.crossed.add(g0, -q * g0);
+        }
+      }
+      by_u_.direct.add(h, g0 - g);
+      if constexpr (with_shape) by_d_.direct.add(h, p0 - p);
+    }
+    R += S;
+    add_law(at, point, here, crossed);
+    if constexpr (with_shape) {
+      by_d_.direct.add(S, n);
+      by_d_.crossed.add(n, -Pn);
+    }
+  }
   void write(CellMatrix<dim>& K_u, CellMatrix<dim>& K_d) const {
     by_u_.write(K_u);
     if constexpr (with_shape) by_d_.write(K_d);
@@ -137,8 +177,42 @@ private:
   static constexpr bool finite_variational = variational(technology) && !At::small;
   static constexpr int direct_dyads = dyadic + averaged(technology) + variational(technology);
 
+  /// Adds the effect of a change of strain at constant reference volume, and `crossed` g_b (x) g_a.
   void add_law(const At& at, const CellPoint<dim>& point, const VolumeGradients<dim>& here,
-               double q);
+               double crossed) {
+    const double m = at.weight, c = at.c;
+    const Nodal &n = point.n, &g = here.g, &p = here.p;
+    if constexpr (dyadic) {
+      const double volumetric = m * at.law.volumetric() / c, geometric = m * at.law.geometric() / c,
+                   shear = m * c * at.law.shear();
+      by_u_.direct.add(g, volumetric * g);
+      by_u_.crossed.add(g, (geometric + crossed) * g);
+      by_u_.law.add(n, shear * Tensor<dim>::Identity());
+      if constexpr (with_shape) {
+        by_d_.direct.add(g, volumetric * p);
+        by_d_.crossed.add(p, geometric * g);
+        by_d_.law.add(n, -shear * point.H);
+      }
+    } else {
+      typename StressChangeSum<dim>::Changes by_u, by_d;
+      for (int j = 0; j < dim; ++j)
+        for (int J = 0; J < dim; ++J) {
+          Tensor<dim> dF = Tensor<dim>::Zero();
+          dF(j, J) = 1;
+          by_u[j][J] = m * c * n * at.law.stress_change(dF).transpose();
+        }
+      by_u_.law.add(n, by_u);
+      if constexpr (finite_variational) by_u_.crossed.add(g, crossed * g);
+      if constexpr (with_shape) {  // a shape e_j changes the strain by -H e_j (x) n_b
+        for (int j = 0; j < dim; ++j)
+          for (int J = 0; J < dim; ++J) {
+            by_d[j][J].setZero();
+            for (int k = 0; k < dim; ++k) by_d[j][J] -= point.H(k, j) * by_u[k][J];
+          }
+        by_d_.law.add(n, by_d);
+      }
+    }
+  }
 
   const ElasticModuli& moduli_;
   const CellPoint<dim>& centre_;
@@ -148,90 +222,6 @@ private:
       by_u_;
   TangentSum<dim, direct_dyads + 1, 1 + dyadic + 2 * variational(technology), dyadic> by_d_;
 };
-
-template <ElementTechnology technology, template <int, class> class Law, bool with_shape, int dim>
-void CellTangent<technology, Law, with_shape, dim>::add(const CellPoint<dim>& point,
-                                                        CellNodal<dim>& R) {
-  const At at(moduli_, centre_, point);
-  const double m = at.weight, c = at.c;
-  const VolumeGradients<dim> here(At::small, point);
-  const Nodal &n = point.n, &g = here.g, &p = here.p, &g0 = at_centre_.g, &p0 = at_centre_.p;
-  const Tensor<dim> P = at.law.stress();
-  const Nodal Pn = m * n * P.transpose();
-  double crossed = 0;  // factor of g_b (x) g_a in K_u, in addition to the law
-  Nodal S = Pn;
-  if constexpr (averaged(technology)) {
-    Tensor<dim> B = Tensor<dim>::Identity();  // change of the strain by a change of volume
-    if constexpr (!At::small) B = at.strain;
-    const Tensor<dim> Z = at.law.stress_change(B);
-    const Nodal Zn = m * n * Z.transpose();
-    Nodal h = Zn / dim;
-    if constexpr (technology == ElementTechnology::f_bar && !At::small) h += (1.0 / dim - 1) * Pn;
-    if constexpr (variational(technology)) {
-      const double q = m * P.cwiseProduct(B).sum() / (dim * c);
-      const Nodal e = g0 - g;
-      Nodal dq = Zn / dim;
-      S += q * e;
-      h += (m * Z.cwiseProduct(B).sum() / (dim * dim * c)) * e;
-      if constexpr (!At::small) h += S / dim, dq += Pn / dim;
-      by_u_.direct.add(e, dq);
-      if constexpr (!At::small) crossed = q, by_u_.crossed.add(g0, -q * g0);
-      if constexpr (with_shape) {
-        by_d_.direct.add(e, -dq * point.H);
-        by_d_.crossed.add(g, q * g);
-        by_d_.crossed.add(g0, -q * g0);
-      }
-    }
-    by_u_.direct.add(h, g0 - g);
-    if constexpr (with_shape) by_d_.direct.add(h, p0 - p);
-  }
-  R += S;
-  add_law(at, point, here, crossed);
-  if constexpr (with_shape) {
-    by_d_.direct.add(S, n);
-    by_d_.crossed.add(n, -Pn);
-  }
-}
-
-/// Adds the effect of a change of strain at constant reference volume, and `crossed` g_b (x) g_a.
-template <ElementTechnology technology, template <int, class> class Law, bool with_shape, int dim>
-void CellTangent<technology, Law, with_shape, dim>::add_law(const At& at,
-                                                            const CellPoint<dim>& point,
-                                                            const VolumeGradients<dim>& here,
-                                                            double crossed) {
-  const double m = at.weight, c = at.c;
-  const Nodal &n = point.n, &g = here.g, &p = here.p;
-  if constexpr (dyadic) {
-    const double volumetric = m * at.law.volumetric() / c, geometric = m * at.law.geometric() / c,
-                 shear = m * c * at.law.shear();
-    by_u_.direct.add(g, volumetric * g);
-    by_u_.crossed.add(g, (geometric + crossed) * g);
-    by_u_.law.add(n, shear * Tensor<dim>::Identity());
-    if constexpr (with_shape) {
-      by_d_.direct.add(g, volumetric * p);
-      by_d_.crossed.add(p, geometric * g);
-      by_d_.law.add(n, -shear * point.H);
-    }
-  } else {
-    typename StressChangeSum<dim>::Changes by_u, by_d;
-    for (int j = 0; j < dim; ++j)
-      for (int J = 0; J < dim; ++J) {
-        Tensor<dim> dF = Tensor<dim>::Zero();
-        dF(j, J) = 1;
-        by_u[j][J] = m * c * n * at.law.stress_change(dF).transpose();
-      }
-    by_u_.law.add(n, by_u);
-    if constexpr (finite_variational) by_u_.crossed.add(g, crossed * g);
-    if constexpr (with_shape) {  // a shape e_j changes the strain by -H e_j (x) n_b
-      for (int j = 0; j < dim; ++j)
-        for (int J = 0; J < dim; ++J) {
-          by_d[j][J].setZero();
-          for (int k = 0; k < dim; ++k) by_d[j][J] -= point.H(k, j) * by_u[k][J];
-        }
-      by_d_.law.add(n, by_d);
-    }
-  }
-}
 
 /// Derivatives of the cell residual: K_u = dR/du, and K_d = dR/dd if `with_shape`. Same return
 /// value as solid_residual; R is computed too.
