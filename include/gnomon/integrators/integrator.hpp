@@ -69,7 +69,14 @@ public:
   /// step would pass it), and also on the breakpoints of the system (Structure). Updates `state`
   /// to a consistent state. Throws SolutionError when no step can be taken; `state` is then
   /// unchanged (the last good one).
-  StepReport advance(State& state, double t_stop);
+  StepReport advance(State& state, double t_stop) {
+    const Counters before = counted_;
+    StepReport report = take_step(state, t_stop);
+    ++counted_.steps;
+    report.newton_iterations = counted_.newton_iterations - before.newton_iterations;
+    report.restarted = counted_.rejected_steps > before.rejected_steps;
+    return report;
+  }
 
   /// The data of earlier steps, besides the state, that the next step uses, as numbers for a
   /// checkpoint; their count is always the same.
