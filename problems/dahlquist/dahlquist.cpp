@@ -18,7 +18,6 @@
 
 #include <cmath>
 #include <complex>
-#include <gnomon/base/error.hpp>
 #include <gnomon/base/tensor.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/model/problem.hpp>

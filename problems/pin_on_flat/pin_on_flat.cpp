@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/distortion.hpp>
 #include <gnomon/model/problem.hpp>

@@ -1,7 +1,6 @@
 #include "foundation_scene.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/model/wear_scene.hpp>

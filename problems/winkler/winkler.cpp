@@ -29,8 +29,6 @@
 // which holds as long as a <= L/2. The discrete pressure differs from it by O(h^2) and the depth by
 // O(h^3), h = L/(n - 1) (see the tests).
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>

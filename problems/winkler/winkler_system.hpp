@@ -5,7 +5,6 @@
 #include <gnomon/laws/wear_law.hpp>
 #include <gnomon/system/system.hpp>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/packed_numbers.hpp>
 #include <gnomon/integrators/rates.hpp>

@@ -4,7 +4,6 @@
 #include <gnomon/base/counters.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace gnomon {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <gnomon/base/error.hpp>
 #include <gnomon/base/processes.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/model/wear_model.hpp>

@@ -2,8 +2,6 @@
 #include <kinsol/kinsol.h>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <gnomon/newton/newton.hpp>
 
 #include "newton/newton_policy.hpp"
