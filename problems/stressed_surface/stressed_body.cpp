@@ -25,51 +25,40 @@ Mesh<2> wave_mesh(int across, int deep, double half_wave, double amplitude, doub
 
 /// A quarter of a disc: a core of n by n elements, and layers around it that end on the surface
 /// R + amplitude cos(lobes angle), on which nodes are at equal angles.
-class DiscMesh {
-public:
-  DiscMesh(int n, int layers, double radius, double amplitude, int lobes)
-      : n_(n), layers_(layers), mesh_(core(n, radius)) {
-    for (int k = 0; k <= 2 * n; ++k) {
-      const double angle = pi / 2 * k / (2 * n);
-      Vector<2> out(std::cos(angle), std::sin(angle));
-      if (k == 2 * n) out[0] = 0;
-      const Vector<2> inner = mesh_.nodes[node(k, 0)];
-      const Vector<2> outer = (radius + amplitude * std::cos(lobes * angle)) * out;
-      for (int layer = 1; layer <= layers; ++layer)
-        mesh_.nodes.push_back(inner + (outer - inner) * layer / layers);
-    }
-    for (int k = 0; k < 2 * n; ++k)
-      for (int layer = 0; layer < layers; ++layer)
-        mesh_.cells.push_back(
-            {node(k, layer), node(k, layer + 1), node(k + 1, layer + 1), node(k + 1, layer)});
-    mesh_.boundary.clear();
-    for (const Mesh<2>::Facet& facet : exterior_facets(mesh_)) {
-      const Vector<2>&a = mesh_.nodes[facet[0]], &b = mesh_.nodes[facet[1]];
-      const bool left = a[0] == 0 && b[0] == 0, bottom = a[1] == 0 && b[1] == 0;
-      mesh_.boundary[left ? "left" : bottom ? "bottom" : "top"].push_back(facet);
-    }
+Mesh<2> disc_mesh(int n, int layers, double radius, double amplitude, int lobes) {
+  // The outer corner of the core is drawn in, so that elements there have no angle near to 180
+  // degrees.
+  constexpr double side = 0.6, drawn_in = 0.2;  // of the radius, and of the side
+  Mesh<2> mesh = structured_quadrilaterals(n, n, [=](double s, double t) {
+    return Vector<2>(side * radius * s * (1 - drawn_in * t * t),
+                     side * radius * t * (1 - drawn_in * s * s));
+  });
+  // From the side x = side of the core over its corner to the side y = side.
+  const auto node = [=](int k, int layer) {
+    const int i = k <= n ? n : 2 * n - k, j = k <= n ? k : n;
+    return layer == 0 ? j * (n + 1) + i : (n + 1) * (n + 1) + k * layers + layer - 1;
+  };
+  for (int k = 0; k <= 2 * n; ++k) {
+    const double angle = pi / 2 * k / (2 * n);
+    Vector<2> out(std::cos(angle), std::sin(angle));
+    if (k == 2 * n) out[0] = 0;
+    const Vector<2> inner = mesh.nodes[node(k, 0)];
+    const Vector<2> outer = (radius + amplitude * std::cos(lobes * angle)) * out;
+    for (int layer = 1; layer <= layers; ++layer)
+      mesh.nodes.push_back(inner + (outer - inner) * layer / layers);
   }
-  Mesh<2> take() && { return std::move(mesh_); }
-
-private:
-  /// Its outer corner is drawn in, so that elements there have no angle near to 180 degrees.
-  static Mesh<2> core(int n, double radius) {
-    constexpr double side = 0.6, drawn_in = 0.2;  // of the radius, and of the side
-    return structured_quadrilaterals(n, n, [=](double s, double t) {
-      return Vector<2>(side * radius * s * (1 - drawn_in * t * t),
-                       side * radius * t * (1 - drawn_in * s * s));
-    });
+  for (int k = 0; k < 2 * n; ++k)
+    for (int layer = 0; layer < layers; ++layer)
+      mesh.cells.push_back(
+          {node(k, layer), node(k, layer + 1), node(k + 1, layer + 1), node(k + 1, layer)});
+  mesh.boundary.clear();
+  for (const Mesh<2>::Facet& facet : exterior_facets(mesh)) {
+    const Vector<2>&a = mesh.nodes[facet[0]], &b = mesh.nodes[facet[1]];
+    const bool left = a[0] == 0 && b[0] == 0, bottom = a[1] == 0 && b[1] == 0;
+    mesh.boundary[left ? "left" : bottom ? "bottom" : "top"].push_back(facet);
   }
-  /// From the side x = side of the core over its corner to the side y = side.
-  int node(int k, int layer) const {
-    const int i = k <= n_ ? n_ : 2 * n_ - k, j = k <= n_ ? k : n_;
-    const int core_nodes = (n_ + 1) * (n_ + 1);
-    return layer == 0 ? j * (n_ + 1) + i : core_nodes + k * layers_ + layer - 1;
-  }
-
-  int n_, layers_;
-  Mesh<2> mesh_;
-};
+  return mesh;
+}
 
 double required_real(const Scene& scene, const char* key, const char* why) {
   if (!scene.has(key))
@@ -125,7 +114,7 @@ void read_circle(const Scene& scene, StressedBody& body) {
     throw InputError(fmt::format("{}: expected an even number, a quarter is modelled, got {}",
                                  scene.where("surface.lobes"), lobes));
   const std::vector<long>& elements = scene.integers("mesh.elements");
-  body.mesh = DiscMesh(int(elements[0]), int(elements[1]), radius, amplitude, lobes).take();
+  body.mesh = disc_mesh(int(elements[0]), int(elements[1]), radius, amplitude, lobes);
   body.size = radius;
   body.wave = [lobes](const Vector<2>& X) {
     return OnWave{lobes * std::atan2(X[1], X[0]), X.norm()};

@@ -3,6 +3,7 @@
 #include <gnomon/mesh/semi_coarsening.hpp>
 #include <gnomon/model/physics.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
+#include <gnomon/shapes/counter_surface.hpp>
 #include <gnomon/terms/body_term.hpp>
 #include <gnomon/terms/loads.hpp>
 #include <gnomon/terms/pressure_load.hpp>
@@ -18,10 +19,9 @@ namespace {
 /// small load, a short run or a stiff body would otherwise require an impossible accuracy.
 template <int dim>
 Scales above_rounding(const Assembly<dim>& body) {
-  Vector<dim> low = body.mesh.nodes.front(), high = low;
-  for (const Vector<dim>& X : body.mesh.nodes) low = low.cwiseMin(X), high = high.cwiseMax(X);
-  const double length = 1e-6 * (high - low).maxCoeff();
-  double area = std::pow((high - low).maxCoeff(), dim - 1);
+  const auto [low, high] = Box<dim>::around(body.mesh.nodes);
+  const double size = (high - low).maxCoeff(), length = 1e-6 * size;
+  double area = std::pow(size, dim - 1);
   if (body.section() == Section::meridian) area *= 2 * M_PI * high[0];
   double modulus = 0;
   for (const Body& each : body.bodies)
@@ -76,8 +76,7 @@ Field rigid_motion_field(const Assembly<dim>& body, const Phase<dim>& phase, con
   const std::vector<std::optional<double>> forces = phase.forces();
   const int at_no_node = static_cast<int>(body.mesh.nodes.size());
   Field w("rigid_motion", std::vector<int>(forces.size(), at_no_node), 1);
-  Vector<dim> low = body.mesh.nodes.front(), high = low;
-  for (const Vector<dim>& X : body.mesh.nodes) low = low.cwiseMin(X), high = high.cwiseMax(X);
+  const auto [low, high] = Box<dim>::around(body.mesh.nodes);
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const bool turns = phase.counter_body.guides[k].turns();
     const double arm = turns ? (high - low).maxCoeff() : 1;
