@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/threads.hpp"
-#include "linear/contact_compliance.hpp"
 #include "linear/core_solver.hpp"
 #include "linear/factored_block.hpp"
 #include "linear/phase_contact.hpp"

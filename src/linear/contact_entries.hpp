@@ -1,15 +1,29 @@
 // What a coupled Jacobian has at contact nodes and at the surface nodes that they lie upon.
 #pragma once
 
+#include <Eigen/Core>
 #include <Eigen/LU>
+#include <array>
 #include <gnomon/linear/jacobian_block.hpp>
 #include <gnomon/system/system.hpp>
 #include <span>
 #include <vector>
 
-#include "linear/node_values.hpp"
-
 namespace gnomon {
+
+constexpr int most_components = 3;
+/// Numbers of unknowns; -1 for components that the node lacks.
+using NodeUnknowns = std::array<int, most_components>;
+/// Zero for components that the node lacks.
+using NodeValues = Eigen::Vector3d;
+using NodeSquare = Eigen::Matrix3d;
+
+inline NodeValues values_at(const NodeUnknowns& unknowns, std::span<const double> x) {
+  NodeValues values = NodeValues::Zero();
+  for (int k = 0; k < most_components; ++k)
+    if (unknowns[k] >= 0) values[k] = x[unknowns[k]];
+  return values;
+}
 
 /// Indices of J are rows and columns: u displacements of a contact node, l its multiplier, c the
 /// shape unknowns with one number of Structure::group (of a surface node, or of a line of a

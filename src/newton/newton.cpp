@@ -5,7 +5,6 @@
 #include <gnomon/newton/newton.hpp>
 
 #include "newton/newton_policy.hpp"
-#include "newton/pressure_level.hpp"
 #include "newton/residual_norm.hpp"
 #include "newton/sun_linear_solver.hpp"
 

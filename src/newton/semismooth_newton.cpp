@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "newton/newton_policy.hpp"
-#include "newton/pressure_level.hpp"
 #include "newton/residual_norm.hpp"
 
 namespace gnomon::sundials {
