@@ -35,7 +35,7 @@ const std::vector<std::array<double, 1 << (dim - 1)>>& points_between() {
 }
 
 /// The deepest of the boundary without contact inside the counter-body, in any phase: nodes that
-/// cannot touch, and points between nodes that do not.
+/// cannot touch, and where no node does, points between them.
 template <int dim>
 std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equations,
                                             const FieldValues<dim>& values, double t,
@@ -64,14 +64,11 @@ std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equati
         deepest = BoundaryPoint{point_in_space<dim>(initial), -gap};
     };
     for (const int node : nodes) look(std::array{node}, std::array{1.0}, 0);
-    std::set<int> closed;
-    for (std::size_t c = 0; c < contacts[p].nodes.size(); ++c)
-      if (contacts[p].nodes[c].active) closed.insert(assembly.contact_nodes[c].node);
+    if (std::ranges::any_of(contacts[p].nodes, &ContactNode<dim>::active)) continue;
     for (const auto& facet : facets_of(assembly.interface.surfaces))
-      if (std::ranges::none_of(facet, [&](int node) { return closed.contains(node); }))
-        for (const auto& weights : points_between<dim>())
-          look(facet, weights,
-               resolved * (assembly.mesh.nodes[facet[1]] - assembly.mesh.nodes[facet[0]]).norm());
+      for (const auto& weights : points_between<dim>())
+        look(facet, weights,
+             resolved * (assembly.mesh.nodes[facet[1]] - assembly.mesh.nodes[facet[0]]).norm());
   }
   return deepest;
 }
