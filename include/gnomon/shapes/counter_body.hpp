@@ -110,8 +110,8 @@ struct CounterBody {
   std::optional<Turning<dim>> turning;
 
   /// It moves along `approach` alone, as far as `travel` says or freely.
-  void guide(std::optional<LoadHistory> travel = {}) {
-    guides = {{.along = approach, .travel = std::move(travel), .share = 1}};
+  void guide(const std::optional<LoadHistory>& travel = {}) {
+    guides = {{.along = approach, .travel = travel, .share = 1}};
   }
   bool is_given() const {
     return std::ranges::any_of(guides, [](const auto& guide) { return guide.travel.has_value(); });
