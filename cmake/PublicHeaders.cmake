@@ -13,6 +13,11 @@ set(gnomon_public_headers
   gnomon/shapes/counter_shape_kind.hpp
   gnomon/shapes/shape_keys.hpp       # keys that shapes share
   gnomon/terms/material_law.hpp      # materials
+  gnomon/terms/solid_kernels.hpp     # and what one is made of
+  gnomon/terms/body_term.hpp         # terms of a physics
+  gnomon/terms/shape_evolution.hpp
+  gnomon/system/linear_solver.hpp    # linear solvers
+  gnomon/newton/linear_solver_kind.hpp
   gnomon/model/problem.hpp           # problems
   gnomon/model/model.hpp             # and what they make of a scene
   gnomon/model/observation.hpp

@@ -1,5 +1,7 @@
 // The commands that show what a result or a mesh holds, and lists of what gnomon has.
 
+#include <fmt/ranges.h>
+
 #include "app/command_line.hpp"
 #include "app/options.hpp"
 #include "app/stored_time.hpp"
@@ -7,13 +9,9 @@
 namespace gnomon::app {
 
 void CommandLine::add_inspection() {
-  CLI::App* list = app_.add_subcommand(
-      "list",
-      "Lists integrators, wear laws, materials, shapes, terms, problems, scenes or studies");
-  list->add_option("SUBJECT", subject_,
-                   "integrators, laws, materials, shapes, terms, problems, scenes or studies; "
-                   "default: these names")
-      ->type_name("");
+  const std::string subjects = fmt::format("{}", fmt::join(list_subjects(), ", "));
+  CLI::App* list = app_.add_subcommand("list", "Lists one of " + subjects);
+  list->add_option("SUBJECT", subject_, subjects + "; default: these names")->type_name("");
   on(list, [this] { return list_command(subject_); });
 
   const auto add = [this](const char* name, const char* help,

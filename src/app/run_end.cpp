@@ -25,8 +25,10 @@ void print_summary(const RunOutcome& outcome, const EndReport& report) {
       outcome.text(), outcome.last->t, outcome.wall_seconds, counters.steps,
       counters.rejected_steps, counters.newton_iterations, counters.factorizations);
   TextTable table({{}, {.align = TextTable::Align::right}, {}});
-  const auto is_of_balance = [](const std::string& name) {
-    return name.starts_with("force_") || name.starts_with("torque_");
+  // These are in the balance, if there is one.
+  const auto is_of_balance = [&](const std::string& name) {
+    return !outcome.examination.forces.empty() &&
+           (name.starts_with("force_") || name.starts_with("torque_"));
   };
   for (const Scalar& scalar : outcome.last->scalars)
     if (!is_of_balance(scalar.name))

@@ -49,7 +49,7 @@ public:
   /// Throws Failure with the system's reason when a write has failed, which abandons the file. HDF5
   /// gets none: with one it would still write what refers to that place, and may crash.
   void require_written() const;
-  /// From here on the file is for readers too (write_claim.hpp).
+  /// From here on the file is for readers too (replaced_file.hpp).
   void share();
   /// Whether the file is the one of this name.
   bool has_name(const std::filesystem::path& path) const;

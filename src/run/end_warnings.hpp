@@ -10,7 +10,7 @@
 namespace gnomon {
 
 /// Warns of an explicit method above its critical step, and of wear that is missing in the shape by
-/// more than `invisible` (wear_integral.hpp).
+/// more than `invisible`.
 std::vector<std::string> end_warnings(const Observation& last, double invisible,
                                       long chattering_nodes, const Integrator& integrator);
 

@@ -1,5 +1,5 @@
-// Wear laws: the wear rate of a contact node as a function of its state. catalogue.hpp says how
-// scenes name them.
+// Wear laws: the wear rate of a contact node as a function of its state.
+// wear_laws/wear_law_kind.hpp says how scenes name them.
 #pragma once
 
 #include <array>

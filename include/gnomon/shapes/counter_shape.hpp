@@ -1,4 +1,4 @@
-// Shapes of rigid counter-bodies as signed distances. How scenes name them: catalogue.hpp.
+// Shapes of rigid counter-bodies as signed distances. How scenes name them: counter_shape_kind.hpp.
 #pragma once
 
 #include <functional>

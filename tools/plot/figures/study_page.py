@@ -26,7 +26,7 @@ def view(data):
         "counts": ", ".join([of(len(rows), "run"), f"{len(failed)} failed"]
                             + [f"{len(missing)} missing"] * bool(missing)),
         "references": references(data) if data["compared"] else None,
-        "recommended": recommended(data) if data["compared"] and data["recommendations"] else None,
+        "recommended": recommended(data) if data["compared"] and data.get("recommendations") else None,
         "any_closed": any(closed),
         "all_closed": all(closed),
         "times": times(data["sweep"]) if data["compared"] else "",
