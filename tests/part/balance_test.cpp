@@ -7,6 +7,7 @@
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/summary.hpp>
 
+#include "model/contact_extent.hpp"
 #include "part/cyclic_flat.hpp"
 
 namespace gnomon {
@@ -153,6 +154,28 @@ TEST_F(Balance, ElementsThatLockAreNamed) {
   EXPECT_THAT(model(sound, {"body.element=plain"})->remarks, locks);
   EXPECT_THAT(model(text("motion.velocity = [10.0, 0.0]"), {"body.element=plain"})->remarks,
               Not(locks));
+}
+
+TEST_F(Balance, TheLastClosedNodeWithTheLargestPressureIsFound) {
+  const auto flat = model(text("motion.velocity = [10.0, 0.0]"));
+  const auto& wear = dynamic_cast<const WearModel<2>&>(*flat);
+  const Assembly<2>& body = wear.assembly();
+  const State start = start_of(*flat);
+  const Point at{.t = start.t, .y = start.y};
+  const FieldValues<2> values = wear.system().values(start.t, start.y);
+  std::vector<PhaseContact<2>> phases = {
+      {1, wear.equations().contact_nodes(wear.system(), values, at)}};
+  std::vector<ContactNode<2>>& nodes = phases.front().nodes;
+  for (ContactNode<2>& node : nodes) node.traction = 0;
+  for (int c = 8; c <= 12; ++c) nodes[c].traction = -1;
+  nodes[12].traction = -3;
+  const auto edge = edge_pressure(body, phases);
+  ASSERT_TRUE(edge);
+  EXPECT_EQ(edge->pressure, 3);
+  EXPECT_EQ(edge->inside, 1);
+  EXPECT_EQ(edge->position[0], body.mesh.nodes[body.contact_nodes[12].node][0]);
+  nodes[10].traction = -4;
+  EXPECT_FALSE(edge_pressure(body, phases));
 }
 
 TEST(EdgePressures, AreToldWithTheFigure) {
