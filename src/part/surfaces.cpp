@@ -96,11 +96,12 @@ public:
       for (const int node : facet) first_ = std::min(first_, to(parts.mesh.nodes[node]));
   }
 
-  /// Whether it touches the node at most `depth` behind its first touch, and the body faces it
-  /// there, seen from where it touches first.
+  /// Whether it touches the node at most `depth` before or behind its first touch of a surface, and
+  /// the body faces it there, seen from where it touches first. What it would have met long before,
+  /// as the outside of a bush, it has passed.
   bool within(double depth, const ContactPatch<dim>& patch) const {
     const Vector<dim>& X = patch.initial_position;
-    return to(X) - first_ <= depth &&
+    return std::abs(to(X) - first_) <= depth &&
            faces<dim>(patch.initial_normal,
                       other_.unchecked_distance(other_.seen(X, first_), 0).normal);
   }
