@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <gnomon/scene/scene.hpp>
 #include <numeric>
+#include <utility>
 
 #include "scene/table_layout.hpp"
 #include "scene/toml_text.hpp"
@@ -113,10 +114,11 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
   if (word.size() > longest) return {};
   if (std::string meant = usually_meant(word, candidates); !meant.empty()) return meant;
   std::string nearest;
-  std::size_t best = std::max<std::size_t>(2, word.size() / 3) + 1;
-  if (word.size() <= 3) best = 2;
+  // With a wrong table as near as a wrong letter: the fewer letters differ, the nearer.
+  std::pair best(std::max<std::size_t>(2, word.size() / 3) + 1, longest);
+  if (word.size() <= 3) best.first = 2;
   for (const std::string& candidate : candidates)
-    if (const std::size_t d = distance(word, candidate); d < best) {
+    if (const std::pair d(distance(word, candidate), edit_distance(word, candidate)); d < best) {
       best = d;
       nearest = candidate;
     }

@@ -92,6 +92,8 @@ TEST(Access, WrongKeyOrKindIsAProgrammingError) {
 TEST(NearestName, FindsWhatWasMeant) {
   const std::vector<std::string> names = {"backward-euler", "bdf", "forward-euler"};
   EXPECT_EQ(nearest_name("bakward-euler", names), "backward-euler");
+  EXPECT_EQ(nearest_name("fricton.coefficient", {"wear.coefficient", "friction.coefficient"}),
+            "friction.coefficient");
   EXPECT_EQ(nearest_name("fdb", names), "");
   EXPECT_EQ(nearest_name("bfd", names), "bdf");
   EXPECT_EQ(nearest_name("forward", names), "forward-euler");
