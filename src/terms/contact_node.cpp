@@ -156,7 +156,7 @@ ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parame
   const UnilateralContact<double>& contact = met.contact;
   const TractionDerivative<dim> traction(met, parameters.friction);
   const NodalWear wear = nodal_wear(parameters, patch, at.moment, met, branch);
-  if (contact.active) require_normal(patch, partner), require_direction(patch, surface.normal);
+  if (contact.active) require_normal(patch, partner);
 
   // What depends on the partner, by the node's position and then the partner's unknowns.
   const Tensor<dim> force_by_v = surface.area * traction.by_velocity;

@@ -307,7 +307,7 @@ ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,
     wear_rate = lift<4, Scalar>(
         rate.value, {rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power},
         met.wear);
-    require_direction(patch, plain<dim, Scalar>(surface.normal));
+    if (rate.value != 0) require_direction(patch, plain<dim, Scalar>(surface.normal));
   }
   velocity = -wear_rate * (patch.shape_free.template cast<Scalar>() * surface.normal);
 }
