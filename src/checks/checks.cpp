@@ -36,16 +36,17 @@ std::string point_text(const std::array<double, 3>& x) {
 
 std::vector<std::string> doubts(const Examination& facts) {
   constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
-                   inside = 1e-3;
+                   inside = 1e-3, rounding = 1e-9;
   std::vector<std::string> found;
+  const bool loaded = largest_force(facts) > rounding * facts.force;
   if (const double left = norm(sum_of(facts.forces, &ResultantForce::force));
-      left > unbalanced * largest_force(facts))
+      loaded && left > unbalanced * largest_force(facts))
     found.push_back(
         fmt::format("loads, supports, springs and contact are out of balance by {:.3g}, {:.2g} of "
                     "the largest of them",
                     left, left / largest_force(facts)));
   if (const double left = norm(sum_of(facts.forces, &ResultantForce::torque));
-      left > unbalanced * largest_force(facts) * facts.size)
+      loaded && left > unbalanced * largest_force(facts) * facts.size)
     found.push_back(fmt::format(
         "torques of loads, supports, springs and contact are out of balance by {:.3g}, {:.2g} of "
         "the largest force times the size of the bodies",

@@ -155,6 +155,7 @@ Examination WearModel<dim>::examine(const State& state) const {
   if (state.t > 0) facts.edge = edge_pressure(assembly(), contacts);
   facts.overlap = find_overlap(equations_);
   facts.deformation = assembly().scales.displacement;
+  facts.force = assembly().copies * assembly().scales.force;
   const Box<dim> box = Box<dim>::around(assembly().mesh.nodes);
   facts.size = (box.high - box.low).norm();
   facts.touches = std::ranges::any_of(contacts, touches<dim>);

@@ -57,6 +57,7 @@ struct Examination {
   /// [length].
   double overlap = 0;
   double deformation = 0;  ///< typical displacement: much less of a depth does not count [length]
+  double force = 0;        ///< typical: a small part of it is rounding
   double size = 0;         ///< of the bodies, from corner to corner [length]
   bool touches = true;     ///< some contact node, in some phase
   double gap = 0;          ///< the smallest of a contact node [length]
