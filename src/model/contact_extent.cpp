@@ -49,8 +49,10 @@ std::optional<EdgePressure> edge_pressure(const Assembly<dim>& body,
     const std::vector<char> closed = closed_nodes(body, nodes);
     for (std::size_t c = 0; c < nodes.size(); ++c) {
       const double pressure = -nodes[c].traction;
-      const bool within =
-          std::ranges::all_of(body.contact_nodes[c].nodes, [&](int node) { return closed[node]; });
+      const ContactPatch<dim>& patch = body.contact_nodes[c];
+      const bool within = std::ranges::all_of(patch.corners, [&](const auto& corner) {
+        return std::ranges::all_of(corner.nodes, [&](int p) { return closed[patch.nodes[p]]; });
+      });
       if (within) inside = std::max(inside, pressure);
       if (within || pressure <= at_edge) continue;
       at_edge = pressure;
