@@ -118,6 +118,11 @@ FieldValues<dim> moved(const FieldSet& from, const FieldValues<dim>& values, con
 }  // namespace
 
 template <int dim>
+bool WearModel<dim>::overdue(const State& state) const {
+  return !boundary_within(0, equations_, system().values(state.t, state.y), state.t).facets.empty();
+}
+
+template <int dim>
 std::optional<Succession> WearModel<dim>::succeed(const State& state) const {
   const double reach = assembly().interface.reach;
   const FieldValues<dim> values = system().values(state.t, state.y);
@@ -128,7 +133,7 @@ std::optional<Succession> WearModel<dim>::succeed(const State& state) const {
   next->system().numbering().gather(
       moved(*equations_.composition()->fields, values, *next->equations_.composition()->fields),
       start.y);
-  // Boundary that came all the way in one step is inside of the counter-body.
+  // Where no shorter step was found, it is inside of the counter-body.
   Counters counters;
   if (const std::string reason = AlgebraicSolver(next->system(), counters).solve(state.t, start.y);
       !reason.empty())
@@ -141,6 +146,8 @@ template Surface<2> joining_boundary(const AssemblyParts<2>&,
                                      const std::function<bool(const ContactPatch<2>&)>&);
 template Surface<3> joining_boundary(const AssemblyParts<3>&,
                                      const std::function<bool(const ContactPatch<3>&)>&);
+template bool WearModel<2>::overdue(const State&) const;
+template bool WearModel<3>::overdue(const State&) const;
 template std::optional<Succession> WearModel<2>::succeed(const State&) const;
 template std::optional<Succession> WearModel<3>::succeed(const State&) const;
 

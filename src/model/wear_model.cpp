@@ -186,8 +186,10 @@ WearModel<dim>::WearModel(WornBodyEquations<dim> equations)
     return wear_flux_of(contacts(system().values(at.t, at.y), at), assembly().copies);
   };
   if (assembly().cycle) can.phase_error = [this](const State& state) { return phase_error(state); };
-  if (assembly().interface.reach > 0)
+  if (assembly().interface.reach > 0) {
     can.succeed = [this](const State& state) { return succeed(state); };
+    can.overdue = [this](const State& state) { return overdue(state); };
+  }
   can.examine = [this](const State& state) { return examine(state); };
   can.counter_surface = [this](const State& state) { return counter_surface(state); };
 }

@@ -126,9 +126,10 @@ private:
       }
       if (!stepper_) make_stepper();
       const State before = state();
-      if (until_) memory_.stepper = stepper_->memory();
+      if (until_ || model().overdue) memory_.stepper = stepper_->memory();
       StepReport report = stepper_->advance(state(), schedule_.stop());
       Observation observed = observe(report);
+      if (model().overdue) come_near(before, report, observed);
       if (until_) end_early(before, report, observed);
       jumps_->add(before, state());
       require_mesh(observed, before);
@@ -183,6 +184,22 @@ private:
   /// Whether the last good state is the last one of the run, by time.until.
   bool ends_early() const { return until_ && excess(*until_, observed_) >= 0; }
 
+  void repeat(const State& before, double end, StepReport& report, Observation& observed) {
+    --counters_.steps;
+    ++counters_.rejected_steps;
+    state() = before;
+    make_stepper();
+    report = stepper_->advance(state(), end);
+    observed = observe(report);
+  }
+
+  /// Halves a step that goes beyond where another model should have followed.
+  void come_near(const State& before, StepReport& report, Observation& observed) {
+    constexpr int most = 20;  // where boundary is inside from the start
+    for (int i = 0; i < most && model().overdue(state()); ++i)
+      repeat(before, before.t + (state().t - before.t) / 2, report, observed);
+  }
+
   /// Repeats a step that goes beyond time.until, with an end there.
   void end_early(const State& before, StepReport& report, Observation& observed) {
     constexpr int most = 10;  // where an observation jumps
@@ -190,13 +207,7 @@ private:
       const double after = excess(*until_, observed);
       const double part = after >= 0 ? part_until(excess(*until_, observed_), after) : 1;
       if (part >= 1) return;
-      const double end = before.t + part * (state().t - before.t);
-      --counters_.steps;
-      ++counters_.rejected_steps;
-      state() = before;
-      make_stepper();
-      report = stepper_->advance(state(), end);
-      observed = observe(report);
+      repeat(before, before.t + part * (state().t - before.t), report, observed);
     }
   }
 

@@ -28,10 +28,10 @@ protected:
         std::shared_ptr<const Model>(stepped_part(folder_, motion)));
   }
   /// Without the shelf, which is 0.1 mm away, until the plane comes near to it.
-  static std::shared_ptr<const Model> later(const WearModel<2>& model) {
+  static std::shared_ptr<const Model> later(const WearModel<2>& model, double reach = 0.12) {
     AssemblyParts<2> parts = model.assembly();
     parts.interface.surfaces.pop_back();
-    parts.interface.reach = 0.12;
+    parts.interface.reach = reach;
     return std::make_shared<const WearModel<2>>(std::move(parts));
   }
   static std::shared_ptr<const Model> alone(const WearModel<2>& model) {
@@ -78,6 +78,19 @@ INSTANTIATE_TEST_SUITE_P(Methods, JoiningBoundaryBy,
                                            Case{"esdirk-3", 0, false, 1e-8},
                                            Case{"esdirk-3", 0, true, 1e-8},
                                            Case{"bdf", 0, false, 2e-3}));  // it restarts
+
+TEST_F(JoiningBoundary, AStepBeyondItIsRepeatedInShorterOnes) {
+  const auto model = whole();
+  const auto joins = later(*model, 1e-3);  // steps go on by ten times as much
+  const Case c{"backward-euler", 2000, false, 0};
+  const RunOutcome expected = outcome_of(*model, c), outcome = outcome_of(*joins, c);
+  EXPECT_EQ(outcome.text(), "finished");
+  EXPECT_GE(outcome.epochs, 2);
+  EXPECT_GT(outcome.counters.rejected_steps, 0);
+  EXPECT_FALSE(outcome.examination.intrusion);
+  for (const char* name : {"worn_volume", "approach", "max_pressure"})
+    EXPECT_NEAR(value(*joins, outcome, name) / value(*model, expected, name), 1, 1e-2) << name;
+}
 
 TEST_F(JoiningBoundary, ACutRunGoesOn) {
   CutRun(*later(*whole()), 40000).expect_to_go_on();

@@ -120,6 +120,9 @@ struct Abilities {
   /// began. Observations go on across it: worn volumes and depths are those since the start of the
   /// run. Nothing: this model goes on. Throws SolutionError where it cannot.
   std::function<std::optional<Succession>(const State&)> succeed{};
+  /// Whether a step has gone beyond where another model should have followed: it is repeated in
+  /// shorter ones.
+  std::function<bool(const State&)> overdue{};
   /// Facts by which the numbers of a state can be believed or not.
   std::function<Examination(const State&)> examine{};
   std::function<CounterSurface(const State&)> counter_surface{};

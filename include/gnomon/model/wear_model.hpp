@@ -48,6 +48,8 @@ private:
   Examination examine(const State& state) const;
   /// Boundary that the counter-body comes near to joins the contact (Interface::reach).
   std::optional<Succession> succeed(const State& state) const;
+  /// Boundary that would join lies inside of the counter-body.
+  bool overdue(const State& state) const;
   /// Within the box of the initial body, widened by a quarter of its longest side.
   CounterSurface counter_surface(const State& state) const;
   /// The contact law at every contact node, phase by phase; on the state's own smooth branch.
