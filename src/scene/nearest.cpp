@@ -115,7 +115,7 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
   if (std::string meant = usually_meant(word, candidates); !meant.empty()) return meant;
   std::string nearest;
   // With a wrong table as near as a wrong letter: the fewer letters differ, the nearer.
-  std::pair best(std::max<std::size_t>(2, word.size() / 3) + 1, longest);
+  std::pair best(std::max<std::size_t>(2, word.size() / 3) + 1, std::size_t{0});
   if (word.size() <= 3) best.first = 2;
   for (const std::string& candidate : candidates)
     if (const std::pair d(distance(word, candidate), edit_distance(word, candidate)); d < best) {

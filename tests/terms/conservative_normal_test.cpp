@@ -198,6 +198,8 @@ TEST(ConservativeNormal, RefusesNodesThatCannotWear) {
   patch.shape_free(1, 1) = 0;
   ContactParameters<2> parameters;
   parameters.normal_rule = NormalRule::conservative;
+  parameters.wear = archard(0.1);
+  parameters.streaming = {1, 0};
   const PatchNodal<2> X = positions(mesh, patch);
   using Node = ContactNode<2>;
   EXPECT_THROW(Node(parameters, patch, {X, 0 * X, -3.0}, Branch::closed), RecoverableError);
