@@ -92,22 +92,24 @@ template <int dim>
 class Travels {
 public:
   Travels(const AssemblyParts<dim>& parts, const CounterBody<dim>& other) : other_(other) {
-    for (const auto& facet : facets_of(parts.interface.surfaces))
-      for (const int node : facet) first_ = std::min(first_, to(parts.mesh.nodes[node]));
+    for (const ContactPatch<dim>& patch : contact_nodes_of(parts))
+      first_ = std::min(first_, to(patch));
   }
 
   /// Whether it touches the node at most `depth` before or behind its first touch of a surface, and
   /// the body faces it there, seen from where it touches first. What it would have met long before,
   /// as the outside of a bush, it has passed.
   bool within(double depth, const ContactPatch<dim>& patch) const {
-    const Vector<dim>& X = patch.initial_position;
-    return std::abs(to(X) - first_) <= depth &&
-           faces<dim>(patch.initial_normal,
-                      other_.unchecked_distance(other_.seen(X, first_), 0).normal);
+    return std::abs(to(patch) - first_) <= depth &&
+           faces<dim>(
+               patch.initial_normal,
+               other_.unchecked_distance(other_.seen(patch.initial_position, first_), 0).normal);
   }
 
 private:
-  double to(const Vector<dim>& X) const { return other_.travel_to(X); }
+  double to(const ContactPatch<dim>& patch) const {
+    return other_.travel_to(patch.initial_position, patch.initial_normal);
+  }
 
   const CounterBody<dim>& other_;
   double first_ = std::numeric_limits<double>::infinity();
