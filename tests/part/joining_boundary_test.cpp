@@ -106,5 +106,15 @@ TEST_F(JoiningBoundary, CyclesGoOnAcrossIt) {
               1e-8);
 }
 
+// Its outside, which nothing holds, comes first on the way of a shaft from afar.
+TEST_F(JoiningBoundary, ABushOnSpringsIsMetFromInside) {
+  const auto bush = make_model(
+      load_scene(shipped("bore.toml"), {"support.1.stiffness=1e4", "mesh.factor=2"}, key_table));
+  Counters unused;
+  const State start = bush->start(unused);
+  EXPECT_GT(observed(*bush, start, "wear_flux"), 0);
+  EXPECT_LT(std::abs(observed(*bush, start, "approach")), 1);
+}
+
 }  // namespace
 }  // namespace gnomon
