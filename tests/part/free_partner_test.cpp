@@ -16,29 +16,23 @@ namespace {
 using namespace testing;
 using ::testing::HasSubstr;
 
-class FreePartner : public ::testing::Test {
+class FreePartner : public PartScenes {
 protected:
-  void SetUp() override {
-    if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
-  }
   /// A shaft in a full ring with these presses.
-  std::unique_ptr<Model> journal(const std::string& press, const Overrides& overrides = {},
-                                 const std::string& more = "") const {
+  std::string text(const std::string& press, const std::string& more = "") const {
     std::string text = text_of(shipped("journal.toml")) + more;
     const std::size_t from = text.find("[[counter_body.press]]"), to = text.find("[wear]");
     text.replace(from, to - from, press);
     folder_.write("journal.geo", "n = 20;\n" + text_of(shipped("journal.geo")));
-    return make_model(load_scene(folder_.write("journal.toml", text), overrides, key_table));
+    return text;
+  }
+  std::unique_ptr<Model> journal(const std::string& press, const Overrides& overrides = {},
+                                 const std::string& more = "") const {
+    return model(text(press, more), overrides);
   }
   std::string refusal(const std::string& press, const Overrides& overrides = {}) const {
-    try {
-      journal(press, overrides);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return PartScenes::refusal(text(press), overrides);
   }
-  SceneFolder folder_;
 };
 
 std::string entry(const std::string& keys) {
