@@ -50,8 +50,7 @@ std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equati
   for (std::size_t p = 0; p < equations.phases().size(); ++p) {
     const WornBodyFields& fields = equations.fields(p);
     const CounterBody<dim>& other = equations.phases()[p].counter_body;
-    PartnerMotion<> q = other.given(t, t);
-    if (fields.w != FieldId::none) q += values.scalar(fields.w);
+    const PartnerMotion<> q = equations.partner_motion(values, t, p);
     const auto look = [&](std::span<const int> at, std::span<const double> weights, double least) {
       Vector<dim> initial = Vector<dim>::Zero(), x = initial;
       for (std::size_t a = 0; a < at.size(); ++a) {

@@ -44,19 +44,27 @@ bool held_across(const AssemblyParts<dim>& parts, const ContactPatch<dim>& patch
 }  // namespace
 
 template <int dim>
-Surface<dim> joining_boundary(const AssemblyParts<dim>& parts,
-                              const std::function<bool(const ContactPatch<dim>&)>& near) {
+OtherBoundary<dim>::OtherBoundary(const AssemblyParts<dim>& parts)
+    : facets_(boundary_without_contact(parts)),
+      patches_(contact_patches<dim>(parts.mesh, facets_, {}, parts.section())) {
+  std::set<int> held;
+  for (const ContactPatch<dim>& patch : patches_)
+    if (held_across(parts, patch)) held.insert(patch.node);
+  std::erase_if(patches_, [&](const auto& patch) { return held.contains(patch.node); });
+  std::erase_if(facets_, [&](const Facet<dim>& facet) {
+    return std::ranges::any_of(facet, [&](int node) { return held.contains(node); });
+  });
+}
+
+template <int dim>
+Surface<dim> OtherBoundary<dim>::joining(
+    const std::function<bool(const ContactPatch<dim>&)>& near) const {
   Surface<dim> surface{.name = "", .facets = {}, .wear = WearLaw(), .wears = false};
-  const std::vector<Facet<dim>> others = boundary_without_contact(parts);
-  std::set<int> reached, held;
-  for (const auto& patch : contact_patches<dim>(parts.mesh, others, {}, parts.section()))
-    if (held_across(parts, patch))
-      held.insert(patch.node);
-    else if (near(patch))
-      reached.insert(patch.node);
-  for (const Facet<dim>& facet : others)
-    if (std::ranges::any_of(facet, [&](int node) { return reached.contains(node); }) &&
-        std::ranges::none_of(facet, [&](int node) { return held.contains(node); }))
+  std::set<int> reached;
+  for (const ContactPatch<dim>& patch : patches_)
+    if (near(patch)) reached.insert(patch.node);
+  for (const Facet<dim>& facet : facets_)
+    if (std::ranges::any_of(facet, [&](int node) { return reached.contains(node); }))
       surface.facets.push_back(facet);
   return surface;
 }
@@ -65,14 +73,13 @@ namespace {
 
 /// What lies nearer than `distance` to the counter-body in some phase of a state.
 template <int dim>
-Surface<dim> boundary_within(double distance, const WornBodyEquations<dim>& equations,
+Surface<dim> boundary_within(double distance, const OtherBoundary<dim>& others,
+                             const WornBodyEquations<dim>& equations,
                              const FieldValues<dim>& values, double t) {
   std::vector<PartnerMotion<>> q;  // by phase
-  for (std::size_t p = 0; p < equations.phases().size(); ++p) {
-    q.push_back(equations.phases()[p].counter_body.given(t, t));
-    if (const FieldId w = equations.fields(p).w; w != FieldId::none) q.back() += values.scalar(w);
-  }
-  return joining_boundary<dim>(equations.assembly(), [&](const ContactPatch<dim>& patch) {
+  for (std::size_t p = 0; p < equations.phases().size(); ++p)
+    q.push_back(equations.partner_motion(values, t, p));
+  return others.joining([&](const ContactPatch<dim>& patch) {
     for (std::size_t p = 0; p < q.size(); ++p) {
       const Vector<dim> d = values.vector(equations.fields(p).d).row(patch.node).transpose(),
                         u = values.vector(equations.fields(p).u).row(patch.node).transpose();
@@ -119,16 +126,17 @@ FieldValues<dim> moved(const FieldSet& from, const FieldValues<dim>& values, con
 
 template <int dim>
 bool WearModel<dim>::overdue(const State& state) const {
-  return !boundary_within(0, equations_, system().values(state.t, state.y), state.t).facets.empty();
+  return !boundary_within(0, *others_, equations_, system().values(state.t, state.y), state.t)
+              .facets.empty();
 }
 
 template <int dim>
 std::optional<Succession> WearModel<dim>::succeed(const State& state) const {
   const double reach = assembly().interface.reach;
   const FieldValues<dim> values = system().values(state.t, state.y);
-  if (boundary_within(reach / 2, equations_, values, state.t).facets.empty()) return {};
+  if (boundary_within(reach / 2, *others_, equations_, values, state.t).facets.empty()) return {};
   auto next = std::make_shared<WearModel>(
-      with_surface<dim>(assembly(), boundary_within(reach, equations_, values, state.t)));
+      with_surface<dim>(assembly(), boundary_within(reach, *others_, equations_, values, state.t)));
   State start{state.t, std::vector<double>(next->system().structure().size), {}};
   next->system().numbering().gather(
       moved(*equations_.composition()->fields, values, *next->equations_.composition()->fields),
@@ -142,10 +150,8 @@ std::optional<Succession> WearModel<dim>::succeed(const State& state) const {
   return Succession{std::move(next), std::move(start)};
 }
 
-template Surface<2> joining_boundary(const AssemblyParts<2>&,
-                                     const std::function<bool(const ContactPatch<2>&)>&);
-template Surface<3> joining_boundary(const AssemblyParts<3>&,
-                                     const std::function<bool(const ContactPatch<3>&)>&);
+template class OtherBoundary<2>;
+template class OtherBoundary<3>;
 template bool WearModel<2>::overdue(const State&) const;
 template bool WearModel<3>::overdue(const State&) const;
 template std::optional<Succession> WearModel<2>::succeed(const State&) const;

@@ -187,6 +187,7 @@ WearModel<dim>::WearModel(WornBodyEquations<dim> equations)
   };
   if (assembly().cycle) can.phase_error = [this](const State& state) { return phase_error(state); };
   if (assembly().interface.reach > 0) {
+    others_.emplace(assembly());
     can.succeed = [this](const State& state) { return succeed(state); };
     can.overdue = [this](const State& state) { return overdue(state); };
   }
@@ -302,9 +303,7 @@ template <int dim>
 CounterSurface WearModel<dim>::counter_surface(const State& state) const {
   constexpr int cells_along = dim == 2 ? 128 : 32;
   const CounterBody<dim>& other = equations_.phases().front().counter_body;
-  PartnerMotion<> q = other.given(state.t, state.t);
-  if (const FieldId w = equations_.fields().w; w != FieldId::none)
-    q += system().values(state.t, state.y).scalar(w);
+  const PartnerMotion<> q = equations_.partner_motion(system().values(state.t, state.y), state.t);
   const FacetedSurface<dim> within =
       zero_level<dim>([&](const Vector<dim>& x) { return other.unchecked_distance(x, q, state.t); },
                       surroundings_, cells_along);

@@ -122,7 +122,7 @@ Surface<dim> reachable_boundary(const AssemblyParts<dim>& parts, double depth) {
   const auto instants = parts.instants();
   std::vector<Travels<dim>> travels;
   for (const Phase<dim>& instant : instants) travels.emplace_back(parts, instant.counter_body);
-  return joining_boundary<dim>(parts, [&](const ContactPatch<dim>& patch) {
+  return OtherBoundary<dim>(parts).joining([&](const ContactPatch<dim>& patch) {
     return std::ranges::any_of(travels,
                                [&](const auto& each) { return each.within(depth, patch); });
   });

@@ -7,12 +7,21 @@
 
 namespace gnomon {
 
-/// A surface that touches but does not wear: the facets of the boundary outside of the surfaces of
-/// `parts` of which `near` holds at a node. What supports hold across itself is left out, and what
-/// has no area. Without facets where there are none.
+/// The boundary outside of the surfaces of `parts`, but for what supports hold across itself and
+/// what has no area.
 template <int dim>
-Surface<dim> joining_boundary(const AssemblyParts<dim>& parts,
-                              const std::function<bool(const ContactPatch<dim>&)>& near);
+class OtherBoundary {
+public:
+  explicit OtherBoundary(const AssemblyParts<dim>& parts);
+
+  /// A surface that touches but does not wear: the facets of which `near` holds at a node. Without
+  /// facets where there are none.
+  Surface<dim> joining(const std::function<bool(const ContactPatch<dim>&)>& near) const;
+
+private:
+  std::vector<typename Mesh<dim>::Facet> facets_;
+  std::vector<ContactPatch<dim>> patches_;  // of their nodes
+};
 
 /// Whether boundary of outward normal `own` meets a counter-body of normal `other` there; steeper
 /// sides pass it by.

@@ -1,6 +1,7 @@
 // The model of a wearing assembly: consistent start, observations and fields.
 #pragma once
 
+#include <gnomon/model/joining_boundary.hpp>
 #include <gnomon/model/physics.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
 #include <gnomon/shapes/counter_surface.hpp>
@@ -58,6 +59,7 @@ private:
 
   Box<dim> surroundings_;  ///< in which the counter-body is shown
   WornBodyEquations<dim> equations_;
+  std::optional<OtherBoundary<dim>> others_;  ///< where boundary may join the contact
   std::shared_ptr<const Resultants<dim>> resultants_;
 };
 

@@ -55,6 +55,13 @@ public:
   const std::vector<KindOfTerm>& kinds() const { return kinds_; }
   /// Equilibrium and contact at a frozen shape: rows 1-3.
   BlockSelection deformation() const;
+  /// q of the counter-body in a phase: the given part and its unknowns.
+  PartnerMotion<> partner_motion(const FieldValues<dim>& values, double t,
+                                 std::size_t phase = 0) const {
+    PartnerMotion<> q = phases_[phase].counter_body.given(t, t);
+    if (const FieldId w = fields_[phase].w; w != FieldId::none) q += values.scalar(w);
+    return q;
+  }
   /// The contact term of a phase, in a system of this composition.
   const ContactTerm<dim>& contact(const ComposedSystem<dim>& system, std::size_t phase = 0) const;
   /// The contact law at every contact node in a phase, on the smooth branch of the point. `values`:
