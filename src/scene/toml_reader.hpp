@@ -10,7 +10,8 @@
 namespace gnomon {
 
 /// All keys of a document in the order of their lines; an empty table is an entry of its own.
-/// Throws InputError "NAME:LINE: ..." for text that is not TOML or nests absurdly (toml_mistakes.hpp).
+/// Throws InputError "NAME:LINE: ..." for text that is not TOML or nests absurdly
+/// (toml_mistakes.hpp).
 std::vector<RawEntry> read_toml(const std::string& text, const std::string& name);
 
 /// The same with the tables of arrays of tables apart, in the order of their lines. Throws as well.
