@@ -71,7 +71,7 @@ public:
 
 private:
   static const Structure& required(const Structure& structure) {
-    if (structure.blocks.empty() || structure.position.empty())
+    if (!structure.blocks || structure.position.empty())
       throw InputError("solver.method = \"block\": the system of this problem has no blocks");
     return structure;
   }
@@ -79,7 +79,7 @@ private:
   static std::size_t states_of(const Structure& structure) {
     std::set<int> owners;
     for (int i : unknowns_of(structure, {Role::stiffness}))
-      owners.insert(structure.blocks[structure.block[i]].owner);
+      owners.insert(structure.block_of(i).owner);
     return owners.size();
   }
 

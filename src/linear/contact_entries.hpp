@@ -116,7 +116,7 @@ private:
     const SparsePattern& pattern = structure_.pattern;
     std::vector<int> node_of(structure_.size, -1), count;  // nodes, by contact state
     for (int i : unknowns_of(structure_, {Role::multiplier})) {
-      const int state = structure_.blocks[structure_.block[i]].owner;
+      const int state = structure_.block_of(i).owner;
       if (count.size() <= static_cast<std::size_t>(state)) count.resize(state + 1, 0);
       node_of[i] = static_cast<int>(nodes_.size());
       nodes_.push_back({.multiplier = i, .state = state, .number = count[state]++});
@@ -128,9 +128,11 @@ private:
         if (node_of[row] < 0) continue;
         Node& node = nodes_[node_of[row]];
         // The pattern may have the displacements around; the gap contains those of the node.
-        if (structure_.role(j) == Role::stiffness && structure_.group[j] == structure_.group[row])
+        if (structure_.block_of(j).role == Role::stiffness &&
+            structure_.group[j] == structure_.group[row])
           node.u[structure_.component[j]] = j;
-        if (structure_.role(j) != Role::evolution || node.state != nodes_.front().state) continue;
+        if (structure_.block_of(j).role != Role::evolution || node.state != nodes_.front().state)
+          continue;
         std::vector<int>& candidates = candidates_[node.number];
         const int surface = surface_of_group[structure_.group[j]];
         if (candidates.empty() || candidates.back() != surface) candidates.push_back(surface);

@@ -8,7 +8,7 @@ namespace {
 std::vector<char> marked(const Structure& structure, Roles roles) {
   std::vector<char> mark(structure.block.size());
   for (std::size_t i = 0; i < mark.size(); ++i)
-    mark[i] = std::find(roles.begin(), roles.end(), structure.role(i)) != roles.end();
+    mark[i] = std::find(roles.begin(), roles.end(), structure.block_of(i).role) != roles.end();
   return mark;
 }
 

@@ -44,7 +44,7 @@ public:
   PhaseContacts(const Structure& structure, std::size_t phases)
       : entries_(structure), phases_(phases) {
     for (int i : unknowns_of(structure, {Role::rigid}))
-      phases_[structure.blocks[structure.block[i]].owner].rigid.push_back(i);
+      phases_[structure.block_of(i).owner].rigid.push_back(i);
     for (const ContactEntries::Node& node : entries_.nodes())
       phases_[node.state].nodes.push_back(node);
   }

@@ -91,7 +91,7 @@ private:
                                                 bool together) {
     std::map<int, std::vector<int>> owned;
     for (int i : unknowns_of(structure, {role}))
-      owned[together ? 0 : structure.blocks[structure.block[i]].owner].push_back(i);
+      owned[together ? 0 : structure.block_of(i).owner].push_back(i);
     std::vector<std::vector<int>> result;
     for (auto& [owner, unknowns] : owned) result.push_back(std::move(unknowns));
     if (result.empty()) result.emplace_back();

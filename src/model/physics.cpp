@@ -10,11 +10,11 @@ namespace {
 
 std::vector<BlockSize> sizes_of(const Structure& structure) {
   std::vector<BlockSize> sizes;
-  for (const Block& block : structure.blocks)
+  for (const Block& block : *structure.blocks)
     if (std::ranges::find(sizes, block.name, &BlockSize::name) == sizes.end())
       sizes.push_back({block.name, block.symbol, 0, block.where});
-  for (const int block : structure.block)
-    ++std::ranges::find(sizes, structure.blocks[block].name, &BlockSize::name)->size;
+  for (long i = 0; i < structure.size; ++i)
+    ++std::ranges::find(sizes, structure.block_of(i).name, &BlockSize::name)->size;
   return sizes;
 }
 

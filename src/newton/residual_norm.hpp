@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/processes.hpp>
+#include <gnomon/fields/block.hpp>
 #include <gnomon/system/system.hpp>
 #include <limits>
 #include <span>
@@ -53,7 +54,8 @@ class PressureLevel {
 public:
   explicit PressureLevel(const Structure& structure) : scale_(structure.unknown_scale) {
     for (std::size_t i = 0; i < structure.block.size(); ++i)
-      if (structure.role(i) == Role::multiplier) multipliers_.push_back(static_cast<int>(i));
+      if (structure.block_of(i).role == Role::multiplier)
+        multipliers_.push_back(static_cast<int>(i));
   }
 
   double operator()(std::span<const double> y) const {

@@ -55,15 +55,15 @@ void ComposedSystem<dim>::build_structure() {
   structure_.row_scale = numbering_.row_scale();
   structure_.unknown_scale = numbering_.unknown_scale();
   structure_.solver = composition_->solver;
-  structure_.blocks = composition_->fields->blocks;
+  structure_.blocks = {composition_->fields, &composition_->fields->blocks};
   structure_.block = numbering_.block();
   structure_.component = numbering_.component();
   structure_.position = composition_->position;
   structure_.position.resize(composition_->fields->nodes + 1);  // the last: at no node
   structure_.coarsening = composition_->coarsening;
-  for (int block : structure_.block) {
-    structure_.differential.push_back(structure_.blocks[block].differential);
-    structure_.tolerance_scale.push_back(structure_.blocks[block].tolerance_scale);
+  for (int i = 0; i < structure_.size; ++i) {
+    structure_.differential.push_back(structure_.block_of(i).differential);
+    structure_.tolerance_scale.push_back(structure_.block_of(i).tolerance_scale);
   }
 }
 
@@ -144,18 +144,19 @@ template <int dim>
 double ComposedSystem<dim>::change_of_strain(std::span<const double> y0,
                                              std::span<const double> y) const {
   const SparsePattern& pattern = structure_.pattern;
+  const std::vector<Block>& blocks = composition_->fields->blocks;
+  const auto kind_of = [&](int i) { return motion(blocks[structure_.block[i]].role); };
   const auto place = [this](int i) { return structure_.position[structure_.group[i]]; };
   double largest = 0;
 #pragma omp parallel for reduction(max : largest)
   for (int j = 0; j < pattern.size(); ++j) {
-    const int kind = motion(structure_.role(j));
+    const int kind = kind_of(j);
     if (kind == 0) continue;
     const double change = y[j] - y0[j];
     const std::array<double, 3> at = place(j);
     for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k) {
       const int i = pattern.row_index[k];
-      if (i <= j || structure_.component[i] != structure_.component[j] ||
-          motion(structure_.role(i)) != kind)
+      if (i <= j || structure_.component[i] != structure_.component[j] || kind_of(i) != kind)
         continue;
       const double difference = y[i] - y0[i] - change;
       const std::array<double, 3> other = place(i);

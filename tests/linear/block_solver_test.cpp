@@ -103,10 +103,11 @@ void decouple(Problem& problem) {
   for (int j = 0; j < s.pattern.size(); ++j)
     for (int k = s.pattern.column_start[j]; k < s.pattern.column_start[j + 1]; ++k) {
       const int i = s.pattern.row_index[k];
-      const bool surface = s.role(j) == Role::evolution;
-      const bool shape = surface || s.role(j) == Role::extension;
-      if (s.role(i) == Role::stiffness && shape) problem.J[k] = 0;
-      if (s.role(i) == Role::evolution && surface && s.group[i] != s.group[j]) problem.J[k] = 0;
+      const bool surface = s.block_of(j).role == Role::evolution;
+      const bool shape = surface || s.block_of(j).role == Role::extension;
+      if (s.block_of(i).role == Role::stiffness && shape) problem.J[k] = 0;
+      if (s.block_of(i).role == Role::evolution && surface && s.group[i] != s.group[j])
+        problem.J[k] = 0;
     }
 }
 

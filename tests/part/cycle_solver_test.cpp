@@ -40,10 +40,11 @@ void decouple(const Structure& s, std::vector<double>& J) {
   for (int j = 0; j < s.pattern.size(); ++j)
     for (int k = s.pattern.column_start[j]; k < s.pattern.column_start[j + 1]; ++k) {
       const int i = s.pattern.row_index[k];
-      const bool surface = s.role(j) == Role::evolution;
-      const bool shape = surface || s.role(j) == Role::extension;
-      if ((s.role(i) == Role::stiffness || s.role(i) == Role::rigid) && shape) J[k] = 0;
-      if (s.role(i) == Role::evolution && surface && s.group[i] != s.group[j]) J[k] = 0;
+      const bool surface = s.block_of(j).role == Role::evolution;
+      const bool shape = surface || s.block_of(j).role == Role::extension;
+      if ((s.block_of(i).role == Role::stiffness || s.block_of(i).role == Role::rigid) && shape)
+        J[k] = 0;
+      if (s.block_of(i).role == Role::evolution && surface && s.group[i] != s.group[j]) J[k] = 0;
     }
 }
 
@@ -52,7 +53,7 @@ void decouple(const Structure& s, std::vector<double>& J) {
 void share_stiffness(const Structure& s, std::vector<double>& J) {
   std::vector<std::vector<int>> unknowns;  // by phase
   for (int i : unknowns_of(s, {Role::stiffness})) {
-    const auto owner = static_cast<std::size_t>(s.blocks[s.block[i]].owner);
+    const auto owner = static_cast<std::size_t>(s.block_of(i).owner);
     if (unknowns.size() <= owner) unknowns.resize(owner + 1);
     unknowns[owner].push_back(i);
   }

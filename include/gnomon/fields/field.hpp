@@ -1,26 +1,12 @@
 // Fields: which values are unknown, on which entities and of which size; and values of all fields.
 #pragma once
 
-#include <Eigen/Core>
-#include <gnomon/base/tensor.hpp>
 #include <gnomon/fields/block.hpp>
-#include <map>
+#include <gnomon/fields/nodal.hpp>
 #include <string>
 #include <vector>
 
 namespace gnomon {
-
-/// Row-major nodal field; row = entity (mesh node, contact node).
-template <int dim>
-using NodalField = Eigen::Matrix<double, Eigen::Dynamic, dim, Eigen::RowMajor>;
-template <int dim>
-using NodalFlags = Eigen::Matrix<char, Eigen::Dynamic, dim, Eigen::RowMajor>;
-/// By node: the orthogonal projector on the plane or line along which its value may change.
-template <int dim>
-using NodalProjectors = std::map<int, Tensor<dim>>;
-/// Numbers of nodal values in y; -1 where a value is held, frozen or absent.
-template <int dim>
-using NodalNumbers = Eigen::Matrix<int, Eigen::Dynamic, dim, Eigen::RowMajor>;
 
 /// Values over entities of the mesh, any number of components at each.
 struct Field {
@@ -47,9 +33,6 @@ struct Field {
   int components() const { return static_cast<int>(block.cols()); }
   int carrier_of(int entity) const { return carrier.empty() ? entity : carrier[entity]; }
 };
-
-/// Position of a field in a FieldSet; none: the scene does not have the field.
-enum class FieldId : int { none = -1 };
 
 /// All fields of a problem. Unknowns are numbered node by node, the fields of a node in this order,
 /// and last the values at no node.

@@ -1,6 +1,7 @@
 // Parts of a Jacobian, chosen by the roles of its rows and columns.
 #pragma once
 
+#include <gnomon/fields/block.hpp>
 #include <gnomon/system/system.hpp>
 #include <initializer_list>
 #include <span>

@@ -3,13 +3,14 @@
 #pragma once
 
 #include <algorithm>
+#include <gnomon/fields/nodal.hpp>
 #include <gnomon/laws/load_history.hpp>
+#include <gnomon/mesh/cross_section.hpp>
 #include <gnomon/mesh/mesh_part.hpp>
 #include <gnomon/model/cyclic_phases.hpp>
-#include <gnomon/system/composed_system.hpp>
 #include <gnomon/system/linear_solver.hpp>
 #include <gnomon/terms/contact_node.hpp>
-#include <gnomon/terms/mesh_motion.hpp>
+#include <gnomon/terms/material.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,7 +70,7 @@ struct Supports {
 /// A load on the bodies: dead forces at nodes, or a pressure that follows the deformed surface.
 template <int dim>
 struct Load {
-  Field::Values forces{};  ///< at factor one, nodes x dim [force]; empty: a pressure
+  NodalField<dim> forces{};  ///< at factor one, nodes x dim [force]; empty: a pressure
   std::vector<typename Mesh<dim>::Facet> facets{};
   double pressure = 0;  ///< on these, at factor one; positive pushes on the body [stress]
   LoadHistory history{};

@@ -1,24 +1,12 @@
 // A system of terms over fields, or a part of it with the other blocks frozen.
 #pragma once
 
-#include <gnomon/laws/load_history.hpp>
 #include <gnomon/system/system.hpp>
 #include <gnomon/terms/term.hpp>
 #include <memory>
 #include <optional>
 
 namespace gnomon {
-
-/// Values of a field that are held, but not at zero: value times the factor of a history.
-struct PrescribedValues {
-  struct Entry {
-    int entity, component;
-    double value;
-  };
-  FieldId field = FieldId::none;  ///< a vector field
-  std::vector<Entry> entries;
-  LoadHistory history;
-};
 
 /// The parts of a system; shared by a system and its algebraic stages.
 template <int dim>

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <functional>
-#include <gnomon/fields/block.hpp>
 #include <gnomon/fields/sparse_pattern.hpp>
 #include <gnomon/mesh/node_interpolation.hpp>
 #include <gnomon/system/linear_solver.hpp>
@@ -19,6 +18,8 @@
 #include <vector>
 
 namespace gnomon {
+
+struct Block;  // fields/block.hpp
 
 /// Sizes and constants of a system that do not change during a run.
 struct Structure {
@@ -38,7 +39,7 @@ struct Structure {
   std::vector<double> stops = {};
   LinearSolverMaker solver = {};  ///< factors where it makes none
   // For solvers by blocks; empty where a system has no such blocks.
-  std::vector<Block> blocks = {};
+  std::shared_ptr<const std::vector<Block>> blocks = {};
   std::vector<int> block = {};       ///< size entries: in `blocks`
   std::vector<char> component = {};  ///< size entries: 0, 1, 2 of a vector, else 0
   /// Of a `group`, initial configuration [length].
@@ -46,8 +47,8 @@ struct Structure {
   /// Of the mesh, for geometric multigrid; null or empty where it is not needed or not possible.
   std::shared_ptr<const std::vector<NodeInterpolation>> coarsening = {};
 
-  /// Role of an unknown, if there are blocks.
-  Role role(std::size_t unknown) const { return blocks[block[unknown]].role; }
+  /// The block of an unknown, if there are blocks.
+  const Block& block_of(std::size_t unknown) const;
 };
 
 /// The part of a Jacobian that changes slowly with the state and is expensive, such as the
@@ -92,15 +93,7 @@ struct AlgebraicStage {
 };
 
 /// The branch that a point lies in.
-inline ActiveSet active_set(const System& system, const Point& at) {
-  std::vector<double> values(system.structure().switch_node.size());
-  system.switching(at, values);
-  ActiveSet active(values.size());
-  for (std::size_t j = 0; j < values.size(); ++j) active[j] = values[j] <= 0;
-  return active;
-}
-inline ActiveSet active_set(const System& system, double t, std::span<const double> y) {
-  return active_set(system, {.t = t, .y = y});
-}
+ActiveSet active_set(const System& system, const Point& at);
+ActiveSet active_set(const System& system, double t, std::span<const double> y);
 
 }  // namespace gnomon

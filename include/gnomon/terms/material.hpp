@@ -32,6 +32,13 @@ struct Body {
   double density = 0;  ///< mass by volume; 0: not known
 };
 
+/// The elastic energy of the auxiliary problem that moves the mesh, which is free to choose
+/// (sec. 2.5): of plain elements at finite strains.
+struct MeshMotionLaw {
+  Material material;
+  double stiffening = 0;  ///< chi: a cell is (mean volume / its volume)^chi as stiff
+};
+
 /// By cell of a mesh that has so many: the position of its body. Throws InputError where the bodies
 /// are not all cells, each once.
 std::vector<int> body_of_cells(const std::vector<Body>& bodies, std::size_t cells);

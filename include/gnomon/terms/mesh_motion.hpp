@@ -9,13 +9,6 @@
 
 namespace gnomon {
 
-/// The elastic energy of the auxiliary problem, which is free to choose (sec. 2.5): of plain
-/// elements at finite strains.
-struct MeshMotionLaw {
-  Material material;
-  double stiffening = 0;  ///< chi: a cell is (mean volume / its volume)^chi as stiff
-};
-
 /// The cells of the auxiliary problem with these rows. What is referred to must outlive the
 /// assembly.
 template <int dim>
