@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
+#include <gnomon/linear/inner_solver.hpp>
 
 #include "part/part_scene.hpp"
 
@@ -86,20 +87,23 @@ press = {{ direction = {4}, {6} }}
 };
 
 // A pressure p shortens the layers by p (h1/E1 + h2/E2), whatever the contrast of the moduli, in
-// the plane, of revolution and in space, by the block solver.
+// the plane, of revolution and in space, by the block solver with factors and with multigrid.
 TEST_F(Bodies, LayersUnderPressureAreSpringsInSeries) {
   constexpr double approach = 1e-3;
   for (const double contrast : {1.0, 10.0, 1e5})
     for (const double soft : {2e3, 2e3 * contrast})
-      for (const std::string kind : {"strain", "axisymmetric", "space"}) {
+      for (const std::string kind : {"strain", "axisymmetric", "space", "multigrid"}) {
+        if (kind == "multigrid" && !has_multigrid()) continue;
         SCOPED_TRACE(kind + fmt::format(" {} {}", contrast, soft));
         const double hard = soft == 2e3 ? 2e3 * contrast : 2e3;
         const std::string plane = kind == "axisymmetric" ? "model.plane = \"axisymmetric\"\n" : "";
-        std::string text = plane + scene(kind == "space" ? "space.geo" : "plane.geo",
+        const bool in_space = kind == "space" || kind == "multigrid";
+        std::string text = plane + scene(in_space ? "space.geo" : "plane.geo",
                                          fmt::format("approach = [{}]", approach), hard, soft);
         if (kind == "axisymmetric")  // slides to the circumference
           text.replace(text.find("{ velocity = [1.0, 0.0] }"), 25, "{ out_of_plane = 1.0 }");
-        const auto layered = model(text);
+        const std::string inner = kind == "multigrid" ? "multigrid" : "factor";
+        const auto layered = model(text, {"solver.preconditioner=" + inner});
         const double pressure = approach / (coating / soft + substrate / hard);
         const ContactSurface surface = layered->contact(layered->start(counters_)).value();
         for (const double p : surface.pressure) EXPECT_NEAR(p / pressure, 1, 1e-7);
