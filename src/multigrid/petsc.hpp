@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <gnomon/base/error.hpp>
 #include <gnomon/linear/inner_solver.hpp>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,16 @@ inline void check(PetscErrorCode code) {
   if (code) throw Error("PETSc failed with code " + std::to_string(code));
 }
 
+/// PETSc may be used by one thread at a time. Recursive: a solver that could not be made is
+/// destroyed by who makes it.
+inline std::recursive_mutex petsc_in_use;
+
 /// One application of a preconditioner of PETSc. The matrix may have more rows than the layout has
 /// unknowns; those rows hold only a diagonal, the largest of all values.
 class PetscSolver : public InnerSolver {
 public:
   ~PetscSolver() override {
+    const std::scoped_lock alone(petsc_in_use);
     PetscBool over = PETSC_FALSE;
     PetscFinalized(&over);
     if (over) return;
@@ -35,6 +41,7 @@ public:
   PetscSolver& operator=(const PetscSolver&) = delete;
 
   bool set_up(std::span<const double> values) override {
+    const std::scoped_lock alone(petsc_in_use);
     double largest = 0;
     for (double value : values) largest = std::max(largest, std::abs(value));
     if (!(largest > 0 && largest < 1e300)) return false;
@@ -53,6 +60,7 @@ public:
   }
 
   void apply(std::span<const double> b, std::span<double> x) override {
+    const std::scoped_lock alone(petsc_in_use);
     const std::size_t size = row_.size();
     for (std::size_t start = 0; start < b.size(); start += size)
       apply_to_one(b.subspan(start, size), x.subspan(start, size));
