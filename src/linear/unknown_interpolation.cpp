@@ -23,35 +23,17 @@ Numbers coarse_numbers(const Numbers& fine, const NodeInterpolation& nodes, int&
   return coarse;
 }
 
-/// The node and the component of every unknown.
-struct Places {
-  std::vector<int> node;
-  std::vector<int> component;
-
-  Places(const Numbers& numbers, int count) : node(count), component(count) {
-    for (std::size_t n = 0; n < numbers.size(); ++n)
-      for (int i = 0; i < 3; ++i)
-        if (numbers[n][i] >= 0) {
-          node[numbers[n][i]] = static_cast<int>(n);
-          component[numbers[n][i]] = i;
-        }
-  }
-};
-
 SparseRows interpolation(const Numbers& fine, int fine_count, const Numbers& coarse,
                          int coarse_count, const NodeInterpolation& nodes) {
-  const Places places(fine, fine_count);
-  SparseRows rows{coarse_count, {0}, {}, {}};
-  for (int k = 0; k < fine_count; ++k) {
-    const int node = places.node[k];
-    for (int entry = nodes.start[node]; entry < nodes.start[node + 1]; ++entry) {
-      const int column = coarse[nodes.coarse[entry]][places.component[k]];
-      if (column < 0) continue;
-      rows.column.push_back(column);
-      rows.value.push_back(nodes.weight[entry]);
-    }
-    rows.start.push_back(static_cast<int>(rows.column.size()));
-  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t node = 0; node < fine.size(); ++node)
+    for (int entry = nodes.start[node]; entry < nodes.start[node + 1]; ++entry)
+      for (int i = 0; i < 3; ++i) {
+        const int row = fine[node][i], column = coarse[nodes.coarse[entry]][i];
+        if (row >= 0 && column >= 0) entries.emplace_back(row, column, nodes.weight[entry]);
+      }
+  SparseRows rows(fine_count, coarse_count);
+  rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
 }
 

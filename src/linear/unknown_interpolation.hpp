@@ -1,17 +1,13 @@
 // Interpolation between the unknowns of the levels of geometric multigrid.
 #pragma once
 
+#include <Eigen/SparseCore>
 #include <gnomon/linear/inner_solver.hpp>
 #include <vector>
 
 namespace gnomon {
 
-/// A sparse matrix by rows; columns ascend in a row.
-struct SparseRows {
-  int columns = 0;
-  std::vector<int> start, column;
-  std::vector<double> value;
-};
+using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// Between the unknowns of `layout` and the next coarser ones, and so on to the coarsest. A node's
 /// components are interpolated alike. Held values are zero on every level: a coarse node has the

@@ -127,14 +127,16 @@ public:
 
 private:
   void interpolate(PetscInt level, const SparseRows& rows) {
-    const auto count = static_cast<PetscInt>(rows.start.size()) - 1;
+    const PetscInt *start = rows.outerIndexPtr(), *column = rows.innerIndexPtr();
+    const auto count = static_cast<PetscInt>(rows.rows());
     std::vector<PetscInt> entries;
-    for (PetscInt k = 0; k < count; ++k) entries.push_back(rows.start[k + 1] - rows.start[k]);
+    for (PetscInt k = 0; k < count; ++k) entries.push_back(start[k + 1] - start[k]);
     Mat matrix = nullptr;
-    check(MatCreateSeqAIJ(PETSC_COMM_SELF, count, rows.columns, 0, entries.data(), &matrix));
+    check(MatCreateSeqAIJ(PETSC_COMM_SELF, count, static_cast<PetscInt>(rows.cols()), 0,
+                          entries.data(), &matrix));
     for (PetscInt k = 0; k < count; ++k)
-      check(MatSetValues(matrix, 1, &k, entries[k], rows.column.data() + rows.start[k],
-                         rows.value.data() + rows.start[k], INSERT_VALUES));
+      check(MatSetValues(matrix, 1, &k, entries[k], column + start[k], rows.valuePtr() + start[k],
+                         INSERT_VALUES));
     check(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
     check(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
     check(PCMGSetInterpolation(multigrid_, level, matrix));

@@ -46,7 +46,7 @@ TEST(UnknownInterpolation, ReproducesFunctionsThatFulfilTheSupports) {
   const auto function = [](const Vector<3>& X, int i) { return i == 0 ? X[0] * X[1] : X[1]; };
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const SparseRows& rows = levels[l];
-    ASSERT_EQ(rows.start.size(), group.size() + 1);
+    ASSERT_EQ(rows.rows(), std::ssize(group));
     // The unknowns of the next level, by the nodes that it keeps.
     const NodeInterpolation& nodes = (*bar.layout.coarsening)[l];
     std::vector<int> next_group, next_component;
@@ -59,13 +59,13 @@ TEST(UnknownInterpolation, ReproducesFunctionsThatFulfilTheSupports) {
           next_component.push_back(component[u]);
         }
     }
-    ASSERT_EQ(rows.columns, static_cast<int>(next_group.size()));
+    ASSERT_EQ(rows.cols(), std::ssize(next_group));
     for (std::size_t u = 0; u < group.size(); ++u) {
       double sum = 0;
-      for (int k = rows.start[u]; k < rows.start[u + 1]; ++k) {
-        const int column = rows.column[k];
+      for (SparseRows::InnerIterator entry(rows, static_cast<Eigen::Index>(u)); entry; ++entry) {
+        const auto column = entry.col();
         EXPECT_EQ(next_component[column], component[u]);
-        sum += rows.value[k] * function(next_position[next_group[column]], next_component[column]);
+        sum += entry.value() * function(next_position[next_group[column]], next_component[column]);
       }
       EXPECT_NEAR(sum, function(position[group[u]], component[u]), 1e-12) << l << " " << u;
     }
@@ -86,19 +86,16 @@ TEST(UnknownInterpolation, LeavesOutLevelsThatMergeNothing) {
       plane.group.push_back(bar.layout.group[u]);
       plane.component.push_back(bar.layout.component[u]);
     }
-  int rows = static_cast<int>(plane.group.size());
+  Eigen::Index rows = std::ssize(plane.group);
   const auto levels = unknown_interpolations(plane);
   EXPECT_FALSE(levels.empty());
   for (const SparseRows& level : levels) {
-    EXPECT_EQ(static_cast<int>(level.start.size()) - 1, rows);
-    EXPECT_LT(level.columns, rows);
-    EXPECT_GT(level.columns, 0);
-    for (int row = 0; row < rows; ++row) {
-      double sum = 0;
-      for (int k = level.start[row]; k < level.start[row + 1]; ++k) sum += level.value[k];
-      EXPECT_LE(sum, 1 + 1e-14);
-    }
-    rows = level.columns;
+    EXPECT_EQ(level.rows(), rows);
+    EXPECT_LT(level.cols(), rows);
+    EXPECT_GT(level.cols(), 0);
+    const Eigen::VectorXd sums = level * Eigen::VectorXd::Ones(level.cols());
+    EXPECT_LE(sums.maxCoeff(), 1 + 1e-14);
+    rows = level.cols();
   }
 }
 
