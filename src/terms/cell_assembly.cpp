@@ -11,21 +11,19 @@ namespace gnomon {
 
 template <int dim>
 CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const std::vector<Body>& bodies,
-                                const Numbers& rows, const Numbers& columns,
-                                const Numbers* shape_columns, std::vector<double> stiffness,
-                                const NodalProjectors<dim>* along)
+                                Numbers rows, Numbers columns, Numbers shape_columns,
+                                std::vector<double> stiffness, const NodalProjectors<dim>* along)
     : mesh_(mesh),
       stiffness_(std::move(stiffness)),
-      rows_(rows),
-      columns_(columns),
-      shape_columns_(shape_columns),
+      rows_(std::move(rows)),
+      columns_(std::move(columns)),
       along_(along) {
   if (bodies.size() > 1) body_of_ = body_of_cells(bodies, mesh.cells.size());
   for (const Body& body : bodies)
     bodies_.push_back({body.material.moduli, body.material.kernel<dim>(body.element)});
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell)
     for (int node : mesh.cells[cell])
-      if (rows.row(node).maxCoeff() >= 0) {
+      if (rows_.row(node).maxCoeff() >= 0) {
         cells_.push_back(cell);
         break;
       }
@@ -34,8 +32,8 @@ CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const std::vector<Body>& 
     keeps_[c] = std::ranges::any_of(mesh.cells[cells_[c]],
                                     [&](int node) { return along_->contains(node); });
   // A frozen shape has no columns; then its derivative is not computed.
-  if (shape_columns_ && (shape_columns_->size() == 0 || shape_columns_->maxCoeff() < 0))
-    shape_columns_ = nullptr;
+  if (shape_columns.size() > 0 && shape_columns.maxCoeff() >= 0)
+    shape_columns_ = std::move(shape_columns);
 }
 
 template <int dim>
@@ -59,8 +57,8 @@ void CellAssembly<dim>::add_to_pattern(PatternBuilder& builder) const {
     cell_numbers(cell, rows_, rows);
     cell_numbers(cell, columns_, columns);
     builder.add(rows, columns);
-    if (!shape_columns_) continue;
-    cell_numbers(cell, *shape_columns_, columns);
+    if (!moves()) continue;
+    cell_numbers(cell, shape_columns_, columns);
     builder.add(rows, columns);
   }
 }
@@ -83,7 +81,7 @@ template <int dim>
 void CellAssembly<dim>::map_to(const SparsePattern& pattern) {
   size_ = pattern.size();
   fill_map(pattern, columns_, map_);
-  if (shape_columns_) fill_map(pattern, *shape_columns_, shape_map_);
+  if (moves()) fill_map(pattern, shape_columns_, shape_map_);
 }
 
 template <int dim>
@@ -243,8 +241,7 @@ void CellAssembly<dim>::add_jacobian(const NodalField<dim>* shape,
   const int count = static_cast<int>(cells_.size());
   const int failed = for_cells(count, local * local, size_, [&](int c, const Range& own) {
     const auto& cell = mesh_.cells[cells_[c]];
-    if (!meets(cell, columns_, own) && !(shape_columns_ && meets(cell, *shape_columns_, own)))
-      return true;
+    if (!meets(cell, columns_, own) && !(moves() && meets(cell, shape_columns_, own))) return true;
     CellNodal<dim> X, u, R;
     CellMatrix<dim> K_u, K_d;
     gather(cells_[c], shape, displacement, X, u);
@@ -252,13 +249,12 @@ void CellAssembly<dim>::add_jacobian(const NodalField<dim>* shape,
     std::optional<CellProjection<dim>> projection;
     if (keeps_[c]) projection.emplace(cell, *along_, moduli, X).of_displacement(u);
     const CellKernel<dim>& kernel = elastic(cells_[c]).kernel;
-    if (!(shape_columns_ ? kernel.tangent_ud : kernel.tangent_u)(moduli, X, u, R, K_u, K_d))
-      return false;
+    if (!(moves() ? kernel.tangent_ud : kernel.tangent_u)(moduli, X, u, R, K_u, K_d)) return false;
     if (projection) projection->of_tangent(K_u);
     const std::size_t first = std::size_t(c) * local * local;
     add_columns<dim>(cell, columns_, own, map_.data() + first, K_u, values);
-    if (shape_columns_)
-      add_columns<dim>(cell, *shape_columns_, own, shape_map_.data() + first, K_d, values);
+    if (moves())
+      add_columns<dim>(cell, shape_columns_, own, shape_map_.data() + first, K_d, values);
     return true;
   });
   if (failed < count) throw_inverted(cells_[failed], shape);

@@ -22,8 +22,7 @@ void solve_statically(const Mesh<dim>& mesh, const Material& material, const Ele
       numbers.data()[k] = static_cast<int>(group.size());
       group.push_back(static_cast<int>(k / dim));
     }
-  CellAssembly<dim> cells(mesh, {{.material = material, .element = element}}, numbers, numbers,
-                          nullptr);
+  CellAssembly<dim> cells(mesh, {{.material = material, .element = element}}, numbers, numbers);
   PatternBuilder builder(static_cast<int>(group.size()));
   cells.add_to_pattern(builder);
   const SparsePattern pattern = builder.build();

@@ -39,7 +39,7 @@ struct Block {
   int nodes() const { return static_cast<int>(mesh.nodes.size()); }
 
   CellAssembly<3> assembly() const {
-    return {mesh, {{.material = make_material("neo-hookean", moduli)}}, u, u, &d};
+    return {mesh, {{.material = make_material("neo-hookean", moduli)}}, u, u, d};
   }
 
   Mesh<3> mesh;

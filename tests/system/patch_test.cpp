@@ -45,8 +45,7 @@ double patch_error(const std::string& law, const Element& element) {
   }
 
   const Material material = make_material(law, ElasticModuli::from_young_poisson(7, 0.3));
-  CellAssembly<dim> cells(mesh, {{.material = material, .element = element}}, numbers, numbers,
-                          nullptr);
+  CellAssembly<dim> cells(mesh, {{.material = material, .element = element}}, numbers, numbers);
   PatternBuilder builder(size);
   cells.add_to_pattern(builder);
   const SparsePattern pattern = builder.build();

@@ -138,7 +138,7 @@ Errors errors(const std::string& law, ElementTechnology technology, int n, bool 
                               });
 
   const Body body{.material = make_material(law, moduli), .element = {technology, kinematics}};
-  CellAssembly<dim> cells(mesh, {body}, numbers, numbers, nullptr);
+  CellAssembly<dim> cells(mesh, {body}, numbers, numbers);
   PatternBuilder builder(static_cast<int>(size));
   cells.add_to_pattern(builder);
   const SparsePattern pattern = builder.build();

@@ -16,9 +16,8 @@ public:
            FieldId u, FieldId d)
       : u_(u),
         d_(d),
-        u_numbers_(numbering.nodal<dim>(u)),
-        d_numbers_(numbering.nodal<dim>(d)),
-        cells_(mesh, bodies, u_numbers_, u_numbers_, &d_numbers_) {}
+        cells_(mesh, bodies, numbering.nodal<dim>(u), numbering.nodal<dim>(u),
+               numbering.nodal<dim>(d)) {}
 
   void declare(TermStructure& structure) const override {
     cells_.add_to_pattern(structure.pattern);
@@ -35,7 +34,6 @@ public:
 
 private:
   FieldId u_, d_;
-  NodalNumbers<dim> u_numbers_, d_numbers_;
   CellAssembly<dim> cells_;
 };
 

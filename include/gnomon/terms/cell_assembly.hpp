@@ -20,15 +20,15 @@ public:
 
   /// `bodies`: together all cells, each once (one body without cells: all). `rows`, `columns`:
   /// numbers of the residual rows and of the unknown that is the displacement here.
-  /// `shape_columns`: numbers of the shape unknowns that move the reference configuration, or null
+  /// `shape_columns`: numbers of the shape unknowns that move the reference configuration, empty
   /// when it does not move. `stiffness`: factors of the moduli, one per cell; none: 1. `along`: the
   /// nodes that keep to planes or lines, with the projectors P on them; with N = 1 - P their
   /// equations are P R(P u) + k N u = 0, of which P K P + k N is the derivative: equilibrium along,
   /// no displacement across. k is a stiffness of the cells. Null: no node does. Cells without a row
-  /// are left out. References must outlive the object.
-  CellAssembly(const Mesh<dim>& mesh, const std::vector<Body>& bodies, const Numbers& rows,
-               const Numbers& columns, const Numbers* shape_columns,
-               std::vector<double> stiffness = {}, const NodalProjectors<dim>* along = nullptr);
+  /// are left out. Mesh and projectors must outlive the object.
+  CellAssembly(const Mesh<dim>& mesh, const std::vector<Body>& bodies, Numbers rows,
+               Numbers columns, Numbers shape_columns = {}, std::vector<double> stiffness = {},
+               const NodalProjectors<dim>* along = nullptr);
 
   void add_to_pattern(PatternBuilder& builder) const;
   /// Computes the scatter map; call once, after the pattern is built.
@@ -50,6 +50,7 @@ private:
   };
   const Elastic& elastic(int cell) const { return bodies_[body_of_.empty() ? 0 : body_of_[cell]]; }
   ElasticModuli moduli_of(int cell) const;
+  bool moves() const { return shape_columns_.size() > 0; }
   void cell_numbers(int cell, const Numbers& numbers, std::vector<int>& result) const;
   void gather(int cell, const NodalField<dim>* shape, const NodalField<dim>& displacement,
               CellNodal<dim>& X, CellNodal<dim>& u) const;
@@ -60,9 +61,8 @@ private:
   std::vector<Elastic> bodies_;
   std::vector<int> body_of_;  // per cell; empty: the only one
   std::vector<double> stiffness_;
-  const Numbers& rows_;
-  const Numbers& columns_;
-  const Numbers* shape_columns_;
+  Numbers rows_, columns_;
+  Numbers shape_columns_;  // empty: the reference does not move, or is frozen
   const NodalProjectors<dim>* along_;
   std::vector<char> keeps_;           // per cell with a row: 1 where a node is in `along`
   std::vector<int> cells_;            // cells with at least one row

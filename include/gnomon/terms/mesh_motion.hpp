@@ -5,15 +5,15 @@
 #include <gnomon/mesh/cross_section.hpp>
 #include <gnomon/terms/cell_assembly.hpp>
 #include <gnomon/terms/term.hpp>
-#include <memory>
+#include <optional>
 
 namespace gnomon {
 
-/// The cells of the auxiliary problem with these rows. What is referred to must outlive the
+/// The cells of the auxiliary problem with these rows. Mesh and projectors must outlive the
 /// assembly.
 template <int dim>
 CellAssembly<dim> auxiliary_cells(const Mesh<dim>& mesh, const MeshMotionLaw& law,
-                                  const NodalNumbers<dim>& rows, const NodalNumbers<dim>& columns,
+                                  NodalNumbers<dim> rows, NodalNumbers<dim> columns,
                                   const NodalProjectors<dim>* along = nullptr);
 
 /// Adds to the rows of d off the worn surface.
@@ -24,7 +24,6 @@ public:
   /// read with a section. All three must outlive the term.
   MeshMotion(const Mesh<dim>& mesh, const CrossSection* section, const NodalProjectors<dim>& along,
              const MeshMotionLaw& law, const Numbering& numbering, FieldId d);
-  ~MeshMotion() override;
 
   void declare(TermStructure& structure) const override;
   void map_to(const SparsePattern& pattern) override;
@@ -33,11 +32,10 @@ public:
                     std::span<double> values) const override;
 
 private:
-  struct Whole;
-  struct Section;
   FieldId d_;
-  std::unique_ptr<Whole> whole_;
-  std::unique_ptr<Section> section_;  // one of the two
+  const CrossSection* section_;
+  std::optional<CellAssembly<dim>> whole_;
+  std::optional<CellAssembly<2>> across_;  // of the cross-section: one of the two
 };
 
 }  // namespace gnomon

@@ -38,12 +38,11 @@ public:
                   const Numbering& numbering, FieldId d, FieldId mu)
       : d_(d),
         mu_(mu),
-        rows_(multiplier_rows(nodes, numbering, d, mu)),
-        columns_(numbering.nodal<dim>(d)),
-        cells_(auxiliary_cells<dim>(mesh, law, rows_, columns_, &along)) {
+        cells_(auxiliary_cells<dim>(mesh, law, multiplier_rows(nodes, numbering, d, mu),
+                                    numbering.nodal<dim>(d), &along)) {
     for (std::size_t c = 0; c < nodes.size(); ++c)
       for (int i = 0; i < dim; ++i)
-        if (const int row = rows_(nodes[c].node, i); row >= 0)
+        if (const int row = numbering.number(mu, static_cast<Eigen::Index>(c), i); row >= 0)
           own_.push_back({row, static_cast<int>(c), i, nodes[c].initial_area});
   }
 
@@ -81,7 +80,6 @@ private:
     int position = -1;           // of the diagonal in J
   };
   FieldId d_, mu_;
-  NodalNumbers<dim> rows_, columns_;
   CellAssembly<dim> cells_;
   std::vector<Row> own_;
 };
