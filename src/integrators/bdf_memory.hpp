@@ -16,10 +16,6 @@
 
 namespace gnomon {
 
-inline void destroy_ida(void* memory) {
-  IDAFree(&memory);
-}
-
 /// integrator.max_order.
 const Key& max_order_key();
 
@@ -87,7 +83,7 @@ private:
   sundials::Context context_;
   sundials::VectorOwner y_, ydot_, id_, probe_, integral_;
   Solvers solvers_;
-  sundials::Owner<void, destroy_ida> ida_;
+  sundials::Owner<void, IDAFree> ida_;
 };
 
 }  // namespace gnomon

@@ -24,10 +24,6 @@ namespace gnomon {
 using namespace sundials;
 
 namespace {
-void destroy_erk(void* memory) {
-  ARKodeFree(&memory);
-}
-
 /// ERKStep (until 6.7) uses the rate of a last stage at c = 1 as the rate at the end of the step,
 /// which is right only if that stage is the new value; in Heun's method it is not, and the method
 /// would lose half of its stability. Where needed, the new value is appended as a stage of weight
@@ -307,7 +303,7 @@ private:
   Context context_;
   StepControl step_control_;
   VectorOwner d_;  // the differential components
-  Owner<void, destroy_erk> erk_;
+  Owner<void, ARKodeFree> erk_;
 };
 
 }  // namespace

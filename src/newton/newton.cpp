@@ -12,12 +12,6 @@ namespace gnomon {
 
 using namespace sundials;
 
-namespace {
-void destroy_kinsol(void* memory) {
-  KINFree(&memory);
-}
-}  // namespace
-
 class NewtonSolver::Memory {
 public:
   Memory(const Structure& structure, Counters& counters, const NewtonOptions& options)
@@ -205,7 +199,7 @@ private:
   VectorOwner y_, unknown_scale_, row_scale_;
   MatrixOwner matrix_;
   LinearSolverOwner linear_;
-  Owner<void, destroy_kinsol> kinsol_;
+  Owner<void, KINFree> kinsol_;
 };
 
 NewtonSolver::NewtonSolver(const Structure& structure, Counters& counters,

@@ -10,10 +10,7 @@
 
 namespace gnomon::sundials {
 
-inline void destroy_nonlinear(_generic_SUNNonlinearSolver* s) {
-  SUNNonlinSolFree(s);
-}
-using NonlinearSolverOwner = Owner<_generic_SUNNonlinearSolver, destroy_nonlinear>;
+using NonlinearSolverOwner = Owner<_generic_SUNNonlinearSolver, SUNNonlinSolFree>;
 
 /// IDA's own Newton freezes the Jacobian within a step and gives up after four iterations, which
 /// fails whenever a contact node switches. This solver makes factors when IDA or the policy demands

@@ -10,10 +10,7 @@
 
 namespace gnomon::sundials {
 
-inline void destroy_linear(_generic_SUNLinearSolver* s) {
-  SUNLinSolFree(s);
-}
-using LinearSolverOwner = Owner<_generic_SUNLinearSolver, destroy_linear>;
+using LinearSolverOwner = Owner<_generic_SUNLinearSolver, SUNLinSolFree>;
 
 /// The request of a nonlinear solver to its linear solver, set before every solve.
 struct LinearRequest {

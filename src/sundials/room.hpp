@@ -13,32 +13,29 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "sundials/compat.hpp"
 
 namespace gnomon::sundials {
 
-/// Move-only owner of a handle with its deleter.
-template <class T, void (*destroy)(T*)>
+/// Move-only owner of a handle; `destroy` takes it or, as KINFree, its address.
+template <auto destroy>
 struct Destroy {
-  void operator()(T* handle) const { destroy(handle); }
+  template <class T>
+  void operator()(T* handle) const {
+    if constexpr (std::is_invocable_v<decltype(destroy), T*>)
+      destroy(handle);
+    else
+      destroy(&handle);
+  }
 };
-template <class T, void (*destroy)(T*)>
-using Owner = std::unique_ptr<T, Destroy<T, destroy>>;
-
-inline void destroy_vector(_generic_N_Vector* v) {
-  N_VDestroy(v);
-}
-inline void destroy_matrix(_generic_SUNMatrix* m) {
-  SUNMatDestroy(m);
-}
-inline void destroy_table(ARKodeButcherTableMem* table) {
-  ARKodeButcherTable_Free(table);
-}
-using VectorOwner = Owner<_generic_N_Vector, destroy_vector>;
-using MatrixOwner = Owner<_generic_SUNMatrix, destroy_matrix>;
-using TableOwner = Owner<ARKodeButcherTableMem, destroy_table>;
+template <class T, auto destroy>
+using Owner = std::unique_ptr<T, Destroy<destroy>>;
+using VectorOwner = Owner<_generic_N_Vector, N_VDestroy>;
+using MatrixOwner = Owner<_generic_SUNMatrix, SUNMatDestroy>;
+using TableOwner = Owner<ARKodeButcherTableMem, ARKodeButcherTable_Free>;
 
 /// Throws Error with the function's name when a SUNDIALS call failed.
 void check(int flag, const char* what);
