@@ -69,18 +69,12 @@ public:
 
   void update() override {
     compliance_.solve(contacts_.touching(), stiffness_);
-    number_.assign(contacts_.entries().surfaces().size(), -1);
-    int count = 0;
-    for (const PhaseContact& phase : contacts_.phases())
-      for (const ClosedNode& node : phase.closed)
-        if (node.on.surface >= 0 && number_[node.on.surface] < 0)
-          number_[node.on.surface] = count++;
     divide_among_threads(static_cast<long>(systems_.size()), [this](long p) { make_system(p); });
-    Eigen::MatrixXd wear = Eigen::MatrixXd::Identity(count, count);
+    Eigen::MatrixXd wear = Eigen::MatrixXd::Identity(contacts_.worn(), contacts_.worn());
     for (std::size_t p = 0; p < systems_.size(); ++p)
       couple(contacts_.phases()[p], systems_[p], wear);
-    if (count > 0) wear_.compute(wear);
-    right_of_wear_.resize(count);
+    if (wear.size() > 0) wear_.compute(wear);
+    right_of_wear_.resize(wear.rows());
   }
 
   int set_up(bool) override {
@@ -102,10 +96,8 @@ public:
     solve_contact();
     contact_columns_.subtract(J_, contact_, s);
     stiffness_.scatter(stiffness_.solve(s), z);
-    for (const PhaseContact& phase : contacts_.phases()) {
-      for (const ClosedNode& node : phase.closed) z[node.multiplier] = contact_[node.multiplier];
-      for (int w : phase.rigid) z[w] = contact_[w];
-    }
+    for (const PhaseContact& phase : contacts_.phases())
+      for (int i : phase.y) z[i] = contact_[i];
     wear_by_displacement_.subtract(J_, z, s);
     wear_block_.solve(s, z);
   }
@@ -131,67 +123,29 @@ private:
     return solves / (1 + 2 * column_cost_ * static_cast<double>(stiffness_.owners()));
   }
 
-  /// The columns of K^-1 (B, J_uw) at the closed nodes, three rows each.
-  Eigen::MatrixXd response(const PhaseContact& phase) const {
-    const auto count = static_cast<Eigen::Index>(phase.closed.size());
-    const auto rigid = static_cast<Eigen::Index>(phase.rigid.size());
-    Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(most_components * count, count + rigid);
-    for (Eigen::Index k = 0; k < count; ++k)
-      for (Eigen::Index l = 0; l < count; ++l) {
-        const auto G = compliance_.at(phase.closed[k].node, phase.closed[l].node);
-        auto rows = moved.middleRows<most_components>(most_components * k);
-        rows.col(l) = G * phase.closed[l].B;
-        rows.rightCols(rigid) += G * phase.closed[l].uw;
-      }
-    return moved;
-  }
-
   void make_system(std::size_t p) {
     const PhaseContact& phase = contacts_.phases()[p];
-    const auto count = static_cast<Eigen::Index>(phase.closed.size());
-    const auto rigid = static_cast<Eigen::Index>(phase.rigid.size());
-    const Eigen::Index size = count + rigid;
     PhaseSystem& system = systems_[p];
-    const Eigen::MatrixXd moved = response(phase);
-    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
-    Eigen::MatrixXd& V = system.wear = Eigen::MatrixXd::Zero(count, size);
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const ClosedNode& node = phase.closed[k];
-      const auto here = moved.middleRows<most_components>(most_components * k);
-      A.row(k) -= node.L.transpose() * here;
-      A(k, k) += node.ll;
-      V.row(k) -= node.cu_m.transpose() * here;
-      V(k, k) += node.e_m;
-      A.row(k).tail(rigid) += node.lw.transpose();
-      V.row(k).tail(rigid) += node.cw_m.transpose();
-      A.col(k).tail(rigid) += node.wl;
-      A.bottomRows(rigid) -= node.wu.transpose() * here;
-    }
-    for (Eigen::Index r = 0; r < rigid; ++r) {
-      for (Eigen::Index l = 0; l < rigid; ++l)
-        A(count + r, count + l) += contacts_.entries().at(phase.rigid[static_cast<std::size_t>(r)],
-                                                          phase.rigid[static_cast<std::size_t>(l)]);
-      // Nothing carries the force: the outer iteration will fail.
-      if (A.col(count + r).isZero(0)) A(count + r, count + r) = 1;
-    }
-    if (size == 0) return;
+    if (phase.y.empty()) return;
+    const Eigen::MatrixXd moved = compliance_.among(phase.closed) * phase.u_by_y;
+    system.wear = phase.worn_by_y - phase.worn_by_u * moved;
+    Eigen::MatrixXd A = phase.y_by_y - phase.y_by_u * moved;
+    // Nothing carries the force: the outer iteration will fail.
+    for (Eigen::Index w = std::ssize(phase.closed); w < A.cols(); ++w)
+      if (A.col(w).isZero(0)) A(w, w) = 1;
     system.A.compute(A);
-    Eigen::MatrixXd driven = Eigen::MatrixXd::Zero(size, count);
-    for (Eigen::Index k = 0; k < count; ++k) driven(k, k) = phase.closed[k].a_m;
-    system.fed_back = V * system.A.solve(driven);
+    Eigen::MatrixXd driven = Eigen::MatrixXd::Zero(A.rows(), phase.a_m.size());
+    driven.diagonal() = phase.a_m;
+    system.fed_back = system.wear * system.A.solve(driven);
   }
 
   /// Subtracts V_p A_p^-1 (a.m).
-  void couple(const PhaseContact& phase, const PhaseSystem& system, Eigen::MatrixXd& wear) const {
+  static void couple(const PhaseContact& phase, const PhaseSystem& system, Eigen::MatrixXd& wear) {
     const auto count = static_cast<Eigen::Index>(phase.closed.size());
     for (Eigen::Index k = 0; k < count; ++k)
       for (Eigen::Index l = 0; l < count; ++l)
-        if (const int i = of_surface(phase.closed[k]), j = of_surface(phase.closed[l]);
-            i >= 0 && j >= 0)
+        if (const int i = phase.closed[k].worn, j = phase.closed[l].worn; i >= 0 && j >= 0)
           wear(i, j) -= system.fed_back(k, l);
-  }
-  int of_surface(const ClosedNode& node) const {
-    return node.on.surface < 0 ? -1 : number_[node.on.surface];
   }
 
   /// Open nodes have a row of their own.
@@ -216,33 +170,25 @@ private:
     right_of_wear_.setZero();
     for (std::size_t p = 0; p < systems_.size(); ++p) {
       const PhaseContact& phase = contacts_.phases()[p];
-      const auto count = static_cast<Eigen::Index>(phase.closed.size());
-      Eigen::VectorXd& f = systems_[p].right;
-      const auto rigid = static_cast<Eigen::Index>(phase.rigid.size());
-      f = Eigen::VectorXd::Zero(count + rigid);
-      for (Eigen::Index r = 0; r < rigid; ++r)
-        f[count + r] = s[phase.rigid[static_cast<std::size_t>(r)]];
-      for (Eigen::Index k = 0; k < count; ++k) {
-        const ClosedNode& node = phase.closed[k];
-        const NodeValues x = values_at(phase.nodes[node.node].u, x0);
-        f[k] = s[node.multiplier] - contacts_.entries().shape_part(node.on, s) - node.L.dot(x);
-        f.tail(rigid) -= node.wu.transpose() * x;
-        if (const int i = of_surface(node); i >= 0) right_of_wear_[i] += node.cu_m.dot(x);
-      }
+      const Eigen::VectorXd x = phase.displacements(x0);
+      Eigen::VectorXd& f = systems_[p].right = -(phase.y_by_u * x);
+      for (std::size_t k = 0; k < phase.y.size(); ++k) f[k] += s[phase.y[k]];
+      for (std::size_t k = 0; k < phase.closed.size(); ++k)
+        f[k] -= contacts_.entries().shape_part(phase.closed[k].on, s);
+      add_worn(phase, phase.worn_by_u * x);
     }
+  }
+  /// Adds what closed nodes wear to the right side of zeta.
+  void add_worn(const PhaseContact& phase, const Eigen::VectorXd& worn) {
+    for (std::size_t k = 0; k < phase.closed.size(); ++k)
+      if (const int i = phase.closed[k].worn; i >= 0) right_of_wear_[i] += worn[k];
   }
 
   /// The multipliers of closed nodes and the rigid motions, into contact_.
   void solve_contact() {
-    for (std::size_t p = 0; p < systems_.size(); ++p) {
-      PhaseSystem& system = systems_[p];
-      const PhaseContact& phase = contacts_.phases()[p];
-      if (system.right.size() == 0) continue;
-      const Eigen::VectorXd worn = system.wear * system.A.solve(system.right);
-      for (std::size_t k = 0; k < phase.closed.size(); ++k)
-        if (const int i = of_surface(phase.closed[k]); i >= 0)
-          right_of_wear_[i] += worn[static_cast<Eigen::Index>(k)];
-    }
+    for (std::size_t p = 0; p < systems_.size(); ++p)
+      if (const PhaseSystem& system = systems_[p]; system.right.size() > 0)
+        add_worn(contacts_.phases()[p], system.wear * system.A.solve(system.right));
     if (right_of_wear_.size() > 0) right_of_wear_ = wear_.solve(right_of_wear_).eval();
     std::fill(contact_.begin(), contact_.end(), 0.0);
     for (std::size_t p = 0; p < systems_.size(); ++p) {
@@ -250,13 +196,10 @@ private:
       const PhaseContact& phase = contacts_.phases()[p];
       if (system.right.size() == 0) continue;
       for (std::size_t k = 0; k < phase.closed.size(); ++k)
-        if (const int i = of_surface(phase.closed[k]); i >= 0)
-          system.right[static_cast<Eigen::Index>(k)] += phase.closed[k].a_m * right_of_wear_[i];
+        if (const int i = phase.closed[k].worn; i >= 0)
+          system.right[k] += phase.a_m[k] * right_of_wear_[i];
       const Eigen::VectorXd y = system.A.solve(system.right);
-      for (std::size_t k = 0; k < phase.closed.size(); ++k)
-        contact_[phase.closed[k].multiplier] = y[static_cast<Eigen::Index>(k)];
-      for (std::size_t r = 0; r < phase.rigid.size(); ++r)
-        contact_[phase.rigid[r]] = y[static_cast<Eigen::Index>(phase.closed.size() + r)];
+      for (std::size_t k = 0; k < phase.y.size(); ++k) contact_[phase.y[k]] = y[k];
     }
   }
 
@@ -267,7 +210,6 @@ private:
   PhaseContacts contacts_;
   ContactCompliance compliance_;
   std::vector<PhaseSystem> systems_;           // by phase
-  std::vector<int> number_;                    // of a surface node in zeta, -1: nothing wears
   Eigen::PartialPivLU<Eigen::MatrixXd> wear_;  // of zeta
   Eigen::VectorXd right_of_wear_;              // then zeta
   JacobianBlock contact_columns_, wear_by_displacement_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <gnomon/linear/jacobian_block.hpp>
 #include <gnomon/system/system.hpp>
@@ -15,27 +16,37 @@
 
 namespace gnomon {
 
-/// Indices of J are rows and columns; c are the shape unknowns of the surface node that the node
-/// lies upon. What the pressure wears has one direction m at a surface node, in all phases.
+/// A contact node that is closed in a state.
 struct ClosedNode {
-  using Values = NodeValues;
-  int node = 0;                                   ///< contact node
-  int multiplier = 0;                             ///< number of l in J
-  ContactEntries::OnSurface on = {};              ///< a and J_cl of its surface node
-  Values B = Values::Zero(), L = Values::Zero();  ///< J_ul, J_lu
-  double ll = 0;                                  ///< J_ll
-  double a_m = 0, e_m = 0;                        ///< a.m, m.J_cl
-  Values cu_m = Values::Zero();                   ///< m.J_cu
-  /// With each of the rigid motions: J_lw, J_wl, m.J_cw; J_uw, J_wu by columns.
-  Eigen::VectorXd lw = {}, wl = {}, cw_m = {};
-  Eigen::Matrix3Xd uw = {}, wu = {};
+  int node = 0;                       ///< contact node
+  ContactEntries::OnSurface on = {};  ///< a and J_cl of its surface node
+  int worn = -1;                      ///< number of that among all that wear, -1: nothing wears
 };
 
-/// A contact state.
+/// A contact state. Indices of J are rows and columns: u the displacements of the closed nodes,
+/// three each; y their multipliers l, then the rigid motions w; c the shape unknowns of the surface
+/// nodes that they lie upon. What the pressure wears has one direction m at a surface node, in all
+/// phases.
 struct PhaseContact {
   std::vector<ContactEntries::Node> nodes;
-  std::vector<int> rigid;          ///< numbers of w
-  std::vector<ClosedNode> closed;  ///< of the current J
+  std::vector<int> rigid;  ///< numbers of w
+  // Of the current J:
+  std::vector<ClosedNode> closed;
+  std::vector<int> y;                          ///< numbers of y
+  Eigen::SparseMatrix<double> u_by_y, y_by_u;  ///< J_uy, J_yu; of each node its own alone
+  Eigen::MatrixXd y_by_y;                      ///< J_yy
+  Eigen::MatrixXd worn_by_y;                   ///< m.J_cy, a row per closed node
+  Eigen::SparseMatrix<double, Eigen::RowMajor> worn_by_u;  ///< m.J_cu
+  Eigen::VectorXd a_m;                                     ///< a.m, by closed node
+
+  /// Displacements of the closed nodes.
+  Eigen::VectorXd displacements(std::span<const double> x) const {
+    Eigen::VectorXd result(most_components * std::ssize(closed));
+    for (std::size_t k = 0; k < closed.size(); ++k)
+      result.segment<most_components>(most_components * static_cast<Eigen::Index>(k)) =
+          values_at(nodes[closed[k].node].u, x);
+    return result;
+  }
 };
 
 class PhaseContacts {
@@ -52,25 +63,36 @@ public:
   void update(std::span<const double> J) {
     entries_.update(J);
     std::vector<char> touches(phases_.front().nodes.size(), 0);
+    std::vector<int> worn(entries_.surfaces().size(), -1);
+    std::vector<NodeValues> direction(worn.size(), NodeValues::Zero());  // m, by surface node
+    worn_ = 0;
     for (PhaseContact& phase : phases_) {
       phase.closed.clear();
-      for (std::size_t c = 0; c < phase.nodes.size(); ++c)
-        if (is_closed(phase.nodes[c])) {
-          phase.closed.push_back(closed_node(phase, static_cast<int>(c)));
-          touches[c] = 1;
+      for (std::size_t c = 0; c < phase.nodes.size(); ++c) {
+        if (!is_closed(phase.nodes[c])) continue;
+        ClosedNode closed{.node = static_cast<int>(c), .on = entries_.on_surface(phase.nodes[c])};
+        touches[c] = 1;
+        if (const int surface = closed.on.surface; surface >= 0) {
+          if (worn[surface] < 0) worn[surface] = worn_++;
+          closed.worn = worn[surface];
+          direction[surface] += closed.on.e;
         }
+        phase.closed.push_back(closed);
+      }
     }
     touching_.clear();
     for (std::size_t c = 0; c < touches.size(); ++c)
       if (touches[c]) touching_.push_back(static_cast<int>(c));
-    find_wear_directions();
-    for (PhaseContact& phase : phases_)
-      for (ClosedNode& node : phase.closed) project(phase, node);
+    for (NodeValues& m : direction)
+      if (!m.isZero(0)) m.stableNormalize();
+    for (PhaseContact& phase : phases_) fill(phase, direction);
   }
 
   const std::vector<PhaseContact>& phases() const { return phases_; }
   /// Contact nodes that are closed in a phase, ascending.
   const std::vector<int>& touching() const { return touching_; }
+  /// Number of surface nodes that wear.
+  int worn() const { return worn_; }
   const ContactEntries& entries() const { return entries_; }
 
 private:
@@ -83,58 +105,56 @@ private:
     return force && gap;
   }
 
-  ClosedNode closed_node(const PhaseContact& phase, int number) const {
-    const ContactEntries::Node& node = phase.nodes[number];
-    ClosedNode closed{.node = number, .multiplier = node.multiplier};
-    const int l = node.multiplier;
-    for (int k = 0; k < most_components; ++k) {
-      closed.B[k] = entries_.at(node.u[k], l);
-      closed.L[k] = entries_.at(l, node.u[k]);
-    }
-    closed.ll = entries_.at(l, l);
-    const auto count = static_cast<Eigen::Index>(phase.rigid.size());
-    closed.lw.resize(count), closed.wl.resize(count), closed.cw_m.setZero(count);
-    closed.uw.resize(3, count), closed.wu.resize(3, count);
-    for (Eigen::Index r = 0; r < count; ++r) {
-      const int w = phase.rigid[static_cast<std::size_t>(r)];
-      closed.lw[r] = entries_.at(l, w);
-      closed.wl[r] = entries_.at(w, l);
-      for (int k = 0; k < most_components; ++k) {
-        closed.uw(k, r) = entries_.at(node.u[k], w);
-        closed.wu(k, r) = entries_.at(w, node.u[k]);
+  /// The entries of J.
+  void fill(PhaseContact& phase, const std::vector<NodeValues>& direction) const {
+    const auto count = static_cast<int>(phase.closed.size());
+    phase.y.clear();
+    for (const ClosedNode& node : phase.closed)
+      phase.y.push_back(phase.nodes[node.node].multiplier);
+    phase.y.insert(phase.y.end(), phase.rigid.begin(), phase.rigid.end());
+    const auto size = static_cast<int>(phase.y.size());
+    std::vector<Eigen::Triplet<double>> u_by_y, y_by_u, worn_by_u;
+    phase.y_by_y.setZero(size, size);
+    phase.worn_by_y.setZero(count, size);
+    phase.a_m.setZero(count);
+    for (int k = 0; k < size; ++k)
+      for (int j = 0; j < size; ++j)
+        if (k == j || k >= count || j >= count)
+          phase.y_by_y(k, j) = entries_.at(phase.y[k], phase.y[j]);
+    for (int k = 0; k < count; ++k) {
+      const ClosedNode& node = phase.closed[k];
+      const NodeUnknowns& u = phase.nodes[node.node].u;
+      for (int j = k; j < size; j = std::max(j + 1, count))  // its own multiplier, and w
+        for (int i = 0; i < most_components; ++i) {
+          const int row = most_components * k + i;
+          u_by_y.emplace_back(row, j, entries_.at(u[i], phase.y[j]));
+          y_by_u.emplace_back(j, row, entries_.at(phase.y[j], u[i]));
+        }
+      if (node.on.surface < 0) continue;
+      const NodeUnknowns& surface = entries_.surfaces()[node.on.surface];
+      const NodeValues& m = direction[node.on.surface];
+      phase.a_m[k] = node.on.a.dot(m);
+      phase.worn_by_y(k, k) = node.on.e.dot(m);
+      for (int c = 0; c < most_components; ++c) {
+        for (int j = count; j < size; ++j)
+          phase.worn_by_y(k, j) += m[c] * entries_.at(surface[c], phase.y[j]);
+        for (int i = 0; i < most_components; ++i)
+          worn_by_u.emplace_back(k, most_components * k + i, m[c] * entries_.at(surface[c], u[i]));
       }
     }
-    closed.on = entries_.on_surface(node);
-    return closed;
-  }
-
-  void find_wear_directions() {
-    wear_direction_.assign(entries_.surfaces().size(), NodeValues::Zero());
-    for (const PhaseContact& phase : phases_)
-      for (const ClosedNode& node : phase.closed)
-        if (node.on.surface >= 0) wear_direction_[node.on.surface] += node.on.e;
-    for (NodeValues& m : wear_direction_)
-      if (!m.isZero(0)) m.stableNormalize();
-  }
-
-  void project(const PhaseContact& phase, ClosedNode& node) const {
-    if (node.on.surface < 0) return;
-    const NodeUnknowns& surface = entries_.surfaces()[node.on.surface];
-    const NodeValues& m = wear_direction_[node.on.surface];
-    node.a_m = node.on.a.dot(m);
-    node.e_m = node.on.e.dot(m);
-    for (int k = 0; k < most_components; ++k) {
-      for (std::size_t r = 0; r < phase.rigid.size(); ++r)
-        node.cw_m[static_cast<Eigen::Index>(r)] += m[k] * entries_.at(surface[k], phase.rigid[r]);
-      for (int i = 0; i < most_components; ++i)
-        node.cu_m[i] += m[k] * entries_.at(surface[k], phase.nodes[node.node].u[i]);
-    }
+    const auto make = [](auto& matrix, int rows, int columns, const auto& entries) {
+      matrix.resize(rows, columns);
+      matrix.setFromTriplets(entries.begin(), entries.end());
+    };
+    make(phase.u_by_y, most_components * count, size, u_by_y);
+    make(phase.y_by_u, size, most_components * count, y_by_u);
+    make(phase.worn_by_u, count, most_components * count, worn_by_u);
   }
 
   ContactEntries entries_;
   std::vector<PhaseContact> phases_;
-  std::vector<NodeValues> wear_direction_;  // m, by surface node
   std::vector<int> touching_;
+  int worn_ = 0;
 };
 
 /// G = the part of K^-1 in rows and columns of the contact nodes' displacements, of which columns
@@ -190,10 +210,16 @@ public:
     }
   }
 
-  /// Displacement of `node` under unit forces at `loaded`, whose columns are available.
-  NodeSquare at(int node, int loaded) const {
-    return G_.block<most_components, most_components>(most_components * static_cast<long>(node),
-                                                      first_column_[loaded]);
+  /// G of these nodes, whose columns are available.
+  Eigen::MatrixXd among(const std::vector<ClosedNode>& nodes) const {
+    const auto count = static_cast<Eigen::Index>(nodes.size());
+    Eigen::MatrixXd result(most_components * count, most_components * count);
+    for (Eigen::Index l = 0; l < count; ++l)
+      for (Eigen::Index k = 0; k < count; ++k)
+        result.block<most_components, most_components>(most_components * k, most_components * l) =
+            G_.block<most_components, most_components>(most_components * long(nodes[k].node),
+                                                       first_column_[nodes[l].node]);
+    return result;
   }
   long columns() const { return G_.cols(); }
 
