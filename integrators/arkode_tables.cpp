@@ -4,7 +4,7 @@
 //                       every rate is a solve of mesh motion and contact for the given surface
 //                       (Remark 1)
 
-#include <gnomon/integrators/arkode_table.hpp>
+#include <gnomon/integrators/butcher_table.hpp>
 #include <gnomon/integrators/diagonally_implicit.hpp>
 #include <gnomon/integrators/erk.hpp>
 

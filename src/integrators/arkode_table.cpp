@@ -2,7 +2,7 @@
 #include <arkode/arkode_butcher_dirk.h>
 #include <arkode/arkode_butcher_erk.h>
 
-#include <gnomon/integrators/arkode_table.hpp>
+#include <gnomon/integrators/butcher_table.hpp>
 
 #include "sundials/room.hpp"
 

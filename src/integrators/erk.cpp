@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <gnomon/integrators/arkode_table.hpp>
+#include <gnomon/integrators/butcher_table.hpp>
 #include <gnomon/integrators/dense_output.hpp>
 #include <gnomon/integrators/erk.hpp>
 #include <gnomon/integrators/error_norm.hpp>
-#include <gnomon/integrators/expected_error.hpp>
 #include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/rates.hpp>
 #include <gnomon/integrators/step_size.hpp>
-#include <gnomon/integrators/stop_rules.hpp>
 #include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <limits>

@@ -9,7 +9,7 @@
 #include <gnomon/integrators/error_norm.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/integrators/rates.hpp>
-#include <gnomon/integrators/stop_rules.hpp>
+#include <gnomon/integrators/stop_times.hpp>
 #include <optional>
 #include <utility>
 
@@ -189,7 +189,7 @@ private:
   bool vanishes(double step) {
     constexpr int many = 20;
     constexpr double tiny =
-        1e-12;  // part of the run; a hundred of the shortest steps (stop_rules.hpp)
+        1e-12;  // part of the run; a hundred of the shortest steps (stop_times.hpp)
     const bool tiny_for_a_reason = step < tiny * settings_.end && !guard_.recoverable().empty();
     vanishing_ = tiny_for_a_reason ? vanishing_ + 1 : 0;
     return vanishing_ == many;

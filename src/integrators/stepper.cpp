@@ -5,7 +5,6 @@
 #include <gnomon/base/packed_numbers.hpp>
 #include <gnomon/integrators/rates.hpp>
 #include <gnomon/integrators/stepper.hpp>
-#include <gnomon/integrators/stop_rules.hpp>
 #include <gnomon/integrators/stop_times.hpp>
 #include <utility>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <gnomon/integrators/stop_rules.hpp>
+#include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/stability/stability.hpp>
 #include <optional>
 

@@ -9,7 +9,6 @@
 #include <gnomon/integrators/dense_output.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 #include <gnomon/integrators/stepper.hpp>
-#include <gnomon/integrators/stop_rules.hpp>
 #include <gnomon/integrators/stop_times.hpp>
 
 #include "support/switching_ode.hpp"

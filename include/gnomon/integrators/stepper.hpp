@@ -3,7 +3,6 @@
 
 #include <gnomon/integrators/closings.hpp>
 #include <gnomon/integrators/event_location.hpp>
-#include <gnomon/integrators/expected_error.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/one_step.hpp>

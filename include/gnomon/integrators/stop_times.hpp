@@ -1,5 +1,5 @@
 // The times at which a step has to end: the grid of fixed steps, breakpoints of the load, output
-// times.
+// times; and the limits at which a step, or a run, is given up. One definition for all drivers.
 #pragma once
 
 #include <gnomon/integrators/integrator.hpp>
@@ -7,6 +7,16 @@
 #include <optional>
 
 namespace gnomon {
+
+/// Largest number of Newton iterations for one step, or for 1e-5 of a run (run/guards.hpp).
+/// It allows a dozen attempts with seven stages that use all 60 iterations of modified_newton each.
+inline constexpr long most_newton_iterations = 5000;
+
+/// No step is tried below this size [time]: a hundred times the rounding error of the time at the
+/// end of the run.
+inline double shortest_step(const IntegratorSettings& settings) {
+  return 1e-14 * settings.end;
+}
 
 /// A step shorter than this part of the others is not made; the ends before and after it are
 /// merged. The value is larger than all rounding errors of times, and too small to influence the
