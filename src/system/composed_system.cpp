@@ -51,19 +51,21 @@ void ComposedSystem<dim>::build_structure() {
   structure_.pattern = builder.build();
   for (const auto& term : terms_) term->map_to(structure_.pattern);
   find_shared_entries();
-  structure_.group = numbering_.node();
-  structure_.row_scale = numbering_.row_scale();
-  structure_.unknown_scale = numbering_.unknown_scale();
   structure_.solver = composition_->solver;
-  structure_.blocks = {composition_->fields, &composition_->fields->blocks};
-  structure_.block = numbering_.block();
-  structure_.component = numbering_.component();
+  const std::vector<Block>& blocks = composition_->fields->blocks;
+  structure_.blocks = {composition_->fields, &blocks};
   structure_.position = composition_->position;
   structure_.position.resize(composition_->fields->nodes + 1);  // the last: at no node
   structure_.coarsening = composition_->coarsening;
-  for (int i = 0; i < structure_.size; ++i) {
-    structure_.differential.push_back(structure_.block_of(i).differential);
-    structure_.tolerance_scale.push_back(structure_.block_of(i).tolerance_scale);
+  for (const auto& [field, entity, i] : numbering_.unknowns()) {
+    const int block = field.block(entity, i);
+    structure_.group.push_back(field.node[entity]);
+    structure_.row_scale.push_back(field.row_scale(entity, i));
+    structure_.unknown_scale.push_back(field.unknown_scale(entity, i));
+    structure_.block.push_back(block);
+    structure_.component.push_back(static_cast<char>(i));
+    structure_.differential.push_back(blocks[block].differential);
+    structure_.tolerance_scale.push_back(blocks[block].tolerance_scale);
   }
 }
 

@@ -19,7 +19,13 @@ public:
   Numbering(std::shared_ptr<const FieldSet> set, const BlockSelection& selected);
 
   const FieldSet& set() const { return *set_; }
-  int size() const { return static_cast<int>(node_.size()); }
+  int size() const { return static_cast<int>(unknowns_.size()); }
+  /// By number: the value that it stands for. Of entities that share it, that of the carrier.
+  struct Unknown {
+    const Field& field;
+    int entity, component;
+  };
+  const std::vector<Unknown>& unknowns() const { return unknowns_; }
   /// Entities x components; empty for an absent field.
   const Field::Indices& numbers(FieldId id) const {
     return id == FieldId::none ? absent_ : numbers_[static_cast<std::size_t>(id)];
@@ -34,15 +40,6 @@ public:
     return id == FieldId::none ? -1 : numbers(id)(entity, component);
   }
 
-  // One entry for each unknown:
-  const std::vector<int>& node() const {
-    return node_;
-  }  ///< mesh node; the number of nodes: at no node
-  const std::vector<int>& block() const { return block_; }  ///< in set().blocks
-  const std::vector<char>& component() const { return component_; }
-  const std::vector<double>& row_scale() const { return row_scale_; }
-  const std::vector<double>& unknown_scale() const { return unknown_scale_; }
-
   /// Copies y into the values, those without a number untouched.
   template <int dim>
   void scatter(std::span<const double> y, FieldValues<dim>& values) const;
@@ -51,14 +48,10 @@ public:
   void gather(const FieldValues<dim>& values, std::span<double> y) const;
 
 private:
-  void number_entity(std::size_t field, int entity, const BlockSelection& selected);
-
   std::shared_ptr<const FieldSet> set_;
   std::vector<Field::Indices> numbers_;
   Field::Indices absent_;
-  std::vector<int> node_, block_;
-  std::vector<char> component_;
-  std::vector<double> row_scale_, unknown_scale_;
+  std::vector<Unknown> unknowns_;
 };
 
 }  // namespace gnomon

@@ -82,9 +82,9 @@ inline double first_step(const State& start, const Structure& structure,
 }
 
 /// The error of the step to come, by which its Newton iterations are measured; 1 is the tolerance
-/// (ErrorNorm). That of a fixed step follows from the
-/// estimate for the last one. It is not in a checkpoint: the first step after one is solved to
-/// rounding, whether the run goes on or is resumed.
+/// (ErrorNorm). That of a fixed step follows from the estimate for the last one. It is not in a
+/// checkpoint: the first step after one is solved to rounding, whether the run goes on or is
+/// resumed.
 class ExpectedError {
 public:
   /// `order`: the estimated error of a step of size h is of order h^(order + 1).
