@@ -47,7 +47,7 @@ public:
   ComplianceCore(const Structure& structure, const InnerSolverMaker& inner)
       : structure_(structure),
         column_cost_(inner.column_cost),
-        stiffness_(structure, Role::stiffness, false, inner),
+        stiffness_(structure, Role::stiffness, inner),
         contacts_(structure, stiffness_.owners()),
         compliance_(numbers_in_block(contacts_.phases().front(), stiffness_.part())),
         systems_(stiffness_.owners()),

@@ -18,7 +18,7 @@ class SpringCore : public CoreSolver {
 public:
   SpringCore(const Structure& s, const InnerSolverMaker& inner)
       : column_cost_(inner.column_cost),
-        stiffness_(s, Role::stiffness, true, inner),
+        stiffness_(s, Role::stiffness, inner),
         contact_(s, follows_springs()),
         rigid_row_(s, {Role::rigid}, core_roles),
         rigid_block_(s, {Role::rigid}, {Role::rigid}),

@@ -18,11 +18,10 @@ namespace gnomon {
 /// unknowns it solves nothing. Vectors have the system's size.
 class StiffnessBlock {
 public:
-  /// `together`: all unknowns as one block, whoever owns them. Throws InputError where multigrid is
-  /// chosen and not built in; Error where the blocks of two owners are not alike.
-  StiffnessBlock(const Structure& structure, Role role, bool together,
-                 const InnerSolverMaker& inner)
-      : unknowns_(by_owner(structure, role, together)) {
+  /// Throws InputError where multigrid is chosen and not built in; Error where the blocks of two
+  /// owners are not alike.
+  StiffnessBlock(const Structure& structure, Role role, const InnerSolverMaker& inner)
+      : unknowns_(by_owner(structure, role)) {
     for (const std::vector<int>& unknowns : unknowns_) {
       parts_.emplace_back(structure.pattern, unknowns);
       if (parts_.back().lower().row_index != part().lower().row_index)
@@ -87,11 +86,10 @@ public:
   }
 
 private:
-  static std::vector<std::vector<int>> by_owner(const Structure& structure, Role role,
-                                                bool together) {
+  static std::vector<std::vector<int>> by_owner(const Structure& structure, Role role) {
     std::map<int, std::vector<int>> owned;
     for (int i : unknowns_of(structure, {role}))
-      owned[together ? 0 : structure.block_of(i).owner].push_back(i);
+      owned[structure.block_of(i).owner].push_back(i);
     std::vector<std::vector<int>> result;
     for (auto& [owner, unknowns] : owned) result.push_back(std::move(unknowns));
     if (result.empty()) result.emplace_back();
