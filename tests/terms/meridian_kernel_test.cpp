@@ -95,7 +95,7 @@ double energy(const CellNodal<2>& X, const CellNodal<2>& u) {
   const MeridianMean<> mean(cell, Law<3, double>::kinematics);
   double sum = 0;
   for (const auto& point : cell.points())
-    sum += point.volume * LawInMeridian<technology, Law>(test_moduli(), mean, point).law.energy();
+    sum += point.volume * LawInCell<technology, Law, 3>(test_moduli(), mean, point).law.energy();
   return sum;
 }
 

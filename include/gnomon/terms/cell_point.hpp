@@ -26,6 +26,7 @@ struct CellPoint {
     J = F.determinant();
   }
 
+  Scalar trace() const { return H.trace(); }
   /// Whether the cell is not inverted at this point; with small strains only its reference can be
   /// inverted.
   bool valid(Kinematics kinematics) const {

@@ -14,67 +14,22 @@
 // changes for the five components of F.
 #pragma once
 
-#include <gnomon/laws/linear_elastic.hpp>
+#include <gnomon/terms/law_in_cell.hpp>
 #include <gnomon/terms/meridian_point.hpp>
-#include <gnomon/terms/solid.hpp>
 
 namespace gnomon {
 
-/// A law at a Gauss point of a body of revolution.
-template <ElementTechnology technology, template <int, class> class Law, class Scalar = double>
-struct LawInMeridian {
-  using T = Tensor<3, Scalar>;
-  using Point = Law<3, Scalar>;
-  static constexpr Kinematics kinematics = Point::kinematics;
-  static constexpr bool small = kinematics == Kinematics::small;
-
-  Scalar c;  ///< r^(1/3), 1 with small strains
-  T strain;  ///< at which the law is evaluated
-  Point law;
-  Scalar weight;  ///< m
-
-  LawInMeridian(const ElasticModuli& moduli, const MeridianMean<Scalar>& mean,
-                const MeridianPoint<Scalar>& point)
-      : c(stretch(mean, point)),
-        strain(strain_of(mean, point)),
-        law(moduli, strain),
-        weight(point.volume) {
-    if constexpr (technology == ElementTechnology::f_bar && !small)
-      weight = point.volume / Scalar(c * c);
-    if constexpr (variational(technology) && !small) weight = point.volume * c;
-  }
-
-  /// q.
-  Scalar pressure_change(const T& P, const MeridianPoint<Scalar>& point) const {
-    if constexpr (small)
-      return P.trace() / Scalar(3);
-    else
-      return P.cwiseProduct(point.F).sum() / Scalar(3);
-  }
-
-private:
-  static Scalar stretch(const MeridianMean<Scalar>& mean, const MeridianPoint<Scalar>& point) {
-    using std::pow;
-    if constexpr (averaged(technology) && !small)
-      return pow(Scalar(mean.J_0 / point.J), 1.0 / 3);
-    else
-      return Scalar(1);
-  }
-  T strain_of(const MeridianMean<Scalar>& mean, const MeridianPoint<Scalar>& point) const {
-    if constexpr (small && averaged(technology))
-      return point.H + Scalar((mean.trace_0 - point.H.trace()) / Scalar(3)) * T::Identity();
-    else if constexpr (small)
-      return point.H;
-    else
-      return c * point.F;
-  }
-};
+/// q of a law at a point.
+template <class At, class Scalar>
+Scalar pressure_change(const Tensor<3, Scalar>& P, const MeridianPoint<Scalar>& point) {
+  return (At::small ? P.trace() : P.cwiseProduct(point.F).sum()) / Scalar(3);
+}
 
 /// solid_residual of a body of revolution.
 template <ElementTechnology technology, template <int, class> class Law, class Scalar>
 bool meridian_residual(const ElasticModuli& moduli, const CellNodal<2, Scalar>& X,
                        const CellNodal<2, Scalar>& u, CellNodal<2, Scalar>& R) {
-  using At = LawInMeridian<technology, Law, Scalar>;
+  using At = LawInCell<technology, Law, 3, Scalar>;
   const MeridianCell<Scalar> cell(X, u);
   if (!cell.valid(At::kinematics)) return false;
   const MeridianMean<Scalar> mean(cell, At::kinematics);
@@ -84,7 +39,7 @@ bool meridian_residual(const ElasticModuli& moduli, const CellNodal<2, Scalar>& 
     const Tensor<3, Scalar> P = at.law.stress();
     R += at.weight * point.work(P);
     if constexpr (variational(technology))
-      R += Scalar(at.weight * at.pressure_change(P, point)) *
+      R += Scalar(at.weight * pressure_change<At>(P, point)) *
            (mean.g - point.volume_gradient(At::kinematics));
   }
   return true;
@@ -179,7 +134,7 @@ struct VolumeChange {
 template <ElementTechnology technology, template <int, class> class Law>
 class MeridianTangent {
 public:
-  using At = LawInMeridian<technology, Law>;
+  using At = LawInCell<technology, Law, 3>;
   using Row = meridian::Row;
 
   MeridianTangent(const ElasticModuli& moduli, const MeridianCell<>& cell)
@@ -199,7 +154,7 @@ public:
       (k == 4 ? unit(2, 2) : unit(k % 2, k / 2)) = 1;
       D.col(k) = meridian::components(at.law.stress_change(unit));
     }
-    const double q = variational(technology) ? at.pressure_change(P, point) : 0;
+    const double q = variational(technology) ? pressure_change<At>(P, point) : 0;
     const meridian::Changes B = meridian::product(one, point);
     const meridian::Five P5 = meridian::components(P),
                          Z = D * meridian::components(small ? one : at.strain),
@@ -266,16 +221,12 @@ bool meridian_tangent(const ElasticModuli& moduli, const CellNodal<2>& X, const 
 template <ElementTechnology technology, template <int, class> class Law>
 double meridian_equivalent_stress(const ElasticModuli& moduli, const CellNodal<2>& X,
                                   const CellNodal<2>& u) {
-  using At = LawInMeridian<technology, Law>;
+  using At = LawInCell<technology, Law, 3>;
   const MeridianCell<> cell(X, u);
   const MeridianMean<> mean(cell, At::kinematics);
   double sum = 0;
   for (const MeridianPoint<>& point : cell.points()) {
-    const At at(moduli, mean, point);
-    const Tensor<3> P = at.law.stress();
-    const Tensor<3> sigma =
-        At::small ? P : Tensor<3>(P * at.strain.transpose() / at.strain.determinant());
-    sum += std::sqrt(1.5) * (sigma - sigma.trace() / 3 * Tensor<3>::Identity()).norm();
+    sum += von_mises_stress<Law, 3>(moduli, At(moduli, mean, point).strain);
   }
   return sum / 4;
 }

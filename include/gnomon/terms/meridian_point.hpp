@@ -95,8 +95,8 @@ private:
 /// revolution the centroid is not the mean, not even in a rectangle.
 template <class Scalar = double>
 struct MeridianMean {
-  Scalar J_0 = Scalar(1), trace_0 = Scalar(0);
-  CellNodal<2, Scalar> g;  ///< variation of log J_0 or tr H_0 by u
+  Scalar J = Scalar(1), trace_0 = Scalar(0);  ///< J_0, tr H_0
+  CellNodal<2, Scalar> g;                     ///< variation of log J_0 or tr H_0 by u
 
   MeridianMean(const MeridianCell<Scalar>& cell, Kinematics kinematics) {
     Scalar before(0), after(0), trace(0);
@@ -110,11 +110,12 @@ struct MeridianMean {
     }
     g /= after;
     if (kinematics == Kinematics::finite)
-      J_0 = after / before;
+      J = after / before;
     else
       trace_0 = trace / before;
   }
 
+  Scalar trace() const { return trace_0; }
   /// Current volume, or undeformed with small strains.
   static Scalar weight(const MeridianPoint<Scalar>& point, Kinematics kinematics) {
     return kinematics == Kinematics::small ? point.volume : Scalar(point.volume * point.J);

@@ -26,58 +26,11 @@
 //   dr/r = g0_b . v0 - g_b . v,   dn_a = -n_b (n_a . dd_b),   dg_a = -g_b (g_a . (du_b + dd_b)).
 #pragma once
 
-#include <cmath>
-#include <gnomon/laws/linear_elastic.hpp>
 #include <gnomon/terms/dyad_sums.hpp>
+#include <gnomon/terms/law_in_cell.hpp>
 #include <gnomon/terms/meridian_kernels.hpp>
-#include <gnomon/terms/solid.hpp>
 
 namespace gnomon {
-
-/// A law at a Gauss point, with its own change of volume or that of the centroid.
-template <ElementTechnology technology, template <int, class> class Law, int dim,
-          class Scalar = double>
-struct LawInCell {
-  using T = Tensor<dim, Scalar>;
-  using Cell = CellPoint<dim, Scalar>;
-  using Point = Law<dim, Scalar>;
-  static_assert(ElasticPoint<Point>, "a law provides what laws/elastic_law.hpp lists");
-  static constexpr bool small = Point::kinematics == Kinematics::small;
-
-  Scalar c;  ///< r^(1/dim), 1 with small strains
-  T strain;  ///< strain at which the law is evaluated: F, Fbar, H or Hbar
-  Point law;
-  Scalar weight;  ///< factor of P n_a in R_a
-
-  LawInCell(const ElasticModuli& moduli, const Cell& centre, const Cell& point)
-      : c(stretch(centre, point)),
-        strain(strain_of(centre, point)),
-        law(moduli, strain),
-        weight(point.volume) {
-    if constexpr (technology == ElementTechnology::f_bar && !small)
-      weight = point.volume * c * point.J / centre.J;
-    if constexpr (variational(technology) && !small) weight = point.volume * c;
-  }
-
-private:
-  static Scalar stretch(const Cell& centre, const Cell& point) {
-    using std::pow;
-    if constexpr (averaged(technology) && !small)
-      return pow(Scalar(centre.J / point.J), 1.0 / dim);
-    else
-      return Scalar(1);
-  }
-  T strain_of(const Cell& centre, const Cell& point) const {
-    if constexpr (small && averaged(technology))
-      return point.H + Scalar((centre.H.trace() - point.H.trace()) / Scalar(dim)) * T::Identity();
-    else if constexpr (small)
-      return point.H;
-    else if constexpr (averaged(technology))
-      return c * point.F;
-    else
-      return point.F;
-  }
-};
 
 /// R [dim x nodes, one row per node] of a cell; false when the cell is inverted. The undeformed
 /// configuration X = X^ + d [length], displacement u [length].
@@ -85,7 +38,7 @@ template <ElementTechnology technology, template <int, class> class Law, int dim
 bool solid_residual(const ElasticModuli& moduli, const CellNodal<dim, Scalar>& X,
                     const CellNodal<dim, Scalar>& u, CellNodal<dim, Scalar>& R) {
   using At = LawInCell<technology, Law, dim, Scalar>;
-  constexpr Kinematics kinematics = At::Point::kinematics;
+  constexpr Kinematics kinematics = At::kinematics;
   const auto& basis = CellBasis<dim>::instance();
   const CellPoint<dim, Scalar> centre(basis.centroid, X, u);
   if (!centre.valid(kinematics)) return false;
@@ -243,17 +196,6 @@ bool solid_tangent(const ElasticModuli& moduli, const CellNodal<dim>& X, const C
   return true;
 }
 
-/// Cauchy stress (sigma with small strains) of a strain in the plane or in space, with its
-/// component normal to the plane: plane strain is a state of the three-dimensional law.
-template <template <int, class> class Law, int dim>
-Tensor<3> cauchy_stress(const ElasticModuli& moduli, const Tensor<dim>& strain) {
-  constexpr bool small = Law<3, double>::kinematics == Kinematics::small;
-  Tensor<3> whole = small ? Tensor<3>(Tensor<3>::Zero()) : Tensor<3>(Tensor<3>::Identity());
-  whole.topLeftCorner<dim, dim>() = strain;
-  const Tensor<3> P = Law<3, double>(moduli, whole).stress();
-  return small ? P : Tensor<3>(P * whole.transpose() / whole.determinant());
-}
-
 /// CellKernel::equivalent_stress.
 template <ElementTechnology technology, template <int, class> class Law, int dim>
 double solid_equivalent_stress(const ElasticModuli& moduli, const CellNodal<dim>& X,
@@ -263,8 +205,7 @@ double solid_equivalent_stress(const ElasticModuli& moduli, const CellNodal<dim>
   double sum = 0;
   for (const CellNodal<dim>& dN : basis.gauss) {
     const LawInCell<technology, Law, dim> at(moduli, centre, CellPoint<dim>(dN, X, u));
-    const Tensor<3> sigma = cauchy_stress<Law, dim>(moduli, at.strain);
-    sum += std::sqrt(1.5) * (sigma - sigma.trace() / 3 * Tensor<3>::Identity()).norm();
+    sum += von_mises_stress<Law, dim>(moduli, at.strain);
   }
   return sum / CellBasis<dim>::points;
 }
