@@ -1,5 +1,5 @@
-// Functions of numbers, given by their values and derivatives, as functions of a Scalar that may
-// itself carry derivatives (automatic differentiation).
+// Functions of numbers, given by their values and derivatives, as functions of Scalars that may
+// themselves carry derivatives (automatic differentiation).
 #pragma once
 
 #include <gnomon/base/tensor.hpp>
@@ -7,43 +7,31 @@
 
 namespace gnomon {
 
-/// The value of the number, without its derivatives.
-template <class Scalar>
-double plain(const Scalar& x) {
-  if constexpr (std::is_same_v<Scalar, double>)
+/// The value of a number, or of those of a vector, without derivatives.
+template <class T>
+auto plain(const T& x) {
+  if constexpr (std::is_same_v<T, double>)
     return x;
-  else
+  else if constexpr (requires { x.derivatives(); })
     return x.value();
-}
-
-template <int n, class Scalar>
-Vector<n> plain(const Vector<n, Scalar>& x) {
-  if constexpr (std::is_same_v<Scalar, double>)
-    return x;
   else
-    return x.unaryExpr([](const Scalar& entry) { return entry.value(); });
+    return x.unaryExpr([](const typename T::Scalar& entry) { return plain(entry); }).eval();
 }
 
-/// A function of x, given by its value and gradient at x; exact in value and first derivatives.
-template <int n, class Scalar>
-Scalar lift(double value, const Vector<n>& gradient, const Vector<n, Scalar>& x) {
+/// A function of the vector z, a number or a vector, given by its value and derivative at z; exact
+/// in value and first derivatives.
+template <class Value, class Derivative, class Z>
+auto lift(const Value& value, const Derivative& by_z, const Z& z) {
+  using Scalar = typename Z::Scalar;
   if constexpr (std::is_same_v<Scalar, double>) {
     return value;
-  } else {
+  } else if constexpr (std::is_same_v<Value, double>) {
     Scalar result(value);
-    for (int i = 0; i < n; ++i) result += gradient[i] * (x[i] - x[i].value());
+    for (Eigen::Index i = 0; i < z.size(); ++i) result += by_z[i] * (z[i] - z[i].value());
     return result;
-  }
-}
-
-/// The same for a vector, with the matrix dvalue/dx.
-template <int n, class Scalar>
-Vector<n, Scalar> lift(const Vector<n>& value, const Tensor<n>& by_x, const Vector<n, Scalar>& x) {
-  if constexpr (std::is_same_v<Scalar, double>) {
-    return value;
   } else {
-    Vector<n, Scalar> result;
-    for (int i = 0; i < n; ++i) result[i] = lift<n, Scalar>(value[i], by_x.row(i).transpose(), x);
+    Eigen::Matrix<Scalar, Value::RowsAtCompileTime, 1> result;
+    for (Eigen::Index i = 0; i < value.size(); ++i) result[i] = lift(value[i], by_z.row(i), z);
     return result;
   }
 }

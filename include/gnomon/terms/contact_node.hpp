@@ -75,27 +75,34 @@ struct NodeBranch {
       : contact(branch), wear(wear_branches) {}
 };
 
+/// What the partner of a node depends on: z = (x, q), as in Partner.
+template <int dim, class Scalar>
+using PartnerVariables = Eigen::Matrix<Scalar, Eigen::Dynamic, 1, 0, Partner<dim>::most, 1>;
+template <int dim, class Scalar>
+PartnerVariables<dim, Scalar> partner_variables(const Vector<dim, Scalar>& x,
+                                                const PartnerMotion<Scalar>& q) {
+  PartnerVariables<dim, Scalar> z(dim + q.size());
+  z.template head<dim>() = x;
+  z.tail(q.size()) = q;
+  return z;
+}
+
 /// Where a contact node is and what it meets there: what its residual, its derivatives and its
 /// switching functions are made from.
 template <int dim, class Scalar = double>
 struct ContactKinematics {
-  PatchNodal<dim, Scalar> x;     ///< current positions of the patch [length]
-  Partner<dim> partner;          ///< with its derivatives, at the plain state
-  Scalar gap;                    ///< g [length]
-  Vector<dim, Scalar> normal;    ///< n
-  Vector<dim, Scalar> relative;  ///< F V - v^2 [length / time]
+  PatchNodal<dim, Scalar> x;        ///< current positions of the patch [length]
+  PartnerVariables<dim, Scalar> z;  ///< that of the node, and q
+  Partner<dim> partner;             ///< with its derivatives, at the plain state
+  Scalar gap;                       ///< g [length]
+  Vector<dim, Scalar> normal;       ///< n
+  Vector<dim, Scalar> relative;     ///< F V - v^2 [length / time]
   UnilateralContact<Scalar> contact;
   Sliding<dim, Scalar> sliding;
   Vector<4, Scalar> wear;  ///< p, v, h and q of the wear law
 
   ContactKinematics(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
                     const ContactInput<dim, Scalar>& at, const NodeBranch& branch = {});
-  /// A number of the partner with its derivatives by the node's position and q.
-  template <class By>
-  Scalar lifted(double value, const By& by, const ContactInput<dim, Scalar>& at) const;
-  template <class By>
-  Vector<dim, Scalar> lifted(const Vector<dim>& value, const By& by,
-                             const ContactInput<dim, Scalar>& at) const;
 };
 
 /// Residual of a contact node.
@@ -227,52 +234,20 @@ NodalSurface<dim, Scalar>::NodalSurface(const ContactPatch<dim>& patch,
 }
 
 template <int dim, class Scalar>
-template <class By>
-Scalar ContactKinematics<dim, Scalar>::lifted(double value, const By& by,
-                                              const ContactInput<dim, Scalar>& at) const {
-  if constexpr (std::is_same_v<Scalar, double>) {
-    return value;
-  } else {
-    Scalar result(value);
-    for (int i = 0; i < dim; ++i) result += by[i] * (x(0, i) - x(0, i).value());
-    for (Eigen::Index k = 0; k < at.q.size(); ++k)
-      result += by[dim + k] * (at.q[k] - at.q[k].value());
-    return result;
-  }
-}
-
-template <int dim, class Scalar>
-template <class By>
-Vector<dim, Scalar> ContactKinematics<dim, Scalar>::lifted(
-    const Vector<dim>& value, const By& by, const ContactInput<dim, Scalar>& at) const {
-  Vector<dim, Scalar> result;
-  for (int i = 0; i < dim; ++i) result[i] = lifted(value[i], by.row(i), at);
-  return result;
-}
-
-/// The plain values of a motion.
-template <class Scalar>
-PartnerMotion<> plain_motion(const PartnerMotion<Scalar>& q) {
-  PartnerMotion<> result(q.size());
-  for (Eigen::Index k = 0; k < q.size(); ++k) result[k] = plain(q[k]);
-  return result;
-}
-
-template <int dim, class Scalar>
 ContactKinematics<dim, Scalar>::ContactKinematics(const ContactParameters<dim>& parameters,
                                                   const ContactPatch<dim>& patch,
                                                   const ContactInput<dim, Scalar>& at,
                                                   const NodeBranch& branch)
     : x(at.X + at.u),
-      partner(parameters.counter_body.meet(
-          plain<dim, Scalar>(Vector<dim, Scalar>(x.row(0).transpose())), plain_motion(at.q),
-          at.moment.time)),
-      gap(lifted(partner.gap, partner.gap_by, at)),
-      normal(lifted(partner.normal, partner.normal_by, at)),
+      z(partner_variables<dim, Scalar>(x.row(0).transpose(), at.q)),
+      partner(parameters.counter_body.meet(plain(Vector<dim, Scalar>(x.row(0).transpose())),
+                                           plain(at.q), at.moment.time)),
+      gap(lift(partner.gap, partner.gap_by, z)),
+      normal(lift(partner.normal, partner.normal_by, z)),
       relative(streaming_velocity<dim, Scalar>(patch, at.X, x, parameters.streaming) -
-               lifted(partner.velocity, partner.velocity_by, at)),
+               lift(partner.velocity, partner.velocity_by, z)),
       contact(at.lambda, gap, parameters.rho, branch.contact),
-      sliding(relative, normal, lifted(partner.across, partner.across_by, at),
+      sliding(relative, normal, lift(partner.across, partner.across_by, z),
               velocity_variance<dim>(patch, partner.velocity_by.template leftCols<dim>(),
                                      partner.across_by.template head<dim>().transpose())),
       wear(wear_variables<dim, Scalar>(patch, at, parameters.friction, Scalar(-contact.traction),
@@ -297,17 +272,18 @@ ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,
   for (Eigen::Index k = 0; k < at.q.size(); ++k) {
     Vector<dim, Scalar> G = met.partner.weights.col(k).template cast<Scalar>();
     if (const auto& by = met.partner.weights_by[k]; by.size() > 0)
-      G = met.lifted(Vector<dim>(met.partner.weights.col(k)), by, at);
+      G = lift(Vector<dim>(met.partner.weights.col(k)), by, met.z);
     partner[k] = -G.dot(force);
   }
   wear_rate = Scalar(0);
   if (active) {  // an open node does not wear
     const WearRate rate =
-        parameters.wear.rate(wear_input(patch, plain<4, Scalar>(met.wear), at.moment), branch.wear);
-    wear_rate = lift<4, Scalar>(
-        rate.value, {rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power},
-        met.wear);
-    if (rate.value != 0) require_direction(patch, plain<dim, Scalar>(surface.normal));
+        parameters.wear.rate(wear_input(patch, plain(met.wear), at.moment), branch.wear);
+    wear_rate =
+        lift(rate.value,
+             Vector<4>(rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power),
+             met.wear);
+    if (rate.value != 0) require_direction(patch, plain(surface.normal));
   }
   velocity = -wear_rate * (patch.shape_free.template cast<Scalar>() * surface.normal);
 }
