@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "integrators/root_branch.hpp"
-#include "newton/semismooth_newton.hpp"
+#include "newton/sundials_solvers.hpp"
 
 namespace gnomon {
 

@@ -8,7 +8,7 @@
 #include <gnomon/base/counters.hpp>
 
 #include "linear/block_preconditioner.hpp"
-#include "newton/sun_linear_solver.hpp"
+#include "newton/sundials_solvers.hpp"
 
 namespace gnomon::sundials {
 

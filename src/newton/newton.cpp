@@ -6,7 +6,7 @@
 
 #include "newton/newton_policy.hpp"
 #include "newton/residual_norm.hpp"
-#include "newton/sun_linear_solver.hpp"
+#include "newton/sundials_solvers.hpp"
 
 namespace gnomon {
 

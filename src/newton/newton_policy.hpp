@@ -1,5 +1,5 @@
 // The decisions of a semismooth Newton iteration, without the iteration: from values to decisions.
-// KINSOL (newton.cpp) and IDA (semismooth_newton.cpp) both use it.
+// KINSOL (newton.cpp) and IDA (sundials_solvers.cpp) both use it.
 #pragma once
 
 #include <algorithm>

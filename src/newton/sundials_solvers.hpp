@@ -1,14 +1,31 @@
-// A SUNNonlinearSolver for IDA: semismooth Newton by NewtonPolicy.
+// What SUNDIALS solves with: LinearSolver as a SUNLinearSolver, and semismooth Newton by
+// NewtonPolicy as a SUNNonlinearSolver.
 #pragma once
 
+#include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_nonlinearsolver.h>
 
 #include <functional>
+#include <gnomon/base/counters.hpp>
 #include <gnomon/newton/newton_options.hpp>
+#include <gnomon/system/system.hpp>
 
-#include "newton/sun_linear_solver.hpp"
+#include "sundials/room.hpp"
 
 namespace gnomon::sundials {
+
+using LinearSolverOwner = Owner<_generic_SUNLinearSolver, SUNLinSolFree>;
+
+/// The request of a nonlinear solver to its linear solver, set before every solve.
+struct LinearRequest {
+  bool keep = false;        ///< a set-up leaves the last Jacobian and factors as they are
+  double reduction = 1e-8;  ///< residual to be reached, relative to the right side; direct: ignored
+};
+
+/// For SUNDIALS it is a direct solver, so that Jacobians are passed as matrices and gnomon chooses
+/// the tolerances. The referenced objects must outlive it.
+LinearSolverOwner make_linear_solver(const Structure& structure, Counters& counters, Guard& guard,
+                                     SUNContext context, const LinearRequest& request);
 
 using NonlinearSolverOwner = Owner<_generic_SUNNonlinearSolver, SUNNonlinSolFree>;
 
