@@ -4,9 +4,14 @@
 //                       every rate is a solve of mesh motion and contact for the given surface
 //                       (Remark 1)
 
-#include <gnomon/integrators/butcher_table.hpp>
+#include <arkode/arkode.h>  // the next two rely on its <stdio.h>
+#include <arkode/arkode_butcher_dirk.h>
+#include <arkode/arkode_butcher_erk.h>
+
 #include <gnomon/integrators/diagonally_implicit.hpp>
 #include <gnomon/integrators/erk.hpp>
+
+#include "sundials/room.hpp"
 
 namespace gnomon {
 
@@ -49,6 +54,32 @@ const Entry explicit_entries[] = {
      "Zonneveld's pair: the classical method with an estimate"},
 };
 
+/// The table that ARKODE calls `name`. Throws Error when the installed SUNDIALS has none.
+ButcherTable copy_and_free(const std::string& name, ARKodeButcherTable owned) {
+  const sundials::TableOwner table(owned);
+  if (!table) throw Error("ARKODE has no Butcher table called " + name);
+  const int s = table->stages;
+  ButcherTable result{name, table->q, Eigen::MatrixXd(s, s), Eigen::VectorXd(s), Eigen::VectorXd(s),
+                      0,    {}};
+  for (int i = 0; i < s; ++i) {
+    for (int j = 0; j < s; ++j) result.A(i, j) = table->A[i][j];
+    result.b[i] = table->b[i];
+    result.c[i] = table->c[i];
+  }
+  if (!table->d) return result;
+  result.embedded_order = table->p;
+  result.b_embedded = Eigen::Map<const Eigen::VectorXd>(table->d, s);
+  return result;
+}
+
+ButcherTable dirk_table(const std::string& name) {
+  return copy_and_free(name, ARKodeButcherTable_LoadDIRKByName(name.c_str()));
+}
+
+ButcherTable erk_table(const std::string& name) {
+  return copy_and_free(name, ARKodeButcherTable_LoadERKByName(name.c_str()));
+}
+
 /// The properties that do not depend on the kind of method.
 Integrator describe(const Entry& entry) {
   Integrator integrator;
@@ -64,12 +95,10 @@ Integrator implicit(const Entry& entry) {
   Integrator integrator = describe(entry);
   integrator.family = "implicit Runge-Kutta";
   integrator.driver = "KINSOL, ARKODE table";
-  integrator.table = [name = entry.table](const IntegratorSettings&) {
-    return arkode_dirk_table(name);
-  };
+  integrator.table = [name = entry.table](const IntegratorSettings&) { return dirk_table(name); };
   integrator.make = [name = entry.table](const System& system, const IntegratorSettings& settings,
                                          Counters& counters) {
-    return make_diagonally_implicit(system, settings, counters, arkode_dirk_table(name));
+    return make_diagonally_implicit(system, settings, counters, dirk_table(name));
   };
   return integrator;
 }
@@ -80,12 +109,10 @@ Integrator explicit_on_reduced(const Entry& entry) {
   integrator.driver = "ARKODE ERKStep, KINSOL";
   integrator.locates_events = false;
   integrator.settles = false;
-  integrator.table = [name = entry.table](const IntegratorSettings&) {
-    return arkode_erk_table(name);
-  };
+  integrator.table = [name = entry.table](const IntegratorSettings&) { return erk_table(name); };
   integrator.make = [name = entry.table](const System& system, const IntegratorSettings& settings,
                                          Counters& counters) {
-    return make_erk(system, settings, counters, name);
+    return make_erk(system, settings, counters, erk_table(name));
   };
   return integrator;
 }

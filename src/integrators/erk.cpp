@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <gnomon/integrators/butcher_table.hpp>
 #include <gnomon/integrators/dense_output.hpp>
 #include <gnomon/integrators/erk.hpp>
 #include <gnomon/integrators/error_norm.hpp>
@@ -66,12 +65,12 @@ constexpr int most_failures = 30;
 class ErkSolver : public Stepper {
 public:
   ErkSolver(const System& system, const IntegratorSettings& settings, Counters& counters,
-            const std::string& table)
+            ButcherTable table)
       : Stepper(counters),
         system_(system),
         settings_(settings),
         counters_(counters),
-        table_(arkode_erk_table(table)),
+        table_(std::move(table)),
         norm_(system.structure(), settings),
         jumps_(system, settings),
         expected_error_(settings, table_.embedded_order),
@@ -307,8 +306,8 @@ private:
 }  // namespace
 
 std::unique_ptr<Stepper> make_erk(const System& system, const IntegratorSettings& settings,
-                                  Counters& counters, const std::string& table) {
-  return std::make_unique<ErkSolver>(system, settings, counters, table);
+                                  Counters& counters, ButcherTable table) {
+  return std::make_unique<ErkSolver>(system, settings, counters, std::move(table));
 }
 
 }  // namespace gnomon

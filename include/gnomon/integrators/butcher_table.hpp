@@ -22,11 +22,4 @@ struct ButcherTable {
   bool explicit_first_stage() const { return A(0, 0) == 0; }
 };
 
-/// The diagonally implicit table that ARKODE calls `name` ("ARKODE_ESDIRK436L2SA_6_3_4"). Throws
-/// Error when the installed SUNDIALS has none.
-ButcherTable arkode_dirk_table(const std::string& name);
-
-/// The explicit table that ARKODE calls `name` ("ARKODE_BOGACKI_SHAMPINE_4_2_3"). Same errors.
-ButcherTable arkode_erk_table(const std::string& name);
-
 }  // namespace gnomon

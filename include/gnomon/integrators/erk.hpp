@@ -3,13 +3,12 @@
 
 #include <gnomon/integrators/integrator.hpp>
 #include <memory>
-#include <string>
 
 namespace gnomon {
 
-/// By the explicit table that ARKODE calls `table`. Error control by ARKODE's PI controller in the
+/// By an explicit table with an embedded method. Error control by ARKODE's PI controller in the
 /// norm of ErrorNorm; or fixed steps, halved when a solve fails.
 std::unique_ptr<Stepper> make_erk(const System& system, const IntegratorSettings& settings,
-                                  Counters& counters, const std::string& table);
+                                  Counters& counters, ButcherTable table);
 
 }  // namespace gnomon
