@@ -80,46 +80,33 @@ ButcherTable erk_table(const std::string& name) {
   return copy_and_free(name, ARKodeButcherTable_LoadERKByName(name.c_str()));
 }
 
-/// The properties that do not depend on the kind of method.
-Integrator describe(const Entry& entry) {
-  Integrator integrator;
-  integrator.name = entry.name;
-  integrator.order = entry.order;
-  integrator.error_estimate = entry.embedded;
-  integrator.stability = entry.stability;
-  integrator.help = std::string(entry.table).substr(7) + ": " + entry.help;
-  return integrator;
-}
-
-Integrator implicit(const Entry& entry) {
-  Integrator integrator = describe(entry);
-  integrator.family = "implicit Runge-Kutta";
-  integrator.driver = "KINSOL, ARKODE table";
-  integrator.table = [name = entry.table](const IntegratorSettings&) { return dirk_table(name); };
-  integrator.make = [name = entry.table](const System& system, const IntegratorSettings& settings,
-                                         Counters& counters) {
-    return make_diagonally_implicit(system, settings, counters, dirk_table(name));
-  };
-  return integrator;
-}
-
-Integrator explicit_on_reduced(const Entry& entry) {
-  Integrator integrator = describe(entry);
-  integrator.family = "explicit Runge-Kutta, decoupled";
-  integrator.driver = "ARKODE ERKStep, KINSOL";
-  integrator.locates_events = false;
-  integrator.settles = false;
-  integrator.table = [name = entry.table](const IntegratorSettings&) { return erk_table(name); };
-  integrator.make = [name = entry.table](const System& system, const IntegratorSettings& settings,
-                                         Counters& counters) {
-    return make_erk(system, settings, counters, erk_table(name));
-  };
-  return integrator;
+/// `load` gives the table that an entry names, and `make` a stepper by it. An explicit method
+/// neither locates events nor settles.
+template <auto load, auto make>
+void add(const Entry& entry, const char* family, const char* driver, bool implicit) {
+  Registry<Integrator>::add(
+      {.name = entry.name,
+       .family = family,
+       .order = entry.order,
+       .error_estimate = entry.embedded,
+       .stability = entry.stability,
+       .driver = driver,
+       .help = std::string(entry.table).substr(7) + ": " + entry.help,
+       .locates_events = implicit,
+       .settles = implicit,
+       .table = [name = entry.table](const IntegratorSettings&) { return load(name); },
+       .make = [name = entry.table](
+                   const System& system, const IntegratorSettings& settings,
+                   Counters& counters) { return make(system, settings, counters, load(name)); }});
 }
 
 const bool registered = [] {
-  for (const Entry& entry : implicit_entries) Registry<Integrator>::add(implicit(entry));
-  for (const Entry& entry : explicit_entries) Registry<Integrator>::add(explicit_on_reduced(entry));
+  for (const Entry& entry : implicit_entries)
+    add<dirk_table, make_diagonally_implicit>(entry, "implicit Runge-Kutta", "KINSOL, ARKODE table",
+                                              true);
+  for (const Entry& entry : explicit_entries)
+    add<erk_table, make_erk>(entry, "explicit Runge-Kutta, decoupled", "ARKODE ERKStep, KINSOL",
+                             false);
   return true;
 }();
 
