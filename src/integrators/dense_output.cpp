@@ -36,14 +36,8 @@ double magnification(const std::vector<double>& weights) {
 
 void DenseOutput::add(double t, std::span<const double> y) {
   std::erase_if(points_, [t](const Entry& point) { return point.t == t; });
-  if (points_.size() == capacity) {
-    points_.push_back(std::move(points_.front()));  // keeps the storage
-    points_.pop_front();
-    points_.back().t = t;
-    points_.back().y.assign(y.begin(), y.end());
-  } else {
-    points_.push_back({t, {y.begin(), y.end()}});
-  }
+  if (points_.size() == capacity) points_.pop_front();
+  points_.push_back({t, {y.begin(), y.end()}});
 }
 
 void DenseOutput::evaluate(double t, std::span<double> y) const {
