@@ -54,11 +54,6 @@ DiagonallyImplicit::DiagonallyImplicit(const System& system, const IntegratorSet
       base_(norm_.components().size()),
       error_(norm_.components().size()) {}
 
-AlgebraicSolver& DiagonallyImplicit::algebraic() {
-  if (!algebraic_) algebraic_.emplace(system_, counters_);
-  return *algebraic_;
-}
-
 void DiagonallyImplicit::accept(const State& state, bool kink) {
   if (kink) dense_output_.clear();
   dense_output_.add(state.t, state.y);
@@ -206,8 +201,11 @@ Attempt DiagonallyImplicit::attempt(const State& from, double h, const AttemptOp
       double& d = to.y[components[k]] = from.y[components[k]];
       for (int i = 0; i < table.stages(); ++i) d += h * table.b[i] * k_[i][k];
     }
-    const Attempt projected = project(to, from.t, options.branch);
-    if (!projected.success) return projected;
+    const double t = inside_step(system_.structure(), from.t, to.t);
+    if (!algebraic_) algebraic_.emplace(system_, counters_);
+    std::string reason = algebraic_->solve(t, to.y, options.branch);
+    if (!reason.empty()) return {.reason = std::move(reason)};
+    set_rates(system_, options.branch, to, from.t);
   } else if (h < short_step_) {
     set_rates(system_, options.branch, to);  // a difference over so short a step is only rounding
   }
@@ -226,15 +224,6 @@ void DiagonallyImplicit::add_error_of_jumps(const State& from, double h, double 
   if (jumps.error <= whole.error) return;
   whole.error = jumps.error;
   whole.shorter = jumps.shorter;
-}
-
-/// Makes the end of a step from a time consistent with its differential components.
-Attempt DiagonallyImplicit::project(State& state, double from, const ActiveSet* branch) {
-  const double t = inside_step(system_.structure(), from, state.t);
-  std::string reason = algebraic().solve(t, state.y, branch);
-  if (!reason.empty()) return {.reason = std::move(reason)};
-  set_rates(system_, branch, state, from);
-  return {.success = true};
 }
 
 double DiagonallyImplicit::estimate(const ButcherTable& table, const State& from, double h,

@@ -55,9 +55,7 @@ private:
                     std::span<double> ydot) const;
   void add_error_of_jumps(const State& from, double h, double part, const State& stage,
                           Attempt& whole) const;
-  Attempt project(State& state, double from, const ActiveSet* branch);
   double estimate(const ButcherTable& table, const State& from, double h, const State& to);
-  AlgebraicSolver& algebraic();
 
   const System& system_;
   Counters& counters_;
