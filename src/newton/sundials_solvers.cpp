@@ -37,7 +37,6 @@ struct NewtonContent {
   SUNNonlinSolSysFn residual = nullptr;
   SUNNonlinSolLSetupFn setup = nullptr;
   SUNNonlinSolLSolveFn solve = nullptr;
-  long failures = 0;
 
   // Positive: recoverable, IDA shortens the step. Negative: fatal.
   int iterate(N_Vector ycor, N_Vector weights, bool set_up_demanded, void* ida) {
@@ -85,8 +84,6 @@ LinearSolverOwner make_linear_solver(const Structure& structure, Counters& count
   SUNLinearSolver solver = SUNLinSolNewEmpty(context);
   check(solver, "SUNLinSolNewEmpty");
   solver->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; };
-  solver->ops->getid = [](SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; };
-  solver->ops->initialize = [](SUNLinearSolver) { return 0; };
   solver->ops->setup = [](SUNLinearSolver s, SUNMatrix J) {
     LinearContent& c = content(s);
     return c.request.keep ? 0 : c.guard.run([&] { c.linear->set_up(values(J)); });
@@ -130,17 +127,13 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
                                       make_vector(structure.size, context)};
   auto* ops = solver->ops;
   ops->gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
-  ops->initialize = [](SUNNonlinearSolver) { return 0; };
   ops->solve = [](SUNNonlinearSolver s, N_Vector, N_Vector ycor, N_Vector weights, sunrealtype,
                   sunbooleantype call_setup, void* ida) {
     NewtonContent& c = content(s);
     int flag = -1;
     const int thrown = c.guard.run([&] { flag = c.iterate(ycor, weights, call_setup, ida); });
     if (thrown) flag = thrown;
-    if (flag) {
-      ++c.failures;
-      c.policy.forget_factors();
-    }
+    if (flag) c.policy.forget_factors();
     return flag;
   };
   ops->setsysfn = [](SUNNonlinearSolver s, SUNNonlinSolSysFn f) {
@@ -153,14 +146,6 @@ NonlinearSolverOwner make_semismooth_newton(const Structure& structure, Counters
   };
   ops->setlsolvefn = [](SUNNonlinearSolver s, SUNNonlinSolLSolveFn f) {
     content(s).solve = f;
-    return 0;
-  };
-  ops->getnumiters = [](SUNNonlinearSolver s, long* n) {
-    *n = content(s).policy.iterations();
-    return 0;
-  };
-  ops->getnumconvfails = [](SUNNonlinearSolver s, long* n) {
-    *n = content(s).failures;
     return 0;
   };
   ops->free = [](SUNNonlinearSolver s) {
@@ -178,7 +163,6 @@ void replace_content(SUNNonlinearSolver in_use, NonlinearSolverOwner by) {
   fresh.residual = used.residual;
   fresh.setup = used.setup;
   fresh.solve = used.solve;
-  fresh.failures = used.failures;
   std::swap(in_use->content, by->content);
 }
 
