@@ -5,7 +5,6 @@
 #include <gnomon/newton/newton.hpp>
 
 #include "newton/newton_policy.hpp"
-#include "newton/residual_norm.hpp"
 #include "newton/sundials_solvers.hpp"
 
 namespace gnomon {

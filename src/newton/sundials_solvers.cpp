@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "newton/newton_policy.hpp"
-#include "newton/residual_norm.hpp"
 
 namespace gnomon::sundials {
 

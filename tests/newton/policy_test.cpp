@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "newton/newton_policy.hpp"
-#include "newton/residual_norm.hpp"
 
 namespace gnomon::policy_test {
 namespace {
