@@ -80,13 +80,10 @@ bool EventLocator::off_branch(const Sample& sample) const {
   return false;
 }
 
-bool EventLocator::crossed(const State& from, std::size_t j) const {
-  return from.t == crossed_at_ && crossed_[j];
-}
-
 bool EventLocator::starts_off_branch(const State& from) const {
+  const bool at_event = from.t == crossed_at_;
   for (std::size_t j = 0; j < branch_.size(); ++j)
-    if (!crossed(from, j) && active(at(0).values[j]) != bool(branch_[j])) return true;
+    if (!(at_event && crossed_[j]) && active(at(0).values[j]) != bool(branch_[j])) return true;
   return false;
 }
 

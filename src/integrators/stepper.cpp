@@ -139,7 +139,11 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, AttemptOption
     options.branch = locator_ ? &branch : nullptr;
     Landing whole{.attempt = method_->attempt(state, plan.h, options, next_), .h = plan.h};
     whole.switched = switched;
-    add_error_of_jumps(state, whole);
+    if (jumps_ && acceptable(whole.attempt)) {
+      const JumpControl::Estimate jumps = (*jumps_)(state, next_, whole.h);
+      whole.attempt.error = std::max(whole.attempt.error, jumps.error);
+      whole.attempt.shorter = jumps.shorter;
+    }
     if (!locator_ || !acceptable(whole.attempt) || !locator_->left(next_)) return whole;
     Landing landing = locator_->land(state, plan.h, next_);
     if (!landing.at_start) {
@@ -151,13 +155,6 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, AttemptOption
   }
   options.branch = nullptr;
   return step_over(state, plan, options);
-}
-
-void OneStepStepper::add_error_of_jumps(const State& state, Landing& whole) const {
-  if (!jumps_ || !acceptable(whole.attempt)) return;
-  const JumpControl::Estimate jumps = (*jumps_)(state, next_, whole.h);
-  whole.attempt.error = std::max(whole.attempt.error, jumps.error);
-  whole.attempt.shorter = jumps.shorter;
 }
 
 /// Steps over a kink at the start on which no step can end; the signs choose the branches.
@@ -201,13 +198,6 @@ void OneStepStepper::begin_behind_kink(State& state, const Landing& landing) {
   } else if (pass_breakpoint(system_, counters_, own, state) && locator_ && state.branch.empty()) {
     locator_->begin(state);
   }
-}
-
-StepReport OneStepStepper::report(const Step& step) const {
-  return {.step = step.landing.h,
-          .order = step.settles ? 1 : order_,
-          .switched = step.landing.switched,
-          .integral = step.landing.attempt.integral};
 }
 
 /// The active set with which a step ends in `state`, events included.
@@ -289,7 +279,10 @@ StepReport OneStepStepper::take_step(State& state, double t_stop) {
   if (!fixed() && step.landing.switched > 0)
     proposal_ =
         std::min(proposal_, first_step(state, system_.structure(), settings_, error_order_));
-  return report(step);
+  return {.step = step.landing.h,
+          .order = step.settles ? 1 : order_,
+          .switched = step.landing.switched,
+          .integral = step.landing.attempt.integral};
 }
 
 }  // namespace gnomon

@@ -61,7 +61,6 @@ private:
   double earliest_root(double low, double high) const;
   int switch_at(double h, double width);
   Landing switch_at_start(const State& from, const Sample& behind);
-  bool crossed(const State& from, std::size_t j) const;
   const Sample& at(double h) const;
   bool off_branch(const Sample& sample) const;
   bool starts_off_branch(const State& from) const;

@@ -49,9 +49,7 @@ private:
   Landing step_over(const State& state, const Plan& plan, const AttemptOptions& options);
   bool acceptable(const Attempt& attempt) const;
   void accept(State& state, const Step& step);
-  StepReport report(const Step& step) const;
   void begin_behind_kink(State& state, const Landing& landing);
-  void add_error_of_jumps(const State& state, Landing& whole) const;
   double after_success(const Plan& plan, const Landing& landing);
   bool fixed() const { return settings_.step > 0; }
   /// Since the step began.
