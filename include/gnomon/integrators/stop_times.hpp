@@ -2,6 +2,8 @@
 // times; and the limits at which a step, or a run, is given up. One definition for all drivers.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/system/system.hpp>
 #include <optional>
@@ -26,18 +28,37 @@ inline constexpr double shortest_remainder = 1e-3;
 /// The next point after t of the grid k step, unless it is within shortest_remainder steps of t
 /// (computed by counting, not by adding, so that it does not drift); or t_stop if it comes earlier,
 /// or later by less than shortest_remainder steps.
-double end_of_fixed_step(double t, double step, double t_stop);
+inline double end_of_fixed_step(double t, double step, double t_stop) {
+  const double grid = step * (std::floor(t / step + shortest_remainder) + 1);
+  return grid < t_stop - shortest_remainder * step ? grid : t_stop;
+}
 
 /// The latest end of a step from t: the next breakpoint (Structure::breakpoints) before t_stop,
 /// otherwise t_stop.
-double end_of_smooth_part(const Structure& structure, double t, double t_stop);
+inline double end_of_smooth_part(const Structure& structure, double t, double t_stop) {
+  const std::vector<double>& breakpoints = structure.breakpoints;
+  const auto next = std::upper_bound(breakpoints.begin(), breakpoints.end(), t);
+  return next == breakpoints.end() ? t_stop : std::min(*next, t_stop);
+}
 
 /// The same for Structure::stops, of steps that follow the error.
-double end_at_stop(const Structure& structure, double t, double t_stop);
+inline double end_at_stop(const Structure& structure, double t, double t_stop) {
+  constexpr double beside = 1e-9;  // another end of a step
+  const std::vector<double>& stops = structure.stops;
+  const auto next = std::upper_bound(stops.begin(), stops.end(), t * (1 + beside));
+  return next == stops.end() || *next >= t_stop * (1 - beside) ? t_stop : *next;
+}
+
+/// Whether F may have a kink in time at t, on which a step has ended.
+inline bool is_breakpoint(const Structure& structure, double t) {
+  return std::binary_search(structure.breakpoints.begin(), structure.breakpoints.end(), t);
+}
 
 /// A time of a step from `from`, or that just before it: loads that jump where the step ends are
 /// those of the step.
-double inside_step(const Structure& structure, double from, double t);
+inline double inside_step(const Structure& structure, double from, double t) {
+  return t > from && is_breakpoint(structure, t) ? std::nextafter(t, from) : t;
+}
 
 /// The interval before a time of IntegratorSettings::settled in which pressures settle, by two
 /// short steps of one size. In a stiff body an error of the shape far below its tolerance makes a
@@ -66,10 +87,22 @@ private:
 /// That before the next settled time after t. None with fixed steps, where it would be too short,
 /// and where it would contain a breakpoint: the load must not change quickly in so long a step of
 /// the first order.
-std::optional<Settling> next_settling(const Structure& structure,
-                                      const IntegratorSettings& settings, double t);
-
-/// Whether F may have a kink in time at t, on which a step has ended.
-bool is_breakpoint(const Structure& structure, double t);
+inline std::optional<Settling> next_settling(const Structure& structure,
+                                             const IntegratorSettings& settings, double t) {
+  const std::vector<double>& settled = settings.settled;
+  const auto next = std::upper_bound(settled.begin(), settled.end(), t);
+  if (settings.step > 0 || next == settled.end()) return {};
+  // Part of the time since the last one. The change of the rates, which slows down with time, is a
+  // small part of them in so short a time; the error of a step of the first order, half the square
+  // of its size, is then below the tolerance. An error estimate confirms it (OneStepStepper).
+  const double part = std::min(1e-2, std::sqrt(settings.rtol));
+  double size = part * (*next - (next == settled.begin() ? 0.0 : *std::prev(next)));
+  if (settings.max_step > 0) size = std::min(size, settings.max_step / 2);  // both are one step
+  constexpr double shortest = 1e-6;  // part of the run: below, a difference of d is only rounding
+  if (size < shortest * settings.end) return {};
+  const Settling settling{*next - 2 * size, *next};
+  if (end_of_smooth_part(structure, settling.begin, settling.end) < settling.end) return {};
+  return settling;
+}
 
 }  // namespace gnomon
