@@ -25,8 +25,7 @@ public:
         rigid_column_(s, core_roles, {Role::rigid}),
         core_(unknowns_of(s, core_roles)),
         rigid_(unknowns_of(s, {Role::rigid})),
-        border_(rigid_.size(), std::vector<double>(s.size)),
-        work_(s.size) {}
+        border_(rigid_.size(), std::vector<double>(s.size)) {}
 
   void refresh(std::span<const double> J) override {
     J_ = J;
@@ -79,18 +78,15 @@ private:
       std::vector<double>& column = border_[static_cast<std::size_t>(k)];
       const int w = rigid_[static_cast<std::size_t>(k)];
       std::fill(column.begin(), column.end(), 0.0);
-      std::fill(work_.begin(), work_.end(), 0.0);
-      column[w] = -1;
-      rigid_column_.subtract(J_, column, work_);
-      column[w] = 0;
-      solve_free(work_, column);
-      std::fill(work_.begin(), work_.end(), 0.0);
-      rigid_row_.subtract(J_, column, work_);
-      column[w] = -1;
-      rigid_block_.subtract(J_, column, work_);
-      column[w] = 0;
+      std::vector<double> unit(column.size()), right(column.size());
+      unit[w] = -1;
+      rigid_column_.subtract(J_, unit, right);
+      solve_free(right, column);
+      std::fill(right.begin(), right.end(), 0.0);
+      rigid_row_.subtract(J_, column, right);
+      rigid_block_.subtract(J_, unit, right);
       for (Eigen::Index l = 0; l < count; ++l)
-        complement(l, k) = work_[rigid_[static_cast<std::size_t>(l)]];
+        complement(l, k) = right[rigid_[static_cast<std::size_t>(l)]];
       // Nothing carries the force: the outer iteration will fail.
       if (complement.col(k).isZero(0)) complement(k, k) = 1;
     }
@@ -122,7 +118,6 @@ private:
   bool bordered_ = false;                       // the two below belong to J and the set-up
   std::vector<std::vector<double>> border_;     // solutions for the columns of w
   Eigen::PartialPivLU<Eigen::MatrixXd> schur_;  // of J_ww, the Schur complement
-  std::vector<double> work_;
 };
 
 }  // namespace
