@@ -59,8 +59,8 @@ ButcherTable copy_and_free(const std::string& name, ARKodeButcherTable owned) {
   const sundials::TableOwner table(owned);
   if (!table) throw Error("ARKODE has no Butcher table called " + name);
   const int s = table->stages;
-  ButcherTable result{name, table->q, Eigen::MatrixXd(s, s), Eigen::VectorXd(s), Eigen::VectorXd(s),
-                      0,    {}};
+  ButcherTable result{name, table->q, Eigen::MatrixXd(s, s), Eigen::VectorXd(s),
+                      Eigen::VectorXd(s)};
   for (int i = 0; i < s; ++i) {
     for (int j = 0; j < s; ++j) result.A(i, j) = table->A[i][j];
     result.b[i] = table->b[i];

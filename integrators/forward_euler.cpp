@@ -70,9 +70,8 @@ const Registration<Integrator> registration({
     .settles = false,
     .table =
         [](const IntegratorSettings&) {
-          return ButcherTable{
-              "eq. (15)", 1, Eigen::MatrixXd{{0.0}}, Eigen::VectorXd{{1.0}}, Eigen::VectorXd{{0.0}},
-              0,          {}};
+          return ButcherTable{"eq. (15)", 1, Eigen::MatrixXd{{0.0}}, Eigen::VectorXd{{1.0}},
+                              Eigen::VectorXd{{0.0}}};
         },
     .make = [](const System& system, const IntegratorSettings& settings,
                Counters& counters) -> std::unique_ptr<Stepper> {

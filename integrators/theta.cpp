@@ -9,8 +9,7 @@ namespace gnomon {
 namespace {
 
 ButcherTable backward_euler(const IntegratorSettings&) {
-  return {"eq. (18)", 1, Eigen::MatrixXd{{1.0}}, Eigen::VectorXd{{1.0}}, Eigen::VectorXd{{1.0}},
-          0,          {}};
+  return {"eq. (18)", 1, Eigen::MatrixXd{{1.0}}, Eigen::VectorXd{{1.0}}, Eigen::VectorXd{{1.0}}};
 }
 
 const Key alpha_key = {
@@ -22,13 +21,8 @@ const Key alpha_key = {
 
 ButcherTable theta(const IntegratorSettings& settings) {
   const double alpha = std::get<double>(settings.value(alpha_key));
-  return {"eq. (21)",
-          alpha == 0.5 ? 2 : 1,
-          Eigen::MatrixXd{{0.0, 0.0}, {1 - alpha, alpha}},
-          Eigen::VectorXd{{1 - alpha, alpha}},
-          Eigen::VectorXd{{0.0, 1.0}},
-          0,
-          {}};
+  return {"eq. (21)", alpha == 0.5 ? 2 : 1, Eigen::MatrixXd{{0.0, 0.0}, {1 - alpha, alpha}},
+          Eigen::VectorXd{{1 - alpha, alpha}}, Eigen::VectorXd{{0.0, 1.0}}};
 }
 
 template <auto table>

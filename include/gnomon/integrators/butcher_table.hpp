@@ -8,12 +8,12 @@ namespace gnomon {
 
 /// k_i = f(t + c_i h, y + h sum_j A_ij k_j),  y_new = y + h sum_i b_i k_i. A is lower triangular.
 struct ButcherTable {
-  std::string name;            ///< source of the coefficients
-  int order = 0;               ///< p
-  Eigen::MatrixXd A;           ///< stages x stages
-  Eigen::VectorXd b, c;        ///< stages
-  int embedded_order = 0;      ///< 0 without an embedded method
-  Eigen::VectorXd b_embedded;  ///< stages; empty without one
+  std::string name;              ///< source of the coefficients
+  int order = 0;                 ///< p
+  Eigen::MatrixXd A;             ///< stages x stages
+  Eigen::VectorXd b, c;          ///< stages
+  int embedded_order = 0;        ///< 0 without an embedded method
+  Eigen::VectorXd b_embedded{};  ///< stages; empty without one
 
   int stages() const { return static_cast<int>(b.size()); }
   /// The last stage is the new value.
