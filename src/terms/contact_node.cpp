@@ -94,25 +94,6 @@ struct TractionDerivative {
   }
 };
 
-/// Wdot and its derivatives with respect to the variables of a contact node; q = mu p v is resolved
-/// by the chain rule.
-struct NodalWear {
-  double rate = 0, by_traction = 0, by_speed = 0, by_depth = 0;
-};
-
-template <int dim>
-NodalWear nodal_wear(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
-                     const WearMoment& moment, const ContactKinematics<dim>& met,
-                     const NodeBranch& branch) {
-  if (!met.contact.active) return {};
-  const double mu = parameters.friction, p = met.wear[0], speed = met.wear[1];
-  const WearRate rate = parameters.wear.rate(wear_input(patch, met.wear, moment), branch.wear);
-  return {.rate = rate.value,
-          .by_traction = -(rate.by_pressure + mu * speed * rate.by_friction_power),
-          .by_speed = rate.by_speed + mu * p * rate.by_friction_power,
-          .by_depth = rate.by_depth};
-}
-
 }  // namespace
 
 template <int dim>
@@ -155,7 +136,14 @@ ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parame
   const Partner<dim>& partner = met.partner;
   const UnilateralContact<double>& contact = met.contact;
   const TractionDerivative<dim> traction(met, parameters.friction);
-  const NodalWear wear = nodal_wear(parameters, patch, at.moment, met, branch);
+  const WearRate wear =
+      contact.active ? parameters.wear.rate(wear_input(patch, met.wear, at.moment), branch.wear)
+                     : WearRate{};
+  // q = mu p v is resolved by the chain rule.
+  const double q_by_p = parameters.friction * met.sliding.speed,
+               q_by_speed = parameters.friction * met.wear[0];
+  const double rate_by_traction = -(wear.by_pressure + q_by_p * wear.by_friction_power),
+               rate_by_speed = wear.by_speed + q_by_speed * wear.by_friction_power;
   if (contact.active) require_normal(patch, partner);
 
   // What depends on the partner, by the node's position and then the partner's unknowns.
@@ -166,8 +154,8 @@ ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parame
            traction.by_normal * partner.normal_by + traction.by_across * partner.across_by) -
       force_by_v * partner.velocity_by;
   const Row rate_by_z =
-      wear.by_traction * contact.traction_by_gap * partner.gap_by +
-      wear.by_speed * (traction.speed_by_normal.transpose() * partner.normal_by +
+      rate_by_traction * contact.traction_by_gap * partner.gap_by +
+      rate_by_speed * (traction.speed_by_normal.transpose() * partner.normal_by +
                        traction.speed_by_across * partner.across_by -
                        traction.speed_by_velocity.transpose() * partner.velocity_by);
   const Vector<dim> N = patch.shape_free * surface.normal;
@@ -177,7 +165,7 @@ ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parame
   constraint_by_q = contact.constraint_by_gap * partner.gap_by.tail(unknowns);
   force_by_lambda = surface.area * contact.traction_by_lambda * traction.direction;
   force_by_q = force_by_z.rightCols(unknowns);
-  velocity_by_lambda = -wear.by_traction * contact.traction_by_lambda * N;
+  velocity_by_lambda = -rate_by_traction * contact.traction_by_lambda * N;
   velocity_by_q = -N * rate_by_z.tail(unknowns);
   weights = partner.weights;
   const Vector<dim> force = surface.area * contact.traction * traction.direction;
@@ -188,7 +176,7 @@ ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parame
     force_by_x[p].setZero();
     velocity_by_x[p].setZero();
     force_by_X[p] = contact.traction * traction.direction * derivative.area[p].transpose();
-    velocity_by_X[p] = -wear.rate * patch.shape_free * derivative.normal[p];
+    velocity_by_X[p] = -wear.value * patch.shape_free * derivative.normal[p];
   }
   force_by_x[0] = force_by_z.template leftCols<dim>();
   velocity_by_x[0] = -N * rate_by_z.template head<dim>();
@@ -196,7 +184,7 @@ ContactNodeTangent<dim>::ContactNodeTangent(const ContactParameters<dim>& parame
 
   if (parameters.streaming.isZero(0)) return;
   const StreamingVelocityDerivative<dim> change(patch, at.X, met.x, parameters.streaming);
-  const Tensor<dim> velocity_by_v = -wear.by_speed * N * traction.speed_by_velocity.transpose();
+  const Tensor<dim> velocity_by_v = -rate_by_speed * N * traction.speed_by_velocity.transpose();
   for (std::size_t p = 0; p < patch.nodes.size(); ++p) {
     force_by_x[p] += force_by_v * change.by_x[p];
     force_by_X[p] += force_by_v * change.by_X[p];
