@@ -28,7 +28,7 @@ public:
         system_(system),
         settings_(settings),
         counters_(counters),
-        jumps_(system, settings),
+        norm_(system.structure(), settings),
         ida_(std::make_unique<Ida>(system, settings, counters)) {}
 
   /// IDA keeps its history where the unknowns are the same; it cannot be given others.
@@ -65,7 +65,8 @@ private:
     if (needs_settling(settling, state.t, reached))
       take_back(settling->begin - state.t, settling->begin);
     if (!branch())
-      while (const double shorter = jumps_(state, reached, reached.t - state.t).shorter)
+      while (const double shorter =
+                 error_of_jumps(system_, norm_, state, reached, reached.t - state.t).shorter)
         take_back(shorter, t_stop);
     StepReport report{
         .step = reached.t - state.t, .order = ida_->order(), .integral = ida_->take_integral()};
@@ -136,7 +137,7 @@ private:
   const System& system_;
   IntegratorSettings settings_;
   Counters& counters_;
-  JumpControl jumps_;
+  ErrorNorm norm_;
   std::optional<Closings> closings_;          // only with settled times
   std::optional<AlgebraicSolver> algebraic_;  // made at the first event
   std::unique_ptr<Ida> ida_;

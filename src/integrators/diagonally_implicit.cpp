@@ -43,7 +43,6 @@ DiagonallyImplicit::DiagonallyImplicit(const System& system, const IntegratorSet
       counters_(counters),
       table_(std::move(table)),
       norm_(system.structure(), settings),
-      jumps_(system, settings),
       error_control_(settings.step == 0),
       integrand_(settings.integrand),
       short_step_(1e-6 * settings.end),
@@ -220,7 +219,7 @@ void DiagonallyImplicit::add_error_of_jumps(const State& from, double h, double 
   if (std::ranges::count(system_.structure().switch_jumps, 1) == 0) return;
   State at = stage;
   at.t = from.t + part * h;
-  const JumpControl::Estimate jumps = jumps_(from, at, h);
+  const JumpError jumps = error_of_jumps(system_, norm_, from, at, h);
   if (jumps.error <= whole.error) return;
   whole.error = jumps.error;
   whole.shorter = jumps.shorter;

@@ -72,7 +72,6 @@ public:
         counters_(counters),
         table_(std::move(table)),
         norm_(system.structure(), settings),
-        jumps_(system, settings),
         expected_error_(settings, table_.embedded_order),
         algebraic_(system, counters, settings.nonlinear_fraction),
         proposal_(settings.step),
@@ -113,7 +112,9 @@ private:
       check(ARKodeGetNumErrTestFails(erk, &error_fails), "ARKodeGetNumErrTestFails");
       counters_.rejected_steps += error_fails - std::exchange(rejected_, error_fails);
       if (done) {
-        const double shorter = settings_.step > 0 ? 0 : jumps_(state, whole_, t - state.t).shorter;
+        const double shorter =
+            settings_.step > 0 ? 0
+                               : error_of_jumps(system_, norm_, state, whole_, t - state.t).shorter;
         if (shorter == 0) break;
         ++counters_.rejected_steps;
         restart(state, shorter);
@@ -281,7 +282,6 @@ private:
   Counters& counters_;
   ButcherTable table_;
   ErrorNorm norm_;
-  JumpControl jumps_;
   ExpectedError expected_error_;
   AlgebraicSolver algebraic_;
   State whole_;               // consistent state of the last evaluation

@@ -51,14 +51,15 @@ CrossedJumps jumps_between(const System& system, const State& from, const State&
   return found;
 }
 
-JumpControl::Estimate JumpControl::operator()(const State& from, const State& to, double h) const {
+JumpError error_of_jumps(const System& system, const ErrorNorm& norm, const State& from,
+                         const State& to, double h) {
   constexpr double wrong = 0.5;  // part of the step
   constexpr double safety = 0.9;
-  const CrossedJumps jumps = jumps_between(system_, from, to, true);
+  const CrossedJumps jumps = jumps_between(system, from, to, true);
   if (jumps.by.empty()) return {};
   std::vector<double> error;
-  for (const int i : norm_.components()) error.push_back(wrong * h * jumps.by[i]);
-  Estimate estimate{.error = norm_(error, to.y)};
+  for (const int i : norm.components()) error.push_back(wrong * h * jumps.by[i]);
+  JumpError estimate{.error = norm(error, to.y)};
   if (estimate.error <= 1) return estimate;
   const double over = safety * h / estimate.error;
   const double before = jumps.first * (to.t - from.t) - over / 2;

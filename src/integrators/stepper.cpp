@@ -47,6 +47,7 @@ OneStepStepper::OneStepStepper(const System& system, const IntegratorSettings& s
       system_(system),
       settings_(settings),
       counters_(counters),
+      norm_(system.structure(), settings),
       method_(std::move(method)),
       order_(order),
       control_(error_order),
@@ -55,7 +56,6 @@ OneStepStepper::OneStepStepper(const System& system, const IntegratorSettings& s
   // How long a method that damps stiff components needs to damp a closing.
   constexpr int steps_to_damp = 2;
   if (settings.locate_events) locator_.emplace(system, *method_);
-  if (!settings.locate_events && !fixed()) jumps_.emplace(system, settings);
   if (!settings.settled.empty()) closings_.emplace(steps_to_damp);
 }
 
@@ -139,8 +139,9 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, AttemptOption
     options.branch = locator_ ? &branch : nullptr;
     Landing whole{.attempt = method_->attempt(state, plan.h, options, next_), .h = plan.h};
     whole.switched = switched;
-    if (jumps_ && acceptable(whole.attempt)) {
-      const JumpControl::Estimate jumps = (*jumps_)(state, next_, whole.h);
+    // Steps that end at events do so at jumps too.
+    if (!locator_ && !fixed() && acceptable(whole.attempt)) {
+      const JumpError jumps = error_of_jumps(system_, norm_, state, next_, whole.h);
       whole.attempt.error = std::max(whole.attempt.error, jumps.error);
       whole.attempt.shorter = jumps.shorter;
     }
@@ -153,13 +154,8 @@ Landing OneStepStepper::take(const State& state, const Plan& plan, AttemptOption
     if (landing.switched == 0) break;
     switched += landing.switched;
   }
+  // A kink at the start on which no step can end is stepped over; the signs choose the branches.
   options.branch = nullptr;
-  return step_over(state, plan, options);
-}
-
-/// Steps over a kink at the start on which no step can end; the signs choose the branches.
-Landing OneStepStepper::step_over(const State& state, const Plan& plan,
-                                  const AttemptOptions& options) {
   Landing whole{
       .attempt = method_->attempt(state, plan.h, options, next_), .at_start = true, .h = plan.h};
   next_.branch.clear();

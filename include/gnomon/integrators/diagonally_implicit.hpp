@@ -61,7 +61,6 @@ private:
   Counters& counters_;
   ButcherTable table_;
   ErrorNorm norm_;
-  JumpControl jumps_;
   bool error_control_;  // else steps are fixed, and do not follow jumps
   std::function<double(const Point&)> integrand_;
   double short_step_;  // below it a difference of d over the step has fewer than ten digits

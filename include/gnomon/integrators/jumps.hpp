@@ -20,25 +20,16 @@ struct CrossedJumps {
 /// The jumps between two states, `by` only if `size` is wanted.
 CrossedJumps jumps_between(const System& system, const State& from, const State& to, bool size);
 
-/// The part of the error of a step that comes from jumps in it: rates are wrong in a part of the
-/// step, which is taken for half of it. Steps that follow the error become short there, and no
-/// shorter than the tolerance asks for.
-class JumpControl {
-public:
-  JumpControl(const System& system, const IntegratorSettings& settings)
-      : system_(system), norm_(system.structure(), settings) {}
-
-  struct Estimate {
-    double error = 0;    ///< 1 being the tolerance, as ErrorNorm
-    double shorter = 0;  ///< if it is more: the size to try next, up to the jump or over it
-  };
-  /// Of a step of size h that evaluates rates at both states.
-  Estimate operator()(const State& from, const State& to, double h) const;
-
-private:
-  const System& system_;
-  ErrorNorm norm_;
+/// The part of the error of a step that comes from jumps in it.
+struct JumpError {
+  double error = 0;    ///< 1 being the tolerance, as ErrorNorm
+  double shorter = 0;  ///< if it is more: the size to try next, up to the jump or over it
 };
+/// Of a step of size h that evaluates rates at both states. They are wrong in a part of the step,
+/// which is taken for half of it. Steps that follow the error become short there, and no shorter
+/// than the tolerance asks for.
+JumpError error_of_jumps(const System& system, const ErrorNorm& norm, const State& from,
+                         const State& to, double h);
 
 /// Makes a state at a breakpoint that of later times: where loads jump there, its algebraic
 /// components are solved for again, on the branch that they lie in; where rates do, they are set.

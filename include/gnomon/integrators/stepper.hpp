@@ -46,7 +46,6 @@ private:
   std::optional<Step> short_step(const State& state, double t_end);
   ActiveSet active(const State& state) const;
   Landing take(const State& state, const Plan& plan, AttemptOptions options);
-  Landing step_over(const State& state, const Plan& plan, const AttemptOptions& options);
   bool acceptable(const Attempt& attempt) const;
   void accept(State& state, const Step& step);
   void begin_behind_kink(State& state, const Landing& landing);
@@ -58,11 +57,11 @@ private:
   const System& system_;
   IntegratorSettings settings_;
   Counters& counters_;
+  ErrorNorm norm_;
   std::unique_ptr<OneStepMethod> method_;
   int order_;
   StepSizeControl control_;
   int error_order_;
-  std::optional<JumpControl> jumps_;  // where steps follow the error, and do not end at events
   ExpectedError expected_error_;
   std::optional<EventLocator> locator_;
   std::optional<Closings> closings_;  // only with settled times
