@@ -32,19 +32,16 @@ int stages_with_end(const ButcherTable& table) {
 
 TableOwner table_with_end(const ButcherTable& table) {
   const int s = table.stages(), n = stages_with_end(table);
-  TableOwner result(ARKodeButcherTable_Alloc(n, SUNTRUE));
-  check(result.get(), "ARKodeButcherTable_Alloc");
-  result->q = table.order;
-  result->p = table.embedded_order;
-  for (int i = 0; i < s; ++i) {
-    for (int j = 0; j < s; ++j) result->A[i][j] = table.A(i, j);
-    result->b[i] = table.b[i];
-    result->c[i] = table.c[i];
-    result->d[i] = table.b_embedded[i];
-  }
-  if (n == s) return result;
-  for (int j = 0; j < s; ++j) result->A[s][j] = table.b[j];
-  result->c[s] = 1;
+  Eigen::MatrixXd transposed = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(n), c = Eigen::VectorXd::Ones(n), embedded = b;
+  transposed.topLeftCorner(s, s) = table.A.transpose();
+  b.head(s) = table.b;
+  c.head(s) = table.c;
+  embedded.head(s) = table.b_embedded;
+  if (n > s) transposed.col(s) = b;
+  TableOwner result(ARKodeButcherTable_Create(n, table.order, table.embedded_order, c.data(),
+                                              transposed.data(), b.data(), embedded.data()));
+  check(result.get(), "ARKodeButcherTable_Create");
   return result;
 }
 
@@ -80,7 +77,7 @@ public:
   std::vector<double> memory() const override { return {proposal_}; }
   void restore(const State&, std::span<const double> memory) override {
     if (memory.empty()) throw InputError("the checkpoint does not belong to this integrator");
-    proposal_ = settings_.step > 0 ? std::min(memory.front(), settings_.step) : memory.front();
+    proposal_ = fixed() ? std::min(memory.front(), settings_.step) : memory.front();
   }
   /// The size of the steps remains; the controller of ARKODE begins anew.
   bool follow(Stepper& before, const State& state, bool) override {
@@ -89,6 +86,8 @@ public:
   }
 
 private:
+  bool fixed() const { return settings_.step > 0; }
+
   StepReport take_step(State& state, double t_stop) override {
     from_ = state.t;
     if (!erk_)
@@ -98,7 +97,7 @@ private:
       restart(state, proposal_);  // ERKStep has kept the rate before the jump
     void* erk = erk_.get();
     t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
-    if (settings_.step == 0) t_stop = end_at_stop(system_.structure(), state.t, t_stop);
+    if (!fixed()) t_stop = end_at_stop(system_.structure(), state.t, t_stop);
     sunrealtype t = state.t;
     for (int failures = 0;; ++failures) {
       set_step(state, t_stop);
@@ -113,8 +112,7 @@ private:
       counters_.rejected_steps += error_fails - std::exchange(rejected_, error_fails);
       if (done) {
         const double shorter =
-            settings_.step > 0 ? 0
-                               : error_of_jumps(system_, norm_, state, whole_, t - state.t).shorter;
+            fixed() ? 0 : error_of_jumps(system_, norm_, state, whole_, t - state.t).shorter;
         if (shorter == 0) break;
         ++counters_.rejected_steps;
         restart(state, shorter);
@@ -131,7 +129,7 @@ private:
       ++counters_.rejected_steps;
       restart(state, std::min(tried, t_stop - state.t) / 2);
     }
-    if (settings_.step > 0)
+    if (fixed())
       proposal_ = std::min(settings_.step, 2 * proposal_);
     else
       check(ARKodeGetCurrentStep(erk, &proposal_), "ARKodeGetCurrentStep");
@@ -175,7 +173,7 @@ private:
     check(ARKodeSetMaxNumSteps(erk, -1), "ARKodeSetMaxNumSteps");
     if (settings_.max_step > 0)
       check(ARKodeSetMaxStep(erk, settings_.max_step), "ARKodeSetMaxStep");
-    if (settings_.step > 0) return;
+    if (fixed()) return;
     if (proposal_ > 0)  // not the first step, which may be far too small
       check(ARKodeSetMaxFirstGrowth(erk, most_growth), "ARKodeSetMaxFirstGrowth");
     else
@@ -187,7 +185,7 @@ private:
   void restart(const State& state, double h) {
     set_state(state);
     check(ARKodeReset(erk_.get(), state.t, d_.get()), "ARKodeReset");
-    if (settings_.step > 0)
+    if (fixed())
       proposal_ = h;
     else
       check(ARKodeSetInitStep(erk_.get(), h), "ARKodeSetInitStep");
@@ -195,7 +193,7 @@ private:
   void set_step(const State& state, double t_stop) {
     check(ARKodeSetStopTime(erk_.get(), t_stop), "ARKodeSetStopTime");
     step_ = std::min(proposal_, t_stop - state.t);
-    if (settings_.step == 0) return;
+    if (!fixed()) return;
     const double left = end_of_fixed_step(state.t, settings_.step, t_stop) - state.t;
     step_ = proposal_ < left * (1 - shortest_remainder) ? proposal_ : left;
     check(ARKodeSetFixedStep(erk_.get(), step_), "ARKodeSetFixedStep");
@@ -259,7 +257,7 @@ private:
   /// The integral over the step, and what it leaves for the next if its size is fixed: its error.
   /// Both by the weights of the table.
   double sum_up(const State& start, double h) {
-    if (!settings_.integrand && settings_.step == 0) return 0;
+    if (!settings_.integrand && !fixed()) return 0;
     // Stages of so short a step differ by rounding; its error is nothing.
     if (!settings_.integrand && h <= 1e-9 * settings_.step) return 0;
     const std::ptrdiff_t second = second_stage(start, h);
