@@ -71,8 +71,13 @@ public:
     compliance_.solve(contacts_.touching(), stiffness_);
     divide_among_threads(static_cast<long>(systems_.size()), [this](long p) { make_system(p); });
     Eigen::MatrixXd wear = Eigen::MatrixXd::Identity(contacts_.worn(), contacts_.worn());
-    for (std::size_t p = 0; p < systems_.size(); ++p)
-      couple(contacts_.phases()[p], systems_[p], wear);
+    for (std::size_t p = 0; p < systems_.size(); ++p) {  // V_p A_p^-1 (a.m)
+      const std::vector<ClosedNode>& closed = contacts_.phases()[p].closed;
+      for (std::size_t k = 0; k < closed.size(); ++k)
+        for (std::size_t l = 0; l < closed.size(); ++l)
+          if (const int i = closed[k].worn, j = closed[l].worn; i >= 0 && j >= 0)
+            wear(i, j) -= systems_[p].fed_back(k, l);
+    }
     if (wear.size() > 0) wear_.compute(wear);
     right_of_wear_.resize(wear.rows());
   }
@@ -137,15 +142,6 @@ private:
     Eigen::MatrixXd driven = Eigen::MatrixXd::Zero(A.rows(), phase.a_m.size());
     driven.diagonal() = phase.a_m;
     system.fed_back = system.wear * system.A.solve(driven);
-  }
-
-  /// Subtracts V_p A_p^-1 (a.m).
-  static void couple(const PhaseContact& phase, const PhaseSystem& system, Eigen::MatrixXd& wear) {
-    const auto count = static_cast<Eigen::Index>(phase.closed.size());
-    for (Eigen::Index k = 0; k < count; ++k)
-      for (Eigen::Index l = 0; l < count; ++l)
-        if (const int i = phase.closed[k].worn, j = phase.closed[l].worn; i >= 0 && j >= 0)
-          wear(i, j) -= system.fed_back(k, l);
   }
 
   /// Open nodes have a row of their own.

@@ -50,8 +50,7 @@ public:
   long size() const { return static_cast<long>(unknowns_.front().size()); }
   bool empty() const { return !solver_; }
   bool is_set_up() const { return is_set_up_; }
-  InnerSolver& solver() { return *solver_; }
-  const InnerSolver& solver() const { return *solver_; }
+  InnerSolver& solver() const { return *solver_; }
 
   /// The matrix to be set up, on part().lower(): the mean over the owners.
   std::vector<double>& gather(std::span<const double> J) {
