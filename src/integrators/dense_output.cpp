@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/integrators/dense_output.hpp>
-#include <numeric>
 
 namespace gnomon {
 
@@ -18,20 +17,6 @@ constexpr std::size_t most_points = 4;
 /// 17 and 49.
 constexpr double largest_weights = 12;
 
-/// Lagrange's weights at t of the polynomial through `nodes`.
-std::vector<double> lagrange(const std::vector<double>& nodes, double t) {
-  std::vector<double> weights(nodes.size(), 1.0);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (std::size_t j = 0; j < nodes.size(); ++j)
-      if (j != i) weights[i] *= (t - nodes[j]) / (nodes[i] - nodes[j]);
-  return weights;
-}
-
-double magnification(const std::vector<double>& weights) {
-  return std::accumulate(weights.begin(), weights.end(), 0.0,
-                         [](double sum, double w) { return sum + std::abs(w); });
-}
-
 }  // namespace
 
 void DenseOutput::add(double t, std::span<const double> y) {
@@ -47,12 +32,16 @@ void DenseOutput::evaluate(double t, std::span<double> y) const {
     return std::abs(a->t - t) < std::abs(b->t - t);
   });
   if (nearest.size() > most_points) nearest.resize(most_points);
-  std::vector<double> weights;
+  std::vector<double> weights;  // Lagrange's
   for (; !nearest.empty(); nearest.pop_back()) {
-    std::vector<double> nodes;
-    for (const Entry* point : nearest) nodes.push_back(point->t);
-    weights = lagrange(nodes, t);
-    if (magnification(weights) <= largest_weights) break;
+    weights.assign(nearest.size(), 1.0);
+    double magnification = 0;
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+      for (std::size_t j = 0; j < nearest.size(); ++j)
+        if (j != i) weights[i] *= (t - nearest[j]->t) / (nearest[i]->t - nearest[j]->t);
+      magnification += std::abs(weights[i]);
+    }
+    if (magnification <= largest_weights) break;
   }
   std::fill(y.begin(), y.end(), 0.0);
   for (std::size_t k = 0; k < nearest.size(); ++k)
