@@ -27,6 +27,21 @@ std::vector<double> jump_of_rates(const System& system, const State& from, const
   return here;
 }
 
+/// Whether the algebraic rows jump in time at a state.
+bool loads_jump(const System& system, const State& state) {
+  constexpr double rounding = 1e-9;
+  const Structure& structure = system.structure();
+  std::vector<double> before(state.y.size()), behind(state.y.size());
+  const double earlier = std::nextafter(state.t, state.t - 1);
+  system.residual({state.t, state.y, state.ydot, state.own_branch(), earlier}, before);
+  system.residual({state.t, state.y, state.ydot, state.own_branch()}, behind);
+  bool jumps = false;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    jumps |= !structure.differential[i] &&
+             std::abs(behind[i] - before[i]) > rounding * structure.row_scale[i];
+  return !on_all_processes(!jumps);
+}
+
 }  // namespace
 
 CrossedJumps jumps_between(const System& system, const State& from, const State& to, bool size) {
@@ -66,25 +81,6 @@ JumpError error_of_jumps(const System& system, const ErrorNorm& norm, const Stat
   estimate.shorter = std::min(std::max(over, before), safety * h);
   return estimate;
 }
-
-namespace {
-
-/// Whether the algebraic rows jump in time at a state.
-bool loads_jump(const System& system, const State& state) {
-  constexpr double rounding = 1e-9;
-  const Structure& structure = system.structure();
-  std::vector<double> before(state.y.size()), behind(state.y.size());
-  const double earlier = std::nextafter(state.t, state.t - 1);
-  system.residual({state.t, state.y, state.ydot, state.own_branch(), earlier}, before);
-  system.residual({state.t, state.y, state.ydot, state.own_branch()}, behind);
-  bool jumps = false;
-  for (std::size_t i = 0; i < before.size(); ++i)
-    jumps |= !structure.differential[i] &&
-             std::abs(behind[i] - before[i]) > rounding * structure.row_scale[i];
-  return !on_all_processes(!jumps);
-}
-
-}  // namespace
 
 bool pass_breakpoint(const System& system, Counters& counters, const ActiveSet* branch,
                      State& state) {
