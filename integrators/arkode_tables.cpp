@@ -54,10 +54,11 @@ const Entry explicit_entries[] = {
      "Zonneveld's pair: the classical method with an estimate"},
 };
 
-/// The table that ARKODE calls `name`. Throws Error when the installed SUNDIALS has none.
-ButcherTable copy_and_free(const std::string& name, ARKodeButcherTable owned) {
-  const sundials::TableOwner table(owned);
-  if (!table) throw Error("ARKODE has no Butcher table called " + name);
+/// The table that ARKODE loads by this name. Throws Error when the installed SUNDIALS has none.
+template <auto load>
+ButcherTable table_of_arkode(const char* name) {
+  const sundials::TableOwner table(load(name));
+  if (!table) throw Error(std::string("ARKODE has no Butcher table called ") + name);
   const int s = table->stages;
   ButcherTable result{name, table->q, Eigen::MatrixXd(s, s), Eigen::VectorXd(s),
                       Eigen::VectorXd(s)};
@@ -72,16 +73,8 @@ ButcherTable copy_and_free(const std::string& name, ARKodeButcherTable owned) {
   return result;
 }
 
-ButcherTable dirk_table(const std::string& name) {
-  return copy_and_free(name, ARKodeButcherTable_LoadDIRKByName(name.c_str()));
-}
-
-ButcherTable erk_table(const std::string& name) {
-  return copy_and_free(name, ARKodeButcherTable_LoadERKByName(name.c_str()));
-}
-
-/// `load` gives the table that an entry names, and `make` a stepper by it. An explicit method
-/// neither locates events nor settles.
+/// `load` is the function of ARKODE for its table, and `make` makes a stepper by it. An explicit
+/// method neither locates events nor settles.
 template <auto load, auto make>
 void add(const Entry& entry, const char* family, const char* driver, bool implicit) {
   Registry<Integrator>::add(
@@ -94,19 +87,22 @@ void add(const Entry& entry, const char* family, const char* driver, bool implic
        .help = std::string(entry.table).substr(7) + ": " + entry.help,
        .locates_events = implicit,
        .settles = implicit,
-       .table = [name = entry.table](const IntegratorSettings&) { return load(name); },
-       .make = [name = entry.table](
-                   const System& system, const IntegratorSettings& settings,
-                   Counters& counters) { return make(system, settings, counters, load(name)); }});
+       .table =
+           [name = entry.table](const IntegratorSettings&) { return table_of_arkode<load>(name); },
+       .make =
+           [name = entry.table](const System& system, const IntegratorSettings& settings,
+                                Counters& counters) {
+             return make(system, settings, counters, table_of_arkode<load>(name));
+           }});
 }
 
 const bool registered = [] {
   for (const Entry& entry : implicit_entries)
-    add<dirk_table, make_diagonally_implicit>(entry, "implicit Runge-Kutta", "KINSOL, ARKODE table",
-                                              true);
+    add<ARKodeButcherTable_LoadDIRKByName, make_diagonally_implicit>(entry, "implicit Runge-Kutta",
+                                                                     "KINSOL, ARKODE table", true);
   for (const Entry& entry : explicit_entries)
-    add<erk_table, make_erk>(entry, "explicit Runge-Kutta, decoupled", "ARKODE ERKStep, KINSOL",
-                             false);
+    add<ARKodeButcherTable_LoadERKByName, make_erk>(entry, "explicit Runge-Kutta, decoupled",
+                                                    "ARKODE ERKStep, KINSOL", false);
   return true;
 }();
 
