@@ -31,22 +31,8 @@ std::vector<Checkpoint> read_last_checkpoints(hid_t gnomon);
 /// The mesh of an epoch; 0 is the first, whose mesh is that of `file`.
 std::optional<Grid> read_grid_of_epoch(hid_t file, hid_t gnomon, std::size_t epoch);
 
-class CheckpointTable {
-public:
-  CheckpointTable() = default;
-  /// Creates the table in a group, for checkpoints of `count` numbers.
-  static CheckpointTable create(hid_t group, std::size_t count);
-
-  /// Throws hdf5::Failure if the checkpoint has a different count of numbers.
-  void put(const Checkpoint& checkpoint);
-  explicit operator bool() const { return static_cast<bool>(dataset_); }
-
-private:
-  hdf5::Handle dataset_;
-  std::size_t count_ = 0;
-};
-
-/// The complete checkpoints, ascending by number; none if there is no table.
-std::vector<Checkpoint> read_checkpoints(hid_t group);
-
+/// A dataset in a group, for checkpoints of `count` numbers.
+hdf5::Handle create_checkpoints(hid_t group, std::size_t count);
+/// Throws hdf5::Failure if the checkpoint has a different count of numbers.
+void write_checkpoint(const hdf5::Handle& dataset, const Checkpoint& checkpoint);
 }  // namespace gnomon::layout

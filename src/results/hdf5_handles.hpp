@@ -58,10 +58,7 @@ private:
 };
 
 /// Throws Failure("cannot <what>: <innermost reason>") when an HDF5 call returned a negative value.
-template <class Value>
-Value check(Value value, const char* what);
 [[noreturn]] void fail(const char* what);
-
 template <class Value>
 Value check(Value value, const char* what) {
   if (value < 0) fail(what);
@@ -73,22 +70,12 @@ inline Handle own(hid_t id, Handle::Close close, const char* what) {
   return {check(id, what), close};
 }
 
-class GrowingTable {
-public:
-  GrowingTable() = default;
-  /// Creates an empty table; `row_type` is the type of a row in memory and on file.
-  static GrowingTable create(hid_t parent, const std::string& name, Handle row_type);
-
-  /// Appends a row, which a reader sees after the next flush of the file.
-  void append(const void* row);
-  hid_t dataset() const { return dataset_.id(); }
-  hsize_t rows() const { return rows_; }
-  explicit operator bool() const { return static_cast<bool>(dataset_); }
-
-private:
-  Handle dataset_;
-  Handle type_;
-  hsize_t rows_ = 0;
-};
+/// The object of this path below another one.
+inline Handle open_dataset(hid_t parent, const std::string& path, const char* what) {
+  return own(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), H5Dclose, what);
+}
+inline Handle open_group(hid_t parent, const std::string& path, const char* what) {
+  return own(H5Gopen2(parent, path.c_str(), H5P_DEFAULT), H5Gclose, what);
+}
 
 }  // namespace gnomon::hdf5

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <type_traits>
 
 namespace gnomon::hdf5 {
 
@@ -11,15 +12,28 @@ namespace {
 constexpr std::size_t kRewritableText = 1024;
 constexpr hsize_t kMostCompression = 1100;  // of deflate: 1032 bytes of one
 
+// A dataspace of the given extents; none: a scalar.
+Handle space(const std::vector<hsize_t>& extents, const hsize_t* most = nullptr) {
+  const hid_t id = extents.empty()
+                       ? H5Screate(H5S_SCALAR)
+                       : H5Screate_simple(static_cast<int>(extents.size()), extents.data(), most);
+  return own(id, H5Sclose, "describe a dataset");
+}
+
 Handle open_attribute(hid_t object, const char* name) {
   return own(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "read an attribute");
 }
 
-Handle create_attribute(hid_t object, const char* name, hid_t type,
-                        const std::vector<hsize_t>& extents) {
+// Creates the attribute, or changes the one that is there.
+void write(hid_t object, const char* name, hid_t type, const std::vector<hsize_t>& extents,
+           const void* values) {
+  const bool there = check(H5Aexists(object, name), "write an attribute") > 0;
   const Handle shape = space(extents);
-  return own(H5Acreate2(object, name, type, shape.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-             "write an attribute");
+  const Handle attribute =
+      own(there ? H5Aopen(object, name, H5P_DEFAULT)
+                : H5Acreate2(object, name, type, shape.id(), H5P_DEFAULT, H5P_DEFAULT),
+          H5Aclose, "write an attribute");
+  check(H5Awrite(attribute.id(), type, values), "write an attribute");
 }
 
 // Texts of `size` bytes each, one after the other, as HDF5 stores them.
@@ -48,11 +62,10 @@ std::vector<std::string> take_texts(hid_t stored, std::size_t count, Read read) 
   return texts;
 }
 
-template <class Value>
-void write_array(hid_t parent, const std::string& name, const std::vector<hsize_t>& extents,
-                 hid_t type, const Value* values, Storage storage) {
-  const Handle dataset = create_dataset(parent, name, type, extents, storage);
-  check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write a dataset");
+void write_texts(hid_t object, const char* name, const std::vector<std::string>& texts,
+                 std::size_t size, const std::vector<hsize_t>& extents) {
+  const Handle type = text_type(size);
+  write(object, name, type.id(), extents, padded(texts, size).data());
 }
 
 std::size_t count_of(const std::vector<hsize_t>& extents) {
@@ -81,13 +94,6 @@ Handle text_type(std::size_t size) {
   return type;
 }
 
-Handle space(const std::vector<hsize_t>& extents) {
-  const hid_t id =
-      extents.empty() ? H5Screate(H5S_SCALAR)
-                      : H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr);
-  return own(id, H5Sclose, "describe a dataset");
-}
-
 namespace {
 
 /// Chunks of equal size, of about a megabyte: as much as HDF5 keeps in memory of a dataset.
@@ -109,49 +115,61 @@ void compress(const Handle& properties, hid_t type, const std::vector<hsize_t>& 
 
 Handle create_dataset(hid_t parent, const std::string& name, hid_t type,
                       const std::vector<hsize_t>& extents, Storage storage) {
-  const Handle shape = space(extents);
+  constexpr hsize_t unlimited = H5S_UNLIMITED, chunk_rows = 256;
+  const bool grows = storage == Storage::growing;
+  const Handle shape = space(extents, grows ? &unlimited : nullptr);
   const Handle create = own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "create a dataset");
   // Without time stamps, equal runs give equal bytes.
   check(H5Pset_obj_track_times(create.id(), false), "create a dataset");
+  if (grows) check(H5Pset_chunk(create.id(), 1, &chunk_rows), "create a dataset");
   if (storage == Storage::compressed) compress(create, type, extents);
   return own(
       H5Dcreate2(parent, name.c_str(), type, shape.id(), H5P_DEFAULT, create.id(), H5P_DEFAULT),
       H5Dclose, "create a dataset");
 }
 
+Handle write_dataset(hid_t parent, const std::string& name, hid_t type,
+                     const std::vector<hsize_t>& extents, const void* values, Storage storage) {
+  Handle dataset = create_dataset(parent, name, type, extents, storage);
+  if (count_of(extents) > 0)
+    check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write a dataset");
+  return dataset;
+}
+
+void write_dataset(hid_t parent, const std::string& name, const std::string& text) {
+  write_dataset(parent, name, text_type(text.size()).id(), {}, text.c_str());
+}
+
+void write_part(hid_t dataset, hid_t type, const std::vector<hsize_t>& start,
+                const std::vector<hsize_t>& extents, const void* values) {
+  const Handle memory = space(extents);
+  const Handle file = own(H5Dget_space(dataset), H5Sclose, "write to a table");
+  check(H5Sselect_hyperslab(file.id(), H5S_SELECT_SET, start.data(), nullptr, extents.data(),
+                            nullptr),
+        "write to a table");
+  check(H5Dwrite(dataset, type, memory.id(), file.id(), H5P_DEFAULT, values), "write to a table");
+}
+
 void write_attribute(hid_t object, const char* name, const std::string& text) {
-  const Handle type = text_type(text.size());
-  const Handle attribute = create_attribute(object, name, type.id(), {});
-  check(H5Awrite(attribute.id(), type.id(), text.c_str()), "write an attribute");
+  write_texts(object, name, {text}, std::max<std::size_t>(1, text.size()), {});
 }
 
 void write_attribute(hid_t object, const char* name, const std::vector<std::string>& texts) {
   std::size_t size = 1;
   for (const std::string& text : texts) size = std::max(size, text.size());
-  const Handle type = text_type(size);
-  const Handle attribute = create_attribute(object, name, type.id(), {texts.size()});
-  check(H5Awrite(attribute.id(), type.id(), padded(texts, size).data()), "write an attribute");
+  write_texts(object, name, texts, size, {texts.size()});
 }
 
 void write_attribute(hid_t object, const char* name, double value) {
-  const bool create = check(H5Aexists(object, name), "write an attribute") == 0;
-  const Handle attribute =
-      create ? create_attribute(object, name, H5T_NATIVE_DOUBLE, {}) : open_attribute(object, name);
-  check(H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, &value), "write an attribute");
+  write(object, name, H5T_NATIVE_DOUBLE, {}, &value);
 }
 
 void write_attribute(hid_t object, const char* name, int value) {
-  const Handle attribute = create_attribute(object, name, H5T_NATIVE_INT, {});
-  check(H5Awrite(attribute.id(), H5T_NATIVE_INT, &value), "write an attribute");
+  write(object, name, H5T_NATIVE_INT, {}, &value);
 }
 
 void rewrite_attribute(hid_t object, const char* name, const std::string& text) {
-  const Handle type = text_type(kRewritableText);
-  const bool create = check(H5Aexists(object, name), "write an attribute") == 0;
-  const Handle attribute =
-      create ? create_attribute(object, name, type.id(), {}) : open_attribute(object, name);
-  check(H5Awrite(attribute.id(), type.id(), padded({text}, kRewritableText).data()),
-        "write an attribute");
+  write_texts(object, name, {text}, kRewritableText, {});
 }
 
 std::vector<std::string> read_texts_attribute(hid_t object, const char* name) {
@@ -184,23 +202,8 @@ double read_number_attribute(hid_t object, const char* name) {
   return value;
 }
 
-void write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& extents,
-                   const double* values, Storage storage) {
-  write_array(parent, name, extents, H5T_NATIVE_DOUBLE, values, storage);
-}
-
-void write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& extents,
-                   const int* values, Storage storage) {
-  write_array(parent, name, extents, H5T_NATIVE_INT, values, storage);
-}
-
-void write_dataset(hid_t parent, const std::string& name, const std::string& text) {
-  const Handle type = text_type(text.size());
-  write_array(parent, name, {}, type.id(), text.c_str(), Storage::plain);
-}
-
 std::string read_text(hid_t parent, const char* name) {
-  const Handle dataset = own(H5Dopen2(parent, name, H5P_DEFAULT), H5Dclose, "read text");
+  const Handle dataset = open_dataset(parent, name, "read text");
   const Handle stored = own(H5Dget_type(dataset.id()), H5Tclose, "read text");
   if (count_of(extents_of(dataset.id())) != 1) throw Failure("cannot read text: it is a list");
   constexpr std::size_t most = std::size_t{1} << 26;  // bytes; its type may claim any size
@@ -263,25 +266,19 @@ std::vector<hsize_t> extents_of(hid_t dataset) {
   return extents;
 }
 
-Doubles read_doubles(hid_t parent, const std::string& name) {
-  const Handle dataset =
-      own(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "read a dataset");
-  Doubles result{extents_of(dataset.id()), {}};
+template <class Number>
+Numbers<Number> read_numbers(hid_t parent, const std::string& name) {
+  const Handle dataset = open_dataset(parent, name, "read a dataset");
+  Numbers<Number> result{extents_of(dataset.id()), {}};
   result.values.resize(count_of(result.extents));
-  check(
-      H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()),
-      "read a dataset");
+  const hid_t type = std::is_same_v<Number, int> ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE;
+  check(H5Dread(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()),
+        "read a dataset");
   return result;
 }
 
-std::vector<int> read_ints(hid_t parent, const std::string& name) {
-  const Handle dataset =
-      own(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "read a dataset");
-  std::vector<int> values(count_of(extents_of(dataset.id())));
-  check(H5Dread(dataset.id(), H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-        "read a dataset");
-  return values;
-}
+template Numbers<double> read_numbers(hid_t, const std::string&);
+template Numbers<int> read_numbers(hid_t, const std::string&);
 
 std::vector<std::string> link_names(hid_t group) {
   std::vector<std::string> names;

@@ -88,26 +88,20 @@ std::vector<Cell> cells_of(const HistoryRow& row) {
 }
 
 Handle history_type(const std::vector<Column>& columns) {
-  Handle type = compound(columns.size() * sizeof(Cell));
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    insert(type, columns[i].name, i * sizeof(Cell),
-           columns[i].integer ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE);
-  return type;
+  std::vector<Member> members;
+  for (const Column& column : columns)
+    members.push_back({column.name.c_str(), members.size() * sizeof(Cell),
+                       column.integer ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE});
+  return row_type(columns.size() * sizeof(Cell), members);
 }
 
 std::vector<HistoryRow> read_history(hid_t gnomon) {
   if (!hdf5::exists(gnomon, "history")) return {};
-  const Handle dataset =
-      own(H5Dopen2(gnomon, "history", H5P_DEFAULT), H5Dclose, "read the history");
+  const Handle dataset = hdf5::open_dataset(gnomon, "history", "read the history");
   const auto columns = read_columns(dataset);
-  const Handle type = history_type(columns);
-  const auto extents = hdf5::extents_of(dataset.id());
-  if (extents.size() != 1) throw Failure("cannot read the history: it is not a table");
-  std::vector<Cell> cells(extents.front() * columns.size());
+  const auto cells =
+      read_rows<Cell>(dataset, history_type(columns), "read the history", columns.size());
   std::vector<HistoryRow> rows;
-  if (cells.empty()) return rows;
-  check(H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data()),
-        "read the history");
   for (std::size_t i = 0; i < cells.size(); i += columns.size()) {
     rows.push_back(row_of(&cells[i], columns));
   }

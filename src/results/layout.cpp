@@ -10,12 +10,22 @@ using hdf5::check;
 using hdf5::Handle;
 using hdf5::own;
 
-Handle compound(std::size_t size) {
-  return own(H5Tcreate(H5T_COMPOUND, size), H5Tclose, "describe a table");
+Handle row_type(std::size_t size, const std::vector<Member>& members) {
+  Handle type = own(H5Tcreate(H5T_COMPOUND, size), H5Tclose, "describe a table");
+  for (const Member& member : members)
+    check(H5Tinsert(type.id(), member.name, member.offset, member.type), "describe a table");
+  return type;
 }
 
-void insert(const Handle& type, const std::string& name, std::size_t offset, hid_t member) {
-  check(H5Tinsert(type.id(), name.c_str(), offset, member), "describe a table");
+GrowingTable::GrowingTable(hid_t parent, const std::string& name, Handle row_type)
+    : type_(std::move(row_type)),
+      dataset_(hdf5::create_dataset(parent, name, type_.id(), {0}, hdf5::Storage::growing)) {}
+
+void GrowingTable::append(const void* row) {
+  const hsize_t size = rows_ + 1;
+  check(H5Dset_extent(dataset_.id(), &size), "append to a table");
+  hdf5::write_part(dataset_.id(), type_.id(), {rows_}, {1}, row);
+  rows_ = size;
 }
 
 std::string group_path(std::size_t step) {
@@ -34,34 +44,30 @@ std::string step_path(std::size_t step) {
 }
 
 Handle stored_type() {
-  Handle type = compound(sizeof(StoredRow));
-  insert(type, "t", offsetof(StoredRow, t), H5T_NATIVE_DOUBLE);
-  insert(type, "path", offsetof(StoredRow, path), hdf5::text_type(sizeof(StoredRow::path)).id());
-  return type;
+  return row_type(sizeof(StoredRow), {{"t", offsetof(StoredRow, t), H5T_NATIVE_DOUBLE},
+                                      {"path", offsetof(StoredRow, path),
+                                       hdf5::text_type(sizeof(StoredRow::path)).id()}});
 }
 
 Handle contact_type() {
-  Handle type = compound(sizeof(ContactRow));
-  insert(type, "node", offsetof(ContactRow, node), H5T_NATIVE_INT64);
-  const std::array<const char*, 9> coordinates = {"X0", "Y0", "Z0", "X", "Y", "Z", "x", "y", "z"};
-  for (std::size_t i = 0; i < coordinates.size(); ++i) {
-    insert(type, coordinates[i], offsetof(ContactRow, initial) + i * sizeof(double),
-           H5T_NATIVE_DOUBLE);
+  std::vector<Member> members = {{"node", offsetof(ContactRow, node), H5T_NATIVE_INT64}};
+  std::size_t offset = offsetof(ContactRow, initial);
+  for (const char* name :
+       {"X0", "Y0", "Z0", "X", "Y", "Z", "x", "y", "z", "pressure", "wear_depth"}) {
+    members.push_back({name, offset, H5T_NATIVE_DOUBLE});
+    offset += sizeof(double);
   }
-  insert(type, "pressure", offsetof(ContactRow, pressure), H5T_NATIVE_DOUBLE);
-  insert(type, "wear_depth", offsetof(ContactRow, wear_depth), H5T_NATIVE_DOUBLE);
-  insert(type, "active", offsetof(ContactRow, active), H5T_NATIVE_INT64);
-  return type;
+  members.push_back({"active", offsetof(ContactRow, active), H5T_NATIVE_INT64});
+  return row_type(sizeof(ContactRow), members);
 }
 
 Handle block_type() {
-  Handle type = compound(sizeof(BlockRow));
-  insert(type, "name", offsetof(BlockRow, name), hdf5::text_type(sizeof(BlockRow::name)).id());
-  insert(type, "symbol", offsetof(BlockRow, symbol),
-         hdf5::text_type(sizeof(BlockRow::symbol)).id());
-  insert(type, "size", offsetof(BlockRow, size), H5T_NATIVE_INT64);
-  insert(type, "where", offsetof(BlockRow, where), hdf5::text_type(sizeof(BlockRow::where)).id());
-  return type;
+  const Handle name = hdf5::text_type(sizeof(BlockRow::name));  // also of `where`
+  const Handle symbol = hdf5::text_type(sizeof(BlockRow::symbol));
+  return row_type(sizeof(BlockRow), {{"name", offsetof(BlockRow, name), name.id()},
+                                     {"symbol", offsetof(BlockRow, symbol), symbol.id()},
+                                     {"size", offsetof(BlockRow, size), H5T_NATIVE_INT64},
+                                     {"where", offsetof(BlockRow, where), name.id()}});
 }
 
 Handle create_group(hid_t parent, const std::string& name, std::size_t links) {
@@ -104,24 +110,15 @@ void write_header(hid_t gnomon, const RunHeader& header) {
     put(row.where, block.where);
     row.size = block.size;
   }
-  const Handle type = block_type();
-  const Handle blocks = hdf5::create_dataset(gnomon, "blocks", type.id(), {rows.size()});
-  if (rows.empty()) return;
-  check(H5Dwrite(blocks.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()),
-        "write the blocks");
+  hdf5::write_dataset(gnomon, "blocks", block_type().id(), {rows.size()}, rows.data());
 }
 
 void write_field(hid_t group, const GridField& field) {
-  const bool vector = field.components != 1;
   const auto components = static_cast<hsize_t>(field.components);
-  const hsize_t count = field.values.size() / components;
-  std::vector<hsize_t> extents = {count};
-  if (vector) extents.push_back(components);
-  const Handle dataset = hdf5::create_dataset(group, field.name, H5T_NATIVE_DOUBLE, extents,
-                                              hdf5::Storage::compressed);
-  check(
-      H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, field.values.data()),
-      "write a field");
+  std::vector<hsize_t> extents = {field.values.size() / components};
+  if (components > 1) extents.push_back(components);
+  const Handle dataset = hdf5::write_dataset(group, field.name, H5T_NATIVE_DOUBLE, extents,
+                                             field.values.data(), hdf5::Storage::compressed);
   hdf5::write_attribute(dataset.id(), "unit", field.unit);
   hdf5::write_attribute(dataset.id(), "on",
                         std::string(field.on == GridField::On::nodes ? "nodes" : "cells"));
@@ -134,11 +131,8 @@ void write_contact(hid_t group, const std::string& name, const ContactSurface& c
                     contact.current.at(i), contact.pressure.at(i), contact.wear_depth.at(i),
                     contact.active.at(i)});
   }
-  const Handle type = contact_type();
-  const Handle dataset =
-      hdf5::create_dataset(group, name, type.id(), {rows.size()}, hdf5::Storage::compressed);
-  check(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()),
-        "write the contact surface");
+  const Handle dataset = hdf5::write_dataset(group, name, contact_type().id(), {rows.size()},
+                                             rows.data(), hdf5::Storage::compressed);
   hdf5::write_attribute(dataset.id(), "dim", contact.dim);
 }
 

@@ -45,22 +45,43 @@ long count_of(std::int64_t value, const char* what);
 std::string step_path(std::size_t step);
 std::string group_path(std::size_t step);
 
-/// A type of rows in memory and in the file, and its members.
-hdf5::Handle compound(std::size_t size);
-void insert(const hdf5::Handle& type, const std::string& name, std::size_t offset, hid_t member);
+/// The type of a row in memory and in the file, of these members.
+struct Member {
+  const char* name;
+  std::size_t offset;
+  hid_t type;
+};
+hdf5::Handle row_type(std::size_t size, const std::vector<Member>& members);
 
-/// All rows of a table whose row in memory is `Row`, described by `type`.
+/// All rows of a table, described by `type`, one after the other in `per_row` objects each.
 template <class Row>
 std::vector<Row> read_rows(const hdf5::Handle& dataset, const hdf5::Handle& type,
-                           const std::string& what) {
+                           const std::string& what, std::size_t per_row = 1) {
   const auto extents = hdf5::extents_of(dataset.id());
   if (extents.size() != 1) throw hdf5::Failure("cannot " + what + ": it is not a table");
-  std::vector<Row> rows(extents.front());
+  std::vector<Row> rows(extents.front() * per_row);
   if (!rows.empty())
     hdf5::check(H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()),
                 what.c_str());
   return rows;
 }
+
+class GrowingTable {
+public:
+  GrowingTable() = default;
+  /// Creates an empty table; `row_type` is the type of a row in memory and on file.
+  GrowingTable(hid_t parent, const std::string& name, hdf5::Handle row_type);
+
+  /// Appends a row, which a reader sees after the next flush of the file.
+  void append(const void* row);
+  hid_t dataset() const { return dataset_.id(); }
+  hsize_t rows() const { return rows_; }
+  explicit operator bool() const { return static_cast<bool>(dataset_); }
+
+private:
+  hdf5::Handle type_, dataset_;
+  hsize_t rows_ = 0;
+};
 
 /// A row of "gnomon/stored".
 struct StoredRow {

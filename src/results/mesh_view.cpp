@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <gnomon/results/mesh_view.hpp>
+#include <iterator>
 
 #include "results/xdmf_sidecar.hpp"
 
@@ -14,13 +14,12 @@ constexpr const char* view_begin =
 
 /// Numbers in rows, as an item of XDMF.
 template <class Number>
-void add_item(std::string& text, const std::vector<Number>& numbers, std::size_t columns,
-              const char* type) {
-  text += fmt::format("<DataItem Format=\"XML\" {} Dimensions=\"{} {}\">", type,
-                      numbers.size() / columns, columns);
+std::string item(const std::vector<Number>& numbers, std::size_t columns, const char* type) {
+  std::string text = fmt::format("<DataItem Format=\"XML\" {} Dimensions=\"{} {}\">", type,
+                                 numbers.size() / columns, columns);
   for (std::size_t k = 0; k < numbers.size(); ++k)
     fmt::format_to(std::back_inserter(text), "{}{}", k % columns == 0 ? '\n' : ' ', numbers[k]);
-  text += "</DataItem>";
+  return text + "</DataItem>";
 }
 
 /// A grid of elements of `corners` nodes each, with the nodes that they use, in ascending order.
@@ -37,14 +36,11 @@ void add_grid(std::string& text, const Grid& grid, const std::string& name,
   }
   std::vector<int> renumbered;
   for (const int node : elements) renumbered.push_back(number[node]);
-  text += fmt::format(
-      "      <Grid Name=\"{}\" GridType=\"Uniform\">\n"
-      "        <Topology TopologyType=\"{}\" NumberOfElements=\"{}\">",
-      escaped(name), topology, elements.size() / corners);
-  add_item(text, renumbered, corners, "NumberType=\"Int\" Precision=\"4\"");
-  text += "</Topology>\n        <Geometry GeometryType=\"XYZ\">";
-  add_item(text, points, 3, "NumberType=\"Float\" Precision=\"8\"");
-  text += "</Geometry>\n      </Grid>\n";
+  text +=
+      fmt::format("      <Grid Name=\"{}\" GridType=\"Uniform\">\n{}      </Grid>\n", escaped(name),
+                  mesh_text(topology, elements.size() / corners,
+                            item(renumbered, corners, "NumberType=\"Int\" Precision=\"4\""),
+                            item(points, 3, "NumberType=\"Float\" Precision=\"8\"")));
 }
 
 }  // namespace

@@ -4,13 +4,11 @@
 #include <cstdint>
 
 #include "results/hdf5_values.hpp"
-#include "results/layout.hpp"
 
 namespace gnomon::layout {
 
 using hdf5::Failure;
 using hdf5::Handle;
-using hdf5::own;
 
 namespace {
 
@@ -25,16 +23,14 @@ struct ErrorRow {
 };
 
 Handle error_type() {
-  Handle type = compound(sizeof(ErrorRow));
-  insert(type, "t", offsetof(ErrorRow, t), H5T_NATIVE_DOUBLE);
-  insert(type, "phases", offsetof(ErrorRow, phases), H5T_NATIVE_INT64);
-  insert(type, "error", offsetof(ErrorRow, error), H5T_NATIVE_DOUBLE);
-  return type;
+  return row_type(sizeof(ErrorRow), {{"t", offsetof(ErrorRow, t), H5T_NATIVE_DOUBLE},
+                                     {"phases", offsetof(ErrorRow, phases), H5T_NATIVE_INT64},
+                                     {"error", offsetof(ErrorRow, error), H5T_NATIVE_DOUBLE}});
 }
 
 /// One number for each phase.
 std::vector<double> read_of_phases(hid_t gnomon, const char* name) {
-  hdf5::Doubles read = hdf5::read_doubles(gnomon, std::string(kPressure) + "/" + name);
+  auto read = hdf5::read_numbers<double>(gnomon, std::string(kPressure) + "/" + name);
   if (read.extents.size() != 1) throw Failure("cannot read the phases: they are not a list");
   return std::move(read.values);
 }
@@ -46,8 +42,10 @@ Handle create_phase_group(hid_t gnomon, const ContactSurface& contact) {
   if (contact.phase_weight.size() != phases)
     throw Failure("cannot write the phases: positions and weights are not equally many");
   Handle group = create_group(gnomon, kPressure, kStepsPerGroup);
-  hdf5::write_dataset(group.id(), "position", {phases}, contact.phase_position.data());
-  hdf5::write_dataset(group.id(), "weight", {phases}, contact.phase_weight.data());
+  hdf5::write_dataset(group.id(), "position", H5T_NATIVE_DOUBLE, {phases},
+                      contact.phase_position.data());
+  hdf5::write_dataset(group.id(), "weight", H5T_NATIVE_DOUBLE, {phases},
+                      contact.phase_weight.data());
   return group;
 }
 
@@ -55,8 +53,8 @@ void write_phases(hid_t group, const std::string& name, const ContactSurface& co
   const hsize_t phases = contact.phase_position.size(), nodes = contact.node.size();
   if (contact.phase_pressure.size() != phases * nodes)
     throw Failure("cannot write the pressures of phases: they are not phases times nodes");
-  hdf5::write_dataset(group, name, {phases, nodes}, contact.phase_pressure.data(),
-                      hdf5::Storage::compressed);
+  hdf5::write_dataset(group, name, H5T_NATIVE_DOUBLE, {phases, nodes},
+                      contact.phase_pressure.data(), hdf5::Storage::compressed);
 }
 
 void read_phases(hid_t gnomon, const std::string& step, ContactSurface& contact) {
@@ -64,28 +62,26 @@ void read_phases(hid_t gnomon, const std::string& step, ContactSurface& contact)
   if (!hdf5::exists(gnomon, kPressure) || !hdf5::exists(gnomon, path)) return;
   contact.phase_position = read_of_phases(gnomon, "position");
   contact.phase_weight = read_of_phases(gnomon, "weight");
-  hdf5::Doubles pressure = hdf5::read_doubles(gnomon, path);
+  auto pressure = hdf5::read_numbers<double>(gnomon, path);
   const std::vector<hsize_t> expected = {contact.phase_position.size(), contact.node.size()};
   if (pressure.extents != expected || contact.phase_weight.size() != expected[0])
     throw Failure("cannot read the pressures of phases: they are not phases times nodes");
   contact.phase_pressure = std::move(pressure.values);
 }
 
-PhaseErrorTable PhaseErrorTable::create(hid_t gnomon) {
-  PhaseErrorTable result;
-  result.table_ = hdf5::GrowingTable::create(gnomon, kErrors, error_type());
-  return result;
+GrowingTable create_phase_errors(hid_t gnomon) {
+  return {gnomon, kErrors, error_type()};
 }
 
-void PhaseErrorTable::append(const PhaseError& error) {
+void append_phase_error(GrowingTable& table, const PhaseError& error) {
   const ErrorRow row{error.t, error.phases, error.error};
-  table_.append(&row);
+  table.append(&row);
 }
 
 std::vector<PhaseError> read_phase_errors(hid_t gnomon) {
   if (!hdf5::exists(gnomon, kErrors)) return {};
   constexpr const char* what = "read the errors of the mean";
-  const Handle dataset = own(H5Dopen2(gnomon, kErrors, H5P_DEFAULT), H5Dclose, what);
+  const Handle dataset = hdf5::open_dataset(gnomon, kErrors, what);
   std::vector<PhaseError> errors;
   for (const ErrorRow& row : read_rows<ErrorRow>(dataset, error_type(), what))
     errors.push_back({row.t, count_of(row.phases, what), row.error});

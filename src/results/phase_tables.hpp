@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "results/hdf5_handles.hpp"
+#include "results/layout.hpp"
 
 namespace gnomon::layout {
 
@@ -18,16 +18,8 @@ void write_phases(hid_t group, const std::string& name, const ContactSurface& co
 void read_phases(hid_t gnomon, const std::string& step, ContactSurface& contact);
 
 /// "gnomon/phase_errors".
-class PhaseErrorTable {
-public:
-  PhaseErrorTable() = default;
-  static PhaseErrorTable create(hid_t gnomon);
-  void append(const PhaseError& error);
-  explicit operator bool() const { return static_cast<bool>(table_); }
-
-private:
-  hdf5::GrowingTable table_;
-};
+GrowingTable create_phase_errors(hid_t gnomon);
+void append_phase_error(GrowingTable& table, const PhaseError& error);
 /// Empty where there is no such table.
 std::vector<PhaseError> read_phase_errors(hid_t gnomon);
 

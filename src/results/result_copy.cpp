@@ -16,16 +16,6 @@ void copy_step(const ResultReader& from, std::size_t step, double t,
            from.counter_surface(step));
 }
 
-}  // namespace
-
-std::vector<PhaseError> start_errors(const ResultReader& from) {
-  std::vector<PhaseError> errors = from.phase_errors();
-  std::erase_if(errors, [](const PhaseError& error) { return error.t > 0; });
-  return errors;
-}
-
-namespace {
-
 /// Called before anything is written: with a time that is too late the copy would replace the
 /// result.
 void require_together(std::span<const HistoryRow> history, std::span<const double> stored) {
@@ -42,6 +32,12 @@ void require_together(std::span<const HistoryRow> history, std::span<const doubl
 }
 
 }  // namespace
+
+std::vector<PhaseError> start_errors(const ResultReader& from) {
+  std::vector<PhaseError> errors = from.phase_errors();
+  std::erase_if(errors, [](const PhaseError& error) { return error.t > 0; });
+  return errors;
+}
 
 void copy_to_last_checkpoint(const ResultReader& from, const std::vector<std::string>& fields,
                              ResultWriter& to) {

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <gnomon/results/results.hpp>
 #include <thread>
 
-#include "results/counter_surfaces.hpp"
 #include "results/epoch_groups.hpp"
 #include "results/hdf5_values.hpp"
 #include "results/history_table.hpp"
 #include "results/layout.hpp"
 #include "results/phase_tables.hpp"
 #include "results/replaced_file.hpp"
+#include "results/stored_mesh.hpp"
 
 namespace gnomon {
 
@@ -36,12 +35,8 @@ Handle open_file(const std::filesystem::path& path) {
   return own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, "open it");
 }
 
-Handle open_dataset(hid_t parent, const std::string& path, const char* what) {
-  return own(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), H5Dclose, what);
-}
-
 std::vector<BlockSize> read_blocks(hid_t gnomon) {
-  const Handle dataset = open_dataset(gnomon, "blocks", "read the blocks");
+  const Handle dataset = hdf5::open_dataset(gnomon, "blocks", "read the blocks");
   std::vector<BlockSize> blocks;
   for (const auto& row :
        layout::read_rows<layout::BlockRow>(dataset, layout::block_type(), "read the blocks")) {
@@ -56,8 +51,7 @@ RunHeader read_header(hid_t gnomon) {
   header.problem = hdf5::read_text_attribute(gnomon, "problem");
   header.integrator = hdf5::read_text_attribute(gnomon, "integrator");
   header.scene = hdf5::read_text(gnomon, "scene");
-  const Handle versions =
-      own(H5Gopen2(gnomon, "versions", H5P_DEFAULT), H5Gclose, "read the versions");
+  const Handle versions = hdf5::open_group(gnomon, "versions", "read the versions");
   for (const std::string& name : hdf5::attribute_names(versions.id())) {
     header.versions[name] = hdf5::read_text_attribute(versions.id(), name.c_str());
   }
@@ -67,7 +61,7 @@ RunHeader read_header(hid_t gnomon) {
 
 ContactSurface read_contact(hid_t file, const std::string& path) {
   if (!hdf5::exists(file, path)) throw Failure("the problem has no contact surface");
-  const Handle dataset = open_dataset(file, path, "read the contact surface");
+  const Handle dataset = hdf5::open_dataset(file, path, "read the contact surface");
   const auto rows = layout::read_rows<layout::ContactRow>(dataset, layout::contact_type(),
                                                           "read the contact surface");
   ContactSurface contact;
@@ -93,13 +87,13 @@ GridField read_field(hid_t file, const std::string& step, const std::string& nam
     throw Failure(fmt::format("it has no field {}", name));
   }
   const std::string path = step + "/" + name;
-  const Handle dataset = open_dataset(file, path, "read a field");
+  const Handle dataset = hdf5::open_dataset(file, path, "read a field");
   GridField field;
   field.name = name;
   field.unit = hdf5::read_text_attribute(dataset.id(), "unit");
   field.on = hdf5::read_text_attribute(dataset.id(), "on") == "cells" ? GridField::On::cells
                                                                       : GridField::On::nodes;
-  auto data = hdf5::read_doubles(file, path);
+  auto data = hdf5::read_numbers<double>(file, path);
   field.components = data.extents.size() == 2 ? static_cast<int>(data.extents[1]) : 1;
   field.values = std::move(data.values);
   return field;
@@ -138,8 +132,7 @@ bool is_result(const std::filesystem::path& file) {
   const hdf5::Session session;
   try {
     const Handle opened = open_file(file);
-    const Handle gnomon =
-        own(H5Gopen2(opened.id(), "gnomon", H5P_DEFAULT), H5Gclose, "open its results");
+    const Handle gnomon = hdf5::open_group(opened.id(), "gnomon", "open its results");
     return hdf5::read_text_attribute(gnomon.id(), "format") == layout::kFormat;
   } catch (const std::exception&) {
     return false;
@@ -171,20 +164,12 @@ public:
     guarded([&] { open(); });
   }
 
-  ~File() {
-    const hdf5::Session session;
-    gnomon_ = {};
-    file_ = {};
-  }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-
   void open() {
     gnomon_ = {};
     file_ = {};
     file_ = open_file(path_);
     if (!hdf5::exists(file_.id(), "gnomon")) throw Failure("it is not a gnomon result");
-    gnomon_ = own(H5Gopen2(file_.id(), "gnomon", H5P_DEFAULT), H5Gclose, "open its results");
+    gnomon_ = hdf5::open_group(file_.id(), "gnomon", "open its results");
     const double version = hdf5::read_number_attribute(gnomon_.id(), "format_version");
     if (version != layout::kVersion) {
       throw Failure(
@@ -194,7 +179,7 @@ public:
   }
 
   std::vector<layout::StoredRow> stored() const {
-    const Handle dataset = open_dataset(gnomon_.id(), "stored", "read the stored steps");
+    const Handle dataset = hdf5::open_dataset(gnomon_.id(), "stored", "read the stored steps");
     auto rows = layout::read_rows<layout::StoredRow>(dataset, layout::stored_type(),
                                                      "read the stored steps");
     for (layout::StoredRow& row : rows) row.path.back() = '\0';
@@ -220,7 +205,10 @@ private:
 ResultReader::ResultReader(const std::filesystem::path& file)
     : file_(std::make_unique<File>(file)) {}
 
-ResultReader::~ResultReader() = default;
+ResultReader::~ResultReader() {
+  const hdf5::Session session;
+  file_.reset();
+}
 
 const RunHeader& ResultReader::header() const {
   return file_->header();
@@ -289,9 +277,8 @@ GridField ResultReader::field(std::size_t step, const std::string& name) const {
 
 std::optional<CounterSurface> ResultReader::counter_surface(std::size_t step) const {
   return file_->guarded([&] {
-    const std::string path = "steps/" + layout::step_path(step);
     const Handle group =
-        own(H5Gopen2(file_->file(), path.c_str(), H5P_DEFAULT), H5Gclose, "read a step");
+        hdf5::open_group(file_->file(), "steps/" + layout::step_path(step), "read a step");
     return layout::read_surface(file_->file(), group.id());
   });
 }
@@ -299,10 +286,8 @@ std::optional<CounterSurface> ResultReader::counter_surface(std::size_t step) co
 std::vector<std::string> ResultReader::field_names() const {
   return file_->guarded([&]() -> std::vector<std::string> {
     if (file_->times().empty()) return {};
-    const std::string path = "steps/" + layout::step_path(0);
-    const Handle group =
-        own(H5Gopen2(file_->file(), path.c_str(), H5P_DEFAULT), H5Gclose, "list the fields");
-    return hdf5::link_names(group.id());
+    return hdf5::link_names(
+        hdf5::open_group(file_->file(), "steps/" + layout::step_path(0), "list the fields").id());
   });
 }
 

@@ -4,10 +4,8 @@
 #include <functional>
 #include <gnomon/results/results.hpp>
 
-#include "results/counter_surfaces.hpp"
 #include "results/crash_safe_file.hpp"
 #include "results/epoch_groups.hpp"
-#include "results/hdf5_handles.hpp"
 #include "results/hdf5_values.hpp"
 #include "results/history_table.hpp"
 #include "results/layout.hpp"
@@ -20,7 +18,6 @@ namespace gnomon {
 
 using hdf5::check;
 using hdf5::Handle;
-using hdf5::own;
 using layout::create_group;
 
 class ResultWriter::File {
@@ -62,10 +59,8 @@ private:
   double reached_ = 0;
   std::optional<hdf5::CrashSafeFile> disk_;
   // Released in reverse order, the file last.
-  Handle file_, gnomon_, steps_, contacts_, counters_, phases_, epoch_;
-  hdf5::GrowingTable history_, stored_;
-  layout::CheckpointTable checkpoints_;
-  layout::PhaseErrorTable phase_errors_;
+  Handle file_, gnomon_, steps_, contacts_, counters_, phases_, epoch_, checkpoints_;
+  layout::GrowingTable history_, stored_, phase_errors_;
   layout::CounterSurfaces surfaces_;
   std::vector<layout::Column> columns_;
   std::optional<XdmfSidecar> sidecar_;
@@ -109,7 +104,7 @@ void ResultWriter::File::create(const RunHeader& header, const std::optional<Gri
   file_ = layout::create_file(*disk_, part_of(path_));
   gnomon_ = create_group(file_.id(), "gnomon", 10);
   layout::write_header(gnomon_.id(), header);
-  stored_ = hdf5::GrowingTable::create(gnomon_.id(), "stored", layout::stored_type());
+  stored_ = {gnomon_.id(), "stored", layout::stored_type()};
   contacts_ = create_group(gnomon_.id(), "contact", layout::kStepsPerGroup);
   steps_ = create_group(file_.id(), "steps", layout::kStepsPerGroup);
   counters_ = create_group(file_.id(), "counter_body", layout::kStepsPerGroup);
@@ -142,19 +137,7 @@ void ResultWriter::File::discard() noexcept {
 }
 
 ResultWriter::File::~File() {
-  const hdf5::Session session;
   if (!published_) discard();
-  phase_errors_ = {};
-  checkpoints_ = {};
-  stored_ = {};
-  history_ = {};
-  epoch_ = {};
-  phases_ = {};
-  counters_ = {};
-  contacts_ = {};
-  steps_ = {};
-  gnomon_ = {};
-  file_ = {};
 }
 
 void ResultWriter::File::guarded(const std::function<void()>& action) {
@@ -193,7 +176,7 @@ const char* ResultWriter::File::what_is_left() const {
 void ResultWriter::File::append(const HistoryRow& row) {
   if (!history_) {
     columns_ = layout::columns_of(row);
-    history_ = hdf5::GrowingTable::create(gnomon_.id(), "history", layout::history_type(columns_));
+    history_ = {gnomon_.id(), "history", layout::history_type(columns_)};
     std::vector<std::string> units;
     for (const layout::Column& column : columns_) units.push_back(column.unit);
     hdf5::write_attribute(history_.dataset(), "units", units);
@@ -233,7 +216,7 @@ Handle ResultWriter::File::open_steps(hid_t parent) {
   if (stored_.rows() % layout::kStepsPerGroup == 0) {
     return create_group(parent, name, layout::kStepsPerGroup);
   }
-  return own(H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, "open a group");
+  return hdf5::open_group(parent, name, "open a group");
 }
 
 void ResultWriter::File::store_phases(const std::string& name, const ContactSurface& contact) {
@@ -271,8 +254,8 @@ void ResultWriter::File::store(double t, const std::vector<GridField>& fields,
 }
 
 void ResultWriter::File::append_phase_error(const PhaseError& error) {
-  if (!phase_errors_) phase_errors_ = layout::PhaseErrorTable::create(gnomon_.id());
-  phase_errors_.append(error);
+  if (!phase_errors_) phase_errors_ = layout::create_phase_errors(gnomon_.id());
+  layout::append_phase_error(phase_errors_, error);
   flush();
 }
 
@@ -291,9 +274,9 @@ void ResultWriter::File::begin_epoch(const EpochStart& start, const std::optiona
 
 void ResultWriter::File::checkpoint(const Checkpoint& checkpoint) {
   if (!checkpoints_)
-    checkpoints_ = layout::CheckpointTable::create(epoch_ ? epoch_.id() : gnomon_.id(),
-                                                   checkpoint.numbers.size());
-  checkpoints_.put(checkpoint);
+    checkpoints_ =
+        layout::create_checkpoints(epoch_ ? epoch_.id() : gnomon_.id(), checkpoint.numbers.size());
+  layout::write_checkpoint(checkpoints_, checkpoint);
   flush();
 }
 
@@ -319,7 +302,10 @@ ResultWriter::ResultWriter(const std::filesystem::path& file, const RunHeader& h
                            const std::optional<Grid>& grid, Earlier earlier, double from)
     : file_(std::make_unique<File>(file, header, grid, earlier, from)) {}
 
-ResultWriter::~ResultWriter() = default;
+ResultWriter::~ResultWriter() {
+  const hdf5::Session session;
+  file_.reset();
+}
 
 void ResultWriter::append(const HistoryRow& row) {
   file_->guarded([&] { file_->append(row); });

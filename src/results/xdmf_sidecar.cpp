@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <map>
 
 #include "results/replaced_file.hpp"
 
@@ -41,12 +42,9 @@ XdmfSidecar::XdmfSidecar(const std::filesystem::path& result, const Grid& grid)
 void XdmfSidecar::set_mesh(const Grid& grid, const std::string& group) {
   points_ = grid.points.size();
   cells_ = grid.cell_count();
-  mesh_ = fmt::format(
-      "        <Topology TopologyType=\"{}\" NumberOfElements=\"{}\">{}</Topology>\n"
-      "        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
-      grid.cell == Grid::Cell::quadrilateral ? "Quadrilateral" : "Hexahedron", cells_,
-      item(group + "/mesh/cells", fmt::format("{} {}", cells_, grid.corners()), true),
-      item(group + "/mesh/points", fmt::format("{} 3", points_), false));
+  mesh_ = mesh_text(grid.cell == Grid::Cell::quadrilateral ? "Quadrilateral" : "Hexahedron", cells_,
+                    item(group + "/mesh/cells", fmt::format("{} {}", cells_, grid.corners()), true),
+                    item(group + "/mesh/points", fmt::format("{} 3", points_), false));
 }
 
 void XdmfSidecar::publish(Earlier earlier) {
@@ -86,12 +84,11 @@ void XdmfSidecar::add_counter_body(double t, const layout::StoredSurface& surfac
   counter_steps_ += fmt::format(
       "      <Grid Name=\"counter_body\" GridType=\"Uniform\">\n"
       "        <Time Value=\"{:.17g}\"/>\n"
-      "        <Topology TopologyType=\"{}\" NumberOfElements=\"{}\">{}</Topology>\n"
-      "        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n"
-      "      </Grid>\n",
-      t, flat ? "Polyline\" NodesPerElement=\"2" : "Quadrilateral", surface.facet_count,
-      item(surface.facets, fmt::format("{} {}", surface.facet_count, flat ? 2 : 4), true),
-      item(surface.points, fmt::format("{} 3", surface.point_count), false));
+      "{}      </Grid>\n",
+      t,
+      mesh_text(flat ? "Polyline\" NodesPerElement=\"2" : "Quadrilateral", surface.facet_count,
+                item(surface.facets, fmt::format("{} {}", surface.facet_count, flat ? 2 : 4), true),
+                item(surface.points, fmt::format("{} 3", surface.point_count), false)));
 }
 
 // The body is last, because meshio reads the last collection alone.
@@ -101,25 +98,21 @@ void XdmfSidecar::write(Earlier earlier) const {
   write_file(path_, text + body + steps_ + collection_end + xdmf_end, earlier);
 }
 
+std::string mesh_text(const char* topology, std::size_t elements, const std::string& nodes,
+                      const std::string& points) {
+  return fmt::format(
+      "        <Topology TopologyType=\"{}\" NumberOfElements=\"{}\">{}</Topology>\n"
+      "        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
+      topology, elements, nodes, points);
+}
+
 std::string escaped(const std::string& text) {
+  static const std::map<char, std::string> entities = {
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
   std::string result;
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
+    const auto found = entities.find(c);
+    result += found == entities.end() ? std::string(1, c) : found->second;
   }
   return result;
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "results/counter_surfaces.hpp"
+#include "results/stored_mesh.hpp"
 
 namespace gnomon {
 
@@ -50,6 +50,10 @@ inline constexpr const char* xdmf_head =
     "<Xdmf Version=\"3.0\">\n"
     "  <Domain>\n";
 inline constexpr const char* xdmf_end = "  </Domain>\n</Xdmf>\n";
+
+/// A grid of elements, with the items of their nodes and of the points.
+std::string mesh_text(const char* topology, std::size_t elements, const std::string& nodes,
+                      const std::string& points);
 
 /// With the characters replaced that have a meaning in XML.
 std::string escaped(const std::string& text);
