@@ -14,8 +14,6 @@ struct DriverFile {
   CrashSafeFile* file = nullptr;
 };
 
-hid_t driver_id();
-
 CrashSafeFile& file_of(H5FD_t* base) {
   return *reinterpret_cast<DriverFile*>(base)->file;
 }

@@ -1,4 +1,5 @@
-// The table "gnomon/history": conversion of rows to cells of eight bytes, and back.
+// The table "gnomon/history": conversion of rows to cells of eight bytes, and back; and of a cycle
+// the pressures in its phases, and the errors of the mean over them.
 #pragma once
 
 #include <hdf5.h>
@@ -8,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "results/hdf5_handles.hpp"
+#include "results/layout.hpp"
 
 namespace gnomon::layout {
 
@@ -30,5 +31,17 @@ std::vector<Cell> cells_of(const HistoryRow& row);
 hdf5::Handle history_type(const std::vector<Column>& columns);
 /// All rows of the history in the group "gnomon"; none if the run has not begun.
 std::vector<HistoryRow> read_history(hid_t gnomon);
+
+/// "gnomon/phase_pressure", with the positions and weights of the phases.
+hdf5::Handle create_phase_group(hid_t gnomon, const ContactSurface& contact);
+void write_phases(hid_t group, const std::string& name, const ContactSurface& contact);
+/// Fills in the phases of a contact surface, if it has any; `step`: its path below the group.
+void read_phases(hid_t gnomon, const std::string& step, ContactSurface& contact);
+
+/// "gnomon/phase_errors".
+GrowingTable create_phase_errors(hid_t gnomon);
+void append_phase_error(GrowingTable& table, const PhaseError& error);
+/// Empty where there is no such table.
+std::vector<PhaseError> read_phase_errors(hid_t gnomon);
 
 }  // namespace gnomon::layout

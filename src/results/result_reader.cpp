@@ -10,7 +10,6 @@
 #include "results/hdf5_values.hpp"
 #include "results/history_table.hpp"
 #include "results/layout.hpp"
-#include "results/phase_tables.hpp"
 #include "results/replaced_file.hpp"
 #include "results/stored_mesh.hpp"
 

@@ -9,7 +9,6 @@
 #include "results/hdf5_values.hpp"
 #include "results/history_table.hpp"
 #include "results/layout.hpp"
-#include "results/phase_tables.hpp"
 #include "results/replaced_file.hpp"
 #include "results/stored_mesh.hpp"
 #include "results/xdmf_sidecar.hpp"
@@ -181,13 +180,9 @@ void ResultWriter::File::append(const HistoryRow& row) {
     for (const layout::Column& column : columns_) units.push_back(column.unit);
     hdf5::write_attribute(history_.dataset(), "units", units);
   }
-  const auto same = [](const layout::Column& a, const layout::Column& b) {
-    return a.name == b.name;
-  };
-  const auto columns = layout::columns_of(row);
-  if (!std::equal(columns.begin(), columns.end(), columns_.begin(), columns_.end(), same)) {
+  if (!std::ranges::equal(columns_, layout::columns_of(row), {}, &layout::Column::name,
+                          &layout::Column::name))
     throw Error("the scalars of a history row are not those of the first row");
-  }
   history_.append(layout::cells_of(row).data());
   flush();
   has_rows_ = true;
