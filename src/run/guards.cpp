@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/stability/stability.hpp>
+#include <gnomon/terms/solid.hpp>
 #include <optional>
 
 namespace gnomon {
@@ -133,6 +135,142 @@ void Chattering::unpack_from(Unpacker& numbers) {
   const auto nodes = static_cast<std::size_t>(count);
   active_ = numbers.many<char>(nodes);
   losses_ = numbers.many<int>(nodes);
+}
+
+JumpLedger::JumpLedger(const System& system, const IntegratorSettings& settings)
+    : system_(system), passes_over_(settings.step > 0 && !settings.locate_events) {
+  const std::vector<char>& may_jump = system.structure().switch_jumps;
+  for (std::size_t j = 0; j < may_jump.size(); ++j)
+    if (may_jump[j]) jumps_.push_back(j);
+  turns_.resize(jumps_.size());
+}
+
+void JumpLedger::add(const State& before, const State& after) {
+  // A node that slides crosses every few steps: of an explicit method once on the side that wears
+  // fast, and then some times on the other. What a load drives to and fro begins anew where it
+  // turns.
+  constexpr int crossing = 3, many = 20;
+  if (jumps_.empty()) return;
+  const CrossedJumps crossed = jumps_between(system_, before, after, passes_over_);
+  for (const std::size_t j : jumps_) largest_ = std::max(largest_, std::abs(crossed.before[j]));
+  error_.resize(after.y.size());
+  for (std::size_t i = 0; i < crossed.by.size(); ++i)
+    error_[i] += (after.t - before.t) * std::abs(crossed.by[i]);
+  if (is_breakpoint(system_.structure(), after.t)) std::ranges::fill(turns_, 0);
+  for (std::size_t k = 0; k < jumps_.size(); ++k) {
+    const bool here = std::ranges::count(crossed.functions, jumps_[k]) > 0;
+    turns_[k] = here ? turns_[k] + crossing : std::max(0, turns_[k] - 1);
+    if (turns_[k] >= many)
+      throw SolutionError(fmt::format(
+          "the wear law jumps, and node {} slides along the jump at t = {:.6g} s: the rates on "
+          "either side drive it back, and between them there is no solution; a ramp instead of the "
+          "jump has one",
+          system_.structure().switch_node[jumps_[k]], after.t));
+  }
+}
+
+std::string JumpLedger::warning(const State& last) const {
+  constexpr double right = 1e-3;
+  double depth = 0, error = 0;
+  for (std::size_t i = 0; i < error_.size(); ++i) {
+    if (!system_.structure().differential[i]) continue;
+    depth = std::max(depth, std::abs(last.y[i]));
+    error = std::max(error, error_[i]);
+  }
+  if (!(error > right * depth)) return {};
+  return fmt::format(
+      "the wear law jumps within fixed steps: the wear depth has an error of up to {:.2g} mm by "
+      "this, {:.2g} % of the largest depth",
+      error, 100 * error / depth);
+}
+
+std::string JumpLedger::suspicion(const State& last) const {
+  constexpr double there = 1e-5;
+  if (jumps_.empty() || last.y.empty()) return {};
+  std::vector<double> values(system_.structure().switch_node.size());
+  system_.switching({.t = last.t, .y = last.y}, values);
+  for (const std::size_t j : jumps_)
+    if (std::abs(values[j]) <= there * largest_)
+      return fmt::format(
+          "; the wear law jumps at node {} there: where the rates on either side drive it back to "
+          "the jump, there is no solution, but with a ramp instead of the jump there is one",
+          system_.structure().switch_node[j]);
+  return {};
+}
+
+namespace {
+constexpr double sound = 1;  // volume and quality where a model has no mesh
+constexpr double nearly_folded = 0.1;
+
+template <int dim>
+double least_quality(const Grid& grid) {
+  constexpr int corners = Mesh<dim>::cell_nodes;
+  double least = sound;
+  for (std::size_t first = 0; first + corners <= grid.cells.size(); first += corners) {
+    CellNodal<dim> X;
+    for (int a = 0; a < corners; ++a)
+      for (int i = 0; i < dim; ++i) X(a, i) = grid.points[grid.cells[first + a]][i];
+    least = std::min(least, scaled_jacobian<dim>(X));
+  }
+  return least;
+}
+
+std::string folding_text(double quality, double initial) {
+  if (initial >= nearly_folded)
+    return fmt::format(
+        "an element of the worn mesh is nearly folded: its scaled Jacobian is {:.2g}", quality);
+  if (quality < initial / 2)
+    return fmt::format(
+        "an element of the worn mesh is nearly folded: its scaled Jacobian is {:.2g}, that of the "
+        "mesh was {:.2g} from the start",
+        quality, initial);
+  return fmt::format(
+      "an element of the mesh is nearly folded, as it was from the start: its scaled Jacobian is "
+      "{:.2g}, and was {:.2g} before any wear",
+      quality, initial);
+}
+}  // namespace
+
+double initial_quality(const std::optional<Grid>& grid) {
+  if (!grid) return sound;
+  return grid->cell == Grid::Cell::quadrilateral ? least_quality<2>(*grid)
+                                                 : least_quality<3>(*grid);
+}
+
+void require_sound_mesh(const Observation& observed) {
+  const double volume = value_of(observed, "element_volume").value_or(sound);
+  const double quality = value_of(observed, "element_quality").value_or(sound);
+  // With such an element steps would become ever shorter without an end.
+  if (volume < 0.01)
+    throw SolutionError(fmt::format(
+        "an element is worn down to {:.2g} of its volume: the body is worn away, or its mesh too "
+        "flat for that depth",
+        volume));
+  if (quality <= 0)
+    throw SolutionError(fmt::format(
+        "an element of the worn mesh is folded: its scaled Jacobian is {:.2g}", quality));
+}
+
+std::vector<MeshWarning> mesh_warnings(const Observation& observed, double initial) {
+  const double volume = value_of(observed, "element_volume").value_or(sound);
+  const double quality = value_of(observed, "element_quality").value_or(sound);
+  std::vector<MeshWarning> warnings;
+  if (volume < 0.1)
+    warnings.push_back(
+        {"wear",
+         fmt::format("an element is worn down to {:.2g} of its volume; at 0.01 the run ends",
+                     volume)});
+  else if (quality < nearly_folded)
+    warnings.push_back({initial < nearly_folded && quality >= initial / 2 ? "mesh" : "wear",
+                        folding_text(quality, initial)});
+  const double gradient = value_of(observed, "displacement_gradient").value_or(0);
+  if (gradient > 0.5)
+    warnings.push_back(
+        {"strain",
+         fmt::format("displacements have gradients up to {:.2g}, for which body.kinematics = "
+                     "\"small\" is not meant: the result is worthless",
+                     gradient)});
+  return warnings;
 }
 
 }  // namespace gnomon

@@ -10,9 +10,7 @@
 
 #include "run/end_warnings.hpp"
 #include "run/guards.hpp"
-#include "run/jump_ledger.hpp"
 #include "run/memory.hpp"
-#include "run/mesh_watch.hpp"
 #include "run/store_schedule.hpp"
 
 namespace gnomon {

@@ -14,18 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* status_name(RunOutcome::Status status) {
-  switch (status) {
-    case RunOutcome::Status::finished:
-      return "finished";
-    case RunOutcome::Status::interrupted:
-      return "interrupted";
-    case RunOutcome::Status::failed:
-      return "failed";
-  }
-  return "";
-}
-
 /// Of a cycle.
 void add_phase_errors(Json& json, const RunOutcome& outcome) {
   json["phase_errors"] = Json::array();
@@ -54,10 +42,6 @@ void add_scalars(Json& json, const RunOutcome& outcome) {
   if (const auto difference = wear_difference(outcome.last->scalars))
     json["wear_difference"] = *difference;
 }
-
-}  // namespace
-
-namespace {
 
 /// None unless the file contains a summary.
 std::optional<Json> read_summary(const std::filesystem::path& file) {
@@ -91,7 +75,8 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
   json["step"] = settings.step;
   json["rtol"] = settings.rtol;
   json["atol"] = settings.atol;
-  json["status"] = status_name(outcome.status);
+  const std::string status = outcome.text();
+  json["status"] = status.substr(0, status.find(':'));
   json["diagnosis"] = outcome.diagnosis;
   json["ended_by"] = outcome.ended_by;
   json["t"] = outcome.last ? Json(outcome.last->t) : Json(nullptr);

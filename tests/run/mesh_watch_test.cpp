@@ -1,5 +1,5 @@
 // When a worn mesh ends a run, and when a run warns of it.
-#include "run/mesh_watch.hpp"
+#include "run/guards.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
