@@ -1,5 +1,5 @@
 // The program that uses Gmsh's library: gnomon_gmsh FILE SIZE FACTOR. It reads or meshes a file and
-// hands the mesh to gnomon (src/mesh/mesh_process.cpp), which starts it. A process of its own
+// hands the mesh to gnomon (src/mesh/mesh_file.cpp), which starts it. A process of its own
 // because a damaged file, a script that says Exit or a failed algorithm may end it; gnomon has its
 // signals, its terminal and its memory for itself.
 #include <gmsh.h>
@@ -9,16 +9,18 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
+#include <regex>
+#include <sstream>
 #include <utility>
 
 #include "gmsh/geometry.hpp"
-#include "gmsh/group_check.hpp"
 #include "gmsh/model_mesh.hpp"
-#include "gmsh/size_check.hpp"
 #include "mesh/mesh_stream.hpp"
 
 namespace gnomon::gmsh_reader {
@@ -101,6 +103,65 @@ bool changes_curves(const std::string& script) {
   return with != elements_on_curves();
 }
 
+std::string without_comments(const std::string& text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    if (text.compare(at, 2, "//") == 0) {
+      at = std::min(text.find('\n', at), text.size());
+    } else if (text.compare(at, 2, "/*") == 0) {
+      const std::size_t end = text.find("*/", at + 2);
+      at = end == text.npos ? text.size() : end + 2;
+    } else {
+      result += text[at++];
+    }
+  }
+  return result;
+}
+
+int dimension_named(const std::string& kind) {
+  if (kind == "Point") return 0;
+  if (kind == "Curve" || kind == "Line") return 1;
+  return kind == "Surface" ? 2 : 3;
+}
+
+/// "17, 18": the numbers of a list that are not among the tags.
+std::string absent_in(const std::string& list, const std::vector<int>& tags) {
+  std::string absent, word;
+  std::istringstream words(list);
+  while (std::getline(words, word, ',')) {
+    const int tag = std::abs(std::atoi(word.c_str()));  // negative where it is turned round
+    if (std::ranges::find(tags, tag) == tags.end())
+      absent += (absent.empty() ? "" : ", ") + std::to_string(tag);
+  }
+  return absent;
+}
+
+/// Gmsh leaves out, without a word, curves and surfaces of a physical group that do not exist.
+/// Reads the groups in the text of a script (.geo) that are lists of plain numbers, and returns a
+/// sentence for each with numbers that the current model does not have.
+std::vector<std::string> absent_members(const std::string& file) {
+  std::ifstream stream(file);
+  std::ostringstream whole;
+  whole << stream.rdbuf();
+  const std::string text = without_comments(whole.str());
+  static const std::regex group(
+      R"re(Physical\s+(Point|Curve|Line|Surface|Volume)\s*\(\s*("[^"]*"|\d+)[^)]{0,40}\)\s*\+?=\s*\{)re");
+  std::vector<std::string> sentences;
+  for (std::sregex_iterator found(text.begin(), text.end(), group), end; found != end; ++found) {
+    const auto first = static_cast<std::size_t>(found->position() + found->length());
+    const std::size_t last = text.find_first_not_of("-0123456789, \t\r\n", first);
+    if (last == text.npos || text[last] != '}') continue;  // not a list of plain numbers
+    std::string kind = (*found)[1];
+    const std::string list = text.substr(first, last - first);
+    const std::string absent = absent_in(list, entities_of(dimension_named(kind)));
+    if (absent.empty()) continue;
+    for (char& letter : kind) letter = static_cast<char>(std::tolower(letter));
+    sentences.push_back("group " + std::string((*found)[2]) + " names " + kind + " " + absent +
+                        ", which the geometry does not have");
+  }
+  return sentences;
+}
+
 ImportedMesh read(const std::string& file, double size, double factor, bool geometry) {
   if (geometry) ask_for_factor(factor);
   open(file);
@@ -129,10 +190,10 @@ std::string explained(const std::string& error) {
   return "Gmsh complains: " + error;
 }
 
-void hand_over(const std::string& complaint) {
-  mesh_stream::Writer<decltype(&put)> writer{&put};
-  writer(mesh_stream::complaint);
-  writer(tidy(complaint));
+void hand_over(char letter, auto content) {
+  mesh_stream::Stream<false, decltype(&put)> writer{&put};
+  writer(letter);
+  writer(content);
 }
 
 /// What Gmsh throws among its threads, the text of its error, cannot be caught there.
@@ -140,7 +201,7 @@ void hand_over(const std::string& complaint) {
   try {
     std::rethrow_exception(std::current_exception());
   } catch (const std::string& error) {
-    hand_over(explained(error));
+    hand_over(mesh_stream::complaint, tidy(explained(error)));
     _exit(0);
   } catch (...) {
     std::abort();
@@ -153,10 +214,7 @@ int run(const std::string& file, double size, double factor) {
   std::string complaint;
   try {
     start_gmsh();
-    ImportedMesh mesh = read(file, size, factor, !file.ends_with(".msh"));
-    mesh_stream::Writer<decltype(&put)> writer{&put};
-    writer(mesh_stream::sound);
-    mesh_stream::visit(mesh, writer);
+    hand_over(mesh_stream::sound, read(file, size, factor, !file.ends_with(".msh")));
     return 0;
   } catch (const Refusal& refusal) {
     complaint = refusal.what();
@@ -166,7 +224,7 @@ int run(const std::string& file, double size, double factor) {
     const std::string error = first_error();
     complaint = explained(error.empty() ? "it failed" : error);
   }
-  hand_over(complaint);
+  hand_over(mesh_stream::complaint, tidy(complaint));
   return 0;
 }
 

@@ -103,14 +103,6 @@ EntityElements copy_elements(const std::vector<int>& entities, int dimension,
   return result;
 }
 
-std::vector<int> entities_of(int dimension) {
-  gmsh::vectorpair pairs;
-  gmsh::model::getEntities(pairs, dimension);
-  std::vector<int> tags;
-  for (const auto& pair : pairs) tags.push_back(pair.second);
-  return tags;
-}
-
 std::vector<int> entities_of_group(int dimension, int group) {
   std::vector<int> entities;
   gmsh::model::getEntitiesForPhysicalGroup(dimension, group, entities);
@@ -221,15 +213,26 @@ void sort_by_tag(EntityElements& elements, std::vector<MeshGroup>& groups, int d
 }
 
 int highest_dimension() {
-  for (int dimension = 3; dimension >= 0; --dimension) {
-    std::vector<int> types;
-    gmsh::model::mesh::getElementTypes(types, dimension);
-    if (!types.empty()) return dimension;
-  }
+  for (int dimension = 3; dimension >= 0; --dimension)
+    if (!element_types(dimension).empty()) return dimension;
   throw Refusal("has no elements");
 }
 
 }  // namespace
+
+std::vector<int> entities_of(int dimension) {
+  gmsh::vectorpair pairs;
+  gmsh::model::getEntities(pairs, dimension);
+  std::vector<int> tags;
+  for (const auto& pair : pairs) tags.push_back(pair.second);
+  return tags;
+}
+
+std::vector<int> element_types(int dimension) {
+  std::vector<int> types;
+  gmsh::model::mesh::getElementTypes(types, dimension);
+  return types;
+}
 
 void copy_model(ImportedMesh& mesh, bool geometry) {
   mesh.dimension = highest_dimension();
