@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <gnomon/base/tensor.hpp>
 #include <numeric>
 
 #include "mesh/import_nodes.hpp"
@@ -12,75 +12,44 @@ namespace {
 
 constexpr double same_place = 1e-8;  // of the diagonal
 
-using Place = std::array<double, 3>;
-
-/// A node in a cube of space; a node near the side of its cube is in the neighbouring one as well.
-struct Entry {
-  std::uint64_t cube;
-  int node;
-  bool operator<(const Entry& other) const {
-    return cube != other.cube ? cube < other.cube : node < other.node;
-  }
-};
-
-/// Cubes that happen to have the same number do no harm: distances are compared anyway.
-std::uint64_t cube_number(const std::array<std::int64_t, 3>& index) {
-  std::uint64_t result = 0;
-  for (std::int64_t i : index) {
-    result ^= static_cast<std::uint64_t>(i) + 0x9e3779b97f4a7c15 + (result << 6) + (result >> 2);
-    result *= 0xff51afd7ed558ccd;
-  }
-  return result;
+/// Positions along a line in no particular direction: hardly any nodes of a mesh, however regular
+/// it is, are near to each other along it unless they are near in space.
+std::vector<double> positions_along_line(const std::vector<Vector<3>>& places) {
+  const Vector<3> direction = Vector<3>(0.4142135624, 0.7320508076, 0.5413248546).normalized();
+  std::vector<double> along;
+  for (const Vector<3>& place : places) along.push_back((place - places.front()).dot(direction));
+  return along;
 }
 
-std::vector<Entry> cubes_of(const ImportedMesh& mesh, double tolerance) {
-  // Not at round coordinates, where nodes are and sides of cubes should not be.
-  const double edge = 16 * tolerance, origin = 0.3819660113 * edge;
-  Place low = mesh.nodes[0];
-  for (const Place& place : mesh.nodes)
-    for (int i = 0; i < 3; ++i) low[i] = std::min(low[i], place[i]);
-  std::vector<Entry> entries;
-  entries.reserve(mesh.nodes.size() * 3 / 2);
-  for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
-    std::array<std::int64_t, 3> first, last;
-    for (int i = 0; i < 3; ++i) {
-      const double x = (mesh.nodes[node][i] - low[i] + origin) / edge;
-      first[i] = static_cast<std::int64_t>(std::floor(x - tolerance / edge));
-      last[i] = static_cast<std::int64_t>(std::floor(x + tolerance / edge));
-    }
-    for (auto i = first[0]; i <= last[0]; ++i)
-      for (auto j = first[1]; j <= last[1]; ++j)
-        for (auto k = first[2]; k <= last[2]; ++k)
-          entries.push_back({cube_number({i, j, k}), static_cast<int>(node)});
-  }
-  std::sort(entries.begin(), entries.end());
-  return entries;
-}
-
-double distance(const Place& a, const Place& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+/// The node of the least number that stands for a node and for those merged with it.
+int kept_for(std::vector<int>& now, int node) {
+  while (now[node] != node) node = now[node] = now[now[node]];
+  return node;
 }
 
 }  // namespace
 
 void merge_equal_nodes(ImportedMesh& mesh) {
   const double tolerance = same_place * diagonal(mesh);
-  const std::vector<Entry> entries = cubes_of(mesh, tolerance);
-  std::vector<int> now(mesh.nodes.size());
+  std::vector<Vector<3>> places;
+  for (const auto& place : mesh.nodes) places.push_back(Vector<3>::Map(place.data()));
+  const std::vector<double> along = positions_along_line(places);
+  std::vector<int> order(places.size()), now(places.size());
+  std::iota(order.begin(), order.end(), 0);
   std::iota(now.begin(), now.end(), 0);
+  std::ranges::sort(order, {}, [&](int node) { return along[node]; });
   long merged = 0;
-  for (std::size_t k = 0; k < entries.size(); ++k)
-    for (std::size_t l = k + 1; l < entries.size() && entries[l].cube == entries[k].cube; ++l) {
-      const int kept = entries[k].node, gone = entries[l].node;
-      if (kept == gone || now[kept] != kept || now[gone] != gone) continue;
-      if (distance(mesh.nodes[kept], mesh.nodes[gone]) > tolerance) continue;
+  for (auto one = order.begin(); one != order.end(); ++one)
+    for (auto other = one + 1; other != order.end() && along[*other] - along[*one] <= tolerance;
+         ++other) {
+      if ((places[*one] - places[*other]).norm() > tolerance) continue;
+      // A chain of nodes may lead from one to the next.
+      const auto [kept, gone] = std::minmax({kept_for(now, *one), kept_for(now, *other)});
       now[gone] = kept;
-      ++merged;
+      merged += gone != kept;
     }
   if (merged == 0) return;
-  // A chain of nodes may lead from one to the next.
-  for (int& node : now)
-    while (now[node] != node) node = now[node];
+  for (int node = 0; node < std::ssize(now); ++node) now[node] = kept_for(now, node);
   renumber_nodes(mesh, now);
   mesh.remarks.push_back(fmt::format("{} at the place of another {} merged (within {:.2g})",
                                      counted(merged, "node"), merged == 1 ? "was" : "were",
