@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 #include "mesh/import_cells.hpp"
 #include "mesh/import_nodes.hpp"
@@ -86,11 +85,9 @@ template <int dim>
 std::vector<int> sorted_nodes(const ImportedBody<dim>& body) {
   std::vector<int> nodes;
   for (const auto& facet : body.exterior) nodes.insert(nodes.end(), facet.begin(), facet.end());
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  sort_once(nodes);
   const auto& X = body.mesh.nodes;
-  std::sort(nodes.begin(), nodes.end(),
-            [&X](int a, int b) { return X[a][0] != X[b][0] ? X[a][0] < X[b][0] : a < b; });
+  std::ranges::stable_sort(nodes, {}, [&X](int node) { return X[node][0]; });
   return nodes;
 }
 
@@ -117,8 +114,8 @@ void check_hanging_nodes(const ImportedBody<dim>& body) {
     const double margin = nearness * box.diagonal().norm();
     box.min().array() -= margin;
     box.max().array() += margin;
-    auto at = std::lower_bound(nodes.begin(), nodes.end(), box.min()[0],
-                               [&X](int node, double x) { return X[node][0] < x; });
+    auto at =
+        std::ranges::lower_bound(nodes, box.min()[0], {}, [&X](int node) { return X[node][0]; });
     for (; at != nodes.end() && X[*at][0] <= box.max()[0]; ++at) {
       if (!box.contains(X[*at])) continue;
       if (std::find(facet.begin(), facet.end(), *at) != facet.end()) continue;

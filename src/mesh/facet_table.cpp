@@ -73,6 +73,14 @@ int FacetTable<dim>::find(std::span<const int> nodes) const {
   return -1;
 }
 
+template <int dim>
+std::vector<typename FacetTable<dim>::Facet> FacetTable<dim>::exterior_facets() const {
+  std::vector<Facet> result;
+  for (int slot = 0; slot < slots(); ++slot)
+    if (neighbour(slot) == exterior) result.push_back(facet(slot));
+  return result;
+}
+
 template class FacetTable<2>;
 template class FacetTable<3>;
 

@@ -14,6 +14,13 @@ Facet sorted(Facet facet) {
   return facet;
 }
 
+/// Sorts, and leaves one of equal entries.
+template <class Entry>
+void sort_once(std::vector<Entry>& entries) {
+  std::sort(entries.begin(), entries.end());
+  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
+}
+
 /// Facets of all cells by slots, facets_per_cell * cell + number in the cell. In linear time and
 /// with two integers per slot: the facets are listed by their least node, of which there are few.
 template <int dim>
@@ -33,6 +40,8 @@ public:
   int neighbour(int slot) const { return neighbour_[slot]; }
   /// A slot with these nodes in any order; -1 where there is none, as with a node that is -1.
   int find(std::span<const int> nodes) const;
+  /// All facets without a neighbour, in the order of the cells.
+  std::vector<Facet> exterior_facets() const;
 
 private:
   std::span<const int> slots_at(int node) const {

@@ -18,7 +18,7 @@ constexpr const char* part_kind = dim == 2 ? "curve" : "surface";
 template <int dim>
 constexpr const char* physical_part = dim == 2 ? "Physical Curve" : "Physical Surface";
 
-/// Slots on the boundary of the facets of a group, ascending, and what is wrong with the others.
+/// Slots on the boundary of the facets of a group, and what is wrong with the others.
 struct Found {
   std::vector<int> slots;
   long missing = 0, inside = 0;
@@ -38,24 +38,18 @@ Found find_facets(const MeshGroup& group, const FacetTable<dim>& facets, const E
       found.slots.push_back(slot);
     }
   }
-  std::sort(found.slots.begin(), found.slots.end());
-  found.slots.erase(std::unique(found.slots.begin(), found.slots.end()), found.slots.end());
   return found;
 }
 
 /// Why the group is no part of the boundary; empty where it is one.
 std::string fault_of(const Found& found, const MeshGroup& group, const ElementList& list) {
-  const std::size_t all = group.members.size();
-  if (found.missing > 0)
+  const auto text = [&](long count, const char* what, int first) {
     return fmt::format(
-        "is no part of the boundary: {} of its {} facets are no sides of cells, the "
-        "first is element {}",
-        found.missing, all, list.tags[found.first_missing]);
-  if (found.inside > 0)
-    return fmt::format(
-        "is no part of the boundary: {} of its {} facets lie inside the body, the "
-        "first is element {}",
-        found.inside, all, list.tags[found.first_inside]);
+        "is no part of the boundary: {} of its {} facets {}, the first is element {}", count,
+        group.members.size(), what, list.tags[first]);
+  };
+  if (found.missing > 0) return text(found.missing, "are no sides of cells", found.first_missing);
+  if (found.inside > 0) return text(found.inside, "lie inside the body", found.first_inside);
   return {};
 }
 
@@ -83,8 +77,7 @@ void take_boundary_part(ImportedBody<dim>& body, const FacetTable<dim>& facets,
     body.remarks.push_back(fmt::format("several groups of {}s are called {}; they were joined",
                                        part_kind<dim>, toml_text(group.name)));
   slots.insert(slots.end(), found.slots.begin(), found.slots.end());
-  std::sort(slots.begin(), slots.end());
-  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+  sort_once(slots);
 }
 
 /// Parts may overlap; the user is informed, since it is often a mistake.
@@ -144,8 +137,7 @@ void take_groups(ImportedBody<dim>& body, const FacetTable<dim>& facets, const I
     if (group.dimension != dim && group.dimension != 0) continue;
     std::vector<int>& members = groups[group.name];
     members.insert(members.end(), group.members.begin(), group.members.end());
-    std::sort(members.begin(), members.end());
-    members.erase(std::unique(members.begin(), members.end()), members.end());
+    sort_once(members);
   }
   for (const auto& [name, slots] : parts) {
     auto& part = body.mesh.boundary[name];

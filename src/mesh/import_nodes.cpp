@@ -8,6 +8,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 
+#include "mesh/facet_table.hpp"
 #include "scene/toml_text.hpp"
 
 namespace gnomon {
@@ -15,11 +16,6 @@ namespace gnomon {
 namespace {
 
 constexpr double same_plane = 1e-9;  // of the diagonal
-
-void sort_once(std::vector<int>& numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
 
 Eigen::AlignedBox3d box_of(const ImportedMesh& mesh) {
   Eigen::AlignedBox3d box;

@@ -70,8 +70,7 @@ ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& 
   ImportedBody<dim> body = body_of<dim>(mesh);
   orient_cells(body);
   const FacetTable<dim> facets(body.mesh);
-  for (int slot = 0; slot < facets.slots(); ++slot)
-    if (facets.neighbour(slot) == facets.exterior) body.exterior.push_back(facets.facet(slot));
+  body.exterior = facets.exterior_facets();
   check_connection(body, facets);
   take_groups(body, facets, mesh);
   if constexpr (dim == 2) order_along_boundary(body, ascending);

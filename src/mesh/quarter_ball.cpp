@@ -72,7 +72,7 @@ private:
   void add_nodes();
   void add_core();
   void add_layers(const Mesh<3>::Facet& skin_facet);
-  void name_boundary();
+  std::string part_of(const Mesh<3>::Facet& facet) const;
 
   QuarterBall ball_;
   Mesh<3> mesh_;
@@ -84,16 +84,12 @@ BallMesh::BallMesh(const QuarterBall& ball) : ball_(ball) {
   core_nodes_ = (2 * ball.across + 1) * (ball.across + 1) * (ball.height + 1);
   add_nodes();
   add_core();
-  for (const Mesh<3>::Facet& facet : exterior_facets(mesh_)) {
-    const auto all = [&](auto&& condition) {
-      return std::all_of(facet.begin(), facet.end(),
-                         [&](int node) { return condition(mesh_.nodes[node]); });
-    };
-    const bool symmetry = all([](const Vector<3>& X) { return X[1] == 0; });
-    const bool top = all([this](const Vector<3>& X) { return X[2] == ball_.radius; });
-    if (!symmetry && !top) add_layers(facet);
-  }
-  name_boundary();
+  for (const Mesh<3>::Facet& facet : exterior_facets(mesh_))
+    if (const std::string part = part_of(facet); part != "symmetry" && part != "top")
+      add_layers(facet);
+  mesh_.boundary["free"];  // stays empty if every facet is near
+  for (const Mesh<3>::Facet& facet : exterior_facets(mesh_))
+    mesh_.boundary[part_of(facet)].push_back(facet);
 }
 
 void BallMesh::add_nodes() {
@@ -145,22 +141,15 @@ void BallMesh::add_layers(const Mesh<3>::Facet& facet) {
   }
 }
 
-void BallMesh::name_boundary() {
-  mesh_.boundary["free"];  // stays empty if every facet is near
-  for (const Mesh<3>::Facet& facet : exterior_facets(mesh_)) {
-    bool symmetry = true, top = true, near = false;
-    for (int node : facet) {
-      const Vector<3>& X = mesh_.nodes[node];
-      symmetry &= X[1] == 0;
-      top &= X[2] == ball_.radius;
-      near |= X.head<2>().norm() <= ball_.contact_radius;
-    }
-    mesh_.boundary[symmetry ? "symmetry"
-                   : top    ? "top"
-                   : near   ? "contact"
-                            : "free"]
-        .push_back(facet);
+std::string BallMesh::part_of(const Mesh<3>::Facet& facet) const {
+  bool symmetry = true, top = true, near = false;
+  for (int node : facet) {
+    const Vector<3>& X = mesh_.nodes[node];
+    symmetry &= X[1] == 0;
+    top &= X[2] == ball_.radius;
+    near |= X.head<2>().norm() <= ball_.contact_radius;
   }
+  return symmetry ? "symmetry" : top ? "top" : near ? "contact" : "free";
 }
 
 }  // namespace

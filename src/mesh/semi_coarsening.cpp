@@ -2,7 +2,7 @@
 #include <gnomon/mesh/cell_layers.hpp>
 #include <gnomon/mesh/semi_coarsening.hpp>
 #include <limits>
-#include <numeric>
+#include <map>
 
 namespace gnomon {
 
@@ -44,14 +44,13 @@ public:
   NodeInterpolation coarsen(double limit, double most);
 
 private:
-  using Row = std::vector<std::pair<int, double>>;  // coarse node, weight
+  using Row = std::map<int, double>;  // coarse node, weight
 
   bool removed(const Passage& passage) const {
     return passage.stack >= 0 && stacks_[passage.stack].place[passage.place] < 0;
   }
   const Passage* removed_passage(int node) const;
   void interpolate(int node, double weight, Row& row) const;
-  void add_row(int node, NodeInterpolation& result) const;
   int beyond(const Passage& passage, int Passage::*side) const;
   void keep(const std::vector<int>& kept);
 
@@ -91,31 +90,13 @@ template <int dim>
 void Level<dim>::interpolate(int node, double weight, Row& row) const {
   const Passage* passage = removed_passage(node);
   if (!passage) {
-    row.emplace_back(number_[node], weight);
+    row[number_[node]] += weight;  // reached along several lines round a closed ring
     return;
   }
   const double before = (position_[node] - position_[passage->before]).norm();
   const double after = (position_[node] - position_[passage->after]).norm();
   interpolate(passage->before, weight * after / (before + after), row);
   interpolate(passage->after, weight * before / (before + after), row);
-}
-
-/// A coarse node may be reached along several lines round a closed ring.
-template <int dim>
-void Level<dim>::add_row(int node, NodeInterpolation& result) const {
-  Row row;
-  interpolate(node, 1, row);
-  std::sort(row.begin(), row.end());
-  result.start.push_back(static_cast<int>(result.coarse.size()));
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    const auto [coarse, weight] = row[k];
-    if (k > 0 && coarse == row[k - 1].first) {
-      result.weight.back() += weight;
-      continue;
-    }
-    result.coarse.push_back(coarse);
-    result.weight.push_back(weight);
-  }
 }
 
 template <int dim>
@@ -130,7 +111,15 @@ NodeInterpolation Level<dim>::coarsen(double limit, double most) {
     result.kept.push_back(node);
   }
   if (static_cast<double>(result.kept.size()) > most) return {};
-  for (int node = 0; node < static_cast<int>(nodes()); ++node) add_row(node, result);
+  for (int node = 0; node < static_cast<int>(nodes()); ++node) {
+    Row row;
+    interpolate(node, 1, row);
+    result.start.push_back(static_cast<int>(result.coarse.size()));
+    for (const auto& [coarse, weight] : row) {
+      result.coarse.push_back(coarse);
+      result.weight.push_back(weight);
+    }
+  }
   result.start.push_back(static_cast<int>(result.coarse.size()));
   keep(result.kept);
   return result;

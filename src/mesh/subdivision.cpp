@@ -4,6 +4,8 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/subdivision.hpp>
 
+#include "mesh/facet_table.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -46,14 +48,15 @@ bool contains(const Face& face, int node) {
 using EdgeKey = std::array<int, 2>;
 using FaceKey = std::array<int, 4>;
 
-EdgeKey edge_key(int a, int b) {
-  return {std::min(a, b), std::max(a, b)};
+/// Nodes of a face of a cell with these nodes.
+FaceKey nodes_of(const Face& face, std::span<const int> cell) {
+  FaceKey nodes;
+  for (int a = 0; a < 4; ++a) nodes[a] = face[a] < 0 ? -1 : cell[face[a]];
+  return nodes;
 }
 
-template <class Key>
-void sort_once(std::vector<Key>& keys) {
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+EdgeKey edge_key(int a, int b) {
+  return {std::min(a, b), std::max(a, b)};
 }
 
 /// Position among the sorted keys; -1 where there is none.
@@ -73,7 +76,7 @@ private:
   void add_nodes();
   void add_node(std::span<const int> around);
   int edge_node(int a, int b) const;
-  int face_node(FaceKey nodes) const;
+  int face_node(const FaceKey& nodes) const;
   void split_in_plane(std::span<const int> nodes, std::int64_t tag, int centre, ElementList& to);
   void split_in_space(int cell);
   void split_cells();
@@ -106,12 +109,7 @@ void Subdivision::collect(int cell) {
   for (const Corner& corner : shape.corners)
     for (int k = 1; k < 4; ++k)
       if (corner[0] < corner[k]) edges_.push_back(edge_key(nodes[corner[0]], nodes[corner[k]]));
-  for (const Face& face : shape.faces) {
-    FaceKey key;
-    for (int a = 0; a < 4; ++a) key[a] = face[a] < 0 ? -1 : nodes[face[a]];
-    std::sort(key.begin(), key.end());
-    faces_.push_back(key);
-  }
+  for (const Face& face : shape.faces) faces_.push_back(sorted(nodes_of(face, nodes)));
 }
 
 void Subdivision::add_node(std::span<const int> around) {
@@ -134,9 +132,8 @@ int Subdivision::edge_node(int a, int b) const {
   return place < 0 ? -1 : static_cast<int>(old_.nodes.size()) + place;
 }
 
-int Subdivision::face_node(FaceKey nodes) const {
-  std::sort(nodes.begin(), nodes.end());
-  const int place = place_of(faces_, nodes);
+int Subdivision::face_node(const FaceKey& nodes) const {
+  const int place = place_of(faces_, sorted(nodes));
   return place < 0 ? -1 : static_cast<int>(old_.nodes.size() + edges_.size()) + place;
 }
 
@@ -158,11 +155,8 @@ void Subdivision::split_in_space(int cell) {
   const int centre = static_cast<int>(old_.nodes.size() + edges_.size() + faces_.size()) + cell;
   const auto face = [&](int a, int b, int c) {
     for (const Face& one : shape.faces)
-      if (contains(one, a) && contains(one, b) && contains(one, c)) {
-        FaceKey key;
-        for (int k = 0; k < 4; ++k) key[k] = one[k] < 0 ? -1 : nodes[one[k]];
-        return face_node(key);
-      }
+      if (contains(one, a) && contains(one, b) && contains(one, c))
+        return face_node(nodes_of(one, nodes));
     return -1;
   };
   for (const auto& [v, a, b, c] : shape.corners) {
