@@ -34,9 +34,7 @@ public:
       : epochs_(model),
         integrator_(integrator),
         settings_(settings),
-        checkpoint_seconds_(policy.checkpoint_seconds),
-        until_(policy.until),
-        estimates_phases_(policy.phase_errors),
+        policy_(policy),
         schedule_(policy, settings.end),
         writer_(writer),
         hooks_(hooks),
@@ -70,7 +68,7 @@ public:
     // The last good state is always stored, independent of the output keys of the scene.
     if (outcome_.status != Status::finished && outcome_.last) store();
     if (outcome_.status == Status::finished)
-      outcome_.ended_by = ends_early() ? "time.until: " + until_->text : "time.end";
+      outcome_.ended_by = ends_early() ? "time.until: " + policy_.until->text : "time.end";
     outcome_.wall_seconds = elapsed();
     outcome_.counters = counters_;
     outcome_.chattering_nodes = memory_.chattering.nodes();
@@ -85,7 +83,7 @@ private:
   void start() {
     state() = model().start(counters_);
     Observation observed = observe({});
-    if (until_) excess(*until_, observed);  // refuses an unknown one
+    if (policy_.until) excess(*policy_.until, observed);  // refuses an unknown one
     record({}, std::move(observed));
     store();
     outcome_.examination = examined();
@@ -124,16 +122,19 @@ private:
       }
       if (!stepper_) make_stepper();
       const State before = state();
-      if (until_ || model().overdue) memory_.stepper = stepper_->memory();
+      if (policy_.until || model().overdue) memory_.stepper = stepper_->memory();
       StepReport report = stepper_->advance(state(), schedule_.stop());
       Observation observed = observe(report);
       if (model().overdue) come_near(before, report, observed);
-      if (until_) end_early(before, report, observed);
+      if (policy_.until) end_early(before, report, observed);
       jumps_->add(before, state());
       require_mesh(observed, before);
       record(report, std::move(observed));
       progress.require(state().t, counters_);
-      if (damping_) require_damping();
+      if (damping_) {
+        damping_->require_damping_in_wider_contact(state(), observed_);
+        require_no_chattering(memory_.chattering.nodes(), integrator_);
+      }
       if (schedule_.wants(state().t, counters_.steps) || ends_early()) store();
       begin_epoch();
       if (clock_is_due()) write_checkpoint();
@@ -176,11 +177,11 @@ private:
     last_checkpoint_.epoch = epochs_.number();
     if (!writer_) return;
     writer_->begin_epoch(change->start, model().grid);
-    if (checkpoint_seconds_ > 0) write_checkpoint();
+    if (policy_.checkpoint_seconds > 0) write_checkpoint();
   }
 
   /// Whether the last good state is the last one of the run, by time.until.
-  bool ends_early() const { return until_ && excess(*until_, observed_) >= 0; }
+  bool ends_early() const { return policy_.until && excess(*policy_.until, observed_) >= 0; }
 
   void repeat(const State& before, double end, StepReport& report, Observation& observed) {
     --counters_.steps;
@@ -202,8 +203,8 @@ private:
   void end_early(const State& before, StepReport& report, Observation& observed) {
     constexpr int most = 10;  // where an observation jumps
     for (int i = 0; i < most; ++i) {
-      const double after = excess(*until_, observed);
-      const double part = after >= 0 ? part_until(excess(*until_, observed_), after) : 1;
+      const double after = excess(*policy_.until, observed);
+      const double part = after >= 0 ? part_until(excess(*policy_.until, observed_), after) : 1;
       if (part >= 1) return;
       repeat(before, before.t + part * (state().t - before.t), report, observed);
     }
@@ -232,11 +233,6 @@ private:
           "no step ended with a decaying mode (contact at a single node has none) that would show "
           "whether steps of {:g} s are short enough for {}",
           settings_.step, integrator_.name));
-  }
-
-  void require_damping() {
-    damping_->require_damping_in_wider_contact(state(), observed_);
-    require_no_chattering(memory_.chattering.nodes(), integrator_);
   }
 
   void record(const StepReport& report, Observation observed) {
@@ -282,7 +278,7 @@ private:
 
   /// Beside the run: its steps and its counters are the same without it.
   void estimate_phase_error() {
-    if (!estimates_phases_ || !model().phase_error) return;
+    if (!policy_.phase_errors || !model().phase_error) return;
     try {
       const std::optional<PhaseError> error = model().phase_error(state());
       if (!error) return;
@@ -305,7 +301,7 @@ private:
 
   bool clock_is_due() const {
     const std::chrono::duration<double> passed = Clock::now() - checkpointed_;
-    return checkpoint_seconds_ > 0 && passed.count() >= checkpoint_seconds_;
+    return policy_.checkpoint_seconds > 0 && passed.count() >= policy_.checkpoint_seconds;
   }
 
   /// So that no step is lost. A run that goes on from here restarts its method where the
@@ -340,9 +336,7 @@ private:
   Epochs epochs_;
   const Integrator& integrator_;
   IntegratorSettings settings_;
-  const double checkpoint_seconds_;
-  const std::optional<Until> until_;
-  const bool estimates_phases_;
+  const StorePolicy& policy_;
   StoreSchedule schedule_;
   ResultWriter* writer_;
   const RunHooks& hooks_;

@@ -77,14 +77,11 @@ Scene checked_scene_of_text(const std::string& text, const std::string& name,
 
 namespace {
 
-/// The scene with the choices that follow from the size of the model, for the resolved scene.
-Scene with_choices(Scene scene, const LinearSolverMaker& solver) {
-  for (const auto& [key, value] : solver.keys) scene = scene.with(key, value);
-  return scene;
-}
-
-Setup completed(Scene scene, std::unique_ptr<Model> model) {
-  Scene complete = with_choices(scene, model->system().structure().solver);
+/// With the choices that follow from the size of the model, for the resolved scene.
+Setup completed(const Scene& scene, std::unique_ptr<Model> model) {
+  Scene complete = scene;
+  for (const auto& [key, value] : model->system().structure().solver.keys)
+    complete = complete.with(key, value);
   if (chooses_phases(scene)) complete = with_phases(complete, model->phases);
   if (scene.knows("counter_body.file")) complete = with_profile_points(complete);
   return {with_cycle_tables(complete), std::move(model)};
@@ -113,8 +110,7 @@ Scene scene_of_result(const ResultReader& result, const std::filesystem::path& f
 }
 
 Setup set_up_again(Scene scene, const std::optional<Grid>& grid) {
-  auto model = remake_model(scene, grid);
-  return completed(std::move(scene), std::move(model));
+  return completed(scene, remake_model(scene, grid));
 }
 
 Setup set_up(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
