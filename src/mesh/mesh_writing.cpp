@@ -2,7 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <gnomon/mesh/mesh_writing.hpp>
+#include <gnomon/mesh/imported_body.hpp>
 #include <iterator>
 
 namespace gnomon {

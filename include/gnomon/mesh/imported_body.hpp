@@ -30,10 +30,10 @@ struct ImportedBody {
 /// Checks a mesh and makes it one that gnomon computes with. Repaired, and said in the remarks:
 /// cells and facets of either orientation, nodes of no cell, nodes at the same place, cells and
 /// facets that are listed twice, a plane at constant z, cells that are to be subdivided
-/// (subdivision.hpp). Refused by InputError with the element and its place: everything else that
-/// is not sound. A group that is no part of the boundary becomes `unusable`. In 2D the numbers of
-/// the nodes ascend along the parts named `ascending` (contact surfaces) as far as that is
-/// possible: they cannot along all of a closed curve.
+/// into quadrilaterals or hexahedra. Refused by InputError with the element and its place:
+/// everything else that is not sound. A group that is no part of the boundary becomes `unusable`.
+/// In 2D the numbers of the nodes ascend along the parts named `ascending` (contact surfaces) as
+/// far as that is possible: they cannot along all of a closed curve.
 template <int dim>
 ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& ascending = {});
 
@@ -47,5 +47,11 @@ const std::vector<typename Mesh<dim>::Facet>& boundary_part(const ImportedBody<d
 /// of groups of points among the others.
 template <int dim>
 std::vector<int> group_nodes(const ImportedBody<dim>& body, const std::string& name);
+
+/// The mesh of a body with its groups, in the format of Gmsh that most programs read: 2.2, ASCII.
+/// Positions are written such that reading gives the same numbers. A cell of several groups is in
+/// the first of them; a facet of several is listed in each.
+template <int dim>
+std::string gmsh_text(const ImportedBody<dim>& body);
 
 }  // namespace gnomon
