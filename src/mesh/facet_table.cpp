@@ -12,38 +12,21 @@ constexpr int edges_of_quadrilateral[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
 constexpr int facets_of_hexahedron[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
                                             {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 
-template <int dim>
-int least_node(const typename Mesh<dim>::Facet& facet) {
-  return *std::min_element(facet.begin(), facet.end());
-}
-
 }  // namespace
 
 template <int dim>
 FacetTable<dim>::FacetTable(const Mesh<dim>& mesh)
-    : mesh_(mesh),
-      start_(mesh.nodes.size() + 2, 0),
-      neighbour_(facets_per_cell * mesh.cells.size(), exterior) {
-  for (int slot = 0; slot < slots(); ++slot) ++start_[least_node<dim>(facet(slot)) + 2];
-  for (std::size_t node = 2; node < start_.size(); ++node) start_[node] += start_[node - 1];
-  slots_.resize(neighbour_.size());
-  for (int slot = 0; slot < slots(); ++slot)
-    slots_[start_[least_node<dim>(facet(slot)) + 1]++] = slot;
-  start_.pop_back();
-  for (int node = 0; node + 1 < static_cast<int>(start_.size()); ++node) {
-    const std::span<const int> here = slots_at(node);
-    for (std::size_t k = 0; k < here.size(); ++k) connect(here[k], here.subspan(k + 1));
-  }
-}
-
-template <int dim>
-void FacetTable<dim>::connect(int slot, std::span<const int> candidates) {
-  const Facet own = sorted(facet(slot));
-  for (int other : candidates) {
-    if (sorted(facet(other)) != own) continue;
-    const bool free = neighbour_[slot] == exterior && neighbour_[other] == exterior;
-    neighbour_[slot] = free ? other : crowded;
-    neighbour_[other] = free ? slot : crowded;
+    : mesh_(mesh), neighbour_(facets_per_cell * mesh.cells.size(), exterior) {
+  for (int slot = 0; slot < slots(); ++slot) by_nodes_.push_back({sorted(facet(slot)), slot});
+  std::sort(by_nodes_.begin(), by_nodes_.end());
+  for (std::size_t k = 0, next = 0; k < by_nodes_.size(); k = next) {
+    while (next < by_nodes_.size() && by_nodes_[next].first == by_nodes_[k].first) ++next;
+    if (next - k == 2) {
+      neighbour_[by_nodes_[k].second] = by_nodes_[k + 1].second;
+      neighbour_[by_nodes_[k + 1].second] = by_nodes_[k].second;
+    }
+    if (next - k > 2)
+      for (std::size_t same = k; same < next; ++same) neighbour_[by_nodes_[same].second] = crowded;
   }
 }
 
@@ -66,11 +49,9 @@ int FacetTable<dim>::find(std::span<const int> nodes) const {
   Facet wanted;
   if (nodes.size() != wanted.size()) return -1;
   std::copy(nodes.begin(), nodes.end(), wanted.begin());
-  wanted = sorted(wanted);
-  if (wanted[0] < 0) return -1;
-  for (int slot : slots_at(wanted[0]))
-    if (sorted(facet(slot)) == wanted) return slot;
-  return -1;
+  const auto found =
+      std::lower_bound(by_nodes_.begin(), by_nodes_.end(), std::pair(sorted(wanted), 0));
+  return found != by_nodes_.end() && found->first == sorted(wanted) ? found->second : -1;
 }
 
 template <int dim>

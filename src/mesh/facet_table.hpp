@@ -21,8 +21,7 @@ void sort_once(std::vector<Entry>& entries) {
   entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
 }
 
-/// Facets of all cells by slots, facets_per_cell * cell + number in the cell. In linear time and
-/// with two integers per slot: the facets are listed by their least node, of which there are few.
+/// Facets of all cells by slots, facets_per_cell * cell + number in the cell.
 template <int dim>
 class FacetTable {
 public:
@@ -44,14 +43,8 @@ public:
   std::vector<Facet> exterior_facets() const;
 
 private:
-  std::span<const int> slots_at(int node) const {
-    return {slots_.data() + start_[node],
-            static_cast<std::size_t>(start_[node + 1] - start_[node])};
-  }
-  void connect(int slot, std::span<const int> candidates);
-
   const Mesh<dim>& mesh_;
-  std::vector<int> start_, slots_;  // slots by the least node of their facets
+  std::vector<std::pair<Facet, int>> by_nodes_;  // sorted nodes and slot of each facet, ascending
   std::vector<int> neighbour_;
 };
 
