@@ -28,25 +28,11 @@ ElementKind kind_of(int type) {
                 "), expected the first order; in Gmsh: Mesh.ElementOrder = 1");
 }
 
-/// Index of a node by its tag.
-class NodeIndex {
-public:
-  void set(const Tags& ascending) {
-    tags_ = &ascending;
-    if (ascending.back() > 8 * ascending.size() + 1024) return;  // few tags far apart: searched
-    by_tag_.assign(ascending.back() + 1, -1);
-    for (std::size_t i = 0; i < ascending.size(); ++i) by_tag_[ascending[i]] = static_cast<int>(i);
-  }
-  int operator()(std::size_t tag) const {
-    if (!by_tag_.empty()) return tag < by_tag_.size() ? by_tag_[tag] : -1;
-    const auto found = std::lower_bound(tags_->begin(), tags_->end(), tag);
-    return found != tags_->end() && *found == tag ? static_cast<int>(found - tags_->begin()) : -1;
-  }
-
-private:
-  const Tags* tags_ = nullptr;
-  std::vector<int> by_tag_;
-};
+/// Index of a node among ascending tags; -1 where there is none.
+int index_of(const Tags& nodes, std::size_t tag) {
+  const auto found = std::ranges::lower_bound(nodes, tag);
+  return found != nodes.end() && *found == tag ? static_cast<int>(found - nodes.begin()) : -1;
+}
 
 std::vector<int> ascending(const Tags& tags) {
   std::vector<int> order(tags.size());
@@ -55,19 +41,21 @@ std::vector<int> ascending(const Tags& tags) {
   return order;
 }
 
-void copy_nodes(ImportedMesh& mesh, Tags& sorted, NodeIndex& index) {
+/// Returns the tags of the nodes.
+Tags copy_nodes(ImportedMesh& mesh) {
   Tags tags;
   std::vector<double> places, ignored;
   gmsh::model::mesh::getNodes(tags, places, ignored, -1, -1, false, false);
   if (tags.empty()) throw Refusal("has no nodes");
   if (tags.size() > std::numeric_limits<int>::max() / 8) throw Refusal("has too many nodes");
+  Tags sorted;
   for (int i : ascending(tags)) {
     if (!sorted.empty() && sorted.back() == tags[i]) continue;
     sorted.push_back(tags[i]);
     mesh.node_tags.push_back(static_cast<std::int64_t>(tags[i]));
     mesh.nodes.push_back({places[3 * i], places[3 * i + 1], places[3 * i + 2]});
   }
-  index.set(sorted);
+  return sorted;
 }
 
 /// Elements of one geometrical entity after the other, with where each begins.
@@ -77,7 +65,7 @@ struct EntityElements {
 };
 
 EntityElements copy_elements(const std::vector<int>& entities, int dimension,
-                             const NodeIndex& index) {
+                             const Tags& mesh_nodes) {
   EntityElements result;
   for (int entity : entities) {
     const int first = result.list.size();
@@ -90,7 +78,7 @@ EntityElements copy_elements(const std::vector<int>& entities, int dimension,
       std::array<int, 8> own{};
       for (std::size_t e = 0; e < tags[t].size(); ++e) {
         for (std::size_t a = 0; a < count; ++a) {
-          own[a] = index(nodes[t][count * e + a]);
+          own[a] = index_of(mesh_nodes, nodes[t][count * e + a]);
           if (own[a] < 0)
             throw Refusal("element " + std::to_string(tags[t][e]) + " has node " +
                           std::to_string(nodes[t][count * e + a]) + ", which is not in the file");
@@ -135,20 +123,20 @@ std::vector<int> members(const std::vector<int>& entities, const EntityElements&
   return result;
 }
 
-std::vector<int> nodes_of_group(int dimension, int group, const NodeIndex& index) {
+std::vector<int> nodes_of_group(int dimension, int group, const Tags& mesh_nodes) {
   Tags tags;
   std::vector<double> ignored;
   gmsh::model::mesh::getNodesForPhysicalGroup(dimension, group, tags, ignored);
   std::vector<int> result;
   for (std::size_t tag : tags)
-    if (const int node = index(tag); node >= 0) result.push_back(node);
+    if (const int node = index_of(mesh_nodes, tag); node >= 0) result.push_back(node);
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 
 void copy_groups(ImportedMesh& mesh, const EntityElements& cells, const EntityElements& facets,
-                 const NodeIndex& index) {
+                 const Tags& mesh_nodes) {
   for (const auto& [dimension, tag] : groups_of(-1)) {
     std::string name;
     gmsh::model::getPhysicalName(dimension, tag, name);
@@ -158,7 +146,7 @@ void copy_groups(ImportedMesh& mesh, const EntityElements& cells, const EntityEl
     else if (dimension == mesh.dimension - 1)
       group.members = members(entities_of_group(dimension, tag), facets);
     else if (dimension < mesh.dimension)
-      group.members = nodes_of_group(dimension, tag, index);
+      group.members = nodes_of_group(dimension, tag, mesh_nodes);
     mesh.groups.push_back(group);
   }
 }
@@ -236,15 +224,13 @@ std::vector<int> element_types(int dimension) {
 
 void copy_model(ImportedMesh& mesh, bool geometry) {
   mesh.dimension = highest_dimension();
-  Tags sorted;
-  NodeIndex index;
-  copy_nodes(mesh, sorted, index);
+  const Tags nodes = copy_nodes(mesh);
   EntityElements cells =
-      copy_elements(entities_to_copy(mesh.dimension, geometry), mesh.dimension, index);
+      copy_elements(entities_to_copy(mesh.dimension, geometry), mesh.dimension, nodes);
   EntityElements facets;
   if (mesh.dimension > 0)
-    facets = copy_elements(entities_to_copy(mesh.dimension - 1, false), mesh.dimension - 1, index);
-  copy_groups(mesh, cells, facets, index);
+    facets = copy_elements(entities_to_copy(mesh.dimension - 1, false), mesh.dimension - 1, nodes);
+  copy_groups(mesh, cells, facets, nodes);
   add_empty_groups(mesh);
   if (mesh.dimension > 1 && groups_of(mesh.dimension - 1).empty()) name_entities(mesh, facets);
   sort_by_tag(cells, mesh.groups, mesh.dimension);
