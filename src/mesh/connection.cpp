@@ -30,13 +30,14 @@ void check_overlaps(const ImportedBody<dim>& body, const FacetTable<dim>& facets
   for (int slot = 0; slot < facets.slots(); ++slot) {
     const int other = facets.neighbour(slot), cell = slot / facets.facets_per_cell;
     if (other == facets.crowded)
-      refuse_body(body, fmt::format("more than two cells meet at a side of {}, expected cells that "
-                                    "do not overlap",
-                                    cell_text(body, cell)));
+      refuse_mesh(body.file,
+                  fmt::format("more than two cells meet at a side of {}, expected cells that "
+                              "do not overlap",
+                              cell_text(body, cell)));
     if (other > slot && same_direction(facets.facet(slot), facets.facet(other)))
-      refuse_body(
-          body, fmt::format("{} and {} overlap, expected cells side by side", cell_text(body, cell),
-                            cell_text(body, other / facets.facets_per_cell)));
+      refuse_mesh(body.file, fmt::format("{} and {} overlap, expected cells side by side",
+                                         cell_text(body, cell),
+                                         cell_text(body, other / facets.facets_per_cell)));
   }
 }
 
@@ -120,8 +121,8 @@ void check_hanging_nodes(const ImportedBody<dim>& body) {
       if (!box.contains(X[*at])) continue;
       if (std::find(facet.begin(), facet.end(), *at) != facet.end()) continue;
       if (hangs<dim>(X[*at], facet, X, margin))
-        refuse_body(
-            body,
+        refuse_mesh(
+            body.file,
             fmt::format("{} hangs: it lies at {} within the side of a cell, of which it is no "
                         "corner; expected cells that meet side to side (in Gmsh: Coherence, or "
                         "BooleanFragments, before meshing)",
@@ -168,8 +169,8 @@ void check_one_part(const ImportedBody<dim>& body, const FacetTable<dim>& facets
     if (first[part[cell]] < 0) first[part[cell]] = cell;
     ++cells[part[cell]];
   }
-  refuse_body(
-      body,
+  refuse_mesh(
+      body.file,
       fmt::format("the body consists of {} parts that share no side of a cell, for example {} with "
                   "{} and {} with {}; expected one part",
                   parts, counted(cells[0], "cell"), cell_text(body, first[0]),
@@ -181,9 +182,10 @@ void check_pinches(const ImportedBody<2>& body) {
   std::vector<char> begins(body.mesh.nodes.size(), 0);
   for (const auto& facet : body.exterior) {
     if (begins[facet[0]])
-      refuse_body(body, fmt::format("the body touches itself in {} only, expected sides of cells "
-                                    "to be shared there",
-                                    node_text(body, facet[0])));
+      refuse_mesh(body.file,
+                  fmt::format("the body touches itself in {} only, expected sides of cells "
+                              "to be shared there",
+                              node_text(body, facet[0])));
     begins[facet[0]] = 1;
   }
 }
@@ -197,9 +199,9 @@ void check_pinches(const ImportedBody<3>& body) {
   std::sort(edges.begin(), edges.end());
   const auto twice = std::adjacent_find(edges.begin(), edges.end());
   if (twice != edges.end())
-    refuse_body(body, fmt::format("the body touches itself in the edge from {} to {} only, "
-                                  "expected sides of cells to be shared there",
-                                  node_text(body, (*twice)[0]), node_text(body, (*twice)[1])));
+    refuse_mesh(body.file, fmt::format("the body touches itself in the edge from {} to {} only, "
+                                       "expected sides of cells to be shared there",
+                                       node_text(body, (*twice)[0]), node_text(body, (*twice)[1])));
 }
 
 }  // namespace

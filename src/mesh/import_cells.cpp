@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <gnomon/base/error.hpp>
 #include <gnomon/mesh/cell_basis.hpp>
 
 #include "mesh/import_nodes.hpp"
@@ -68,14 +67,15 @@ void check_shape(const ImportedBody<dim>& body, int cell, const CellShape& shape
   const double cube = std::pow(shape.longest, dim);
   const char* measure = dim == 2 ? "area" : "volume";
   if (std::max(std::abs(shape.least), std::abs(shape.most)) <= no_volume * cube)
-    refuse_body(body, fmt::format("{} has no {}", cell_text(body, cell), measure));
+    refuse_mesh(body.file, fmt::format("{} has no {}", cell_text(body, cell), measure));
   if (shape.least < 0 && shape.most > 0 && std::abs(shape.volume) <= 1e-6 * shape.most)
-    refuse_body(body, fmt::format("{} crosses itself, expected its nodes in the order around it",
-                                  cell_text(body, cell)));
+    refuse_mesh(body.file,
+                fmt::format("{} crosses itself, expected its nodes in the order around it",
+                            cell_text(body, cell)));
   if (shape.least <= no_volume * cube)
-    refuse_body(body, fmt::format("{} is folded, expected {}", cell_text(body, cell),
-                                  dim == 2 ? "inner angles below 180 degrees"
-                                           : "a positive Jacobian at every corner"));
+    refuse_mesh(body.file, fmt::format("{} is folded, expected {}", cell_text(body, cell),
+                                       dim == 2 ? "inner angles below 180 degrees"
+                                                : "a positive Jacobian at every corner"));
 }
 
 }  // namespace
@@ -86,11 +86,6 @@ std::string cell_text(const ImportedBody<dim>& body, int cell) {
   const Vector<dim> middle = X.colwise().mean().transpose();
   return fmt::format("element {} at {}", body.cell_tags[cell],
                      place_text({middle.data(), static_cast<std::size_t>(dim)}));
-}
-
-template <int dim>
-void refuse_body(const ImportedBody<dim>& body, const std::string& why) {
-  throw InputError(fmt::format("{}: {}", body.file, why));
 }
 
 template <int dim>
@@ -131,8 +126,6 @@ void orient_cells(ImportedBody<dim>& body) {
 
 template std::string cell_text(const ImportedBody<2>&, int);
 template std::string cell_text(const ImportedBody<3>&, int);
-template void refuse_body(const ImportedBody<2>&, const std::string&);
-template void refuse_body(const ImportedBody<3>&, const std::string&);
 template void orient_cells(ImportedBody<2>&);
 template void orient_cells(ImportedBody<3>&);
 

@@ -11,10 +11,6 @@ namespace gnomon {
 template <int dim>
 std::string cell_text(const ImportedBody<dim>& body, int cell);
 
-/// Throws InputError in the form "FILE: why".
-template <int dim>
-[[noreturn]] void refuse_body(const ImportedBody<dim>& body, const std::string& why);
-
 /// Turns cells that are inside out by their order. Refuses those that are folded or have no volume.
 /// Remarks badly shaped ones.
 template <int dim>

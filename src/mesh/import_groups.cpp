@@ -153,7 +153,7 @@ const std::vector<typename Mesh<dim>::Facet>& boundary_part(const ImportedBody<d
   const auto& parts = body.mesh.boundary;
   if (const auto found = parts.find(name); found != parts.end()) return found->second;
   if (const auto found = body.unusable.find(name); found != body.unusable.end())
-    throw InputError(fmt::format("{}: {} {}", body.file, toml_text(name), found->second));
+    refuse_mesh(body.file, toml_text(name) + " " + found->second);
   refuse_name(body, name, names_of(parts));
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <map>
 
 #include "mesh/facet_table.hpp"
 #include "scene/toml_text.hpp"
@@ -23,33 +24,15 @@ Eigen::AlignedBox3d box_of(const ImportedMesh& mesh) {
   return box;
 }
 
-/// Elements that stand in for themselves stay, in the list and in the groups; the others give their
-/// place in groups to the one that stands in for them.
-void keep_elements(ElementList& list, std::vector<MeshGroup>& groups, int dimension,
-                   const std::vector<int>& stand_in) {
-  ElementList kept;
-  std::vector<int> now(stand_in.size(), -1);
-  for (int e = 0; e < list.size(); ++e) {
-    if (stand_in[e] != e) continue;
-    now[e] = kept.size();
-    kept.add(list.kinds[e], list.tags[e], list.at(e));
-  }
-  list = std::move(kept);
-  for (MeshGroup& group : groups) {
-    if (group.dimension != dimension) continue;
-    for (int& member : group.members) member = now[stand_in[member]];
-    sort_once(group.members);
-  }
-}
-
 void check_elements(const ImportedMesh& mesh, const ElementList& list, int dimension) {
   for (int e = 0; e < list.size(); ++e) {
     if (dimension_of(list.kinds[e]) != dimension ||
         std::ssize(list.at(e)) != node_count(list.kinds[e]))
-      refuse_mesh(mesh, fmt::format("element {} is no {}", list.tags[e], name_of(list.kinds[e])));
+      refuse_mesh(mesh.file,
+                  fmt::format("element {} is no {}", list.tags[e], name_of(list.kinds[e])));
     for (int node : list.at(e))
       if (node < 0 || node >= std::ssize(mesh.nodes))
-        refuse_mesh(mesh,
+        refuse_mesh(mesh.file,
                     fmt::format("element {} has a node that is not in the file", list.tags[e]));
   }
 }
@@ -65,15 +48,15 @@ void check_members(const ImportedMesh& mesh) {
       count = std::ssize(mesh.nodes);
     for (int member : group.members)
       if (member < 0 || member >= count)
-        refuse_mesh(
-            mesh, fmt::format("{} has an element that is not in the file", toml_text(group.name)));
+        refuse_mesh(mesh.file, fmt::format("{} has an element that is not in the file",
+                                           toml_text(group.name)));
   }
 }
 
 }  // namespace
 
-void refuse_mesh(const ImportedMesh& mesh, const std::string& why) {
-  throw InputError(fmt::format("{}: {}", mesh.file, why));
+void refuse_mesh(const std::string& file, const std::string& why) {
+  throw InputError(fmt::format("{}: {}", file, why));
 }
 
 std::string counted(long count, const char* what) {
@@ -92,18 +75,19 @@ void check_content(const ImportedMesh& mesh, int dim) {
   const char* physical = dim == 2 ? "Physical Surface" : "Physical Volume";
   if (mesh.dimension < 2 || mesh.cells.size() == 0)
     refuse_mesh(
-        mesh,
+        mesh.file,
         "has no cells, only points or curves; expected a mesh of the body itself (in Gmsh: "
         "mesh in 2D or 3D, and where groups are named, also name that of the body, by Physical "
         "Surface or Physical Volume, since Gmsh saves only what is in a group)");
   if (mesh.dimension != dim)
     refuse_mesh(
-        mesh, fmt::format("is a mesh in {}D, expected one in {}D{}", mesh.dimension, dim,
-                          mesh.dimension < dim
-                              ? fmt::format(" (where groups are named, Gmsh saves volumes only if "
-                                            "they are in a {})",
-                                            physical)
-                              : ""));
+        mesh.file,
+        fmt::format("is a mesh in {}D, expected one in {}D{}", mesh.dimension, dim,
+                    mesh.dimension < dim
+                        ? fmt::format(" (where groups are named, Gmsh saves volumes only if "
+                                      "they are in a {})",
+                                      physical)
+                        : ""));
   check_elements(mesh, mesh.cells, dim);
   check_elements(mesh, mesh.facets, dim - 1);
   check_members(mesh);
@@ -111,9 +95,9 @@ void check_content(const ImportedMesh& mesh, int dim) {
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
     for (double x : mesh.nodes[node])
       if (!(std::abs(x) < far))
-        refuse_mesh(mesh, fmt::format("node {} lies at {}, expected finite coordinates",
-                                      mesh.node_tags[node], place_text(mesh.nodes[node])));
-  if (!(diagonal(mesh) > 1 / far)) refuse_mesh(mesh, "has all its nodes at one place");
+        refuse_mesh(mesh.file, fmt::format("node {} lies at {}, expected finite coordinates",
+                                           mesh.node_tags[node], place_text(mesh.nodes[node])));
+  if (!(diagonal(mesh) > 1 / far)) refuse_mesh(mesh.file, "has all its nodes at one place");
 }
 
 void renumber_nodes(ImportedMesh& mesh, const std::vector<int>& now) {
@@ -132,17 +116,18 @@ void lay_in_plane(ImportedMesh& mesh) {
   const double tolerance = same_plane * size.norm(), least = box.min()[2], most = box.max()[2];
   if (size[2] > tolerance) {
     if (size[1] <= tolerance)
-      refuse_mesh(mesh,
+      refuse_mesh(mesh.file,
                   "lies in the plane of x and z, expected that of x and y (in Gmsh: Rotate "
                   "{{1, 0, 0}, {0, 0, 0}, -Pi/2})");
     if (size[0] <= tolerance)
-      refuse_mesh(mesh,
+      refuse_mesh(mesh.file,
                   "lies in the plane of y and z, expected that of x and y (in Gmsh: Rotate "
                   "{{0, 1, 0}, {0, 0, 0}, Pi/2})");
-    refuse_mesh(mesh, fmt::format("is a surface in space (z from {:.6g} to {:.6g}), expected a "
-                                  "plane mesh with z = 0 or cells of a volume (in Gmsh: mesh in "
-                                  "3D, and name the volume by Physical Volume)",
-                                  least, most));
+    refuse_mesh(mesh.file,
+                fmt::format("is a surface in space (z from {:.6g} to {:.6g}), expected a "
+                            "plane mesh with z = 0 or cells of a volume (in Gmsh: mesh in "
+                            "3D, and name the volume by Physical Volume)",
+                            least, most));
   }
   if (std::max(std::abs(least), std::abs(most)) > tolerance)
     mesh.remarks.push_back(fmt::format("lies at z = {:.6g}, which was taken for 0", least));
@@ -171,32 +156,32 @@ void drop_unused_nodes(ImportedMesh& mesh) {
 }
 
 void drop_equal_cells(ImportedMesh& mesh) {
-  ElementList& cells = mesh.cells;
-  std::vector<std::pair<std::array<int, 8>, int>> keys(cells.size());
-  for (int cell = 0; cell < cells.size(); ++cell) {
-    auto& key = keys[cell].first;
-    key.fill(-1);
-    const std::span<const int> nodes = cells.at(cell);
-    std::copy(nodes.begin(), nodes.end(), key.begin());
-    std::sort(key.begin(), key.begin() + nodes.size());
-    const auto twice = std::adjacent_find(key.begin(), key.begin() + nodes.size());
-    if (twice != key.begin() + nodes.size())
-      refuse_mesh(mesh, fmt::format("element {} has two corners at one node, {} at {}, expected a "
-                                    "{} of as many nodes as corners",
-                                    cells.tags[cell], mesh.node_tags[*twice],
-                                    place_text(mesh.nodes[*twice]), name_of(cells.kinds[cell])));
-    keys[cell].second = cell;
+  ElementList kept;
+  std::map<std::vector<int>, int> first;  // number of the cell that stays, by its sorted nodes
+  std::vector<int> now;
+  for (int cell = 0; cell < mesh.cells.size(); ++cell) {
+    const ElementKind kind = mesh.cells.kinds[cell];
+    const std::int64_t tag = mesh.cells.tags[cell];
+    const std::span<const int> nodes = mesh.cells.at(cell);
+    const std::vector<int> key = sorted(std::vector<int>(nodes.begin(), nodes.end()));
+    if (const auto twice = std::ranges::adjacent_find(key); twice != key.end())
+      refuse_mesh(
+          mesh.file,
+          fmt::format("element {} has two corners at one node, {} at {}, expected a "
+                      "{} of as many nodes as corners",
+                      tag, mesh.node_tags[*twice], place_text(mesh.nodes[*twice]), name_of(kind)));
+    const auto [place, is_new] = first.try_emplace(key, kept.size());
+    if (is_new) kept.add(kind, tag, nodes);
+    now.push_back(place->second);
   }
-  std::sort(keys.begin(), keys.end());
-  std::vector<int> stand_in(cells.size());
-  long dropped = 0;
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    const bool again = k > 0 && keys[k].first == keys[k - 1].first;
-    stand_in[keys[k].second] = again ? stand_in[keys[k - 1].second] : keys[k].second;
-    dropped += again;
-  }
+  const int dropped = mesh.cells.size() - kept.size();
   if (dropped == 0) return;
-  keep_elements(cells, mesh.groups, mesh.dimension, stand_in);
+  mesh.cells = std::move(kept);
+  for (MeshGroup& group : mesh.groups) {
+    if (group.dimension != mesh.dimension) continue;
+    for (int& member : group.members) member = now[member];
+    sort_once(group.members);
+  }
   mesh.remarks.push_back(fmt::format("{} listed twice (in several groups?) {} taken once",
                                      counted(dropped, "cell"), dropped == 1 ? "was" : "were"));
 }

@@ -6,7 +6,7 @@
 namespace gnomon {
 
 /// Throws InputError in the form "FILE: why".
-[[noreturn]] void refuse_mesh(const ImportedMesh& mesh, const std::string& why);
+[[noreturn]] void refuse_mesh(const std::string& file, const std::string& why);
 
 /// "1 node", "3 nodes".
 std::string counted(long count, const char* what);
@@ -35,5 +35,16 @@ void drop_unused_nodes(ImportedMesh& mesh);
 
 /// Of cells with the same nodes the first stays. Refuses cells that have a node twice.
 void drop_equal_cells(ImportedMesh& mesh);
+
+/// Whether the mesh has other cells than quadrilaterals (hexahedra in space).
+bool needs_subdivision(const ImportedMesh& mesh);
+
+/// (subdivision.cpp) One quadrilateral (hexahedron) for each corner of every cell, between the
+/// corner, the midpoints of its edges, the centroids of its faces and that of the cell: 3 from a
+/// triangle, 4 from a quadrilateral or a tetrahedron, 6 from a wedge, 8 from a hexahedron.
+/// Neighbours share the new nodes, whose tag is 0; new cells and facets have the tag of that which
+/// they are a part of. Edges stay straight. Facets and groups follow; a facet that is no side of a
+/// cell stays as it is. Throws InputError at a pyramid, whose tip has four edges.
+ImportedMesh subdivide(const ImportedMesh& mesh);
 
 }  // namespace gnomon

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/imported_body.hpp>
-#include <gnomon/mesh/subdivision.hpp>
 
 #include "mesh/import_cells.hpp"
 #include "mesh/import_nodes.hpp"

@@ -14,6 +14,7 @@
 #include <gnomon/mesh/mesh_file.hpp>
 #include <optional>
 
+#include "mesh/import_nodes.hpp"
 #include "mesh/mesh_stream.hpp"
 #include "scene/toml_text.hpp"
 
@@ -32,29 +33,27 @@ std::string extension(const std::filesystem::path& file) {
   return result;
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
-  throw InputError(fmt::format("{}: {}", file.string(), why));
-}
-
 void check_kind(const std::filesystem::path& file) {
   const std::string kind = extension(file);
   if (kind == ".inp")
-    refuse(file,
-           "Gmsh's library writes Abaqus files but does not read them; "
-           "convert it, for example with: meshio convert part.inp part.msh (which drops its sets: "
-           "name the "
-           "parts in Gmsh)");
+    refuse_mesh(
+        file.string(),
+        "Gmsh's library writes Abaqus files but does not read them; "
+        "convert it, for example with: meshio convert part.inp part.msh (which drops its sets: "
+        "name the "
+        "parts in Gmsh)");
   if (kind == ".msh" || is_geometry(file)) return;
-  refuse(file, kind.empty() ? fmt::format("has no ending, {}", expected)
-                            : fmt::format("files that end in {} are not read, {}", kind, expected));
+  refuse_mesh(file.string(),
+              kind.empty() ? fmt::format("has no ending, {}", expected)
+                           : fmt::format("files that end in {} are not read, {}", kind, expected));
 }
 
 void check_there(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
-    refuse(file, "is a folder, expected a mesh or a geometry");
-  if (!std::filesystem::exists(file, ignored)) refuse(file, "no such file");
-  if (!std::ifstream(file)) refuse(file, "cannot be read");
+    refuse_mesh(file.string(), "is a folder, expected a mesh or a geometry");
+  if (!std::filesystem::exists(file, ignored)) refuse_mesh(file.string(), "no such file");
+  if (!std::ifstream(file)) refuse_mesh(file.string(), "cannot be read");
 }
 
 /// Gmsh takes a file without a known beginning for a script, and runs it.
@@ -62,11 +61,12 @@ void check_beginning(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string word;
   stream >> word;
-  if (word.empty()) refuse(file, "is empty");
+  if (word.empty()) refuse_mesh(file.string(), "is empty");
   if (extension(file) != ".msh") return;
   // A section of comments may stand before; nothing else does.
   if (!word.starts_with("$MeshFormat") && !word.starts_with("$Comments"))
-    refuse(file, "does not begin with $MeshFormat, expected a mesh of Gmsh, version 4.1 or 2.2");
+    refuse_mesh(file.string(),
+                "does not begin with $MeshFormat, expected a mesh of Gmsh, version 4.1 or 2.2");
 }
 
 /// Gmsh leaves out the last line of a script that does not end with a new line, and says nothing.
@@ -74,7 +74,8 @@ void check_last_line(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   stream.seekg(-1, std::ios::end);
   if (stream.get() != '\n')
-    refuse(file, "expected an end of its last line, which Gmsh leaves out without one");
+    refuse_mesh(file.string(),
+                "expected an end of its last line, which Gmsh leaves out without one");
 }
 
 /// Gmsh takes what there is of a file that was cut off. Every section ends with its $End.
@@ -85,7 +86,8 @@ void check_end(const std::filesystem::path& file) {
   stream.seekg(std::max<std::streamoff>(0, size - longest));
   std::string word, last;
   while (stream >> word) last = word;
-  if (last.find("$End") == last.npos) refuse(file, "is cut off: its last section has no end");
+  if (last.find("$End") == last.npos)
+    refuse_mesh(file.string(), "is cut off: its last section has no end");
 }
 
 /// Gmsh's complaint of versions that it does not know is not one that helps.
@@ -98,18 +100,21 @@ void check_version(const std::filesystem::path& file) {
   stream >> word;
   for (const char* known : {"4.1", "2.2", "4", "4.0", "2", "2.0", "2.1"})
     if (stream && word == known) return;
-  refuse(file, fmt::format("format {} of Gmsh is not read, expected 4.1 or 2.2; in Gmsh: "
-                           "Mesh.MshFileVersion = 4.1",
-                           stream ? toml_text(word.substr(0, 20)) : "without a number"));
+  refuse_mesh(file.string(),
+              fmt::format("format {} of Gmsh is not read, expected 4.1 or 2.2; in Gmsh: "
+                          "Mesh.MshFileVersion = 4.1",
+                          stream ? toml_text(word.substr(0, 20)) : "without a number"));
 }
 
 void check_options(const std::filesystem::path& file, const MeshFileOptions& options) {
   if (!(options.size >= 0 && std::isfinite(options.size)))
-    refuse(file, fmt::format("size {}: expected a positive length", options.size));
+    refuse_mesh(file.string(), fmt::format("size {}: expected a positive length", options.size));
   if (!(options.factor > 0 && std::isfinite(options.factor)))
-    refuse(file, fmt::format("factor {}: expected a positive number", options.factor));
+    refuse_mesh(file.string(),
+                fmt::format("factor {}: expected a positive number", options.factor));
   if (!is_geometry(file) && (options.size != 0 || options.factor != 1))
-    refuse(file, "is meshed already, so it takes no size, expected one with .geo, .step or .stp");
+    refuse_mesh(file.string(),
+                "is meshed already, so it takes no size, expected one with .geo, .step or .stp");
 }
 
 #ifdef GNOMON_HAS_GMSH
@@ -218,8 +223,8 @@ ImportedMesh mesh_from_process(const std::filesystem::path& file, const MeshFile
   std::optional<Handed> handed = take(input.number);
   input.close_now();
   const int status = wait_for(process);
-  if (!handed) refuse(file, how_it_ended(status, is_geometry(file)));
-  if (!handed->complaint.empty()) refuse(file, handed->complaint);
+  if (!handed) refuse_mesh(file.string(), how_it_ended(status, is_geometry(file)));
+  if (!handed->complaint.empty()) refuse_mesh(file.string(), handed->complaint);
   handed->mesh.file = file.string();
   return std::move(handed->mesh);
 }
@@ -227,7 +232,8 @@ ImportedMesh mesh_from_process(const std::filesystem::path& file, const MeshFile
 #else
 
 ImportedMesh mesh_from_process(const std::filesystem::path& file, const MeshFileOptions&) {
-  refuse(file, "needs Gmsh's library, which this gnomon was built without (Debian: libgmsh-dev)");
+  refuse_mesh(file.string(),
+              "needs Gmsh's library, which this gnomon was built without (Debian: libgmsh-dev)");
 }
 
 #endif

@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <gnomon/base/error.hpp>
-#include <gnomon/mesh/subdivision.hpp>
 
 #include "mesh/facet_table.hpp"
+#include "mesh/import_nodes.hpp"
 
 namespace gnomon {
 
@@ -227,10 +226,12 @@ void Subdivision::follow_groups() {
 ImportedMesh Subdivision::operator()() {
   for (int cell = 0; cell < old_.cells.size(); ++cell) {
     if (old_.cells.kinds[cell] == ElementKind::pyramid)
-      throw InputError(fmt::format(
-          "{}: element {} is a pyramid, which cannot be subdivided into hexahedra; expected "
-          "hexahedra, tetrahedra or wedges (in Gmsh: no Recombine Surface between tetrahedra)",
-          old_.file, old_.cells.tags[cell]));
+      refuse_mesh(
+          old_.file,
+          fmt::format(
+              "element {} is a pyramid, which cannot be subdivided into hexahedra; expected "
+              "hexahedra, tetrahedra or wedges (in Gmsh: no Recombine Surface between tetrahedra)",
+              old_.cells.tags[cell]));
     collect(cell);
   }
   sort_once(edges_);

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <gnomon/mesh/imported_body.hpp>
-#include <gnomon/mesh/subdivision.hpp>
 #include <random>
 
+#include "mesh/import_nodes.hpp"
 #include "support/hexahedra.hpp"
 #include "support/imported.hpp"
 
