@@ -150,7 +150,7 @@ int stability_command(const StabilityOptions& options) {
   fmt::print(
       "{}\ncritical step: of the linearized equations, by the method's stability region\n"
       "onset: the step above which a small perturbation grows over {} real steps, to 1 %\n",
-      report.text(), OnsetOptions{}.steps);
+      report.text(), onset_steps);
   if (!options.folder.empty()) report.write(options.folder);
   return success;
 }

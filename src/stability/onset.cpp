@@ -12,6 +12,9 @@ namespace gnomon {
 
 namespace {
 
+constexpr double perturbation = 1e-6;       // in units of ModelFacts::differential_scale
+constexpr double accuracy_of_onset = 0.01;  // relative
+
 /// Differential rows ydot + f(t_0, y) - f(t_0, y_0); all other rows are unchanged.
 class RestingSystem : public System {
 public:
@@ -48,32 +51,6 @@ private:
   Structure structure_;
 };
 
-/// The model of such a system, for integrators.
-class RestingModel : public Model {
-public:
-  RestingModel(const Model& model, const State& state)
-      : model_(model), state_(state), system_(model.system(), state_) {
-    static_cast<ModelFacts&>(*this) = model;
-  }
-
-  const System& system() const override { return system_; }
-  State start(Counters&) const override {
-    State rest = state_;
-    rest.ydot.assign(rest.y.size(), 0.0);
-    return rest;
-  }
-  Observation observe(const State& state) const override { return model_.observe(state); }
-  std::vector<GridField> fields(const State& state) const override { return model_.fields(state); }
-  std::optional<ContactSurface> contact(const State& state) const override {
-    return model_.contact(state);
-  }
-
-private:
-  const Model& model_;
-  State state_;
-  RestingSystem system_;
-};
-
 /// The state, made consistent within the tolerance of the steppers' own solves, with its rates.
 State consistent(const System& system, State state) {
   Counters counters;
@@ -87,15 +64,16 @@ State consistent(const System& system, State state) {
 class OnsetSearch {
 public:
   OnsetSearch(const Model& model, const Integrator& integrator, const State& state,
-              const Eigen::VectorXcd& direction, const OnsetOptions& options)
-      : integrator_(integrator),
-        options_(options),
-        model_(model, consistent(model.system(), state)) {
-    const std::vector<char>& differential = model.system().structure().differential;
+              const Eigen::VectorXcd& direction)
+      : model_(model),
+        integrator_(integrator),
+        origin_(consistent(model.system(), state)),
+        system_(model.system(), origin_),
+        rest_(origin_) {
+    const std::vector<char>& differential = system_.structure().differential;
     for (int i = 0; i < static_cast<int>(differential.size()); ++i)
       if (differential[i]) components_.push_back(i);
-    Counters counters;
-    rest_ = model_.start(counters);
+    rest_.ydot.assign(rest_.y.size(), 0.0);
     perturb(direction);
   }
 
@@ -113,12 +91,12 @@ private:
   /// Perturbs by the real part of the direction; its largest entry has the prescribed size.
   void perturb(const Eigen::VectorXcd& direction) {
     const Eigen::VectorXd real = direction.real();
-    const double length = options_.perturbation * model_.differential_scale;
+    const double length = perturbation * model_.differential_scale;
     const double factor = length / real.cwiseAbs().maxCoeff();
     perturbed_ = rest_;
     for (std::size_t k = 0; k < components_.size(); ++k)
       perturbed_.y[components_[k]] += factor * real[static_cast<Eigen::Index>(k)];
-    perturbed_ = consistent(model_.system(), perturbed_);
+    perturbed_ = consistent(system_, perturbed_);
   }
 
   /// Takes steps of exactly this size; returns false if one of them had to be shortened. Fixed
@@ -126,12 +104,12 @@ private:
   /// half a step.
   bool take(State& state, double step) const {
     const double first = std::round(state.t / step);
-    IntegratorSettings settings = controlled_settings(model_, 1, (first + options_.steps) * step);
+    IntegratorSettings settings = controlled_settings(model_, 1, (first + onset_steps) * step);
     settings.step = step;
     Counters counters;
-    const auto stepper = integrator_.make(model_.system(), settings, counters);
+    const auto stepper = integrator_.make(system_, settings, counters);
     state.t = first * step;
-    for (int k = 1; k <= options_.steps; ++k)
+    for (int k = 1; k <= onset_steps; ++k)
       if (stepper->advance(state, (first + k) * step).restarted) return false;
     return true;
   }
@@ -142,9 +120,10 @@ private:
     return std::sqrt(sum);
   }
 
+  const Model& model_;
   const Integrator& integrator_;
-  OnsetOptions options_;
-  RestingModel model_;
+  State origin_;  // with its rates
+  RestingSystem system_;
   State rest_, perturbed_;
   std::vector<int> components_;
 };
@@ -152,9 +131,8 @@ private:
 }  // namespace
 
 double empirical_onset(const Model& model, const Integrator& integrator, const State& state,
-                       const Eigen::VectorXcd& direction, double guess,
-                       const OnsetOptions& options) {
-  const OnsetSearch search(model, integrator, state, direction, options);
+                       const Eigen::VectorXcd& direction, double guess) {
+  const OnsetSearch search(model, integrator, state, direction);
   double stable = guess, unstable = guess;
   while (search.grows(stable) && stable > guess / 10) stable /= 1.25;
   while (!search.grows(unstable) && unstable < guess * 10) unstable *= 1.25;
@@ -162,7 +140,7 @@ double empirical_onset(const Model& model, const Integrator& integrator, const S
     throw SolutionError(
         fmt::format("{}: no onset of instability between steps of {:.3g} and {:.3g}",
                     integrator.name, stable, unstable));
-  while (unstable - stable > options.accuracy * stable) {
+  while (unstable - stable > accuracy_of_onset * stable) {
     const double middle = (stable + unstable) / 2;
     (search.grows(middle) ? unstable : stable) = middle;
   }

@@ -96,12 +96,8 @@ struct CriticalStep {
 /// hundred times slower than the fastest one, which every step near the critical one resolves.
 CriticalStep critical_step(const ButcherTable& table, std::span<const Mode> modes);
 
-/// How the empirical onset of instability is searched.
-struct OnsetOptions {
-  int steps = 10;              ///< number of steps over which growth is measured
-  double perturbation = 1e-6;  ///< in units of ModelFacts::differential_scale
-  double accuracy = 0.01;      ///< relative accuracy of the onset
-};
+/// Number of steps over which the growth of a perturbation is measured.
+inline constexpr int onset_steps = 10;
 
 /// The step size above which a small perturbation of a consistent state grows over several
 /// nonlinear steps of the method, found by bisection from `guess` [time]. So that the state is at
@@ -109,7 +105,6 @@ struct OnsetOptions {
 /// ydot = r(t_0, y) - r(t_0, y_0). Throws SolutionError if there is no onset between a tenth of the
 /// guess and ten times the guess.
 double empirical_onset(const Model& model, const Integrator& integrator, const State& state,
-                       const Eigen::VectorXcd& direction, double guess,
-                       const OnsetOptions& options = {});
+                       const Eigen::VectorXcd& direction, double guess);
 
 }  // namespace gnomon
