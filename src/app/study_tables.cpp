@@ -56,7 +56,7 @@ void print_observed(const Study& study, const StudyTable& table) {
       const Scalar* const scalar = find_scalar(row.observed, name);
       cells.push_back(scalar ? fmt::format("{:.5g}", scalar->value) : "-");
     }
-    cells.push_back(row.cpu_seconds ? fmt::format("{:.2f}", *row.cpu_seconds) : "-");
+    cells.push_back(row.end ? fmt::format("{:.2f}", row.end->cpu_seconds) : "-");
     cells.push_back(status_text(row));
     text.add(cells);
   }
@@ -77,7 +77,7 @@ void print_errors(const Study& study, const StudyTable& table) {
               error_text(row.shape_error, row.marked_shape),
               row.counters ? fmt::format("{}", row.counters->steps) : "-",
               row.counters ? fmt::format("{}", row.counters->factorizations) : "-",
-              row.cpu_seconds ? fmt::format("{:.2f}", *row.cpu_seconds) : "-", status_text(row)});
+              row.end ? fmt::format("{:.2f}", row.end->cpu_seconds) : "-", status_text(row)});
   fmt::print("{}", text.text());
   for (std::size_t i = 0; i < table.references.size(); ++i) {
     const std::string& label = study.sweep[i].label;
@@ -108,7 +108,7 @@ void print_advice(const Study& study, const StudyTable& table) {
       cells.insert(cells.end(),
                    {study.runs[row.point.run].title, fmt::format("{:.2e}", *row.shape_error),
                     fmt::format("{}", row.counters->newton_iterations),
-                    fmt::format("{:.2f}", *row.cpu_seconds)});
+                    fmt::format("{:.2f}", row.end->cpu_seconds)});
     } else {
       cells.insert(cells.end(), {"none of these", "-", "-", "-"});
     }

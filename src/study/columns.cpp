@@ -23,9 +23,15 @@ StudyColumn real(const std::string& name, const std::string& unit, const std::st
           [member](const StudyRow& row) { return maybe(row.*member); }};
 }
 
+StudyColumn of_process(const std::string& name, const std::string& unit, double ProcessEnd::*member,
+                       const std::string& meaning) {
+  return {{name, unit, Type::real, "cost", meaning},
+          [member](const StudyRow& row) { return row.end ? Cell((*row.end).*member) : Cell(); }};
+}
+
 StudyColumn count(const std::string& name, long Counters::*member, const std::string& meaning) {
   return {{name, "", Type::integer, "cost", meaning}, [member](const StudyRow& row) {
-            return row.counters ? CellValue(std::int64_t{(*row.counters).*member}) : CellValue();
+            return row.counters ? Cell((*row.counters).*member) : Cell();
           }};
 }
 
@@ -73,7 +79,7 @@ std::vector<StudyColumn> reference_columns(const StudyTable& table) {
       {{"marked", "", Type::integer, "reference",
         "1 if a shape error is less than ten times that of its reference, or the latter is "
         "unknown"},
-       [](const StudyRow& row) { return std::int64_t{row.marked_shape || row.marked_max}; }},
+       [](const StudyRow& row) { return int{row.marked_shape || row.marked_max}; }},
   };
 }
 
@@ -87,10 +93,10 @@ std::vector<StudyColumn> cost_columns() {
   columns.push_back(
       real("wall_seconds", "s", "cost", &StudyRow::wall_seconds,
            "wall time of the integration; runs at the same time slow each other down"));
-  columns.push_back(real("cpu_seconds", "s", "cost", &StudyRow::cpu_seconds,
-                         "CPU time of the whole process, user and system"));
-  columns.push_back(real("peak_memory_mb", "MB", "cost", &StudyRow::peak_memory_mb,
-                         "peak resident memory of the whole process"));
+  columns.push_back(of_process("cpu_seconds", "s", &ProcessEnd::cpu_seconds,
+                               "CPU time of the whole process, user and system"));
+  columns.push_back(of_process("peak_memory_mb", "MB", &ProcessEnd::peak_memory_mb,
+                               "peak resident memory of the whole process"));
   return columns;
 }
 
@@ -107,7 +113,7 @@ std::vector<StudyColumn> sweep_columns(const Study& study) {
                         numbers ? Type::real : Type::text, "sweep", "swept key of the scene"},
                        [&study, i, numbers](const StudyRow& row) {
                          const std::string& value = study.sweep[row.point.sweep].values[i].second;
-                         return numbers ? maybe(parsed_number<double>(value)) : CellValue(value);
+                         return numbers ? maybe(parsed_number<double>(value)) : Cell(value);
                        }});
   }
   return columns;

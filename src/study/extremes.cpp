@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/results.hpp>
+#include <gnomon/results/versions.hpp>
 #include <gnomon/study/extremes.hpp>
 
 #include "run/end_warnings.hpp"
 #include "study/run_files.hpp"
+#include "study/table.hpp"
+#include "study/text_file.hpp"
 
 namespace gnomon {
 
@@ -121,14 +124,14 @@ private:
     if (!(relative(reference_.error.value_or(0)) <= extremes::coarsest))
       return "the references differ";
     if (!(*case_.difference <= extremes::no_answer)) return "is nowhere near the solution";
-    const StudyRow::Half& half = row_.half;
-    if (!half.shape_error) return "half the step does not confirm it: " + half.reason;
+    const RunRecord& half = row_.half;
+    if (!row_.half_error) return "half the step does not confirm it: " + half.reason;
     const bool more_steps =
         !half.counters || !row_.counters || half.counters->steps > row_.counters->steps;
     const double enough = more_steps
                               ? std::max(extremes::shrinks * *case_.difference, extremes::near)
                               : extremes::coarsest;
-    const double left = relative(*half.shape_error);
+    const double left = relative(*row_.half_error);
     if (left <= enough) return {};
     return fmt::format("half the step leaves {:.1e} of {:.1e}", left, *case_.difference);
   }
@@ -139,6 +142,48 @@ private:
   const bool is_reference_;
   const RunFiles files_;
 };
+
+using CaseColumn = ColumnOf<ExtremeCase>;
+
+CaseColumn column(const std::string& name, const std::string& meaning,
+                  std::function<Cell(const ExtremeCase&)> value, const std::string& unit = "") {
+  return {{name, unit, {}, "case", meaning}, std::move(value)};
+}
+
+std::vector<CaseColumn> case_columns() {
+  using Case = const ExtremeCase&;
+  return {
+      column("study", "name of the study", [](Case c) { return c.study; }),
+      column("sweep", "swept keys and their values", [](Case c) { return c.row.sweep; }),
+      column("run", "method and setting", [](Case c) { return c.run.title; }),
+      column("method", "name of the method in the study",
+             [](Case c) { return c.row.point.method; }),
+      column("integrator", "name of the integrator", [](Case c) { return c.row.point.integrator; }),
+      column("rtol", "relative tolerance of a run with error control",
+             [](Case c) {
+               const StudySetting& setting = c.row.point.setting;
+               return setting.kind == StudySetting::Kind::step ? Cell() : Cell(setting.value);
+             }),
+      column("file", "stem of its files in STUDY/runs", [](Case c) { return c.run.name; }),
+      column("verdict", "how the case ended", [](Case c) { return c.verdict.name; }),
+      column("difference",
+             "shape error divided by the Euclidean norm of the wear of all contact nodes",
+             [](Case c) { return maybe(c.difference); }),
+      column("bound", "largest difference that agrees", [](Case c) { return maybe(c.bound); }),
+      column("marked", "1 if the difference is less than ten times that between the references",
+             [](Case c) { return int{c.row.marked_shape}; }),
+      column("pressure_difference",
+             "largest difference of a nodal pressure at the end, divided by the largest pressure; "
+             "not judged",
+             [](Case c) { return maybe(c.pressure_difference); }),
+      column("steps", "accepted steps",
+             [](Case c) { return c.row.counters ? Cell(c.row.counters->steps) : Cell(); }),
+      column(
+          "wall_seconds", "wall time of the integration",
+          [](Case c) { return maybe(c.row.wall_seconds); }, "s"),
+      column("reason", "why", [](Case c) { return c.reason; }),
+  };
+}
 
 }  // namespace
 
@@ -154,6 +199,27 @@ std::vector<ExtremeCase> judge(const Study& study, const std::string& name,
     Judgement(found, table.references[row.point.sweep], is_reference, {folder, run.name})();
   }
   return cases;
+}
+
+std::string extremes_csv(const std::vector<ExtremeCase>& cases) {
+  return csv_of(table_of(case_columns(), cases));
+}
+
+std::string extremes_json(const std::vector<ExtremeCase>& cases) {
+  const Table table = table_of(case_columns(), cases);
+  Json json = {{"gnomon", library_versions().at("gnomon")},
+               {"verdicts", Json::array()},
+               {"columns", columns_json(table)},
+               {"rows", Json::array()}};
+  for (const Verdict& verdict : verdicts::all)
+    json["verdicts"].push_back(
+        {{"name", verdict.name}, {"meaning", verdict.meaning}, {"fault", verdict.fault}});
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    Json marked = Json::array();
+    if (cases[i].row.marked_shape && cases[i].difference) marked.push_back("difference");
+    json["rows"].push_back({{"marked", marked}, {"values", values_json(table, i)}});
+  }
+  return json_text(json);
 }
 
 }  // namespace gnomon

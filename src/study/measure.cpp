@@ -65,12 +65,7 @@ private:
   /// reason.
   RunRecord record_of(std::size_t run, const SweepPoint& sweep, Surfaces& surfaces) const {
     auto found = read_record(files(run), study_.runs[run]);
-    if (!found) {
-      RunRecord missing;
-      missing.status = "missing";
-      missing.reason = "not done";
-      return missing;
-    }
+    if (!found) return {.status = "missing", .reason = "not done"};
     if (found->status != "finished" || !study_.compared) return *found;
     try {
       surfaces = read_surfaces(files(run), sweep.times);
@@ -138,21 +133,11 @@ private:
   StudyRow row(const StudyPoint& point) const {
     const SweepPoint& sweep = study_.sweep[point.sweep];
     Surfaces surfaces;
-    const RunRecord record = record_of(point.run, sweep, surfaces);
     StudyRow row;
+    static_cast<RunRecord&>(row) = record_of(point.run, sweep, surfaces);
     row.point = point;
     row.sweep = sweep.label;
-    row.status = record.status;
-    row.reason = record.reason;
-    row.counters = record.counters;
-    row.wall_seconds = record.wall_seconds;
-    row.reached = record.reached;
-    row.end = record.end;
     if (row.status == "finished") add_observed(row);
-    if (record.end) {
-      row.cpu_seconds = record.end->cpu_seconds;
-      row.peak_memory_mb = record.end->peak_memory_mb;
-    }
     if (!surfaces.empty()) add_errors(row, surfaces);
     if (point.half) add_half(row, sweep);
     return row;
@@ -160,11 +145,10 @@ private:
 
   void add_half(StudyRow& row, const SweepPoint& sweep) const {
     Surfaces surfaces;
-    const RunRecord record = record_of(*row.point.half, sweep, surfaces);
-    row.half = {{}, record.counters, record.reason};
+    row.half = record_of(*row.point.half, sweep, surfaces);
     const Surfaces& reference = surfaces_[row.point.sweep];
     if (!surfaces.empty() && !reference.empty())
-      row.half.shape_error = errors_between(surfaces, reference).shape;
+      row.half_error = errors_between(surfaces, reference).shape;
   }
 
   void add_observed(StudyRow& row) const try {

@@ -10,7 +10,7 @@ namespace {
 
 /// The shape error that a run certainly does not exceed; absent where that is not known.
 std::optional<double> certain_error(const StudyRow& row, const StudyReference& reference) {
-  if (!row.shape_error || !row.cpu_seconds || !reference.error) return std::nullopt;
+  if (!row.shape_error || !row.end || !reference.error) return std::nullopt;
   return *row.shape_error + *reference.error;
 }
 
@@ -27,7 +27,8 @@ std::vector<Recommendation> recommendations(const StudyTable& table) {
         const StudyRow& row = table.rows[i];
         const auto error = certain_error(row, reference);
         if (row.point.sweep != sweep || !error || *error > part * reference.wear) continue;
-        if (!best.row || *row.cpu_seconds < *table.rows[*best.row].cpu_seconds) best.row = i;
+        if (!best.row || row.end->cpu_seconds < table.rows[*best.row].end->cpu_seconds)
+          best.row = i;
       }
     }
   }

@@ -3,13 +3,10 @@
 #pragma once
 
 #include <filesystem>
-#include <gnomon/base/counters.hpp>
 #include <gnomon/study/study.hpp>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "study/process_pool.hpp"
 
 namespace gnomon::study {
 
@@ -28,17 +25,6 @@ struct RunFiles {
 
 private:
   RunFiles() = default;
-};
-
-/// The data of a run that has ended.
-struct RunRecord {
-  bool complete = false;  ///< the run ended by itself and wrote its summary
-  std::string status;     ///< "finished", "failed"
-  std::string reason;
-  std::optional<Counters> counters;
-  std::optional<double> wall_seconds;
-  std::optional<double> reached;  ///< time of the last good state
-  std::optional<ProcessEnd> end;
 };
 
 /// Notes how the process of a run ended.

@@ -9,26 +9,6 @@
 
 namespace gnomon::study {
 
-namespace {
-
-struct TextOf {
-  std::string operator()(std::monostate) const { return {}; }
-  std::string operator()(std::int64_t value) const { return fmt::format("{}", value); }
-  std::string operator()(double value) const { return fmt::format("{}", value); }
-  std::string operator()(const std::string& value) const { return value; }
-};
-
-struct JsonOf {
-  Json operator()(std::monostate) const { return nullptr; }
-  Json operator()(std::int64_t value) const { return value; }
-  Json operator()(double value) const {
-    return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value));
-  }
-  Json operator()(const std::string& value) const { return value; }
-};
-
-}  // namespace
-
 std::string csv_text(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string result = "\"";
@@ -39,24 +19,27 @@ std::string csv_text(const std::string& text) {
   return result + '"';
 }
 
-std::string cell_text(const CellValue& value) {
-  return std::visit(TextOf{}, value);
+std::string cell_text(const Cell& value) {
+  if (value.is_null()) return {};
+  if (value.is_string()) return value;
+  return value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump();
 }
 
 std::string csv_of(const Table& table) {
   std::vector<std::string> cells;
   for (const Column& column : table.columns) cells.push_back(csv_text(column.name));
   std::string text = fmt::format("{}\n", fmt::join(cells, ","));
-  for (const std::vector<CellValue>& row : table.rows) {
+  for (const std::vector<Cell>& row : table.rows) {
     cells.clear();
-    for (const CellValue& value : row) cells.push_back(csv_text(cell_text(value)));
+    for (const Cell& value : row) cells.push_back(csv_text(cell_text(value)));
     text += fmt::format("{}\n", fmt::join(cells, ","));
   }
   return text;
 }
 
-Json value_json(const CellValue& value) {
-  return std::visit(JsonOf{}, value);
+Cell finite(const Cell& value) {
+  const bool is_finite = !value.is_number_float() || std::isfinite(value.get<double>());
+  return is_finite ? value : Cell(cell_text(value));
 }
 
 Json columns_json(const Table& table) {
@@ -72,7 +55,7 @@ Json columns_json(const Table& table) {
 Json values_json(const Table& table, std::size_t row) {
   Json values = Json::object();
   for (std::size_t i = 0; i < table.columns.size(); ++i)
-    values[table.columns[i].name] = value_json(table.rows[row][i]);
+    values[table.columns[i].name] = finite(table.rows[row][i]);
   return values;
 }
 

@@ -1,22 +1,20 @@
 // A table of results, as CSV and JSON show it: the interface to all programs that read studies.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <gnomon/study/study.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace gnomon::study {
 
-/// The value of a cell; monostate if there is none.
-using CellValue = std::variant<std::monostate, std::int64_t, double, std::string>;
+/// The value of a cell: a text, an integer, a real, or null if there is none.
+using Cell = nlohmann::ordered_json;
 
-inline CellValue maybe(const std::optional<double>& value) {
-  return value ? CellValue(*value) : CellValue();
+inline Cell maybe(const std::optional<double>& value) {
+  return value ? Cell(*value) : Cell();
 }
 
 struct Column {
@@ -32,12 +30,12 @@ struct Column {
 template <class Row>
 struct ColumnOf {
   Column column;
-  std::function<CellValue(const Row&)> value;
+  std::function<Cell(const Row&)> value;
 };
 
 struct Table {
   std::vector<Column> columns;
-  std::vector<std::vector<CellValue>> rows;  ///< a value for each column
+  std::vector<std::vector<Cell>> rows;  ///< a value for each column
 };
 
 template <class Row>
@@ -45,7 +43,7 @@ Table table_of(const std::vector<ColumnOf<Row>>& columns, const std::vector<Row>
   Table table;
   for (const ColumnOf<Row>& from : columns) table.columns.push_back(from.column);
   for (const Row& row : rows) {
-    std::vector<CellValue>& values = table.rows.emplace_back();
+    std::vector<Cell>& values = table.rows.emplace_back();
     for (const ColumnOf<Row>& from : columns) values.push_back(from.value(row));
   }
   return table;
@@ -56,15 +54,15 @@ Table table_of(const std::vector<ColumnOf<Row>>& columns, const std::vector<Row>
 Table results_of(const Study& study, const StudyTable& table);
 
 /// Shortest exact text of a cell; empty when there is no value.
-std::string cell_text(const CellValue& value);
+std::string cell_text(const Cell& value);
 
 /// A field of CSV; quotes are doubled within quotes.
 std::string csv_text(const std::string& text);
 /// The names, then one line per row.
 std::string csv_of(const Table& table);
 
-/// null where there is no value, a text where a number is not finite.
-nlohmann::ordered_json value_json(const CellValue& value);
+/// The same, but a text where a number is not finite.
+Cell finite(const Cell& value);
 /// Name, unit, group and meaning of every column.
 nlohmann::ordered_json columns_json(const Table& table);
 /// The values of a row by the names of their columns.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/versions.hpp>
 #include <gnomon/study/study.hpp>
@@ -23,6 +24,7 @@ using namespace study;
 using hdf5::check;
 using hdf5::Handle;
 using hdf5::own;
+
 /// A column in HDF5: its position in a row and its type.
 struct Placed {
   Column column;
@@ -62,19 +64,16 @@ Handle row_type(const std::vector<Placed>& placed, std::size_t row_size) {
 }
 
 /// A missing value is written as NaN, or as -1 for counts.
-void put(char* target, const Placed& place, const CellValue& value) {
-  if (place.column.kind == Column::Kind::text) {
-    const std::string text = cell_text(value);
-    std::copy(text.begin(), text.end(), target);
-  } else if (place.column.kind == Column::Kind::integer) {
-    const auto* given = std::get_if<std::int64_t>(&value);
-    const std::int64_t number = given ? *given : -1;
-    std::copy_n(reinterpret_cast<const char*>(&number), sizeof number, target);
-  } else {
-    const auto* given = std::get_if<double>(&value);
-    const double number = given ? *given : std::numeric_limits<double>::quiet_NaN();
-    std::copy_n(reinterpret_cast<const char*>(&number), sizeof number, target);
-  }
+void put(char* target, const Placed& place, const Cell& value) {
+  const auto put_number = [&](auto number) {
+    if (!value.is_null()) value.get_to(number);
+    std::memcpy(target, &number, sizeof number);
+  };
+  if (place.column.kind == Column::Kind::integer) return put_number(std::int64_t{-1});
+  if (place.column.kind == Column::Kind::real)
+    return put_number(std::numeric_limits<double>::quiet_NaN());
+  const std::string text = cell_text(value);
+  std::copy(text.begin(), text.end(), target);
 }
 
 void write_table(hid_t file, const Table& table) {
@@ -94,14 +93,11 @@ void write_table(hid_t file, const Table& table) {
 }
 
 Json reference_json(const StudyReference& reference, bool closed_form) {
-  const auto maybe = [](const std::optional<double>& value) {
-    return value_json(value ? CellValue(*value) : CellValue());
-  };
   return {{"text", reference.text},
           {"closed_form", closed_form},
-          {"error", maybe(reference.error)},
-          {"error_max", maybe(reference.error_max)},
-          {"pressure_error", maybe(reference.pressure_error)}};
+          {"error", finite(maybe(reference.error))},
+          {"error_max", finite(maybe(reference.error_max))},
+          {"pressure_error", finite(maybe(reference.pressure_error))}};
 }
 
 Json sweep_json(const SweepPoint& point) {

@@ -16,7 +16,7 @@ StudyRow row(double error, double cpu, long steps) {
   StudyRow made;
   made.point.setting.kind = StudySetting::Kind::tolerance;
   made.shape_error = error;
-  made.cpu_seconds = cpu;
+  made.end.emplace().cpu_seconds = cpu;
   made.counters = Counters{};
   made.counters->steps = steps;
   return made;

@@ -92,10 +92,10 @@ struct StudyOptions {
 
 /// How a process ended.
 struct ProcessEnd {
-  int exit_code = 0;       ///< meaningful when signal is 0
-  int signal = 0;          ///< that ended the process
-  bool timed_out = false;  ///< killed at StudyOptions::limit
-  double cpu_seconds = 0;
+  int exit_code = 0;          ///< meaningful when signal is 0
+  int signal = 0;             ///< that ended the process
+  bool timed_out = false;     ///< killed at StudyOptions::limit
+  double cpu_seconds = 0;     ///< user and system
   double peak_memory_mb = 0;  ///< [10^6 bytes]
 };
 
@@ -143,12 +143,21 @@ std::vector<std::size_t> missing_runs(const Study& study, const std::filesystem:
 /// Whether the folder contains the results of a study.
 bool holds_study(const std::filesystem::path& folder);
 
+/// How a run ended.
+struct RunRecord {
+  bool complete = false;  ///< it ended by itself and wrote its summary
+  std::string status{};   ///< "finished", "failed", "missing"
+  std::string reason{};   ///< of a failure
+  std::optional<Counters> counters{};
+  std::optional<double> wall_seconds{};  ///< of the run itself
+  std::optional<double> reached{};       ///< time of the last good state, finished or not
+  std::optional<ProcessEnd> end{};       ///< absent if it was not run
+};
+
 /// One row of the results. Errors are absent if a run or its reference has failed.
-struct StudyRow {
+struct StudyRow : RunRecord {
   StudyPoint point;
   std::string sweep;
-  std::string status;                      ///< "finished", "failed", "missing"
-  std::string reason;                      ///< of a failure
   std::optional<double> shape_error;       ///< at the end [length]
   std::optional<double> shape_error_max;   ///< largest at the measured times [length]
   std::optional<double> shape_error_self;  ///< at the end, against the self-reference [length]
@@ -157,19 +166,9 @@ struct StudyRow {
       false;  ///< below ten times the error of the reference, or the latter is unknown
   bool marked_max = false;
   bool marked_pressure = false;
-  /// Of the run with half the step: its shape error at the end, its steps, why it has none.
-  struct Half {
-    std::optional<double> shape_error;
-    std::optional<Counters> counters;
-    std::string reason;
-  } half;
-  std::vector<Scalar> observed;  ///< at the end of a finished run: worn volume, pressure, ...
-  std::optional<Counters> counters;
-  std::optional<double> wall_seconds;    ///< of the run itself
-  std::optional<double> cpu_seconds;     ///< of its process, user and system
-  std::optional<double> peak_memory_mb;  ///< of its process [10^6 bytes]
-  std::optional<double> reached;         ///< time of the last good state, finished or not
-  std::optional<ProcessEnd> end;         ///< absent if it was not run
+  RunRecord half;                    ///< of the run with half the step, if there is one
+  std::optional<double> half_error;  ///< its shape error at the end
+  std::vector<Scalar> observed;      ///< at the end of a finished run: worn volume, pressure, ...
 };
 
 /// The reference of the errors of one sweep point, and its own error.
