@@ -8,7 +8,7 @@
 #include <gnomon/base/installation.hpp>
 #include <sstream>
 
-#include "study/captured.hpp"
+#include "study/process_pool.hpp"
 
 namespace gnomon::app {
 

@@ -196,7 +196,8 @@ std::vector<ExtremeCase> judge(const Study& study, const std::string& name,
     ExtremeCase& found = cases.emplace_back(ExtremeCase{.study = name, .run = run, .row = row});
     const auto& references = study.sweep[row.point.sweep].references;
     const bool is_reference = std::ranges::find(references, row.point.run) != references.end();
-    Judgement(found, table.references[row.point.sweep], is_reference, {folder, run.name})();
+    Judgement(found, table.references[row.point.sweep], is_reference,
+              files_of_run(folder, run.name))();
   }
   return cases;
 }

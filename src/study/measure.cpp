@@ -59,7 +59,7 @@ public:
   }
 
 private:
-  RunFiles files(std::size_t run) const { return {folder_, study_.runs[run].name}; }
+  RunFiles files(std::size_t run) const { return files_of_run(folder_, study_.runs[run].name); }
 
   /// Reads the record and the surfaces of a run; a result that cannot be read is a failure with its
   /// reason.

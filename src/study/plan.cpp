@@ -149,7 +149,7 @@ namespace study {
 void write_plan(const fs::path& folder, const Study& study) {
   // Scenes that have not changed keep their files: other processes may be reading them.
   for (const StudyRun& run : study.runs)
-    if (const fs::path file = RunFiles(folder, run.name).scene;
+    if (const fs::path file = files_of_run(folder, run.name).scene;
         !fs::exists(file) || read_text(file) != run.scene)
       write_file(file, run.scene, Earlier::replaced);
   Json json;
@@ -169,7 +169,7 @@ void write_plan(const fs::path& folder, const Study& study) {
 }
 
 std::string planned_scene(const fs::path& folder, const std::string& run) {
-  return text_of(RunFiles(folder, run).scene);
+  return text_of(files_of_run(folder, run).scene);
 }
 
 }  // namespace study

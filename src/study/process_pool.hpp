@@ -1,4 +1,5 @@
-// Runs commands at the same time and reports the time and memory that each has used.
+// Runs commands: at the same time, with a report of the time and memory that each has used, or one
+// for what it prints.
 #pragma once
 
 #include <sys/types.h>
@@ -12,6 +13,18 @@
 #include <vector>
 
 namespace gnomon::study {
+
+/// The words of a command as exec() takes them; they stay where they are.
+std::vector<char*> pointers_to(const std::vector<std::string>& words);
+
+struct Captured {
+  int exit_code = 0;  ///< -1: it has none; 127: there is no such program
+  int signal = 0;     ///< that ended it
+  std::string out, err;
+};
+
+/// Waits for a program, which is looked for in PATH. Throws Error if no process can be started.
+Captured run_captured(const std::vector<std::string>& arguments);
 
 struct Command {
   std::vector<std::string> arguments;  ///< the program first

@@ -82,10 +82,7 @@ int latest_attempt(const fs::path& attempts) {
 }
 
 Sign sign_of(const fs::path& attempt, int number) {
-  const Json owner = read_json(attempt / owner_file);
-  return {
-      number, fmt::format("{}", owner.value("beat", 0L)),
-      fmt::format("{}, process {}", owner.value("host", "unknown"), owner.value("process", 0L))};
+  return {number, read_json(attempt / owner_file).value("beat", 0L)};
 }
 
 bool has_ended(const fs::path& attempt) {
@@ -123,7 +120,7 @@ double reached_by_attempts(const fs::path& study, const std::string& name) {
   double reached = 0;
   for (int number = latest_attempt(attempts); number > 0; --number)
     reached =
-        std::max(reached, checkpointed_time(RunFiles::in(attempts / std::to_string(number), name)));
+        std::max(reached, checkpointed_time(RunFiles(attempts / std::to_string(number), name)));
   return reached;
 }
 
@@ -163,7 +160,7 @@ std::optional<EndedAttempt> RunClaim::attempt_before() const {
   for (int number = number_ - 1; number > 0; --number) {
     const fs::path attempt = folder_.parent_path() / std::to_string(number);
     std::error_code ignored;
-    if (!fs::exists(RunFiles::in(attempt, name_).result, ignored)) continue;
+    if (!fs::exists(RunFiles(attempt, name_).result, ignored)) continue;
     const Json account = account_of(attempt);
     if (account.value("versions", Json()) != Json(library_versions())) return std::nullopt;
     EndedAttempt before{attempt, has_ended(attempt), {}};
@@ -207,7 +204,7 @@ void RunClaim::end(const ProcessEnd& sum) const {
 
 bool RunClaim::publish() const {
   if (!is_latest()) return false;
-  const RunFiles mine = files(), own(study_, name_);
+  const RunFiles mine = files(), own = files_of_run(study_, name_);
   fs::remove(own.process);
   for (const auto file :
        {&RunFiles::result, &RunFiles::sidecar, &RunFiles::summary, &RunFiles::log})

@@ -18,12 +18,9 @@ namespace gnomon::study {
 
 /// What another process shows of its attempt.
 struct Sign {
-  int number = 0;     ///< of the attempt
-  std::string beat;   ///< changes while the owner lives
-  std::string owner;  ///< "host, process 12"
-  friend bool operator==(const Sign& a, const Sign& b) {
-    return a.number == b.number && a.beat == b.beat;
-  }
+  int number = 0;  ///< of the attempt
+  long beat = 0;   ///< changes while the owner lives
+  bool operator==(const Sign&) const = default;
 };
 
 /// An attempt that ended, or was lost, before the run did, and has left a result.
@@ -48,7 +45,7 @@ public:
   static std::optional<Sign> sign(const std::filesystem::path& folder, const std::string& name);
 
   /// The files of this attempt.
-  RunFiles files() const { return RunFiles::in(folder_, name_); }
+  RunFiles files() const { return {folder_, name_}; }
   /// The last attempt before that has left a result.
   const std::optional<EndedAttempt>& before() const { return before_; }
 

@@ -52,16 +52,13 @@ void read_summary(RunRecord& record, const Json& summary) {
 
 }  // namespace
 
-RunFiles RunFiles::in(const fs::path& folder, const std::string& name) {
-  RunFiles files;
-  files.scene = folder / (name + ".toml");
-  files.result = folder / (name + ".h5");
-  files.sidecar = folder / (name + ".xdmf");
-  files.summary = folder / (name + ".json");
-  files.process = folder / (name + ".process.json");
-  files.log = folder / (name + ".log");
-  return files;
-}
+RunFiles::RunFiles(const fs::path& folder, const std::string& name)
+    : scene(folder / (name + ".toml")),
+      result(folder / (name + ".h5")),
+      sidecar(folder / (name + ".xdmf")),
+      summary(folder / (name + ".json")),
+      process(folder / (name + ".process.json")),
+      log(folder / (name + ".log")) {}
 
 void write_process_end(const RunFiles& files, const StudyRun& run, const ProcessEnd& end) {
   nlohmann::ordered_json json;

@@ -11,10 +11,8 @@
 namespace gnomon::study {
 
 struct RunFiles {
-  RunFiles(const std::filesystem::path& folder, const std::string& name)
-      : RunFiles(in(folder / "runs", name)) {}
   /// The files in this very folder.
-  static RunFiles in(const std::filesystem::path& folder, const std::string& name);
+  RunFiles(const std::filesystem::path& folder, const std::string& name);
 
   std::filesystem::path scene;    ///< NAME.toml, the resolved scene
   std::filesystem::path result;   ///< NAME.h5
@@ -22,10 +20,12 @@ struct RunFiles {
   std::filesystem::path summary;  ///< NAME.json
   std::filesystem::path process;  ///< NAME.process.json: results of wait4, and of which scene
   std::filesystem::path log;      ///< NAME.log: its standard error
-
-private:
-  RunFiles() = default;
 };
+
+/// Those of a run that is done, or planned, in the folder of its study.
+inline RunFiles files_of_run(const std::filesystem::path& study, const std::string& name) {
+  return {study / "runs", name};
+}
 
 /// Notes how the process of a run ended.
 void write_process_end(const RunFiles& files, const StudyRun& run, const ProcessEnd& end);

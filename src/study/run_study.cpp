@@ -46,7 +46,7 @@ std::vector<std::pair<std::size_t, std::size_t>> runs_in_order(const Study& stud
 /// failed run may have none.
 std::optional<RunRecord> record_of_done(const Study& study, const fs::path& folder, std::size_t run,
                                         const SweepPoint& sweep) try {
-  const RunFiles files(folder, study.runs[run].name);
+  const RunFiles files = files_of_run(folder, study.runs[run].name);
   const auto record = read_record(files, study.runs[run]);
   if (!record || !record->complete) return std::nullopt;
   if (record->status == "finished") read_observed(files);
@@ -145,7 +145,7 @@ private:
   }
 
   RunFiles files_before(std::size_t run, const RunClaim& claim) const {
-    return RunFiles::in(claim.before()->folder, study_.runs[run].name);
+    return {claim.before()->folder, study_.runs[run].name};
   }
 
   /// Takes the result of an attempt at the same run that was interrupted or lost, to be resumed.
@@ -209,7 +209,7 @@ private:
       return;
     }
     const auto record =
-        read_record(RunFiles(options_.folder, study_.runs[run].name), study_.runs[run]);
+        read_record(files_of_run(options_.folder, study_.runs[run].name), study_.runs[run]);
     ++progress_.done;
     progress_.ended = study_.runs[run].name;
     progress_.reason = record && record->status != "finished" ? record->reason : "";

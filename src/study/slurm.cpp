@@ -9,7 +9,6 @@
 #include <gnomon/study/slurm.hpp>
 #include <map>
 
-#include "study/captured.hpp"
 #include "study/process_pool.hpp"
 #include "study/run_claim.hpp"
 #include "study/run_numbers.hpp"
@@ -25,6 +24,9 @@ using Clock = std::chrono::steady_clock;
 
 /// Slurm's default of MaxArraySize allows numbers of array tasks up to this.
 constexpr std::size_t largest_task = 1000;
+
+/// Jobs of a run, one after the other, without progress: then it is left.
+constexpr int most_fruitless = 3;
 
 /// Text as one word of a shell.
 std::string shell_word(const std::string& text) {
@@ -124,7 +126,7 @@ private:
   std::vector<std::size_t> worth_another_job() const {
     std::vector<std::size_t> worth;
     for (const std::size_t run : missing_)
-      if (histories_.at(run).fruitless <= slurm_.fruitless) worth.push_back(run);
+      if (histories_.at(run).fruitless <= most_fruitless) worth.push_back(run);
     return worth;
   }
 

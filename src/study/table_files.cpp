@@ -11,6 +11,7 @@
 
 #include "results/hdf5_handles.hpp"
 #include "results/hdf5_values.hpp"
+#include "results/layout.hpp"
 #include "results/replaced_file.hpp"
 #include "study/recommendation.hpp"
 #include "study/table.hpp"
@@ -25,70 +26,50 @@ using hdf5::check;
 using hdf5::Handle;
 using hdf5::own;
 
-/// A column in HDF5: its position in a row and its type.
-struct Placed {
-  Column column;
-  std::size_t offset;
-  std::size_t size;  // of a text
-};
-
-std::size_t longest(const Table& table, std::size_t column) {
+/// The type of a column; a text is as long as the longest.
+Handle type_of(const Table& table, std::size_t column) {
+  const auto native = [](hid_t type) { return own(H5Tcopy(type), H5Tclose, "describe a table"); };
+  const Column::Kind kind = table.columns[column].kind;
+  if (kind == Column::Kind::integer) return native(H5T_NATIVE_INT64);
+  if (kind == Column::Kind::real) return native(H5T_NATIVE_DOUBLE);
   std::size_t size = 1;
   for (const auto& row : table.rows) size = std::max(size, cell_text(row[column]).size());
-  return size;
-}
-
-std::vector<Placed> place(const Table& table, std::size_t& row_size) {
-  std::vector<Placed> placed;
-  row_size = 0;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const bool text = table.columns[i].kind == Column::Kind::text;
-    const std::size_t size = text ? longest(table, i) : 8;
-    placed.push_back({table.columns[i], row_size, size});
-    row_size += size;
-  }
-  return placed;
-}
-
-Handle row_type(const std::vector<Placed>& placed, std::size_t row_size) {
-  Handle type = own(H5Tcreate(H5T_COMPOUND, row_size), H5Tclose, "describe a table");
-  for (const Placed& place : placed) {
-    const Handle text = hdf5::text_type(place.size);
-    const hid_t member = place.column.kind == Column::Kind::text      ? text.id()
-                         : place.column.kind == Column::Kind::integer ? H5T_NATIVE_INT64
-                                                                      : H5T_NATIVE_DOUBLE;
-    check(H5Tinsert(type.id(), place.column.name.c_str(), place.offset, member),
-          "describe a table");
-  }
-  return type;
+  return hdf5::text_type(size);
 }
 
 /// A missing value is written as NaN, or as -1 for counts.
-void put(char* target, const Placed& place, const Cell& value) {
+void put(char* target, Column::Kind kind, const Cell& value) {
   const auto put_number = [&](auto number) {
     if (!value.is_null()) value.get_to(number);
     std::memcpy(target, &number, sizeof number);
   };
-  if (place.column.kind == Column::Kind::integer) return put_number(std::int64_t{-1});
-  if (place.column.kind == Column::Kind::real)
-    return put_number(std::numeric_limits<double>::quiet_NaN());
+  if (kind == Column::Kind::integer) return put_number(std::int64_t{-1});
+  if (kind == Column::Kind::real) return put_number(std::numeric_limits<double>::quiet_NaN());
   const std::string text = cell_text(value);
   std::copy(text.begin(), text.end(), target);
 }
 
 void write_table(hid_t file, const Table& table) {
-  std::size_t row_size = 0;
-  const std::vector<Placed> placed = place(table, row_size);
+  std::vector<Handle> types;
+  std::size_t row_size = 0, offset = 0;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    types.push_back(type_of(table, i));
+    row_size += H5Tget_size(types.back().id());
+  }
+  const Handle type = layout::compound(row_size);
   std::vector<char> bytes(row_size * table.rows.size(), '\0');
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    for (std::size_t j = 0; j < placed.size(); ++j)
-      put(&bytes[i * row_size + placed[j].offset], placed[j], table.rows[i][j]);
-  const Handle type = row_type(placed, row_size);
+  std::vector<std::string> units;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const Column& column = table.columns[i];
+    layout::insert(type, column.name, offset, types[i].id());
+    for (std::size_t row = 0; row < table.rows.size(); ++row)
+      put(&bytes[row * row_size + offset], column.kind, table.rows[row][i]);
+    offset += H5Tget_size(types[i].id());
+    units.push_back(column.unit);
+  }
   const Handle dataset = hdf5::create_dataset(file, "study", type.id(), {table.rows.size()});
   check(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
         "write a table");
-  std::vector<std::string> units;
-  for (const Placed& place : placed) units.push_back(place.column.unit);
   hdf5::write_attribute(dataset.id(), "units", units);
 }
 

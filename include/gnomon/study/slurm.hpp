@@ -10,9 +10,8 @@ namespace gnomon {
 
 struct SlurmOptions {
   std::vector<std::string> sbatch;  ///< further options of sbatch, as "--time=60"
-  int at_most = 0;    ///< jobs of an array at the same time; 0: as many as Slurm allows
-  double poll = 10;   ///< between looks at the jobs [s]
-  int fruitless = 3;  ///< jobs of a run, one after the other, without progress: then it is left
+  int at_most = 0;   ///< jobs of an array at the same time; 0: as many as Slurm allows
+  double poll = 10;  ///< between looks at the jobs [s]
 };
 
 /// Plans the study, submits the runs that are not done, and submits those again whose jobs have
