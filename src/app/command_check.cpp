@@ -14,7 +14,7 @@ namespace gnomon::app {
 namespace {
 
 std::string text_of(const Setup& setup) {
-  TextTable table({{"# unknowns"}, {"symbol"}, {"size", TextTable::Align::right}, {"on"}});
+  TextTable table("llrl", {"# unknowns", "symbol", "size", "on"});
   long total = 0;
   for (const BlockSize& block : setup.model->blocks) {
     table.add({"# " + block.name, block.symbol, fmt::format("{}", block.size), block.where});

@@ -19,8 +19,6 @@ namespace gnomon::app {
 
 namespace {
 
-using Align = TextTable::Align;
-
 /// None if another version of gnomon wrote it; everything else can still be compared.
 std::optional<Scene> scene_of(const RunHeader& header, const std::filesystem::path& file) {
   try {
@@ -130,17 +128,9 @@ int compare_command(const std::vector<std::filesystem::path>& results,
                     const std::filesystem::path& reference) {
   const std::filesystem::path& chosen = reference.empty() ? results.back() : reference;
   const Reference chosen_result(chosen);
-  TextTable table({{"integrator"},
-                   {"setting"},
-                   {"steps", Align::right},
-                   {"rejected", Align::right},
-                   {"Newton", Align::right},
-                   {"factors", Align::right},
-                   {"wall [s]", Align::right},
-                   {"worn volume", Align::right},
-                   {"shape error [mm]", Align::right},
-                   {"pressure error [MPa]", Align::right},
-                   {"result"}});
+  TextTable table("llrrrrrrrrl",
+                  {"integrator", "setting", "steps", "rejected", "Newton", "factors", "wall [s]",
+                   "worn volume", "shape error [mm]", "pressure error [MPa]", "result"});
   for (const auto& file : results) add_row(table, file, chosen_result);
   fmt::print(
       "{}\nshape error: Euclidean norm of the differences of worn contact-node positions to the\n"

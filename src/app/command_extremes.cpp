@@ -29,32 +29,25 @@ namespace fs = std::filesystem;
 constexpr const char* table_file =
     "extremes.csv";  // its presence shows that a folder is that of a suite
 
-std::vector<fs::path> toml_files_below(const fs::path& folder, const std::string& in = "") {
-  std::vector<fs::path> files;
-  for (auto place = fs::recursive_directory_iterator(folder); place != fs::end(place); ++place) {
-    const fs::directory_entry& entry = *place;
-    if (fs::exists(entry.path() / table_file))
-      place.disable_recursion_pending();  // earlier results
-    if (entry.path().extension() == ".toml" &&
-        (in.empty() || entry.path().parent_path().filename() == in))
-      files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-std::vector<fs::path> study_files(const std::vector<fs::path>& given) {
-  if (given.empty()) return toml_files_below(installed("share/gnomon/problems"), "extremes");
+/// The study files among these, and those in folders among these.
+std::vector<fs::path> study_files(std::vector<fs::path> given) {
+  if (given.empty())
+    for (const auto& problem : fs::directory_iterator(installed("share/gnomon/problems")))
+      if (fs::is_directory(problem.path() / "extremes"))
+        given.push_back(problem.path() / "extremes");
   std::vector<fs::path> files;
   for (const fs::path& path : given) {
-    if (!fs::is_directory(path)) {
+    if (!fs::is_directory(path))
       files.push_back(path);
-      continue;
-    }
-    const std::vector<fs::path> found = toml_files_below(path);
-    files.insert(files.end(), found.begin(), found.end());
+    else
+      for (auto entry = fs::recursive_directory_iterator(path); entry != fs::end(entry); ++entry) {
+        if (fs::exists(entry->path() / table_file))
+          entry.disable_recursion_pending();  // earlier results
+        if (entry->path().extension() == ".toml") files.push_back(entry->path());
+      }
   }
   if (files.empty()) throw InputError("expected study files, got none");
+  std::sort(files.begin(), files.end());
   return files;
 }
 
@@ -108,30 +101,26 @@ void prepare_folder(const fs::path& folder, bool resume, const Suite& suite) {
 }
 
 /// All studies, one after the other; several runs of a study at the same time.
-void run_all(const Suite& suite, const ExtremesOptions& given) {
-  StudyOptions options = options_of_runs(given.jobs, given.resume);
-  options.limit = given.limit;
-  StudyProgressBar bar(Progress::mode_for_stderr(given.quiet));
+void run_all(const Suite& suite, const StudyCommandOptions& given) {
+  StudyOptions options = options_of_runs(given);
   StudyProgress before;
   for (const auto& [name, study] : suite) before.total += study.runs.size();
-  const auto show = [&](const StudyProgress& p) {
-    bar.show({.total = before.total,
-              .kept = before.kept + p.kept,
-              .done = before.done + p.done,
-              .failed = before.failed + p.failed,
-              .ended = p.ended,
-              .reason = p.reason});
+  const auto with_those_before = [&](StudyProgress progress) {
+    progress.total = before.total;
+    progress.kept += before.kept;
+    progress.done += before.done;
+    progress.failed += before.failed;
+    return progress;
   };
+  const StudyProgressBar bar(given.quiet);
+  StudyHooks hooks = bar.hooks();
+  hooks.on_progress = [&](const StudyProgress& p) { bar.show(with_those_before(p)); };
   for (const auto& [name, study] : suite) {
     options.folder = given.folder / name;
-    const StudyProgress progress = run_study(
-        study, options, {.on_progress = show, .interrupted = InterruptGuard::interrupted});
-    before.kept += progress.kept;
-    before.done += progress.done;
-    before.failed += progress.failed;
+    const StudyProgress progress = run_study(study, options, hooks);
+    before = with_those_before(progress);
     if (progress.done < progress.total) break;
   }
-  bar.finish();
   if (before.done < before.total)
     throw Error(fmt::format("interrupted with {} of {} runs done; --resume continues from there",
                             before.done, before.total));
@@ -143,17 +132,8 @@ std::string number(const std::optional<double>& value, const char* format) {
 
 /// Every case; the faults come last, so that they stay visible on a terminal.
 void print_cases(const std::vector<ExtremeCase>& cases) {
-  constexpr auto right = TextTable::Align::right;
-  TextTable text({{"verdict"},
-                  {"study"},
-                  {"sweep"},
-                  {"run"},
-                  {"difference", right},
-                  {"bound", right},
-                  {"pressure", right},
-                  {"steps", right},
-                  {"wall [s]", right},
-                  {}});
+  TextTable text("llllrrrrrl", {"verdict", "study", "sweep", "run", "difference", "bound",
+                                "pressure", "steps", "wall [s]", ""});
   for (const bool faults : {false, true})
     for (const ExtremeCase& c : cases)
       if (c.verdict.fault == faults)
@@ -176,7 +156,7 @@ std::string counts_text(const std::vector<ExtremeCase>& cases) {
 
 }  // namespace
 
-int extremes_command(const ExtremesOptions& given) {
+int extremes_command(const StudyCommandOptions& given) {
   const Suite suite = load_suite(study_files(given.studies));
   prepare_folder(given.folder, given.resume, suite);
   if (!given.quiet) warn_of_slow_blas();

@@ -25,8 +25,6 @@ namespace gnomon::app {
 
 namespace {
 
-using Align = TextTable::Align;
-
 std::string blocks_text(const std::vector<BlockSize>& blocks) {
   std::vector<std::string> parts;
   long total = 0;
@@ -71,7 +69,7 @@ std::string shortened_scene(const std::string& scene) {
 }
 
 void print_history(const HistoryRow& last) {
-  TextTable table({{}, {.align = Align::right}, {}});
+  TextTable table("lrl");
   table.add({"t", fmt::format("{:.8g}", last.t), "s"});
   for (const Scalar& scalar : last.scalars)
     table.add({scalar.name, fmt::format("{:.8g}", scalar.value), scalar.unit});
@@ -118,7 +116,7 @@ void print_contact_row(const ContactSurface& surface, std::size_t i, const std::
 int info_command(const std::filesystem::path& file) {
   const ResultReader result(file);
   const RunHeader& header = result.header();
-  TextTable table({{}, {}});
+  TextTable table("ll");
   table.add({"problem", header.problem});
   table.add({"integrator", header.integrator});
   table.add({"status", result.status()});

@@ -97,14 +97,13 @@ void CommandLine::add_run() {
 void CommandLine::add_resume() {
   CLI::App* command = app_.add_subcommand(
       "resume", "Continues a run that was interrupted, failed, was killed, or has ended");
-  add_argument(command, "RESULT", resume_.result,
-               "Result file (HDF5); the new steps are added to it");
-  add_number(command, "--end", resume_.end, "T", "A later end; the same as --set time.end=T");
-  add_overrides(command, resume_.overrides);
-  command->add_flag("--force", resume_.force, "Replaces an earlier summary");
-  add_summary(command, resume_.summary);
-  add_quiet(command, resume_.quiet);
-  on(command, [this] { return resume_command(resume_); });
+  add_argument(command, "RESULT", run_.result, "Result file (HDF5); the new steps are added to it");
+  add_number(command, "--end", run_.end, "T", "A later end; the same as --set time.end=T");
+  add_overrides(command, run_.overrides);
+  command->add_flag("--force", run_.force, "Replaces an earlier summary");
+  add_summary(command, run_.summary);
+  add_quiet(command, run_.quiet);
+  on(command, [this] { return resume_command(run_); });
 }
 
 void CommandLine::add_check() {

@@ -48,9 +48,8 @@ private:
 
   // The variables that the options set; each command uses its own part.
   RunOptions run_;
-  ResumeOptions resume_;
   StudyCommandOptions study_;
-  ExtremesOptions extremes_;
+  StudyCommandOptions extremes_{.folder = "extremes", .limit = 300};
   StabilityOptions stability_;
   std::optional<std::string> integrator_;
   std::string subject_;

@@ -26,13 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string list_integrators() {
-  TextTable table({{"name"},
-                   {"family"},
-                   {"order"},
-                   {"error estimate"},
-                   {"stability"},
-                   {"settles"},
-                   {"driver"}});
+  TextTable table("lllllll",
+                  {"name", "family", "order", "error estimate", "stability", "settles", "driver"});
   for (const Integrator& entry : Integrators::all())
     table.add({entry.name, entry.family, entry.order, entry.error_estimate, entry.stability,
                entry.settles ? "yes" : "no", entry.driver});
@@ -42,7 +37,7 @@ std::string list_integrators() {
 /// Names, with one line about each.
 template <class Entry>
 std::string list_entries() {
-  TextTable table({{}, {}});
+  TextTable table("ll");
   for (const Entry& entry : Registry<Entry>::all()) table.add({entry.name, entry.help});
   return table.text();
 }
@@ -57,7 +52,7 @@ std::string list_shapes() {
     where += where.empty() ? "space" : ", space";
     if (help.empty()) help = kind.help;
   }
-  TextTable table({{}, {}, {}});
+  TextTable table("lll");
   for (const auto& [name, shape] : shapes) table.add({name, shape.first, shape.second});
   return table.text();
 }
@@ -86,7 +81,7 @@ std::string list_files(bool studies) {
       files.push_back(entry->path());
   if (error) throw InputError(fmt::format("cannot read the scenes in {}", root.string()));
   std::sort(files.begin(), files.end());
-  TextTable table({{}, {}});
+  TextTable table("ll");
   // Relative to the current folder if that is shorter: users pass these names to `gnomon run`.
   for (const fs::path& file : files) {
     const std::string relative = fs::proximate(file, error).string();
@@ -96,40 +91,37 @@ std::string list_files(bool studies) {
   return table.text();
 }
 
+/// The subjects, and how each is listed.
+const std::map<std::string, std::string (*)()> lists = {
+    {"integrators", list_integrators},
+    {"laws", list_entries<WearLawKind>},
+    {"materials", list_entries<MaterialLaw>},
+    {"problems", list_entries<Problem>},
+    {"scenes", [] { return list_files(false); }},
+    {"shapes", list_shapes},
+    {"solvers", list_entries<LinearSolverKind>},
+    {"studies", [] { return list_files(true); }}};
+
 }  // namespace
 
-const std::vector<std::string>& list_subjects() {
-  static const std::vector<std::string> subjects = {
-      "integrators", "laws", "materials", "problems", "scenes", "shapes", "solvers", "studies"};
+std::vector<std::string> list_subjects() {
+  std::vector<std::string> subjects;
+  for (const auto& [subject, list] : lists) subjects.push_back(subject);
   return subjects;
 }
 
 int list_command(const std::string& what) {
+  const std::vector<std::string> subjects = list_subjects();
   if (what.empty()) {
-    fmt::print("gnomon list SUBJECT, with SUBJECT one of\n  {}\n",
-               fmt::join(list_subjects(), "\n  "));
-  } else if (what == "integrators") {
-    fmt::print("{}", list_integrators());
-  } else if (what == "problems") {
-    fmt::print("{}", list_entries<Problem>());
-  } else if (what == "laws") {
-    fmt::print("{}", list_entries<WearLawKind>());
-  } else if (what == "materials") {
-    fmt::print("{}", list_entries<MaterialLaw>());
-  } else if (what == "solvers") {
-    fmt::print("{}", list_entries<LinearSolverKind>());
-  } else if (what == "shapes") {
-    fmt::print("{}", list_shapes());
-  } else if (what == "scenes") {
-    fmt::print("{}", list_files(false));
-  } else if (what == "studies") {
-    fmt::print("{}", list_files(true));
+    fmt::print("gnomon list SUBJECT, with SUBJECT one of\n  {}\n", fmt::join(subjects, "\n  "));
+  } else if (const auto list = lists.find(what); list != lists.end()) {
+    fmt::print("{}", list->second());
   } else {
-    const std::string near = nearest_name(what, list_subjects());
-    throw InputError(fmt::format(
-        "cannot list `{}`, {}", what,
-        near.empty() ? fmt::format("expected one of: {}", fmt::join(list_subjects(), ", "))
-                     : "did you mean `" + near + "`?"));
+    const std::string near = nearest_name(what, subjects);
+    throw InputError(fmt::format("cannot list `{}`, {}", what,
+                                 near.empty()
+                                     ? fmt::format("expected one of: {}", fmt::join(subjects, ", "))
+                                     : "did you mean `" + near + "`?"));
   }
   return success;
 }

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/contact_patch.hpp>
 #include <gnomon/mesh/flat_part.hpp>
@@ -15,8 +18,8 @@
 #include <gnomon/terms/solid.hpp>
 
 #include "app/commands.hpp"
-#include "app/mesh_drawing.hpp"
 #include "app/new_scene.hpp"
+#include "app/plotting_script.hpp"
 #include "app/program.hpp"
 #include "app/text_table.hpp"
 #include "part/stored_part.hpp"
@@ -25,9 +28,9 @@ namespace gnomon::app {
 
 namespace {
 
-using Align = TextTable::Align;
+namespace fs = std::filesystem;
 
-ImportedMesh read(const std::filesystem::path& file, std::optional<double> size) {
+ImportedMesh read(const fs::path& file, std::optional<double> size) {
   if (size == 0)  // which would mean: as the geometry asks for
     throw InputError(file.string() + ": size 0: expected a positive length");
   return read_mesh_file(file, {.size = size.value_or(0)});
@@ -35,7 +38,7 @@ ImportedMesh read(const std::filesystem::path& file, std::optional<double> size)
 
 /// What `show` does with the body of a mesh, or of a result that has its mesh from a file.
 template <class Show>
-void with_body(const std::filesystem::path& file, std::optional<double> size, const Show& show) {
+void with_body(const fs::path& file, std::optional<double> size, const Show& show) {
   if (is_result(file)) {
     const std::optional<Grid> grid = ResultReader(file).grid();
     if (size || !grid || grid->parts.empty())
@@ -57,7 +60,7 @@ void with_body(const std::filesystem::path& file, std::optional<double> size, co
 }
 
 /// Names of the coordinates. A file with a mesh does not say what its plane is; a result does.
-std::string axes_of(const std::filesystem::path& file, int dim) {
+std::string axes_of(const fs::path& file, int dim) {
   if (dim == 3) return "x y z";
   if (!is_result(file)) return "x y";
   // As the scene of a result is written, so that results of other versions and plug-ins are told,
@@ -93,10 +96,7 @@ void print_mesh(const ImportedBody<dim>& body) {
              body.mesh.nodes.size(), body.mesh.cells.size(),
              dim == 2 ? "quadrilaterals" : "hexahedra", dim == 2 ? "area" : "volume", volume, dim,
              quality);
-  TextTable table({{"part"},
-                   {"facets", Align::right},
-                   {dim == 2 ? "length" : "area", Align::right},
-                   {"shape"}});
+  TextTable table("lrrl", {"part", "facets", dim == 2 ? "length" : "area", "shape"});
   for (const auto& [name, facets] : body.mesh.boundary) {
     double area = 0;
     for (const auto& patch : contact_patches<dim>(body.mesh, facets)) area += patch.initial_area;
@@ -115,10 +115,73 @@ void print_mesh(const ImportedBody<dim>& body) {
   for (const std::string& line : lines) fmt::print("{}\n", line);
 }
 
+/// A folder that is removed with all its contents.
+class TemporaryFolder {
+public:
+  TemporaryFolder() {
+    std::error_code error;
+    const fs::path parent = fs::temp_directory_path(error);
+    if (error) throw Error("there is no folder for temporary files (TMPDIR)");
+    std::string name = (parent / "gnomon-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw Error(fmt::format("cannot make a temporary folder {}: {}", name, std::strerror(errno)));
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+private:
+  fs::path path_;
+};
+
+void draw(const std::string& view, const fs::path& file) {
+  const TemporaryFolder folder;
+  const fs::path mesh = folder.path() / "mesh.xdmf";
+  write_file(mesh, view, Earlier::refused);
+  const ScriptEnd end = run_plotting_script(
+      {"mesh", "--output=" + file.string(), "--", mesh.string()}, folder.path() / "log");
+  if (end.exit_code != 0) throw Error("no picture: " + end.complaint);
+}
+
+/// Throws InputError for another ending than .png, .svg or .xdmf, a folder that is not there, and
+/// an .xdmf file that is not gnomon's and would be replaced.
+void check_drawing(const fs::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending != ".png" && ending != ".svg" && ending != ".xdmf")
+    throw InputError(
+        fmt::format("--output: expected a name that ends in .png, .svg (pictures), .xdmf (for "
+                    "ParaView) or .msh "
+                    "(for Gmsh), got {}",
+                    file.string()));
+  std::error_code ignored;
+  if (file.has_parent_path() && !fs::is_directory(file.parent_path(), ignored))
+    throw InputError(fmt::format("--output: there is no folder {}", file.parent_path().string()));
+  if (ending == ".xdmf" && is_taken(file) && !is_mesh_view(file))
+    throw InputError(fmt::format("{} exists and is not a mesh that gnomon wrote; give another name",
+                                 file.string()));
+}
+
+/// A picture of the mesh and its named parts, or the same for ParaView. `axes`: names of the
+/// coordinates, "x y". Throws InputError, and Error without Python or its packages.
+template <int dim>
+void draw_mesh(const ImportedBody<dim>& body, const std::string& axes, const fs::path& file) {
+  const std::string view = mesh_view(grid_of(body), axes);
+  if (file.extension() == ".xdmf") {
+    write_file(file, view, Earlier::replaced);
+  } else {
+    draw(view, file);
+  }
+  fmt::print("{}\n", file.string());
+}
+
 }  // namespace
 
-int mesh_command(const std::filesystem::path& file, std::optional<double> size,
-                 const std::filesystem::path& written) {
+int mesh_command(const fs::path& file, std::optional<double> size, const fs::path& written) {
   const bool for_gmsh = written.extension() == ".msh";
   if (for_gmsh && is_taken(written))
     throw InputError(written.string() + " exists; give another name with --output");
@@ -132,9 +195,8 @@ int mesh_command(const std::filesystem::path& file, std::optional<double> size,
   return success;
 }
 
-int new_command(const std::filesystem::path& file, std::optional<double> size,
-                std::filesystem::path scene) {
-  if (scene.empty()) scene = std::filesystem::path(file).replace_extension(".toml");
+int new_command(const fs::path& file, std::optional<double> size, fs::path scene) {
+  if (scene.empty()) scene = fs::path(file).replace_extension(".toml");
   if (is_taken(scene))
     throw InputError(scene.string() + " exists; give another name with --output");
   ImportedMesh mesh = read(file, size);

@@ -39,7 +39,7 @@ void require_changeable(const Scene& old, const Scene& scene) {
   }
 }
 
-Scene changed_scene(const ResultReader& earlier, const ResumeOptions& options) {
+Scene changed_scene(const ResultReader& earlier, const RunOptions& options) {
   const Scene old = scene_of_result(earlier, options.result);
   std::vector<std::string> overrides = options.overrides;
   if (options.end) overrides.push_back(fmt::format("time.end={}", *options.end));
@@ -121,14 +121,10 @@ std::vector<std::string> field_names(const Model& first, const Resumption& from)
 
 }  // namespace
 
-int resume_command(const ResumeOptions& options) {
+int resume_command(const RunOptions& options) {
   const std::string name = options.result.string();
-  const RunOptions files{.scene = {},
-                         .overrides = {},
-                         .result = options.result,
-                         .summary = options.summary,
-                         .force = true,
-                         .quiet = options.quiet};
+  RunOptions files = options;
+  files.force = true;
   const ResultReader earlier(options.result);
   const std::optional<Resumption> from = last_checkpoint(earlier, name);
   const double reached = time_reached(earlier);
@@ -165,11 +161,7 @@ int resume_command(const ResumeOptions& options) {
   const bool replaced = outcome.last && outcome.last->t >= reached;
   write_summary(files, summary_json(setup.scene, header, settings, outcome, setup.model->remarks),
                 replaced);
-  return report_end(outcome, {.result = options.result,
-                              .has_mesh = setup.model->grid.has_value(),
-                              .kept = !replaced,
-                              .quiet = options.quiet,
-                              .table = options.summary != "-"});
+  return report_end(outcome, options, setup.model->grid.has_value(), !replaced);
 }
 
 }  // namespace gnomon::app

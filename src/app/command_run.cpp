@@ -1,8 +1,5 @@
 // gnomon run: integrates a scene, writes its result and summary, and reports how it ended.
 
-#include <fmt/format.h>
-
-#include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
@@ -45,11 +42,7 @@ int run_command(const RunOptions& given) {
   }();
   write_summary(options, summary_json(setup.scene, header, settings, outcome, setup.model->remarks),
                 outcome.last.has_value());
-  return report_end(outcome, {.result = options.result,
-                              .has_mesh = setup.model->grid.has_value(),
-                              .kept = earlier && !outcome.last,
-                              .quiet = options.quiet,
-                              .table = options.summary != "-"});
+  return report_end(outcome, options, setup.model->grid.has_value(), earlier && !outcome.last);
 }
 
 }  // namespace gnomon::app

@@ -22,7 +22,6 @@ namespace gnomon::app {
 
 namespace {
 
-using Align = TextTable::Align;
 constexpr int modes_shown = 6;
 
 std::vector<double> chosen_times(const StabilityOptions& options, double end) {
@@ -122,12 +121,9 @@ private:
   const Model& model_;
   std::vector<Integrator> methods_;
   const StabilityOptions& options_;
-  TextTable table_{{{"time [s]", Align::right},
-                    {"contact nodes", Align::right},
-                    {"largest eigenvalue [1/s]", Align::right},
-                    {"method"},
-                    {"critical step [s]", Align::right},
-                    {"onset [s]", Align::right}}};
+  TextTable table_{"rrrlrr",
+                   {"time [s]", "contact nodes", "largest eigenvalue [1/s]", "method",
+                    "critical step [s]", "onset [s]"}};
   std::string spectrum_ = "time,real,imag\n";
   std::string critical_steps_ = "time,method,critical_step,empirical\n";
 };

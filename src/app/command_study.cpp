@@ -5,16 +5,19 @@
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
+#include <gnomon/results/result_files.hpp>
 #include <gnomon/study/slurm.hpp>
 #include <gnomon/study/study.hpp>
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/options.hpp"
+#include "app/plotting_script.hpp"
 #include "app/program.hpp"
 #include "app/progress.hpp"
 #include "app/run_end.hpp"
-#include "app/study_tables.hpp"
+#include "app/text_table.hpp"
+#include "study/recommendation.hpp"
 #include "study/run_numbers.hpp"
 
 namespace gnomon::app {
@@ -25,29 +28,6 @@ namespace fs = std::filesystem;
 
 fs::path folder_of(const Study& study, const StudyCommandOptions& given) {
   return given.folder.empty() ? fs::path(study.name) : given.folder;
-}
-
-StudyOptions study_options(const fs::path& folder, const StudyCommandOptions& given) {
-  StudyOptions options = options_of_runs(given.jobs, given.resume);
-  options.folder = folder;
-  options.lost_after = given.lost_after;
-  return options;
-}
-
-/// Does runs and shows their progress.
-template <class Do>
-StudyProgress with_progress(bool quiet, const Do& run) {
-  StudyProgressBar bar(Progress::mode_for_stderr(quiet));
-  const StudyHooks hooks{.on_progress = [&](const StudyProgress& p) { bar.show(p); },
-                         .interrupted = InterruptGuard::interrupted};
-  try {
-    const StudyProgress progress = run(hooks);
-    bar.finish();
-    return progress;
-  } catch (const std::exception&) {
-    bar.finish();  // before the message about it
-    throw;
-  }
 }
 
 /// The whole study on this machine, or by Slurm.
@@ -75,18 +55,133 @@ void require_complete(const Study& study, const fs::path& folder) {
                           missing.size() == 1 ? "it" : "them"));
 }
 
+std::string error_text(const std::optional<double>& error, bool marked) {
+  return error ? fmt::format("{:.2e}{}", *error, marked ? "*" : " ") : "- ";
+}
+
+std::string own_error_text(const SweepPoint& sweep, const std::optional<double>& error) {
+  if (sweep.has_closed_form()) return "exact";
+  return error ? fmt::format("own error {:.2e}", *error) : "own error unknown";
+}
+
+/// What a table on the terminal has room for, where a study measures no errors.
+constexpr const char* shown[] = {"worn_volume", "max_pressure", "contact_half_width"};
+
+/// Name and unit of a shown quantity; empty if no run has observed it.
+std::string shown_title(const StudyTable& table, const std::string& name) {
+  for (const StudyRow& row : table.rows)
+    if (const Scalar* const scalar = find_scalar(row.observed, name))
+      return fmt::format("{} [{}]", name, scalar->unit);
+  return {};
+}
+
+std::string status_text(const StudyRow& row) {
+  return row.status == "finished" ? "" : row.status + ": " + row.reason;
+}
+
+/// The results of a parameter sweep.
+void print_observed(const Study& study, const StudyTable& table) {
+  std::string alignment = "ll";
+  std::vector<std::string> titles = {"sweep", "run"};
+  std::vector<std::string> names;
+  for (const char* name : shown)
+    if (const std::string title = shown_title(table, name); !title.empty()) {
+      alignment += "r";
+      titles.push_back(title);
+      names.push_back(name);
+    }
+  titles.insert(titles.end(), {"CPU [s]", ""});
+  TextTable text(alignment + "rl", titles);
+  for (const StudyRow& row : table.rows) {
+    std::vector<std::string> cells = {row.sweep, study.runs[row.point.run].title};
+    for (const std::string& name : names) {
+      const Scalar* const scalar = find_scalar(row.observed, name);
+      cells.push_back(scalar ? fmt::format("{:.5g}", scalar->value) : "-");
+    }
+    cells.push_back(row.end ? fmt::format("{:.2f}", row.end->cpu_seconds) : "-");
+    cells.push_back(status_text(row));
+    text.add(cells);
+  }
+  fmt::print("{}", text.text());
+}
+
+void print_errors(const Study& study, const StudyTable& table) {
+  TextTable text("llrrrrl",
+                 {"sweep", "run", "shape error [mm]", "steps", "factors", "CPU [s]", ""});
+  for (const StudyRow& row : table.rows)
+    text.add({row.sweep, study.runs[row.point.run].title,
+              error_text(row.shape_error, row.marked_shape),
+              row.counters ? fmt::format("{}", row.counters->steps) : "-",
+              row.counters ? fmt::format("{}", row.counters->factorizations) : "-",
+              row.end ? fmt::format("{:.2f}", row.end->cpu_seconds) : "-", status_text(row)});
+  fmt::print("{}", text.text());
+  for (std::size_t i = 0; i < table.references.size(); ++i) {
+    const std::string& label = study.sweep[i].label;
+    fmt::print("reference{}: {}, {}\n", label.empty() ? "" : " at " + label,
+               table.references[i].text, own_error_text(study.sweep[i], table.references[i].error));
+  }
+  const bool marked = std::ranges::any_of(table.rows, &StudyRow::marked_shape);
+  if (marked)
+    fmt::print("* less than ten times the error of the reference, or the latter is unknown\n");
+}
+
+/// The cheapest run of each accuracy.
+void print_advice(const Study& study, const StudyTable& table) {
+  TextTable text(
+      "lrlrrr", {"sweep", "error / wear", "cheapest run", "shape error [mm]", "Newton", "CPU [s]"});
+  const auto found = study::recommendations(table);
+  for (const auto& each : found) {
+    std::vector<std::string> cells = {study.sweep[each.sweep].label,
+                                      fmt::format("{:.0e}", each.error)};
+    if (each.row) {
+      const StudyRow& row = table.rows[*each.row];
+      cells.insert(cells.end(),
+                   {study.runs[row.point.run].title, fmt::format("{:.2e}", *row.shape_error),
+                    fmt::format("{}", row.counters->newton_iterations),
+                    fmt::format("{:.2f}", row.end->cpu_seconds)});
+    } else {
+      cells.insert(cells.end(), {"none of these", "-", "-", "-"});
+    }
+    text.add(cells);
+  }
+  if (!found.empty()) fmt::print("recommended:\n{}", text.text());
+  if (const std::string remark = study::hidden_tolerances(study, table); !remark.empty())
+    fmt::print("{}\n", remark);
+}
+
+/// Measures the runs, writes study.csv, study.json, study.h5 and the page, and prints the table.
+/// Throws SolutionError when no run has finished.
+void write_study(const Study& study, const std::filesystem::path& folder, bool quiet) {
+  const StudyTable table = measure(study, folder);
+  write_file(folder / "study.csv", study_csv(study, table), Earlier::replaced);
+  write_study_hdf5(folder / "study.h5", study, table);
+  write_file(folder / "study.json", study_json(study, table), Earlier::replaced);
+  const DrawnPage page = draw_page(folder, "study");
+  if (!quiet) {
+    study.compared ? print_errors(study, table) : print_observed(study, table);
+    if (study.compared) print_advice(study, table);
+    fmt::print("{}results: {} ({}study.csv, study.json, study.h5, runs)\n", page.complaint,
+               folder.string(), page.listed());
+  }
+  if (std::ranges::none_of(table.rows,
+                           [](const StudyRow& row) { return row.status == "finished"; }))
+    throw SolutionError(fmt::format("all {} runs of the table failed (reasons in {})",
+                                    table.rows.size(), (folder / "study.csv").string()));
+}
+
 }  // namespace
 
 int study_command(const StudyCommandOptions& given) {
   if (given.study.empty())
     throw InputError("expected a study file, or plan, run or collect, see `gnomon help study`");
   const Study study = load_study(given.study);
-  const StudyOptions options = study_options(folder_of(study, given), given);
+  StudyOptions options = options_of_runs(given);
+  options.folder = folder_of(study, given);
   if (!given.quiet) warn_of_slow_blas();
   const InterruptGuard guard(
       false);  // until the page is written: a half-written page would be useless
-  const StudyProgress progress = with_progress(
-      given.quiet, [&](const StudyHooks& hooks) { return run_all(study, options, given, hooks); });
+  const StudyProgress progress =
+      run_all(study, options, given, StudyProgressBar(given.quiet).hooks());
   if (InterruptGuard::interrupted() && progress.done < progress.total)
     throw Error(fmt::format("interrupted with {} of {} runs done{}; --resume continues from there",
                             progress.done, progress.total,
@@ -111,11 +206,10 @@ int study_plan_command(const StudyCommandOptions& given) {
 int study_run_command(const StudyCommandOptions& given) {
   const Study study = read_plan(given.folder);
   const std::vector<std::size_t> runs = study::runs_numbered(given.numbers, study.runs.size());
-  const StudyOptions options = study_options(given.folder, given);
+  const StudyOptions options = options_of_runs(given);
   const InterruptGuard guard(false);
-  const StudyProgress progress = with_progress(given.quiet, [&](const StudyHooks& hooks) {
-    return run_planned(study, runs, options, hooks);
-  });
+  const StudyProgress progress =
+      run_planned(study, runs, options, StudyProgressBar(given.quiet).hooks());
   if (progress.others > 0 && !given.quiet)
     fmt::print("{} left to other processes that are doing them\n", count_text(progress.others));
   if (progress.done + progress.others < progress.total)

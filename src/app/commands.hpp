@@ -10,42 +10,30 @@
 
 namespace gnomon::app {
 
+/// Of a new run, and of one that is resumed.
 struct RunOptions {
-  std::filesystem::path scene;
-  std::vector<std::string> overrides;  ///< "key=value", --integrator included
-  std::filesystem::path result;        ///< empty: default_result()
-  std::filesystem::path summary;       ///< empty: none; "-": standard output
-  bool force = false;                  ///< replace the files of earlier runs with these names
+  std::filesystem::path scene{};         ///< of a new run
+  std::vector<std::string> overrides{};  ///< "key=value", --integrator included
+  std::optional<double> end{};           ///< of a resumed run, instead of the scene's
+  std::filesystem::path result{};        ///< empty: default_result()
+  std::filesystem::path summary{};       ///< empty: none; "-": standard output
+  bool force = false;  ///< replace the files of earlier runs with these names; resumed: the summary
   bool quiet = false;
 };
 
-struct ResumeOptions {
-  std::filesystem::path result;
-  std::vector<std::string> overrides;  ///< "key=value"
-  std::optional<double> end;           ///< instead of the scene's
-  std::filesystem::path summary;       ///< as in RunOptions
-  bool force = false;                  ///< replaces an earlier summary
-  bool quiet = false;
-};
-
+/// Of a study, and of studies at the extremes.
 struct StudyCommandOptions {
-  std::filesystem::path study;
-  std::filesystem::path folder;            ///< empty: the study's name, in the current folder
-  std::string numbers;                     ///< of the runs to do: "3", "3-7", "3,5,9-12"
-  int jobs = 0;                            ///< 0: one a core; by Slurm: as many as it allows
-  std::string executor = "local";          ///< or "slurm"
-  std::vector<std::string> slurm_options;  ///< for sbatch
-  double poll = 10;                        ///< between looks at Slurm's jobs [s]
-  double lost_after = 120;                 ///< StudyOptions::lost_after
-  bool resume = false;
-  bool quiet = false;
-};
-
-struct ExtremesOptions {
-  std::vector<std::filesystem::path> studies;  ///< files, folders; empty: all that come with gnomon
-  std::filesystem::path folder = "extremes";
-  int jobs = 0;        ///< 0: one a core
-  double limit = 300;  ///< of the wall time of a run [s]
+  std::filesystem::path study{};
+  std::vector<std::filesystem::path>
+      studies{};                             ///< extremes: files, folders; empty: all of gnomon's
+  std::filesystem::path folder{};            ///< empty: the study's name, in the current folder
+  std::string numbers{};                     ///< of the runs to do: "3", "3-7", "3,5,9-12"
+  int jobs = 0;                              ///< 0: one a core; by Slurm: as many as it allows
+  double limit = 0;                          ///< StudyOptions::limit
+  std::string executor = "local";            ///< or "slurm"
+  std::vector<std::string> slurm_options{};  ///< for sbatch
+  double poll = 10;                          ///< between looks at Slurm's jobs [s]
+  double lost_after = 120;                   ///< StudyOptions::lost_after
   bool resume = false;
   bool quiet = false;
 };
@@ -62,14 +50,14 @@ struct StabilityOptions {
 };
 
 int run_command(const RunOptions& options);
-int resume_command(const ResumeOptions& options);
+int resume_command(const RunOptions& options);
 int study_command(const StudyCommandOptions& options);
 /// The parts of a study: the folder, some runs of it, the tables.
 int study_plan_command(const StudyCommandOptions& options);
 int study_run_command(const StudyCommandOptions& options);
 int study_collect_command(const StudyCommandOptions& options);
 /// Throws Error when a case is wrong, hung or crashed.
-int extremes_command(const ExtremesOptions& options);
+int extremes_command(const StudyCommandOptions& options);
 int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 /// `what` empty: the subjects.
 int list_command(const std::string& what);
@@ -106,6 +94,6 @@ int help_command(const std::string& topic, const std::optional<std::string>& pro
 int version_command();
 
 /// The subjects of `gnomon list`.
-const std::vector<std::string>& list_subjects();
+std::vector<std::string> list_subjects();
 
 }  // namespace gnomon::app

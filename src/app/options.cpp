@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/base/number_text.hpp>
 #include <thread>
@@ -43,12 +44,14 @@ void add_jobs(CLI::App* command, int& jobs) {
       ->check(CLI::Range(1, 1024));
 }
 
-StudyOptions options_of_runs(int jobs, bool resume) {
-  StudyOptions options;
-  options.program = std::filesystem::read_symlink("/proc/self/exe");
-  options.jobs = jobs > 0 ? jobs : std::max(1, int(std::thread::hardware_concurrency()));
-  options.resume = resume;
-  return options;
+StudyOptions options_of_runs(const StudyCommandOptions& given) {
+  const int cores = std::max(1, int(std::thread::hardware_concurrency()));
+  return {.folder = given.folder,
+          .program = std::filesystem::read_symlink("/proc/self/exe"),
+          .jobs = given.jobs > 0 ? given.jobs : cores,
+          .resume = given.resume,
+          .limit = given.limit,
+          .lost_after = given.lost_after};
 }
 
 void add_flags_of_studies(CLI::App* command, bool& resume, bool& quiet) {

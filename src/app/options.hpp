@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/commands.hpp"
+
 namespace gnomon::app {
 
 /// Checks of an argument as CLI11 requires them: a complaint, empty if there is none.
@@ -37,7 +39,7 @@ void add_overrides(CLI::App* command, std::vector<std::string>& overrides);
 void add_quiet(CLI::App* command, bool& quiet);
 void add_jobs(CLI::App* command, int& jobs);
 /// With all cores for 0 jobs.
-StudyOptions options_of_runs(int jobs, bool resume);
+StudyOptions options_of_runs(const StudyCommandOptions& given);
 void add_flags_of_studies(CLI::App* command, bool& resume, bool& quiet);
 
 }  // namespace gnomon::app

@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "app/interrupt.hpp"
+
 namespace gnomon::app {
 
 namespace {
@@ -17,12 +19,6 @@ std::size_t terminal_width() {
   winsize size{};
   if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
   return 80;
-}
-
-/// A run does not end because its progress cannot be written: failures are ignored.
-void put(const std::string& text) {
-  std::fputs(text.c_str(), stderr);
-  std::fflush(stderr);
 }
 
 }  // namespace
@@ -72,51 +68,47 @@ std::string progress_text(const HistoryRow& row, double end, double elapsed, std
 }
 
 LiveLine::LiveLine(const std::string& text, bool quiet)
-    : shown_(Progress::mode_for_stderr(quiet) == Progress::Mode::live) {
-  if (shown_) put("\r" + text + "\x1b[K");
+    : mode_(quiet                   ? Mode::none
+            : isatty(STDERR_FILENO) ? Mode::live
+                                    : Mode::lines) {
+  if (!text.empty()) show(text);
 }
 
-LiveLine::~LiveLine() {
-  if (shown_) put("\r\x1b[K");
+void LiveLine::show(const std::string& text) const {
+  if (mode_ != Mode::live) return;
+  std::fputs(("\r" + text + "\x1b[K").c_str(), stderr);
+  std::fflush(stderr);
 }
 
-Progress::Progress(Mode mode, double end) : mode_(mode), end_(end) {
-  if (mode_ == Mode::live) put("\rcomputing the equilibrium at t = 0\x1b[K");
-}
-
-Progress::Mode Progress::mode_for_stderr(bool quiet) {
-  if (quiet) return Mode::none;
-  return isatty(STDERR_FILENO) ? Mode::live : Mode::lines;
+void LiveLine::print(const std::string& line) {
+  std::fputs((line + "\n").c_str(), stderr);
+  std::fflush(stderr);
 }
 
 bool Progress::due(const HistoryRow& row, Clock::time_point now) const {
   if (!shown_ || row.t >= end_) return true;
   const double since = std::chrono::duration<double>(now - shown_at_).count();
-  if (mode_ == Mode::live) return since >= 0.1;
+  if (line_.mode() == LiveLine::Mode::live) return since >= 0.1;
   return since >= 10 || row.t - shown_t_ >= 0.05 * end_ * (1 - 1e-9);
 }
 
 void Progress::show(const HistoryRow& row) {
   const auto now = Clock::now();
-  if (mode_ == Mode::none || !due(row, now)) return;
+  if (line_.mode() == LiveLine::Mode::none || !due(row, now)) return;
   const double elapsed = std::chrono::duration<double>(now - begin_).count();
-  if (mode_ == Mode::live)  // a line that wraps could not be overwritten
-    put(fmt::format("\r{}\x1b[K", progress_text(row, end_, elapsed, terminal_width() - 1)));
+  if (line_.mode() == LiveLine::Mode::live)  // a line that wraps could not be overwritten
+    line_.show(progress_text(row, end_, elapsed, terminal_width() - 1));
   else
-    put(progress_text(row, end_, elapsed) + "\n");
+    LiveLine::print(progress_text(row, end_, elapsed));
   shown_ = true;
   shown_at_ = now;
   shown_t_ = row.t;
 }
 
-void Progress::warn(const std::string& text) {
-  if (mode_ == Mode::none) return;
-  finish();
-  put("gnomon: warning: " + text + "\n");
-}
-
-void Progress::finish() {
-  if (mode_ == Mode::live) put("\r\x1b[K");
+void Progress::warn(const std::string& text) const {
+  if (line_.mode() == LiveLine::Mode::none) return;
+  line_.clear();
+  LiveLine::print("gnomon: warning: " + text);
 }
 
 namespace {
@@ -136,9 +128,7 @@ std::string plain_line(const StudyProgress& progress) {
                      progress.reason.empty() ? "" : " failed: " + progress.reason);
 }
 
-}  // namespace
-
-std::string study_progress_text(const StudyProgress& progress, double elapsed) {
+std::string live_text(const StudyProgress& progress, double elapsed) {
   std::string text = fmt::format("{} {} of {} runs", bar(progress.done, progress.total),
                                  progress.done, progress.total);
   if (progress.failed) text += fmt::format("  {} failed", progress.failed);
@@ -149,20 +139,19 @@ std::string study_progress_text(const StudyProgress& progress, double elapsed) {
   return text;
 }
 
-void StudyProgressBar::show(const StudyProgress& progress) {
-  if (mode_ == Progress::Mode::none) return;
+}  // namespace
+
+void StudyProgressBar::show(const StudyProgress& progress) const {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-  if (mode_ == Progress::Mode::live)
-    fmt::print(stderr, "\r{}\x1b[K", study_progress_text(progress, elapsed.count()));
-  else
-    fmt::print(stderr, "{}\n", plain_line(progress));
-  std::fflush(stderr);
+  if (line_.mode() == LiveLine::Mode::live)
+    line_.show(live_text(progress, elapsed.count()));
+  else if (line_.mode() == LiveLine::Mode::lines)
+    LiveLine::print(plain_line(progress));
 }
 
-void StudyProgressBar::finish() {
-  if (mode_ != Progress::Mode::live) return;
-  fmt::print(stderr, "\r\x1b[K");
-  std::fflush(stderr);
+StudyHooks StudyProgressBar::hooks() const {
+  return {.on_progress = [this](const StudyProgress& progress) { show(progress); },
+          .interrupted = InterruptGuard::interrupted};
 }
 
 }  // namespace gnomon::app

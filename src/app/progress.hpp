@@ -19,42 +19,49 @@ std::string progress_text(const HistoryRow& row, double end, double elapsed,
 /// "0:42", "12:05", "3:00:10".
 std::string clock_text(double seconds);
 
-/// A line on a terminal while something takes long, which is gone when that ends; nothing
-/// elsewhere.
+/// A line on a terminal while something takes long, which is gone when that ends. What shows it may
+/// print plain lines elsewhere. Failures are ignored: a run does not end because nobody can read
+/// its progress.
 class LiveLine {
 public:
+  /// `text` empty: nothing is shown yet.
   explicit LiveLine(const std::string& text, bool quiet = false);
-  ~LiveLine();
+  ~LiveLine() { clear(); }
   LiveLine(const LiveLine&) = delete;
   LiveLine& operator=(const LiveLine&) = delete;
 
+  enum class Mode { live, lines, none };
+  /// live on a terminal, lines elsewhere; none when quiet.
+  Mode mode() const { return mode_; }
+  /// In the place of what is shown; nothing elsewhere than on a terminal.
+  void show(const std::string& text) const;
+  /// So that further output begins on a new line.
+  void clear() const { show(""); }
+  /// Prints a line that is not overwritten.
+  static void print(const std::string& line);
+
 private:
-  bool shown_;
+  Mode mode_;
 };
 
 /// What it says while a mesh is read or made, and the equations on it.
 inline constexpr const char* making_the_model = "making the model";
 
+/// Of a run.
 class Progress {
 public:
-  enum class Mode { live, lines, none };
-
   /// `end`: time at which the run ends.
-  Progress(Mode mode, double end);
-  /// live on a terminal, lines elsewhere; none when quiet.
-  static Mode mode_for_stderr(bool quiet);
+  Progress(bool quiet, double end)
+      : line_("computing the equilibrium at t = 0", quiet), end_(end) {}
 
   void show(const HistoryRow& row);
-  /// Prints a line that is not overwritten.
-  void warn(const std::string& text);
-  /// Ends the live line, so that further output begins on a new one.
-  void finish();
+  void warn(const std::string& text) const;
 
 private:
   using Clock = std::chrono::steady_clock;
   bool due(const HistoryRow& row, Clock::time_point now) const;
 
-  Mode mode_;
+  LiveLine line_;
   double end_;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point shown_at_{};
@@ -62,18 +69,16 @@ private:
   bool shown_ = false;
 };
 
-/// "[#####.....] 12 of 40 runs  2 failed  left 3:20". `elapsed` is in seconds.
-std::string study_progress_text(const StudyProgress& progress, double elapsed);
-
+/// Of studies: "[#####.....] 12 of 40 runs  2 failed  left 3:20".
 class StudyProgressBar {
 public:
-  explicit StudyProgressBar(Progress::Mode mode) : mode_(mode) {}
-  void show(const StudyProgress& progress);
-  /// Ends the live line, so that further output begins on a new one.
-  void finish();
+  explicit StudyProgressBar(bool quiet) : line_("", quiet) {}
+  void show(const StudyProgress& progress) const;
+  /// Shows the progress of one study, until it ends or the user ends it.
+  StudyHooks hooks() const;
 
 private:
-  Progress::Mode mode_;
+  LiveLine line_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

@@ -17,14 +17,14 @@ namespace gnomon::app {
 
 namespace {
 
-void print_summary(const RunOutcome& outcome, const EndReport& report) {
+void print_summary(const RunOutcome& outcome, const std::string& result, bool has_mesh, bool kept) {
   const Counters& counters = outcome.counters;
   fmt::print(
       "{} at t = {:g} s after {:.3g} s: {} steps ({} attempts rejected), {} Newton iterations, "
       "{} factorizations\n",
       outcome.text(), outcome.last->t, outcome.wall_seconds, counters.steps,
       counters.rejected_steps, counters.newton_iterations, counters.factorizations);
-  TextTable table({{}, {.align = TextTable::Align::right}, {}});
+  TextTable table("lrl");
   // These are in the balance, if there is one.
   const auto is_of_balance = [&](const std::string& name) {
     return !outcome.examination.forces.empty() &&
@@ -42,30 +42,15 @@ void print_summary(const RunOutcome& outcome, const EndReport& report) {
     fmt::print("{}\n", ledger);
   if (const std::string text = phase_error_text(outcome.phase_errors); !text.empty())
     fmt::print("{}\n", text);
-  if (report.kept)
-    fmt::print("the earlier {} is kept, because it goes further\n", report.result.string());
+  if (kept)
+    fmt::print("the earlier {} is kept, because it goes further\n", result);
   else
-    fmt::print("result: {}{}\n", report.result.string(),
-               report.has_mesh
-                   ? fmt::format(" (for ParaView: {})", sidecar_of(report.result).string())
-                   : "");
+    fmt::print("result: {}{}\n", result,
+               has_mesh ? fmt::format(" (for ParaView: {})", sidecar_of(result).string()) : "");
 }
 
-int exit_code(const RunOutcome& outcome) {
-  switch (outcome.status) {
-    case RunOutcome::Status::finished:
-      return success;
-    case RunOutcome::Status::interrupted:
-      return other_failure;
-    case RunOutcome::Status::failed:
-      return solution_failed;
-  }
-  return other_failure;
-}
-
-std::string failure_message(const RunOutcome& outcome, const EndReport& report) {
-  const std::string file = report.result.string();
-  if (report.kept) return fmt::format("{} (the earlier {} is kept)", outcome.diagnosis, file);
+std::string failure_message(const RunOutcome& outcome, const std::string& file, bool kept) {
+  if (kept) return fmt::format("{} (the earlier {} is kept)", outcome.diagnosis, file);
   if (!outcome.last) return fmt::format("{} ({} is not written)", outcome.diagnosis, file);
   return fmt::format("{} (everything up to t = {:g} s is in {})", outcome.diagnosis,
                      outcome.last->t, file);
@@ -89,26 +74,20 @@ void print_remarks(const std::vector<std::string>& remarks) {
 
 RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, ResultWriter& writer,
                      bool quiet, const Resumption* from) {
-  Progress progress(Progress::mode_for_stderr(quiet), settings.end);
+  Progress progress(quiet, settings.end);
   const RunHooks hooks{.on_step = [&](const HistoryRow& row) { progress.show(row); },
                        .on_warning = [&](const std::string& text) { progress.warn(text); },
                        .interrupted = InterruptGuard::interrupted};
-  try {
-    RunOutcome outcome = run(*setup.model, chosen_integrator(setup.scene), settings,
-                             store_policy(setup.scene), &writer, hooks, from);
-    progress.finish();
-    return outcome;
-  } catch (const std::exception&) {
-    progress.finish();  // before the message about it
-    throw;
-  }
+  return run(*setup.model, chosen_integrator(setup.scene), settings, store_policy(setup.scene),
+             &writer, hooks, from);
 }
 
-int report_end(const RunOutcome& outcome, const EndReport& report) {
+int report_end(const RunOutcome& outcome, const RunOptions& options, bool has_mesh, bool kept) {
+  const std::string result = options.result.string();
   if (outcome.status == RunOutcome::Status::failed)
-    throw SolutionError(failure_message(outcome, report));
-  if (!report.quiet && report.table) print_summary(outcome, report);
-  return exit_code(outcome);
+    throw SolutionError(failure_message(outcome, result, kept));
+  if (!options.quiet && options.summary != "-") print_summary(outcome, result, has_mesh, kept);
+  return outcome.status == RunOutcome::Status::finished ? success : other_failure;
 }
 
 }  // namespace gnomon::app

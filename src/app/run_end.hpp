@@ -1,11 +1,12 @@
 // The messages about a run that has ended; they are the same for new and resumed runs.
 #pragma once
 
-#include <filesystem>
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
 #include <string>
 #include <vector>
+
+#include "app/commands.hpp"
 
 namespace gnomon::app {
 
@@ -19,16 +20,9 @@ void print_remarks(const std::vector<std::string>& remarks);
 RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, ResultWriter& writer,
                      bool quiet, const Resumption* from = nullptr);
 
-/// Which messages a run prints at its end, and for which file.
-struct EndReport {
-  std::filesystem::path result;
-  bool has_mesh = true;  ///< so that there is a file for ParaView beside it
-  bool kept = false;     ///< an earlier result of this name was not replaced
-  bool quiet = false;    ///< errors only
-  bool table = true;     ///< the scalars at the end, unless quiet
-};
-
-/// Prints it and returns the exit code. Throws SolutionError when the run failed.
-int report_end(const RunOutcome& outcome, const EndReport& report);
+/// Prints how a run with these options ended, and returns the exit code. `has_mesh`: so that there
+/// is a file for ParaView beside the result; `kept`: an earlier result of this name was not
+/// replaced. Throws SolutionError when the run failed.
+int report_end(const RunOutcome& outcome, const RunOptions& options, bool has_mesh, bool kept);
 
 }  // namespace gnomon::app

@@ -2,27 +2,26 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gnomon::app {
 
 class TextTable {
 public:
-  enum class Align { left, right };
-  struct Column {
-    std::string title{};
-    Align align = Align::left;
-  };
-
-  explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
+  /// `alignment`: for each column l (left) or r (right). Titles: one per column, or none.
+  explicit TextTable(std::string alignment, const std::vector<std::string>& titles = {})
+      : alignment_(std::move(alignment)) {
+    if (!titles.empty()) add(titles);
+  }
   /// One cell per column.
-  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-  /// Title line (unless all titles are empty) and rows, two spaces between columns.
+  void add(std::vector<std::string> cells) { lines_.push_back(std::move(cells)); }
+  /// Titles and rows, two spaces between columns.
   std::string text() const;
 
 private:
-  std::vector<Column> columns_;
-  std::vector<std::vector<std::string>> rows_;
+  std::string alignment_;
+  std::vector<std::vector<std::string>> lines_;
 };
 
 }  // namespace gnomon::app

@@ -96,7 +96,7 @@ TEST(ClockText, CountsUpToHours) {
 }
 
 TEST(TextTable, AlignsColumns) {
-  TextTable table({{"name"}, {"size", TextTable::Align::right}});
+  TextTable table("lr", {"name", "size"});
   table.add({"a", "1"});
   table.add({"longer", "12345"});
   EXPECT_EQ(table.text(), "name     size\na           1\nlonger  12345\n");

@@ -250,7 +250,7 @@ TEST_F(Resume, FinishedRunIsLeftAlone) {
   const std::string before = bytes_of(file("r"));
   EXPECT_EQ(resume(file("r")), 0);
   EXPECT_TRUE(bytes_of(file("r")) == before);
-  app::ResumeOptions summed_up;
+  app::RunOptions summed_up;
   summed_up.result = file("r");
   summed_up.summary = file("r").parent_path() / "r.json";
   EXPECT_THROW(app::resume_command(summed_up), InputError);
@@ -259,7 +259,7 @@ TEST_F(Resume, FinishedRunIsLeftAlone) {
 
 TEST_F(Resume, DoesNotReplaceAnEarlierSummary) {
   run_scene(pin, coarse({"integrator.name=backward-euler", "integrator.step=20"}), file("r"), 6);
-  app::ResumeOptions options;
+  app::RunOptions options;
   options.result = file("r");
   options.summary = file("r").parent_path() / "r.json";
   options.quiet = true;

@@ -75,7 +75,7 @@ inline RunOutcome run_scene(const std::string& scene, const Overrides& overrides
 
 inline int resume(const std::filesystem::path& file, const Overrides& overrides = {},
                   std::optional<double> end = {}) {
-  app::ResumeOptions options;
+  app::RunOptions options;
   options.result = file;
   options.overrides = overrides;
   options.end = end;
