@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
-#include <gnomon/study/slurm.hpp>
 #include <gnomon/study/study.hpp>
 
 #include "app/commands.hpp"

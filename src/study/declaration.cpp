@@ -31,13 +31,6 @@ std::string read_file(const fs::path& file) {
   return text_of(file);
 }
 
-std::string first_comment(const std::string& text) {
-  if (!text.starts_with("#")) return {};
-  const std::string line = text.substr(0, text.find('\n'));
-  const std::size_t begin = line.find_first_not_of("# ");
-  return begin == std::string::npos ? "" : line.substr(begin);
-}
-
 /// "20", "20x40": a value for names and labels.
 std::string label_text(const RawValue& value) {
   const auto text = [](const RawScalar& scalar) {
@@ -326,6 +319,13 @@ private:
 };
 
 }  // namespace
+
+std::string first_comment(const std::string& text) {
+  if (!text.starts_with("#")) return {};
+  const std::string line = text.substr(0, text.find('\n'));
+  const std::size_t begin = line.find_first_not_of("# ");
+  return begin == std::string::npos ? "" : line.substr(begin);
+}
 
 std::string kind_name(Kind kind) {
   return kind == Kind::step ? "step" : "rtol";

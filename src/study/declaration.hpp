@@ -57,6 +57,8 @@ Declaration read_declaration(const std::filesystem::path& file, Impossible impos
 /// empty without one. Throws InputError for a problem that has no contact surface to compare.
 std::vector<ContactSurface> closed_form(const Model& model, const std::vector<double>& times);
 
+/// What a file of TOML says of itself at its beginning; empty without a comment there.
+std::string first_comment(const std::string& text);
 /// "step", "rtol".
 std::string kind_name(StudySetting::Kind kind);
 /// Shortest text of a number: 20 for 20.0.

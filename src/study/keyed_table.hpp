@@ -4,7 +4,6 @@
 #include <gnomon/scene/scene.hpp>
 #include <gnomon/study/study.hpp>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +18,7 @@ struct SceneSetting {
   std::string origin;  ///< beginning of a message about it
 };
 
-/// The keys of a study file, each specified once (declaration_keys.cpp).
+/// The keys of a study file, each specified once.
 std::vector<Key> top_keys();
 std::vector<Key> sweep_keys();
 std::vector<Key> method_keys();

@@ -14,10 +14,11 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <gnomon/base/error.hpp>
 #include <sstream>
 #include <thread>
+
+#include "study/text_file.hpp"
 
 namespace gnomon::study {
 
@@ -162,11 +163,9 @@ ProcessEnd ProcessPool::so_far(std::size_t index) const {
 }
 
 std::string process_stat(long process) {
-  std::ifstream stream(fmt::format("/proc/{}/stat", process));
-  std::string line;
-  std::getline(stream, line);
-  const std::size_t name_end = line.rfind(')');  // the name may hold anything
-  return name_end == std::string::npos ? std::string() : line.substr(name_end + 1);
+  const std::string stat = read_text(fmt::format("/proc/{}/stat", process));
+  const std::size_t name_end = stat.rfind(')');  // the name may hold anything
+  return name_end == std::string::npos ? std::string() : stat.substr(name_end + 1);
 }
 
 void ProcessPool::pause() {

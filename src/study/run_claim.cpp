@@ -8,7 +8,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/number_text.hpp>
 #include <gnomon/results/result_files.hpp>
@@ -32,13 +31,6 @@ fs::path attempts_of(const fs::path& study, const std::string& name) {
   return study / "tries" / name;
 }
 
-std::string first_line_of(const fs::path& file) {
-  std::string line;
-  std::ifstream stream(file);
-  std::getline(stream, line);
-  return line;
-}
-
 /// When a process of this machine was started, in a form that no later process with its number has;
 /// empty if there is none.
 std::string start_of(long process) {
@@ -58,7 +50,7 @@ std::string host_name() {
 /// see each other (a container sees its own).
 std::string place_of_processes() {
   std::error_code ignored;
-  return first_line_of("/proc/sys/kernel/random/boot_id") + " " +
+  return read_text("/proc/sys/kernel/random/boot_id") +
          fs::read_symlink("/proc/self/ns/pid", ignored).string();
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <string.h>
 
-#include <fstream>
 #include <gnomon/base/counter_names.hpp>
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>

@@ -289,7 +289,7 @@ StudyProgress run_planned(const Study& planned, const std::vector<std::size_t>& 
                           const StudyOptions& options, const StudyHooks& hooks) {
   Study study = planned;
   for (const std::size_t run : runs)
-    study.runs[run].scene = planned_scene(options.folder, study.runs[run].name);
+    study.runs[run].scene = text_of(files_of_run(options.folder, study.runs[run].name).scene);
   return StudyRunner(study, options, hooks, false)(runs);
 }
 

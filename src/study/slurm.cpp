@@ -6,7 +6,7 @@
 #include <fstream>
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
-#include <gnomon/study/slurm.hpp>
+#include <gnomon/study/study.hpp>
 #include <map>
 
 #include "study/process_pool.hpp"

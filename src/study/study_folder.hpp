@@ -1,5 +1,5 @@
 // The folder of a study: claimed by its name, and locked while a study is planned or run as a
-// whole; its plan (plan.cpp).
+// whole; its plan.
 #pragma once
 
 #include <filesystem>
@@ -22,14 +22,9 @@ private:
   int descriptor_;
 };
 
-/// Makes the folder for the study, or checks that it may go on there, and locks it.
-FolderLock claimed_folder(const Study& study, const std::filesystem::path& folder, bool resume);
-
-/// Writes plan.json, the numbered list plan.csv, and the scene of every run, for processes that do
+/// Makes the folder for the study, or checks that it may go on there, and locks it. Writes the
+/// plan: plan.json, the numbered list plan.csv, and the scene of every run, for processes that do
 /// runs without the study file.
-void write_plan(const std::filesystem::path& folder, const Study& study);
-
-/// The scene of a run as planned.
-std::string planned_scene(const std::filesystem::path& folder, const std::string& run);
+FolderLock claimed_folder(const Study& study, const std::filesystem::path& folder, bool resume);
 
 }  // namespace gnomon::study

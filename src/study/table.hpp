@@ -49,7 +49,7 @@ Table table_of(const std::vector<ColumnOf<Row>>& columns, const std::vector<Row>
   return table;
 }
 
-/// The table of a study (columns.cpp): the columns that every study has, one for each swept key,
+/// The table of a study: the columns that every study has, one for each swept key,
 /// and one for each quantity that a run has observed.
 Table results_of(const Study& study, const StudyTable& table);
 
