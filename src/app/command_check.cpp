@@ -5,7 +5,6 @@
 #include <gnomon/run/setup.hpp>
 
 #include "app/commands.hpp"
-#include "app/program.hpp"
 #include "app/progress.hpp"
 #include "app/text_table.hpp"
 
@@ -31,13 +30,12 @@ std::string text_of(const Setup& setup) {
 
 }  // namespace
 
-int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
+void check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
   const Setup setup = [&] {
     const LiveLine line(making_the_model);
     return set_up(scene, overrides);
   }();
   fmt::print("{}", text_of(setup));
-  return success;
 }
 
 }  // namespace gnomon::app

@@ -12,7 +12,6 @@
 #include <set>
 
 #include "app/commands.hpp"
-#include "app/program.hpp"
 #include "app/text_table.hpp"
 
 namespace gnomon::app {
@@ -36,35 +35,27 @@ std::string setting(const std::optional<Scene>& scene) {
   return fmt::format("rtol {:g}", scene->real("integrator.rtol"));
 }
 
-/// Compares scenes with the first one given, except for keys of integration and output.
-class SceneDifferences {
-public:
-  void add(const std::filesystem::path& file) {
+/// In what the scenes of these results differ from the first one, except for keys of integration
+/// and output.
+std::string notes_on_scenes(const std::vector<std::filesystem::path>& files) {
+  std::optional<Scene> first;
+  std::set<std::string> keys, unreadable;
+  for (const auto& file : files) {
     const auto scene = scene_of(ResultReader(file).header(), file);
-    if (!scene) {
-      unreadable_.insert(file.string());
-    } else if (!first_) {
-      first_ = scene;
-    } else {
-      for (const std::string& key : Scene::differing_keys(*first_, *scene))
-        if (!key.starts_with("integrator.") && !key.starts_with("output.")) keys_.insert(key);
-    }
+    if (!scene) unreadable.insert(file.string());
+    if (!first) first = scene;
+    if (!scene) continue;
+    for (const std::string& key : Scene::differing_keys(*first, *scene))
+      if (!key.starts_with("integrator.") && !key.starts_with("output.")) keys.insert(key);
   }
-  std::string notes() const {
-    std::string text;
-    for (const std::string& file : unreadable_)
-      text += fmt::format("\nnote: the scene of {} was not compared, this version cannot read it\n",
-                          file);
-    if (!keys_.empty())
-      text += fmt::format("\nnote: the scenes differ in {}\n", fmt::join(keys_, ", "));
-    return text;
-  }
-
-private:
-  std::optional<Scene> first_;
-  std::set<std::string> keys_;
-  std::set<std::string> unreadable_;
-};
+  std::string text;
+  for (const std::string& file : unreadable)
+    text += fmt::format("\nnote: the scene of {} was not compared, this version cannot read it\n",
+                        file);
+  if (!keys.empty())
+    text += fmt::format("\nnote: the scenes differ in {}\n", fmt::join(keys, ", "));
+  return text;
+}
 
 std::string worn_volume(const HistoryRow& row) {
   const Scalar* const worn = find_scalar(row.scalars, "worn_volume");
@@ -124,8 +115,8 @@ void add_row(TextTable& table, const std::filesystem::path& file, const Referenc
 
 }  // namespace
 
-int compare_command(const std::vector<std::filesystem::path>& results,
-                    const std::filesystem::path& reference) {
+void compare_command(const std::vector<std::filesystem::path>& results,
+                     const std::filesystem::path& reference) {
   const std::filesystem::path& chosen = reference.empty() ? results.back() : reference;
   const Reference chosen_result(chosen);
   TextTable table("llrrrrrrrrl",
@@ -137,12 +128,9 @@ int compare_command(const std::vector<std::filesystem::path>& results,
       "reference, {}, in the last stored state;\n"
       "pressure error: largest difference of a nodal contact pressure\n",
       table.text(), chosen.string());
-  SceneDifferences differences;
-  differences.add(chosen);
-  for (const auto& file : results)
-    if (!std::filesystem::equivalent(file, chosen)) differences.add(file);
-  fmt::print("{}", differences.notes());
-  return success;
+  std::vector<std::filesystem::path> files = {chosen};
+  files.insert(files.end(), results.begin(), results.end());
+  fmt::print("{}", notes_on_scenes(files));
 }
 
 }  // namespace gnomon::app

@@ -15,7 +15,6 @@
 #include "app/interrupt.hpp"
 #include "app/options.hpp"
 #include "app/plotting_script.hpp"
-#include "app/program.hpp"
 #include "app/progress.hpp"
 #include "app/run_end.hpp"
 #include "app/text_table.hpp"
@@ -156,7 +155,7 @@ std::string counts_text(const std::vector<ExtremeCase>& cases) {
 
 }  // namespace
 
-int extremes_command(const StudyCommandOptions& given) {
+void extremes_command(const StudyCommandOptions& given) {
   const Suite suite = load_suite(study_files(given.studies));
   prepare_folder(given.folder, given.resume, suite);
   if (!given.quiet) warn_of_slow_blas();
@@ -178,7 +177,6 @@ int extremes_command(const StudyCommandOptions& given) {
       std::ranges::count_if(cases, [](const ExtremeCase& c) { return c.verdict.fault; });
   if (faults > 0)
     throw Error(fmt::format("{} of {} cases are wrong, hung or crashed", faults, cases.size()));
-  return success;
 }
 
 }  // namespace gnomon::app

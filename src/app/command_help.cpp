@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/results/versions.hpp>
 #include <gnomon/study/study.hpp>
 
 #include "app/commands.hpp"
-#include "app/program.hpp"
 #include "app/text_table.hpp"
 
 namespace gnomon::app {
@@ -148,8 +145,8 @@ const std::vector<std::string>& help_topics() {
   return topics;
 }
 
-std::string topic_text(const std::string& topic) {
-  if (topic == "scene") return scene_help({});
+std::string topic_text(const std::string& topic, const std::optional<std::string>& problem) {
+  if (topic == "scene") return scene_help(problem);
   if (topic == "studies") return studies_topic + describe_study_keys();
   if (topic == "integrators") return integrators_help();
   if (topic == "units") return units_topic;
@@ -157,26 +154,11 @@ std::string topic_text(const std::string& topic) {
   return exit_codes_topic;
 }
 
-int help_command(const std::string& topic, const std::optional<std::string>& problem,
-                 const std::vector<std::string>& further_topics) {
-  std::vector<std::string> topics = help_topics();
-  if (std::find(topics.begin(), topics.end(), topic) == topics.end()) {
-    topics.insert(topics.end(), further_topics.begin(), further_topics.end());
-    const std::string near = nearest_name(topic, topics);
-    throw InputError(
-        fmt::format("unknown topic `{}`, {}", topic,
-                    near.empty() ? "see `gnomon help`" : "did you mean `" + near + "`?"));
-  }
-  fmt::print("{}", topic == "scene" ? scene_help(problem) : topic_text(topic));
-  return success;
-}
-
-int version_command() {
+void version_command() {
   const auto versions = library_versions();
   fmt::print("gnomon {}\n", versions.at("gnomon"));
   for (const auto& [name, version] : versions)
     if (name != "gnomon") fmt::print("  {} {}\n", name, version);
-  return success;
 }
 
 }  // namespace gnomon::app

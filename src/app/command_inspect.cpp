@@ -16,7 +16,6 @@
 #include <sstream>
 
 #include "app/commands.hpp"
-#include "app/program.hpp"
 #include "app/stored_time.hpp"
 #include "app/text_table.hpp"
 #include "study/table.hpp"
@@ -113,7 +112,7 @@ void print_contact_row(const ContactSurface& surface, std::size_t i, const std::
 
 }  // namespace
 
-int info_command(const std::filesystem::path& file) {
+void info_command(const std::filesystem::path& file) {
   const ResultReader result(file);
   const RunHeader& header = result.header();
   TextTable table("ll");
@@ -143,10 +142,9 @@ int info_command(const std::filesystem::path& file) {
   if (const std::string text = phase_error_text(result.phase_errors()); !text.empty())
     fmt::print("{}\n", text);
   fmt::print("\nscene (gnomon scene prints it in full):\n{}", shortened_scene(header.scene));
-  return success;
 }
 
-int scene_command(const std::filesystem::path& file) {
+void scene_command(const std::filesystem::path& file) {
   const ResultReader result(file);
   const std::optional<Grid> grid = result.grid();
   if (grid && !grid->parts.empty())  // else the problem makes its mesh itself
@@ -155,10 +153,9 @@ int scene_command(const std::filesystem::path& file) {
         "in the place of what\n# [mesh] says below.\n\n",
         file.string());
   fmt::print("{}", result.header().scene);
-  return success;
 }
 
-int history_command(const std::filesystem::path& file) {
+void history_command(const std::filesystem::path& file) {
   const auto history = ResultReader(file).history();
   if (history.empty())
     throw InputError(file.string() + ": no state is recorded, not even the start");
@@ -173,10 +170,9 @@ int history_command(const std::filesystem::path& file) {
     for (const Scalar& scalar : row.scalars) fmt::print(",{}", scalar.value);
     fmt::print("\n");
   }
-  return success;
 }
 
-int contact_command(const std::filesystem::path& file, const std::string& time) {
+void contact_command(const std::filesystem::path& file, const std::string& time) {
   const ResultReader result(file);
   std::optional<double> stored;
   if (!time.empty()) stored = stored_time(result.stored_times(), time, file.string());
@@ -191,7 +187,6 @@ int contact_command(const std::filesystem::path& file, const std::string& time) 
   for (std::size_t i = 0; i < surface.node.size(); ++i)
     print_contact_row(surface, i,
                       names.empty() ? "" : fmt::format(",{}", study::csv_text(names[i])));
-  return success;
 }
 
 }  // namespace gnomon::app

@@ -71,7 +71,7 @@ CommandLine::CommandLine()
   refuse_values_of_flags(&app_);
 }
 
-void CommandLine::on(CLI::App* command, std::function<int()> run) {
+void CommandLine::on(CLI::App* command, std::function<void()> run) {
   command->callback([this, run = std::move(run)] { command_ = run; });
 }
 
@@ -90,7 +90,7 @@ void CommandLine::add_run() {
   add_quiet(command, run_.quiet);
   on(command, [this] {
     if (integrator_) run_.overrides.push_back("integrator.name=" + known_integrator(*integrator_));
-    return run_command(run_);
+    exit_code_ = run_command(run_);
   });
 }
 
@@ -103,7 +103,7 @@ void CommandLine::add_resume() {
   command->add_flag("--force", run_.force, "Replaces an earlier summary");
   add_summary(command, run_.summary);
   add_quiet(command, run_.quiet);
-  on(command, [this] { return resume_command(run_); });
+  on(command, [this] { exit_code_ = resume_command(run_); });
 }
 
 void CommandLine::add_check() {
@@ -111,7 +111,7 @@ void CommandLine::add_check() {
       app_.add_subcommand("check", "Validates a scene; prints all its keys and its unknowns");
   add_argument(command, "SCENE", run_.scene, "Scene file (TOML)");
   add_overrides(command, run_.overrides);
-  on(command, [this] { return check_command(run_.scene, run_.overrides); });
+  on(command, [this] { check_command(run_.scene, run_.overrides); });
 }
 
 void CommandLine::add_extremes() {
@@ -126,7 +126,7 @@ void CommandLine::add_extremes() {
              "Wall time after which a run counts as hung; default: 300")
       ->check(CLI::Range(0.01, 1e6));
   add_flags_of_studies(command, extremes_.resume, extremes_.quiet);
-  on(command, [this] { return extremes_command(extremes_); });
+  on(command, [this] { extremes_command(extremes_); });
 }
 
 void CommandLine::add_compare() {
@@ -134,7 +134,7 @@ void CommandLine::add_compare() {
   add_argument(command, "RESULTS", results_, "Result files (HDF5)");
   add_name(command, "--reference", reference_, "RESULT.h5",
            "Result against which shape errors are measured; default: the last result");
-  on(command, [this] { return compare_command(results_, reference_); });
+  on(command, [this] { compare_command(results_, reference_); });
 }
 
 void CommandLine::add_stability() {
@@ -160,7 +160,7 @@ void CommandLine::add_stability() {
                     "The whole spectrum instead of the largest eigenvalues");
   add_name(command, "-o,--output", stability_.folder, "DIR",
            "Folder for spectrum.csv and critical_steps.csv; made if it does not exist");
-  on(command, [this] { return stability_command(stability_); });
+  on(command, [this] { stability_command(stability_); });
 }
 
 void CommandLine::add_plot() {
@@ -172,7 +172,7 @@ void CommandLine::add_plot() {
   add_name(command, "-o,--output", figures_, "DIR",
            "Folder of the figures, then without pages; default: the folder figures beside each "
            "target");
-  on(command, [this] { return plot_command(results_, figures_); });
+  on(command, [this] { plot_command(results_, figures_); });
 }
 
 void CommandLine::add_help() {
@@ -183,14 +183,17 @@ void CommandLine::add_help() {
       ->add_option("PROBLEM", problem_,
                    "For the topic scene: the problem whose keys are shown; default: all problems")
       ->type_name("");
-  on(command, [this] { return help(); });
+  on(command, [this] { help(); });
 }
 
-int CommandLine::help() const {
+void CommandLine::help() const {
   const std::vector<std::string> commands = command_names();
   const auto print = [](const CLI::App* app, const std::string& parent) {
     // App::help() would describe the command that was parsed, which is `help`.
     fmt::print("{}", app->get_formatter()->make_help(app, parent, CLI::AppFormatMode::Normal));
+  };
+  const auto is_in = [this](const std::vector<std::string>& names) {
+    return std::ranges::find(names, *topic_) != names.end();
   };
   if (!topic_) {
     print(&app_, "gnomon");
@@ -206,15 +209,19 @@ int CommandLine::help() const {
       print(app_.get_subcommand(name), "gnomon " + name);
       fmt::print("\n");
     }
-  } else if (*topic_ != "scene" &&  // a topic of its own, which is asked for more often
-             std::find(commands.begin(), commands.end(), *topic_) != commands.end()) {
+  } else if (is_in(help_topics())) {  // scene, which is a command too, is asked for more often
+    fmt::print("{}", topic_text(*topic_, problem_));
+  } else if (is_in(commands)) {
     print(app_.get_subcommand(*topic_), "gnomon " + *topic_);
   } else {
-    std::vector<std::string> further = {"commands", "man-page", "completion"};
-    further.insert(further.end(), commands.begin(), commands.end());
-    return help_command(*topic_, problem_, further);
+    std::vector<std::string> known = help_topics();
+    known.insert(known.end(), {"commands", "man-page", "completion"});
+    known.insert(known.end(), commands.begin(), commands.end());
+    const std::string near = nearest_name(*topic_, known);
+    throw InputError(
+        fmt::format("unknown topic `{}`, {}", *topic_,
+                    near.empty() ? "see `gnomon help`" : "did you mean `" + near + "`?"));
   }
-  return 0;
 }
 
 std::vector<std::string> CommandLine::command_names() const {
@@ -230,12 +237,13 @@ int CommandLine::operator()(int argc, char** argv) {
   } catch (const CLI::CallForHelp& request) {
     const auto [command, words] = chosen_command();
     fmt::print("{}", command == &app_ ? app_.help() : command->help(words));
-    return 0;
+    return success;
   }
   if (!command_) throw InputError("expected a command, see `gnomon help`");
   load_plugins_of_environment();
   for (const std::filesystem::path& plugin : plugins_) load_for_all(plugin);
-  return command_();
+  command_();
+  return exit_code_;
 }
 
 std::pair<const CLI::App*, std::string> CommandLine::chosen_command() const {

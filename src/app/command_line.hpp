@@ -3,13 +3,13 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/program.hpp"
 
 namespace gnomon::app {
 
@@ -25,7 +25,7 @@ public:
 
 private:
   /// What the command does, if it is given.
-  void on(CLI::App* command, std::function<int()> run);
+  void on(CLI::App* command, std::function<void()> run);
   void add_run();
   void add_resume();
   void add_check();
@@ -38,13 +38,14 @@ private:
   void add_stability();
   void add_plot();
   void add_help();
-  int help() const;
+  void help() const;
   std::vector<std::string> command_names() const;
   /// The innermost command that was parsed, or the program, and the words before it.
   std::pair<const CLI::App*, std::string> chosen_command() const;
 
   CLI::App app_;
-  std::function<int()> command_;
+  std::function<void()> command_;
+  int exit_code_ = success;
 
   // The variables that the options set; each command uses its own part.
   RunOptions run_;

@@ -12,13 +12,13 @@ void CommandLine::add_inspection() {
   const std::string subjects = fmt::format("{}", fmt::join(list_subjects(), ", "));
   CLI::App* list = app_.add_subcommand("list", "Lists one of " + subjects);
   list->add_option("SUBJECT", subject_, subjects + "; default: these names")->type_name("");
-  on(list, [this] { return list_command(subject_); });
+  on(list, [this] { list_command(subject_); });
 
   const auto add = [this](const char* name, const char* help,
-                          int (*show)(const std::filesystem::path&)) {
+                          void (*show)(const std::filesystem::path&)) {
     CLI::App* command = app_.add_subcommand(name, help);
     add_argument(command, "RESULT", result_, "Result file (HDF5)");
-    on(command, [this, show] { return show(result_); });
+    on(command, [this, show] { show(result_); });
   };
   add("info", "Shows the contents of a result file", info_command);
   CLI::App* contact = app_.add_subcommand("contact", "Prints the contact surface as CSV");
@@ -29,7 +29,7 @@ void CommandLine::add_inspection() {
                    "default: the last one")
       ->type_name("T")
       ->check(check_time);
-  on(contact, [this] { return contact_command(result_, time_); });
+  on(contact, [this] { contact_command(result_, time_); });
   add("scene", "Prints the scene of a result", scene_command);
   add("history", "Prints what was observed after every step as CSV", history_command);
 }
@@ -53,8 +53,8 @@ void CommandLine::add_meshes() {
       mesh, "-o,--output", scene_, "FILE.png|.svg|.xdmf|.msh",
       "Also draws the mesh with its named parts (a picture, or a file for ParaView), or writes "
       "the mesh that a run would use, for Gmsh (.msh)");
-  on(mesh, [this] { return mesh_command(result_, size_, scene_); });
-  on(part, [this] { return new_command(result_, size_, scene_); });
+  on(mesh, [this] { mesh_command(result_, size_, scene_); });
+  on(part, [this] { new_command(result_, size_, scene_); });
 }
 
 }  // namespace gnomon::app

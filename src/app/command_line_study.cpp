@@ -59,7 +59,7 @@ void CommandLine::add_study() {
   add_times(command, study_);
   command->require_subcommand(0, 1);
   command->callback([this] {
-    if (!command_) command_ = [this] { return study_command(study_); };
+    if (!command_) command_ = [this] { study_command(study_); };
   });
   add_parts_of_study(command);
 }
@@ -69,7 +69,7 @@ void CommandLine::add_parts_of_study(CLI::App* study) {
       study->add_subcommand("plan", "Makes the folder of a study with the scenes of all its runs");
   add_study_file(plan, study_, true);
   add_flags_of_studies(plan, study_.resume, study_.quiet);
-  on(plan, [this] { return study_plan_command(study_); });
+  on(plan, [this] { study_plan_command(study_); });
 
   CLI::App* run = study->add_subcommand(
       "run", "Does runs of a planned study that are not done and that nobody else is doing");
@@ -80,13 +80,13 @@ void CommandLine::add_parts_of_study(CLI::App* study) {
   add_jobs(run, study_.jobs);
   add_times(run, study_);
   add_quiet(run, study_.quiet);
-  on(run, [this] { return study_run_command(study_); });
+  on(run, [this] { study_run_command(study_); });
 
   CLI::App* collect = study->add_subcommand(
       "collect", "Makes the tables and the page of a planned study, and tells what is missing");
   add_planned_folder(collect, study_);
   add_quiet(collect, study_.quiet);
-  on(collect, [this] { return study_collect_command(study_); });
+  on(collect, [this] { study_collect_command(study_); });
 }
 
 }  // namespace gnomon::app

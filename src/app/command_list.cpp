@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/installation.hpp>
 #include <gnomon/integrators/integrator.hpp>
@@ -16,8 +15,9 @@
 #include <map>
 
 #include "app/commands.hpp"
-#include "app/program.hpp"
 #include "app/text_table.hpp"
+#include "study/declaration.hpp"
+#include "study/text_file.hpp"
 
 namespace gnomon::app {
 
@@ -57,14 +57,6 @@ std::string list_shapes() {
   return table.text();
 }
 
-std::string first_comment(const fs::path& file) {
-  std::ifstream stream(file);
-  std::string line;
-  std::getline(stream, line);
-  const std::size_t text = line.find_first_not_of("# ");
-  return line.starts_with("#") && text != std::string::npos ? line.substr(text) : "";
-}
-
 /// Studies lie in folders of these names; every other TOML file is a scene.
 bool is_study(const fs::path& file) {
   const fs::path folder = file.parent_path().filename();
@@ -86,7 +78,7 @@ std::string list_files(bool studies) {
   for (const fs::path& file : files) {
     const std::string relative = fs::proximate(file, error).string();
     const bool shorter = !error && relative.size() < file.string().size();
-    table.add({shorter ? relative : file.string(), first_comment(file)});
+    table.add({shorter ? relative : file.string(), study::first_comment(study::read_text(file))});
   }
   return table.text();
 }
@@ -110,7 +102,7 @@ std::vector<std::string> list_subjects() {
   return subjects;
 }
 
-int list_command(const std::string& what) {
+void list_command(const std::string& what) {
   const std::vector<std::string> subjects = list_subjects();
   if (what.empty()) {
     fmt::print("gnomon list SUBJECT, with SUBJECT one of\n  {}\n", fmt::join(subjects, "\n  "));
@@ -123,7 +115,6 @@ int list_command(const std::string& what) {
                                      ? fmt::format("expected one of: {}", fmt::join(subjects, ", "))
                                      : "did you mean `" + near + "`?"));
   }
-  return success;
 }
 
 }  // namespace gnomon::app

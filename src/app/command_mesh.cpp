@@ -20,7 +20,6 @@
 #include "app/commands.hpp"
 #include "app/new_scene.hpp"
 #include "app/plotting_script.hpp"
-#include "app/program.hpp"
 #include "app/text_table.hpp"
 #include "part/stored_part.hpp"
 
@@ -181,7 +180,7 @@ void draw_mesh(const ImportedBody<dim>& body, const std::string& axes, const fs:
 
 }  // namespace
 
-int mesh_command(const fs::path& file, std::optional<double> size, const fs::path& written) {
+void mesh_command(const fs::path& file, std::optional<double> size, const fs::path& written) {
   const bool for_gmsh = written.extension() == ".msh";
   if (for_gmsh && is_taken(written))
     throw InputError(written.string() + " exists; give another name with --output");
@@ -192,10 +191,9 @@ int mesh_command(const fs::path& file, std::optional<double> size, const fs::pat
     if (for_gmsh) fmt::print("mesh: {}\n", written.string());
     if (!written.empty() && !for_gmsh) draw_mesh(body, axes_of(file, dim), written);
   });
-  return success;
 }
 
-int new_command(const fs::path& file, std::optional<double> size, fs::path scene) {
+void new_command(const fs::path& file, std::optional<double> size, fs::path scene) {
   if (scene.empty()) scene = fs::path(file).replace_extension(".toml");
   if (is_taken(scene))
     throw InputError(scene.string() + " exists; give another name with --output");
@@ -206,7 +204,6 @@ int new_command(const fs::path& file, std::optional<double> size, fs::path scene
   write_file(scene, text, Earlier::refused);
   fmt::print("{}: fill in loads, counter-body and wear, then: gnomon check {}\n", scene.string(),
              scene.string());
-  return success;
 }
 
 }  // namespace gnomon::app

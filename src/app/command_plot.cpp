@@ -10,6 +10,7 @@
 
 #include "app/commands.hpp"
 #include "app/plotting_script.hpp"
+#include "study/process_pool.hpp"
 
 namespace gnomon::app {
 
@@ -20,19 +21,16 @@ constexpr const char* python = "python3";
 /// Replaces this process by the program, so that signals reach it; without a shell, because names
 /// of files may contain any character.
 [[noreturn]] void become(const std::vector<std::string>& words) {
-  std::vector<char*> argv;
-  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-  argv.push_back(nullptr);
   std::fflush(stdout);
-  execvp(python, argv.data());
+  execvp(python, study::pointers_to(words).data());
   throw std::runtime_error(fmt::format("cannot run {} ({}): plots need the packages {}", python,
                                        std::strerror(errno), drawing_packages));
 }
 
 }  // namespace
 
-int plot_command(const std::vector<std::filesystem::path>& targets,
-                 const std::filesystem::path& folder) {
+void plot_command(const std::vector<std::filesystem::path>& targets,
+                  const std::filesystem::path& folder) {
   std::vector<std::string> words = {python, plotting_script().string(), "any"};
   if (!folder.empty()) words.push_back("--output=" + folder.string());
   words.push_back("--");

@@ -106,10 +106,6 @@ double time_reached(const ResultReader& earlier) {
   return history.empty() ? 0.0 : history.back().t;
 }
 
-std::string beginning_text(const std::optional<Resumption>& from, const std::string& name) {
-  return from ? "" : fmt::format("{} holds no checkpoint: begins at its start", name);
-}
-
 std::vector<std::string> field_names(const Model& first, const Resumption& from) {
   const std::shared_ptr<const Model> later = model_of_epoch(first, from.epochs);
   const Model& model = later ? *later : first;
@@ -147,7 +143,9 @@ int resume_command(const RunOptions& options) {
   check_outputs(files);
 
   if (!options.quiet) warn_of_slow_blas();
-  if (!options.quiet) print_remarks({beginning_text(from, name), dropped_times_text(scene)});
+  if (!options.quiet)
+    print_remarks({from ? "" : name + " holds no checkpoint: begins at its start",
+                   dropped_times_text(scene)});
   const Setup setup = set_up_again(std::move(scene), earlier.grid());
   check_same(*setup.model, earlier, name);
   const RunHeader header = run_header(setup);

@@ -18,7 +18,7 @@ int run_command(const RunOptions& given) {
   RunOptions options = given;
   Scene scene = checked_scene(options.scene, options.overrides);
   if (options.result.empty())
-    options.result = default_result(options.scene, scene.text("integrator.name"));
+    options.result = options.scene.stem().string() + "-" + scene.text("integrator.name") + ".h5";
   check_outputs(options);  // before anything that takes time
   const bool earlier = is_taken(options.result);
 

@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "app/commands.hpp"
-#include "app/program.hpp"
 #include "app/run_end.hpp"
 #include "app/text_table.hpp"
 
@@ -130,7 +129,7 @@ private:
 
 }  // namespace
 
-int stability_command(const StabilityOptions& options) {
+void stability_command(const StabilityOptions& options) {
   const Setup setup = set_up(options.scene, options.overrides);
   if (!(options.rtol > 0 && options.rtol < 1))
     throw InputError(
@@ -148,7 +147,6 @@ int stability_command(const StabilityOptions& options) {
       "onset: the step above which a small perturbation grows over {} real steps, to 1 %\n",
       report.text(), onset_steps);
   if (!options.folder.empty()) report.write(options.folder);
-  return success;
 }
 
 }  // namespace gnomon::app

@@ -12,7 +12,6 @@
 #include "app/interrupt.hpp"
 #include "app/options.hpp"
 #include "app/plotting_script.hpp"
-#include "app/program.hpp"
 #include "app/progress.hpp"
 #include "app/run_end.hpp"
 #include "app/text_table.hpp"
@@ -33,11 +32,9 @@ fs::path folder_of(const Study& study, const StudyCommandOptions& given) {
 StudyProgress run_all(const Study& study, const StudyOptions& options,
                       const StudyCommandOptions& given, const StudyHooks& hooks) {
   if (given.executor == "local") return run_study(study, options, hooks);
-  SlurmOptions slurm;
-  slurm.sbatch = given.slurm_options;
-  slurm.at_most = given.jobs;
-  slurm.poll = given.poll;
-  return run_study_by_slurm(study, options, slurm, hooks);
+  return run_study_by_slurm(
+      study, options, {.sbatch = given.slurm_options, .at_most = given.jobs, .poll = given.poll},
+      hooks);
 }
 
 std::string count_text(std::size_t count) {
@@ -170,7 +167,7 @@ void write_study(const Study& study, const std::filesystem::path& folder, bool q
 
 }  // namespace
 
-int study_command(const StudyCommandOptions& given) {
+void study_command(const StudyCommandOptions& given) {
   if (given.study.empty())
     throw InputError("expected a study file, or plan, run or collect, see `gnomon help study`");
   const Study study = load_study(given.study);
@@ -187,10 +184,9 @@ int study_command(const StudyCommandOptions& given) {
                             given.executor == "slurm" ? ", the jobs of Slurm continue" : ""));
   write_study(study, options.folder, given.quiet);
   if (progress.done < progress.total) require_complete(study, options.folder);
-  return success;
 }
 
-int study_plan_command(const StudyCommandOptions& given) {
+void study_plan_command(const StudyCommandOptions& given) {
   const Study study = load_study(given.study);
   const fs::path folder = folder_of(study, given);
   plan_study(study, folder, given.resume);
@@ -199,10 +195,9 @@ int study_plan_command(const StudyCommandOptions& given) {
         "{}: {}, listed in plan.csv; gnomon study run {} NUMBERS does them, gnomon study "
         "collect {} makes the tables\n",
         folder.string(), count_text(study.runs.size()), folder.string(), folder.string());
-  return success;
 }
 
-int study_run_command(const StudyCommandOptions& given) {
+void study_run_command(const StudyCommandOptions& given) {
   const Study study = read_plan(given.folder);
   const std::vector<std::size_t> runs = study::runs_numbered(given.numbers, study.runs.size());
   const StudyOptions options = options_of_runs(given);
@@ -217,10 +212,9 @@ int study_run_command(const StudyCommandOptions& given) {
   if (progress.failed > 0 && !given.quiet)
     fmt::print("{} failed, for a reason that gnomon study collect tells\n",
                count_text(progress.failed));
-  return success;
 }
 
-int study_collect_command(const StudyCommandOptions& given) {
+void study_collect_command(const StudyCommandOptions& given) {
   const Study study = read_whole_plan(given.folder);
   const InterruptGuard guard(false);
   try {
@@ -230,7 +224,6 @@ int study_collect_command(const StudyCommandOptions& given) {
     throw;  // all runs failed, not only those that are done
   }
   require_complete(study, given.folder);
-  return success;
 }
 
 }  // namespace gnomon::app

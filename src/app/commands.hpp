@@ -1,5 +1,5 @@
-// The commands of the program, one function each. They print to stdout (progress to stderr), return
-// the exit code, and throw on bad input.
+// The commands of the program, one function each. They print to stdout (progress to stderr), and
+// throw on bad input. A run may also end with another exit code than 0 without an error.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ struct RunOptions {
   std::filesystem::path scene{};         ///< of a new run
   std::vector<std::string> overrides{};  ///< "key=value", --integrator included
   std::optional<double> end{};           ///< of a resumed run, instead of the scene's
-  std::filesystem::path result{};        ///< empty: default_result()
+  std::filesystem::path result{};        ///< empty: SCENE-INTEGRATOR.h5, in the current folder
   std::filesystem::path summary{};       ///< empty: none; "-": standard output
   bool force = false;  ///< replace the files of earlier runs with these names; resumed: the summary
   bool quiet = false;
@@ -51,47 +51,43 @@ struct StabilityOptions {
 
 int run_command(const RunOptions& options);
 int resume_command(const RunOptions& options);
-int study_command(const StudyCommandOptions& options);
+void study_command(const StudyCommandOptions& options);
 /// The parts of a study: the folder, some runs of it, the tables.
-int study_plan_command(const StudyCommandOptions& options);
-int study_run_command(const StudyCommandOptions& options);
-int study_collect_command(const StudyCommandOptions& options);
+void study_plan_command(const StudyCommandOptions& options);
+void study_run_command(const StudyCommandOptions& options);
+void study_collect_command(const StudyCommandOptions& options);
 /// Throws Error when a case is wrong, hung or crashed.
-int extremes_command(const StudyCommandOptions& options);
-int check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
+void extremes_command(const StudyCommandOptions& options);
+void check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 /// `what` empty: the subjects.
-int list_command(const std::string& what);
-int info_command(const std::filesystem::path& result);
+void list_command(const std::string& what);
+void info_command(const std::filesystem::path& result);
 /// `time` as it was printed: "350", "350 s"; empty: the last one.
-int contact_command(const std::filesystem::path& result, const std::string& time);
+void contact_command(const std::filesystem::path& result, const std::string& time);
 /// The scene of a result, as `check` prints it.
-int scene_command(const std::filesystem::path& result);
+void scene_command(const std::filesystem::path& result);
 /// One line for each step, the start first: time, step, counters, scalars.
-int history_command(const std::filesystem::path& result);
+void history_command(const std::filesystem::path& result);
 /// What a mesh, or that of a result, has: cells, named parts, remarks. `size`: longest edge for a
 /// geometry. `written`: a picture of it, a file for ParaView, or the mesh that a run would use
 /// (.msh, a new file); empty: none.
-int mesh_command(const std::filesystem::path& file, std::optional<double> size,
-                 const std::filesystem::path& written);
+void mesh_command(const std::filesystem::path& file, std::optional<double> size,
+                  const std::filesystem::path& written);
 /// Writes a scene for a mesh; `scene` empty: beside the mesh. Never replaces a file.
-int new_command(const std::filesystem::path& file, std::optional<double> size,
-                std::filesystem::path scene);
+void new_command(const std::filesystem::path& file, std::optional<double> size,
+                 std::filesystem::path scene);
 /// `reference` empty: the last of the results.
-int compare_command(const std::vector<std::filesystem::path>& results,
-                    const std::filesystem::path& reference);
-int stability_command(const StabilityOptions& options);
+void compare_command(const std::vector<std::filesystem::path>& results,
+                     const std::filesystem::path& reference);
+void stability_command(const StabilityOptions& options);
 /// Figures of results and of folders with studies or spectra. `folder` empty: beside each of them.
-int plot_command(const std::vector<std::filesystem::path>& targets,
-                 const std::filesystem::path& folder);
+void plot_command(const std::vector<std::filesystem::path>& targets,
+                  const std::filesystem::path& folder);
 /// The help topics that are not commands, in the order of the overview.
 const std::vector<std::string>& help_topics();
-/// The text of one of them.
-std::string topic_text(const std::string& topic);
-/// All help topics except the commands. Throws InputError for an unknown topic; the message names
-/// the nearest of `further_topics` and the own topics.
-int help_command(const std::string& topic, const std::optional<std::string>& problem,
-                 const std::vector<std::string>& further_topics);
-int version_command();
+/// The text of one of them; of scenes for all problems, or for one.
+std::string topic_text(const std::string& topic, const std::optional<std::string>& problem = {});
+void version_command();
 
 /// The subjects of `gnomon list`.
 std::vector<std::string> list_subjects();

@@ -9,7 +9,6 @@
 #include <gnomon/model/problem.hpp>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "app/commands.hpp"
 
@@ -127,26 +126,6 @@ constexpr const char* completion_tail = R"(  esac
 complete -o filenames -F _gnomon gnomon
 )";
 
-}  // namespace
-
-std::string man_page(const CLI::App& app) {
-  std::string text = fmt::format(
-      ".TH GNOMON 1 \"\" \"gnomon {}\"\n.SH NAME\ngnomon \\- {}\n.SH SYNOPSIS\n\\fBgnomon\\fR "
-      "[\\-\\-plugin FILE.so] COMMAND [OPTIONS]\n.SH OPTIONS\n",
-      version, "computes how wear changes the shape of bodies over time");
-  for (const CLI::Option* option : app.get_options()) text += option_text(*option);
-  text += ".SH COMMANDS\n";
-  for (const CLI::App* command : commands(app)) text += command_text(*command, "gnomon");
-  for (const std::string& topic : help_topics()) {
-    std::string title = topic == "exit-codes" ? "EXIT STATUS" : topic;
-    std::transform(title.begin(), title.end(), title.begin(), ::toupper);
-    text += section(title, topic_text(topic));
-  }
-  return text + section("ENVIRONMENT", environment_text);
-}
-
-namespace {
-
 /// What stands behind `--set KEY=`, and behind options with names as values.
 std::string completion_of_values() {
   std::string keys, values;
@@ -192,6 +171,22 @@ std::string topics(const CLI::App& app) {
 }
 
 }  // namespace
+
+std::string man_page(const CLI::App& app) {
+  std::string text = fmt::format(
+      ".TH GNOMON 1 \"\" \"gnomon {}\"\n.SH NAME\ngnomon \\- {}\n.SH SYNOPSIS\n\\fBgnomon\\fR "
+      "[\\-\\-plugin FILE.so] COMMAND [OPTIONS]\n.SH OPTIONS\n",
+      version, "computes how wear changes the shape of bodies over time");
+  for (const CLI::Option* option : app.get_options()) text += option_text(*option);
+  text += ".SH COMMANDS\n";
+  for (const CLI::App* command : commands(app)) text += command_text(*command, "gnomon");
+  for (const std::string& topic : help_topics()) {
+    std::string title = topic == "exit-codes" ? "EXIT STATUS" : topic;
+    std::transform(title.begin(), title.end(), title.begin(), ::toupper);
+    text += section(title, topic_text(topic));
+  }
+  return text + section("ENVIRONMENT", environment_text);
+}
 
 std::string bash_completion(const CLI::App& app) {
   std::string names, cases;

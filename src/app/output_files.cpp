@@ -72,10 +72,6 @@ void check_earlier(const fs::path& file, const Kind& kind, bool force) {
 
 }  // namespace
 
-fs::path default_result(const fs::path& scene, const std::string& integrator) {
-  return scene.stem().string() + "-" + integrator + ".h5";
-}
-
 void check_outputs(const RunOptions& options) {
   const fs::path sidecar = sidecar_of(options.result);
   const bool printed = options.summary.empty() || options.summary == "-";

@@ -1,16 +1,11 @@
 // The files that a run writes, checked before anything is computed.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "app/commands.hpp"
 
 namespace gnomon::app {
-
-/// SCENE's stem, "-", the integrator and ".h5", in the current folder.
-std::filesystem::path default_result(const std::filesystem::path& scene,
-                                     const std::string& integrator);
 
 /// Throws InputError if a file that the run writes is the same as another one that it writes or
 /// reads, or exists and must not be replaced, or cannot be written.

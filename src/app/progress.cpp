@@ -21,17 +21,6 @@ std::size_t terminal_width() {
   return 80;
 }
 
-}  // namespace
-
-std::string clock_text(double seconds) {
-  const long total = std::lround(std::clamp(seconds, 0.0, 1e9));
-  const long hours = total / 3600, minutes = total / 60 % 60;
-  return hours ? fmt::format("{}:{:02}:{:02}", hours, minutes, total % 60)
-               : fmt::format("{}:{:02}", minutes, total % 60);
-}
-
-namespace {
-
 struct Item {
   int importance;  // the item with the least is left out first
   std::string text;
@@ -58,7 +47,40 @@ std::string joined(const std::vector<Item>& items) {
   return text;
 }
 
+std::string bar(std::size_t done, std::size_t total) {
+  constexpr std::size_t width = 24;
+  const std::size_t full = total ? width * done / total : width;
+  return fmt::format("[{:#<{}}{:.<{}}]", "", full, "", width - full);
+}
+
+std::string plain_line(const StudyProgress& progress) {
+  if (progress.ended.empty() && progress.done > progress.kept)
+    return fmt::format("{} of {} done", progress.done, progress.total);
+  if (progress.ended.empty())
+    return fmt::format("{} runs, {} done already", progress.total, progress.kept);
+  return fmt::format("{} of {}: {}{}", progress.done, progress.total, progress.ended,
+                     progress.reason.empty() ? "" : " failed: " + progress.reason);
+}
+
+std::string live_text(const StudyProgress& progress, double elapsed) {
+  std::string text = fmt::format("{} {} of {} runs", bar(progress.done, progress.total),
+                                 progress.done, progress.total);
+  if (progress.failed) text += fmt::format("  {} failed", progress.failed);
+  const std::size_t run = progress.done - progress.kept;
+  if (run > 0 && progress.done < progress.total)
+    text += "  left " + clock_text(elapsed * static_cast<double>(progress.total - progress.done) /
+                                   static_cast<double>(run));
+  return text;
+}
+
 }  // namespace
+
+std::string clock_text(double seconds) {
+  const long total = std::lround(std::clamp(seconds, 0.0, 1e9));
+  const long hours = total / 3600, minutes = total / 60 % 60;
+  return hours ? fmt::format("{}:{:02}:{:02}", hours, minutes, total % 60)
+               : fmt::format("{}:{:02}", minutes, total % 60);
+}
 
 std::string progress_text(const HistoryRow& row, double end, double elapsed, std::size_t width) {
   std::vector<Item> items = progress_items(row, end, elapsed);
@@ -110,36 +132,6 @@ void Progress::warn(const std::string& text) const {
   line_.clear();
   LiveLine::print("gnomon: warning: " + text);
 }
-
-namespace {
-
-std::string bar(std::size_t done, std::size_t total) {
-  constexpr std::size_t width = 24;
-  const std::size_t full = total ? width * done / total : width;
-  return fmt::format("[{:#<{}}{:.<{}}]", "", full, "", width - full);
-}
-
-std::string plain_line(const StudyProgress& progress) {
-  if (progress.ended.empty() && progress.done > progress.kept)
-    return fmt::format("{} of {} done", progress.done, progress.total);
-  if (progress.ended.empty())
-    return fmt::format("{} runs, {} done already", progress.total, progress.kept);
-  return fmt::format("{} of {}: {}{}", progress.done, progress.total, progress.ended,
-                     progress.reason.empty() ? "" : " failed: " + progress.reason);
-}
-
-std::string live_text(const StudyProgress& progress, double elapsed) {
-  std::string text = fmt::format("{} {} of {} runs", bar(progress.done, progress.total),
-                                 progress.done, progress.total);
-  if (progress.failed) text += fmt::format("  {} failed", progress.failed);
-  const std::size_t run = progress.done - progress.kept;
-  if (run > 0 && progress.done < progress.total)
-    text += "  left " + clock_text(elapsed * static_cast<double>(progress.total - progress.done) /
-                                   static_cast<double>(run));
-  return text;
-}
-
-}  // namespace
 
 void StudyProgressBar::show(const StudyProgress& progress) const {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/number_text.hpp>
@@ -33,22 +32,19 @@ std::string number_in(std::string text) {
   return text;
 }
 
-/// The power of ten of its last digit.
-int last_digit(const std::string& number) {
+/// One in its last digit: 0.01e2 of 3.57e2.
+double last_digit(std::string number) {
   const std::size_t exponent = std::min(number.find_first_of("eE"), number.size());
-  int power = 0;
-  if (exponent < number.size()) {
-    const std::size_t sign = number[exponent + 1] == '+' ? 1 : 0;
-    std::from_chars(number.data() + exponent + 1 + sign, number.data() + number.size(), power);
-  }
-  const std::size_t point = number.find('.');
-  return point < exponent ? power - static_cast<int>(exponent - point - 1) : power;
+  const std::size_t last = number.find_last_of("0123456789", exponent);
+  for (std::size_t i = 0; i < exponent; ++i)
+    if (number[i] >= '0' && number[i] <= '9') number[i] = i == last ? '1' : '0';
+  return std::abs(*parsed_number<double>(number));
 }
 
 std::optional<PrintedNumber> read(const std::string& number) {
   const auto value = parsed_number<double>(number);
   if (!value || !std::isfinite(*value)) return std::nullopt;
-  return PrintedNumber{*value, 0.5 * std::pow(10.0, last_digit(number))};
+  return PrintedNumber{*value, 0.5 * last_digit(number)};
 }
 
 std::string neighbours(const std::vector<double>& times, double t) {

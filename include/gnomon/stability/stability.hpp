@@ -14,7 +14,6 @@
 #include <gnomon/system/system.hpp>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace gnomon {
