@@ -11,25 +11,6 @@ namespace {
 
 using Node = ProgramBuilder::Node;
 
-/// How many of a, b and c are operands.
-std::size_t operands_of(Operation operation) {
-  switch (operation) {
-    case Operation::negate:
-    case Operation::exponential:
-    case Operation::logarithm:
-    case Operation::square_root:
-    case Operation::absolute:
-    case Operation::table:
-    case Operation::skip_if_false:
-    case Operation::skip_if_true:
-      return 1;
-    case Operation::select:
-      return 3;
-    default:
-      return 2;
-  }
-}
-
 bool is_skip(Operation operation) {
   return operation == Operation::skip_if_false || operation == Operation::skip_if_true;
 }

@@ -10,30 +10,38 @@
 namespace gnomon {
 
 enum class Operation : std::uint8_t {
-  add,
-  subtract,
-  multiply,
-  divide,
+  // of one operand, a
   negate,
-  power,
-  constant_power,  // b is a constant, so its derivative, which has a logarithm, is not needed
   exponential,
   logarithm,
   square_root,
   sine,
   cosine,
   absolute,
-  maximum,
-  minimum,
   table,          // number b
-  at_most,        // a <= b; conditions are 1 or 0, or NaN where they are undefined
-  below,          // a < b
-  both,           // a and b
-  either,         // a or b
   skip_if_false,  // continues at instruction b if a is 0
   skip_if_true,   // continues at instruction b if a is 1
-  select,         // b if a, else c
+  // of two
+  add,
+  subtract,
+  multiply,
+  divide,
+  power,
+  constant_power,  // b is a constant, so its derivative, which has a logarithm, is not needed
+  maximum,
+  minimum,
+  at_most,  // a <= b; conditions are 1 or 0, or NaN where they are undefined
+  below,    // a < b
+  both,     // a and b
+  either,   // a or b
+  // of three
+  select,  // b if a, else c
 };
+
+/// How many of a, b and c are operands.
+inline std::size_t operands_of(Operation operation) {
+  return operation < Operation::add ? 1 : operation < Operation::select ? 2 : 3;
+}
 
 struct Instruction {
   Operation operation;

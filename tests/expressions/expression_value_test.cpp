@@ -301,5 +301,19 @@ TEST(Expression, IsSharedByThreads) {
   EXPECT_EQ(sums, std::vector<double>(4, expected));
 }
 
+// A call on a number is replaced by its value, and what stands before it stays.
+TEST(ExpressionValues, FunctionsOfNumbersLeaveWhatIsBeforeThem) {
+  ExpressionNames names;
+  names.variables = {"x"};
+  const std::pair<const char*, double (*)(double)> functions[] = {
+      {"exp", std::exp}, {"log", std::log}, {"sqrt", std::sqrt},
+      {"sin", std::sin}, {"cos", std::cos}, {"abs", std::fabs}};
+  for (const auto& [name, function] : functions) {
+    const Expression rate(std::string("2 * ") + name + "(3) * x", names);
+    const double x[] = {5};
+    EXPECT_DOUBLE_EQ(rate.value(x), 2 * function(3) * 5) << name;
+  }
+}
+
 }  // namespace
 }  // namespace gnomon::expression_value_test
