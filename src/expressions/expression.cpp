@@ -1,15 +1,20 @@
+#include <fmt/format.h>
+
 #include <cassert>
 #include <gnomon/expressions/expression.hpp>
 #include <utility>
 
-#include "expressions/expression_parser.hpp"
+#include "expressions/expression_grammar.hpp"
 
 namespace gnomon {
 
 Expression::Expression(std::string text, const ExpressionNames& names)
     : text_(std::move(text)), variables_(names.variables.size()) {
   check_expression_names(names);
-  program_ = std::make_shared<const ExpressionProgram>(parse_expression(text_, names));
+  if (text_.size() > max_length)
+    throw ExpressionError(
+        fmt::format("an expression has {} bytes, expected at most {}", text_.size(), max_length));
+  program_ = std::make_shared<const ExpressionProgram>(ExpressionParser(text_, names)());
 }
 
 bool Expression::depends_on(std::size_t variable) const {

@@ -1,13 +1,28 @@
-// The grammar of expressions, as the class that parses it.
+// The language of expressions: its reserved names, and its grammar as the class that parses it.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-#include "expressions/expression_language.hpp"
+#include "expressions/expression_program.hpp"
 #include "expressions/expression_text.hpp"
 
 namespace gnomon {
+
+struct ExpressionFunction {
+  std::string_view name;
+  Operation operation;
+  std::size_t least_arguments, most_arguments;
+};
+
+/// All functions except `if`, which does not evaluate all of its arguments.
+const ExpressionFunction* find_function(std::string_view name);
+
+/// The message that there is no such name, with the nearest name and the list of all names.
+std::string unknown_expression_name(std::string_view name, const ExpressionNames& names);
+
+/// Throws ExpressionError unless the names are as ExpressionNames says.
+void check_expression_names(const ExpressionNames& names);
 
 /// By recursive descent, a function per level of precedence:
 ///
@@ -23,6 +38,7 @@ namespace gnomon {
 /// Parentheses may contain numbers and conditions, so the two are distinguished afterwards.
 class ExpressionParser {
 public:
+  /// Throws ExpressionError, also in the call, for a text that is not an expression of these names.
   ExpressionParser(std::string_view text, const ExpressionNames& names)
       : text_(text), names_(names), token_(token_at(text, 0)) {}
 

@@ -7,9 +7,7 @@
 #include <gnomon/scene/scene.hpp>
 #include <set>
 
-#include "expressions/expression_language.hpp"
-#include "expressions/expression_parser.hpp"
-#include "expressions/expression_text.hpp"
+#include "expressions/expression_grammar.hpp"
 
 namespace gnomon {
 
@@ -52,9 +50,14 @@ const ExpressionFunction* find_function(std::string_view name) {
   return found == std::end(functions) ? nullptr : found;
 }
 
+namespace {
+
+/// Whether a scene cannot use the name for something else.
 bool is_reserved(std::string_view name) {
   return find_function(name) || name == "if" || name == "and" || name == "or";
 }
+
+}  // namespace
 
 std::string describe_expression_names(const ExpressionNames& names) {
   std::vector<std::string> kinds;

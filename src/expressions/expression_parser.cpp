@@ -1,5 +1,3 @@
-#include "expressions/expression_parser.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -187,13 +185,6 @@ void ExpressionParser::refuse_rest() const {
   if (token_.is(")")) refuse("\")\" closes nothing, expected an operator or the end of the text");
   refuse(fmt::format("expected an operator or the end of the text, got {}{}", token_.description(),
                      token_.kind == Token::Kind::symbol ? "" : " (a product is written a * b)"));
-}
-
-ExpressionProgram parse_expression(std::string_view text, const ExpressionNames& names) {
-  if (text.size() > Expression::max_length)
-    throw ExpressionError(fmt::format("an expression has {} bytes, expected at most {}",
-                                      text.size(), Expression::max_length));
-  return ExpressionParser(text, names)();
 }
 
 }  // namespace gnomon
