@@ -81,7 +81,7 @@ SHORT_LOAD_HISTORY = {"load.times": [0.0, 6.0, 10.0], "load.factors": [1.0, 2.0,
 BODY_VARIANTS = [
     {"body.element": "plain"},
     {"body.element": "f-bar-variational"},
-    {"body.kinematics": "small"},
+    {"body.material": "linear"},
     {"wear.normal": "normalised"},
     {"shape.energy": "blatz-ko", "shape.stiffening": 1.0},
     {"contact.initial_gap": 0.01},
@@ -98,7 +98,7 @@ VARIANTS = {
         {"integrator.max_step": 20.0}, {"integrator.atol": 1e-6}],
     "pin_on_flat/finite_deformation": BODY_VARIANTS + [MULTIPLIER],
     "flat_punch/small_block": [{"mesh.grading": 1.1}, MULTIPLIER, SHORT_LOAD_HISTORY,
-                               {"body.kinematics": "small"}],
+                               {"body.material": "linear"}],
     "ball_on_flat/small_deformation": BODY_VARIANTS + [
         LOAD_HISTORY, MULTIGRID, MULTIPLIER, {"friction.coefficient": 0.0}],
     "ball_on_flat/finite_deformation": [MULTIGRID, {"solver.method": "direct"}],

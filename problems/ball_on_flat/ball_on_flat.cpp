@@ -107,7 +107,7 @@ Scales make_scales(const Scene& scene, const WearLaw& wear, double facet) {
   scales.stress = force / (M_PI * hertz.radius * hertz.radius + worn_area);
   // Without friction there is no wear, by eq. (13).
   scales.wear_depth = worn > 0 ? worn / worn_area : hertz.approach;
-  scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth * facet;
+  scales.auxiliary_force = scales.wear_depth * facet;
   return scales;
 }
 

@@ -152,7 +152,7 @@ Scales make_scales(const Scene& scene, const WearLaw& wear) {
   // Without friction there is no wear, by eq. (13).
   scales.wear_depth =
       groove > 0 ? groove / (2 * std::max(half_width, hertz.radius)) : hertz.approach;
-  scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
+  scales.auxiliary_force = scales.wear_depth;
   return scales;
 }
 

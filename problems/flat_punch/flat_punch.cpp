@@ -116,7 +116,7 @@ Scales make_scales(const Scene& scene, const WearLaw& wear) {
   const double k_v = wear_by_pressure(scene, wear, scales.stress);
   scales.wear_depth = k_v * load_impulse(scene) / (2 * scene.real("punch.half_width"));
   if (scales.wear_depth == 0) scales.wear_depth = scales.displacement;  // a law without wear
-  scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
+  scales.auxiliary_force = scales.wear_depth;
   return scales;
 }
 

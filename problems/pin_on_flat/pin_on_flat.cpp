@@ -104,7 +104,7 @@ Scales make_scales(const Scene& scene, const WearLaw& wear) {
   // Not more than the height, so that a run with more wear than that has a useful tolerance.
   scales.wear_depth = std::min(k_v * load_impulse(scene) / width, scene.real("pin.height"));
   if (scales.wear_depth == 0) scales.wear_depth = scales.displacement;  // a law without wear
-  scales.auxiliary_force = scene.real("shape.young_modulus") * scales.wear_depth;
+  scales.auxiliary_force = scales.wear_depth;
   return scales;
 }
 

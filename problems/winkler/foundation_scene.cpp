@@ -178,7 +178,8 @@ std::vector<Key> foundation_keys() {
        .help = "number of springs over the width, both ends included"}};
   for (const Key& key : phase_keys()) result.push_back(key);
   for (const Key& key : worn_body_keys(2))
-    if (key.name.starts_with("wear.") && key.name != "wear.normal" && key.name != "wear.velocity") {
+    if ((key.name.starts_with("wear.") || key.name.starts_with("tables.")) &&
+        key.name != "wear.normal" && key.name != "wear.velocity") {
       result.push_back(key);
       if (key.name == "wear.rate") result.back().default_value = archard_rate;
     }

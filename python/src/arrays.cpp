@@ -127,8 +127,8 @@ Assembled assemble(const Scene& scene, const py::object& points, const py::objec
                    const Groups& facets, const Groups& nodes, const Groups& bodies) {
   if (!Problems::find(scene.text("problem"), "problem").remake)
     throw InputError(scene.where("problem") + ": expected \"worn_body\", which takes a mesh");
-  for (const char* key : {"mesh.file", "mesh.geometry"})
-    if (scene.has(key)) throw InputError(scene.where(key) + ": expected none beside arrays");
+  if (scene.has("mesh.file"))
+    throw InputError(scene.where("mesh.file") + ": expected none beside arrays");
   ImportedMesh mesh = mesh_of(points, cells, facets, nodes, bodies);
   const py::gil_scoped_release without_interpreter;
   return mesh.dimension == 2 ? assembled<2>(scene, std::move(mesh), facets)

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <gnomon/mesh/contact_patch.hpp>
 #include <gnomon/mesh/flat_part.hpp>
-#include <gnomon/mesh/mesh_file.hpp>
 #include <limits>
 #include <vector>
 
@@ -142,7 +141,7 @@ std::string counter_shape(const Suggestion<dim>& s) {
         "motion = {{ rotation = 10.0 }}  # rad/s\n",
         coordinates<dim>(s.point), (1 - clearance) * *s.bore);
   return fmt::format(
-      "shape = \"plane\"\npoint = {}  # mm\nnormal = {}  # towards the part\n"
+      "shape = \"plane\"\ncenter = {}  # mm\nnormal = {}  # towards the part\n"
       "motion = {{ velocity = {} }}  # mm/s\n",
       coordinates<dim>(s.point), coordinates<dim>(-s.outward),
       coordinates<dim>(1000 * sliding_direction<dim>(s.outward)));
@@ -160,16 +159,17 @@ std::string new_scene(const std::filesystem::path& mesh, std::optional<double> s
   std::string text = fmt::format(
       "# A part from {}. One consistent set of units: mm, N, MPa, s.\n"
       "# All keys: gnomon help scene worn_body\n\nproblem = \"worn_body\"\n\n"
-      "[mesh]\n{} = \"{}\"  # parts: {}\n",
-      file, is_geometry(mesh) ? "geometry" : "file", file,
+      "[mesh]\nfile = \"{}\"  # parts: {}\n",
+      file, file,
       names.empty() ? "none: name some in Gmsh" : fmt::format("{}", fmt::join(names, ", ")));
   std::vector<std::string> points;
   for (const auto& [name, nodes] : body.point_groups) points.push_back(name);
   if (!points.empty())
     text += fmt::format("# groups of points, for supports: {}\n", fmt::join(points, ", "));
   if (size) text += fmt::format("size = {}  # mm, longest edge of an element\n", *size);
+  if (dim == 2)
+    text += "\n[model]\nplane = \"strain\"  # or \"axisymmetric\", in coordinates (r, z)\n";
   text += "\n[body]\nyoung_modulus = 210e3  # MPa\npoisson_ratio = 0.3\n";
-  if (dim == 2) text += "plane = \"strain\"  # or \"axisymmetric\", in coordinates (r, z)\n";
   text += fmt::format("\n[[support]]  # may be several\non = \"{}\"\ndirections = [{}]\n", s.held,
                       dim == 2 ? "\"x\", \"y\"" : "\"x\", \"y\", \"z\"");
   text +=

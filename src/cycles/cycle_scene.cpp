@@ -50,18 +50,7 @@ std::vector<Key> make_keys() {
                        ".axis) from its place"),
           function_key("cycle.force", "N",
                        "force along counter_body.press.direction, instead of .force; above zero"),
-          function_key("cycle.load", "", "factor of all [[load]]"),
-          {.name = "cycle.tables.*.x",
-           .kind = KeyKind::reals,
-           .absent_meaning = "no such table",
-           .range = {.min = -1e30, .max = 1e30},
-           .help = "arguments, ascending, of a function that cycle.x and the like call: linear "
-                   "between, constant beyond"},
-          {.name = "cycle.tables.*.y",
-           .kind = KeyKind::reals,
-           .absent_meaning = "no such table",
-           .range = {.min = -1e30, .max = 1e30},
-           .help = "values of this function, as many as arguments"}};
+          function_key("cycle.load", "", "factor of all [[load]]")};
 }
 
 const std::vector<std::string>& function_names() {
@@ -99,7 +88,7 @@ Points points_of_file(const Scene& scene, const std::string& key) {
 ExpressionNames names_of(const Scene& scene) {
   ExpressionNames names;
   names.variables = {"tau"};
-  add_tables(scene, "cycle.tables", SplineCurve::max_points, names);
+  add_tables(scene, names);
   return names;
 }
 
@@ -110,8 +99,8 @@ std::string file_table(const std::string& key) {
 
 /// The key of its arguments (x) or values (y).
 Key table_key(const std::string& name, char axis) {
-  for (Key key : cycle_keys())
-    if (key.name == std::string("cycle.tables.*.") + axis) {
+  for (Key key : worn_body_keys(2))
+    if (key.name == std::string("tables.*.") + axis) {
       key.name.replace(key.name.find('*'), 1, name);
       return key;
     }
@@ -174,6 +163,13 @@ std::optional<Cycle> read_cycle(const Scene& scene) {
   cycle.force = read("cycle.force");
   cycle.load = read("cycle.load");
   return cycle;
+}
+
+std::vector<std::string> cycle_expressions(const Scene& scene) {
+  std::vector<std::string> texts;
+  for (const std::string& key : function_names())
+    if (given(scene, key) && !is_file(scene.text(key))) texts.push_back(scene.text(key));
+  return texts;
 }
 
 CycleQuadrature read_cycle_quadrature(const Scene& scene, std::vector<double> kinks) {

@@ -23,10 +23,10 @@ PiecewiseLinear linear_table(const std::vector<double>& x, const std::vector<dou
   }
 }
 
-void add_tables(const Scene& scene, const std::string& group, std::size_t most,
-                ExpressionNames& names) {
-  const auto key_of = [&](const std::string& name, const char* axis) {
-    return group + "." + name + axis;
+void add_tables(const Scene& scene, ExpressionNames& names) {
+  constexpr std::size_t most = 10000;
+  const auto key_of = [](const std::string& name, const char* axis) {
+    return "tables." + name + axis;
   };
   const std::vector<std::string> of_x = scene.chosen_names(key_of("*", ".x")),
                                  of_y = scene.chosen_names(key_of("*", ".y"));

@@ -16,9 +16,7 @@ void require_free_name(const Scene& scene, const std::string& key, const std::st
 PiecewiseLinear linear_table(const std::vector<double>& x, const std::vector<double>& y,
                              const std::string& where);
 
-/// Adds the tables GROUP.NAME.x and .y of the scene, of at most `most` points each. Throws
-/// InputError.
-void add_tables(const Scene& scene, const std::string& group, std::size_t most,
-                ExpressionNames& names);
+/// Adds the tables of the scene, tables.NAME.x and .y. Throws InputError.
+void add_tables(const Scene& scene, ExpressionNames& names);
 
 }  // namespace gnomon

@@ -135,4 +135,12 @@ Token token_at(std::string_view text, std::size_t begin) {
   return token;
 }
 
+std::set<std::string, std::less<>> tokens_in(std::string_view text) {
+  std::set<std::string, std::less<>> tokens;
+  for (Token token = token_at(text, 0); token.kind != Token::Kind::end;
+       token = token_at(text, token.end()))
+    tokens.emplace(token.text);
+  return tokens;
+}
+
 }  // namespace gnomon

@@ -1,6 +1,7 @@
 // The tokens of an expression, and messages about its text.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -30,5 +31,8 @@ struct Token {
 
 /// The token of a text that begins at `begin`. Throws ExpressionError where no token begins.
 Token token_at(std::string_view text, std::size_t begin);
+
+/// The texts of all tokens. Throws ExpressionError.
+std::set<std::string, std::less<>> tokens_in(std::string_view text);
 
 }  // namespace gnomon

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/wear_laws/law_in_time.hpp>
 #include <gnomon/wear_laws/wear_law_kind.hpp>
@@ -21,9 +22,8 @@ void require_no_expression(const Scene& scene, const std::string& rate_key) {
                      "\" does not read it");
   };
   if (rate_key != "wear.rate" || !scene.is_default(rate_key)) refuse(rate_key);
-  for (const char* key : {"wear.constants.*", "wear.tables.*.x", "wear.tables.*.y"})
-    if (const auto names = scene.chosen_names(key); !names.empty())
-      refuse(std::string(key).replace(std::string(key).find('*'), 1, names.front()));
+  if (const auto names = scene.chosen_names("wear.constants.*"); !names.empty())
+    refuse("wear.constants." + names.front());
 }
 
 /// At most some hundred of them, the last among them.
@@ -157,10 +157,7 @@ std::set<std::string, std::less<>> names_in_rates(const Scene& scene) {
   std::vector<std::string> rates = {scene.text("wear.rate")};
   for (const std::string& name : scene.chosen_names(surfaces + "\"*\".rate"))
     rates.push_back(scene.text(surfaces + name + ".rate"));
-  for (const std::string& rate : rates)
-    for (Token token = token_at(rate, 0); token.kind != Token::Kind::end;
-         token = token_at(rate, token.end()))
-      used.emplace(token.text);
+  for (const std::string& rate : rates) used.merge(tokens_in(rate));
   return used;
 }
 
@@ -183,12 +180,13 @@ bool reads_in_rates(const Scene& scene, const std::string& name) {
 
 std::vector<std::string> unused_wear_names(const Scene& scene) {
   if (!scene.knows("wear.rate")) return {};
-  const auto used = names_in_rates(scene);
+  auto used = names_in_rates(scene);
   std::vector<std::string> unused;
-  for (const auto& [table, key] : {std::pair("wear.constants.", "wear.constants.*"),
-                                   std::pair("wear.tables.", "wear.tables.*.x")})
-    for (const std::string& name : scene.chosen_names(key))
-      if (!used.contains(name)) unused.push_back(table + name);
+  for (const std::string& name : scene.chosen_names("wear.constants.*"))
+    if (!used.contains(name)) unused.push_back("wear.constants." + name);
+  for (const std::string& text : cycle_expressions(scene)) used.merge(tokens_in(text));
+  for (const std::string& name : scene.chosen_names("tables.*.x"))
+    if (!used.contains(name)) unused.push_back("tables." + name);
   return unused;
 }
 

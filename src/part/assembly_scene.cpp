@@ -85,7 +85,7 @@ Body read_body(const Scene& scene, Section section, const std::string& table) {
   };
   Body body{.material = read_material(scene, table + ".material"), .element = {.section = section}};
   if (given(".element")) body.element.technology = technology_of(scene.text(table + ".element"));
-  if (given(".kinematics") && scene.text(table + ".kinematics") == "small")
+  if (given(".material") && scene.text(table + ".material") == "linear")
     body.element.kinematics = Kinematics::small;
   if (given(".density")) body.density = scene.real(table + ".density");
   return body;

@@ -39,12 +39,7 @@ const std::vector<int>& cells_of(const Scene& scene, const std::string& table,
 }  // namespace
 
 std::vector<Key> body_table_keys() {
-  std::vector<Key> keys = {{.name = "model.plane",
-                            .kind = KeyKind::text,
-                            .absent_meaning = "body.plane",
-                            .choices = {"strain", "axisymmetric"},
-                            .help = "body.plane, in scenes with [[body]]"},
-                           {.name = "body.#.name",
+  std::vector<Key> keys = {{.name = "body.#.name",
                             .kind = KeyKind::text,
                             .absent_meaning = "needed in every [[body]]",
                             .help = "group of elements that is this body; bodies that share nodes "

@@ -9,7 +9,7 @@
 
 namespace gnomon::part {
 
-/// Keys of `[[body]]`, those of [body] with the name of a group; and model.plane, of all.
+/// Keys of `[[body]]`, those of [body] with the name of a group.
 std::vector<Key> body_table_keys();
 
 /// Whether the scene has several bodies, by [[body]].

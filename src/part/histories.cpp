@@ -28,8 +28,7 @@ std::vector<std::string> entries_of(const Scene& scene, const std::string& table
 }
 
 Section section_of(const Scene& scene) {
-  const std::string key = given(scene, "model.plane") ? "model.plane" : "body.plane";
-  return scene.text(key) == "axisymmetric" ? Section::meridian : Section::plane;
+  return scene.text("model.plane") == "axisymmetric" ? Section::meridian : Section::plane;
 }
 
 template <int dim>

@@ -21,34 +21,29 @@ std::string idle_beside_bodies(const Scene& scene) {
 std::vector<Key> mesh_keys() {
   return {{.name = "mesh.file",
            .kind = KeyKind::text,
-           .absent_meaning = "mesh.geometry is meshed",
+           .absent_meaning = "needed by every command that reads the scene from a file",
            .names_file = true,
-           .help = "mesh of Gmsh (.msh), beside the scene or by its path"},
-          {.name = "mesh.geometry",
-           .kind = KeyKind::text,
-           .absent_meaning = "mesh.file is read",
-           .names_file = true,
-           .help = "geometry (.geo, .step) that Gmsh meshes"},
+           .help = "mesh of Gmsh (.msh), or geometry (.geo, .step) that Gmsh meshes, beside the "
+                   "scene or by its path"},
           {.name = "mesh.size",
            .unit = "mm",
            .absent_meaning = "as the geometry asks for",
            .range = positive_quantity,
-           .help = "longest edge of an element where mesh.geometry asks for no smaller one"},
+           .help = "longest edge of an element where the geometry asks for no smaller one"},
           {.name = "mesh.factor",
            .default_value = 1.0,
            .range = {.min = 1e-3, .max = 1e3},
-           .help = "multiplies every edge of mesh.geometry: 0.5 for a mesh twice as fine"}};
+           .help = "multiplies every edge of the geometry: 0.5 for a mesh twice as fine"}};
 }
 
 std::vector<Key> own_keys() {
   return {
-      {.name = "body.plane",
+      {.name = "model.plane",
        .kind = KeyKind::text,
        .default_value = "strain",
        .choices = {"strain", "axisymmetric"},
        .help = "what a mesh in the plane is a section of: plane strain, or a body of revolution "
-               "about x = 0, in coordinates (r, z)",
-       .idle = idle_beside_bodies},
+               "about x = 0, in coordinates (r, z)"},
       density_key("body.density", idle_beside_bodies),
       {.name = "wear.on",
        .kind = KeyKind::texts,

@@ -74,11 +74,10 @@ Patches<dim> first_touch(const Scene& scene, const Instants<dim>& instants,
                      ": the counter-body meets the surfaces of wear.on between their nodes alone, "
                      "expected a mesh that is finer there");
   if (!std::isfinite(least))
-    throw InputError(
-        scene.where("counter_body.shape") +
-        ": expected a counter-body that meets the surfaces of wear.on when it moves "
-        "along counter_body.press.direction, but it passes by: change its place, that "
-        "direction, or its solid side (normal of a plane, side of a profile, concave)");
+    throw InputError(scene.where("counter_body.shape") +
+                     ": expected a counter-body that meets the surfaces of wear.on when it moves "
+                     "along counter_body.press.direction, but it passes by: change its place, that "
+                     "direction, or its solid side (normal of a plane, else counter_body.side)");
   return touching;
 }
 

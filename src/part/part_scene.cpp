@@ -34,14 +34,10 @@ std::filesystem::path file_of(const Scene& scene, const std::string& key) {
 }
 
 ImportedMesh read_mesh(const Scene& scene) {
-  const bool file = scene.has("mesh.file"), geometry = scene.has("mesh.geometry");
-  if (file == geometry)
-    throw InputError(
-        file ? scene.where("mesh.geometry") +
-                   ": expected either mesh.file or mesh.geometry, got both"
-             : scene.path().string() +
-                   ": section [mesh]: expected `file`, a mesh, or `geometry`, which Gmsh meshes");
-  const std::string key = file ? "mesh.file" : "mesh.geometry";
+  const std::string key = "mesh.file";
+  if (!scene.has(key))
+    throw InputError(scene.path().string() +
+                     ": section [mesh]: expected `file`, a mesh, or a geometry, which Gmsh meshes");
   try {
     return read_mesh_file(file_of(scene, key), {.size = scene.real_if("mesh.size").value_or(0),
                                                 .factor = scene.real("mesh.factor")});
@@ -245,10 +241,10 @@ std::unique_ptr<Model> model_of_file(const Scene& scene, ImportedMesh mesh) {
 
 /// 2 or 3 by the numbers of the counter-body's vectors; 0 if it has none.
 std::size_t dimension_of(const Scene& scene) {
-  for (const char* key : {"counter_body.press.direction", "counter_body.motion.velocity",
-                          "counter_body.center", "counter_body.point"})
+  for (const char* key : {"counter_body.press.direction", "counter_body.center"})
     if (given(scene, key)) return scene.reals(key).size();
-  return 0;
+  const std::string velocity = "counter_body.motion.velocity";  // of a plane one also out of it
+  return given(scene, velocity) && scene.reals(velocity).size() == 2 ? 2 : 0;
 }
 
 /// The mistakes that can be found without the mesh.

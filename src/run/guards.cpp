@@ -267,8 +267,8 @@ std::vector<MeshWarning> mesh_warnings(const Observation& observed, double initi
   if (gradient > 0.5)
     warnings.push_back(
         {"strain",
-         fmt::format("displacements have gradients up to {:.2g}, for which body.kinematics = "
-                     "\"small\" is not meant: the result is worthless",
+         fmt::format("displacements have gradients up to {:.2g}, for which body.material = "
+                     "\"linear\" is not meant: the result is worthless",
                      gradient)});
   return warnings;
 }

@@ -83,7 +83,7 @@ Setup completed(const Scene& scene, std::unique_ptr<Model> model) {
   for (const auto& [key, value] : model->system().structure().solver.keys)
     complete = complete.with(key, value);
   if (chooses_phases(scene)) complete = with_phases(complete, model->phases);
-  if (scene.knows("counter_body.file")) complete = with_profile_points(complete);
+  if (scene.knows("counter_body.points")) complete = with_profile_points(complete);
   return {with_cycle_tables(complete), std::move(model)};
 }
 
@@ -124,7 +124,9 @@ std::vector<std::string> remarks_on_keys(const Setup& setup) {
   if (const std::string dropped = dropped_times_text(scene); !dropped.empty())
     remarks.push_back(dropped);
   for (const std::string& name : unused_wear_names(scene))
-    remarks.push_back(name + " is given, but wear.rate does not use it");
+    remarks.push_back(
+        name + " is given, but " +
+        (name.starts_with("tables.") ? "no expression uses it" : "wear.rate does not use it"));
   for (const std::string& key : scene.unread_keys())
     remarks.push_back(key + " has no effect: nothing in this scene reads it");
   return remarks;

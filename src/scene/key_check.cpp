@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "scene/chosen_name.hpp"
+#include "scene/retired_keys.hpp"
 #include "scene/toml_text.hpp"
 
 namespace gnomon {
@@ -47,6 +48,7 @@ std::string number_expectation(const Key& key) {
     text += is_integral(key.kind) ? "" : ", finite";
   if (!key.unit.empty()) text += " [" + key.unit + "]";
   if (!key.or_text.empty()) text += ", or " + toml_text(key.or_text);
+  if (key.names_file) text += ", or the name of a file of them";
   return text;
 }
 
@@ -77,10 +79,10 @@ std::variant<SceneValue, Complaint> check_numbers(const Key& key, const RawValue
   if (const auto* scalar = std::get_if<RawScalar>(&raw.content); scalar && key.or_single)
     if (const auto value = number<T>(key, *scalar); value && inside(*key.or_single, *value))
       return SceneValue(std::vector<T>{*value});
-  if (!key.or_text.empty())
-    if (const auto* scalar = std::get_if<RawScalar>(&raw.content))
-      if (const auto* text = std::get_if<std::string>(scalar); text && *text == key.or_text)
-        return SceneValue(*text);
+  if (const auto* scalar = std::get_if<RawScalar>(&raw.content))
+    if (const auto* text = std::get_if<std::string>(scalar);
+        text && (key.names_file || (!key.or_text.empty() && *text == key.or_text)))
+      return SceneValue(*text);
   const auto* array = std::get_if<RawArray>(&raw.content);
   if (!array || (key.length && array->size() != key.length)) return complain(key, describe(raw));
   std::vector<T> values;
@@ -239,15 +241,6 @@ std::optional<std::string> array_without_number(const std::string& name,
   return array;
 }
 
-bool is_retired(const std::string& name, const RawValue& value) {
-  return std::ranges::any_of(retired_keys(), [&](const RetiredKey& key) {
-    return key.name == name && (key.accepted.empty() ||
-                                std::ranges::any_of(key.accepted, [&](const SceneValue& accepted) {
-                                  return toml_text(accepted) == toml_text(value);
-                                }));
-  });
-}
-
 std::string key_meant(const std::string& name, const std::vector<Key>& table) {
   std::vector<std::string> names;
   for (const Key& key : table) names.push_back(key_like(key.name, name));
@@ -268,8 +261,7 @@ void refuse_unknown_key(const std::string& origin, const std::string& name, cons
   if (names_table(name, table))
     throw InputError(fmt::format("{}: expected a table of keys, [{}{}], got {}", origin, prefix,
                                  name, describe(value)));
-  for (const RetiredKey& key : retired_keys())
-    if (key.name == name) throw InputError(origin + ": " + key.instead);
+  if (const FormerKey* key = find_retired(name)) throw InputError(origin + ": " + instead_of(*key));
   for (const Key& key : table)
     if (const std::string expected = misnaming(key.name, name); !expected.empty())
       throw InputError(origin + ": " + expected);

@@ -49,9 +49,6 @@ bool gives_table(const std::string& name, const RawValue& value, const std::vect
 std::optional<std::string> array_without_number(const std::string& name,
                                                 const std::vector<Key>& table);
 
-/// Whether the name is that of a retired key, with a value that it is accepted with.
-bool is_retired(const std::string& name, const RawValue& value);
-
 /// The key of the table that an unknown name most likely means; empty if none is near.
 std::string key_meant(const std::string& name, const std::vector<Key>& table);
 

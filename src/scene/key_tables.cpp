@@ -190,16 +190,6 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .absent_meaning = "no such constant",
        .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
        .help = "a constant of wear.rate, by its name"},
-      {.name = "wear.tables.*.x",
-       .kind = KeyKind::reals,
-       .absent_meaning = "no such table",
-       .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
-       .help = "arguments, ascending, of a function in wear.rate: linear between, constant beyond"},
-      {.name = "wear.tables.*.y",
-       .kind = KeyKind::reals,
-       .absent_meaning = "no such table",
-       .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
-       .help = "values of this function, as many as arguments"},
       {.name = "wear.velocity",
        .unit = "mm/s",
        .range = positive_quantity,
@@ -213,6 +203,20 @@ std::vector<Key> load_and_wear_keys(int dim) {
   };
 }
 
+std::vector<Key> table_keys() {
+  return {{.name = "tables.*.x",
+           .kind = KeyKind::reals,
+           .absent_meaning = "no such table",
+           .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
+           .help = "arguments, ascending, of a function that expressions of the scene call by its "
+                   "name: linear between, constant beyond"},
+          {.name = "tables.*.y",
+           .kind = KeyKind::reals,
+           .absent_meaning = "no such table",
+           .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
+           .help = "values of this function, as many as arguments"}};
+}
+
 std::vector<Key> body_keys() {
   return {
       {.name = "body.young_modulus",
@@ -222,23 +226,19 @@ std::vector<Key> body_keys() {
       {.name = "body.poisson_ratio",
        .range = {.min = 0, .max = 0.5, .max_open = true},
        .help = "Poisson's ratio nu of the worn body (of the linearized law)"},
-      // Choices, and keys of the materials that follow it, are filled in where materials are known.
+      // Further choices, and keys of the materials that follow it, are filled in where materials
+      // are known.
       {.name = "body.material",
        .kind = KeyKind::text,
        .default_value = "neo-hookean",
-       .help =
-           "elastic law of the body with finite strains (docs/equations.md); with small strains "
-           "it is linear"},
+       .choices = {"linear"},
+       .help = "elastic law of the body, with finite strains (docs/equations.md); linear: with "
+               "small strains (K_uu then depends on the shape alone)"},
       {.name = "body.element",
        .kind = KeyKind::text,
        .default_value = "f-bar",
        .choices = {"plain", "f-bar", "f-bar-variational"},
        .help = "plain, F-bar (de Souza Neto), or F-bar as the variation of eq. (32)"},
-      {.name = "body.kinematics",
-       .kind = KeyKind::text,
-       .default_value = "finite",
-       .choices = {"finite", "small"},
-       .help = "strains of the body: finite, or linearized (K_uu then depends on the shape alone)"},
   };
 }
 
@@ -249,11 +249,6 @@ std::vector<Key> shape_keys() {
        .default_value = "eliminated",
        .choices = {"eliminated", "multiplier"},
        .help = "shape of the contact surface: reaction eliminated, or multiplier mu, eq. (22)"},
-      {.name = "shape.young_modulus",
-       .unit = "MPa",
-       .default_value = 1.0,
-       .range = positive_quantity,
-       .help = "Young's modulus of the auxiliary elasticity, eq. (20)"},
       {.name = "shape.poisson_ratio",
        .default_value = 0.3,
        .range = {.min = 0, .max = 0.5, .max_open = true},
@@ -274,7 +269,7 @@ std::vector<Key> shape_keys() {
 
 std::vector<Key> make_worn_body_keys(int dim) {
   std::vector<Key> keys;
-  for (const auto& part : {body_keys(), load_and_wear_keys(dim), shape_keys()})
+  for (const auto& part : {body_keys(), load_and_wear_keys(dim), table_keys(), shape_keys()})
     keys.insert(keys.end(), part.begin(), part.end());
   keys.push_back({.name = "solver.method",
                   .kind = KeyKind::text,
@@ -303,16 +298,6 @@ std::vector<Key> make_worn_body_keys(int dim) {
 
 const std::vector<Key>& run_keys() {
   static const std::vector<Key> keys = make_run_keys();
-  return keys;
-}
-
-const std::vector<RetiredKey>& retired_keys() {
-  static const std::vector<RetiredKey> keys = {
-      {"output.last", {true}, "expected none: the end of a run is always stored"},
-      {"shape.augmentation", {}, "expected none: it changes no solution"},
-      {"output.checkpoints",
-       {},  // any: it is in every earlier result
-       "expected output.checkpoint_seconds, the wall time between checkpoints, in its place"}};
   return keys;
 }
 

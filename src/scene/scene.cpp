@@ -67,7 +67,8 @@ bool Scene::has(const std::string& key) const {
 
 bool Scene::has_text_instead(const std::string& key) const {
   const Entry& found = entry(key);
-  const bool instead = !found.key.or_text.empty() && found.value == SceneValue(found.key.or_text);
+  const bool instead = found.key.kind == KeyKind::reals && found.value &&
+                       std::holds_alternative<std::string>(*found.value);
   if (instead) *found.is_read = true;
   return instead;
 }
@@ -164,10 +165,9 @@ Scene Scene::without(const std::string& key) const {
 Scene Scene::with_absolute_files() const {
   Scene result = *this;
   for (Entry& entry : result.entries_)
-    if (entry.key.names_file && entry.value) {
-      const auto file = path_.parent_path() / std::get<std::string>(*entry.value);
-      entry.value = std::filesystem::absolute(file).lexically_normal().string();
-    }
+    if (auto* name = entry.value ? std::get_if<std::string>(&*entry.value) : nullptr;
+        name && entry.key.names_file)
+      *name = std::filesystem::absolute(path_.parent_path() / *name).lexically_normal().string();
   return result;
 }
 

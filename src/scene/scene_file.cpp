@@ -10,6 +10,7 @@
 
 #include "scene/chosen_name.hpp"
 #include "scene/key_check.hpp"
+#include "scene/retired_keys.hpp"
 #include "scene/toml_reader.hpp"
 
 namespace gnomon {
@@ -50,11 +51,11 @@ GivenValue override_of(const std::string& key, RawValue value) {
 /// Puts the values of a file and overrides together with the defaults of a key table.
 class SceneLoader {
 public:
-  SceneLoader(const std::string& name, const std::vector<GivenValue>& in_file,
-              const std::vector<GivenValue>& overrides)
-      : name_(name), in_file_(in_file), overrides_(overrides) {}
+  SceneLoader(const std::string& name, std::vector<GivenValue> in_file,
+              std::vector<GivenValue> overrides)
+      : name_(name), in_file_(std::move(in_file)), overrides_(std::move(overrides)) {}
 
-  Scene load(const KeyTableOf& table_of, Mistakes& mistakes) const {
+  Scene load(const KeyTableOf& table_of, Mistakes& mistakes) {
     const GivenValue& given = problem();
     const std::string problem =
         std::get<std::string>(checked_value(run_keys().front(), given.value, given.origin));
@@ -64,6 +65,8 @@ public:
     } catch (const InputError& error) {
       throw InputError(given.origin + ": " + error.what());
     }
+    in_file_ = without_retired_keys(in_file_, {}, overrides_, table, mistakes);
+    overrides_ = without_retired_keys(overrides_, in_file_, {}, table, mistakes);
     // In the order of the file, so that its first mistake is the first that is reported.
     std::set<std::string> refused;  // [load] for [[load]], once for all its keys
     for (const GivenValue& value : in_file_) {
@@ -107,7 +110,6 @@ private:
   static void check(const GivenValue& given, const std::vector<Key>& table,
                     const std::string& problem) {
     const auto key = find_key(table, given.name);
-    if (!key && is_retired(given.name, given.value)) return;
     if (!key)
       refuse_unknown_key(given.origin, given.name, given.value, table,
                          "gnomon help scene " + problem);
@@ -203,8 +205,7 @@ private:
   }
 
   const std::string& name_;
-  const std::vector<GivenValue>& in_file_;
-  const std::vector<GivenValue>& overrides_;
+  std::vector<GivenValue> in_file_, overrides_;
 };
 
 SceneFile::SceneFile(const std::filesystem::path& file)
@@ -234,7 +235,8 @@ Scene SceneFile::scene(std::vector<GivenValue> overrides, const KeyTableOf& tabl
                        Mistakes* mistakes) const {
   Mistakes own;
   for (GivenValue& given : overrides) given.name = numbered(given.name);
-  Scene scene = SceneLoader(name_, values_, overrides).load(table_of, mistakes ? *mistakes : own);
+  Scene scene =
+      SceneLoader(name_, values_, std::move(overrides)).load(table_of, mistakes ? *mistakes : own);
   own.require_none();
   return scene;
 }

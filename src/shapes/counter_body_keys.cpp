@@ -30,18 +30,18 @@ Key real_key(const std::string& name, const std::string& unit, const std::string
 
 std::vector<Key> motion_keys(std::size_t dim) {
   std::vector<Key> keys = {
-      vector_key("counter_body.motion.velocity", dim, "mm/s", "none",
-                 "velocity of its surface; the counter-body itself stays: a steady state"),
+      vector_key("counter_body.motion.velocity", dim == 2 ? 0 : dim, "mm/s", "none",
+                 dim == 2 ? "velocity of its surface, in the plane also with a third number, out "
+                            "of it; the counter-body itself stays: a steady state"
+                          : "velocity of its surface; the counter-body itself stays: a steady "
+                            "state"),
       real_key("counter_body.motion.rotation", "rad/s", "none",
                dim == 2 ? "rotation about motion.center, from the first direction to the second; "
                           "axisymmetric: about r = 0"
                         : "rotation about motion.axis through motion.center, right-handed"),
-      vector_key("counter_body.motion.center", dim, "mm", "counter_body.center, or .apex",
+      vector_key("counter_body.motion.center", dim, "mm", "counter_body.center",
                  "point of the axis of rotation")};
-  if (dim == 2)
-    keys.push_back(real_key("counter_body.motion.out_of_plane", "mm/s", "none",
-                            "velocity of its surface along the third direction"));
-  else
+  if (dim == 3)
     keys.push_back(vector_key("counter_body.motion.axis", dim, "", "counter_body.axis",
                               "direction of the axis of rotation, of any length"));
   return keys;
@@ -89,7 +89,7 @@ std::vector<Key> entry_keys(std::size_t dim) {
   keys.push_back(real_key(press + ".moment", "N mm", "a direction",
                           "instead of direction and force: it turns freely under this moment, in "
                           "2D per mm, from the first direction to the second"));
-  keys.push_back(vector_key(press + ".center", dim, "mm", "counter_body.center, or .apex",
+  keys.push_back(vector_key(press + ".center", dim, "mm", "counter_body.center",
                             "point of the axis of the moment"));
   if (dim == 3)
     keys.push_back(vector_key(press + ".axis", dim, "", "counter_body.axis",

@@ -83,14 +83,27 @@ void read_meridian_motion(const Scene& scene, RigidMotion<2>& motion) {
   motion.across_by_x[0] = scene.real_if("counter_body.motion.rotation").value_or(0);
 }
 
+/// In the plane with a third component where the scene gives one.
+template <int dim>
+std::vector<double> surface_velocity(const Scene& scene) {
+  const std::string key = "counter_body.motion.velocity";
+  if (!given(scene, key)) return std::vector<double>(dim, 0.0);
+  const std::vector<double>& components = scene.reals(key);
+  if (components.size() != dim && (dim == 3 || components.size() != 3))
+    throw InputError(
+        fmt::format("{}: expected 2 numbers in the plane, or 3, the third out of it, "
+                    "got {}",
+                    scene.where(key), components.size()));
+  return components;
+}
+
 template <int dim>
 void read_motion(const Scene& scene, Section section, CounterBody<dim>& body) {
-  Vector<dim> velocity = Vector<dim>::Zero();
-  if (given(scene, "counter_body.motion.velocity"))
-    velocity = read_point<dim>(scene, "counter_body.motion.velocity");
+  const std::vector<double> components = surface_velocity<dim>(scene);
+  const Vector<dim> velocity = Eigen::Map<const Vector<dim>>(components.data());
   body.motion.velocity = velocity;
   if constexpr (dim == 2) {
-    body.motion.across = scene.real_if("counter_body.motion.out_of_plane").value_or(0);
+    body.motion.across = components.size() > 2 ? components[2] : 0;
     if (section == Section::meridian) return read_meridian_motion(scene, body.motion);
   }
   const double rate = scene.real_if("counter_body.motion.rotation").value_or(0);
@@ -267,8 +280,7 @@ void read_press(const Scene& scene, Section section, CounterBody<dim>& body) {
 template <int dim>
 Vector<dim> rotation_center(const Scene& scene, const std::string& rotation,
                             const std::string& center) {
-  for (const std::string& key :
-       {center, std::string("counter_body.center"), std::string("counter_body.apex")})
+  for (const std::string& key : {center, std::string("counter_body.center")})
     if (given(scene, key)) return read_point<dim>(scene, key);
   throw InputError(scene.where(rotation) + ": expected also " + center +
                    ", a point of the axis of rotation");

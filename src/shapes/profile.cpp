@@ -127,13 +127,8 @@ std::vector<Vector<2>> read_points(const Scene& scene, const std::string& key) {
 namespace {
 
 std::vector<Vector<2>> points_of(const Scene& scene) {
-  const bool inlined = scene.has("counter_body.points"), from_file = scene.has("counter_body.file");
-  if (inlined == from_file)
-    throw InputError(
-        fmt::format("{}: a profile has its points either in counter_body.points or in "
-                    "counter_body.file, got {}",
-                    shape_origin(scene), inlined ? "both" : "neither"));
-  if (from_file) return read_points(scene, "counter_body.file");
+  if (scene.has_text_instead("counter_body.points"))
+    return read_points(scene, "counter_body.points");
   const std::vector<double>& flat = scene.reals("counter_body.points");
   if (flat.size() % 2 != 0)
     throw InputError(fmt::format(
@@ -144,41 +139,34 @@ std::vector<Vector<2>> points_of(const Scene& scene) {
   return points;
 }
 
+/// Left of an open curve where the scene does not say.
+std::string side_of(const Scene& scene) {
+  return scene.has("counter_body.side") ? scene.text("counter_body.side") : "left";
+}
+
 /// Whether the body is on the right of the curve as it was given.
-bool body_on_the_right(const Scene& scene, const SplineCurve& curve) {
-  if (curve.closed()) {
-    if (scene.has("counter_body.side"))
-      throw InputError(scene.where("counter_body.side") +
-                       ": belongs to an open curve; expected counter_body.concave, which makes "
-                       "what is outside of a closed curve the body");
-    return (curve.signed_area() < 0) != scene.flag("counter_body.concave");
-  }
-  if (scene.flag("counter_body.concave"))
-    throw InputError(scene.where("counter_body.concave") +
-                     ": belongs to a closed curve; expected counter_body.side, on which of the "
-                     "sides of an open curve the body is");
-  return scene.has("counter_body.side") && scene.text("counter_body.side") == "right";
+bool body_on_the_right(const std::string& side, const SplineCurve& curve) {
+  return curve.closed() ? (curve.signed_area() < 0) != (side == "outside") : side == "right";
 }
 
 }  // namespace
 
 SplineCurve read_profile(const Scene& scene) {
-  const std::string key =
-      scene.has("counter_body.file") ? "counter_body.file" : "counter_body.points";
   const std::vector<Vector<2>> points = points_of(scene);
+  const std::string side = side_of(scene);
   try {
-    const SplineCurve curve(points, scene.flag("counter_body.closed"));
-    return body_on_the_right(scene, curve) ? curve.reversed() : curve;
+    const SplineCurve curve(points, side == "inside" || side == "outside");
+    return body_on_the_right(side, curve) ? curve.reversed() : curve;
   } catch (const CurveError& error) {
-    throw InputError(scene.where(key) + ": " + error.what());
+    throw InputError(scene.where("counter_body.points") + ": " + error.what());
   }
 }
 
 Scene with_profile_points(const Scene& scene) {
-  if (!scene.knows("counter_body.file") || !scene.has("counter_body.file")) return scene;
+  if (!scene.has_text_instead("counter_body.points")) return scene;
   std::vector<double> flat;
   for (const Vector<2>& point : points_of(scene)) flat.insert(flat.end(), {point[0], point[1]});
-  return scene.without("counter_body.file").with("counter_body.points", flat);
+  return scene.with("counter_body.points", flat);
 }
 
 }  // namespace gnomon

@@ -37,11 +37,27 @@ Key length_key(const std::string& name, const std::string& help) {
   return {.name = name, .unit = "mm", .range = positive_quantity, .help = help};
 }
 
-Key concave_key() {
-  return {.name = "counter_body.concave",
-          .kind = KeyKind::flag,
-          .default_value = false,
-          .help = "whether the counter-body is what is outside of the shape: socket, bore, seat"};
+Key side_key() {
+  return {.name = "counter_body.side",
+          .kind = KeyKind::text,
+          .absent_meaning = "inside; of a profile left",
+          .choices = {"inside", "outside", "left", "right"},
+          .help =
+              "where the counter-body is: inside of the shape, or outside: socket, bore, seat; "
+              "of a profile inside or outside of a closed curve, or left or right of an open "
+              "one, along its points"};
+}
+
+bool is_outside(const Scene& scene) {
+  const std::string key = "counter_body.side";
+  if (!scene.has(key)) return false;
+  const std::string& side = scene.text(key);
+  if (side != "inside" && side != "outside")
+    throw InputError(
+        fmt::format("{}: expected \"inside\" or \"outside\", got \"{}\", which is beside an "
+                    "open curve, of a profile",
+                    scene.where(key), side));
+  return side == "outside";
 }
 
 Vector<2> read_point_of_axis(const Scene& scene, const std::string& key, const std::string& body) {

@@ -14,6 +14,8 @@ std::string table_of(const std::string& choice) {
 }
 
 constexpr const char* usual_material = "neo-hookean";  // of a [[body]] that names none
+constexpr const char* linear_material = "linear";      // of small strains, which have no law
+constexpr double usual_modulus = 1;  // of the auxiliary elasticity: its solutions have no modulus
 
 }  // namespace
 
@@ -43,11 +45,12 @@ Material make_material(const std::string& law, const ElasticModuli& moduli) {
 
 Material read_material(const Scene& scene, const std::string& choice) {
   const auto given = [&](const std::string& key) { return scene.knows(key) && scene.has(key); };
-  const std::string table = table_of(choice),
-                    name = given(choice) ? scene.text(choice) : usual_material;
-  const double young = scene.real(table + "young_modulus"),
+  const std::string table = table_of(choice), modulus = table + "young_modulus",
+                    name = given(choice) ? scene.text(choice) : usual_material,
+                    law_name = name == linear_material ? usual_material : name;
+  const double young = scene.knows(modulus) ? scene.real(modulus) : usual_modulus,
                poisson = scene.real(table + "poisson_ratio");
-  Material material = make_material(name, ElasticModuli::from_young_poisson(young, poisson));
+  Material material = make_material(law_name, ElasticModuli::from_young_poisson(young, poisson));
   material.young_modulus = young;
   material.poisson_ratio = poisson;
   for (const MaterialLaw& law : MaterialLaws::all())
@@ -55,7 +58,7 @@ Material read_material(const Scene& scene, const std::string& choice) {
       if (law.name != name && given(table + key.name))
         throw InputError(fmt::format("{}: only for {} = \"{}\", got \"{}\"",
                                      scene.where(table + key.name), choice, law.name, name));
-  if (const auto& ratios = MaterialLaws::find(name, "material").ratios)
+  if (const auto& ratios = MaterialLaws::find(law_name, "material").ratios)
     material.moduli.ratios = ratios(scene, table, material.moduli);
   return material;
 }
@@ -64,7 +67,7 @@ void add_material_keys(std::vector<Key>& table, const std::string& choice) {
   const auto place =
       std::find_if(table.begin(), table.end(), [&](const Key& key) { return key.name == choice; });
   if (place == table.end()) return;
-  place->choices = MaterialLaws::names();
+  for (const std::string& name : MaterialLaws::names()) place->choices.push_back(name);
   std::vector<Key> further;
   for (const MaterialLaw& law : MaterialLaws::all())
     for (Key key : law.keys) {

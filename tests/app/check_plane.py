@@ -121,7 +121,7 @@ def result_of(table):
 
 
 def axes_of(plane_key):
-    return result_of(f'[body]\nplane = "{plane_key}"\n').axes
+    return result_of(f'[model]\nplane = "{plane_key}"\n').axes
 
 
 # Where the scene has a cycle, its cycles count the time.

@@ -101,7 +101,7 @@ TEST_F(PartCommands, SceneAndHistoryComeBackFromAResult) {
   ASSERT_EQ(run(300).exit_code, 0);
   const Outcome scene = gnomon({"scene", "a.h5"});
   EXPECT_EQ(scene.exit_code, 0);
-  EXPECT_THAT(scene.out, HasSubstr("geometry = \"" + (folder() / "block_on_ring.geo").string()));
+  EXPECT_THAT(scene.out, HasSubstr("file = \"" + (folder() / "block_on_ring.geo").string()));
   const Outcome history = gnomon({"history", "a.h5"});
   ASSERT_EQ(history.exit_code, 0);
   EXPECT_THAT(history.out, testing::StartsWith("t,step,order,newton_iterations,"));
@@ -126,7 +126,7 @@ TEST_F(PartCommands, TheMeshComesBackFromAResult) {
   EXPECT_THAT(mesh.out, testing::ContainsRegex("surface +[0-9]+ +3.2 +flat, normal \\[0, 1\\]"));
 
   std::string text = scene.out;
-  const std::size_t begin = text.find("geometry = "), end = text.find('\n', begin);
+  const std::size_t begin = text.find("file = "), end = text.find('\n', begin);
   text.replace(begin, end - begin, "file = \"again.msh\"");
   write("again.toml", text);
   const Outcome again = gnomon({"run", "again.toml", "--set", "mesh.factor=1", "-o", "b.h5",
@@ -221,7 +221,7 @@ std::string replaced(std::string text, const std::string& part, const std::strin
 TEST_F(PartCommands, AMissingMeshIsNamedWithTheLineOfItsKey) {
   std::filesystem::remove(folder() / "block_on_ring.geo");
   EXPECT_THAT(gnomon({"check", "block_on_ring.toml"}).err,
-              HasSubstr("block_on_ring.toml:9: key `mesh.geometry`: block_on_ring.geo: no such"));
+              HasSubstr("block_on_ring.toml:9: key `mesh.file`: block_on_ring.geo: no such"));
   // What can be told without the mesh is told too.
   const std::string all =
       gnomon({"check", "block_on_ring.toml", "--set", "load.1.on=surface", "--set",
@@ -231,10 +231,10 @@ TEST_F(PartCommands, AMissingMeshIsNamedWithTheLineOfItsKey) {
     EXPECT_THAT(all, HasSubstr(part));
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 4) << all;
   std::string scene = test::read_text(folder() / "block_on_ring.toml");
-  scene.replace(scene.find("geometry ="), 10, "factor = 2 # ");
+  scene.replace(scene.find("file ="), 6, "factor = 2 # ");
   write("without.toml", scene);
   EXPECT_THAT(gnomon({"check", "without.toml"}).err,
-              HasSubstr("without.toml: section [mesh]: expected `file`, a mesh, or `geometry`"));
+              HasSubstr("without.toml: section [mesh]: expected `file`, a mesh, or a geometry"));
 }
 
 TEST_F(PartCommands, GroupsOfPointsAreSuggestedAndListed) {
@@ -377,7 +377,7 @@ TEST_F(PartCommands, GroupsWithoutElementsAreTold) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("\n\"left\" has no elements\n"));
   std::string scene = test::read_text(folder() / "block_on_ring.toml");
-  const std::string geometry = "geometry = \"block_on_ring.geo\"";
+  const std::string geometry = "file = \"block_on_ring.geo\"";
   write("mesh.toml", scene.replace(scene.find(geometry), geometry.size(), "file = \"named.msh\""));
   EXPECT_THAT(gnomon({"check", "mesh.toml"}).out, HasSubstr("# \"left\" has no elements\n"));
   EXPECT_THAT(gnomon({"check", "mesh.toml", "--set", "support.1.on=left"}).err,
@@ -481,10 +481,9 @@ TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
   EXPECT_THAT(refusal("counter_body.press.direction=[0.0, 1.0]"),
               HasSubstr("a direction into the body"));
   EXPECT_THAT(refusal("shape.slide=[\"nowhere\"]"), HasSubstr("surface"));
-  EXPECT_THAT(refusal("mesh.geometry=none.geo"),
-              HasSubstr("gnomon: --set mesh.geometry: none.geo: no such file"));
+  EXPECT_THAT(refusal("mesh.file=none.geo"),
+              HasSubstr("gnomon: --set mesh.file: none.geo: no such file"));
   EXPECT_THAT(refusal("counter_body.center=[30.0, 20.0]"), HasSubstr("it passes by: change"));
-  EXPECT_THAT(refusal("mesh.file=a.msh"), HasSubstr("both"));
 }
 
 }  // namespace

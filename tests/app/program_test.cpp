@@ -256,7 +256,7 @@ TEST_F(Program, WarnsWhenNoStateTellsOfStability) {
 TEST_F(Program, WarnsOfLargeStrainsOfSmallKinematics) {
   const auto warned = [&](const std::string& young) {
     const Outcome outcome =
-        gnomon({"run", pin, "--set", coarse, "--set", "body.kinematics=small", "--set",
+        gnomon({"run", pin, "--set", coarse, "--set", "body.material=linear", "--set",
                 "body.young_modulus=" + young, "--force", "-o", "a.h5"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return outcome.err.find("displacements have gradients up to") != std::string::npos;

@@ -104,6 +104,8 @@ TEST(CycleCounterBody, TouchesWhereItHasTurnedTo) {
 std::vector<Key> keys_of(const std::string&) {
   std::vector<Key> keys = {run_keys().front()};
   keys.insert(keys.end(), cycle_keys().begin(), cycle_keys().end());
+  for (const Key& key : worn_body_keys(2))
+    if (key.name.starts_with("tables.")) keys.push_back(key);
   return keys;
 }
 
@@ -128,7 +130,7 @@ std::string refusal(const std::string& text) {
 TEST(CycleScene, ReadsExpressionsAndTables) {
   const Scene scene = scene_of(
       "[cycle]\nperiod = 2.0\nphases = 4\nx = \"0.5 * gait(tau)\"\n"
-      "tables.gait = { x = [0.0, 0.5, 1.0], y = [0.0, 2.0, 0.0] }\n");
+      "[tables]\ngait = { x = [0.0, 0.5, 1.0], y = [0.0, 2.0, 0.0] }\n");
   const auto cycle = read_cycle(scene);
   ASSERT_TRUE(cycle);
   EXPECT_DOUBLE_EQ(cycle->displacement[0]->value(0.25), 0.5);
@@ -171,6 +173,8 @@ TEST(CycleScene, AResultNeedsNoFile) {
 std::vector<Key> run_keys_too(const std::string&) {
   std::vector<Key> keys = run_keys();
   keys.insert(keys.end(), cycle_keys().begin(), cycle_keys().end());
+  for (const Key& key : worn_body_keys(2))
+    if (key.name.starts_with("tables.")) keys.push_back(key);
   return keys;
 }
 

@@ -54,7 +54,7 @@ protected:
                     const std::string& more = "") const {
     const bool in_space = geometry == "space.geo";
     return fmt::format(R"(problem = "worn_body"
-mesh.geometry = "{0}"
+mesh.file = "{0}"
 support = [ {{ on = "bottom" }} ]
 friction.coefficient = 0.0
 wear = {{ on = ["surface"], coefficient = 1e-6 }}
@@ -64,15 +64,15 @@ integrator = {{ name = "esdirk-4", rtol = 1e-5 }}
 name = "substrate"
 young_modulus = {1}
 poisson_ratio = 0.0
-kinematics = "small"
+material = "linear"
 [[body]]
 name = "coating"
 young_modulus = {2}
 poisson_ratio = 0.0
-kinematics = "small"
+material = "linear"
 [counter_body]
 shape = "plane"
-point = {3}
+center = {3}
 normal = {4}
 motion = {{ velocity = {5} }}
 press = {{ direction = {4}, {6} }}
@@ -101,7 +101,8 @@ TEST_F(Bodies, LayersUnderPressureAreSpringsInSeries) {
         std::string text = plane + scene(in_space ? "space.geo" : "plane.geo",
                                          fmt::format("approach = [{}]", approach), hard, soft);
         if (kind == "axisymmetric")  // slides to the circumference
-          text.replace(text.find("{ velocity = [1.0, 0.0] }"), 25, "{ out_of_plane = 1.0 }");
+          text.replace(text.find("{ velocity = [1.0, 0.0] }"), 25,
+                       "{ velocity = [0.0, 0.0, 1.0] }");
         const std::string inner = kind == "multigrid" ? "multigrid" : "factor";
         const auto layered = model(text, {"solver.preconditioner=" + inner});
         const double pressure = approach / (coating / soft + substrate / hard);

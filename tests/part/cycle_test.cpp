@@ -176,7 +176,7 @@ TEST_F(Cycles, DifferFromTheRunThroughAllByTheWearOfOneCycle) {
 TEST_F(Cycles, DifferFromAnOrdinaryHistoryInTheFirstOrder) {
   const auto mean = model(text(
       "motion.velocity = [0.4, 0.0]\n[cycle]\nperiod = 1.0\nphases = 16\nforce = \"saw(tau)\"\n"
-      "tables.saw = { x = [0.0, 0.3, 1.0], y = [9.25, 27.75, 9.25] }\n",
+      "[tables]\nsaw = { x = [0.0, 0.3, 1.0], y = [9.25, 27.75, 9.25] }\n",
       ""));
   const auto expected = shape_of(*mean, run_model(*mean, "esdirk-4", 0, 1e-6, 40).last().y);
   std::vector<double> differences;
@@ -212,18 +212,18 @@ TEST_F(Cycles, RefusePartialSlip) {
                    {fmt::format("friction.coefficient={}", friction)});
   };
   const std::string tables =
-      "tables.rests = { x = [0.0, 0.2, 0.5, 0.7, 1.0], y = [0.0, 1.0, 1.0, "
+      "[tables]\nrests = { x = [0.0, 0.2, 0.5, 0.7, 1.0], y = [0.0, 1.0, 1.0, "
       "0.0, 0.0] }\n";
   for (const char* motion : {"x = \"1e-4 * sin(2*pi*tau)\"\n", "x = \"1e-4 * rests(tau)\"\n",
                              "x = \"2e-4 * sin(2*pi*tau)\"\nz = \"2e-4 * cos(2*pi*tau)\"\n",
                              "x = \"0.002 * sin(2*pi*tau) + 3e-4 * sin(40*pi*tau)\"\n"}) {
-    EXPECT_THAT(with(tables + motion), HasSubstr("partial slip")) << motion;
-    EXPECT_EQ(with(tables + motion, 0), "") << motion;
+    EXPECT_THAT(with(motion + tables), HasSubstr("partial slip")) << motion;
+    EXPECT_EQ(with(motion + tables, 0), "") << motion;
   }
   for (const char* motion :
        {"x = \"0.1 * rests(tau)\"\n", "x = \"0.1 * sin(2*pi*tau)\"\nz = \"0.1 * cos(2*pi*tau)\"\n",
         "x = \"0.1 * sin(2*pi*tau) + 1e-5 * sin(200*pi*tau)\"\n"})
-    EXPECT_EQ(with(tables + motion), "") << motion;
+    EXPECT_EQ(with(motion + tables), "") << motion;
 }
 
 /// With fewer phases than the motion has parts: a table with a point at every thousandth, whose
@@ -316,12 +316,11 @@ TEST_F(Cycles, FewPhasesHaveThePathOfAnOrbit) {
   }
   const double path = (points - 1) * 0.2 * std::sin(M_PI / (points - 1));
   for (const int phases : {2, 3, 8}) {
-    const auto flat =
-        model(text(fmt::format(
-                  "[cycle]\nperiod = 1.0\nphases = {}\nx = \"a(tau)\"\nz = \"b(tau)\"\n"
-                  "tables.a = {{ x = [{}], y = [{}] }}\ntables.b = {{ x = [{}], y = [{}] }}\n",
-                  phases, tau, x, tau, z)),
-              {"counter_body.radius=60.0", "counter_body.center=[0, 60]"});
+    const auto flat = model(
+        text(fmt::format("[cycle]\nperiod = 1.0\nphases = {}\nx = \"a(tau)\"\nz = \"b(tau)\"\n"
+                         "[tables]\na = {{ x = [{}], y = [{}] }}\nb = {{ x = [{}], y = [{}] }}\n",
+                         phases, tau, x, tau, z)),
+        {"counter_body.radius=60.0", "counter_body.center=[0, 60]"});
     const double flux = observed(*flat, flat->start(unused_), "wear_flux");
     EXPECT_NEAR(flux / (2.9e-6 * 18.5 * path), 1, 1e-4) << phases << " phases";
   }
@@ -332,7 +331,7 @@ TEST_F(Cycles, FewPhasesHaveThePathOfAnOrbit) {
 TEST_F(Cycles, LoseWhatTablesOfTheMotionSay) {
   const auto flux = [&](const char* phases, const char* x, const char* y) {
     const auto flat = model(text(fmt::format("[cycle]\nperiod = 1.0\nphases = {}\nx = \"a(tau)\"\n"
-                                             "tables.a = {{ x = {}, y = {} }}\n",
+                                             "[tables]\na = {{ x = {}, y = {} }}\n",
                                              phases, x, y)),
                             {"counter_body.radius=60.0", "counter_body.center=[0, 60]"});
     return observed(*flat, flat->start(unused_), "wear_flux") / (2.9e-6 * 18.5);

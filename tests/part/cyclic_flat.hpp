@@ -37,7 +37,7 @@ protected:
   /// `motion`: what [cycle] or [counter_body.motion] gives.
   std::string text(const std::string& motion, const std::string& press = "force = 18.5") const {
     return fmt::format(R"(problem = "worn_body"
-mesh.geometry = "flat.geo"
+mesh.file = "flat.geo"
 body = {{ young_modulus = 1e4, poisson_ratio = 0.3 }}
 support = [ {{ on = "bottom" }} ]
 wear = {{ on = ["surface"], coefficient = 2.9e-6 }}

@@ -159,7 +159,7 @@ TEST_F(FreePartner, APivotedPlaneCarriesItsForceAndItsMoment) {
   folder_.write("block.geo", geometry);
   const auto model = [&](double moment) {
     const std::string text = fmt::format(
-        "problem = \"worn_body\"\nmesh.geometry = \"block.geo\"\n[body]\nyoung_modulus = 1000.0\n"
+        "problem = \"worn_body\"\nmesh.file = \"block.geo\"\n[body]\nyoung_modulus = 1000.0\n"
         "poisson_ratio = 0.3\n[[support]]\non = \"top\"\n[counter_body]\nshape = \"plane\"\n"
         "motion = {{ velocity = [100.0, 0.0] }}\n[[counter_body.press]]\n"
         "direction = [0.0, 1.0]\nforce = 40.0\n[[counter_body.press]]\nmoment = {}\n"

@@ -52,8 +52,8 @@ Physical Volume("block") = {{part[1]}};
     std::string phases;
     for (int p = 0; p < positions; ++p) phases += fmt::format("{:.15f}, ", (p + 0.5) / positions);
     return make(fmt::format(R"toml(problem = "worn_body"
-mesh.geometry = "block.geo"
-body = {{ young_modulus = 1e5, poisson_ratio = 0.3, kinematics = "small" }}
+mesh.file = "block.geo"
+body = {{ young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" }}
 support = [ {{ on = "bottom" }}, {{ on = "ends" }}, {{ on = "side" }},
             {{ on = "symmetry", directions = ["y"] }} ]
 wear = {{ on = ["top"], coefficient = {}, rate = "k * p * v" }}
@@ -79,7 +79,7 @@ ball.radius = 5.0
 block = {{ length = 1.4, half_width = 0.6, depth = 0.6 }}
 path.length = 1.0
 mesh = {{ elements = [14, 6, 3], size = [{0}, 0.1, 0.2], fine = [0.0, 0.0, 0.0] }}
-body = {{ young_modulus = 1e5, poisson_ratio = 0.3, kinematics = "small" }}
+body = {{ young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" }}
 load.force = {1}
 friction.coefficient = 0.0
 wear = {{ coefficient = {2}, velocity = 1.0, rate = "k * p * v" }}

@@ -131,8 +131,8 @@ TEST_F(ObliqueSides, NodesOfASideStayOnIt) {
 // at the upright side.
 TEST_F(ObliqueSides, AConeIsHeldOnItsAxis) {
   const auto pin = part(quadrangle({{{0, 0}, {a, 0}, {a, height}, {0, height + 1}}}),
-                        tapered_scene("body.plane = \"axisymmetric\"\n" + support("top") +
-                                      plane("[0, 1]", "out_of_plane = 100.0")));
+                        tapered_scene("model.plane = \"axisymmetric\"\n" + support("top") +
+                                      plane("[0, 1]", "velocity = [0.0, 0.0, 100.0]")));
   const std::vector<double> shape =
       shape_of(*pin, run_model(*pin, "esdirk-3", 0, 1e-4, end).last());
   const Grid grid = pin->grid.value();

@@ -33,7 +33,7 @@ std::unique_ptr<Model> part_of(const Data& data, const Mesh<3>& mesh) {
   const SceneFolder folder;
   folder.write("ball.msh", msh41(mesh));
   std::string text = text_of(shipped("ball.toml"));
-  const std::string geometry = "geometry = \"ball.geo\"";
+  const std::string geometry = "file = \"ball.geo\"";
   text.replace(text.find(geometry), geometry.size(), "file = \"ball.msh\"");
   return make_model(load_scene(folder.write("ball.toml", text), data.values, key_table));
 }

@@ -33,8 +33,8 @@ protected:
 
   std::filesystem::path scene(const std::string& phases, const std::string& motion = "") const {
     return folder_.write("flat.toml", fmt::format(R"toml(problem = "worn_body"
-mesh.geometry = "flat.geo"
-body = {{ young_modulus = 1e4, poisson_ratio = 0.3, kinematics = "small" }}
+mesh.file = "flat.geo"
+body = {{ young_modulus = 1e4, poisson_ratio = 0.3, material = "linear" }}
 support = [ {{ on = "bottom" }} ]
 wear = {{ on = ["surface"], coefficient = 2.9e-6 }}
 time.end = 20.0

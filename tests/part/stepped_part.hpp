@@ -22,7 +22,7 @@ Physical Curve("back") = {7};
 Physical Surface("body") = {1};
 )");
   return make_model(load_scene(folder.write("step.toml", R"(problem = "worn_body"
-mesh.geometry = "step.geo"
+mesh.file = "step.geo"
 body = { young_modulus = 1000.0, poisson_ratio = 0.3 }
 support = [ { on = "back" } ]
 wear = { on = "sole", coefficient = 1e-8 }

@@ -75,7 +75,7 @@ inline constexpr double worn = k * speed * force * end;
 inline std::string tapered_scene(const std::string& further) {
   return fmt::format(R"(
 problem = "worn_body"
-mesh.geometry = "pin.geo"
+mesh.file = "pin.geo"
 body.young_modulus = 1e7
 body.poisson_ratio = 0.3
 wear.on = ["face"]
@@ -125,8 +125,8 @@ protected:
   }
   std::unique_ptr<Model> cone(const Overrides& overrides = {}) {
     return part(quadrangle({{{0, 0}, {a, 0}, {a + taper * height, height}, {0, height}}}),
-                tapered_scene("body.plane = \"axisymmetric\"\n" + support("top") +
-                              plane("[0, 1]", "out_of_plane = 100.0")),
+                tapered_scene("model.plane = \"axisymmetric\"\n" + support("top") +
+                              plane("[0, 1]", "velocity = [0.0, 0.0, 100.0]")),
                 overrides);
   }
   std::unique_ptr<Model> pyramid(const Overrides& overrides = {}, int n = 3) {

@@ -42,7 +42,7 @@ Mesh.MeshSizeMax = 0.4;
 /// A flat, pressed on the block with 8 N, slides over it.
 constexpr const char* scene = R"(
 problem = "worn_body"
-mesh.geometry = "block.geo"
+mesh.file = "block.geo"
 body = { young_modulus = 1000.0, poisson_ratio = 0.3 }
 support = [{ on = "base", directions = ["z"] }, { on = "x", directions = ["x"] },
            { on = "y", directions = ["y"] }]

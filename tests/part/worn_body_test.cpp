@@ -132,9 +132,9 @@ Physical Surface("ring") = {1, 2, 3, 4};
   const auto half_width = [&](double x, double y, const std::string& surfaces) {
     const auto scene = folder.write(
         "ring.toml",
-        fmt::format("problem = \"worn_body\"\n[mesh]\ngeometry = \"ring.geo\"\n[body]\n"
+        fmt::format("problem = \"worn_body\"\n[mesh]\nfile = \"ring.geo\"\n[body]\n"
                     "young_modulus = 1000.0\npoisson_ratio = 0.3\n[[support]]\non = \"inner\"\n"
-                    "[counter_body]\nshape = \"plane\"\npoint = [{0}, {1}]\nnormal = [{2}, {3}]\n"
+                    "[counter_body]\nshape = \"plane\"\ncenter = [{0}, {1}]\nnormal = [{2}, {3}]\n"
                     "press = {{ direction = [{2}, {3}], force = 100.0 }}\n[wear]\non = [{4}]\n"
                     "coefficient = 0.0\n[time]\nend = 1.0\n[integrator]\n"
                     "name = \"backward-euler\"\n",
@@ -179,12 +179,13 @@ Physical Curve("bottom") = {1}; Physical Curve("top") = {3}; Physical Surface("r
 )");
   const auto ring = part_of(folder.write("ring.toml", R"(
 problem = "worn_body"
-mesh.geometry = "ring.geo"
-body = { young_modulus = 1e7, poisson_ratio = 0.3, plane = "axisymmetric" }
+mesh.file = "ring.geo"
+model.plane = "axisymmetric"
+body = { young_modulus = 1e7, poisson_ratio = 0.3 }
 support = [{ on = "top", directions = ["z"], stiffness = 10.0 }]
 [counter_body]
 shape = "plane"
-motion = { out_of_plane = 1.0 }
+motion = { velocity = [0.0, 0.0, 1.0] }
 press = { direction = [0.0, 1.0], force = 100.0 }
 [wear]
 on = ["bottom"]
@@ -213,8 +214,8 @@ Physical Surface("column") = {1};
 )");
   const auto column = part_of(folder.write("column.toml", R"(
 problem = "worn_body"
-mesh.geometry = "column.geo"
-body = { young_modulus = 1000.0, poisson_ratio = 0.0, kinematics = "small" }
+mesh.file = "column.geo"
+body = { young_modulus = 1000.0, poisson_ratio = 0.0, material = "linear" }
 [[support]]
 on = "top"
 directions = ["y"]
@@ -227,7 +228,7 @@ on = "side"
 directions = ["x"]
 [counter_body]
 shape = "plane"
-point = [0.0, 0.0]
+center = [0.0, 0.0]
 normal = [0.0, 1.0]
 motion = { velocity = [1.0, 0.0] }
 press = { direction = [0.0, 1.0] }
@@ -260,7 +261,7 @@ Physical Volume("block") = {out[1]};
 )");
   const auto block = part_of(folder.write("block.toml", R"(
 problem = "worn_body"
-mesh.geometry = "block.geo"
+mesh.file = "block.geo"
 body = { young_modulus = 1e3, poisson_ratio = 0.3 }
 support = [{ on = "top" }]
 [counter_body]

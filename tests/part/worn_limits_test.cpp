@@ -95,7 +95,7 @@ TEST_F(WornLimits, BlockOnRingAtFourDistances) {
 
 TEST_F(WornLimits, BlockOnRingOfTriangles) {
   const auto block =
-      model_of("worn_body/block_on_ring.toml", {"mesh.geometry=\"block_on_ring_triangles.geo\""});
+      model_of("worn_body/block_on_ring.toml", {"mesh.file=\"block_on_ring_triangles.geo\""});
   expect_ring_scars(*block, states_at(*block, ring_times, 1e-4), [](double) { return 0; });
 }
 

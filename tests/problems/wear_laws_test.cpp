@@ -123,7 +123,7 @@ const std::vector<Case>& cases() {
        [](double p, double h, double) { return k * p * v / (1 + h / 0.05); }},
       {"TableOfTime",
        "k * factor(t) * p * v",
-       {"wear.tables.factor.x=[0, 50, 100]", "wear.tables.factor.y=[3, 1, 2]"},
+       {"tables.factor.x=[0, 50, 100]", "tables.factor.y=[3, 1, 2]"},
        [](double p, double, double t) {
          const double factor = t < 50 ? 3 - 2 * t / 50 : t < 100 ? 1 + (t - 50) / 50 : 2;
          return k * factor * p * v;
@@ -185,8 +185,8 @@ TEST(WearLaw, AFactorOfTimeStretchesTimeInTheClosedForm) {
 // The breakpoints of a table in time are breakpoints of the system, on which steps end; a threshold
 // switches nodes, and located steps end there. The method keeps order 4 in both cases.
 TEST(WearLaw, StepsEndOnItsKinks) {
-  const auto table = springs("k * factor(t) * p * v", {"wear.tables.factor.x=[0, 50, 100]",
-                                                       "wear.tables.factor.y=[3, 1, 2]"});
+  const auto table = springs("k * factor(t) * p * v",
+                             {"tables.factor.x=[0, 50, 100]", "tables.factor.y=[3, 1, 2]"});
   EXPECT_EQ(table->system().structure().breakpoints, (std::vector<double>{50, 100}));
   const auto threshold = springs("k * max(p - p0, 0) * v", {"wear.constants.p0=1"});
   EXPECT_EQ(threshold->system().structure().switch_node.size(), 2 * points);
@@ -276,14 +276,12 @@ TEST(WearLaw, NewtonStaysQuadratic) {
 }
 
 TEST(WearLaw, NamesThatTheRateDoesNotUseAreKnown) {
-  const Scene scene =
-      load_scene(GNOMON_SOURCE_DIR "/problems/pin_on_flat/small_deformation.toml",
-                 {"wear.rate=k * p * v * g(h) * (1 + a2)", "wear.constants.a=1",
-                  "wear.constants.a2=1", "wear.tables.g.x=[0]", "wear.tables.g.y=[1]",
-                  "wear.tables.h2.x=[0]", "wear.tables.h2.y=[1]"},
-                 key_table);
-  EXPECT_EQ(unused_wear_names(scene),
-            (std::vector<std::string>{"wear.constants.a", "wear.tables.h2"}));
+  const Scene scene = load_scene(
+      GNOMON_SOURCE_DIR "/problems/pin_on_flat/small_deformation.toml",
+      {"wear.rate=k * p * v * g(h) * (1 + a2)", "wear.constants.a=1", "wear.constants.a2=1",
+       "tables.g.x=[0]", "tables.g.y=[1]", "tables.h2.x=[0]", "tables.h2.y=[1]"},
+      key_table);
+  EXPECT_EQ(unused_wear_names(scene), (std::vector<std::string>{"wear.constants.a", "tables.h2"}));
 }
 
 TEST(WearLaw, WrongExpressionsAreRefusedInOneLine) {
@@ -308,24 +306,22 @@ TEST(WearLaw, WrongExpressionsAreRefusedInOneLine) {
   refuses({"wear.rate=-k * p * v"}, "zero or more");
   refuses({"wear.rate=k * p * v / (t - t)"}, "wear.rate");
   refuses({"wear.rate=k * (p + 1) * v"}, "without pressure");
-  refuses({"wear.rate=k * f(p) * v", "wear.tables.f.x=[0, 1]"}, "wear.tables.f");
-  refuses({"wear.rate=k * f(p) * v", "wear.tables.f.x=[1, 0]", "wear.tables.f.y=[1, 2]"},
-          "wear.tables.f.x");
+  refuses({"wear.rate=k * f(p) * v", "tables.f.x=[0, 1]"}, "tables.f");
+  refuses({"wear.rate=k * f(p) * v", "tables.f.x=[1, 0]", "tables.f.y=[1, 2]"}, "tables.f.x");
   refuses({"wear.constants.k=1"}, "wear.constants.k");
   refuses({"wear.constants.p=1"},
           "--set wear.constants.p: expected another name, there are already the variables p, v, ");
   refuses({"wear.constants.exp=1"}, "--set wear.constants.exp: expected another name");
-  refuses({"wear.tables.t.x=[0, 1]", "wear.tables.t.y=[0, 1]"},
-          "--set wear.tables.t.x: expected another name");
+  refuses({"tables.t.x=[0, 1]", "tables.t.y=[0, 1]"}, "--set tables.t.x: expected another name");
   refuses({"wear.constants.2x=1"},
           "--set wear.constants.2x: expected letters, digits and underscores, no digit first, in "
           "the place of * in `wear.constants.*`");
-  refuses({"wear.tables.f2.z=[0, 1]"}, "did you mean `wear.tables.f2.x`?");
+  refuses({"tables.f2.z=[0, 1]"}, "did you mean `tables.f2.x`?");
   refuses({"wear.rate=k * max(p, 0) * v"}, "'wear.rate=\"k * max(p, 0) * v\"'");
   std::string many = "0";
   for (int i = 1; i <= 1000; ++i) many += fmt::format(", {}", i);
-  refuses({"wear.tables.g.x=[" + many + "]", "wear.tables.g.y=[" + many + "]"},
-          "--set wear.tables.g.x: expected at most 1000 points of a table, got 1001");
+  refuses({"wear.rate=k * p * v * g(h)", "tables.g.x=[" + many + "]", "tables.g.y=[" + many + "]"},
+          "--set tables.g.x: expected at most 1000 points of a table in a wear rate, got 1001");
   refuses({"wear.law=archar"}, "archard");
   refuses({"wear.constants.pi=3"}, "--set wear.constants.pi: expected another name");
 }

@@ -48,7 +48,7 @@ def test_a_cyclic_part_is_the_same_as_from_a_scene(tmp_path):
         pytest.skip("built without Gmsh's library")
     geometry = tmp_path / "block.geo"
     geometry.write_text(GEOMETRY)
-    theirs = gnomon.run(scene({"mesh.geometry": geometry}))
+    theirs = gnomon.run(scene({"mesh.file": geometry}))
     ours = gnomon.run(gnomon.assemble(scene(), *block()))
     for name in ("worn_volume", "approach", "max_pressure", "wear_depth"):
         assert ours.history[name] == pytest.approx(theirs.history[name], rel=1e-8), name
@@ -68,7 +68,7 @@ def test_orientation_and_order_do_not_matter():
 def test_layers_are_springs_in_series():
     points, cells, facets = block(2, 4)
     upper = [cell for cell, nodes in enumerate(cells) if points[nodes, 1].mean() > -0.5]
-    bodies = [{"name": name, "young_modulus": modulus, "poisson_ratio": 0.0, "kinematics": "small"}
+    bodies = [{"name": name, "young_modulus": modulus, "poisson_ratio": 0.0, "material": "linear"}
               for name, modulus in (("lower", 2e4), ("upper", 1e3))]
     layered = gnomon.Scene.from_dict({
         "problem": "worn_body", "body": bodies, "support": [{"on": "bottom", "directions": ["y"]}, {"on": "corner"}],

@@ -76,7 +76,7 @@ def test_a_result_has_the_model_with_its_mesh(tmp_path):
     changed = {"mesh.factor": 4, "time.end": 100, "output.times": []}
     outcome = gnomon.run(gnomon.Scene(tmp_path / "block_on_ring.toml", changed), tmp_path / "r.h5")
     result = gnomon.Result(tmp_path / "r.h5")
-    assert result.scene["mesh.geometry"] == str(tmp_path / "block_on_ring.geo")
+    assert result.scene["mesh.file"] == str(tmp_path / "block_on_ring.geo")
     (tmp_path / "block_on_ring.geo").unlink()
     with pytest.raises(gnomon.InputError, match="block_on_ring.geo"):
         gnomon.Model(result.scene)

@@ -42,7 +42,7 @@ TEST(Observation, HasUnitsOfThePlaneOrOfSpace) {
 
 TEST(Observation, OfAPin) {
   EXPECT_THAT(
-      headings(*pin_model({elements(4), "body.kinematics=small"})),
+      headings(*pin_model({elements(4), "body.material=linear"})),
       ElementsAre("contact_nodes []", "contact_force [N/mm]", "max_pressure [MPa]",
                   "worn_volume [mm^2]", "wear_flux [mm^2/s]", "element_quality []",
                   "element_volume []", "displacement_gradient []", "contact_half_width [mm]",

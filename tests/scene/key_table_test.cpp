@@ -115,31 +115,11 @@ TEST(UnreadKeys, AreThoseThatAreGivenAndNotAskedFor) {
   EXPECT_TRUE(scene.unread_keys().empty());
 }
 
-TEST(RetiredKeys, AreAcceptedWhereTheyChangeNothing) {
-  const auto table = [](const std::string&) {
-    return std::vector<Key>{{.name = "problem", .kind = KeyKind::text}};
-  };
-  const auto complaint = [&](const std::string& line) -> std::string {
-    try {
-      parse_scene("problem = \"p\"\n[output]\n" + line, "s.toml", {}, table);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
-  };
-  EXPECT_EQ(complaint("last = true"), "accepted");
-  EXPECT_EQ(complaint("checkpoints = 200"), "accepted");
-  EXPECT_EQ(complaint("last = false"),
-            "s.toml:3: key `output.last`: expected none: the end of a run is always stored");
-  EXPECT_EQ(complaint("checkpoints = 50"), "accepted");
-}
-
 TEST(NearestName, KnowsWhatOthersCallIt) {
   const std::vector<std::string> keys = {
-      "body.young_modulus",   "body.poisson_ratio",       "shape.young_modulus", "wear.coefficient",
-      "friction.coefficient", "counter_body.press.force", "load.1.force",        "integrator.step"};
+      "body.young_modulus",       "body.poisson_ratio", "wear.coefficient", "friction.coefficient",
+      "counter_body.press.force", "load.1.force",       "integrator.step"};
   EXPECT_EQ(nearest_name("body.E", keys), "body.young_modulus");
-  EXPECT_EQ(nearest_name("shape.E", keys), "shape.young_modulus");
   EXPECT_EQ(nearest_name("E", keys), "body.young_modulus");
   EXPECT_EQ(nearest_name("body.nu", keys), "body.poisson_ratio");
   EXPECT_EQ(nearest_name("friction.mu", keys), "friction.coefficient");

@@ -123,7 +123,7 @@ def meshes():
                 if name in files:
                     file = pathlib.Path(folder) / f"{name}{scale}.geo"
                     file.write_text(files[name])
-                    settings = [f'mesh.geometry="{file}"']
+                    settings = [f'mesh.file="{file}"']
                 done = run(scene, *settings)
                 cost = [done.steps, done.newton, f"{done.cpu:.1f}"]
                 rows.append([f"{0.04 * scale:g}", name, done.unknowns,

@@ -19,7 +19,7 @@ HERTZ = (3 * FORCE * RADIUS / (4 * YOUNG / (1 - 0.3**2))) ** (1 / 3)
 ACROSS, DOWN = 9, 4  # elements of 0.1 mm and 0.2 mm
 REST = 0.7  # mm, the block beyond the ends of the path
 
-BODY = f"""body = {{ young_modulus = {YOUNG}, poisson_ratio = 0.3, kinematics = "small" }}
+BODY = f"""body = {{ young_modulus = {YOUNG}, poisson_ratio = 0.3, material = "linear" }}
 wear.coefficient = {WEAR}
 wear.rate = "k * p * v"
 time.end = {PASSES}
@@ -48,7 +48,7 @@ Physical Volume("block") = {{part[1]}};
 """
 
 CYCLE = """problem = "worn_body"
-mesh.geometry = "block.geo"
+mesh.file = "block.geo"
 support = [ {{ on = "bottom" }}, {{ on = "ends" }}, {{ on = "side" }}, {{ on = "symmetry", directions = ["y"] }} ]
 wear.on = ["top"]
 [counter_body]

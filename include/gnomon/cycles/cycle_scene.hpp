@@ -16,6 +16,9 @@ const std::vector<Key>& cycle_keys();
 /// InputError for an expression or a file that cannot be read, and for keys without a period.
 std::optional<Cycle> read_cycle(const Scene& scene);
 
+/// The expressions of tau that the scene gives.
+std::vector<std::string> cycle_expressions(const Scene& scene);
+
 /// cycle.phases: so many phases, or at chosen positions, of a cycle with these kinks. Throws
 /// InputError, also where the program is to choose their number.
 CycleQuadrature read_cycle_quadrature(const Scene& scene, std::vector<double> kinks);

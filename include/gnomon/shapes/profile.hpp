@@ -23,12 +23,12 @@ std::vector<Vector<2>> read_points(const Scene& scene, const std::string& key);
 /// The same of a text; `name` stands for the file in messages.
 std::vector<Vector<2>> parse_points(const std::string& text, const std::string& name);
 
-/// The curve of counter_body.points or counter_body.file, with the body on its left, as `closed`,
-/// `side` and `concave` say. A file is looked for beside the scene. Throws InputError.
+/// The curve of counter_body.points, with the body on its left, as counter_body.side says. A file
+/// is looked for beside the scene. Throws InputError.
 SplineCurve read_profile(const Scene& scene);
 
-/// The same scene, with the points of counter_body.file in counter_body.points, so that a result
-/// needs no other file. Where there is no such file, the scene itself.
+/// The same scene, with the points themselves in the place of a file in counter_body.points, so
+/// that a result needs no other file. Where there is no such file, the scene itself.
 Scene with_profile_points(const Scene& scene);
 
 }  // namespace gnomon

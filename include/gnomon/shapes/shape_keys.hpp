@@ -18,13 +18,15 @@ Key center_key(int dim, const std::string& help);
 Key axis_key(int dim, const std::string& help);
 /// A length greater than zero.
 Key length_key(const std::string& name, const std::string& help);
-/// counter_body.concave: the body is what is outside of the shape.
-Key concave_key();
+/// counter_body.side: whether the body is what is inside of the shape, or outside.
+Key side_key();
+/// Throws InputError for a side of an open curve.
+bool is_outside(const Scene& scene);
 
-/// The shape, or its complement where counter_body.concave says so.
+/// The shape, or its complement where counter_body.side says so.
 template <int dim>
 CounterShape<dim> convex_or_concave(const Scene& scene, const CounterShape<dim>& shape) {
-  return scene.flag("counter_body.concave") ? complement(shape) : shape;
+  return is_outside(scene) ? complement(shape) : shape;
 }
 
 /// The point that a key of an axisymmetric scene gives. Throws InputError unless it is on the axis

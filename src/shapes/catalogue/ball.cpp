@@ -29,10 +29,10 @@ CounterShape<dim> make(const Scene& scene, Section section) {
 template <int dim>
 CounterShapeKind<dim> kind() {
   return {.name = "ball",
-          .help = dim == 2 ? "disk, or a ball about r = 0; concave: a socket"
-                           : "ball; concave: a socket",
+          .help = dim == 2 ? "disk, or a ball about r = 0; outside: a socket"
+                           : "ball; outside: a socket",
           .keys = {center_key(dim, "centre of the ball"),
-                   length_key("counter_body.radius", "radius of the ball"), concave_key()},
+                   length_key("counter_body.radius", "radius of the ball"), side_key()},
           .make = make<dim>};
 }
 

@@ -66,33 +66,29 @@ CounterShape<dim> make(const Scene& scene, Section section) {
   const Vector<dim> axis = read_direction<dim>(scene, "counter_body.axis");
   if constexpr (dim == 2)
     if (section == Section::meridian) {
-      const Vector<2> apex = read_point_of_axis(scene, "counter_body.apex", "the cone");
+      const Vector<2> apex = read_point_of_axis(scene, "counter_body.center", "the cone");
       if (axis[0] != 0)
         throw InputError(scene.where("counter_body.axis") +
                          ": expected the axis of symmetry, [0, 1] or [0, -1]: a cone of an "
                          "axisymmetric scene stands on it");
       return convex_or_concave(scene, cone_meridian(apex[1], axis[1] > 0 ? 1 : -1, half_angle));
     }
-  const Vector<dim> apex = read_point<dim>(scene, "counter_body.apex");
+  const Vector<dim> apex = read_point<dim>(scene, "counter_body.center");
   return convex_or_concave(scene, cone<dim>(apex, axis, half_angle));
 }
 
 template <int dim>
 CounterShapeKind<dim> kind() {
   return {.name = "cone",
-          .help = dim == 2 ? "wedge, or a cone about r = 0; concave: a V groove, a conical seat"
-                           : "circular cone without end; concave: a conical seat",
-          .keys = {{.name = "counter_body.apex",
-                    .kind = KeyKind::reals,
-                    .unit = "mm",
-                    .length = dim,
-                    .help = "tip of the cone"},
-                   axis_key(dim, "from the tip into the cone (concave: into the seat)"),
+          .help = dim == 2 ? "wedge, or a cone about r = 0; outside: a V groove, a conical seat"
+                           : "circular cone without end; outside: a conical seat",
+          .keys = {center_key(dim, "tip of the cone"),
+                   axis_key(dim, "from the tip into the cone (of a seat: into it)"),
                    {.name = "counter_body.half_angle",
                     .unit = "deg",
                     .range = {.min = 0.01, .max = 89.99},
                     .help = "between axis and surface"},
-                   concave_key()},
+                   side_key()},
           .make = make<dim>};
 }
 

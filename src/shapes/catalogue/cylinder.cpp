@@ -34,20 +34,19 @@ CounterShape<3> make_3d(const Scene& scene, Section) {
 
 std::vector<Key> keys(int dim) {
   std::vector<Key> keys = {center_key(dim, "point of the axis of the cylinder"),
-                           length_key("counter_body.radius", "radius of the cylinder"),
-                           concave_key()};
+                           length_key("counter_body.radius", "radius of the cylinder"), side_key()};
   if (dim == 3) keys.push_back(axis_key(dim, "direction of the axis"));
   return keys;
 }
 
 const Registration<CounterShapeKind<2>> in_2d(
     {.name = "cylinder",
-     .help = "cylinder seen along its axis, or a rod about r = 0; concave: a bore",
+     .help = "cylinder seen along its axis, or a rod about r = 0; outside: a bore",
      .keys = keys(2),
      .make = make_2d});
 const Registration<CounterShapeKind<3>> in_3d(
     {.name = "cylinder",
-     .help = "circular cylinder without ends; concave: a bore",
+     .help = "circular cylinder without ends; outside: a bore",
      .keys = keys(3),
      .make = make_3d});
 

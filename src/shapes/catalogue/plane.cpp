@@ -22,22 +22,20 @@ CounterShape<dim> make(const Scene& scene, Section section) {
     throw InputError(scene.where("counter_body.normal") +
                      ": expected a normal along the axis of symmetry, [0, 1] or [0, -1], in an "
                      "axisymmetric scene; others belong to a `cone` or a `cylinder`");
-  return plane<dim>(read_point<dim>(scene, "counter_body.point"), normal);
+  const bool given = scene.has("counter_body.center");
+  return plane<dim>(given ? read_point<dim>(scene, "counter_body.center") : Vector<dim>::Zero(),
+                    normal);
 }
 
 template <int dim>
 CounterShapeKind<dim> kind() {
-  const std::vector<double> origin(dim, 0.0);
-  std::vector<double> up = origin;
+  std::vector<double> up(dim, 0.0);
   up.back() = 1;
+  Key center = center_key(dim, "point of the plane");
+  center.absent_meaning = "the origin";  // which is no centre of rotation by itself
   return {.name = "plane",
           .help = "half-space below a plane",
-          .keys = {{.name = "counter_body.point",
-                    .kind = KeyKind::reals,
-                    .unit = "mm",
-                    .default_value = origin,
-                    .length = dim,
-                    .help = "point of the plane"},
+          .keys = {center,
                    {.name = "counter_body.normal",
                     .kind = KeyKind::reals,
                     .default_value = up,

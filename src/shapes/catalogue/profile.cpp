@@ -38,23 +38,10 @@ std::vector<Key> keys(int dim) {
       {.name = "counter_body.points",
        .kind = KeyKind::reals,
        .unit = "mm",
-       .absent_meaning = "those of counter_body.file",
-       .help = "coordinates of the points of the curve, two for each, one point after the other"},
-      {.name = "counter_body.file",
-       .kind = KeyKind::text,
-       .absent_meaning = "counter_body.points",
        .names_file = true,
-       .help = "file with the points of the curve, two numbers per line; beside the scene"},
-      {.name = "counter_body.closed",
-       .kind = KeyKind::flag,
-       .default_value = false,
-       .help = "whether the curve goes back to its first point; else on straight beyond its ends"},
-      {.name = "counter_body.side",
-       .kind = KeyKind::text,
-       .absent_meaning = "left",
-       .choices = {"left", "right"},
-       .help = "side of an open curve on which the counter-body is, along the points"},
-      concave_key()};
+       .help = "coordinates of the points of the curve, two for each, one point after the other, "
+               "or a file beside the scene with two numbers per line"},
+      side_key()};
   if (dim == 2) return keys;
   keys.push_back({.name = "counter_body.sweep",
                   .kind = KeyKind::text,

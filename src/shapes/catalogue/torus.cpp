@@ -18,13 +18,12 @@ struct Radii {
 
 /// Rings that cross themselves in the middle are refused.
 Radii read_radii(const Scene& scene) {
-  const Radii radii{scene.real("counter_body.major_radius"),
-                    scene.real("counter_body.minor_radius")};
+  const Radii radii{scene.real("counter_body.major_radius"), scene.real("counter_body.radius")};
   if (!(radii.minor < radii.major))
     throw InputError(fmt::format(
         "{}: expected less than counter_body.major_radius = {:g} mm, got {:g}: the ring would "
         "cross itself",
-        scene.where("counter_body.minor_radius"), radii.major, radii.minor));
+        scene.where("counter_body.radius"), radii.major, radii.minor));
   return radii;
 }
 
@@ -33,7 +32,7 @@ std::vector<Key> keys() {
   std::vector<Key> keys = {
       center_key(dim, "centre of the ring"),
       length_key("counter_body.major_radius", "from the axis of a ring to the middle of its tube"),
-      length_key("counter_body.minor_radius", "of the tube of a ring"), concave_key()};
+      length_key("counter_body.radius", "radius of the tube of a ring"), side_key()};
   if (dim == 3) keys.push_back(axis_key(dim, "axis of symmetry"));
   return keys;
 }
@@ -57,12 +56,12 @@ CounterShape<3> make_3d(const Scene& scene, Section) {
 
 const Registration<CounterShapeKind<2>> in_2d(
     {.name = "torus",
-     .help = "ring of circular section about r = 0; concave: a groove",
+     .help = "ring of circular section about r = 0; outside: a groove",
      .keys = keys<2>(),
      .make = make_2d});
 const Registration<CounterShapeKind<3>> in_3d(
     {.name = "torus",
-     .help = "ring of circular section; concave: a groove",
+     .help = "ring of circular section; outside: a groove",
      .keys = keys<3>(),
      .make = make_3d});
 

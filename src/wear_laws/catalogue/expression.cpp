@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "expressions/expression_tables.hpp"
+#include "expressions/expression_text.hpp"
 
 namespace gnomon {
 
@@ -159,11 +160,21 @@ ExpressionNames read_names(const Scene& scene) {
     require_free_name(scene, key, name, names);
     names.constants[name] = scene.real(key);
   }
-  // Of p, v, h, q or a position, each point is a switching function of every contact node; of t or
-  // s, a breakpoint at which a step ends.
-  constexpr std::size_t most = 1000;
-  add_tables(scene, "wear.tables", most, names);
+  add_tables(scene, names);
   return names;
+}
+
+/// Of p, v, h, q or a position, each point is a switching function of every contact node; of t or
+/// s, a breakpoint at which a step ends.
+void require_few_points(const Scene& scene, const std::string& rate) {
+  constexpr std::size_t most = 1000;
+  for (const std::string& name : tokens_in(rate)) {
+    const std::string x = "tables." + name + ".x";
+    if (scene.knows(x) && scene.reals(x).size() > most)
+      throw InputError(
+          fmt::format("{}: expected at most {} points of a table in a wear rate, got {}",
+                      scene.where(x), most, scene.reals(x).size()));
+  }
 }
 
 }  // namespace
@@ -171,8 +182,9 @@ ExpressionNames read_names(const Scene& scene) {
 WearLaw expression_wear_law(const Scene& scene, const std::string& key, double nominal_speed) {
   const ExpressionNames names = read_names(scene);
   try {
-    return expression_wear_law(Expression(scene.text(key), names), scene.real("time.end"),
-                               nominal_speed);
+    const Expression rate(scene.text(key), names);
+    require_few_points(scene, rate.text());
+    return expression_wear_law(rate, scene.real("time.end"), nominal_speed);
   } catch (const ExpressionError& error) {
     throw InputError(scene.where(key) + ": " + error.what());
   }
