@@ -1,22 +1,22 @@
 // The key table of a counter-body: that of every registered shape, motion and press.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <gnomon/shapes/counter_body_scene.hpp>
+#include <map>
+#include <set>
 
 namespace gnomon {
 
 namespace {
 
-Key vector_key(const std::string& name, std::size_t length, const std::string& unit,
-               const std::string& absent, const std::string& help) {
-  return {.name = name,
-          .kind = KeyKind::reals,
-          .unit = unit,
-          .absent_meaning = absent,
-          .length = length,
-          .help = help};
+/// Of as many numbers as the scene has directions.
+Key vector_key(const std::string& name, const std::string& unit, const std::string& absent,
+               const std::string& help) {
+  return {
+      .name = name, .kind = KeyKind::reals, .unit = unit, .absent_meaning = absent, .help = help};
 }
 
 Key real_key(const std::string& name, const std::string& unit, const std::string& absent,
@@ -28,29 +28,23 @@ Key real_key(const std::string& name, const std::string& unit, const std::string
           .help = help};
 }
 
-std::vector<Key> motion_keys(std::size_t dim) {
-  std::vector<Key> keys = {
-      vector_key("counter_body.motion.velocity", dim == 2 ? 0 : dim, "mm/s", "none",
-                 dim == 2 ? "velocity of its surface, in the plane also with a third number, out "
-                            "of it; the counter-body itself stays: a steady state"
-                          : "velocity of its surface; the counter-body itself stays: a steady "
-                            "state"),
-      real_key("counter_body.motion.rotation", "rad/s", "none",
-               dim == 2 ? "rotation about motion.center, from the first direction to the second; "
-                          "axisymmetric: about r = 0"
-                        : "rotation about motion.axis through motion.center, right-handed"),
-      vector_key("counter_body.motion.center", dim, "mm", "counter_body.center",
-                 "point of the axis of rotation")};
-  if (dim == 3)
-    keys.push_back(vector_key("counter_body.motion.axis", dim, "", "counter_body.axis",
-                              "direction of the axis of rotation, of any length"));
-  return keys;
+std::vector<Key> motion_keys() {
+  return {vector_key("counter_body.motion.velocity", "mm/s", "none",
+                     "velocity of its surface, in the plane also with a third number, out of it; "
+                     "the counter-body itself stays: a steady state"),
+          real_key("counter_body.motion.rotation", "rad/s", "none",
+                   "rotation about motion.center, from the first direction to the second; "
+                   "axisymmetric: about r = 0; in space: about motion.axis, right-handed"),
+          vector_key("counter_body.motion.center", "mm", "counter_body.center",
+                     "point of the axis of rotation"),
+          vector_key("counter_body.motion.axis", "", "counter_body.axis",
+                     "in space: direction of the axis of rotation, of any length")};
 }
 
 /// Of the table `press`, or of each of an array of them.
-std::vector<Key> press_keys(const std::string& press, std::size_t dim) {
+std::vector<Key> press_keys(const std::string& press) {
   return {
-      vector_key(press + ".direction", dim, "", "needed by press.force and .approach",
+      vector_key(press + ".direction", "", "needed by press.force and .approach",
                  "direction in which the counter-body is pressed, of any length; without force and "
                  "approach it is held there"),
       {.name = press + ".force",
@@ -83,74 +77,55 @@ std::vector<Key> press_keys(const std::string& press, std::size_t dim) {
 }
 
 /// An entry of [[counter_body.press]] may be a moment instead.
-std::vector<Key> entry_keys(std::size_t dim) {
+std::vector<Key> entry_keys() {
   const std::string press = "counter_body.press.#";
-  std::vector<Key> keys = press_keys(press, dim);
+  std::vector<Key> keys = press_keys(press);
   keys.push_back(real_key(press + ".moment", "N mm", "a direction",
                           "instead of direction and force: it turns freely under this moment, in "
                           "2D per mm, from the first direction to the second"));
-  keys.push_back(vector_key(press + ".center", dim, "mm", "counter_body.center",
+  keys.push_back(vector_key(press + ".center", "mm", "counter_body.center",
                             "point of the axis of the moment"));
-  if (dim == 3)
-    keys.push_back(vector_key(press + ".axis", dim, "", "counter_body.axis",
-                              "direction of the axis of the moment, of any length"));
+  keys.push_back(vector_key(press + ".axis", "", "counter_body.axis",
+                            "in space: direction of the axis of the moment, of any length"));
   return keys;
 }
 
-/// Adds a key of a shape, or the name of the shape to the help of one that is there.
-void add_shape_key(std::vector<Key>& keys, std::vector<std::vector<std::string>>& owners,
-                   const Key& key, const std::string& shape) {
-  const auto there = std::find_if(keys.begin(), keys.end(),
-                                  [&](const Key& other) { return other.name == key.name; });
-  owners.resize(std::max(owners.size(), keys.size()));
-  if (there != keys.end()) {
-    owners[static_cast<std::size_t>(there - keys.begin())].push_back(shape);
-    if (there->help.find(key.help) == std::string::npos) there->help += "; " + key.help;
-    return;
-  }
-  keys.push_back(key);
-  keys.back().default_value.reset();
-  owners.push_back({shape});
+/// The keys of all shapes of a dimension. One that is there is shared: it has the help of all.
+template <int dim>
+void add_shapes(std::vector<Key>& keys, std::map<std::string, std::set<std::string>>& owners) {
+  for (const auto& kind : Registry<CounterShapeKind<dim>>::all())
+    for (const Key& key : kind.keys) {
+      owners[key.name].insert(kind.name);
+      const auto there = std::ranges::find(keys, key.name, &Key::name);
+      if (there == keys.end()) {
+        keys.push_back(key);
+        keys.back().default_value.reset();
+        continue;
+      }
+      if (there->help.find(key.help) == std::string::npos) there->help += "; " + key.help;
+      if (there->length != key.length) there->length = 0;
+    }
 }
 
 }  // namespace
 
-template <int dim>
 std::vector<Key> counter_body_keys() {
   std::vector<Key> keys;
-  std::vector<std::vector<std::string>> owners;
-  for (const auto& kind : Registry<CounterShapeKind<dim>>::all())
-    for (const Key& key : kind.keys) add_shape_key(keys, owners, key, kind.name);
-  for (std::size_t k = 0; k < keys.size(); ++k)
-    keys[k].absent_meaning = "by the shape; of " + fmt::format("{}", fmt::join(owners[k], ", "));
+  std::map<std::string, std::set<std::string>> owners;
+  add_shapes<2>(keys, owners);
+  add_shapes<3>(keys, owners);
+  std::set<std::string> shapes;
+  for (Key& key : keys) {
+    key.absent_meaning = fmt::format("by the shape; of {}", fmt::join(owners[key.name], ", "));
+    shapes.insert(owners[key.name].begin(), owners[key.name].end());
+  }
   keys.insert(keys.begin(), {.name = "counter_body.shape",
                              .kind = KeyKind::text,
-                             .choices = Registry<CounterShapeKind<dim>>::names(),
+                             .choices = {shapes.begin(), shapes.end()},
                              .help = "shape of the rigid counter-body"});
-  for (const auto& part :
-       {motion_keys(dim), press_keys("counter_body.press", dim), entry_keys(dim)})
+  for (const auto& part : {motion_keys(), press_keys("counter_body.press"), entry_keys()})
     keys.insert(keys.end(), part.begin(), part.end());
   return keys;
 }
-
-std::vector<Key> counter_body_keys() {
-  std::vector<Key> keys = counter_body_keys<2>();
-  for (const Key& key : counter_body_keys<3>()) {
-    const auto there = std::find_if(keys.begin(), keys.end(),
-                                    [&](const Key& other) { return other.name == key.name; });
-    if (there == keys.end()) {
-      keys.push_back(key);
-      continue;
-    }
-    if (there->length != key.length) there->length = 0;
-    for (const std::string& shape : key.choices)
-      if (std::find(there->choices.begin(), there->choices.end(), shape) == there->choices.end())
-        there->choices.push_back(shape);
-  }
-  return keys;
-}
-
-template std::vector<Key> counter_body_keys<2>();
-template std::vector<Key> counter_body_keys<3>();
 
 }  // namespace gnomon

@@ -16,17 +16,6 @@ bool given(const Scene& scene, const std::string& key) {
   return scene.knows(key) && scene.has(key);
 }
 
-/// The keys that the scene gives for a key of the table, one for each number in the place of a "#".
-std::vector<std::string> given_names(const Scene& scene, const std::string& key) {
-  const std::size_t place = key.find('#');
-  std::vector<std::string> names;
-  if (place == std::string::npos && given(scene, key)) names = {key};
-  if (place == std::string::npos) return names;
-  for (const std::string& number : scene.chosen_names(key))
-    names.push_back(std::string(key).replace(place, 1, number));
-  return names;
-}
-
 template <int dim>
 std::vector<std::string> names_of(const CounterShapeKind<dim>& kind) {
   std::vector<std::string> names;
@@ -34,21 +23,8 @@ std::vector<std::string> names_of(const CounterShapeKind<dim>& kind) {
   return names;
 }
 
-/// What a table for the plane and for space lets pass.
-template <int dim>
-void check_dimension(const Scene& scene) {
-  const std::vector<Key> own = counter_body_keys<dim>();
-  const char* const here = dim == 2 ? "in the plane" : "in space";
-  for (const Key& key : counter_body_keys())
-    for (const std::string& name : given_names(scene, key.name)) {
-      const auto there = std::find_if(own.begin(), own.end(),
-                                      [&](const Key& other) { return other.name == key.name; });
-      if (there == own.end())
-        throw InputError(fmt::format("{}: there is no such key {}", scene.where(name), here));
-      if (there->length != 0 && scene.reals(name).size() != there->length)
-        throw InputError(fmt::format("{}: expected {} numbers {}, got {}", scene.where(name),
-                                     there->length, here, scene.reals(name).size()));
-    }
+void require_none_in_plane(const Scene& scene, const std::string& key) {
+  if (given(scene, key)) throw InputError(scene.where(key) + ": there is no such key in the plane");
 }
 
 /// The scene with the defaults of the shape. Throws where a key of it is missing, or one is given
@@ -63,12 +39,16 @@ Scene of_shape(Scene scene, const CounterShapeKind<dim>& kind) {
     scene = scene.with(key.name, *key.default_value);
   }
   const std::vector<std::string> own = names_of(kind);
-  for (const auto& other : Registry<CounterShapeKind<dim>>::all())
-    for (const Key& key : other.keys)
-      if (scene.has(key.name) && std::find(own.begin(), own.end(), key.name) == own.end())
-        throw InputError(fmt::format("{}: belongs to another shape ({}); the shape {} has {}",
-                                     scene.where(key.name), other.name, kind.name,
-                                     fmt::join(own, ", ")));
+  const auto refuse_keys_of = [&](const auto& kinds) {
+    for (const auto& other : kinds)
+      for (const Key& key : other.keys)
+        if (scene.has(key.name) && std::ranges::find(own, key.name) == own.end())
+          throw InputError(fmt::format("{}: belongs to another shape ({}); the shape {} has {}",
+                                       scene.where(key.name), other.name, kind.name,
+                                       fmt::join(own, ", ")));
+  };
+  refuse_keys_of(Registry<CounterShapeKind<dim>>::all());
+  refuse_keys_of(Registry<CounterShapeKind<5 - dim>>::all());  // of the other dimension
   return scene;
 }
 
@@ -83,34 +63,29 @@ void read_meridian_motion(const Scene& scene, RigidMotion<2>& motion) {
   motion.across_by_x[0] = scene.real_if("counter_body.motion.rotation").value_or(0);
 }
 
-/// In the plane with a third component where the scene gives one.
+/// In the plane with what is out of it, a third component.
 template <int dim>
-std::vector<double> surface_velocity(const Scene& scene) {
+std::pair<Vector<dim>, double> surface_velocity(const Scene& scene) {
   const std::string key = "counter_body.motion.velocity";
-  if (!given(scene, key)) return std::vector<double>(dim, 0.0);
+  if (!given(scene, key)) return {Vector<dim>::Zero(), 0.0};
   const std::vector<double>& components = scene.reals(key);
-  if (components.size() != dim && (dim == 3 || components.size() != 3))
-    throw InputError(
-        fmt::format("{}: expected 2 numbers in the plane, or 3, the third out of it, "
-                    "got {}",
-                    scene.where(key), components.size()));
-  return components;
+  if (dim == 3 || components.size() != 3) return {read_point<dim>(scene, key), 0.0};
+  return {Eigen::Map<const Vector<dim>>(components.data()), components[2]};
 }
 
 template <int dim>
 void read_motion(const Scene& scene, Section section, CounterBody<dim>& body) {
-  const std::vector<double> components = surface_velocity<dim>(scene);
-  const Vector<dim> velocity = Eigen::Map<const Vector<dim>>(components.data());
+  const auto [velocity, across] = surface_velocity<dim>(scene);
   body.motion.velocity = velocity;
+  body.motion.across = across;
   if constexpr (dim == 2) {
-    body.motion.across = components.size() > 2 ? components[2] : 0;
+    require_none_in_plane(scene, "counter_body.motion.axis");
     if (section == Section::meridian) return read_meridian_motion(scene, body.motion);
   }
   const double rate = scene.real_if("counter_body.motion.rotation").value_or(0);
   if (rate == 0) return;
   const std::string rotation = "counter_body.motion.rotation";
   const Vector<dim> center = rotation_center<dim>(scene, rotation);
-  const double across = body.motion.across;
   body.motion = rigid_motion<dim>(velocity, rotation_spin<dim>(scene, rate, rotation), center);
   body.motion.across = across;
   if (turns_into_itself(body.shape, body.motion.spin, center)) return;
@@ -168,6 +143,7 @@ void check_press(const Scene& scene, const std::string& press) {
 template <int dim>
 Guide<dim> read_guide(const Scene& scene, const std::string& press, Section section) {
   check_press(scene, press);
+  if (dim == 2) require_none_in_plane(scene, press + ".axis");
   Guide<dim> guide{.key = press};
   if (given(scene, press + ".factors"))
     guide.factors = read_over_time(scene, press, press + ".factors");
@@ -195,12 +171,13 @@ Guide<dim> read_guide(const Scene& scene, const std::string& press, Section sect
 }
 
 /// The table `press`, or the entries of an array of it; none where the scene has neither.
-std::vector<std::string> press_tables(const Scene& scene, int dim) {
+std::vector<std::string> press_tables(const Scene& scene) {
   std::set<std::string> tables;
-  for (const Key& key : dim == 2 ? counter_body_keys<2>() : counter_body_keys<3>()) {
+  for (const Key& key : counter_body_keys()) {
     if (!key.name.starts_with("counter_body.press.")) continue;
-    for (const std::string& name : given_names(scene, key.name))
-      tables.insert(name.substr(0, name.rfind('.')));
+    if (given(scene, key.name)) tables.insert("counter_body.press");
+    for (const std::string& number : scene.chosen_names(key.name))
+      tables.insert("counter_body.press." + number);
   }
   if (tables.size() > 1 && tables.contains("counter_body.press"))
     throw InputError(scene.path().string() +
@@ -241,7 +218,7 @@ void require_determined(const Scene& scene, const CounterBody<dim>& body) {
 
 template <int dim>
 void read_press(const Scene& scene, Section section, CounterBody<dim>& body) {
-  for (const std::string& press : press_tables(scene, dim))
+  for (const std::string& press : press_tables(scene))
     body.guides.push_back(read_guide<dim>(scene, press, section));
   if (body.guides.empty()) return;
   // Forces first, then what is given, then what is held.
@@ -301,7 +278,6 @@ Tensor<dim> rotation_spin(const Scene& scene, double rate, const std::string& ro
 
 template <int dim>
 CounterBody<dim> read_counter_body(const Scene& scene, Section section) {
-  check_dimension<dim>(scene);
   const auto& kind =
       Registry<CounterShapeKind<dim>>::find(scene.text("counter_body.shape"), "shape");
   const Scene complete = of_shape(scene, kind);

@@ -7,7 +7,11 @@ namespace gnomon {
 
 template <int dim>
 Vector<dim> read_point(const Scene& scene, const std::string& key) {
-  return Eigen::Map<const Vector<dim>>(scene.reals(key).data());
+  const std::vector<double>& numbers = scene.reals(key);
+  if (numbers.size() != dim)
+    throw InputError(fmt::format("{}: expected {} numbers {}, got {}", scene.where(key), dim,
+                                 dim == 2 ? "in the plane" : "in space", numbers.size()));
+  return Eigen::Map<const Vector<dim>>(numbers.data());
 }
 
 template <int dim>

@@ -9,11 +9,10 @@
 
 namespace gnomon::testing {
 
-/// A scene that has the keys of a run and of a counter-body; dim = 0: in the plane or in space.
-template <int dim>
-Scene scene_of(const std::string& text, const std::string& name = "scene.toml") {
+/// A scene that has the keys of a run and of a counter-body.
+inline Scene scene_of(const std::string& text, const std::string& name = "scene.toml") {
   std::vector<Key> keys = run_keys();
-  const auto table = dim == 0 ? counter_body_keys() : counter_body_keys < dim == 0 ? 2 : dim > ();
+  const auto table = counter_body_keys();
   keys.insert(keys.end(), table.begin(), table.end());
   return parse_scene("problem = \"any\"\ntime.end = 1.0\nintegrator.name = \"any\"\n" + text, name,
                      {}, [&](const std::string&) { return keys; });
@@ -21,7 +20,7 @@ Scene scene_of(const std::string& text, const std::string& name = "scene.toml") 
 
 template <int dim>
 CounterBody<dim> body_of(const std::string& text, Section section = Section::plane) {
-  return read_counter_body<dim>(scene_of<dim>("[counter_body]\n" + text), section);
+  return read_counter_body<dim>(scene_of("[counter_body]\n" + text), section);
 }
 
 /// What read_counter_body says; empty where it reads.

@@ -49,8 +49,8 @@ TEST(ProfilePoints, AFileIsBesideTheSceneAndMovesIntoIt) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "cam.csv") << "x,y\n1,0\n0,1\n-1,0\n0,-1\n";
   const Scene scene =
-      scene_of<2>("[counter_body]\nshape = \"profile\"\npoints = \"cam.csv\"\nside = \"inside\"\n",
-                  (folder / "scene.toml").string());
+      scene_of("[counter_body]\nshape = \"profile\"\npoints = \"cam.csv\"\nside = \"inside\"\n",
+               (folder / "scene.toml").string());
   EXPECT_DOUBLE_EQ(read_counter_body<2>(scene).shape.at({0, 3}).gap, 2);
   std::filesystem::remove_all(folder);
   EXPECT_THROW(read_counter_body<2>(scene), InputError);
@@ -61,8 +61,8 @@ TEST(ProfilePoints, AResultNeedsNoFile) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "cam.csv") << "1 0\n0 1\n-1 0\n0 -1\n";
   const Scene scene = with_profile_points(
-      scene_of<2>("[counter_body]\nshape = \"profile\"\npoints = \"cam.csv\"\nside = \"inside\"\n",
-                  (folder / "scene.toml").string()));
+      scene_of("[counter_body]\nshape = \"profile\"\npoints = \"cam.csv\"\nside = \"inside\"\n",
+               (folder / "scene.toml").string()));
   std::filesystem::remove_all(folder);
   EXPECT_EQ(scene.reals("counter_body.points").size(), 8u);
   EXPECT_DOUBLE_EQ(read_counter_body<2>(scene).shape.at({0, 3}).gap, 2);

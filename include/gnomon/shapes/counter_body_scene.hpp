@@ -8,16 +8,13 @@
 
 namespace gnomon {
 
-/// counter_body.*: the shape, the keys of all registered shapes, motion and press. What only one
-/// shape has is optional here; read_counter_body says what is missing or belongs to another shape.
-template <int dim>
+/// counter_body.*: the shape, the keys of all registered shapes, motion and press, for a scene of
+/// which only its mesh says whether it is in the plane or in space. What only one shape has is
+/// optional here, and vectors have any length; read_counter_body says what is missing or belongs to
+/// another shape. Not before all shapes are registered.
 std::vector<Key> counter_body_keys();
 
-/// The same for a scene of which only its mesh says whether it is in the plane or in space: vectors
-/// have any length, which read_counter_body checks. Not before all shapes are registered.
-std::vector<Key> counter_body_keys();
-
-/// Reads a scene that has the keys of one of these tables. Throws InputError. `motion.reference` is
+/// Reads a scene that has these keys. Throws InputError. `motion.reference` is
 /// the origin; set it to a point of the contact. A scene in 3D has no section.
 template <int dim>
 CounterBody<dim> read_counter_body(const Scene& scene, Section section = Section::plane);

@@ -6,7 +6,8 @@
 
 namespace gnomon {
 
-/// The vector that a key of `dim` reals gives. Throws InputError if it is zero.
+/// The vector that a key gives. Throws InputError unless it has `dim` components, and for a
+/// direction that is zero.
 template <int dim>
 Vector<dim> read_direction(const Scene& scene, const std::string& key);
 template <int dim>
