@@ -90,9 +90,8 @@ std::vector<std::string> remarks_on_bodies(const Scene& scene, const ImportedBod
 }
 
 template <int dim>
-std::vector<typename Mesh<dim>::Facet> bonded_facets(const Mesh<dim>& mesh,
-                                                     const std::vector<Body>& bodies) {
-  std::vector<typename Mesh<dim>::Facet> result;
+Facets<dim> bonded_facets(const Mesh<dim>& mesh, const std::vector<Body>& bodies) {
+  Facets<dim> result;
   if (bodies.size() < 2) return result;
   const std::vector<int> body_of = body_of_cells(bodies, mesh.cells.size());
   const FacetTable<dim> facets(mesh);
@@ -110,7 +109,7 @@ template std::vector<Body> read_bodies(const Scene&, const ImportedBody<2>&, Sec
 template std::vector<Body> read_bodies(const Scene&, const ImportedBody<3>&, Section);
 template std::vector<std::string> remarks_on_bodies(const Scene&, const ImportedBody<2>&);
 template std::vector<std::string> remarks_on_bodies(const Scene&, const ImportedBody<3>&);
-template std::vector<Mesh<2>::Facet> bonded_facets(const Mesh<2>&, const std::vector<Body>&);
-template std::vector<Mesh<3>::Facet> bonded_facets(const Mesh<3>&, const std::vector<Body>&);
+template Facets<2> bonded_facets(const Mesh<2>&, const std::vector<Body>&);
+template Facets<3> bonded_facets(const Mesh<3>&, const std::vector<Body>&);
 
 }  // namespace gnomon::part

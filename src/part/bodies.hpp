@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "part/groups.hpp"
+
 namespace gnomon::part {
 
 /// Keys of `[[body]]`, those of [body] with the name of a group.
@@ -25,7 +27,6 @@ std::vector<std::string> remarks_on_bodies(const Scene& scene, const ImportedBod
 
 /// Facets at which bodies are bonded, each with the outer normal of the body named first.
 template <int dim>
-std::vector<typename Mesh<dim>::Facet> bonded_facets(const Mesh<dim>& mesh,
-                                                     const std::vector<Body>& bodies);
+Facets<dim> bonded_facets(const Mesh<dim>& mesh, const std::vector<Body>& bodies);
 
 }  // namespace gnomon::part

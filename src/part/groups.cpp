@@ -16,10 +16,8 @@
 namespace gnomon::part {
 
 template <int dim>
-const std::vector<typename Mesh<dim>::Facet>& group_facets(const Scene& scene,
-                                                           const std::string& key,
-                                                           const std::string& name,
-                                                           const ImportedBody<dim>& part) try {
+const Facets<dim>& group_facets(const Scene& scene, const std::string& key, const std::string& name,
+                                const ImportedBody<dim>& part) try {
   return boundary_part(part, name);
 } catch (const InputError& error) {
   throw InputError(scene.where(key) + ": " + error.what());
@@ -48,12 +46,10 @@ void find_unknown_groups(const Scene& scene, const ImportedBody<dim>& part, Mist
   }
 }
 
-template const std::vector<Mesh<2>::Facet>& group_facets(const Scene&, const std::string&,
-                                                         const std::string&,
-                                                         const ImportedBody<2>&);
-template const std::vector<Mesh<3>::Facet>& group_facets(const Scene&, const std::string&,
-                                                         const std::string&,
-                                                         const ImportedBody<3>&);
+template const Facets<2>& group_facets(const Scene&, const std::string&, const std::string&,
+                                       const ImportedBody<2>&);
+template const Facets<3>& group_facets(const Scene&, const std::string&, const std::string&,
+                                       const ImportedBody<3>&);
 template std::vector<int> group_nodes(const Scene&, const std::string&, const std::string&,
                                       const ImportedBody<2>&);
 template std::vector<int> group_nodes(const Scene&, const std::string&, const std::string&,

@@ -11,12 +11,13 @@
 
 namespace gnomon::part {
 
+template <int dim>
+using Facets = std::vector<typename Mesh<dim>::Facet>;
+
 /// The facets of a group that `key` names. Throws InputError.
 template <int dim>
-const std::vector<typename Mesh<dim>::Facet>& group_facets(const Scene& scene,
-                                                           const std::string& key,
-                                                           const std::string& name,
-                                                           const ImportedBody<dim>& part);
+const Facets<dim>& group_facets(const Scene& scene, const std::string& key, const std::string& name,
+                                const ImportedBody<dim>& part);
 
 /// The nodes of a group of facets, or of points, that `key` names. Throws InputError.
 template <int dim>

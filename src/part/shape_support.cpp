@@ -8,7 +8,6 @@
 #include <gnomon/base/error.hpp>
 #include <limits>
 #include <map>
-#include <unordered_map>
 
 #include "part/groups.hpp"
 #include "part/histories.hpp"
@@ -48,8 +47,7 @@ void hold(const typename Mesh<dim>::Facet& facet, const Held<dim>& held, HeldNod
 
 template <int dim>
 HeldNodes<dim> held_nodes(const Scene& scene, const ImportedBody<dim>& part,
-                          const std::vector<typename Mesh<dim>::Facet>& wearing,
-                          const std::vector<typename Mesh<dim>::Facet>& bonded) {
+                          const Facets<dim>& wearing, const Facets<dim>& bonded) {
   HeldNodes<dim> nodes;
   for (const auto& [facet, held] : held_by_sides<dim>(scene, part, wearing))
     hold<dim>(facet, held, nodes);
@@ -101,12 +99,21 @@ public:
   NearNodes(const Mesh<dim>& mesh, const std::vector<char>& chosen, double reach)
       : mesh_(mesh), reach_(reach) {
     for (std::size_t node = 0; node < chosen.size(); ++node)
-      if (chosen[node]) boxes_[key(box_of(mesh.nodes[node]))].push_back(static_cast<int>(node));
+      if (chosen[node]) boxes_[box_of(mesh.nodes[node])].push_back(static_cast<int>(node));
   }
   bool contains(const Vector<dim>& x) const {
-    const Box centre = box_of(x);
-    Box box = centre;
-    return search(x, centre, box, 0);
+    constexpr int neighbours = dim == 2 ? 9 : 27;
+    for (int k = 0; k < neighbours; ++k) {
+      Box box = box_of(x);
+      int steps = k;  // digits to the base three: one box back, the same, one on
+      for (long& place : box) place += steps % 3 - 1, steps /= 3;
+      const auto found = boxes_.find(box);
+      if (found != boxes_.end() && std::ranges::any_of(found->second, [&](int node) {
+            return (mesh_.nodes[node] - x).squaredNorm() <= reach_ * reach_;
+          }))
+        return true;
+    }
+    return false;
   }
 
 private:
@@ -116,32 +123,13 @@ private:
     for (int i = 0; i < dim; ++i) box[i] = static_cast<long>(std::floor(x[i] / reach_));
     return box;
   }
-  static std::size_t key(const Box& box) {
-    std::size_t hash = 0;
-    for (long i : box) hash = hash * 1000003 + static_cast<std::size_t>(i);
-    return hash;
-  }
-  bool search(const Vector<dim>& x, const Box& centre, Box& box, int axis) const {
-    if (axis < dim) {
-      for (long step = -1; step <= 1; ++step) {
-        box[axis] = centre[axis] + step;
-        if (search(x, centre, box, axis + 1)) return true;
-      }
-      return false;
-    }
-    const auto found = boxes_.find(key(box));
-    if (found == boxes_.end()) return false;
-    return std::any_of(found->second.begin(), found->second.end(), [&](int node) {
-      return (mesh_.nodes[node] - x).squaredNorm() <= reach_ * reach_;
-    });
-  }
   const Mesh<dim>& mesh_;
   double reach_;
-  std::unordered_map<std::size_t, std::vector<int>> boxes_;
+  std::map<Box, std::vector<int>> boxes_;
 };
 
 template <int dim>
-double longest_edge(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets) {
+double longest_edge(const Mesh<dim>& mesh, const Facets<dim>& facets) {
   double size = 0;
   for (const auto& facet : facets)
     for (std::size_t k = 1; k < facet.size(); ++k)
@@ -152,8 +140,7 @@ double longest_edge(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>:
 /// A small body moves as a whole. In a large one elements strain by no more than a twentieth where
 /// the mesh moves over twenty depths, and over four facets at least.
 template <int dim>
-double default_reach(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& wearing,
-                     double expected_depth) {
+double default_reach(const Mesh<dim>& mesh, const Facets<dim>& wearing, double expected_depth) {
   constexpr std::size_t small = 20'000;  // nodes
   if (mesh.nodes.size() < small) return std::numeric_limits<double>::infinity();
   return std::max(20 * expected_depth, 4 * longest_edge(mesh, wearing));
@@ -163,8 +150,7 @@ double default_reach(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>
 
 template <int dim>
 ShapeSupport<dim> read_shape_support(const Scene& scene, const ImportedBody<dim>& part,
-                                     const std::vector<typename Mesh<dim>::Facet>& wearing,
-                                     const std::vector<typename Mesh<dim>::Facet>& bonded,
+                                     const Facets<dim>& wearing, const Facets<dim>& bonded,
                                      double expected_depth) {
   const auto nodes = static_cast<Eigen::Index>(part.mesh.nodes.size());
   ShapeSupport<dim> support{.held = NodalFlags<dim>::Zero(nodes, dim)};
@@ -184,11 +170,9 @@ ShapeSupport<dim> read_shape_support(const Scene& scene, const ImportedBody<dim>
   return support;
 }
 
-template ShapeSupport<2> read_shape_support(const Scene&, const ImportedBody<2>&,
-                                            const std::vector<Mesh<2>::Facet>&,
-                                            const std::vector<Mesh<2>::Facet>&, double);
-template ShapeSupport<3> read_shape_support(const Scene&, const ImportedBody<3>&,
-                                            const std::vector<Mesh<3>::Facet>&,
-                                            const std::vector<Mesh<3>::Facet>&, double);
+template ShapeSupport<2> read_shape_support(const Scene&, const ImportedBody<2>&, const Facets<2>&,
+                                            const Facets<2>&, double);
+template ShapeSupport<3> read_shape_support(const Scene&, const ImportedBody<3>&, const Facets<3>&,
+                                            const Facets<3>&, double);
 
 }  // namespace gnomon::part

@@ -5,6 +5,8 @@
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/scene/scene.hpp>
 
+#include "part/groups.hpp"
+
 namespace gnomon::part {
 
 /// shape.reach, shape.hold and shape.slide.
@@ -23,8 +25,7 @@ struct ShapeSupport {
 /// other sides are held, unless the scene says otherwise; beyond the reach all is held (Remark 2).
 template <int dim>
 ShapeSupport<dim> read_shape_support(const Scene& scene, const ImportedBody<dim>& part,
-                                     const std::vector<typename Mesh<dim>::Facet>& wearing,
-                                     const std::vector<typename Mesh<dim>::Facet>& bonded,
+                                     const Facets<dim>& wearing, const Facets<dim>& bonded,
                                      double expected_depth);
 
 }  // namespace gnomon::part

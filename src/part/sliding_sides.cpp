@@ -19,9 +19,6 @@ namespace {
 
 constexpr double exactly = 1e-7;  // of the size of a side and of its direction
 
-template <int dim>
-using Facets = std::vector<typename Mesh<dim>::Facet>;
-
 /// What a plane with this unit normal holds; coordinate directions that lie in it to the tolerance
 /// do so exactly.
 template <int dim>
@@ -35,8 +32,7 @@ Held<dim> held_across(Vector<dim> normal, double tolerance) {
 /// Whether all nodes of a side have one distance from an axis along a coordinate direction, to a
 /// part of it. By the circle with the least squares of the algebraic distances.
 template <int dim>
-bool is_round(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets, int axis,
-              double tolerance) {
+bool is_round(const Mesh<dim>& mesh, const Facets<dim>& facets, int axis, double tolerance) {
   std::set<int> nodes;
   for (const auto& facet : facets) nodes.insert(facet.begin(), facet.end());
   const auto across = [&](int node) {
@@ -80,8 +76,7 @@ Held<dim> held_by_facet(const Vector<dim>& normal) {
 /// What a side holds as a whole: as a plane, or as a round cylinder along a coordinate direction,
 /// whose facets need not lie along it.
 template <int dim>
-Held<dim> held_by_side(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
-                       double tolerance) {
+Held<dim> held_by_side(const Mesh<dim>& mesh, const Facets<dim>& facets, double tolerance) {
   const FlatPart<dim> plane = flat_part<dim>(mesh, facets, tolerance);
   if (plane.flat) return held_across<dim>(plane.normal, std::sqrt(2) * tolerance);
   Held<dim> held = altogether<dim>();
@@ -129,9 +124,9 @@ std::vector<Facets<dim>> smooth_sheets(const Mesh<dim>& mesh, const Facets<dim>&
 }  // namespace
 
 template <int dim>
-std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_sides(
-    const Scene& scene, const ImportedBody<dim>& part,
-    const std::vector<typename Mesh<dim>::Facet>& wearing) {
+std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_sides(const Scene& scene,
+                                                             const ImportedBody<dim>& part,
+                                                             const Facets<dim>& wearing) {
   std::map<typename Mesh<dim>::Facet, Held<dim>> sides;
   std::set<typename Mesh<dim>::Facet> worn;
   for (const auto& facet : wearing) worn.insert(sorted(facet));
@@ -162,8 +157,8 @@ std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_sides(
 }
 
 template <int dim>
-std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_bonds(
-    const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& bonded) {
+std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_bonds(const Mesh<dim>& mesh,
+                                                             const Facets<dim>& bonded) {
   std::map<typename Mesh<dim>::Facet, Held<dim>> bonds;
   for (const Facets<dim>& sheet : smooth_sheets<dim>(mesh, bonded)) {
     const Held<dim> held = held_by_side<dim>(mesh, sheet, exactly);
@@ -172,13 +167,11 @@ std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_bonds(
   return bonds;
 }
 
-template std::map<Mesh<2>::Facet, Held<2>> held_by_bonds(const Mesh<2>&,
-                                                         const std::vector<Mesh<2>::Facet>&);
-template std::map<Mesh<3>::Facet, Held<3>> held_by_bonds(const Mesh<3>&,
-                                                         const std::vector<Mesh<3>::Facet>&);
+template std::map<Mesh<2>::Facet, Held<2>> held_by_bonds(const Mesh<2>&, const Facets<2>&);
+template std::map<Mesh<3>::Facet, Held<3>> held_by_bonds(const Mesh<3>&, const Facets<3>&);
 template std::map<Mesh<2>::Facet, Held<2>> held_by_sides(const Scene&, const ImportedBody<2>&,
-                                                         const std::vector<Mesh<2>::Facet>&);
+                                                         const Facets<2>&);
 template std::map<Mesh<3>::Facet, Held<3>> held_by_sides(const Scene&, const ImportedBody<3>&,
-                                                         const std::vector<Mesh<3>::Facet>&);
+                                                         const Facets<3>&);
 
 }  // namespace gnomon::part

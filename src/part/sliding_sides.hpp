@@ -6,6 +6,8 @@
 #include <map>
 #include <vector>
 
+#include "part/groups.hpp"
+
 namespace gnomon::part {
 
 /// Sides are planar, or round, to this part of their size where `shape.slide` names them.
@@ -24,13 +26,13 @@ Held<dim> altogether() {
 /// along a coordinate direction, such as the wall of a hole, along its axis. Those that
 /// `shape.slide` names need to be `nearly` so. Throws InputError where they are not.
 template <int dim>
-std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_sides(
-    const Scene& scene, const ImportedBody<dim>& part,
-    const std::vector<typename Mesh<dim>::Facet>& wearing);
+std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_sides(const Scene& scene,
+                                                             const ImportedBody<dim>& part,
+                                                             const Facets<dim>& wearing);
 
 /// For the facets at which bodies are bonded, likewise; a curved bond holds the shape altogether.
 template <int dim>
-std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_bonds(
-    const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& bonded);
+std::map<typename Mesh<dim>::Facet, Held<dim>> held_by_bonds(const Mesh<dim>& mesh,
+                                                             const Facets<dim>& bonded);
 
 }  // namespace gnomon::part
