@@ -56,8 +56,7 @@ std::optional<EdgePressure> edge_pressure(const Assembly<dim>& body,
       if (within) inside = std::max(inside, pressure);
       if (within || pressure <= at_edge) continue;
       at_edge = pressure;
-      const Vector<dim>& X = body.mesh.nodes[body.contact_nodes[c].node];
-      std::copy(X.begin(), X.end(), edge.position.begin());
+      edge.position = point_in_space<dim>(body.mesh.nodes[patch.node]);
     }
   }
   if (inside == 0 || at_edge <= inside) return {};

@@ -4,6 +4,7 @@
 
 #include <gnomon/base/error.hpp>
 #include <gnomon/part/assembly_scene.hpp>
+#include <gnomon/shapes/shape_keys.hpp>
 
 #include "part/groups.hpp"
 #include "part/histories.hpp"
@@ -46,15 +47,6 @@ std::vector<Key> load_keys() {
 }
 
 namespace {
-
-template <int dim>
-Vector<dim> read_vector(const Scene& scene, const std::string& key) {
-  const std::vector<double>& values = scene.reals(key);
-  if (values.size() != dim)
-    throw InputError(
-        fmt::format("{}: expected {} numbers, got {}", scene.where(key), dim, values.size()));
-  return Eigen::Map<const Vector<dim>>(values.data());
-}
 
 template <int dim>
 NodalField<dim> weight(const Mesh<dim>& mesh, const std::vector<Body>& bodies,
@@ -101,7 +93,7 @@ Load<dim> read_load(const Scene& scene, const std::string& load, const ImportedB
     result.pressure = scene.real(key);
     return result;
   }
-  const Vector<dim> vector = read_vector<dim>(scene, key);
+  const Vector<dim> vector = read_point<dim>(scene, key);
   if (kind == "acceleration")
     for (const Body& body : bodies)
       if (body.density == 0)
