@@ -129,7 +129,8 @@ void compare_command(const std::vector<std::filesystem::path>& results,
       "pressure error: largest difference of a nodal contact pressure\n",
       table.text(), chosen.string());
   std::vector<std::filesystem::path> files = {chosen};
-  files.insert(files.end(), results.begin(), results.end());
+  for (const auto& file : results)
+    if (!std::filesystem::equivalent(file, chosen)) files.push_back(file);
   fmt::print("{}", notes_on_scenes(files));
 }
 
