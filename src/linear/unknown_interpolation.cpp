@@ -26,7 +26,7 @@ Numbers coarse_numbers(const Numbers& fine, const NodeInterpolation& nodes, int&
 SparseRows interpolation(const Numbers& fine, int fine_count, const Numbers& coarse,
                          int coarse_count, const NodeInterpolation& nodes) {
   std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t node = 0; node < fine.size(); ++node)
+  for (std::size_t node = 0; node + 1 < nodes.start.size(); ++node)
     for (int entry = nodes.start[node]; entry < nodes.start[node + 1]; ++entry)
       for (int i = 0; i < 3; ++i) {
         const int row = fine[node][i], column = coarse[nodes.coarse[entry]][i];
