@@ -231,7 +231,7 @@ std::vector<Key> body_keys() {
       {.name = "body.material",
        .kind = KeyKind::text,
        .default_value = "neo-hookean",
-       .choices = {"linear"},
+       .choices = {"linear", "neo-hookean"},
        .help = "elastic law of the body, with finite strains (docs/equations.md); linear: with "
                "small strains (K_uu then depends on the shape alone)"},
       {.name = "body.element",

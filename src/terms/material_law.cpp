@@ -67,7 +67,8 @@ void add_material_keys(std::vector<Key>& table, const std::string& choice) {
   const auto place =
       std::find_if(table.begin(), table.end(), [&](const Key& key) { return key.name == choice; });
   if (place == table.end()) return;
-  for (const std::string& name : MaterialLaws::names()) place->choices.push_back(name);
+  for (const std::string& name : MaterialLaws::names())
+    if (std::ranges::count(place->choices, name) == 0) place->choices.push_back(name);
   std::vector<Key> further;
   for (const MaterialLaw& law : MaterialLaws::all())
     for (Key key : law.keys) {

@@ -54,9 +54,9 @@ TEST(CounterBodyKeys, ServeThePlaneAndSpace) {
     return std::string();
   };
   EXPECT_THAT(refused([&] { read_counter_body<3>(plane); }),
-              HasSubstr("counter_body.center`: expected 3 numbers in space, got 2"));
+              HasSubstr("counter_body.shape`: expected also counter_body.axis"));
   EXPECT_THAT(refused([&] { read_counter_body<2>(space); }),
-              HasSubstr("counter_body.center`: expected 2 numbers in the plane, got 3"));
+              HasSubstr("counter_body.axis`: belongs to another shape (cone)"));
   const Scene across =
       scene_of("[counter_body]\nshape = \"plane\"\nmotion = { velocity = [1.0, 0.0] }\n");
   EXPECT_THAT(refused([&] { read_counter_body<3>(across); }),
@@ -95,9 +95,9 @@ TEST(CounterBodyScene, ShapesInThePlane) {
   EXPECT_DOUBLE_EQ(gap(rail + "\nside = \"right\"", {7, 3}), 3);
   // A circle by four of its points, run clockwise.
   const std::string cam =
-      "shape = \"profile\"\nside = \"inside\"\npoints = [1.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0, 1.0]";
-  EXPECT_DOUBLE_EQ(gap(cam, {0, 3}), 2);
-  EXPECT_DOUBLE_EQ(gap(cam + "\nside = \"outside\"", {0, 3}), -2);
+      "shape = \"profile\"\npoints = [1.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0, 1.0]\nside = ";
+  EXPECT_DOUBLE_EQ(gap(cam + "\"inside\"", {0, 3}), 2);
+  EXPECT_DOUBLE_EQ(gap(cam + "\"outside\"", {0, 3}), -2);
 }
 
 TEST(CounterBodyScene, ShapesInSpace) {
