@@ -51,20 +51,20 @@ void put(char* target, Column::Kind kind, const Cell& value) {
 
 void write_table(hid_t file, const Table& table) {
   std::vector<Handle> types;
-  std::size_t row_size = 0, offset = 0;
+  std::vector<layout::Member> members;
+  std::size_t row_size = 0;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     types.push_back(type_of(table, i));
+    members.push_back({table.columns[i].name.c_str(), row_size, types.back().id()});
     row_size += H5Tget_size(types.back().id());
   }
-  const Handle type = layout::compound(row_size);
+  const Handle type = layout::row_type(row_size, members);
   std::vector<char> bytes(row_size * table.rows.size(), '\0');
   std::vector<std::string> units;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const Column& column = table.columns[i];
-    layout::insert(type, column.name, offset, types[i].id());
     for (std::size_t row = 0; row < table.rows.size(); ++row)
-      put(&bytes[row * row_size + offset], column.kind, table.rows[row][i]);
-    offset += H5Tget_size(types[i].id());
+      put(&bytes[row * row_size + members[i].offset], column.kind, table.rows[row][i]);
     units.push_back(column.unit);
   }
   const Handle dataset = hdf5::create_dataset(file, "study", type.id(), {table.rows.size()});
