@@ -87,8 +87,7 @@ public:
 private:
   static std::vector<std::vector<int>> by_owner(const Structure& structure, Role role) {
     std::map<int, std::vector<int>> owned;
-    for (int i : unknowns_of(structure, {role}))
-      owned[structure.block_of(i).owner].push_back(i);
+    for (int i : unknowns_of(structure, {role})) owned[structure.block_of(i).owner].push_back(i);
     std::vector<std::vector<int>> result;
     for (auto& [owner, unknowns] : owned) result.push_back(std::move(unknowns));
     if (result.empty()) result.emplace_back();

@@ -3,7 +3,9 @@
 
 namespace gnomon {
 
-const Block& Structure::block_of(std::size_t unknown) const { return (*blocks)[block[unknown]]; }
+const Block& Structure::block_of(std::size_t unknown) const {
+  return (*blocks)[block[unknown]];
+}
 
 ActiveSet active_set(const System& system, const Point& at) {
   std::vector<double> values(system.structure().switch_node.size());

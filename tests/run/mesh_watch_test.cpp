@@ -1,11 +1,11 @@
 // When a worn mesh ends a run, and when a run warns of it.
-#include "run/guards.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <gnomon/base/error.hpp>
+
+#include "run/guards.hpp"
 
 namespace gnomon::mesh_watch_test {
 namespace {
