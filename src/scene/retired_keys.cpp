@@ -70,7 +70,7 @@ Translated material_of_kinematics(const RawValue& value, const RawValue* materia
   return {};
 }
 
-std::vector<FormerKey> make_keys() {
+std::vector<RetiredKey> make_keys() {
   const std::string linear =
       "expected body.material = \"linear\", which has small strains, in its place";
   const std::string side = "expected counter_body.side in its place: ";
@@ -116,7 +116,7 @@ std::vector<FormerKey> make_keys() {
 }
 
 /// The name of the key that has the place of a retired one of this name.
-std::string name_now(const FormerKey& key, const std::string& name) {
+std::string name_now(const RetiredKey& key, const std::string& name) {
   std::string now = key.now;
   if (const auto chosen = chosen_name(key.name, name))
     now.replace(now.find_first_of("*#"), 1, *chosen);
@@ -133,7 +133,7 @@ const RawValue* value_in(const std::vector<GivenValue>& given, const std::string
   return found == given.end() ? nullptr : &found->value;
 }
 
-bool is_accepted(const FormerKey& key, const RawValue& value) {
+bool is_accepted(const RetiredKey& key, const RawValue& value) {
   return key.accepted.empty() || std::ranges::any_of(key.accepted, [&](const SceneValue& accepted) {
            return toml_text(accepted) == toml_text(value);
          });
@@ -141,14 +141,14 @@ bool is_accepted(const FormerKey& key, const RawValue& value) {
 
 }  // namespace
 
-const FormerKey* find_retired(const std::string& name) {
-  static const std::vector<FormerKey> keys = make_keys();
-  for (const FormerKey& key : keys)
+const RetiredKey* find_retired(const std::string& name) {
+  static const std::vector<RetiredKey> keys = make_keys();
+  for (const RetiredKey& key : keys)
     if (key.name == name || chosen_name(key.name, name)) return &key;
   return nullptr;
 }
 
-std::string instead_of(const FormerKey& key) {
+std::string instead_of(const RetiredKey& key) {
   if (!key.instead.empty()) return key.instead;
   return key.now.empty() ? "expected none" : "expected " + key.now + " in its place";
 }
@@ -156,7 +156,7 @@ std::string instead_of(const FormerKey& key) {
 namespace {
 
 /// Gives the value to the key that has the place of the retired one; false where it cannot.
-bool translate(const GivenValue& value, const FormerKey& key, std::vector<GivenValue>& result,
+bool translate(const GivenValue& value, const RetiredKey& key, std::vector<GivenValue>& result,
                const std::vector<GivenValue>& below, const std::vector<GivenValue>& above) {
   const std::string now = name_now(key, value.name);
   GivenValue* const beside = find(result, now);
@@ -183,9 +183,9 @@ std::vector<GivenValue> without_retired_keys(const std::vector<GivenValue>& give
                                              const std::vector<GivenValue>& above,
                                              const std::vector<Key>& table, Mistakes& mistakes) {
   std::vector<GivenValue> result;
-  std::vector<std::pair<const GivenValue*, const FormerKey*>> retired;
+  std::vector<std::pair<const GivenValue*, const RetiredKey*>> retired;
   for (const GivenValue& value : given) {
-    const FormerKey* key = find_key(table, value.name) ? nullptr : find_retired(value.name);
+    const RetiredKey* key = find_key(table, value.name) ? nullptr : find_retired(value.name);
     if (key && (key->now.empty() || find_key(table, name_now(*key, value.name))))
       retired.emplace_back(&value, key);
     else

@@ -19,7 +19,7 @@ struct Translated {
   std::optional<RawValue> value{};  ///< none: that key stays as it is
 };
 
-struct FormerKey {
+struct RetiredKey {
   std::string name;      ///< with "*" or "#" as that of a Key
   std::string now = {};  ///< the key that has its place, with the same "*" or "#"; empty: none has
   /// Of its value and that of the other key, if that is given. None: the value is the same.
@@ -29,10 +29,10 @@ struct FormerKey {
 };
 
 /// The retired key of that name, or nothing.
-const FormerKey* find_retired(const std::string& name);
+const RetiredKey* find_retired(const std::string& name);
 
 /// What to write in the place of a retired key.
-std::string instead_of(const FormerKey& key);
+std::string instead_of(const RetiredKey& key);
 
 /// The values with those of retired keys translated to the keys of the table. `below` are those
 /// that they replace (overrides a file), `above` those that replace them. Mistakes are added.

@@ -56,8 +56,10 @@ struct Key {
   std::size_t length = 0;              ///< arrays only; 0 means any length
   /// `reals` only: a number in this range, instead of an array of it.
   std::optional<Range> or_single{};
-  std::string or_text{};    ///< `reals` only: a text that may stand instead
-  bool names_file = false;  ///< texts only: relative to the folder of the scene
+  std::string or_text{};  ///< `reals` only: a text that may stand instead
+  /// A text is the name of a file, relative to the folder of the scene. Of `reals`: it may stand
+  /// instead of the numbers, which are in the file.
+  bool names_file = false;
   /// `required` numbers only: keys, each with a number, whose product may stand instead. Empty:
   /// none.
   std::vector<std::string> or_product{};
@@ -71,21 +73,13 @@ struct Key {
   bool required() const { return !default_value && absent_meaning.empty(); }
 };
 
-/// What became of a key that scenes no longer have. Values with which it changes nothing are
-/// accepted, so that earlier scenes and results stay readable.
-struct RetiredKey {
-  std::string name;
-  std::vector<SceneValue> accepted;
-  std::string instead;  ///< "expected none, ..."
-};
-const std::vector<RetiredKey>& retired_keys();
-
 /// Keys that every scene has, for every problem: `problem` and those of the tables `time`,
 /// `integrator` and `output`.
 const std::vector<Key>& run_keys();
 
 /// Keys shared by problems of a worn hyperelastic body: those of the tables `body`, `load`, `wear`,
-/// `shape`, `solver`, `contact` and `friction`. A problem adds its own geometry and mesh keys.
+/// `tables`, `shape`, `solver`, `contact` and `friction`. A problem adds its own geometry and mesh
+/// keys.
 const std::vector<Key>& worn_body_keys(int dim);
 
 /// A validated scene. Every key of its table either has a value or is an absent optional key.
@@ -102,7 +96,7 @@ public:
   const std::vector<std::string>& texts(const std::string& key) const;
   const SceneValue& any(const std::string& key) const;  ///< of whatever kind
   bool has(const std::string& key) const;               ///< false for an absent optional key
-  /// Whether the key has the text that may stand instead of its numbers (Key::or_text).
+  /// Whether the key has a text instead of its numbers (Key::or_text, Key::names_file).
   bool has_text_instead(const std::string& key) const;
   bool knows(const std::string& key) const;  ///< whether the key is in the table of the scene
   std::optional<double> real_if(const std::string& key) const;

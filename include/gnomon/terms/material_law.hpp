@@ -43,8 +43,8 @@ using MaterialLaws = Registry<MaterialLaw>;
 /// and if there are keys of another law.
 Material read_material(const Scene& scene, const std::string& choice);
 
-/// Completes the key `choice` ("body.material") of a key table, if the table has it: its choices
-/// become the registered laws, and their keys are inserted after it.
+/// Completes the key `choice` ("body.material") of a key table, if the table has it: the registered
+/// laws join its choices, and their keys are inserted after it.
 void add_material_keys(std::vector<Key>& table, const std::string& choice);
 
 }  // namespace gnomon
