@@ -86,8 +86,8 @@ NodalFlags<3> held_displacement(const Mesh<3>& mesh) {
 /// along it, the plane of symmetry.
 NodalFlags<3> held_shape(double reach, const Mesh<3>& mesh) {
   NodalFlags<3> held = held_displacement(mesh);
-  for (int node : nodes_where<3>(mesh, [=](const Vector<3>& X) { return X.norm() > reach; }))
-    held.row(node).setOnes();
+  for (int node = 0; node < std::ssize(mesh.nodes); ++node)
+    if (mesh.nodes[node].norm() > reach) held.row(node).setOnes();
   for (int node : mesh.boundary_nodes("free")) held.row(node).setOnes();
   return held;
 }

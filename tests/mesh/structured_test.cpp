@@ -95,12 +95,5 @@ TEST(ExteriorFacets, AreThoseOfTheNamedParts) {
   for (const auto& facet : facets) EXPECT_TRUE(named.contains(from_least(facet)));
 }
 
-TEST(NodesWhere, FindsThoseOfACorner) {
-  const Mesh<3> mesh = structured_hexahedra(
-      2, 2, 2, [](double r, double s, double t) { return Vector<3>(r, s, t); });
-  EXPECT_EQ(nodes_where<3>(mesh, [](const Vector<3>& X) { return X.norm() < 0.6; }),
-            (std::vector<int>{0, 1, 3, 9}));
-}
-
 }  // namespace
 }  // namespace gnomon::structured_test

@@ -30,7 +30,8 @@ struct Mesh {
     return X;
   }
 
-  /// Nodes of a named boundary part, ascending, each once.
+  /// Nodes of a named boundary part, ascending, each once. Throws InputError with the names that
+  /// there are.
   std::vector<int> boundary_nodes(const std::string& name) const;
 };
 
@@ -48,11 +49,5 @@ Mesh<3> structured_hexahedra(int nx, int ny, int nz,
 /// All facets that belong to one cell only, with outer normal, in the order of the cells.
 template <int dim>
 std::vector<typename Mesh<dim>::Facet> exterior_facets(const Mesh<dim>& mesh);
-
-/// Nodes whose initial position fulfils the condition, ascending; for example those near the
-/// contact, the only ones that need shape unknowns (Remark 2).
-template <int dim>
-std::vector<int> nodes_where(const Mesh<dim>& mesh,
-                             const std::function<bool(const Vector<dim>&)>& condition);
 
 }  // namespace gnomon
