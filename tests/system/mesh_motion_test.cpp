@@ -4,6 +4,7 @@
 #include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
 #include <gnomon/terms/material_law.hpp>
+#include <gnomon/terms/mesh_motion.hpp>
 
 #include "support/derivatives.hpp"
 #include "support/problem_run.hpp"
