@@ -146,7 +146,7 @@ TEST_F(Bodies, ABondedBeamBendsByItsCompositeStiffness) {
     text.replace(text.find(old), old.size(), by);
   };
   replace("on = \"bottom\"", "on = \"end\"");
-  replace("shape = \"plane\"\npoint = [0.0, 0.0]\nnormal = [0.0, -1.0]",
+  replace("shape = \"plane\"\ncenter = [0.0, 0.0]\nnormal = [0.0, -1.0]",
           fmt::format("shape = \"cylinder\"\nradius = 5.0\ncenter = [{}, 5.0]", length));
   const auto beam = model(text, {"shape.reach=1.0"});
   const double force = observed(*beam, beam->start(counters_), "contact_force");
