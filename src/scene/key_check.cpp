@@ -261,8 +261,8 @@ void refuse_unknown_key(const std::string& origin, const std::string& name, cons
   if (names_table(name, table))
     throw InputError(fmt::format("{}: expected a table of keys, [{}{}], got {}", origin, prefix,
                                  name, describe(value)));
-  if (const RetiredKey* key = find_retired(name))
-    throw InputError(origin + ": " + instead_of(*key));
+  if (const std::string instead = instead_of_retired(name); !instead.empty())
+    throw InputError(origin + ": " + instead);
   for (const Key& key : table)
     if (const std::string expected = misnaming(key.name, name); !expected.empty())
       throw InputError(origin + ": " + expected);

@@ -65,8 +65,8 @@ public:
     } catch (const InputError& error) {
       throw InputError(given.origin + ": " + error.what());
     }
-    in_file_ = without_retired_keys(in_file_, {}, overrides_, table, mistakes);
-    overrides_ = without_retired_keys(overrides_, in_file_, {}, table, mistakes);
+    in_file_ = without_retired_keys(std::move(in_file_), table);
+    overrides_ = without_retired_keys(std::move(overrides_), table);
     // In the order of the file, so that its first mistake is the first that is reported.
     std::set<std::string> refused;  // [load] for [[load]], once for all its keys
     for (const GivenValue& value : in_file_) {
