@@ -59,11 +59,6 @@ const std::vector<std::string>& function_names() {
   return names;
 }
 
-/// A problem has those keys that have a meaning for it.
-bool given(const Scene& scene, const std::string& key) {
-  return scene.knows(key) && scene.has(key);
-}
-
 bool is_file(const std::string& text) {
   return text.ends_with(".csv");
 }
@@ -109,7 +104,7 @@ Key table_key(const std::string& name, char axis) {
 
 std::optional<CycleFunction> read_function(const Scene& scene, const std::string& key,
                                            ExpressionNames names) {
-  if (!given(scene, key)) return {};
+  if (!scene.given(key)) return {};
   std::string text = scene.text(key);
   if (is_file(text)) {
     const std::string name = file_table(key);
@@ -134,7 +129,7 @@ std::optional<CycleFunction> read_function(const Scene& scene, const std::string
 /// Without a period nothing of [cycle] has a meaning.
 void require_nothing_else(const Scene& scene) {
   for (const Key& key : cycle_keys())
-    if (given(scene, key.name))
+    if (scene.given(key.name))
       throw InputError(scene.where(key.name) + ": expected also cycle.period");
 }
 
@@ -168,7 +163,7 @@ std::optional<Cycle> read_cycle(const Scene& scene) {
 std::vector<std::string> cycle_expressions(const Scene& scene) {
   std::vector<std::string> texts;
   for (const std::string& key : function_names())
-    if (given(scene, key) && !is_file(scene.text(key))) texts.push_back(scene.text(key));
+    if (scene.given(key) && !is_file(scene.text(key))) texts.push_back(scene.text(key));
   return texts;
 }
 
@@ -212,7 +207,7 @@ Scene with_cycle_tables(const Scene& scene) {
   if (!scene.knows("cycle.period")) return scene;
   Scene result = scene;
   for (const std::string& key : function_names()) {
-    if (!given(scene, key) || !is_file(scene.text(key))) continue;
+    if (!scene.given(key) || !is_file(scene.text(key))) continue;
     const Points points = points_of_file(scene, key);
     const std::string name = file_table(key);
     result = result.with(table_key(name, 'x'), points.x)

@@ -80,9 +80,7 @@ void choose_solver(const Scene& scene, AssemblyParts<dim>& parts) {
 }  // namespace
 
 Body read_body(const Scene& scene, Section section, const std::string& table) {
-  const auto given = [&](const std::string& key) {
-    return scene.knows(table + key) && scene.has(table + key);
-  };
+  const auto given = [&](const std::string& key) { return scene.given(table + key); };
   Body body{.material = read_material(scene, table + ".material"), .element = {.section = section}};
   if (given(".element")) body.element.technology = technology_of(scene.text(table + ".element"));
   if (given(".material") && scene.text(table + ".material") == "linear")

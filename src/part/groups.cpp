@@ -36,11 +36,11 @@ void find_unknown_groups(const Scene& scene, const ImportedBody<dim>& part, Mist
   for (const char* table : {"support", "load"})
     for (const std::string& number : scene.chosen_names(std::string(table) + ".#.on")) {
       const std::string key = std::string(table) + "." + number + ".on";
-      if (given(scene, key))
+      if (scene.given(key))
         mistakes.collect([&] { group_nodes(scene, key, scene.text(key), part); });
     }
   for (const char* key : {"wear.on", "shape.hold", "shape.slide"}) {
-    if (!given(scene, key)) continue;
+    if (!scene.given(key)) continue;
     for (const std::string& name : scene.texts(key))
       mistakes.collect([&] { group_facets(scene, key, name, part); });
   }
@@ -61,7 +61,7 @@ namespace {
 
 /// The groups of a list; none where the scene has no value for it.
 std::vector<std::string> groups_of(const Scene& scene, const std::string& key) {
-  return given(scene, key) ? scene.texts(key) : std::vector<std::string>();
+  return scene.given(key) ? scene.texts(key) : std::vector<std::string>();
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -115,7 +115,7 @@ template <int dim>
 void require_free_contact(const Scene& scene, const ImportedBody<dim>& part) {
   for (const std::string& number : scene.chosen_names("support.#.on")) {
     const std::string support = "support." + number, group = scene.text(support + ".on");
-    if (!contains(scene.texts("wear.on"), group) || given(scene, support + ".stiffness")) continue;
+    if (!contains(scene.texts("wear.on"), group) || scene.given(support + ".stiffness")) continue;
     double along = 0, area = 0;
     for (const auto& patch :
          contact_patches<dim>(part.mesh, part.mesh.boundary.at(group), {}, section_of(scene))) {

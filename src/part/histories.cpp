@@ -19,7 +19,7 @@ std::vector<std::string> entries_of(const Scene& scene, const std::string& table
   for (const std::string& name : names) {
     entries.push_back(table + "." + name);
     for (const std::string& key : needed)
-      if (!given(scene, entries.back() + "." + key))
+      if (!scene.given(entries.back() + "." + key))
         mistakes.add(fmt::format("{}: [[{}]] number {}: missing key `{}`", scene.path().string(),
                                  table, name, key));
   }
@@ -68,7 +68,7 @@ Key factors_key(const std::string& prefix, const std::string& quantity) {
 
 LoadHistory read_history(const Scene& scene, const std::string& prefix) {
   const std::string times_name = prefix + ".times", factors_name = prefix + ".factors";
-  const bool has_times = given(scene, times_name), has_factors = given(scene, factors_name);
+  const bool has_times = scene.given(times_name), has_factors = scene.given(factors_name);
   if (!has_times && !has_factors) return {};
   if (has_times != has_factors)
     throw InputError(fmt::format("{}: expected also {}",

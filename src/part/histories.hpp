@@ -10,11 +10,6 @@
 
 namespace gnomon::part {
 
-/// Whether a key that may be absent is there.
-inline bool given(const Scene& scene, const std::string& key) {
-  return scene.knows(key) && scene.has(key);
-}
-
 /// The entries of `[[table]]`, which has these keys: "load.1" and so on. Throws InputError where
 /// one lacks a needed key.
 std::vector<std::string> entries_of(const Scene& scene, const std::string& table,

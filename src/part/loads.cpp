@@ -62,7 +62,7 @@ NodalField<dim> weight(const Mesh<dim>& mesh, const std::vector<Body>& bodies,
 std::string kind_of(const Scene& scene, const std::string& load) {
   std::string kind;
   for (const char* name : {"force", "traction", "pressure", "acceleration"}) {
-    if (!given(scene, load + "." + name)) continue;
+    if (!scene.given(load + "." + name)) continue;
     if (!kind.empty())
       throw InputError(fmt::format("{}: expected one kind of load, got also {}",
                                    scene.where(load + "." + name), kind));
@@ -72,7 +72,7 @@ std::string kind_of(const Scene& scene, const std::string& load) {
     throw InputError(
         fmt::format("{}: {}: expected one of force, traction, pressure and acceleration",
                     scene.path().string(), load));
-  if ((kind == "acceleration") == given(scene, load + ".on"))
+  if ((kind == "acceleration") == scene.given(load + ".on"))
     throw InputError(kind == "acceleration"
                          ? scene.where(load + ".on") +
                                ": expected none, for an acceleration acts "
@@ -88,7 +88,7 @@ Load<dim> read_load(const Scene& scene, const std::string& load, const ImportedB
   const std::string kind = kind_of(scene, load), key = load + "." + kind, on = load + ".on";
   Load<dim> result{.history = read_history(scene, load)};
   const Section section = section_of(scene);
-  if (given(scene, on)) result.facets = group_facets(scene, on, scene.text(on), part);
+  if (scene.given(on)) result.facets = group_facets(scene, on, scene.text(on), part);
   if (kind == "pressure") {
     result.pressure = scene.real(key);
     return result;

@@ -15,7 +15,7 @@ template <int dim>
 void check_displacement(const Scene& scene, Cycle& cycle) {
   if (dim == 3 || section_of(scene) == Section::plane) return;
   for (const char* key : {"cycle.x", "cycle.y"})
-    if (given(scene, key))
+    if (scene.given(key))
       throw InputError(scene.where(key) +
                        ": expected only cycle.z, along the axis, in an axisymmetric scene");
   std::swap(cycle.displacement[1], cycle.displacement[2]);  // coordinates (r, z)
@@ -24,7 +24,7 @@ void check_displacement(const Scene& scene, Cycle& cycle) {
 template <int dim>
 CycleAxis<dim> read_axis(const Scene& scene, const CounterBody<dim>& body) {
   CycleAxis<dim> axis;
-  if (!given(scene, "cycle.rotation")) return axis;
+  if (!scene.given("cycle.rotation")) return axis;
   if (dim == 2 && section_of(scene) == Section::meridian) {
     axis.meridian = true;
     return axis;
@@ -42,9 +42,9 @@ void check_force(const Scene& scene, const Cycle& cycle, const CounterBody<dim>&
   if (!other.guides.empty() && other.guides.front().force)
     throw InputError(scene.where("cycle.force") +
                      ": expected either cycle.force or counter_body.press.force, got both");
-  if (!given(scene, "counter_body.press.direction"))
+  if (!scene.given("counter_body.press.direction"))
     throw InputError(scene.where("cycle.force") + ": expected also counter_body.press.direction");
-  if (given(scene, "counter_body.press.approach"))
+  if (scene.given("counter_body.press.approach"))
     throw InputError(scene.where("cycle.force") +
                      ": expected no counter_body.press.approach beside a force");
 }

@@ -242,9 +242,9 @@ std::unique_ptr<Model> model_of_file(const Scene& scene, ImportedMesh mesh) {
 /// 2 or 3 by the numbers of the counter-body's vectors; 0 if it has none.
 std::size_t dimension_of(const Scene& scene) {
   for (const char* key : {"counter_body.press.direction", "counter_body.center"})
-    if (given(scene, key)) return scene.reals(key).size();
+    if (scene.given(key)) return scene.reals(key).size();
   const std::string velocity = "counter_body.motion.velocity";  // of a plane one also out of it
-  return given(scene, velocity) && scene.reals(velocity).size() == 2 ? 2 : 0;
+  return scene.given(velocity) && scene.reals(velocity).size() == 2 ? 2 : 0;
 }
 
 /// The mistakes that can be found without the mesh.

@@ -40,7 +40,7 @@ template <int dim>
 std::vector<int> directions_of(const Scene& scene, const std::string& support) {
   const std::string key = support + ".directions";
   std::vector<int> result;
-  if (!scene.knows(key) || !scene.has(key)) {
+  if (!scene.given(key)) {
     for (int i = 0; i < dim; ++i) result.push_back(i);
     return result;
   }
@@ -80,7 +80,7 @@ SpringSupport<dim> read_springs(const Scene& scene, const ImportedBody<dim>& par
                              .facets = group_facets(scene, on, scene.text(on), part),
                              .history = read_history(scene, support)};
   for (int i : directions) springs.stiffness[i] = scene.real(support + ".stiffness");
-  if (!given(scene, support + ".value")) return springs;
+  if (!scene.given(support + ".value")) return springs;
   const std::vector<double> values = values_of(scene, support, directions);
   for (std::size_t k = 0; k < directions.size(); ++k)
     springs.displacement[directions[k]] = values[k];
@@ -92,7 +92,7 @@ PrescribedValues read_moved(const Scene& scene, const std::string& support,
                             const std::vector<int>& nodes, const std::vector<int>& directions) {
   PrescribedValues moved;
   moved.history = read_history(scene, support);
-  if (!given(scene, support + ".value")) return moved;
+  if (!scene.given(support + ".value")) return moved;
   const std::vector<double> values = values_of(scene, support, directions);
   for (int node : nodes)
     for (std::size_t k = 0; k < directions.size(); ++k)
@@ -128,7 +128,7 @@ Supports<dim> read_supports(const Scene& scene, const ImportedBody<dim>& part) {
                           "already held along {}",
                           scene.where(on), scene.text(on),
                           direction_names<dim>(scene)[static_cast<std::size_t>(i)]));
-      if (given(scene, support + ".stiffness")) {
+      if (scene.given(support + ".stiffness")) {
         result.springs.push_back(read_springs(scene, part, support, directions));
         return;
       }

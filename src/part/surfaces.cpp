@@ -22,7 +22,7 @@ namespace {
 /// That of the surface, if it has one.
 std::string rate_key(const Scene& scene, const std::string& surface) {
   const std::string own = "wear.surfaces." + toml_key(surface) + ".rate";
-  return given(scene, own) ? own : "wear.rate";
+  return scene.given(own) ? own : "wear.rate";
 }
 
 }  // namespace

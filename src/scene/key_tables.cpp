@@ -16,7 +16,7 @@ std::string steps_are_fixed(const Scene& scene) {
 }
 
 std::string no_cycle(const Scene& scene) {
-  return scene.knows("cycle.period") && scene.has("cycle.period") ? "" : "there is no cycle";
+  return scene.given("cycle.period") ? "" : "there is no cycle";
 }
 
 std::vector<Key> integrator_keys() {

@@ -78,6 +78,10 @@ bool Scene::knows(const std::string& key) const {
                      [&](const Entry& entry) { return entry.key.name == key; });
 }
 
+bool Scene::given(const std::string& key) const {
+  return knows(key) && has(key);
+}
+
 bool Scene::is_default(const std::string& key) const {
   return entry(key).value == entry(key).key.default_value;
 }

@@ -174,7 +174,7 @@ private:
   /// factor, whose only use this is, is left out then. An override goes before the file.
   void multiply(Scene::Entry& entry, Scene& scene, const std::set<std::string>& meant) const {
     const std::string& first = entry.key.or_product.front();
-    const bool by_product = scene.knows(first) && scene.has(first);
+    const bool by_product = scene.given(first);
     if (by_product && entry.value) {
       const bool overridden = find(overrides_, entry.key.name);
       if (overridden == (find(overrides_, first) != nullptr))

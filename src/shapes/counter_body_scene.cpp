@@ -12,10 +12,6 @@ namespace gnomon {
 
 namespace {
 
-bool given(const Scene& scene, const std::string& key) {
-  return scene.knows(key) && scene.has(key);
-}
-
 template <int dim>
 std::vector<std::string> names_of(const CounterShapeKind<dim>& kind) {
   std::vector<std::string> names;
@@ -24,7 +20,7 @@ std::vector<std::string> names_of(const CounterShapeKind<dim>& kind) {
 }
 
 void require_none_in_plane(const Scene& scene, const std::string& key) {
-  if (given(scene, key)) throw InputError(scene.where(key) + ": there is no such key in the plane");
+  if (scene.given(key)) throw InputError(scene.where(key) + ": there is no such key in the plane");
 }
 
 /// The scene with the defaults of the shape. Throws where a key of it is missing, or one is given
@@ -57,7 +53,7 @@ void read_meridian_motion(const Scene& scene, RigidMotion<2>& motion) {
   if (motion.velocity[0] != 0)
     throw InputError(scene.where("counter_body.motion.velocity") +
                      ": expected none along r: an axisymmetric body would widen");
-  if (given(scene, "counter_body.motion.center"))
+  if (scene.given("counter_body.motion.center"))
     throw InputError(scene.where("counter_body.motion.center") +
                      ": an axisymmetric counter-body turns about r = 0");
   motion.across_by_x[0] = scene.real_if("counter_body.motion.rotation").value_or(0);
@@ -67,7 +63,7 @@ void read_meridian_motion(const Scene& scene, RigidMotion<2>& motion) {
 template <int dim>
 std::pair<Vector<dim>, double> surface_velocity(const Scene& scene) {
   const std::string key = "counter_body.motion.velocity";
-  if (!given(scene, key)) return {Vector<dim>::Zero(), 0.0};
+  if (!scene.given(key)) return {Vector<dim>::Zero(), 0.0};
   const std::vector<double>& components = scene.reals(key);
   if (dim == 3 || components.size() != 3) return {read_point<dim>(scene, key), 0.0};
   return {Eigen::Map<const Vector<dim>>(components.data()), components[2]};
@@ -101,7 +97,7 @@ LoadHistory read_over_time(const Scene& scene, const std::string& press,
                            const std::string& values) {
   const std::string times_key = press + ".times";
   std::vector<double> times = {0};
-  if (given(scene, times_key)) times = scene.reals(times_key);
+  if (scene.given(times_key)) times = scene.reals(times_key);
   const std::vector<double>& numbers = scene.reals(values);
   if (numbers.empty() || numbers.size() != times.size())
     throw InputError(fmt::format("{}: expected one number for each of {}, {}, got {}",
@@ -119,7 +115,7 @@ LoadHistory read_over_time(const Scene& scene, const std::string& press,
 
 /// Throws where one key of a press needs or excludes another.
 void check_press(const Scene& scene, const std::string& press) {
-  const auto has = [&](const char* key) { return given(scene, press + key); };
+  const auto has = [&](const char* key) { return scene.given(press + key); };
   const auto refuse = [&](const char* key, const std::string& expected) {
     throw InputError(scene.where(press + key) + ": expected " + expected);
   };
@@ -145,9 +141,9 @@ Guide<dim> read_guide(const Scene& scene, const std::string& press, Section sect
   check_press(scene, press);
   if (dim == 2) require_none_in_plane(scene, press + ".axis");
   Guide<dim> guide{.key = press};
-  if (given(scene, press + ".factors"))
+  if (scene.given(press + ".factors"))
     guide.factors = read_over_time(scene, press, press + ".factors");
-  if (given(scene, press + ".moment")) {
+  if (scene.given(press + ".moment")) {
     if (section == Section::meridian)
       throw InputError(scene.where(press + ".moment") + ": expected none in an axisymmetric scene");
     guide.force = scene.real(press + ".moment");
@@ -155,7 +151,7 @@ Guide<dim> read_guide(const Scene& scene, const std::string& press, Section sect
     guide.centre = rotation_center<dim>(scene, press + ".moment", press + ".center");
     return guide;
   }
-  if (!given(scene, press + ".direction"))
+  if (!scene.given(press + ".direction"))
     throw InputError(scene.path().string() + ": [[counter_body.press]]: expected " + press +
                      ".direction or .moment");
   const Vector<dim> along = read_direction<dim>(scene, press + ".direction");
@@ -164,8 +160,8 @@ Guide<dim> read_guide(const Scene& scene, const std::string& press, Section sect
                      ": expected the axis of symmetry, [0, 1] or [0, -1], in an axisymmetric "
                      "scene");
   guide.along = along.normalized();
-  if (given(scene, press + ".force")) guide.force = scene.real(press + ".force");
-  if (given(scene, press + ".approach"))
+  if (scene.given(press + ".force")) guide.force = scene.real(press + ".force");
+  if (scene.given(press + ".approach"))
     guide.travel = read_over_time(scene, press, press + ".approach");
   return guide;
 }
@@ -175,7 +171,7 @@ std::vector<std::string> press_tables(const Scene& scene) {
   std::set<std::string> tables;
   for (const Key& key : counter_body_keys()) {
     if (!key.name.starts_with("counter_body.press.")) continue;
-    if (given(scene, key.name)) tables.insert("counter_body.press");
+    if (scene.given(key.name)) tables.insert("counter_body.press");
     for (const std::string& number : scene.chosen_names(key.name))
       tables.insert("counter_body.press." + number);
   }
@@ -258,7 +254,7 @@ template <int dim>
 Vector<dim> rotation_center(const Scene& scene, const std::string& rotation,
                             const std::string& center) {
   for (const std::string& key : {center, std::string("counter_body.center")})
-    if (given(scene, key)) return read_point<dim>(scene, key);
+    if (scene.given(key)) return read_point<dim>(scene, key);
   throw InputError(scene.where(rotation) + ": expected also " + center +
                    ", a point of the axis of rotation");
 }
@@ -270,7 +266,7 @@ Tensor<dim> rotation_spin(const Scene& scene, double rate, const std::string& ro
     return spin_in_plane(rate);
   } else {
     for (const std::string& key : {axis, std::string("counter_body.axis")})
-      if (given(scene, key)) return spin_about(read_direction<3>(scene, key), rate);
+      if (scene.given(key)) return spin_about(read_direction<3>(scene, key), rate);
     throw InputError(scene.where(rotation) + ": expected also " + axis +
                      ", the direction of the axis of rotation");
   }

@@ -44,9 +44,8 @@ Material make_material(const std::string& law, const ElasticModuli& moduli) {
 }
 
 Material read_material(const Scene& scene, const std::string& choice) {
-  const auto given = [&](const std::string& key) { return scene.knows(key) && scene.has(key); };
   const std::string table = table_of(choice), modulus = table + "young_modulus",
-                    name = given(choice) ? scene.text(choice) : usual_material,
+                    name = scene.given(choice) ? scene.text(choice) : usual_material,
                     law_name = name == linear_material ? usual_material : name;
   const double young = scene.knows(modulus) ? scene.real(modulus) : usual_modulus,
                poisson = scene.real(table + "poisson_ratio");
@@ -55,7 +54,7 @@ Material read_material(const Scene& scene, const std::string& choice) {
   material.poisson_ratio = poisson;
   for (const MaterialLaw& law : MaterialLaws::all())
     for (const Key& key : law.keys)
-      if (law.name != name && given(table + key.name))
+      if (law.name != name && scene.given(table + key.name))
         throw InputError(fmt::format("{}: only for {} = \"{}\", got \"{}\"",
                                      scene.where(table + key.name), choice, law.name, name));
   if (const auto& ratios = MaterialLaws::find(law_name, "material").ratios)

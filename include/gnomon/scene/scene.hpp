@@ -99,6 +99,7 @@ public:
   /// Whether the key has a text instead of its numbers (Key::or_text, Key::names_file).
   bool has_text_instead(const std::string& key) const;
   bool knows(const std::string& key) const;  ///< whether the key is in the table of the scene
+  bool given(const std::string& key) const;  ///< knows(key) && has(key)
   std::optional<double> real_if(const std::string& key) const;
   bool is_default(const std::string& key) const;  ///< whether a key has its default value
   /// The keys that the file or an override gives, be it with their defaults, and for which the

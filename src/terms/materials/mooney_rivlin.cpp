@@ -13,7 +13,7 @@ constexpr double usual_ratio = 0.2;  // of rubbers
 std::array<double, 2> ratios(const Scene& scene, const std::string& table,
                              const ElasticModuli& moduli) {
   const std::string key = table + "mooney_ratio";
-  const double ratio = scene.knows(key) && scene.has(key) ? scene.real(key) : usual_ratio;
+  const double ratio = scene.given(key) ? scene.real(key) : usual_ratio;
   const double most = moduli.lambda / (2 * moduli.mu);
   if (!(ratio <= most))
     throw InputError(fmt::format(
