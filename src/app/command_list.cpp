@@ -42,18 +42,12 @@ std::string list_entries() {
   return table.text();
 }
 
-/// Shapes of counter-bodies, which are registered for each dimension.
 std::string list_shapes() {
-  std::map<std::string, std::pair<std::string, std::string>> shapes;  // where, help
-  for (const auto& kind : Registry<CounterShapeKind<2>>::all())
-    shapes[kind.name] = {"plane", kind.help};
-  for (const auto& kind : Registry<CounterShapeKind<3>>::all()) {
-    auto& [where, help] = shapes[kind.name];
-    where += where.empty() ? "space" : ", space";
-    if (help.empty()) help = kind.help;
-  }
   TextTable table("lll");
-  for (const auto& [name, shape] : shapes) table.add({name, shape.first, shape.second});
+  for (const CounterShapeKind& kind : Registry<CounterShapeKind>::all()) {
+    const char* where = !kind.in_space ? "plane" : kind.in_plane ? "plane, space" : "space";
+    table.add({kind.name, where, kind.help});
+  }
   return table.text();
 }
 

@@ -25,8 +25,8 @@ std::size_t registered() {
 
 /// Everything that a plug-in may register. Throws RegistrationError for a name that was taken.
 std::size_t all_registered() {
-  return registered<Integrator, Problem, WearLawKind, CounterShapeKind<2>, CounterShapeKind<3>,
-                    MaterialLaw, LinearSolverKind>();
+  return registered<Integrator, Problem, WearLawKind, CounterShapeKind, MaterialLaw,
+                    LinearSolverKind>();
 }
 
 /// Refuses a plug-in that was compiled for other headers than this library: its objects would have

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <gnomon/shapes/counter_body_scene.hpp>
-#include <map>
-#include <set>
 
 namespace gnomon {
 
@@ -90,38 +88,40 @@ std::vector<Key> entry_keys() {
   return keys;
 }
 
-/// The keys of all shapes of a dimension. One that is there is shared: it has the help of all.
-template <int dim>
-void add_shapes(std::vector<Key>& keys, std::map<std::string, std::set<std::string>>& owners) {
-  for (const auto& kind : Registry<CounterShapeKind<dim>>::all())
-    for (const Key& key : kind.keys) {
-      owners[key.name].insert(kind.name);
-      const auto there = std::ranges::find(keys, key.name, &Key::name);
-      if (there == keys.end()) {
-        keys.push_back(key);
-        keys.back().default_value.reset();
-        continue;
-      }
-      if (there->help.find(key.help) == std::string::npos) there->help += "; " + key.help;
-      if (there->length != key.length) there->length = 0;
+/// Of a shape. A key that is there already is shared: it has the help of all.
+void add_keys(std::vector<Key>& keys, const std::vector<Key>& of_shape) {
+  for (const Key& key : of_shape) {
+    const auto there = std::ranges::find(keys, key.name, &Key::name);
+    if (there == keys.end()) {
+      keys.push_back(key);
+      keys.back().default_value.reset();
+    } else if (there->help.find(key.help) == std::string::npos) {
+      there->help += "; " + key.help;
     }
+  }
+}
+
+/// The names of the shapes that have the key.
+std::vector<std::string> owners_of(const Key& key) {
+  std::vector<std::string> names;
+  for (const CounterShapeKind& kind : Registry<CounterShapeKind>::all())
+    for (const auto* keys : {&kind.keys, &kind.keys_in_space})
+      if (std::ranges::count(*keys, key.name, &Key::name) > 0) names.push_back(kind.name);
+  return names;
 }
 
 }  // namespace
 
 std::vector<Key> counter_body_keys() {
   std::vector<Key> keys;
-  std::map<std::string, std::set<std::string>> owners;
-  add_shapes<2>(keys, owners);
-  add_shapes<3>(keys, owners);
-  std::set<std::string> shapes;
-  for (Key& key : keys) {
-    key.absent_meaning = fmt::format("by the shape; of {}", fmt::join(owners[key.name], ", "));
-    shapes.insert(owners[key.name].begin(), owners[key.name].end());
-  }
+  for (const CounterShapeKind& kind : Registry<CounterShapeKind>::all()) add_keys(keys, kind.keys);
+  for (const CounterShapeKind& kind : Registry<CounterShapeKind>::all())
+    add_keys(keys, kind.keys_in_space);
+  for (Key& key : keys)
+    key.absent_meaning = fmt::format("by the shape; of {}", fmt::join(owners_of(key), ", "));
   keys.insert(keys.begin(), {.name = "counter_body.shape",
                              .kind = KeyKind::text,
-                             .choices = {shapes.begin(), shapes.end()},
+                             .choices = Registry<CounterShapeKind>::names(),
                              .help = "shape of the rigid counter-body"});
   for (const auto& part : {motion_keys(), press_keys("counter_body.press"), entry_keys()})
     keys.insert(keys.end(), part.begin(), part.end());

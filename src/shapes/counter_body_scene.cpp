@@ -6,46 +6,53 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/shapes/counter_body_scene.hpp>
 #include <gnomon/shapes/shape_keys.hpp>
+#include <ranges>
 #include <set>
+#include <tuple>
 
 namespace gnomon {
 
 namespace {
 
-template <int dim>
-std::vector<std::string> names_of(const CounterShapeKind<dim>& kind) {
-  std::vector<std::string> names;
-  for (const Key& key : kind.keys) names.push_back(key.name);
-  return names;
-}
-
 void require_none_in_plane(const Scene& scene, const std::string& key) {
   if (scene.given(key)) throw InputError(scene.where(key) + ": there is no such key in the plane");
 }
 
+/// Those of scenes in the plane or in space.
+std::vector<Key> keys_of(const CounterShapeKind& kind, int dim) {
+  std::vector<Key> keys = kind.keys;
+  if (dim == 3) keys.insert(keys.end(), kind.keys_in_space.begin(), kind.keys_in_space.end());
+  return keys;
+}
+
 /// The scene with the defaults of the shape. Throws where a key of it is missing, or one is given
 /// that only other shapes have.
-template <int dim>
-Scene of_shape(Scene scene, const CounterShapeKind<dim>& kind) {
-  for (const Key& key : kind.keys) {
+Scene of_shape(Scene scene, const CounterShapeKind& kind, int dim) {
+  const std::vector<Key> own = keys_of(kind, dim);
+  for (const Key& key : own) {
     if (scene.has(key.name) || !key.absent_meaning.empty()) continue;
     if (key.required())
       throw InputError(fmt::format("{}: expected also {}, {}", scene.where("counter_body.shape"),
                                    key.name, key.help));
     scene = scene.with(key.name, *key.default_value);
   }
-  const std::vector<std::string> own = names_of(kind);
-  const auto refuse_keys_of = [&](const auto& kinds) {
-    for (const auto& other : kinds)
-      for (const Key& key : other.keys)
-        if (scene.has(key.name) && std::ranges::find(own, key.name) == own.end())
-          throw InputError(fmt::format("{}: belongs to another shape ({}); the shape {} has {}",
-                                       scene.where(key.name), other.name, kind.name,
-                                       fmt::join(own, ", ")));
-  };
-  refuse_keys_of(Registry<CounterShapeKind<dim>>::all());
-  refuse_keys_of(Registry<CounterShapeKind<5 - dim>>::all());  // of the other dimension
+  const auto names = own | std::views::transform(&Key::name);
+  for (const CounterShapeKind& other : Registry<CounterShapeKind>::all())
+    for (const Key& key : keys_of(other, 3))
+      if (scene.has(key.name) && std::ranges::find(names, key.name) == names.end())
+        throw InputError(fmt::format("{}: belongs to another shape ({}); the shape {} has {}",
+                                     scene.where(key.name), other.name, kind.name,
+                                     fmt::join(names, ", ")));
   return scene;
+}
+
+template <int dim>
+const CounterShapeMaker<dim>& maker_of(const CounterShapeKind& kind, const Scene& scene) {
+  const CounterShapeMaker<dim>& maker = std::get<dim - 2>(std::tie(kind.in_plane, kind.in_space));
+  if (!maker)
+    throw InputError(fmt::format("{}: there is no {} {}", scene.where("counter_body.shape"),
+                                 kind.name, dim == 2 ? "in the plane" : "in space"));
+  return maker;
 }
 
 /// About r = 0: out of the plane of the section, which does not change.
@@ -274,11 +281,10 @@ Tensor<dim> rotation_spin(const Scene& scene, double rate, const std::string& ro
 
 template <int dim>
 CounterBody<dim> read_counter_body(const Scene& scene, Section section) {
-  const auto& kind =
-      Registry<CounterShapeKind<dim>>::find(scene.text("counter_body.shape"), "shape");
-  const Scene complete = of_shape(scene, kind);
+  const auto& kind = Registry<CounterShapeKind>::find(scene.text("counter_body.shape"), "shape");
+  const Scene complete = of_shape(scene, kind, dim);
   CounterBody<dim> body;
-  body.shape = kind.make(complete, section);
+  body.shape = maker_of<dim>(kind, scene)(complete, section);
   read_motion(complete, section, body);
   read_press(complete, section, body);
   return body;

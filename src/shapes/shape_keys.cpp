@@ -22,19 +22,12 @@ Vector<dim> read_direction(const Scene& scene, const std::string& key) {
   return direction;
 }
 
-Key center_key(int dim, const std::string& help) {
-  return {.name = "counter_body.center",
-          .kind = KeyKind::reals,
-          .unit = "mm",
-          .length = static_cast<std::size_t>(dim),
-          .help = help};
+Key center_key(const std::string& help) {
+  return {.name = "counter_body.center", .kind = KeyKind::reals, .unit = "mm", .help = help};
 }
 
-Key axis_key(int dim, const std::string& help) {
-  return {.name = "counter_body.axis",
-          .kind = KeyKind::reals,
-          .length = static_cast<std::size_t>(dim),
-          .help = help + ", of any length"};
+Key axis_key(const std::string& help) {
+  return {.name = "counter_body.axis", .kind = KeyKind::reals, .help = help + ", of any length"};
 }
 
 Key length_key(const std::string& name, const std::string& help) {

@@ -236,23 +236,25 @@ Scene scene_of(const std::string& text, std::vector<Key> keys) {
 }
 
 TEST(CounterShape, IsMadeOfASceneByItsName) {
-  const auto& kind = Registry<CounterShapeKind<3>>::find("cylinder", "shape");
+  const auto& kind = Registry<CounterShapeKind>::find("cylinder", "shape");
+  std::vector<Key> keys = kind.keys;
+  keys.insert(keys.end(), kind.keys_in_space.begin(), kind.keys_in_space.end());
   const auto make = [&](const std::string& axis) {
-    return kind.make(
+    return kind.in_space(
         scene_of("[counter_body]\ncenter = [0.0, 7.0, 5.0]\naxis = " + axis + "\nradius = 5.0\n",
-                 kind.keys),
+                 keys),
         Section::plane);
   };
   EXPECT_DOUBLE_EQ(make("[0.0, 2.0, 0.0]").at({6, -3, 5}).gap, 1);
   EXPECT_THROW(make("[0.0, 0.0, 0.0]"), InputError);
-  EXPECT_THAT(Registry<CounterShapeKind<2>>::names(),
+  EXPECT_THAT(Registry<CounterShapeKind>::names(),
               ::testing::IsSupersetOf({"ball", "cone", "cylinder", "plane", "profile", "torus"}));
-  const auto& flat = Registry<CounterShapeKind<2>>::find("plane", "shape");
-  EXPECT_DOUBLE_EQ(flat.make(scene_of("", flat.keys), Section::plane).at({4, 2}).gap, 2);
-  const auto& disk = Registry<CounterShapeKind<2>>::find("ball", "shape");
+  const auto& flat = Registry<CounterShapeKind>::find("plane", "shape");
+  EXPECT_DOUBLE_EQ(flat.in_plane(scene_of("", flat.keys), Section::plane).at({4, 2}).gap, 2);
+  const auto& disk = Registry<CounterShapeKind>::find("ball", "shape");
   const Scene scene =
       scene_of("counter_body.center = [1.0, -1.0]\ncounter_body.radius = 1.0\n", disk.keys);
-  EXPECT_DOUBLE_EQ(disk.make(scene, Section::plane).at({1, 2}).gap, 2);
+  EXPECT_DOUBLE_EQ(disk.in_plane(scene, Section::plane).at({1, 2}).gap, 2);
 }
 
 }  // namespace

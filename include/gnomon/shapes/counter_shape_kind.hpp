@@ -11,18 +11,23 @@
 
 namespace gnomon {
 
-/// A shape that scenes may name, in one dimension.
+/// Makes the shape that a scene describes. Throws InputError. In 3D the section is not read.
 template <int dim>
+using CounterShapeMaker = std::function<CounterShape<dim>(const Scene&, Section)>;
+
+/// A shape that scenes may name, in the plane, in space, or in both.
 struct CounterShapeKind {
   std::string name;
   std::string help;  ///< one line
-  /// counter_body.*. One name has the same kind, length and range in all shapes of a dimension,
-  /// for one table has the keys of all shapes (counter_body_scene.hpp).
+  /// counter_body.*, in the plane and in space. One name has the same kind, length and range in all
+  /// shapes, for one table has the keys of all shapes (counter_body_scene.hpp).
   std::vector<Key> keys;
-  /// Throws InputError. In 3D the section is not read.
-  std::function<CounterShape<dim>(const Scene&, Section)> make;
+  std::vector<Key> keys_in_space{};  ///< further ones
+  /// None: there is no such shape.
+  CounterShapeMaker<2> in_plane{};
+  CounterShapeMaker<3> in_space{};
 
-  std::string missing() const { return make ? "" : "make"; }  ///< for Registry
+  std::string missing() const { return in_plane || in_space ? "" : "in_plane"; }  ///< for Registry
 };
 
 }  // namespace gnomon

@@ -13,10 +13,10 @@ Vector<dim> read_direction(const Scene& scene, const std::string& key);
 template <int dim>
 Vector<dim> read_point(const Scene& scene, const std::string& key);
 
-/// counter_body.center of `dim` reals.
-Key center_key(int dim, const std::string& help);
-/// counter_body.axis of `dim` reals.
-Key axis_key(int dim, const std::string& help);
+/// counter_body.center, read by read_point().
+Key center_key(const std::string& help);
+/// counter_body.axis, read by read_direction().
+Key axis_key(const std::string& help);
 /// A length greater than zero.
 Key length_key(const std::string& name, const std::string& help);
 /// counter_body.side: whether the body is what is inside of the shape, or outside.

@@ -26,18 +26,13 @@ CounterShape<dim> make(const Scene& scene, Section section) {
   return convex_or_concave(scene, ball<dim>(centre, scene.real("counter_body.radius")));
 }
 
-template <int dim>
-CounterShapeKind<dim> kind() {
-  return {.name = "ball",
-          .help = dim == 2 ? "disk, or a ball about r = 0; outside: a socket"
-                           : "ball; outside: a socket",
-          .keys = {center_key(dim, "centre of the ball"),
-                   length_key("counter_body.radius", "radius of the ball"), side_key()},
-          .make = make<dim>};
-}
-
-const Registration<CounterShapeKind<2>> in_2d(kind<2>());
-const Registration<CounterShapeKind<3>> in_3d(kind<3>());
+const Registration<CounterShapeKind> registration(
+    {.name = "ball",
+     .help = "disk, or a ball about r = 0; outside: a socket",
+     .keys = {center_key("centre of the ball"),
+              length_key("counter_body.radius", "radius of the ball"), side_key()},
+     .in_plane = make<2>,
+     .in_space = make<3>});
 
 }  // namespace
 

@@ -77,23 +77,18 @@ CounterShape<dim> make(const Scene& scene, Section section) {
   return convex_or_concave(scene, cone<dim>(apex, axis, half_angle));
 }
 
-template <int dim>
-CounterShapeKind<dim> kind() {
-  return {.name = "cone",
-          .help = dim == 2 ? "wedge, or a cone about r = 0; outside: a V groove, a conical seat"
-                           : "circular cone without end; outside: a conical seat",
-          .keys = {center_key(dim, "tip of the cone"),
-                   axis_key(dim, "from the tip into the cone (of a seat: into it)"),
-                   {.name = "counter_body.half_angle",
-                    .unit = "deg",
-                    .range = {.min = 0.01, .max = 89.99},
-                    .help = "between axis and surface"},
-                   side_key()},
-          .make = make<dim>};
-}
-
-const Registration<CounterShapeKind<2>> in_2d(kind<2>());
-const Registration<CounterShapeKind<3>> in_3d(kind<3>());
+const Registration<CounterShapeKind> registration(
+    {.name = "cone",
+     .help = "wedge, or a cone about r = 0; outside: a V groove, a conical seat",
+     .keys = {center_key("tip of the cone"),
+              axis_key("from the tip into the cone (of a seat: into it)"),
+              {.name = "counter_body.half_angle",
+               .unit = "deg",
+               .range = {.min = 0.01, .max = 89.99},
+               .help = "between axis and surface"},
+              side_key()},
+     .in_plane = make<2>,
+     .in_space = make<3>});
 
 }  // namespace
 

@@ -18,7 +18,7 @@ CounterShape<3> cylinder(const Vector<3>& point, const Vector<3>& axis, double r
 namespace {
 
 /// Seen along its axis; about the axis of symmetry a straight line at the distance of the radius.
-CounterShape<2> make_2d(const Scene& scene, Section section) {
+CounterShape<2> in_plane(const Scene& scene, Section section) {
   const double radius = scene.real("counter_body.radius");
   if (section == Section::plane)
     return convex_or_concave(scene, ball<2>(read_point<2>(scene, "counter_body.center"), radius));
@@ -26,29 +26,20 @@ CounterShape<2> make_2d(const Scene& scene, Section section) {
   return convex_or_concave(scene, plane<2>({radius, 0}, {1, 0}));
 }
 
-CounterShape<3> make_3d(const Scene& scene, Section) {
+CounterShape<3> in_space(const Scene& scene, Section) {
   return convex_or_concave(scene, cylinder(read_point<3>(scene, "counter_body.center"),
                                            read_direction<3>(scene, "counter_body.axis"),
                                            scene.real("counter_body.radius")));
 }
 
-std::vector<Key> keys(int dim) {
-  std::vector<Key> keys = {center_key(dim, "point of the axis of the cylinder"),
-                           length_key("counter_body.radius", "radius of the cylinder"), side_key()};
-  if (dim == 3) keys.push_back(axis_key(dim, "direction of the axis"));
-  return keys;
-}
-
-const Registration<CounterShapeKind<2>> in_2d(
+const Registration<CounterShapeKind> registration(
     {.name = "cylinder",
      .help = "cylinder seen along its axis, or a rod about r = 0; outside: a bore",
-     .keys = keys(2),
-     .make = make_2d});
-const Registration<CounterShapeKind<3>> in_3d(
-    {.name = "cylinder",
-     .help = "circular cylinder without ends; outside: a bore",
-     .keys = keys(3),
-     .make = make_3d});
+     .keys = {center_key("point of the axis of the cylinder"),
+              length_key("counter_body.radius", "radius of the cylinder"), side_key()},
+     .keys_in_space = {axis_key("direction of the axis")},
+     .in_plane = in_plane,
+     .in_space = in_space});
 
 }  // namespace
 

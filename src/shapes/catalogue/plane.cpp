@@ -17,35 +17,32 @@ namespace {
 
 template <int dim>
 CounterShape<dim> make(const Scene& scene, Section section) {
-  const Vector<dim> normal = read_direction<dim>(scene, "counter_body.normal");
+  Vector<dim> point = Vector<dim>::Zero(), normal = Vector<dim>::Unit(dim - 1);
+  if (scene.has("counter_body.center")) point = read_point<dim>(scene, "counter_body.center");
+  if (scene.has("counter_body.normal")) normal = read_direction<dim>(scene, "counter_body.normal");
   if (section == Section::meridian && normal[0] != 0)
     throw InputError(scene.where("counter_body.normal") +
                      ": expected a normal along the axis of symmetry, [0, 1] or [0, -1], in an "
                      "axisymmetric scene; others belong to a `cone` or a `cylinder`");
-  const bool given = scene.has("counter_body.center");
-  return plane<dim>(given ? read_point<dim>(scene, "counter_body.center") : Vector<dim>::Zero(),
-                    normal);
+  return plane<dim>(point, normal);
 }
 
-template <int dim>
-CounterShapeKind<dim> kind() {
-  std::vector<double> up(dim, 0.0);
-  up.back() = 1;
-  Key center = center_key(dim, "point of the plane");
-  center.absent_meaning = "the origin";  // which is no centre of rotation by itself
-  return {.name = "plane",
-          .help = "half-space below a plane",
-          .keys = {center,
-                   {.name = "counter_body.normal",
-                    .kind = KeyKind::reals,
-                    .default_value = up,
-                    .length = dim,
-                    .help = "its normal towards the worn body, of any length"}},
-          .make = make<dim>};
+Key center() {
+  Key key = center_key("point of the plane");
+  key.absent_meaning = "the origin";  // which is no centre of rotation by itself
+  return key;
 }
 
-const Registration<CounterShapeKind<2>> in_2d(kind<2>());
-const Registration<CounterShapeKind<3>> in_3d(kind<3>());
+const Registration<CounterShapeKind> registration(
+    {.name = "plane",
+     .help = "half-space below a plane",
+     .keys = {center(),
+              {.name = "counter_body.normal",
+               .kind = KeyKind::reals,
+               .absent_meaning = "along the last direction",
+               .help = "its normal towards the worn body, of any length"}},
+     .in_plane = make<2>,
+     .in_space = make<3>});
 
 }  // namespace
 

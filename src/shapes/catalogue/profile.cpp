@@ -7,7 +7,7 @@ namespace gnomon {
 
 namespace {
 
-CounterShape<2> make_2d(const Scene& scene, Section) {
+CounterShape<2> in_plane(const Scene& scene, Section) {
   return profile(read_profile(scene));
 }
 
@@ -24,7 +24,7 @@ Tensor<3> frame_of(const Vector<3>& axis, const Scene& scene) {
   return frame;
 }
 
-CounterShape<3> make_3d(const Scene& scene, Section) {
+CounterShape<3> in_space(const Scene& scene, Section) {
   const CounterShape<2> section = profile(read_profile(scene));
   const Vector<3> centre = read_point<3>(scene, "counter_body.center");
   const Vector<3> axis = read_direction<3>(scene, "counter_body.axis");
@@ -33,44 +33,37 @@ CounterShape<3> make_3d(const Scene& scene, Section) {
              : extruded(section, centre, frame_of(axis, scene));
 }
 
-std::vector<Key> keys(int dim) {
-  std::vector<Key> keys = {
-      {.name = "counter_body.points",
-       .kind = KeyKind::reals,
-       .unit = "mm",
-       .names_file = true,
-       .help = "coordinates of the points of the curve, two for each, one point after the other, "
-               "or a file beside the scene with two numbers per line"},
-      side_key()};
-  if (dim == 2) return keys;
-  keys.push_back({.name = "counter_body.sweep",
-                  .kind = KeyKind::text,
-                  .choices = {"extruded", "revolved"},
-                  .help = "whether the curve, in coordinates (r, z), is turned about the axis, or "
-                          "moved along it"});
-  Key center = center_key(3, "origin of the curve's coordinates");
-  center.default_value = std::vector<double>(3, 0.0);
-  keys.push_back(center);
-  keys.push_back(axis_key(3, "axis of revolution, or direction of the extrusion"));
-  keys.push_back({.name = "counter_body.up",
-                  .kind = KeyKind::reals,
-                  .default_value = std::vector<double>{0, 0, 1},
-                  .length = 3,
-                  .help = "direction of the second coordinate of an extruded curve, made "
-                          "perpendicular to the axis; the first is along axis x up"});
-  return keys;
+Key center() {
+  Key key = center_key("origin of the curve's coordinates");
+  key.default_value = std::vector<double>(3, 0.0);
+  return key;
 }
 
-const Registration<CounterShapeKind<2>> in_2d(
+const Registration<CounterShapeKind> registration(
     {.name = "profile",
      .help = "body on one side of a smooth curve through given points",
-     .keys = keys(2),
-     .make = make_2d});
-const Registration<CounterShapeKind<3>> in_3d(
-    {.name = "profile",
-     .help = "smooth curve through given points, extruded or revolved",
-     .keys = keys(3),
-     .make = make_3d});
+     .keys = {{.name = "counter_body.points",
+               .kind = KeyKind::reals,
+               .unit = "mm",
+               .names_file = true,
+               .help = "coordinates of the points of the curve, two for each, one point after the "
+                       "other, or a file beside the scene with two numbers per line"},
+              side_key()},
+     .keys_in_space = {{.name = "counter_body.sweep",
+                        .kind = KeyKind::text,
+                        .choices = {"extruded", "revolved"},
+                        .help = "whether the curve, in coordinates (r, z), is turned about the "
+                                "axis, or moved along it"},
+                       center(),
+                       axis_key("axis of revolution, or direction of the extrusion"),
+                       {.name = "counter_body.up",
+                        .kind = KeyKind::reals,
+                        .default_value = std::vector<double>{0, 0, 1},
+                        .length = 3,
+                        .help = "direction of the second coordinate of an extruded curve, made "
+                                "perpendicular to the axis; the first is along axis x up"}},
+     .in_plane = in_plane,
+     .in_space = in_space});
 
 }  // namespace
 

@@ -27,17 +27,7 @@ Radii read_radii(const Scene& scene) {
   return radii;
 }
 
-template <int dim>
-std::vector<Key> keys() {
-  std::vector<Key> keys = {
-      center_key(dim, "centre of the ring"),
-      length_key("counter_body.major_radius", "from the axis of a ring to the middle of its tube"),
-      length_key("counter_body.radius", "radius of the tube of a ring"), side_key()};
-  if (dim == 3) keys.push_back(axis_key(dim, "axis of symmetry"));
-  return keys;
-}
-
-CounterShape<2> make_2d(const Scene& scene, Section section) {
+CounterShape<2> in_plane(const Scene& scene, Section section) {
   if (section == Section::plane)
     throw InputError(shape_origin(scene) +
                      ": a torus has no section that is the same along the third direction; "
@@ -47,23 +37,23 @@ CounterShape<2> make_2d(const Scene& scene, Section section) {
   return convex_or_concave(scene, ball<2>({radii.major, centre[1]}, radii.minor));
 }
 
-CounterShape<3> make_3d(const Scene& scene, Section) {
+CounterShape<3> in_space(const Scene& scene, Section) {
   const Radii radii = read_radii(scene);
   return convex_or_concave(
       scene, torus(read_point<3>(scene, "counter_body.center"),
                    read_direction<3>(scene, "counter_body.axis"), radii.major, radii.minor));
 }
 
-const Registration<CounterShapeKind<2>> in_2d(
+const Registration<CounterShapeKind> registration(
     {.name = "torus",
      .help = "ring of circular section about r = 0; outside: a groove",
-     .keys = keys<2>(),
-     .make = make_2d});
-const Registration<CounterShapeKind<3>> in_3d(
-    {.name = "torus",
-     .help = "ring of circular section; outside: a groove",
-     .keys = keys<3>(),
-     .make = make_3d});
+     .keys = {center_key("centre of the ring"),
+              length_key("counter_body.major_radius",
+                         "from the axis of a ring to the middle of its tube"),
+              length_key("counter_body.radius", "radius of the tube of a ring"), side_key()},
+     .keys_in_space = {axis_key("axis of symmetry")},
+     .in_plane = in_plane,
+     .in_space = in_space});
 
 }  // namespace
 
