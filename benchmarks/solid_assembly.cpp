@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "../tests/support/structured_hexahedra.hpp"
 #include "memory.hpp"
 
 namespace gnomon::bench {
@@ -78,7 +79,7 @@ struct Block {
   using Numbers = NodalNumbers<3>;
 
   explicit Block(bool shape)
-      : mesh(structured_hexahedra(
+      : mesh(testing::structured_hexahedra(
             50, 40, 30,
             [](double r, double s, double t) { return Vector<3>(5 * r, 4 * s, 3 * t); })),
         u(Numbers::Constant(nodes(), 3, -1)),

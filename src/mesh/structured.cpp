@@ -52,24 +52,4 @@ Extrusion extrude(const Mesh<2>& section, const std::vector<double>& lines) {
   return result;
 }
 
-Mesh<3> structured_hexahedra(int nx, int ny, int nz,
-                             const std::function<Vector<3>(double r, double s, double t)>& place) {
-  const Mesh<2> section =
-      structured_quadrilaterals(ny, nz, [](double s, double t) { return Vector<2>(s, t); });
-  std::vector<double> lines(nx + 1);
-  for (int i = 0; i <= nx; ++i) lines[i] = double(i) / nx;
-  Mesh<3> mesh = extrude(section, lines).mesh;
-  for (Vector<3>& X : mesh.nodes) X = place(X[0], X[1], X[2]);
-  const auto rename = [&mesh](const char* from, const char* to) {
-    auto part = mesh.boundary.extract(from);
-    part.key() = to;
-    mesh.boundary.insert(std::move(part));
-  };
-  rename("left", "front");
-  rename("right", "back");
-  rename("begin", "left");
-  rename("end", "right");
-  return mesh;
-}
-
 }  // namespace gnomon

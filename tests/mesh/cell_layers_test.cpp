@@ -8,6 +8,8 @@
 #include <gnomon/mesh/quarter_ball.hpp>
 #include <random>
 
+#include "support/structured_hexahedra.hpp"
+
 namespace gnomon::cell_layers_test {
 namespace {
 
@@ -27,7 +29,7 @@ std::size_t lines_at(const CellLayers& layers, int node) {
 }
 
 Mesh<3> bent_block(int nx, int ny, int nz) {
-  return structured_hexahedra(nx, ny, nz, [](double r, double s, double t) {
+  return testing::structured_hexahedra(nx, ny, nz, [](double r, double s, double t) {
     return Vector<3>(2 * r * r + 0.1 * s, 3 * s + 0.2 * r * t, 5 * t + r * s);
   });
 }

@@ -2,6 +2,7 @@
 #include <random>
 
 #include "support/hexahedra.hpp"
+#include "support/structured_hexahedra.hpp"
 
 namespace gnomon::distortion_test {
 namespace {

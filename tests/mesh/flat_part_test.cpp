@@ -3,6 +3,8 @@
 #include <gnomon/mesh/flat_part.hpp>
 #include <numbers>
 
+#include "support/structured_hexahedra.hpp"
+
 namespace gnomon::flat_part_test {
 namespace {
 
@@ -30,7 +32,7 @@ TEST(FlatPart, IsFoundWithItsOuterNormalAtAnyAngle) {
 }
 
 TEST(FlatPart, InSpace) {
-  const Mesh<3> mesh = structured_hexahedra(3, 3, 3, [](double r, double s, double t) {
+  const Mesh<3> mesh = testing::structured_hexahedra(3, 3, 3, [](double r, double s, double t) {
     return Vector<3>(r + 0.2 * t, s, t + 1e-4 * r * (1 - r) * t);
   });
   const FlatPart<3> right = flat_part(mesh, mesh.boundary.at("right"));
@@ -58,7 +60,7 @@ TEST(PlanesOf, CountsPlanesThatAreApart) {
   const Mesh<2> ring = sector(0.3);
   EXPECT_EQ(planes_of(ring, ring.boundary.at("bottom")), 1);
   EXPECT_EQ(planes_of(ring, ring.boundary.at("left")), 0) << "an arc";
-  const Mesh<3> cube = structured_hexahedra(
+  const Mesh<3> cube = testing::structured_hexahedra(
       3, 3, 3, [](double r, double s, double t) { return Vector<3>(r, s, t); });
   auto facets = cube.boundary.at("left");
   for (const char* other : {"right", "top"}) {

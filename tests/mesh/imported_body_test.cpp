@@ -8,6 +8,7 @@
 
 #include "support/hexahedra.hpp"
 #include "support/imported.hpp"
+#include "support/structured_hexahedra.hpp"
 
 namespace gnomon::imported_body_test {
 namespace {

@@ -2,6 +2,7 @@
 #include <gnomon/mesh/extrusion.hpp>
 
 #include "support/hexahedra.hpp"
+#include "support/structured_hexahedra.hpp"
 
 namespace gnomon::structured_test {
 namespace {

@@ -7,6 +7,8 @@
 #include <gnomon/mesh/mesh.hpp>
 #include <initializer_list>
 
+#include "support/structured_hexahedra.hpp"
+
 namespace gnomon::testing {
 
 /// Node tags from 1, elements from 101 (facets) and 501 (cells).

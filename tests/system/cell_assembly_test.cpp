@@ -5,6 +5,7 @@
 #include <gnomon/terms/cell_assembly.hpp>
 
 #include "support/derivatives.hpp"
+#include "support/structured_hexahedra.hpp"
 
 namespace gnomon::cell_assembly_test {
 namespace {

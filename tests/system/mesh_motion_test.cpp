@@ -8,6 +8,7 @@
 
 #include "support/derivatives.hpp"
 #include "support/problem_run.hpp"
+#include "support/structured_hexahedra.hpp"
 
 namespace gnomon::mesh_motion_test {
 namespace {

@@ -6,6 +6,7 @@
 #include <gnomon/terms/material_law.hpp>
 
 #include "support/derivatives.hpp"
+#include "support/structured_hexahedra.hpp"
 
 namespace gnomon::patch_test {
 namespace {

@@ -6,6 +6,7 @@
 #include <gnomon/terms/contact_node.hpp>
 
 #include "support/derivatives.hpp"
+#include "support/structured_hexahedra.hpp"
 
 namespace gnomon::conservative_normal_test {
 namespace {

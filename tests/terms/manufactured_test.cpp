@@ -11,6 +11,7 @@
 #include <gnomon/terms/material.hpp>
 
 #include "support/derivatives.hpp"
+#include "support/structured_hexahedra.hpp"
 #include "support/test_material.hpp"
 
 namespace gnomon::manufactured_test {

@@ -40,12 +40,6 @@ struct Mesh {
 Mesh<2> structured_quadrilaterals(int nx, int ny,
                                   const std::function<Vector<2>(double s, double t)>& place);
 
-/// nx by ny by nz hexahedra on the image of the unit cube under `place(r, s, t)`, nodes numbered
-/// along r, then s, then t; boundary parts "left" (r = 0), "right" (r = 1), "front" (s = 0), "back"
-/// (s = 1), "bottom" (t = 0), "top" (t = 1). The map must keep orientation.
-Mesh<3> structured_hexahedra(int nx, int ny, int nz,
-                             const std::function<Vector<3>(double r, double s, double t)>& place);
-
 /// All facets that belong to one cell only, with outer normal, in the order of the cells.
 template <int dim>
 std::vector<typename Mesh<dim>::Facet> exterior_facets(const Mesh<dim>& mesh);
