@@ -35,6 +35,15 @@ struct Mesh {
   std::vector<int> boundary_nodes(const std::string& name) const;
 };
 
+/// A named part of a mesh in the form in which a result keeps it, so that a body whose mesh came
+/// from a file can be made again from its result alone.
+struct MeshPart {
+  enum class Kind { exterior, facets, points, cells };
+  Kind kind = Kind::facets;
+  std::string name;        ///< empty for the exterior
+  std::vector<int> nodes;  ///< of its facets, one after the other, or its points; or cells
+};
+
 /// nx by ny quadrilaterals on the image of the unit square under `place(s, t)`; boundary parts
 /// "bottom" (t = 0), "top" (t = 1), "left" (s = 0), "right" (s = 1). The map must keep orientation.
 Mesh<2> structured_quadrilaterals(int nx, int ny,

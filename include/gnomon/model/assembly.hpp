@@ -6,7 +6,6 @@
 #include <gnomon/fields/nodal.hpp>
 #include <gnomon/laws/load_history.hpp>
 #include <gnomon/mesh/cross_section.hpp>
-#include <gnomon/mesh/mesh_part.hpp>
 #include <gnomon/model/cyclic_phases.hpp>
 #include <gnomon/system/linear_solver.hpp>
 #include <gnomon/terms/contact_node.hpp>

@@ -5,7 +5,7 @@
 #include <array>
 #include <functional>
 #include <gnomon/base/counters.hpp>
-#include <gnomon/mesh/mesh_part.hpp>
+#include <gnomon/mesh/mesh.hpp>
 #include <gnomon/model/examination.hpp>
 #include <gnomon/model/observation.hpp>
 #include <gnomon/system/state.hpp>
