@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <gnomon/fields/nodal.hpp>
 #include <gnomon/laws/load_history.hpp>
-#include <gnomon/mesh/cross_section.hpp>
+#include <gnomon/mesh/extrusion.hpp>
 #include <gnomon/model/cyclic_phases.hpp>
 #include <gnomon/system/linear_solver.hpp>
 #include <gnomon/terms/contact_node.hpp>

@@ -2,7 +2,7 @@
 // cells of the body, or over those of its cross-section if the shape is uniform along x.
 #pragma once
 
-#include <gnomon/mesh/cross_section.hpp>
+#include <gnomon/mesh/extrusion.hpp>
 #include <gnomon/terms/cell_assembly.hpp>
 #include <gnomon/terms/term.hpp>
 #include <optional>
