@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <gnomon/mesh/cell_layers.hpp>
+#include <gnomon/mesh/semi_coarsening.hpp>
 
 namespace gnomon {
 

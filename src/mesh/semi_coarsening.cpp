@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <gnomon/mesh/cell_layers.hpp>
 #include <gnomon/mesh/semi_coarsening.hpp>
 #include <limits>
 #include <map>

@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <gnomon/mesh/cell_layers.hpp>
 #include <gnomon/mesh/extrusion.hpp>
 #include <gnomon/mesh/quarter_ball.hpp>
+#include <gnomon/mesh/semi_coarsening.hpp>
 #include <random>
 
 #include "support/structured_hexahedra.hpp"
