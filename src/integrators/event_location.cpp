@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <gnomon/integrators/event_location.hpp>
+#include <gnomon/integrators/stepper.hpp>
 #include <gnomon/system/system.hpp>
 #include <utility>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <gnomon/integrators/event_location.hpp>
+#include <gnomon/integrators/stepper.hpp>
 #include <numbers>
 
 #include "support/problem_run.hpp"
