@@ -1,5 +1,3 @@
-#include "phases.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,8 @@
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <set>
 #include <string>
+
+#include "winkler_system.hpp"
 
 namespace gnomon::winkler {
 
