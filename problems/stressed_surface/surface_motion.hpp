@@ -9,7 +9,7 @@
 //   g_s = C_s + K_si p + gamma dL/dX - w0 dV/dX,   K_ii p = -C_i.
 //
 // C_i, the forces on nodes inside, vanish as the mesh is refined; p carries what is left of them to
-// the surface. With ddot = -m (N . g_s) N / M (surface_law.hpp) the semi-discrete energy decreases:
+// the surface. With ddot = -m (N . g_s) N / M (SurfaceNode) the semi-discrete energy decreases:
 // dE/dt = -sum m (N . g_s)^2 / M, exactly, and a smooth mode of the surface grows by the second
 // derivative of the discrete energy, whose error is of second order in the size of the elements.
 #pragma once
