@@ -188,69 +188,50 @@ double power_by_base(double a, double b) {
   return b == 0 ? 0 : b * std::pow(a, b - 1);
 }
 
-/// Adds to the adjoints of its operands, which are the derivatives of the expression with respect
-/// to them.
-void add_adjoints(const ExpressionProgram& program, const Instruction& in, const Workspace& work,
-                  std::size_t at, double* adjoint) {
-  const double own = adjoint[program.first_result() + at];
+/// What an instruction adds to the adjoints of its operands a, b and c, which are the derivatives
+/// of the expression with respect to them. `own`: the adjoint of its result.
+std::array<double, 3> shares_of(const ExpressionProgram& program, const Instruction& in,
+                                const Workspace& work, std::size_t at, double own) {
   const double result = work.value[program.first_result() + at];
   const double a = work.value[in.a];
+  const auto b = [&] { return work.value[in.b]; };
+  const std::uint32_t choice = work.choice[at];
   switch (in.operation) {
     case Operation::add:
-      adjoint[in.a] += own;
-      adjoint[in.b] += own;
-      break;
+      return {own, own};
     case Operation::subtract:
-      adjoint[in.a] += own;
-      adjoint[in.b] -= own;
-      break;
+      return {own, -own};
     case Operation::multiply:
-      adjoint[in.a] += own * work.value[in.b];
-      adjoint[in.b] += own * a;
-      break;
+      return {own * b(), own * a};
     case Operation::divide:
-      adjoint[in.a] += own / work.value[in.b];
-      adjoint[in.b] -= own * result / work.value[in.b];
-      break;
+      return {own / b(), -own * result / b()};
     case Operation::negate:
-      adjoint[in.a] -= own;
-      break;
+      return {-own};
     case Operation::power:
-      adjoint[in.b] += own * power_by_exponent(a, work.value[in.b], result);
-      [[fallthrough]];
+      return {own * power_by_base(a, b()), own * power_by_exponent(a, b(), result)};
     case Operation::constant_power:
-      adjoint[in.a] += own * power_by_base(a, work.value[in.b]);
-      break;
+      return {own * power_by_base(a, b())};
     case Operation::exponential:
-      adjoint[in.a] += own * result;
-      break;
+      return {own * result};
     case Operation::logarithm:
-      adjoint[in.a] += own / a;
-      break;
+      return {own / a};
     case Operation::square_root:
-      adjoint[in.a] += own / (2 * result);
-      break;
+      return {own / (2 * result)};
     case Operation::sine:
-      adjoint[in.a] += own * std::cos(a);
-      break;
+      return {own * std::cos(a)};
     case Operation::cosine:
-      adjoint[in.a] -= own * std::sin(a);
-      break;
+      return {-own * std::sin(a)};
     case Operation::absolute:
-      adjoint[in.a] += work.choice[at] ? own : -own;
-      break;
+      return {choice ? own : -own};
     case Operation::maximum:
     case Operation::minimum:
-      adjoint[work.choice[at] ? in.a : in.b] += own;
-      break;
+      return {choice ? own : 0, choice ? 0 : own};
     case Operation::table:
-      adjoint[in.a] += own * program.tables[in.b].slope(work.choice[at]);
-      break;
+      return {own * program.tables[in.b].slope(choice)};
     case Operation::select:
-      adjoint[work.choice[at] ? in.b : in.c] += own;
-      break;
+      return {0, choice ? own : 0, choice ? 0 : own};
     default:
-      break;  // conditions have no derivatives
+      return {};  // conditions have no derivatives
   }
 }
 
@@ -270,10 +251,14 @@ double evaluate_with_gradient(const ExpressionProgram& program, std::span<const 
   std::fill_n(adjoint.begin(), program.slots(), 0.0);
   adjoint[program.result] = 1;
   const std::size_t first = program.first_result();
-  for (std::size_t i = program.instructions.size(); i-- > 0;)
+  for (std::size_t i = program.instructions.size(); i-- > 0;) {
     // A part without influence may have an infinite derivative, or may not have been evaluated.
-    if (adjoint[first + i] != 0)
-      add_adjoints(program, program.instructions[i], work, i, adjoint.data());
+    if (adjoint[first + i] == 0) continue;
+    const Instruction& in = program.instructions[i];
+    const std::array<double, 3> shares = shares_of(program, in, work, i, adjoint[first + i]);
+    for (std::size_t k = 0; k < operands_of(in.operation); ++k)
+      adjoint[std::array{in.a, in.b, in.c}[k]] += shares[k];
+  }
   std::fill(gradient.begin(), gradient.end(), 0.0);
   for (std::size_t i = 0; i < program.variables.size(); ++i)
     gradient[program.variables[i]] = adjoint[program.constants.size() + i];
