@@ -50,14 +50,6 @@ void require_forces(const Scene& scene, const std::vector<Phase>& phases) {
           scene.where("cycle.force"), phase.press, phase.position));
 }
 
-using PhaseAt = std::function<Phase(const CyclePoint&)>;
-
-std::vector<Phase> phases_at(const std::vector<CyclePoint>& points, const PhaseAt& phase_at) {
-  std::vector<Phase> phases;
-  for (const CyclePoint& point : points) phases.push_back(phase_at(point));
-  return phases;
-}
-
 /// What a phase stands for, from points of its interval: the whole path, and the mean force or
 /// approach on it.
 void stand_for(const std::vector<Phase>& interval, Phase& phase) {
@@ -68,15 +60,6 @@ void stand_for(const std::vector<Phase>& interval, Phase& phase) {
   }
   phase.speed = path / phase.weight;
   if (path > 0) phase.press = press / path;
-}
-
-std::vector<Phase> phases_of(const CycleQuadrature& quadrature, const PhaseAt& phase_at) {
-  std::vector<Phase> phases = phases_at(quadrature.points(), phase_at);
-  if (!quadrature.stands_for_intervals()) return phases;
-  const std::vector<std::vector<CyclePoint>> intervals = quadrature.intervals();
-  for (std::size_t p = 0; p < phases.size(); ++p)
-    stand_for(phases_at(intervals[p], phase_at), phases[p]);
-  return phases;
 }
 
 }  // namespace
@@ -108,7 +91,7 @@ FlatMotion read_flat_motion(const Scene& scene) {
   const double speed = scene.real_if("wear.velocity").value_or(0);
   if (!cycle) return {.phases = {{.speed = speed, .press = force}}, .phase_set = {}};
   const CycleQuadrature quadrature = read_cycle_quadrature(scene, kinks_of(*cycle));
-  const PhaseAt phase_at = [cycle = *cycle, force, speed](const CyclePoint& point) {
+  const auto phase_at = [cycle = *cycle, force, speed](const CyclePoint& point) {
     const auto &x = cycle.displacement[0], &y = cycle.displacement[1];
     const double tau = point.position;
     return Phase{.position = tau,
@@ -121,9 +104,7 @@ FlatMotion read_flat_motion(const Scene& scene) {
   };
   FlatMotion motion;
   motion.phase_set = [quadrature, phase_at](const PhaseSet& set) {
-    const CycleQuadrature finer = quadrature.refined(set.times);
-    if (set.kind == PhaseSet::Kind::fine) return phases_at(finer.fine_points(), phase_at);
-    return phases_of(set.kind == PhaseSet::Kind::own ? finer : finer.comparison(), phase_at);
+    return phases_of(quadrature, set, phase_at, stand_for);
   };
   motion.phases = motion.phase_set({});
   motion.parts = quadrature.parts();

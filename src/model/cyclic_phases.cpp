@@ -64,18 +64,6 @@ void bring_to_rest(std::vector<Phase<dim>>& phases) {
   }
 }
 
-/// By the points of the quadrature.
-template <int dim>
-std::vector<Phase<dim>> made_of(const CycleQuadrature& quadrature, const auto& phases_at) {
-  std::vector<Phase<dim>> phases = phases_at(quadrature.points());
-  if (quadrature.stands_for_intervals()) {
-    const std::vector<std::vector<CyclePoint>> intervals = quadrature.intervals();
-    for (std::size_t p = 0; p < phases.size(); ++p) stand_for(phases_at(intervals[p]), phases[p]);
-  }
-  bring_to_rest(phases);
-  return phases;
-}
-
 }  // namespace
 
 template <int dim>
@@ -95,15 +83,12 @@ Phase<dim> phase_at(const CyclePoint& point, const CyclicMotion<dim>& motion,
 template <int dim>
 std::vector<Phase<dim>> phases_of(const CyclicContact<dim>& cycle, const CounterBody<dim>& rest,
                                   std::optional<double> force, const PhaseSet& set) {
-  const auto phases_at = [&](const std::vector<CyclePoint>& points) {
-    std::vector<Phase<dim>> phases;
-    for (const CyclePoint& point : points)
-      phases.push_back(phase_at(point, cycle.motion, rest, force));
-    return phases;
-  };
-  const CycleQuadrature finer = cycle.quadrature.refined(set.times);
-  if (set.kind == PhaseSet::Kind::fine) return phases_at(finer.fine_points());
-  return made_of<dim>(set.kind == PhaseSet::Kind::own ? finer : finer.comparison(), phases_at);
+  std::vector<Phase<dim>> phases = phases_of(
+      cycle.quadrature, set,
+      [&](const CyclePoint& point) { return phase_at(point, cycle.motion, rest, force); },
+      stand_for<dim>);
+  if (set.kind != PhaseSet::Kind::fine) bring_to_rest(phases);
+  return phases;
 }
 
 template Phase<2> phase_at(const CyclePoint&, const CyclicMotion<2>&, const CounterBody<2>&,

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <functional>
+#include <gnomon/cycles/cycle_quadrature.hpp>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace gnomon {
@@ -19,6 +21,26 @@ struct PhaseSet {
   Kind kind = Kind::own;
   int times = 1;
 };
+
+/// The phases of a set, made by `phase_at` of the points of a quadrature. Where a point stands for
+/// an interval, `stand_for(phases of the interval, phase)` gives it what they have in the mean.
+template <class PhaseAt, class StandFor>
+auto phases_of(const CycleQuadrature& quadrature, const PhaseSet& set, const PhaseAt& phase_at,
+               const StandFor& stand_for) {
+  const auto phases_at = [&](const std::vector<CyclePoint>& points) {
+    std::vector<std::invoke_result_t<PhaseAt, const CyclePoint&>> phases;
+    for (const CyclePoint& point : points) phases.push_back(phase_at(point));
+    return phases;
+  };
+  const CycleQuadrature finer = quadrature.refined(set.times);
+  if (set.kind == PhaseSet::Kind::fine) return phases_at(finer.fine_points());
+  const CycleQuadrature chosen = set.kind == PhaseSet::Kind::own ? finer : finer.comparison();
+  auto phases = phases_at(chosen.points());
+  if (!chosen.stands_for_intervals()) return phases;
+  const std::vector<std::vector<CyclePoint>> intervals = chosen.intervals();
+  for (std::size_t p = 0; p < phases.size(); ++p) stand_for(phases_at(intervals[p]), phases[p]);
+  return phases;
+}
 
 /// The mean of a function of a phase; a phase has a `weight`.
 template <class Phase, class Function>
