@@ -7,7 +7,6 @@
 #include <gnomon/base/same_time.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/results/results.hpp>
-#include <gnomon/results/surface_error.hpp>
 #include <optional>
 #include <set>
 

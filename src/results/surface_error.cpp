@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <gnomon/results/surface_error.hpp>
+#include <gnomon/results/results.hpp>
 
 namespace gnomon {
 

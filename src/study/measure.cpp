@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <gnomon/results/surface_error.hpp>
+#include <gnomon/results/results.hpp>
 #include <gnomon/study/study.hpp>
 
 #include "study/run_files.hpp"

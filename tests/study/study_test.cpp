@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <gnomon/model/problem.hpp>
-#include <gnomon/results/surface_error.hpp>
+#include <gnomon/results/results.hpp>
 #include <gnomon/study/study.hpp>
 #include <thread>
 
