@@ -13,7 +13,6 @@
 #include <gnomon/mesh/flat_part.hpp>
 #include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
-#include <gnomon/results/mesh_view.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/results/results.hpp>
 #include <gnomon/terms/solid.hpp>

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <gnomon/results/mesh_view.hpp>
+#include <gnomon/results/results.hpp>
 #include <iterator>
 
 #include "results/xdmf_sidecar.hpp"

@@ -154,4 +154,12 @@ double shape_error(const ContactSurface& surface, const ContactSurface& referenc
 /// Largest difference of the nodal contact pressures [stress]. Throws InputError as above.
 double pressure_error(const ContactSurface& surface, const ContactSurface& reference);
 
+/// A spatial collection of grids: "body", its cells, and one grid with the name of each part, its
+/// facets or points. Each has the nodes that it uses. All numbers are in the file itself. `axes`:
+/// names of the coordinates, "x y".
+std::string mesh_view(const Grid& grid, const std::string& axes);
+
+/// Whether the file begins like those of mesh_view.
+bool is_mesh_view(const std::filesystem::path& file);
+
 }  // namespace gnomon
