@@ -9,7 +9,6 @@
 #include <gnomon/run/plugin.hpp>
 #include <gnomon/scene/scene.hpp>
 
-#include "app/manual.hpp"
 #include "app/options.hpp"
 
 namespace gnomon::app {

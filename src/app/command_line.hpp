@@ -66,4 +66,10 @@ private:
   std::vector<std::filesystem::path> plugins_;
 };
 
+/// gnomon.1, in roff.
+std::string man_page(const CLI::App& app);
+
+/// A script for bash: commands, options, and the names that some options take.
+std::string bash_completion(const CLI::App& app);
+
 }  // namespace gnomon::app

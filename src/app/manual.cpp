@@ -1,5 +1,3 @@
-#include "app/manual.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 
 namespace gnomon::app {
