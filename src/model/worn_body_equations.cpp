@@ -5,7 +5,6 @@
 #include <gnomon/model/worn_body_equations.hpp>
 #include <gnomon/shapes/counter_surface.hpp>
 #include <gnomon/terms/body_term.hpp>
-#include <gnomon/terms/dead_loads.hpp>
 #include <gnomon/terms/pressure_load.hpp>
 #include <gnomon/terms/shape_evolution.hpp>
 #include <gnomon/terms/shape_multiplier.hpp>
