@@ -15,8 +15,8 @@
 #include "app/progress.hpp"
 #include "app/run_end.hpp"
 #include "app/text_table.hpp"
-#include "study/recommendation.hpp"
 #include "study/run_numbers.hpp"
+#include "study/table.hpp"
 
 namespace gnomon::app {
 

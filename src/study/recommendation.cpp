@@ -1,8 +1,8 @@
-#include "study/recommendation.hpp"
-
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+
+#include "study/table.hpp"
 
 namespace gnomon::study {
 

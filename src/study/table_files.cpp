@@ -13,7 +13,6 @@
 #include "results/hdf5_values.hpp"
 #include "results/layout.hpp"
 #include "results/replaced_file.hpp"
-#include "study/recommendation.hpp"
 #include "study/table.hpp"
 #include "study/text_file.hpp"
 

@@ -1,10 +1,9 @@
 // What a study advises.
-#include "study/recommendation.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "study/study_fixture.hpp"
+#include "study/table.hpp"
 
 namespace gnomon::recommendation_test {
 namespace {
