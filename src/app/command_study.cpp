@@ -15,7 +15,7 @@
 #include "app/progress.hpp"
 #include "app/run_end.hpp"
 #include "app/text_table.hpp"
-#include "study/run_numbers.hpp"
+#include "study/run_files.hpp"
 #include "study/table.hpp"
 
 namespace gnomon::app {

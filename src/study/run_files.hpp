@@ -48,4 +48,11 @@ std::vector<Scalar> read_observed(const RunFiles& files);
 /// The contact surface of a result at these times. Throws InputError when one cannot be read.
 std::vector<ContactSurface> read_surfaces(const RunFiles& files, const std::vector<double>& times);
 
+/// Of numbers of runs of a plan, from 1, as text, "3", "3-7", "3,5,9-12": the indices (from 0) of
+/// the runs, each once, in their order. Throws InputError for anything but numbers up to `count`.
+std::vector<std::size_t> runs_numbered(const std::string& text, std::size_t count);
+
+/// The shortest text of these indices, ascending.
+std::string numbers_of(std::vector<std::size_t> runs);
+
 }  // namespace gnomon::study

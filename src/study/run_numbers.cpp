@@ -1,5 +1,3 @@
-#include "study/run_numbers.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,8 @@
 #include <gnomon/base/number_text.hpp>
 #include <set>
 #include <sstream>
+
+#include "study/run_files.hpp"
 
 namespace gnomon::study {
 

@@ -11,7 +11,7 @@
 
 #include "study/process_pool.hpp"
 #include "study/run_claim.hpp"
-#include "study/run_numbers.hpp"
+#include "study/run_files.hpp"
 #include "study/study_folder.hpp"
 
 namespace gnomon {

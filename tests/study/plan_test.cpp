@@ -7,7 +7,7 @@
 #include <gnomon/base/error.hpp>
 #include <thread>
 
-#include "study/run_numbers.hpp"
+#include "study/run_files.hpp"
 #include "study/study_fixture.hpp"
 
 namespace gnomon::plan_test {
