@@ -1,8 +1,8 @@
-#include "model/load_ramp.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "model/wear_start.hpp"
 
 namespace gnomon {
 

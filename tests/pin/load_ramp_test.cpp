@@ -1,8 +1,6 @@
 // The load ramp at the start: its control on artificial solvers, and the load that it reaches on
 // the pin.
 
-#include "model/load_ramp.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
