@@ -1,5 +1,3 @@
-#include "gmsh/geometry.hpp"
-
 #include <gmsh.h>
 #include <unistd.h>
 

@@ -19,7 +19,6 @@
 #include <sstream>
 #include <utility>
 
-#include "gmsh/geometry.hpp"
 #include "gmsh/model_mesh.hpp"
 #include "mesh/mesh_stream.hpp"
 
