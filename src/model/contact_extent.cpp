@@ -1,7 +1,7 @@
-#include "model/contact_extent.hpp"
-
 #include <algorithm>
 #include <gnomon/base/processes.hpp>
+
+#include "model/resultants.hpp"
 
 namespace gnomon {
 

@@ -5,7 +5,6 @@
 #include <set>
 #include <span>
 
-#include "model/contact_extent.hpp"
 #include "model/resultants.hpp"
 
 namespace gnomon {

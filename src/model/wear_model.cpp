@@ -6,7 +6,6 @@
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/terms/meridian_point.hpp>
 
-#include "model/contact_extent.hpp"
 #include "model/resultants.hpp"
 
 namespace gnomon {

@@ -7,7 +7,7 @@
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/summary.hpp>
 
-#include "model/contact_extent.hpp"
+#include "model/resultants.hpp"
 #include "part/cyclic_flat.hpp"
 
 namespace gnomon {
