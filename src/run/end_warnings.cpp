@@ -1,5 +1,3 @@
-#include "run/end_warnings.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,8 @@
 #include <gnomon/cycles/phase_mean.hpp>
 #include <gnomon/stability/stability.hpp>
 #include <limits>
+
+#include "run/guards.hpp"
 
 namespace gnomon {
 

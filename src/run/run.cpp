@@ -8,7 +8,6 @@
 #include <gnomon/run/run.hpp>
 #include <set>
 
-#include "run/end_warnings.hpp"
 #include "run/guards.hpp"
 #include "run/memory.hpp"
 #include "run/store_schedule.hpp"

@@ -6,7 +6,7 @@
 #include <gnomon/results/versions.hpp>
 #include <gnomon/study/extremes.hpp>
 
-#include "run/end_warnings.hpp"
+#include "run/guards.hpp"
 #include "study/run_files.hpp"
 #include "study/table.hpp"
 #include "study/text_file.hpp"

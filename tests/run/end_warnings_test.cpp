@@ -1,8 +1,8 @@
 // Warnings at the end of a run about its numbers.
-#include "run/end_warnings.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "run/guards.hpp"
 
 namespace gnomon::end_warnings_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/decay.hpp"
-#include "run/end_warnings.hpp"
+#include "run/guards.hpp"
 #include "support/pin.hpp"
 
 namespace gnomon::wear_integral_test {
