@@ -9,7 +9,6 @@
 #include <arkode/arkode_butcher_erk.h>
 
 #include <gnomon/integrators/diagonally_implicit.hpp>
-#include <gnomon/integrators/erk.hpp>
 
 #include "sundials/room.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <deque>
 #include <gnomon/integrators/dense_output.hpp>
-#include <gnomon/integrators/erk.hpp>
+#include <gnomon/integrators/diagonally_implicit.hpp>
 #include <gnomon/integrators/error_norm.hpp>
 #include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/rates.hpp>

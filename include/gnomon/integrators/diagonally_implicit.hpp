@@ -1,5 +1,5 @@
-// Diagonally implicit Runge-Kutta methods on the DAE, including the implicit Euler and theta
-// methods.
+// Runge-Kutta methods by their tables: diagonally implicit ones on the DAE, including the implicit
+// Euler and theta methods, and explicit ones.
 #pragma once
 
 #include <functional>
@@ -81,5 +81,11 @@ private:
 std::unique_ptr<Stepper> make_diagonally_implicit(const System& system,
                                                   const IntegratorSettings& settings,
                                                   Counters& counters, const ButcherTable& table);
+
+/// An explicit Runge-Kutta method on the reduced ODE, by ARKODE's ERKStep and a table with an
+/// embedded method. Error control by ARKODE's PI controller in the norm of ErrorNorm; or fixed
+/// steps, halved when a solve fails.
+std::unique_ptr<Stepper> make_erk(const System& system, const IntegratorSettings& settings,
+                                  Counters& counters, ButcherTable table);
 
 }  // namespace gnomon
