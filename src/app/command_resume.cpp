@@ -16,7 +16,6 @@
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
-#include "app/output_files.hpp"
 #include "app/program.hpp"
 #include "app/run_end.hpp"
 #include "scene/key_check.hpp"

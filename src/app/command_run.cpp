@@ -8,7 +8,6 @@
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
-#include "app/output_files.hpp"
 #include "app/progress.hpp"
 #include "app/run_end.hpp"
 

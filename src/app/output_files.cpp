@@ -1,5 +1,3 @@
-#include "app/output_files.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -10,6 +8,8 @@
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/summary.hpp>
 #include <system_error>
+
+#include "app/commands.hpp"
 
 namespace gnomon::app {
 
