@@ -16,7 +16,6 @@
 #include <sstream>
 
 #include "app/commands.hpp"
-#include "app/stored_time.hpp"
 #include "app/text_table.hpp"
 #include "study/table.hpp"
 

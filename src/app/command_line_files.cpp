@@ -3,8 +3,8 @@
 #include <fmt/ranges.h>
 
 #include "app/command_line.hpp"
+#include "app/commands.hpp"
 #include "app/options.hpp"
-#include "app/stored_time.hpp"
 
 namespace gnomon::app {
 

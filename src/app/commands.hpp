@@ -101,4 +101,13 @@ void check_outputs(const RunOptions& options);
 /// Throws Error.
 void write_summary(const RunOptions& options, const std::string& text, bool started);
 
+/// Of the stored `times`, ascending, the nearest that is `text` when it is rounded to the digits of
+/// `text`: "350", "350 s", "t = 3.5e2". Throws InputError, which begins with `file` and names the
+/// times next to it.
+double stored_time(const std::vector<double>& times, const std::string& text,
+                   const std::string& file);
+
+/// A check of an argument as CLI11 requires it: a complaint unless the text is a time.
+std::string check_time(const std::string& text);
+
 }  // namespace gnomon::app

@@ -1,5 +1,3 @@
-#include "app/stored_time.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,8 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/number_text.hpp>
 #include <optional>
+
+#include "app/commands.hpp"
 
 namespace gnomon::app {
 

@@ -1,11 +1,11 @@
 // Times as they are printed and as figures show them.
 
-#include "app/stored_time.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <gnomon/base/error.hpp>
+
+#include "app/commands.hpp"
 
 namespace gnomon::app {
 namespace {
