@@ -133,7 +133,9 @@ TEST(Material, KeysOfLawsStandBehindTheirChoice) {
   for (const std::string choice : {"body.material", "shape.energy"}) {
     const auto place = std::ranges::find(keys, choice, &Key::name);
     ASSERT_NE(place, keys.end());
-    EXPECT_EQ(place->choices, MaterialLaws::names());
+    std::vector<std::string> names = MaterialLaws::names();
+    if (choice == "body.material") names.insert(names.begin(), "linear");  // small strains
+    EXPECT_THAT(place->choices, ::testing::UnorderedElementsAreArray(names));
     EXPECT_EQ(std::get<std::string>(*place->default_value), "neo-hookean");
     EXPECT_THAT((place + 1)->name, ::testing::EndsWith(".mooney_ratio"));
   }
