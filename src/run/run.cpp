@@ -36,14 +36,10 @@ public:
         policy_(policy),
         schedule_(policy, settings.end),
         writer_(writer),
-        hooks_(hooks),
-        jumps_(std::in_place, model.system(), settings),
-        initial_quality_(initial_quality(model.grid)) {
-    settings_.integrand = model.wear_flux;
+        hooks_(hooks) {
     if (policy.settle && integrator.settles)
       settings_.settled = settled_times(policy, settings.end);
-    if (settings.stop_unstable && may_fail_to_damp(integrator, settings))
-      damping_.emplace(model, integrator, settings_);
+    watch_model();
   }
 
   RunOutcome operator()(const Resumption* from) {
@@ -94,9 +90,18 @@ private:
     if (clock_is_due()) write_checkpoint();
   }
 
+  /// What looks at the steps of the model of this epoch.
+  void watch_model() {
+    settings_.integrand = model().wear_flux;
+    initial_quality_ = initial_quality(model().grid);
+    jumps_.emplace(model().system(), settings_);
+    if (settings_.stop_unstable && may_fail_to_damp(integrator_, settings_))
+      damping_.emplace(model(), integrator_, settings_);
+  }
+
   void resume(const Resumption& from) {
     epochs_.repeat(from.epochs);
-    settings_.integrand = model().wear_flux;
+    watch_model();
     memory_ = unpacked(from.checkpoint.numbers, model().system().structure());
     if (state().t != from.row.t)
       throw InputError("the time of the checkpoint is not that of its row in the history");
@@ -162,14 +167,11 @@ private:
     if (!change) return;
     change->start.rows = last_checkpoint_.rows;
     change->start.stored = last_checkpoint_.stored;
-    settings_.integrand = model().wear_flux;
-    initial_quality_ = initial_quality(model().grid);
-    jumps_.emplace(model().system(), settings_);
+    watch_model();
     if (!change->same_unknowns) {
       memory_.chattering = {};
       memory_.chattering.add(model().contact(state()));
     }
-    if (damping_) damping_.emplace(model(), integrator_, settings_);
     auto next = integrator_.make(model().system(), settings_, counters_);
     outcome_.restarts += !next->follow(*stepper_, state(), change->same_unknowns);
     stepper_ = std::move(next);
@@ -347,8 +349,8 @@ private:
   std::optional<DampingWatch> damping_;
   std::unique_ptr<Stepper> stepper_;
   std::optional<JumpLedger> jumps_;
-  double initial_quality_;  // of the mesh at the beginning of the epoch
-  Observation observed_;    // of the last good state
+  double initial_quality_ = 0;  // of the mesh at the beginning of the epoch
+  Observation observed_;        // of the last good state
   RunOutcome outcome_;
   std::set<std::string> warned_of_;
   std::optional<double> stored_at_;
