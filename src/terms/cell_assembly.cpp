@@ -158,7 +158,7 @@ private:
 constexpr long worth_threads = 1'000'000;
 
 /// The rows or columns that a thread adds to.
-struct Range {
+struct RowRange {
   int begin, end;
 
   bool holds(int number) const { return number >= begin && number < end; }
@@ -175,8 +175,8 @@ int for_cells(int cells, int entries, std::size_t size, const Work& work) {
 #pragma omp parallel num_threads(most) reduction(min : failed)
   {
     const std::size_t thread = omp_get_thread_num(), threads = omp_get_num_threads();
-    const Range own{static_cast<int>(thread * size / threads),
-                    static_cast<int>((thread + 1) * size / threads)};
+    const RowRange own{static_cast<int>(thread * size / threads),
+                       static_cast<int>((thread + 1) * size / threads)};
     bool good = true;
     for (int c = 0; c < cells && good; ++c) {
       good = work(c, own);
@@ -188,7 +188,7 @@ int for_cells(int cells, int entries, std::size_t size, const Work& work) {
 
 /// Whether one of a cell's values has its number in the range.
 template <class Cell, class Numbers>
-bool meets(const Cell& cell, const Numbers& numbers, const Range& range) {
+bool meets(const Cell& cell, const Numbers& numbers, const RowRange& range) {
   for (int node : cell)
     for (int i = 0; i < numbers.cols(); ++i)
       if (range.holds(numbers(node, i))) return true;
@@ -197,8 +197,8 @@ bool meets(const Cell& cell, const Numbers& numbers, const Range& range) {
 
 /// Adds the columns of K that lie in the range; `position` is the cell's part of the map.
 template <int dim, class Cell, class Numbers>
-void add_columns(const Cell& cell, const Numbers& columns, const Range& range, const int* position,
-                 const CellMatrix<dim>& K, std::span<double> values) {
+void add_columns(const Cell& cell, const Numbers& columns, const RowRange& range,
+                 const int* position, const CellMatrix<dim>& K, std::span<double> values) {
   const double* entry = K.data();
   for (int node : cell)
     for (int j = 0; j < dim; ++j, position += K.rows(), entry += K.rows()) {
@@ -215,7 +215,7 @@ void CellAssembly<dim>::add_residual(const NodalField<dim>* shape,
                                      const NodalField<dim>& displacement,
                                      std::span<double> F) const {
   const int count = static_cast<int>(cells_.size());
-  const int failed = for_cells(count, local, F.size(), [&](int c, const Range& own) {
+  const int failed = for_cells(count, local, F.size(), [&](int c, const RowRange& own) {
     const auto& cell = mesh_.cells[cells_[c]];
     if (!meets(cell, rows_, own)) return true;
     CellNodal<dim> X, u, R;
@@ -239,7 +239,7 @@ void CellAssembly<dim>::add_jacobian(const NodalField<dim>* shape,
                                      const NodalField<dim>& displacement,
                                      std::span<double> values) const {
   const int count = static_cast<int>(cells_.size());
-  const int failed = for_cells(count, local * local, size_, [&](int c, const Range& own) {
+  const int failed = for_cells(count, local * local, size_, [&](int c, const RowRange& own) {
     const auto& cell = mesh_.cells[cells_[c]];
     if (!meets(cell, columns_, own) && !(moves() && meets(cell, shape_columns_, own))) return true;
     CellNodal<dim> X, u, R;
