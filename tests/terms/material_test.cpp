@@ -134,8 +134,11 @@ TEST(Material, KeysOfLawsStandBehindTheirChoice) {
     const auto place = std::ranges::find(keys, choice, &Key::name);
     ASSERT_NE(place, keys.end());
     std::vector<std::string> names = MaterialLaws::names();
-    if (choice == "body.material") names.insert(names.begin(), "linear");  // small strains
-    EXPECT_THAT(place->choices, ::testing::UnorderedElementsAreArray(names));
+    if (choice == "body.material") {  // small strains and the default stand first
+      std::erase(names, "neo-hookean");
+      names.insert(names.begin(), {"linear", "neo-hookean"});
+    }
+    EXPECT_EQ(place->choices, names);
     EXPECT_EQ(std::get<std::string>(*place->default_value), "neo-hookean");
     EXPECT_THAT((place + 1)->name, ::testing::EndsWith(".mooney_ratio"));
   }
