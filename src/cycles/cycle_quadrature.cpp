@@ -1,9 +1,10 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <gnomon/cycles/cycle_quadrature.hpp>
 #include <gnomon/expressions/sign_changes.hpp>
 #include <numeric>
+
+#include "base/spectrum.hpp"
 
 namespace gnomon {
 
@@ -45,15 +46,14 @@ namespace {
 /// and squares of the first components of its eigenvectors (G. Golub and J. Welsch, Math. Comp. 23
 /// (1969) 221).
 std::vector<CyclePoint> gauss_points(int count) {
-  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(count);
-  Eigen::VectorXd beside(std::max(0, count - 1));
-  for (int k = 1; k < count; ++k) beside[k - 1] = k / std::sqrt(4.0 * k * k - 1);
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  solver.computeFromTridiagonal(diagonal, beside);
+  Eigen::MatrixXd recurrence = Eigen::MatrixXd::Zero(count, count);
+  for (int k = 1; k < count; ++k)
+    recurrence(k, k - 1) = recurrence(k - 1, k) = k / std::sqrt(4.0 * k * k - 1);
+  const auto [values, vectors] = spectrum_of(recurrence);
   std::vector<CyclePoint> points;
   for (int k = 0; k < count; ++k) {
-    const double first = solver.eigenvectors()(0, k);
-    points.push_back({(1 + solver.eigenvalues()[k]) / 2, first * first});
+    const double first = vectors(0, k);
+    points.push_back({(1 + values[k]) / 2, first * first});
   }
   return points;
 }

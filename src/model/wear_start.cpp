@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
@@ -13,6 +12,8 @@
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <limits>
 #include <optional>
+
+#include "base/spectrum.hpp"
 
 namespace gnomon {
 
@@ -50,14 +51,12 @@ template <int dim>
 void approach_rest(const Assembly<dim>& body, const NodalField<dim>& d, CounterBody<dim>& other) {
   constexpr int most_turns = 30;
   constexpr double near = 1e-6;
-  Eigen::Matrix<double, dim, Eigen::Dynamic> free(dim, 0);
+  Tensor<dim> free = Tensor<dim>::Zero();
+  int ways = 0;
   for (const Guide<dim>& guide : other.guides)
-    if (guide.force && !guide.turns()) {
-      free.conservativeResize(dim, free.cols() + 1);
-      free.rightCols(1) = guide.along;
-    }
-  if (free.cols() < 2) return;
-  const Tensor<dim> within = free * free.completeOrthogonalDecomposition().pseudoInverse();
+    if (guide.force && !guide.turns() && ++ways) free += guide.along * guide.along.transpose();
+  if (ways < 2) return;
+  const Tensor<dim> within = free * Tensor<dim>(pseudo_inverse(free));
   const Vector<dim> force = other.approach;
   for (int k = 0; k < most_turns; ++k) {
     const FirstTouch first = first_touch(body, d, other);

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <limits>
 #include <map>
 
+#include "base/spectrum.hpp"
 #include "part/groups.hpp"
 #include "part/histories.hpp"
 #include "part/sliding_sides.hpp"
@@ -62,11 +62,10 @@ HeldNodes<dim> held_nodes(const Scene& scene, const ImportedBody<dim>& part,
 /// Projector on the directions that nothing holds. Planes that are `nearly` parallel are one.
 template <int dim>
 Tensor<dim> free_directions(const Held<dim>& held) {
-  const Eigen::SelfAdjointEigenSolver<Tensor<dim>> spectrum(held);
+  const auto [values, vectors] = spectrum_of(held);
   Tensor<dim> free = Tensor<dim>::Zero();
   for (int k = 0; k < dim; ++k)
-    if (spectrum.eigenvalues()[k] < nearly * nearly / 2)
-      free += spectrum.eigenvectors().col(k) * spectrum.eigenvectors().col(k).transpose();
+    if (values[k] < nearly * nearly / 2) free += vectors.col(k) * vectors.col(k).transpose();
   return free;
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
@@ -10,6 +9,7 @@
 #include <numeric>
 #include <set>
 
+#include "base/spectrum.hpp"
 #include "mesh/facet_table.hpp"
 #include "part/groups.hpp"
 
@@ -53,10 +53,10 @@ bool is_round(const Mesh<dim>& mesh, const Facets<dim>& facets, int axis, double
     matrix += row * row.transpose();
     right += x.squaredNorm() * row;
   }
-  const Eigen::SelfAdjointEigenSolver<Tensor<3>> spectrum(matrix);
+  const Eigen::VectorXd values = spectrum_of(matrix).values;
   constexpr double straight = 1e-10;  // nodes on a line have no circle
-  if (spectrum.eigenvalues()[0] < straight * spectrum.eigenvalues()[2]) return false;
-  const Vector<3> circle = matrix.ldlt().solve(right);
+  if (values[0] < straight * values[2]) return false;
+  const Vector<3> circle = pseudo_inverse(matrix) * right;
   const Vector<2> centre = circle.head<2>();
   const double radius = std::sqrt(circle[2] + centre.squaredNorm());
   return std::all_of(nodes.begin(), nodes.end(), [&](int node) {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <gnomon/base/error.hpp>
 #include <set>
 
+#include "base/spectrum.hpp"
 #include "part/groups.hpp"
 #include "part/histories.hpp"
 
@@ -206,16 +206,15 @@ void require_held(const Scene& scene, const AssemblyParts<dim>& parts) {
     for (const Surface<dim>& surface : parts.interface.surfaces)
       for (const auto& facet : surface.facets)
         for (int node : facet) holds(node, parts.interface.partner.approach);
-  const Eigen::SelfAdjointEigenSolver<decltype(held)> solver(held);
-  if (solver.eigenvalues()[0] > 1e-9 * solver.eigenvalues()[modes - 1]) return;
-  const auto free =
-      (solver.eigenvalues().array() <= 1e-9 * solver.eigenvalues()[modes - 1]).count();
+  const auto [values, vectors] = spectrum_of(held);
+  if (values[0] > 1e-9 * values[modes - 1]) return;
+  const auto free = (values.array() <= 1e-9 * values[modes - 1]).count();
   throw InputError(
       fmt::format("{}: expected supports that hold the part, but it can still move as a rigid body "
                   "in {} {}, for "
                   "example it can {}; name what is held in [[support]], with directions",
                   scene.path().string(), free, free == 1 ? "way" : "ways",
-                  describe<dim>(solver.eigenvectors().col(0), direction_names<dim>(scene))));
+                  describe<dim>(vectors.col(0), direction_names<dim>(scene))));
 }
 
 template std::vector<int> directions_of<2>(const Scene&, const std::string&);

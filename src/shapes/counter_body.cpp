@@ -1,6 +1,7 @@
-#include <Eigen/QR>
 #include <cmath>
 #include <gnomon/shapes/counter_body.hpp>
+
+#include "base/spectrum.hpp"
 
 namespace gnomon {
 
@@ -75,13 +76,14 @@ void CounterBody<dim>::come_along(const Vector<dim>& direction) {
   for (Guide<dim>& guide : guides)
     if (!guide.turns() && (free ? guide.force.has_value() : guide.travel.has_value()))
       moving.push_back(&guide);
-  Eigen::Matrix<double, dim, Eigen::Dynamic> along(dim, moving.size());
-  for (std::size_t k = 0; k < moving.size(); ++k) along.col(k) = moving[k]->along;
-  const Eigen::VectorXd shares = along.colPivHouseholderQr().solve(direction);
-  const Vector<dim> part = along * shares;
+  // The shares of least sum of squares.
+  Tensor<dim> reached = Tensor<dim>::Zero();
+  for (const Guide<dim>* guide : moving) reached += guide->along * guide->along.transpose();
+  const Vector<dim> pull = Tensor<dim>(pseudo_inverse(reached)) * direction;
+  const Vector<dim> part = reached * pull;
   if (!(part.norm() > 1e-9 * direction.norm())) return;
   approach = part.normalized();
-  for (std::size_t k = 0; k < moving.size(); ++k) moving[k]->share = shares[k] / part.norm();
+  for (Guide<dim>* guide : moving) guide->share = guide->along.dot(pull) / part.norm();
 }
 
 /// What is given elsewhere than along `approach` has its place at t = 0.

@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/shapes/counter_body_scene.hpp>
 #include <gnomon/shapes/shape_keys.hpp>
-#include <ranges>
 #include <set>
 #include <tuple>
+
+#include "base/spectrum.hpp"
 
 namespace gnomon {
 
@@ -28,15 +28,15 @@ std::vector<Key> keys_of(const CounterShapeKind& kind, int dim) {
 /// The scene with the defaults of the shape. Throws where a key of it is missing, or one is given
 /// that only other shapes have.
 Scene of_shape(Scene scene, const CounterShapeKind& kind, int dim) {
-  const std::vector<Key> own = keys_of(kind, dim);
-  for (const Key& key : own) {
+  std::vector<std::string> names;
+  for (const Key& key : keys_of(kind, dim)) {
+    names.push_back(key.name);
     if (scene.has(key.name) || !key.absent_meaning.empty()) continue;
     if (key.required())
       throw InputError(fmt::format("{}: expected also {}, {}", scene.where("counter_body.shape"),
                                    key.name, key.help));
     scene = scene.with(key.name, *key.default_value);
   }
-  const auto names = own | std::views::transform(&Key::name);
   for (const CounterShapeKind& other : Registry<CounterShapeKind>::all())
     for (const Key& key : keys_of(other, 3))
       if (scene.has(key.name) && std::ranges::find(names, key.name) == names.end())
@@ -163,9 +163,9 @@ Guide<dim> read_guide(const Scene& scene, const std::string& press, Section sect
                      ".direction or .moment");
   const Vector<dim> along = read_direction<dim>(scene, press + ".direction");
   if (section == Section::meridian && along[0] != 0)
-    throw InputError(scene.where(press + ".direction") +
-                     ": expected the axis of symmetry, [0, 1] or [0, -1], in an axisymmetric "
-                     "scene");
+    throw InputError(
+        scene.where(press + ".direction") +
+        ": expected the axis of symmetry, [0, 1] or [0, -1], in an axisymmetric scene");
   guide.along = along.normalized();
   if (scene.given(press + ".force")) guide.force = scene.real(press + ".force");
   if (scene.given(press + ".approach"))
@@ -206,10 +206,10 @@ void require_determined(const Scene& scene, const CounterBody<dim>& body) {
                                     : n.dot(free[k]->along);
         moved += out * out.transpose();
       });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(moved);
-  if (modes.eigenvalues()[0] > 1e-12 * moved.trace()) return;
+  const auto [values, vectors] = spectrum_of(moved);
+  if (values[0] > 1e-12 * moved.trace()) return;
   Eigen::Index most = 0;
-  modes.eigenvectors().col(0).cwiseAbs().maxCoeff(&most);
+  vectors.col(0).cwiseAbs().maxCoeff(&most);
   throw InputError(fmt::format(
       "{}: expected a motion that changes where the surface is, but {}: nothing determines how far "
       "it {}",
