@@ -1,4 +1,3 @@
-#include <Eigen/LU>
 #include <cmath>
 #include <gnomon/stability/stability.hpp>
 #include <limits>
@@ -16,12 +15,14 @@ bool is_explicit(const ButcherTable& table) {
 }
 
 std::complex<double> stability_function(const ButcherTable& table, std::complex<double> z) {
-  const int s = table.stages();
-  const Eigen::MatrixXcd stages =
-      Eigen::MatrixXcd::Identity(s, s) - z * table.A.cast<std::complex<double>>();
-  const Eigen::VectorXcd ones = Eigen::VectorXcd::Ones(s);
-  const Eigen::VectorXcd values = stages.partialPivLu().solve(ones);
-  return 1.0 + z * (table.b.cast<std::complex<double>>().transpose() * values).value();
+  std::vector<std::complex<double>> stages;
+  std::complex<double> R = 1;
+  for (int i = 0; i < table.stages(); ++i) {
+    std::complex<double> before = 1;
+    for (int j = 0; j < i; ++j) before += z * table.A(i, j) * stages[j];
+    R += z * table.b[i] * stages.emplace_back(before / (1.0 - z * table.A(i, i)));
+  }
+  return R;
 }
 
 double stability_boundary(const ButcherTable& table, double angle) {
