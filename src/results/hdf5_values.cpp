@@ -75,9 +75,10 @@ std::size_t count_of(const std::vector<hsize_t>& extents) {
 }
 
 // Appends the name of a link or an attribute to a list; no exception may leave this function.
-herr_t add_name(std::vector<std::string>& names, const char* name) {
+template <class Info>
+herr_t add_name(hid_t, const char* name, const Info*, void* names) {
   try {
-    names.emplace_back(name);
+    static_cast<std::vector<std::string>*>(names)->emplace_back(name);
     return 0;
   } catch (...) {
     return -1;
@@ -282,24 +283,14 @@ template Numbers<int> read_numbers(hid_t, const std::string&);
 
 std::vector<std::string> link_names(hid_t group) {
   std::vector<std::string> names;
-  check(H5Literate(
-            group, H5_INDEX_NAME, H5_ITER_INC, nullptr,
-            [](hid_t, const char* name, const H5L_info_t*, void* list) {
-              return add_name(*static_cast<std::vector<std::string>*>(list), name);
-            },
-            &names),
+  check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, add_name<H5L_info_t>, &names),
         "list a group");
   return names;
 }
 
 std::vector<std::string> attribute_names(hid_t object) {
   std::vector<std::string> names;
-  check(H5Aiterate2(
-            object, H5_INDEX_NAME, H5_ITER_INC, nullptr,
-            [](hid_t, const char* name, const H5A_info_t*, void* list) {
-              return add_name(*static_cast<std::vector<std::string>*>(list), name);
-            },
-            &names),
+  check(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, add_name<H5A_info_t>, &names),
         "list attributes");
   return names;
 }
