@@ -33,8 +33,7 @@ std::vector<Key> keys() {
        .range = {.min = 1, .max = 500},
        .length = 3,
        .help = "elements from the pole to the edge of the bottom patch, from there to the "
-               "mid-plane, and "
-               "from the core to the surface"},
+               "mid-plane, and from the core to the surface"},
       {.name = "mesh.patch",
        .unit = "mm",
        .default_value = 2.5,

@@ -154,8 +154,7 @@ void check_drawing(const fs::path& file) {
   if (ending != ".png" && ending != ".svg" && ending != ".xdmf")
     throw InputError(
         fmt::format("--output: expected a name that ends in .png, .svg (pictures), .xdmf (for "
-                    "ParaView) or .msh "
-                    "(for Gmsh), got {}",
+                    "ParaView) or .msh (for Gmsh), got {}",
                     file.string()));
   std::error_code ignored;
   if (file.has_parent_path() && !fs::is_directory(file.parent_path(), ignored))

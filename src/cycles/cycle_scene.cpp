@@ -117,8 +117,7 @@ std::optional<CycleFunction> read_function(const Scene& scene, const std::string
     for (int k = 0; k < 1000; ++k)
       if (!std::isfinite(function.value(k / 1000.0)))
         throw InputError(
-            fmt::format("{}: expected a finite value at all tau in [0, 1), got {} at "
-                        "tau = {:g}",
+            fmt::format("{}: expected a finite value at all tau in [0, 1), got {} at tau = {:g}",
                         scene.where(key), function.value(k / 1000.0), k / 1000.0));
     return function;
   } catch (const ExpressionError& error) {
@@ -175,8 +174,7 @@ CycleQuadrature read_cycle_quadrature(const Scene& scene, std::vector<double> ki
   const std::vector<double>& phases = scene.reals("cycle.phases");
   const auto refuse = [&](const std::string& got) {
     throw InputError(
-        fmt::format("{}: expected a number of phases, or ascending positions in [0, "
-                    "1), got {}",
+        fmt::format("{}: expected a number of phases, or ascending positions in [0, 1), got {}",
                     scene.where("cycle.phases"), got));
   };
   if (phases.empty()) refuse("none");

@@ -38,10 +38,8 @@ void check_kind(const std::filesystem::path& file) {
   if (kind == ".inp")
     refuse_mesh(
         file.string(),
-        "Gmsh's library writes Abaqus files but does not read them; "
-        "convert it, for example with: meshio convert part.inp part.msh (which drops its sets: "
-        "name the "
-        "parts in Gmsh)");
+        "Gmsh's library writes Abaqus files but does not read them; convert it, for example with: "
+        "meshio convert part.inp part.msh (which drops its sets: name the parts in Gmsh)");
   if (kind == ".msh" || is_geometry(file)) return;
   refuse_mesh(file.string(),
               kind.empty() ? fmt::format("has no ending, {}", expected)

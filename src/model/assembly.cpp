@@ -37,10 +37,10 @@ void require_compact_elements(const Mesh<dim>& mesh) {
     const auto x = mesh.positions(mesh.cells[e]);
     const auto size = (x.colwise().maxCoeff() - x.colwise().minCoeff()).eval();
     if (!(size.maxCoeff() <= most * size.minCoeff()))
-      throw InputError(fmt::format(
-          "the mesh: expected elements at most {:g} times as long as wide, got {:.2g} in element "
-          "{}",
-          most, size.maxCoeff() / size.minCoeff(), e));
+      throw InputError(
+          fmt::format("the mesh: expected elements at most {:g} times as long as wide, got {:.2g} "
+                      "in element {}",
+                      most, size.maxCoeff() / size.minCoeff(), e));
   }
 }
 

@@ -118,8 +118,7 @@ std::string remark_on_time(const LawInTime& in_time, std::size_t stops, double f
   if (std::abs(seen - 1) <= right) return {};
   return fmt::format(
       "the wear law changes with time faster than steps of {:g} s can follow: they see {:.3g} "
-      "times "
-      "what it wears over the run",
+      "times what it wears over the run",
       fixed_step, seen);
 }
 

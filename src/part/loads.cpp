@@ -75,8 +75,7 @@ std::string kind_of(const Scene& scene, const std::string& load) {
   if ((kind == "acceleration") == scene.given(load + ".on"))
     throw InputError(kind == "acceleration"
                          ? scene.where(load + ".on") +
-                               ": expected none, for an acceleration acts "
-                               "on the whole body"
+                               ": expected none, for an acceleration acts on the whole body"
                          : fmt::format("{}: expected also `on`, the group that it acts on",
                                        scene.where(load + "." + kind)));
   return kind;

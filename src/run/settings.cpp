@@ -34,8 +34,7 @@ void add_multiples(const Scene& scene, double end, std::vector<double>& times) {
   const double interval = scene.real("output.interval");
   if (end / interval > most)
     throw InputError(
-        fmt::format("{}: expected {:g} s or more, which stores {:g} times up to "
-                    "time.end, got {:g}",
+        fmt::format("{}: expected {:g} s or more, which stores {:g} times up to time.end, got {:g}",
                     scene.where("output.interval"), end / most, most, interval));
   const std::vector<double> given = times;
   for (long k = 1; k * interval <= end * (1 + 1e-12); ++k) {
@@ -137,8 +136,7 @@ const Integrator& chosen_integrator(const Scene& scene) {
   refuse_foreign_keys(scene, integrator);
   if (scene.has("integrator.step") && !integrator.fixed_steps)
     throw InputError(fmt::format(
-        "{}: expected none, {} chooses its own steps (integrator.max_step "
-        "bounds them), got {:g}",
+        "{}: expected none, {} chooses its own steps (integrator.max_step bounds them), got {:g}",
         scene.where("integrator.step"), integrator.name, scene.real("integrator.step")));
   if (scene.text("integrator.events") == "locate" && !integrator.locates_events)
     throw InputError(

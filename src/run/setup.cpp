@@ -29,9 +29,8 @@ void require_scene_file(const std::filesystem::path& file) {
   const std::string name = file.string();
   if (is_result(file))
     throw InputError(
-        fmt::format("{0}: is a result, expected a scene (TOML); gnomon info {0} shows "
-                    "it, gnomon resume {0} continues it, gnomon scene {0} prints its "
-                    "scene",
+        fmt::format("{0}: is a result, expected a scene (TOML); gnomon info {0} shows it, gnomon "
+                    "resume {0} continues it, gnomon scene {0} prints its scene",
                     name));
   if (!std::filesystem::is_regular_file(file)) return;
   if (file.extension() == ".msh" || is_geometry(file))

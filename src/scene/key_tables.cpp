@@ -68,8 +68,7 @@ std::vector<Key> integrator_keys() {
        .default_value = "stop",
        .choices = {"stop", "accept"},
        .help = "for fixed steps that amplify the fastest mode or hardly damp it: stop the run, or "
-               "accept "
-               "numbers without meaning"},
+               "accept numbers without meaning"},
   };
 }
 
@@ -179,8 +178,7 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .help =
            "wear rate, from pressure p, sliding speed v, friction power q = f p v, wear depth h, "
            "time t, sliding distance s, initial position x0 y0 z0, k = wear.coefficient, f = "
-           "friction.coefficient, "
-           "constants and tables (docs/wear_laws.md)"},
+           "friction.coefficient, constants and tables (docs/wear_laws.md)"},
       {.name = "wear.coefficient",
        .unit = "1/MPa",
        .absent_meaning = "no wear law reads k",
@@ -257,8 +255,7 @@ std::vector<Key> shape_keys() {
        .kind = KeyKind::text,
        .default_value = "neo-hookean",
        .help = "elastic law of the auxiliary elasticity: eq. (38), or blatz-ko, for example, which "
-               "keeps "
-               "elements from collapsing; a larger Poisson's ratio strengthens this"},
+               "keeps elements from collapsing; a larger Poisson's ratio strengthens this"},
       {.name = "shape.stiffening",
        .default_value = 0.0,
        .range = {.min = 0, .max = 2},

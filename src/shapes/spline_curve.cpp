@@ -44,8 +44,7 @@ SplineCurve::SplineCurve(Points points, bool closed) : points_(std::move(points)
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (!(points_[i].cwiseAbs().maxCoeff() <= largest_coordinate))
       throw CurveError(
-          fmt::format("expected finite coordinates of less than {:g} mm, got {} and "
-                      "{} at point {}",
+          fmt::format("expected finite coordinates of less than {:g} mm, got {} and {} at point {}",
                       largest_coordinate, points_[i][0], points_[i][1], i + 1));
   if (closed_ && points_.size() > 1 && coincide(points_.front(), points_.back()))
     points_.pop_back();

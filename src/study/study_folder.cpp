@@ -185,8 +185,7 @@ void require_planned(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::exists(folder / plan_file, ignored))
     throw InputError(
-        fmt::format("{}: expected the folder of a study, made by gnomon study plan, "
-                    "there is no {}",
+        fmt::format("{}: expected the folder of a study, made by gnomon study plan, there is no {}",
                     folder.string(), plan_file));
 }
 

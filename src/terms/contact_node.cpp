@@ -111,8 +111,7 @@ void require_direction(const ContactPatch<dim>& patch, const Vector<dim>& normal
     throw RecoverableError(fmt::format(
         "wear.normal = \"conservative\": contact node {} cannot wear, because the motion that its "
         "supports allow does not change the volume of the body; contact may have reached an end of "
-        "the "
-        "wearing surface",
+        "the wearing surface",
         patch.node));
 }
 
