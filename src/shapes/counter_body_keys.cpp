@@ -89,10 +89,10 @@ std::vector<Key> entry_keys() {
 }
 
 /// Of a shape. A key that is there already is shared: it has the help of all.
-void add_keys(std::vector<Key>& keys, const std::vector<Key>& of_shape) {
+void add_keys(std::vector<Key>& keys, const std::vector<Key>& of_shape, const std::string& shape) {
   for (const Key& key : of_shape) {
-    const auto there = std::ranges::find(keys, key.name, &Key::name);
-    if (there == keys.end()) {
+    Key* const there = same_key(keys, key, shape);
+    if (there == nullptr) {
       keys.push_back(key);
       keys.back().default_value.reset();
     } else if (there->help.find(key.help) == std::string::npos) {
@@ -114,9 +114,9 @@ std::vector<std::string> owners_of(const Key& key) {
 
 std::vector<Key> counter_body_keys() {
   std::vector<Key> keys;
-  for (const CounterShapeKind& kind : Registry<CounterShapeKind>::all()) add_keys(keys, kind.keys);
-  for (const CounterShapeKind& kind : Registry<CounterShapeKind>::all())
-    add_keys(keys, kind.keys_in_space);
+  for (const auto of_kind : {&CounterShapeKind::keys, &CounterShapeKind::keys_in_space})
+    for (const CounterShapeKind& kind : Registry<CounterShapeKind>::all())
+      add_keys(keys, kind.*of_kind, kind.name);
   for (Key& key : keys)
     key.absent_meaning = fmt::format("by the shape; of {}", fmt::join(owners_of(key), ", "));
   keys.insert(keys.begin(), {.name = "counter_body.shape",

@@ -52,13 +52,13 @@ Material read_material(const Scene& scene, const std::string& choice) {
   Material material = make_material(law_name, ElasticModuli::from_young_poisson(young, poisson));
   material.young_modulus = young;
   material.poisson_ratio = poisson;
+  const MaterialLaw& found = MaterialLaws::find(law_name, "material");
   for (const MaterialLaw& law : MaterialLaws::all())
     for (const Key& key : law.keys)
-      if (law.name != name && scene.given(table + key.name))
+      if (scene.given(table + key.name) && !std::ranges::count(found.keys, key.name, &Key::name))
         throw InputError(fmt::format("{}: only for {} = \"{}\", got \"{}\"",
                                      scene.where(table + key.name), choice, law.name, name));
-  if (const auto& ratios = MaterialLaws::find(law_name, "material").ratios)
-    material.moduli.ratios = ratios(scene, table, material.moduli);
+  if (found.ratios) material.moduli.ratios = found.ratios(scene, table, material.moduli);
   return material;
 }
 
@@ -73,7 +73,8 @@ void add_material_keys(std::vector<Key>& table, const std::string& choice) {
     for (Key key : law.keys) {
       key.name = table_of(choice) + key.name;
       key.idle = place->idle;
-      further.push_back(std::move(key));
+      require_optional(key, law.name);
+      if (!same_key(further, key, law.name)) further.push_back(std::move(key));
     }
   table.insert(place + 1, further.begin(), further.end());
 }

@@ -1,5 +1,6 @@
-// Registries of values (integrators, problems). A file in `integrators/` or `problems/` defines one
-// static Registration; nothing else has to change to add an entry.
+// Registries of values: integrators, problems, laws, shapes, materials, solvers. A file in
+// `integrators/` or `problems/` defines one static Registration; nothing else has to change to add
+// an entry.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +18,15 @@ namespace gnomon {
 /// programs and plug-ins that hide their own symbols. Empty at first.
 std::shared_ptr<void>& registered_of_type(const char* type);
 
+/// The key of the table that has the name of a key of something registered, or none. Throws
+/// RegistrationError where it has another kind, length or default.
+Key* same_key(std::vector<Key>& table, const Key& key, const std::string& thing);
+
+/// Throws RegistrationError for a key that every scene would have to give.
+void require_optional(const Key& key, const std::string& thing);
+
 /// Adds the key of something registered that `choice` ("wear.law") names; where the scene chooses
-/// another, the key is idle. Others that may be chosen may have it too: throws RegistrationError
-/// where the table has it with another kind or default.
+/// another, the key is idle. Others that may be chosen may have it too. Throws like these two.
 void add_key_of_choice(std::vector<Key>& table, const Key& key, const std::string& choice,
                        const std::string& thing);
 

@@ -25,8 +25,8 @@ struct MaterialLaw {
   /// Keys of the law's ratios, named without their table: "mooney_ratio". They must be optional;
   /// scenes may give them only if they choose this law.
   std::vector<Key> keys{};
-  /// ElasticModuli::ratios of keys `table`.*; lambda and mu are given. Throws InputError (using
-  /// Scene::where). None: all zero.
+  /// ElasticModuli::ratios of the keys `table` + name ("body." + name); lambda and mu are given.
+  /// Throws InputError (using Scene::where). None: all zero.
   std::function<std::array<double, 2>(const Scene&, const std::string& table, const ElasticModuli&)>
       ratios = nullptr;
   /// Approximate factor by which the forces of nearly collapsed elements exceed those of eq. (38);
