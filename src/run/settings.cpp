@@ -48,11 +48,11 @@ void add_multiples(const Scene& scene, double end, std::vector<double>& times) {
 std::optional<Until> read_until(const Scene& scene) {
   if (!scene.has("time.until")) return std::nullopt;
   Until until{scene.text("time.until"), scene.where("time.until"), {}};
-  std::istringstream words(until.text);
-  std::string sign, rest;
-  const bool read(words >> until.observation >> sign >> until.value);
-  until.above = sign == ">";
-  if (!read || words >> rest || (sign != ">" && sign != "<"))
+  const std::size_t sign = std::min(until.text.find_first_of("<>"), until.text.size());
+  until.above = until.text.substr(sign, 1) == ">";
+  std::istringstream words(until.text.substr(0, sign)), number(until.text.substr(sign).erase(0, 1));
+  std::string rest;
+  if (!(words >> until.observation) || words >> rest || !(number >> until.value) || number >> rest)
     throw InputError(
         fmt::format("{}: expected an observation, > or <, and a number, as in \"worn_volume > "
                     "2.5\", got \"{}\"",
