@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <gnomon/base/error.hpp>
 #include <gnomon/system/composed_system.hpp>
 
 #include "base/threads.hpp"
@@ -232,6 +233,11 @@ void ComposedSystem<dim>::freeze(FieldValues<dim> values, double t) {
 template <int dim>
 std::vector<AlgebraicStage> ComposedSystem<dim>::algebraic_stages() const {
   std::vector<AlgebraicStage> stages;
+  const std::vector<Block>& blocks = composition_->fields->blocks;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    if (!blocks[b].differential &&
+        std::ranges::none_of(composition_->stages, [b](const auto& stage) { return stage[b]; }))
+      throw Error("block " + blocks[b].name + ": expected an algebraic stage that has it");
   for (const BlockSelection& selected : composition_->stages) {
     auto part = std::make_unique<ComposedSystem<dim>>(composition_, selected);
     // A single layer of elements has no shape unknowns off the worn surface.
