@@ -121,16 +121,6 @@ GapProfile gaps_of(const AssemblyParts<dim>& parts, const Patches<dim>& patches)
   return {gaps, areas};
 }
 
-/// Force at factor one.
-template <int dim>
-Vector<dim> resultant(const Load<dim>& load, const AssemblyParts<dim>& parts) {
-  if (load.forces.size() > 0) return load.forces.colwise().sum().transpose();
-  Vector<dim> sum = Vector<dim>::Zero();
-  for (const auto& patch : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()))
-    sum -= load.pressure * patch.initial_area * patch.initial_normal;
-  return sum;
-}
-
 /// How far the bodies are brought into each other where no force presses them.
 template <int dim>
 double given_overlap(const AssemblyParts<dim>& parts) {
@@ -160,10 +150,20 @@ double contact_modulus(const std::vector<Body>& bodies) {
 }  // namespace
 
 template <int dim>
+Vector<dim> sum_of_loads(const AssemblyParts<dim>& parts) {
+  Vector<dim> sum = Vector<dim>::Zero();
+  for (const Load<dim>& load : parts.loads) {
+    if (load.forces.size() > 0) sum += load.forces.colwise().sum().matrix().transpose();
+    for (const auto& patch : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()))
+      sum -= load.pressure * patch.initial_area * patch.initial_normal;
+  }
+  return sum;
+}
+
+template <int dim>
 Pressing pressing_of(const AssemblyParts<dim>& parts, double duration) {
   const Interface<dim>& interface = parts.interface;
-  Vector<dim> load = Vector<dim>::Zero();
-  for (const Load<dim>& each : parts.loads) load += resultant(each, parts);
+  const Vector<dim> load = sum_of_loads(parts);
   double most_load = 0;
   for (const Phase<dim>& phase : parts.instants()) most_load = std::max(most_load, phase.load);
   const double force = interface.force ? *interface.force / interface.partner.guides.front().share
@@ -209,6 +209,8 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   return result;
 }
 
+template Vector<2> sum_of_loads(const AssemblyParts<2>&);
+template Vector<3> sum_of_loads(const AssemblyParts<3>&);
 template Pressing pressing_of(const AssemblyParts<2>&, double);
 template Pressing pressing_of(const AssemblyParts<3>&, double);
 template Magnitudes magnitudes_of(const AssemblyParts<2>&, double);

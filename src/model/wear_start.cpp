@@ -8,6 +8,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/stepper.hpp>
+#include <gnomon/model/magnitudes.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <limits>
@@ -176,24 +177,12 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
 
 namespace {
 
-/// The sum of all loads at factor one, on the unworn bodies.
-template <int dim>
-Vector<dim> sum_of_loads(const Assembly<dim>& body) {
-  Vector<dim> sum = Vector<dim>::Zero();
-  for (const Load<dim>& load : body.loads) {
-    if (load.forces.size() > 0) sum += load.forces.colwise().sum().matrix().transpose();
-    for (const auto& patch : contact_patches<dim>(body.mesh, load.facets, {}, body.section()))
-      sum -= load.pressure * patch.initial_area * patch.initial_normal;
-  }
-  return sum;
-}
-
 /// How loads pull the bodies off a counter-body that no force presses; empty where they do not.
 template <int dim>
 std::string pulled_off(const WornBodyEquations<dim>& equations) {
   const Assembly<dim>& body = equations.assembly();
   const Phase<dim>& phase = equations.phases().front();
-  const double off = sum_of_loads(body).dot(phase.counter_body.approach);
+  const double off = sum_of_loads<dim>(body).dot(phase.counter_body.approach);
   if (phase.moves_freely() || off <= 0) return {};
   return fmt::format(
       "no equilibrium was found at the start: the loads, {:.4g} N{} along the approach of the "

@@ -5,6 +5,10 @@
 
 namespace gnomon {
 
+/// The sum of all loads at factor one, on the unworn bodies.
+template <int dim>
+Vector<dim> sum_of_loads(const AssemblyParts<dim>& parts);
+
 /// What brings the bodies together: a force, or without one a displacement.
 struct Pressing {
   double force = 0;    ///< the largest of a cycle, at factor one
