@@ -23,8 +23,8 @@ void require_strain(const AssemblyParts<dim>& parts) {
   const double strain = factor * parts.scales.stress / young;
   if (!(strain >= strain_at_least))
     throw InputError(fmt::format(
-        "load.force, load.factors, body.young_modulus: expected a load that strains the "
-        "body by {:g} or more, got about {:.2g}, which is less than rounding errors",
+        "forces and Young's moduli: expected forces that strain the body by {:g} or more, got "
+        "about {:.2g}, which is less than rounding errors",
         strain_at_least, strain));
 }
 

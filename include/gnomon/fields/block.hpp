@@ -5,8 +5,8 @@
 
 namespace gnomon {
 
-/// A hint to a solver that treats the blocks of J separately (docs/linear.md), and nothing else:
-/// what a block means is given by its name, and the block itself says whether it is differential.
+/// What a solver that treats the blocks of J separately (docs/linear.md) has to know. An
+/// `extension` moves the mesh. Whether a block is differential it says itself.
 enum class Role : char {
   stiffness,   ///< nodal components whose diagonal block is elliptic and nearly symmetric
   multiplier,  ///< one condition for each node of the `stiffness` block with the same owner

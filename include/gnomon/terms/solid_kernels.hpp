@@ -1,5 +1,5 @@
-// The kernels of elastic cells, for files that register a law (material.hpp) or differentiate one.
-// With
+// The kernels of elastic cells, for files that register a law (material_law.hpp) or differentiate
+// one. With
 //
 //   H = (du/dxi)(dX/dxi)^-1,   F = I + H,   n_a = (dX/dxi)^-T dN_a/dxi,
 //   g_a = F^-T n_a (gradient in the current configuration), index 0: at the centroid,
