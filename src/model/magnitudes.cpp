@@ -134,7 +134,7 @@ double given_overlap(const AssemblyParts<dim>& parts) {
     for (const double value : springs.displacement) take(springs.history, value);
   for (const Guide<dim>& guide : parts.interface.partner.guides)
     if (guide.travel) take(*guide.travel, 1);
-  return most;
+  return std::max(most, overlap_at_rest(parts, parts.interface.partner));
 }
 
 /// Of the softest body.
@@ -150,20 +150,29 @@ double contact_modulus(const std::vector<Body>& bodies) {
 }  // namespace
 
 template <int dim>
-Vector<dim> sum_of_loads(const AssemblyParts<dim>& parts) {
+Vector<dim> resultant(const Load<dim>& load, const AssemblyParts<dim>& parts) {
+  if (load.forces.size() > 0) return load.forces.colwise().sum().transpose();
   Vector<dim> sum = Vector<dim>::Zero();
-  for (const Load<dim>& load : parts.loads) {
-    if (load.forces.size() > 0) sum += load.forces.colwise().sum().matrix().transpose();
-    for (const auto& patch : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()))
-      sum -= load.pressure * patch.initial_area * patch.initial_normal;
-  }
+  for (const auto& patch : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()))
+    sum -= load.pressure * patch.initial_area * patch.initial_normal;
   return sum;
+}
+
+template <int dim>
+double overlap_at_rest(const AssemblyParts<dim>& parts, const CounterBody<dim>& other) {
+  PartnerMotion<> q = other.given(0, 0);
+  q.setZero();
+  double deepest = 0;
+  for (const ContactPatch<dim>& patch : contact_nodes_of(parts))
+    deepest = std::max(deepest, -other.unchecked_distance(patch.initial_position, q, 0).gap);
+  return deepest;
 }
 
 template <int dim>
 Pressing pressing_of(const AssemblyParts<dim>& parts, double duration) {
   const Interface<dim>& interface = parts.interface;
-  const Vector<dim> load = sum_of_loads(parts);
+  Vector<dim> load = Vector<dim>::Zero();
+  for (const Load<dim>& each : parts.loads) load += resultant(each, parts);
   double most_load = 0;
   for (const Phase<dim>& phase : parts.instants()) most_load = std::max(most_load, phase.load);
   const double force = interface.force ? *interface.force / interface.partner.guides.front().share
@@ -209,8 +218,10 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   return result;
 }
 
-template Vector<2> sum_of_loads(const AssemblyParts<2>&);
-template Vector<3> sum_of_loads(const AssemblyParts<3>&);
+template Vector<2> resultant(const Load<2>&, const AssemblyParts<2>&);
+template Vector<3> resultant(const Load<3>&, const AssemblyParts<3>&);
+template double overlap_at_rest(const AssemblyParts<2>&, const CounterBody<2>&);
+template double overlap_at_rest(const AssemblyParts<3>&, const CounterBody<3>&);
 template Pressing pressing_of(const AssemblyParts<2>&, double);
 template Pressing pressing_of(const AssemblyParts<3>&, double);
 template Magnitudes magnitudes_of(const AssemblyParts<2>&, double);

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/stepper.hpp>
-#include <gnomon/model/magnitudes.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <limits>
@@ -90,7 +89,8 @@ CounterBody<dim> close_initial_gap(const WornBodyEquations<dim>& equations, std:
   const NodalField<dim>& d = values.vector(equations.fields().d);
   if (free) approach_rest(body, d, other);
   const double least = first_touch(body, d, other).travel;
-  if (!std::isfinite(least)) return other;
+  // Nothing presses bodies that overlap it at rest but this.
+  if (!std::isfinite(least) || (!free && least < 0 && body.loads.empty())) return other;
   if (free) {
     values.scalar(equations.fields(phase).w) = other.brought(least) - other.given(0, 0);
     return other;
@@ -177,19 +177,6 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
 
 namespace {
 
-/// How loads pull the bodies off a counter-body that no force presses; empty where they do not.
-template <int dim>
-std::string pulled_off(const WornBodyEquations<dim>& equations) {
-  const Assembly<dim>& body = equations.assembly();
-  const Phase<dim>& phase = equations.phases().front();
-  const double off = sum_of_loads<dim>(body).dot(phase.counter_body.approach);
-  if (phase.moves_freely() || off <= 0) return {};
-  return fmt::format(
-      "no equilibrium was found at the start: the loads, {:.4g} N{} along the approach of the "
-      "counter-body, pull the bodies off it",
-      off, dim == 2 && body.section() == Section::plane ? "/mm" : "");
-}
-
 /// A part of the load has an equilibrium, so that the body is sound and the load too large for it;
 /// or none has.
 std::string failure_of(const RampReport& ramp, const Element& element) {
@@ -213,10 +200,7 @@ State WearModel<dim>::start(Counters& counters) const {
   FieldValues<dim> values(*equations_.composition()->fields);
   const RampReport ramp =
       find_equilibrium(equations_, contact, ramp_options(assembly()), values, counters);
-  if (ramp.reached < 1) {
-    const std::string off = pulled_off(equations_);
-    throw SolutionError(off.empty() ? failure_of(ramp, assembly().bodies.front().element) : off);
-  }
+  if (ramp.reached < 1) throw SolutionError(failure_of(ramp, assembly().bodies.front().element));
   State state;
   state.y.resize(system().structure().size);
   system().numbering().gather(values, state.y);

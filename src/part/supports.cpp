@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <gnomon/base/error.hpp>
+#include <gnomon/model/magnitudes.hpp>
 #include <set>
 
 #include "base/spectrum.hpp"
@@ -173,6 +174,30 @@ std::string describe(const Eigen::VectorXd& mode, const std::vector<std::string>
                   : "turn about " + names[static_cast<std::size_t>(largest - 3)];
 }
 
+/// Nothing but loads keeps the bodies on a counter-body that no force presses.
+template <int dim>
+void require_pressing_loads(const Scene& scene, const AssemblyParts<dim>& parts) {
+  constexpr double vanishing = 1e-6;
+  std::set<double> times = {0};
+  for (const Load<dim>& load : parts.loads)
+    times.insert(load.history.times().begin(), load.history.times().end());
+  for (const Phase<dim>& phase : parts.instants())
+    for (const double t : times) {
+      double pressing = 0, whole = 0;
+      for (const Load<dim>& load : parts.loads) {
+        const double part = -resultant(load, parts).dot(phase.counter_body.approach);
+        pressing += phase.load * load.history.factor(t) * part;
+        whole += std::abs(part);
+      }
+      if (!(pressing > vanishing * whole))
+        throw InputError(fmt::format(
+            "{}: [[load]]: expected loads that press the bodies on the counter-body at any time, "
+            "since nothing else holds them there, got {:.3g} of the loads at t = {:g} s{}",
+            scene.path().string(), whole > 0 ? pressing / whole : 0, t,
+            parts.cycle ? fmt::format(", tau = {:.3g} of the cycle", phase.position) : ""));
+    }
+}
+
 }  // namespace
 
 template <int dim>
@@ -201,13 +226,18 @@ void require_held(const Scene& scene, const AssemblyParts<dim>& parts) {
       for (int node : facet)
         for (int i = 0; i < dim; ++i)
           if (springs.stiffness[i] > 0) holds(node, Vector<dim>::Unit(i));
+  const auto loose = [&] {
+    const Eigen::VectorXd values = spectrum_of(held).values;
+    return values[0] <= 1e-9 * values[modes - 1];
+  };
+  const bool by_contact = !parts.interface.force && loose();
   // The contact holds in one direction; without friction it does not hold along the surface.
   if (!parts.interface.force)
     for (const Surface<dim>& surface : parts.interface.surfaces)
       for (const auto& facet : surface.facets)
         for (int node : facet) holds(node, parts.interface.partner.approach);
   const auto [values, vectors] = spectrum_of(held);
-  if (values[0] > 1e-9 * values[modes - 1]) return;
+  if (!loose()) return by_contact ? require_pressing_loads(scene, parts) : void();
   const auto free = (values.array() <= 1e-9 * values[modes - 1]).count();
   throw InputError(
       fmt::format("{}: expected supports that hold the part, but it can still move as a rigid body "

@@ -41,6 +41,9 @@ TEST(Doubts, EachFactHasItsSentenceWithTheFigure) {
   EXPECT_THAT(doubts(facts),
               ElementsAre(HasSubstr("drags the contact by 0.5 mm of a stroke of 2")));
   facts = balanced();
+  facts.wedging = 96.4;
+  EXPECT_THAT(doubts(facts), ElementsAre(HasSubstr("add up to 96.4 times the force")));
+  facts = balanced();
   facts.touches = false;
   EXPECT_THAT(doubts(facts), ElementsAre(HasSubstr("do not touch anywhere")));
 }
@@ -92,6 +95,23 @@ TEST_F(ResultChecks, ALoadOnAHeldFaceIsNamed) {
 }
 
 // On springs so soft that friction moves the flat by more than the stroke.
+// Only its load keeps a flat that slides along its support on the counter-body.
+TEST_F(ResultChecks, LoadsThatCeaseToPressAreRefused) {
+  std::string pressed = text("motion.velocity = [10.0, 0.0]", "");
+  const std::string held = "support = [ { on = \"bottom\" } ]";
+  const auto by_load = [&](const std::string& factors) {
+    std::string scene = pressed;
+    return scene.replace(
+        scene.find(held), held.size(),
+        "support = [ { on = \"bottom\", directions = [\"x\"] } ]\n"
+        "load = [ { on = \"bottom\", force = [0.0, 18.5], times = [0.0, 50.0], factors = " +
+            factors + " } ]");
+  };
+  EXPECT_NO_THROW(this->model(by_load("[1.0, 0.5]")));
+  EXPECT_THAT(refusal(by_load("[1.0, 0.0]")), HasSubstr("0 of the loads at t = 50 s"));
+  EXPECT_THAT(refusal(by_load("[1.0, -1.0]")), HasSubstr("-1 of the loads at t = 50 s"));
+}
+
 TEST_F(ResultChecks, AFlatThatWouldStickIsRefused) {
   std::string soft = text(stroke);
   const std::string rigid = "support = [ { on = \"bottom\" } ]";

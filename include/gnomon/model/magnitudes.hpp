@@ -5,9 +5,13 @@
 
 namespace gnomon {
 
-/// The sum of all loads at factor one, on the unworn bodies.
+/// The force of a load at factor one on the unworn bodies.
 template <int dim>
-Vector<dim> sum_of_loads(const AssemblyParts<dim>& parts);
+Vector<dim> resultant(const Load<dim>& load, const AssemblyParts<dim>& parts);
+
+/// How deep the unloaded bodies lie in a counter-body that has not moved [length].
+template <int dim>
+double overlap_at_rest(const AssemblyParts<dim>& parts, const CounterBody<dim>& other);
 
 /// What brings the bodies together: a force, or without one a displacement.
 struct Pressing {
