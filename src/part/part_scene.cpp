@@ -76,12 +76,12 @@ Motion<dim> read_motion(const Scene& scene, Section section,
   CounterBody<dim> other = read_partner(scene, section, patches);
   Motion<dim> motion{.partner = other};
   if (!other.guides.empty()) motion.force = other.guides.front().force;
-  if (motion.force) motion.history = read_load_history(scene, other.guides.front().key);
   const std::optional<CyclicMotion<dim>> cycle = read_part_cycle(scene, other);
   if (cycle && cycle->cycle.force) {
     motion.force = largest_force(cycle->cycle);
     other.guide(), motion.partner = other;
   }
+  if (motion.force) motion.history = read_load_history(scene, other.guides.front().key);
   if (patches.empty()) return motion;
   const Meeting<dim> meeting = find_meeting(scene, patches, other, cycle);
   motion.partner = meeting.partner;

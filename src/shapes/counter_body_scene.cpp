@@ -132,7 +132,8 @@ void check_press(const Scene& scene, const std::string& press) {
     if (moment && has(other)) refuse(".moment", "either a moment or press" + std::string(other));
   for (const char* of_moment : {".center", ".axis"})
     if (!moment && has(of_moment)) refuse(of_moment, "also " + press + ".moment");
-  const bool times = has(".times"), factors = has(".factors"), loaded = force || moment;
+  const bool times = has(".times"), factors = has(".factors"),
+             loaded = force || moment || scene.given("cycle.force");
   if (factors && !loaded) refuse(".factors", "also " + press + ".force, which they multiply");
   if (loaded && times != factors)
     refuse(times ? ".times" : ".factors", times ? "also " + press + ".factors, at these times"
