@@ -36,7 +36,7 @@ std::string point_text(const std::array<double, 3>& x) {
 
 std::vector<std::string> doubts(const Examination& facts) {
   constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
-                   inside = 1e-3, rounding = 1e-9;
+                   wedged = 10, inside = 1e-3, rounding = 1e-9;
   std::vector<std::string> found;
   const bool loaded = largest_force(facts) > rounding * facts.force;
   if (const double left = norm(sum_of(facts.forces, &ResultantForce::force));
@@ -71,6 +71,11 @@ std::vector<std::string> doubts(const Examination& facts) {
         "the counter-body lies {:.3g} mm inside the unloaded bodies and cannot give way: they are "
         "pressed by as much, besides an approach",
         facts.overlap));
+  if (facts.wedging > wedged)
+    found.push_back(
+        fmt::format("contact forces add up to {:.3g} times the force on the counter-body: it is "
+                    "wedged, or larger than the place that it is pressed into",
+                    facts.wedging));
   if (facts.edge && facts.edge->pressure > peak * facts.edge->inside)
     found.push_back(fmt::format(
         "the largest pressure, {:.4g} MPa, is that of the last node in contact, at {}, and within "

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <gnomon/model/examination.hpp>
+#include <gnomon/model/magnitudes.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <limits>
 #include <set>
@@ -128,14 +129,32 @@ double find_overlap(const WornBodyEquations<dim>& equations) {
   double deepest = 0;
   for (const Phase<dim>& phase : equations.phases()) {
     if (phase.moves_freely() || !assembly.loads.empty()) return 0;
-    PartnerMotion<> q = phase.counter_body.given(0, 0);
-    q.setZero();
-    for (const ContactPatch<dim>& patch : assembly.contact_nodes) {
-      const double gap = phase.counter_body.unchecked_distance(patch.initial_position, q, 0).gap;
-      deepest = std::max(deepest, -gap);
-    }
+    deepest = std::max(deepest, overlap_at_rest<dim>(assembly, phase.counter_body));
   }
   return deepest;
+}
+
+/// In the phase where it is largest; the forces of a moment may have no sum.
+template <int dim>
+double find_wedging(const std::vector<Phase<dim>>& phases,
+                    const std::vector<PhaseContact<dim>>& contacts) {
+  double most = 0;
+  for (std::size_t p = 0; p < phases.size(); ++p) {
+    Vector<dim> sum = Vector<dim>::Zero();
+    double all = 0, pressing = 0;
+    for (const ContactNode<dim>& node : contacts[p].nodes) {
+      sum += node.force;
+      all += node.force.norm();
+    }
+    const std::vector<std::optional<double>> forces = phases[p].forces();
+    for (std::size_t k = 0; k < forces.size(); ++k) {
+      const Guide<dim>& guide = phases[p].counter_body.guides[k];
+      if (guide.turns()) return 0;
+      if (forces[k]) pressing += std::abs(sum.dot(guide.along));
+    }
+    if (pressing > 0) most = std::max(most, all / pressing);
+  }
+  return most;
 }
 
 }  // namespace
@@ -152,6 +171,7 @@ Examination WearModel<dim>::examine(const State& state) const {
   facts.drag = find_drag(equations_, values, contacts);
   if (state.t > 0) facts.edge = edge_pressure(assembly(), contacts);
   facts.overlap = find_overlap(equations_);
+  facts.wedging = find_wedging(equations_.phases(), contacts);
   facts.deformation = assembly().scales.displacement;
   facts.force = assembly().copies * assembly().scales.force;
   const Box<dim> box = Box<dim>::around(assembly().mesh.nodes);

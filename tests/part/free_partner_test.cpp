@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/checks/checks.hpp>
 #include <span>
 
 #include "part/part_scene.hpp"
@@ -83,6 +84,26 @@ TEST_F(FreePartner, AShaftRollsUpItsBore) {
   EXPECT_NEAR(middle(*off, same), middle(*free, rolled), 1e-5);
   EXPECT_NEAR(observed(*off, same, "approach_2"), observed(*free, rolled, "approach_2") - 0.02,
               1e-7);
+}
+
+TEST_F(FreePartner, AShaftLargerThanItsBoreIsNamed) {
+  const auto doubts_of = [this](const Overrides& overrides) {
+    const auto model = journal(down + aside, overrides);
+    return doubts(model->examine(start_of(*model)));
+  };
+  EXPECT_THAT(doubts_of({}), ::testing::IsEmpty());
+  EXPECT_THAT(doubts_of({"counter_body.radius=10.1"}),
+              ::testing::ElementsAre(HasSubstr("wedged, or larger")));
+}
+
+// Lame: the radial displacement of a ring in a rigid housing is B (1/r - r/b^2).
+TEST_F(FreePartner, AnInterferenceFitNeedsNoPress) {
+  const auto fit = journal("", {"counter_body.radius=10.07", "friction.coefficient=0.0"});
+  const double a = 10.05, b = 13, overlap = 0.02, mu = 3000 / 2.7, lambda = mu * 0.7 / 0.3;
+  const double B = overlap / (1 / a - a / (b * b));
+  const double pressure = 2 * mu * B / (a * a) + 2 * (lambda + mu) * B / (b * b);
+  const double force = observed(*fit, start_of(*fit), "contact_force");
+  EXPECT_NEAR(force, 2 * M_PI * a * pressure, 0.01 * force);
 }
 
 TEST_F(FreePartner, AWornBoreLosesWhatWearsAndBalances) {

@@ -56,6 +56,9 @@ struct Examination {
   /// How deep the unloaded bodies lie in a counter-body that cannot give way, before it approaches
   /// [length].
   double overlap = 0;
+  /// Contact forces, added up without regard to their directions, by what presses a free
+  /// counter-body; 0 where none is free, or one turns.
+  double wedging = 0;
   double deformation = 0;  ///< typical displacement: much less of a depth does not count [length]
   double force = 0;        ///< typical: a small part of it is rounding
   double size = 0;         ///< of the bodies, from corner to corner [length]
