@@ -6,6 +6,7 @@ set(gnomon_public_headers
   gnomon/base/installation.hpp       # files of the installation
   gnomon/base/version.hpp
   gnomon/scene/scene.hpp             # scenes and their keys
+  gnomon/scene/keys.hpp              # their commonest kinds
   gnomon/scene/registry.hpp          # registrations
   gnomon/laws/wear_law.hpp           # wear laws
   gnomon/shapes/counter_shape.hpp      # shapes of counter-bodies

@@ -6,6 +6,7 @@
 #include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
+#include <gnomon/scene/keys.hpp>
 
 #include "integrators/ida.hpp"
 
@@ -13,13 +14,8 @@ namespace gnomon {
 
 namespace {
 
-const Key max_order_key = {
-    .name = "integrator.max_order",
-    .kind = KeyKind::integer,
-    .default_value = 5L,
-    .range = {.min = 1, .max = 5},
-    .help = "highest order",
-};
+const Key max_order_key =
+    integer_key("integrator.max_order", by_default(5L), {.min = 1, .max = 5}, "highest order");
 
 class BdfSolver : public Stepper {
 public:

@@ -3,6 +3,7 @@
 //   d_{n+1} = d_n + h ((1 - alpha) ddot_n + alpha ddot_{n+1})   on the contact surface
 
 #include <gnomon/integrators/diagonally_implicit.hpp>
+#include <gnomon/scene/keys.hpp>
 
 namespace gnomon {
 
@@ -12,12 +13,8 @@ ButcherTable backward_euler(const IntegratorSettings&) {
   return {"eq. (18)", 1, Eigen::MatrixXd{{1.0}}, Eigen::VectorXd{{1.0}}, Eigen::VectorXd{{1.0}}};
 }
 
-const Key alpha_key = {
-    .name = "integrator.alpha",
-    .default_value = 0.5,
-    .range = {.min = 1e-6, .max = 1},
-    .help = "alpha of eq. (21): 1 is backward Euler, 0.5 the trapezoidal rule",
-};
+const Key alpha_key = real_key("integrator.alpha", "", by_default(0.5), {.min = 1e-6, .max = 1},
+                               "alpha of eq. (21): 1 is backward Euler, 0.5 the trapezoidal rule");
 
 ButcherTable theta(const IntegratorSettings& settings) {
   const double alpha = std::get<double>(settings.value(alpha_key));

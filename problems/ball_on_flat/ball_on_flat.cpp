@@ -18,7 +18,7 @@
 #include <gnomon/mesh/quarter_ball.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/part/assembly_scene.hpp>
-#include <gnomon/shapes/shape_keys.hpp>
+#include <gnomon/scene/keys.hpp>
 
 namespace gnomon {
 
@@ -27,28 +27,16 @@ namespace {
 std::vector<Key> keys() {
   std::vector<Key> result = {
       length_key("ball.radius", "radius R of the ball"),
-      {.name = "mesh.elements",
-       .kind = KeyKind::integers,
-       .default_value = std::vector<long>{20, 6, 9},
-       .range = {.min = 1, .max = 500},
-       .length = 3,
-       .help = "elements from the pole to the edge of the bottom patch, from there to the "
-               "mid-plane, and from the core to the surface"},
-      {.name = "mesh.patch",
-       .unit = "mm",
-       .default_value = 2.5,
-       .range = positive_quantity,
-       .help = "arc from the pole to the edge of the bottom patch of equal elements"},
-      {.name = "contact.radius",
-       .unit = "mm",
-       .default_value = 3.0,
-       .range = positive_quantity,
-       .help = "distance from the axis up to which the ball may touch the flat"},
-      {.name = "shape.reach",
-       .unit = "mm",
-       .default_value = 4.0,
-       .range = positive_quantity,
-       .help = "distance from the pole up to which the shape is an unknown (Remark 2)"}};
+      integers_key("mesh.elements", by_default(std::vector<long>{20, 6, 9}), {.min = 1, .max = 500},
+                   "elements from the pole to the edge of the bottom patch, from there to the "
+                   "mid-plane, and from the core to the surface",
+                   3),
+      real_key("mesh.patch", "mm", by_default(2.5), positive_quantity,
+               "arc from the pole to the edge of the bottom patch of equal elements"),
+      real_key("contact.radius", "mm", by_default(3.0), positive_quantity,
+               "distance from the axis up to which the ball may touch the flat"),
+      real_key("shape.reach", "mm", by_default(4.0), positive_quantity,
+               "distance from the pole up to which the shape is an unknown (Remark 2)")};
   result.insert(result.end(), worn_body_keys(3).begin(), worn_body_keys(3).end());
   return result;
 }

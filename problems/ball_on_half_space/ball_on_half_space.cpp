@@ -20,7 +20,7 @@
 #include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/part/assembly_scene.hpp>
-#include <gnomon/shapes/shape_keys.hpp>
+#include <gnomon/scene/keys.hpp>
 
 namespace gnomon {
 
@@ -32,33 +32,21 @@ std::vector<Key> keys() {
       length_key("block.length", "length of the block, along the sliding direction"),
       length_key("block.half_width", "half the width of the block"),
       length_key("block.depth", "depth of the block, down to a rigid base"),
-      {.name = "block.sides",
-       .kind = KeyKind::text,
-       .default_value = "held",
-       .choices = {"held", "free"},
-       .help = "displacement of the two ends and of the outer side: held at zero, or free"},
+      text_key("block.sides", by_default("held"),
+               "displacement of the two ends and of the outer side: held at zero, or free",
+               {"held", "free"}),
       length_key("path.length",
                  "sliding length L of a cycle: length of the groove along which the ball slides in "
                  "each turn"),
-      {.name = "mesh.elements",
-       .kind = KeyKind::integers,
-       .default_value = std::vector<long>{40, 82, 20},
-       .range = {.min = 2, .max = 2000},
-       .length = 3,
-       .help = "elements along the block (even), across its half width, in its depth"},
-      {.name = "mesh.size",
-       .kind = KeyKind::reals,
-       .unit = "mm",
-       .range = positive_quantity,
-       .length = 3,
-       .help = "sizes of the elements at the origin, in the same order"},
-      {.name = "mesh.fine",
-       .kind = KeyKind::reals,
-       .unit = "mm",
-       .range = {.min = 0},
-       .length = 3,
-       .help =
-           "distances from the origin up to which the elements have that size; beyond, they grow"}};
+      integers_key("mesh.elements", by_default(std::vector<long>{40, 82, 20}),
+                   {.min = 2, .max = 2000},
+                   "elements along the block (even), across its half width, in its depth", 3),
+      reals_key("mesh.size", "mm", required(), positive_quantity,
+                "sizes of the elements at the origin, in the same order", 3),
+      reals_key(
+          "mesh.fine", "mm", required(), non_negative,
+          "distances from the origin up to which the elements have that size; beyond, they grow",
+          3)};
   result.insert(result.end(), worn_body_keys(3).begin(), worn_body_keys(3).end());
   return result;
 }

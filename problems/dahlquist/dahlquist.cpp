@@ -21,6 +21,7 @@
 #include <gnomon/base/tensor.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/model/problem.hpp>
+#include <gnomon/scene/keys.hpp>
 
 namespace gnomon {
 
@@ -176,22 +177,14 @@ private:
 };
 
 std::vector<Key> keys() {
-  return {{.name = "dahlquist.rate_real", .unit = "1/s", .help = "real part of lambda"},
-          {.name = "dahlquist.rate_imag",
-           .unit = "1/s",
-           .default_value = 0.0,
-           .help = "imaginary part of lambda"},
-          {.name = "dahlquist.forcing",
-           .default_value = 0.0,
-           .help = "amplitude of phi: 0 Dahlquist's equation, 1 Prothero and Robinson's, z = phi"},
-          {.name = "dahlquist.frequency",
-           .unit = "1/s",
-           .default_value = 1.0,
-           .help = "angular frequency omega of phi"},
-          {.name = "dahlquist.nonlinearity",
-           .default_value = 0.0,
-           .range = {.min = 0},
-           .help = "c of y = z + c |z|^2 z; 0 is the linear equation"}};
+  return {
+      real_key("dahlquist.rate_real", "1/s", required(), {}, "real part of lambda"),
+      real_key("dahlquist.rate_imag", "1/s", by_default(0.0), {}, "imaginary part of lambda"),
+      real_key("dahlquist.forcing", "", by_default(0.0), {},
+               "amplitude of phi: 0 Dahlquist's equation, 1 Prothero and Robinson's, z = phi"),
+      real_key("dahlquist.frequency", "1/s", by_default(1.0), {}, "angular frequency omega of phi"),
+      real_key("dahlquist.nonlinearity", "", by_default(0.0), non_negative,
+               "c of y = z + c |z|^2 z; 0 is the linear equation")};
 }
 
 std::unique_ptr<Model> make(const Scene& scene) {

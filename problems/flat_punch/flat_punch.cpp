@@ -28,7 +28,7 @@
 #include <gnomon/mesh/grid_lines.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/part/assembly_scene.hpp>
-#include <gnomon/shapes/shape_keys.hpp>
+#include <gnomon/scene/keys.hpp>
 
 namespace gnomon {
 
@@ -39,15 +39,10 @@ std::vector<Key> keys() {
       length_key("punch.half_width", "half width a"),
       length_key("block.width", "width W of the block"),
       length_key("block.depth", "depth H of the block"),
-      {.name = "mesh.punch_elements",
-       .kind = KeyKind::integer,
-       .default_value = 20L,
-       .range = {.min = 2, .max = 2000},
-       .help = "elements under the punch, equally wide"},
-      {.name = "mesh.grading",
-       .default_value = 1.2,
-       .range = {.min = 1, .max = 3, .min_open = true},
-       .help = "largest ratio of neighbouring elements away from the punch"}};
+      integer_key("mesh.punch_elements", by_default(20L), {.min = 2, .max = 2000},
+                  "elements under the punch, equally wide"),
+      real_key("mesh.grading", "", by_default(1.2), {.min = 1, .max = 3, .min_open = true},
+               "largest ratio of neighbouring elements away from the punch")};
   result.insert(result.end(), worn_body_keys(2).begin(), worn_body_keys(2).end());
   return result;
 }

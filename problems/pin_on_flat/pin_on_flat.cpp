@@ -14,7 +14,7 @@
 #include <gnomon/mesh/distortion.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/part/assembly_scene.hpp>
-#include <gnomon/shapes/shape_keys.hpp>
+#include <gnomon/scene/keys.hpp>
 
 namespace gnomon {
 
@@ -22,27 +22,19 @@ namespace {
 
 std::vector<Key> keys() {
   std::vector<Key> result = {
-      {.name = "mesh.elements",
-       .kind = KeyKind::integers,
-       .default_value = std::vector<long>{40, 40},
-       .range = {.min = 2, .max = 4000},
-       .length = 2,
-       .help = "elements across and along the height of the pin"},
-      {.name = "mesh.distortion",
-       .default_value = 0.0,
-       .range = {.min = 0, .max = 1},
-       .help =
-           "largest displacement of the inner nodes, relative to the shortest edge at the node"},
+      integers_key("mesh.elements", by_default(std::vector<long>{40, 40}), {.min = 2, .max = 4000},
+                   "elements across and along the height of the pin", 2),
+      real_key(
+          "mesh.distortion", "", by_default(0.0), {.min = 0, .max = 1},
+          "largest displacement of the inner nodes, relative to the shortest edge at the node"),
       length_key("pin.radius", "radius of curvature R of the contact surface y = x^2/(2R)"),
       length_key("pin.width", "width L of the pin"),
       length_key("pin.height", "largest height H of the pin, at its centre line"),
-      {.name = "pin.sides",
-       .kind = KeyKind::text,
-       .default_value = "sliding",
-       .choices = {"sliding", "held"},
-       .help =
-           "shape of the left and right side: sliding along the side, so that the end nodes of the "
-           "contact surface wear, or held"}};
+      text_key(
+          "pin.sides", by_default("sliding"),
+          "shape of the left and right side: sliding along the side, so that the end nodes of the "
+          "contact surface wear, or held",
+          {"sliding", "held"})};
   result.insert(result.end(), worn_body_keys(2).begin(), worn_body_keys(2).end());
   return result;
 }

@@ -4,7 +4,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/model/wear_scene.hpp>
-#include <gnomon/shapes/shape_keys.hpp>
+#include <gnomon/scene/keys.hpp>
 #include <limits>
 #include <string>
 
@@ -167,15 +167,10 @@ std::vector<Key> foundation_keys() {
   std::vector<Key> result = {
       length_key("pin.radius", "radius of curvature R of the pin's surface y = x^2/(2R)"),
       length_key("pin.width", "width L of the pin"),
-      {.name = "foundation.modulus",
-       .unit = "MPa/mm",
-       .range = positive_quantity,
-       .help = "modulus K_w of the springs: pressure per unit of compression"},
-      {.name = "foundation.points",
-       .kind = KeyKind::integer,
-       .default_value = 401L,
-       .range = {.min = 3, .max = 1000000},
-       .help = "number of springs over the width, both ends included"}};
+      real_key("foundation.modulus", "MPa/mm", required(), positive_quantity,
+               "modulus K_w of the springs: pressure per unit of compression"),
+      integer_key("foundation.points", by_default(401L), {.min = 3, .max = 1000000},
+                  "number of springs over the width, both ends included")};
   for (const Key& key : phase_keys()) result.push_back(key);
   for (const Key& key : worn_body_keys(2))
     if ((key.name.starts_with("wear.") || key.name.starts_with("tables.")) &&

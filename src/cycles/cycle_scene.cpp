@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
+#include <gnomon/scene/keys.hpp>
 #include <gnomon/shapes/profile.hpp>
 
 #include "expressions/expression_tables.hpp"
@@ -23,16 +24,10 @@ Key function_key(const std::string& name, const std::string& unit, const std::st
 
 std::vector<Key> make_keys() {
   const std::string how = ": an expression of tau in [0, 1), or a file (.csv) of tau and values";
-  return {{.name = "cycle.period",
-           .unit = "s",
-           .absent_meaning = "no cycle",
-           .range = positive_quantity,
-           .help = "duration of a cycle of motion and load, over which wear is averaged"},
-          {.name = "time.cycles",
-           .absent_meaning = "time.end is given",
-           .range = positive_quantity,
-           .on_resume = true,
-           .help = "end of the run in cycles, instead of time.end"},
+  return {real_key("cycle.period", "s", absent("no cycle"), positive_quantity,
+                   "duration of a cycle of motion and load, over which wear is averaged"),
+          resumable(real_key("time.cycles", "", absent("time.end is given"), positive_quantity,
+                             "end of the run in cycles, instead of time.end")),
           {.name = "cycle.phases",
            .kind = KeyKind::reals,
            .absent_meaning = "needed by cycle.period",

@@ -39,11 +39,9 @@ const std::vector<int>& cells_of(const Scene& scene, const std::string& table,
 }  // namespace
 
 std::vector<Key> body_table_keys() {
-  std::vector<Key> keys = {{.name = "body.#.name",
-                            .kind = KeyKind::text,
-                            .absent_meaning = "needed in every [[body]]",
-                            .help = "group of elements that is this body; bodies that share nodes "
-                                    "are bonded"},
+  std::vector<Key> keys = {text_key("body.#.name", absent("needed in every [[body]]"),
+                                    "group of elements that is this body; bodies that share nodes "
+                                    "are bonded"),
                            density_key("body.#.density")};
   for (Key key : worn_body_keys(2)) {
     if (!key.name.starts_with("body.")) continue;

@@ -39,31 +39,21 @@ std::vector<std::string> direction_names(const Scene& scene) {
 }
 
 Key density_key(const std::string& name, std::function<std::string(const Scene&)> idle) {
-  return {.name = name,
-          .unit = "t/mm^3",
-          .absent_meaning = "no load.#.acceleration",
-          .range = positive_quantity,
-          .help = "mass by volume",
-          .idle = std::move(idle)};
+  return real_key(name, "t/mm^3", absent("no load.#.acceleration"), positive_quantity,
+                  "mass by volume", std::move(idle));
 }
 
 Key times_key(const std::string& prefix, const std::string& quantity) {
-  return {.name = prefix + ".times",
-          .kind = KeyKind::reals,
-          .unit = "s",
-          .absent_meaning = quantity + " does not change with time",
-          .range = {.min = 0},
-          .help = "ascending times of factors, one twice for a jump; steps end on them exactly"};
+  return reals_key(prefix + ".times", "s", absent(quantity + " does not change with time"),
+                   non_negative,
+                   "ascending times of factors, one twice for a jump; steps end on them exactly");
 }
 
 Key factors_key(const std::string& prefix, const std::string& quantity) {
-  return {.name = prefix + ".factors",
-          .kind = KeyKind::reals,
-          .absent_meaning = quantity + " does not change with time",
-          .range = {.min = -positive_quantity.max, .max = positive_quantity.max},
-          .help =
-              "what it is multiplied by at the times: linear between them, constant before the "
-              "first and after the last"};
+  return reals_key(
+      prefix + ".factors", "", absent(quantity + " does not change with time"), any_quantity,
+      "what it is multiplied by at the times: linear between them, constant before the "
+      "first and after the last");
 }
 
 LoadHistory read_history(const Scene& scene, const std::string& prefix) {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <gnomon/laws/load_history.hpp>
 #include <gnomon/mesh/section.hpp>
-#include <gnomon/scene/scene.hpp>
+#include <gnomon/scene/keys.hpp>
 #include <string>
 #include <vector>
 

@@ -25,29 +25,20 @@ std::vector<Key> mesh_keys() {
            .names_file = true,
            .help = "mesh of Gmsh (.msh), or geometry (.geo, .step) that Gmsh meshes, beside the "
                    "scene or by its path"},
-          {.name = "mesh.size",
-           .unit = "mm",
-           .absent_meaning = "as the geometry asks for",
-           .range = positive_quantity,
-           .help = "longest edge of an element where the geometry asks for no smaller one"},
-          {.name = "mesh.factor",
-           .default_value = 1.0,
-           .range = {.min = 1e-3, .max = 1e3},
-           .help = "multiplies every edge of the geometry: 0.5 for a mesh twice as fine"}};
+          real_key("mesh.size", "mm", absent("as the geometry asks for"), positive_quantity,
+                   "longest edge of an element where the geometry asks for no smaller one"),
+          real_key("mesh.factor", "", by_default(1.0), {.min = 1e-3, .max = 1e3},
+                   "multiplies every edge of the geometry: 0.5 for a mesh twice as fine")};
 }
 
 std::vector<Key> own_keys() {
   return {
-      {.name = "model.plane",
-       .kind = KeyKind::text,
-       .default_value = "strain",
-       .choices = {"strain", "axisymmetric"},
-       .help = "what a mesh in the plane is a section of: plane strain, or a body of revolution "
-               "about x = 0, in coordinates (r, z)"},
+      text_key("model.plane", by_default("strain"),
+               "what a mesh in the plane is a section of: plane strain, or a body of revolution "
+               "about x = 0, in coordinates (r, z)",
+               {"strain", "axisymmetric"}),
       density_key("body.density", idle_beside_bodies),
-      {.name = "wear.on",
-       .kind = KeyKind::texts,
-       .help = "groups of the mesh that touch the counter-body and wear"},
+      texts_key("wear.on", required(), "groups of the mesh that touch the counter-body and wear"),
       {.name = "wear.surfaces.\"*\".rate",
        .kind = KeyKind::text,
        .unit = "mm/s",

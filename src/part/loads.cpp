@@ -11,36 +11,18 @@
 
 namespace gnomon::part {
 
-namespace {
-
-constexpr Range any_quantity{.min = -positive_quantity.max, .max = positive_quantity.max};
-
-Key vector_key(const std::string& name, const std::string& unit, const std::string& help) {
-  return {.name = name,
-          .kind = KeyKind::reals,
-          .unit = unit,
-          .absent_meaning = "none",
-          .range = any_quantity,
-          .help = help};
-}
-
-}  // namespace
-
 std::vector<Key> load_keys() {
   return {
-      {.name = "load.#.on",
-       .kind = KeyKind::text,
-       .absent_meaning = "the whole body, for an acceleration",
-       .help = "group of the mesh that the load acts on"},
-      vector_key("load.#.force", "N/mm in plane strain, else N",
-                 "resultant, distributed evenly over the initial area; its direction stays"),
-      vector_key("load.#.traction", "MPa", "force by initial area; its direction stays"),
-      {.name = "load.#.pressure",
-       .unit = "MPa",
-       .absent_meaning = "none",
-       .range = any_quantity,
-       .help = "pressure, positive pushes on the body; follows the deformed surface"},
-      vector_key("load.#.acceleration", "mm/s^2", "for example of gravity; needs body.density"),
+      text_key("load.#.on", absent("the whole body, for an acceleration"),
+               "group of the mesh that the load acts on"),
+      reals_key("load.#.force", "N/mm in plane strain, else N", absent("none"), any_quantity,
+                "resultant, distributed evenly over the initial area; its direction stays"),
+      reals_key("load.#.traction", "MPa", absent("none"), any_quantity,
+                "force by initial area; its direction stays"),
+      real_key("load.#.pressure", "MPa", absent("none"), any_quantity,
+               "pressure, positive pushes on the body; follows the deformed surface"),
+      reals_key("load.#.acceleration", "mm/s^2", absent("none"), any_quantity,
+                "for example of gravity; needs body.density"),
       times_key("load.#", "the load"),
       factors_key("load.#", "the load"),
   };

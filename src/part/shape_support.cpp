@@ -16,22 +16,17 @@
 namespace gnomon::part {
 
 std::vector<Key> shape_support_keys() {
-  return {{.name = "shape.reach",
-           .unit = "mm",
-           .absent_meaning = "the whole body, or, where it is large, what the wear is expected to "
-                             "move (gnomon check prints it)",
-           .range = positive_quantity,
-           .help = "distance from the wearing surfaces up to which the mesh moves (Remark 2)"},
-          {.name = "shape.hold",
-           .kind = KeyKind::texts,
-           .default_value = std::vector<std::string>{},
-           .help = "groups of the mesh whose shape is held altogether"},
-          {.name = "shape.slide",
-           .kind = KeyKind::texts,
-           .default_value = std::vector<std::string>{},
-           .help = "groups that are nearly planes, whose shape slides in them, or nearly round "
-                   "cylinders along a coordinate direction, along which it slides; exact ones do "
-                   "so without being named"}};
+  return {real_key("shape.reach", "mm",
+                   absent("the whole body, or, where it is large, what the wear is expected to "
+                          "move (gnomon check prints it)"),
+                   positive_quantity,
+                   "distance from the wearing surfaces up to which the mesh moves (Remark 2)"),
+          texts_key("shape.hold", by_default(std::vector<std::string>{}),
+                    "groups of the mesh whose shape is held altogether"),
+          texts_key("shape.slide", by_default(std::vector<std::string>{}),
+                    "groups that are nearly planes, whose shape slides in them, or nearly round "
+                    "cylinders along a coordinate direction, along which it slides; exact ones do "
+                    "so without being named")};
 }
 
 namespace {

@@ -4,59 +4,40 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <gnomon/scene/keys.hpp>
 #include <gnomon/shapes/counter_body_scene.hpp>
 
 namespace gnomon {
 
 namespace {
 
-/// Of as many numbers as the scene has directions.
-Key vector_key(const std::string& name, const std::string& unit, const std::string& absent,
-               const std::string& help) {
-  return {
-      .name = name, .kind = KeyKind::reals, .unit = unit, .absent_meaning = absent, .help = help};
-}
-
-Key real_key(const std::string& name, const std::string& unit, const std::string& absent,
-             const std::string& help) {
-  return {.name = name,
-          .unit = unit,
-          .absent_meaning = absent,
-          .range = {.min = -1e30, .max = 1e30},
-          .help = help};
-}
-
 std::vector<Key> motion_keys() {
-  return {vector_key("counter_body.motion.velocity", "mm/s", "none",
-                     "velocity of its surface, in the plane also with a third number, out of it; "
-                     "the counter-body itself stays: a steady state"),
-          real_key("counter_body.motion.rotation", "rad/s", "none",
+  return {reals_key("counter_body.motion.velocity", "mm/s", absent("none"), {},
+                    "velocity of its surface, in the plane also with a third number, out of it; "
+                    "the counter-body itself stays: a steady state"),
+          real_key("counter_body.motion.rotation", "rad/s", absent("none"), any_quantity,
                    "rotation about motion.center, from the first direction to the second; "
                    "axisymmetric: about r = 0; in space: about motion.axis, right-handed"),
-          vector_key("counter_body.motion.center", "mm", "counter_body.center",
-                     "point of the axis of rotation"),
-          vector_key("counter_body.motion.axis", "", "counter_body.axis",
-                     "in space: direction of the axis of rotation, of any length")};
+          reals_key("counter_body.motion.center", "mm", absent("counter_body.center"), {},
+                    "point of the axis of rotation"),
+          reals_key("counter_body.motion.axis", "", absent("counter_body.axis"), {},
+                    "in space: direction of the axis of rotation, of any length")};
 }
 
 /// Of the table `press`, or of each of an array of them.
 std::vector<Key> press_keys(const std::string& press) {
   return {
-      vector_key(press + ".direction", "", "needed by press.force and .approach",
-                 "direction in which the counter-body is pressed, of any length; without force and "
-                 "approach it is held there"),
-      {.name = press + ".force",
-       .unit = "N",
-       .absent_meaning = "it does not move, or as press.approach says",
-       .range = {.min = 0, .max = positive_quantity.max},
-       .help = "force along press.direction, in 2D per mm out of the plane; axisymmetric: the "
-               "whole force"},
-      {.name = press + ".factors",
-       .kind = KeyKind::reals,
-       .absent_meaning = "press.force does not change with time",
-       .range = {.max = positive_quantity.max},
-       .help = "factors of press.force at press.times, 1e-6 or more: linear between them, "
-               "constant before the first and after the last"},
+      reals_key(press + ".direction", "", absent("needed by press.force and .approach"), {},
+                "direction in which the counter-body is pressed, of any length; without force and "
+                "approach it is held there"),
+      real_key(press + ".force", "N", absent("it does not move, or as press.approach says"),
+               {.min = 0, .max = positive_quantity.max},
+               "force along press.direction, in 2D per mm out of the plane; axisymmetric: the "
+               "whole force"),
+      reals_key(press + ".factors", "", absent("press.force does not change with time"),
+                {.max = positive_quantity.max},
+                "factors of press.force at press.times, 1e-6 or more: linear between them, "
+                "constant before the first and after the last"),
       {.name = press + ".approach",
        .kind = KeyKind::reals,
        .unit = "mm",
@@ -64,27 +45,23 @@ std::vector<Key> press_keys(const std::string& press) {
        .or_single = Range{},
        .help = "how far it has moved along press.direction: one number, or numbers at press.times, "
                "straight between them"},
-      {.name = press + ".times",
-       .kind = KeyKind::reals,
-       .unit = "s",
-       .absent_meaning = "one force, or one approach, at all times",
-       .range = {.min = 0},
-       .help =
-           "ascending times of press.factors or press.approach, one twice for a jump; steps end on "
-           "them exactly"}};
+      reals_key(
+          press + ".times", "s", absent("one force, or one approach, at all times"), non_negative,
+          "ascending times of press.factors or press.approach, one twice for a jump; steps end on "
+          "them exactly")};
 }
 
 /// An entry of [[counter_body.press]] may be a moment instead.
 std::vector<Key> entry_keys() {
   const std::string press = "counter_body.press.#";
   std::vector<Key> keys = press_keys(press);
-  keys.push_back(real_key(press + ".moment", "N mm", "a direction",
+  keys.push_back(real_key(press + ".moment", "N mm", absent("a direction"), any_quantity,
                           "instead of direction and force: it turns freely under this moment, in "
                           "2D per mm, from the first direction to the second"));
-  keys.push_back(vector_key(press + ".center", "mm", "counter_body.center",
-                            "point of the axis of the moment"));
-  keys.push_back(vector_key(press + ".axis", "", "counter_body.axis",
-                            "in space: direction of the axis of the moment, of any length"));
+  keys.push_back(reals_key(press + ".center", "mm", absent("counter_body.center"), {},
+                           "point of the axis of the moment"));
+  keys.push_back(reals_key(press + ".axis", "", absent("counter_body.axis"), {},
+                           "in space: direction of the axis of the moment, of any length"));
   return keys;
 }
 
@@ -119,10 +96,9 @@ std::vector<Key> counter_body_keys() {
       add_keys(keys, kind.*of_kind, kind.name);
   for (Key& key : keys)
     key.absent_meaning = fmt::format("by the shape; of {}", fmt::join(owners_of(key), ", "));
-  keys.insert(keys.begin(), {.name = "counter_body.shape",
-                             .kind = KeyKind::text,
-                             .choices = Registry<CounterShapeKind>::names(),
-                             .help = "shape of the rigid counter-body"});
+  keys.insert(keys.begin(),
+              text_key("counter_body.shape", required(), "shape of the rigid counter-body",
+                       Registry<CounterShapeKind>::names()));
   for (const auto& part : {motion_keys(), press_keys("counter_body.press"), entry_keys()})
     keys.insert(keys.end(), part.begin(), part.end());
   return keys;

@@ -23,26 +23,19 @@ Vector<dim> read_direction(const Scene& scene, const std::string& key) {
 }
 
 Key center_key(const std::string& help) {
-  return {.name = "counter_body.center", .kind = KeyKind::reals, .unit = "mm", .help = help};
+  return reals_key("counter_body.center", "mm", required(), {}, help);
 }
 
 Key axis_key(const std::string& help) {
-  return {.name = "counter_body.axis", .kind = KeyKind::reals, .help = help + ", of any length"};
-}
-
-Key length_key(const std::string& name, const std::string& help) {
-  return {.name = name, .unit = "mm", .range = positive_quantity, .help = help};
+  return reals_key("counter_body.axis", "", required(), {}, help + ", of any length");
 }
 
 Key side_key() {
-  return {.name = "counter_body.side",
-          .kind = KeyKind::text,
-          .absent_meaning = "inside; of a profile left",
-          .choices = {"inside", "outside", "left", "right"},
-          .help =
-              "where the counter-body is: inside of the shape, or outside: socket, bore, seat; "
-              "of a profile inside or outside of a closed curve, or left or right of an open "
-              "one, along its points"};
+  return text_key("counter_body.side", absent("inside; of a profile left"),
+                  "where the counter-body is: inside of the shape, or outside: socket, bore, seat; "
+                  "of a profile inside or outside of a closed curve, or left or right of an open "
+                  "one, along its points",
+                  {"inside", "outside", "left", "right"});
 }
 
 bool is_outside(const Scene& scene) {

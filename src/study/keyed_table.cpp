@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <gnomon/base/error.hpp>
+#include <gnomon/scene/keys.hpp>
 
 #include "scene/key_check.hpp"
 
@@ -13,16 +14,11 @@ namespace {
 constexpr Range positive{.min = 0, .min_open = true};
 
 Key integrator_key() {
-  return {.name = "integrator",
-          .kind = KeyKind::text,
-          .help = "time integration method (gnomon list integrators)"};
+  return text_key("integrator", required(), "time integration method (gnomon list integrators)");
 }
 
 Key name_key() {
-  return {.name = "name",
-          .kind = KeyKind::text,
-          .absent_meaning = "that of its integrator",
-          .help = "its name in tables and figures"};
+  return text_key("name", absent("that of its integrator"), "its name in tables and figures");
 }
 
 /// What gives this key in place of the study's settings; empty if nothing does.
@@ -59,38 +55,24 @@ void require_not_of_the_top(const std::string& name, const std::string& origin) 
 
 std::vector<Key> top_keys() {
   return {
-      {.name = "scene", .kind = KeyKind::text, .help = "scene file, relative to the study file"},
-      {.name = "times",
-       .kind = KeyKind::reals,
-       .unit = "s",
-       .absent_meaning = "five equal parts of time.end; none with reference = \"none\"",
-       .range = positive,
-       .help = "times at which errors are measured, besides time.end; steps end there exactly"},
-      {.name = "reference",
-       .kind = KeyKind::text,
-       .absent_meaning = "a closed form, or two runs: those of two [[reference]] tables",
-       .choices = {"none"},
-       .help = "\"none\": no errors are measured, as for a parameter sweep; methods may be absent"},
-      {.name = "self_reference.method",
-       .kind = KeyKind::text,
-       .absent_meaning = "no errors against a run of the study itself",
-       .help = "the method whose run is a second reference, as in the paper"},
-      {.name = "self_reference.step",
-       .unit = "s",
-       .absent_meaning = "self_reference.tolerance is given",
-       .range = positive,
-       .help = "fixed step of this run"},
-      {.name = "self_reference.tolerance",
-       .absent_meaning = "self_reference.step is given",
-       .range = relative_tolerance,
-       .help = "relative tolerance of this run"},
+      text_key("scene", required(), "scene file, relative to the study file"),
+      reals_key("times", "s",
+                absent("five equal parts of time.end; none with reference = \"none\""), positive,
+                "times at which errors are measured, besides time.end; steps end there exactly"),
+      text_key("reference", absent("a closed form, or two runs: those of two [[reference]] tables"),
+               "\"none\": no errors are measured, as for a parameter sweep; methods may be absent",
+               {"none"}),
+      text_key("self_reference.method", absent("no errors against a run of the study itself"),
+               "the method whose run is a second reference, as in the paper"),
+      real_key("self_reference.step", "s", absent("self_reference.tolerance is given"), positive,
+               "fixed step of this run"),
+      real_key("self_reference.tolerance", "", absent("self_reference.step is given"),
+               relative_tolerance, "relative tolerance of this run"),
   };
 }
 
 std::vector<Key> sweep_keys() {
-  return {{.name = "key",
-           .kind = KeyKind::text,
-           .help = "the scene key that is varied; `values` holds its values"}};
+  return {text_key("key", required(), "the scene key that is varied; `values` holds its values")};
 }
 
 std::vector<Key> method_keys() {

@@ -1,6 +1,7 @@
 // Keys that several shapes of counter-bodies share, and how they are read.
 #pragma once
 
+#include <gnomon/scene/keys.hpp>
 #include <gnomon/shapes/counter_shape_kind.hpp>
 #include <string>
 
@@ -17,8 +18,6 @@ Vector<dim> read_point(const Scene& scene, const std::string& key);
 Key center_key(const std::string& help);
 /// counter_body.axis, read by read_direction().
 Key axis_key(const std::string& help);
-/// A length greater than zero.
-Key length_key(const std::string& name, const std::string& help);
 /// counter_body.side: whether the body is what is inside of the shape, or outside.
 Key side_key();
 /// Throws InputError for a side of an open curve.

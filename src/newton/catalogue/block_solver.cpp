@@ -5,6 +5,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/newton/linear_solver_kind.hpp>
+#include <gnomon/scene/keys.hpp>
 #include <limits>
 #include <utility>
 
@@ -129,14 +130,12 @@ double memory(const Scene& scene, const MeshSize& mesh) {
 const Registration<LinearSolverKind> registration(
     {.name = "block",
      .help = "flexible GMRES on the whole Jacobian, preconditioned block by block",
-     .keys = {{.name = preconditioner,
-               .kind = KeyKind::text,
-               .absent_meaning = "chosen by size: factor unless in 3D and large (docs/linear.md)",
-               .choices = {"factor", "multigrid"},
-               .on_resume = true,
-               .help = "how solver.method = \"block\" solves with the stiffness: by Cholesky "
-                       "factors, or by multigrid, along the grid lines of the mesh where it has "
-                       "them (needs PETSc)"}},
+     .keys = {resumable(text_key(
+         preconditioner, absent("chosen by size: factor unless in 3D and large (docs/linear.md)"),
+         "how solver.method = \"block\" solves with the stiffness: by Cholesky "
+         "factors, or by multigrid, along the grid lines of the mesh where it has "
+         "them (needs PETSc)",
+         {"factor", "multigrid"}))},
      .make = make,
      .memory = memory});
 

@@ -82,10 +82,8 @@ const Registration<CounterShapeKind> registration(
      .help = "wedge, or a cone about r = 0; outside: a V groove, a conical seat",
      .keys = {center_key("tip of the cone"),
               axis_key("from the tip into the cone (of a seat: into it)"),
-              {.name = "counter_body.half_angle",
-               .unit = "deg",
-               .range = {.min = 0.01, .max = 89.99},
-               .help = "between axis and surface"},
+              real_key("counter_body.half_angle", "deg", required(), {.min = 0.01, .max = 89.99},
+                       "between axis and surface"),
               side_key()},
      .in_plane = make<2>,
      .in_space = make<3>});

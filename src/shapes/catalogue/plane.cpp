@@ -36,11 +36,8 @@ Key center() {
 const Registration<CounterShapeKind> registration(
     {.name = "plane",
      .help = "half-space below a plane",
-     .keys = {center(),
-              {.name = "counter_body.normal",
-               .kind = KeyKind::reals,
-               .absent_meaning = "along the last direction",
-               .help = "its normal towards the worn body, of any length"}},
+     .keys = {center(), reals_key("counter_body.normal", "", absent("along the last direction"), {},
+                                  "its normal towards the worn body, of any length")},
      .in_plane = make<2>,
      .in_space = make<3>});
 

@@ -49,19 +49,16 @@ const Registration<CounterShapeKind> registration(
                .help = "coordinates of the points of the curve, two for each, one point after the "
                        "other, or a file beside the scene with two numbers per line"},
               side_key()},
-     .keys_in_space = {{.name = "counter_body.sweep",
-                        .kind = KeyKind::text,
-                        .choices = {"extruded", "revolved"},
-                        .help = "whether the curve, in coordinates (r, z), is turned about the "
-                                "axis, or moved along it"},
-                       center(),
-                       axis_key("axis of revolution, or direction of the extrusion"),
-                       {.name = "counter_body.up",
-                        .kind = KeyKind::reals,
-                        .default_value = std::vector<double>{0, 0, 1},
-                        .length = 3,
-                        .help = "direction of the second coordinate of an extruded curve, made "
-                                "perpendicular to the axis; the first is along axis x up"}},
+     .keys_in_space = {text_key("counter_body.sweep", required(),
+                                "whether the curve, in coordinates (r, z), is turned about the "
+                                "axis, or moved along it",
+                                {"extruded", "revolved"}),
+                       center(), axis_key("axis of revolution, or direction of the extrusion"),
+                       reals_key("counter_body.up", "", by_default(std::vector<double>{0, 0, 1}),
+                                 {},
+                                 "direction of the second coordinate of an extruded curve, made "
+                                 "perpendicular to the axis; the first is along axis x up",
+                                 3)},
      .in_plane = in_plane,
      .in_space = in_space});
 

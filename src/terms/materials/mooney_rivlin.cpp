@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <gnomon/laws/mooney_rivlin.hpp>
+#include <gnomon/scene/keys.hpp>
 #include <gnomon/terms/material_law.hpp>
 #include <gnomon/terms/solid_kernels.hpp>
 
@@ -26,10 +27,9 @@ const Registration<MaterialLaw> registration{
     {.name = "mooney-rivlin",
      .help = "Mooney and Rivlin, compressible: eq. (38) with a term of the second invariant",
      .kernels = &law_kernels<MooneyRivlinPoint>,
-     .keys = {{.name = "mooney_ratio",
-               .absent_meaning = fmt::format("{:g} with mooney-rivlin", usual_ratio),
-               .range = {.min = 0, .max = 1},
-               .help = "C01 / (C10 + C01) of the material mooney-rivlin"}},
+     .keys = {real_key("mooney_ratio", "",
+                       absent(fmt::format("{:g} with mooney-rivlin", usual_ratio)),
+                       {.min = 0, .max = 1}, "C01 / (C10 + C01) of the material mooney-rivlin")},
      .ratios = ratios}};
 
 }  // namespace
