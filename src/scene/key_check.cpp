@@ -244,7 +244,15 @@ std::optional<std::string> array_without_number(const std::string& name,
 std::string key_meant(const std::string& name, const std::vector<Key>& table) {
   std::vector<std::string> names;
   for (const Key& key : table) names.push_back(key_like(key.name, name));
-  return nearest_name(name, names);
+  const std::string near = nearest_name(name, names), first = name.substr(0, name.find('.'));
+  if (first == name || names_table(first, table)) return near;
+  // Not a table: that may be the mistake, rather than the key in it.
+  std::vector<std::string> tables;
+  for (const Key& key : table)
+    if (const auto dot = key.name.find('.'); dot != key.name.npos)
+      tables.push_back(key.name.substr(0, dot));
+  const std::string meant = nearest_name(first, tables);
+  return meant.empty() || near.starts_with(meant + ".") ? near : meant;
 }
 
 void refuse_unknown_key(const std::string& origin, const std::string& name, const RawValue& value,

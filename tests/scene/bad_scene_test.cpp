@@ -47,6 +47,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "example.toml:4: key `body.level`: unknown key, did you mean `mesh.level`?"},
         Mistake{"UnknownEmptyTable", with_line_4("[bdy.element]"),
                 "example.toml:4: key `bdy.element`: unknown key, did you mean `body.element`?"},
+        Mistake{"MisspeltTable", with_line_4("[outptu]\nlevel = 2"),
+                "example.toml:5: key `outptu.level`: unknown key, did you mean `output`?"},
         Mistake{"QuotedDottedKey", with_line_4("\"body.element\" = 1"),
                 "example.toml:4: key `body.\"body.element\"`: unknown key, did you mean "
                 "`body.element`?"},
