@@ -67,11 +67,23 @@ std::optional<T> number(const Key& key, const RawScalar& raw) {
   return value;
 }
 
+/// Of .2 and 2., as other languages write numbers.
+bool lacks_digit_at_point(const RawScalar& raw) {
+  const auto* text = std::get_if<std::string>(&raw);
+  if (!text || text->find_first_not_of("+-.0123456789") != text->npos) return false;
+  const std::size_t point = text->find('.'), digit = text->find_first_of("0123456789");
+  return digit != text->npos && (point < digit || point + 1 == text->size());
+}
+
 template <class T>
 std::variant<SceneValue, Complaint> check_number(const Key& key, const RawValue& raw) {
-  if (const auto* scalar = std::get_if<RawScalar>(&raw.content))
+  const auto* scalar = std::get_if<RawScalar>(&raw.content);
+  if (scalar)
     if (const auto value = number<T>(key, *scalar)) return SceneValue(*value);
-  return complain(key, describe(raw));
+  Complaint complaint = complain(key, describe(raw));
+  if (scalar && lacks_digit_at_point(*scalar))
+    complaint.text += ": TOML wants a digit before and after the point, as in 0.2 or 2.0";
+  return complaint;
 }
 
 template <class T>

@@ -57,6 +57,10 @@ TEST(BadOverride, IsRefused) {
             "--set body.young_modulus: expected a number in (0, inf) [MPa], got -3");
   EXPECT_EQ(complaint(text, {"body.young_modulus=stiff"}),
             "--set body.young_modulus: expected a number in (0, inf) [MPa], got \"stiff\"");
+  for (const std::string number : {".2", "2."})
+    EXPECT_THAT(complaint(text, {"body.young_modulus=" + number}),
+                testing::HasSubstr("a digit before and after the point"));
+  EXPECT_THAT(complaint(text, {"body.young_modulus=1.2.3"}), testing::EndsWith("\"1.2.3\""));
   for (const std::string table : {"{}", "{level=3}", "{levl=3}"})
     EXPECT_EQ(complaint(text, {"mesh=" + table}),
               "--set mesh: expected one value, as in --set mesh.KEY=VALUE, got a table");
