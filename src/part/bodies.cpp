@@ -31,9 +31,16 @@ const std::vector<int>& cells_of(const Scene& scene, const std::string& table,
   const std::string key = table + ".name";
   if (const auto group = part.cell_groups.find(scene.text(key)); group != part.cell_groups.end())
     return group->second;
-  throw InputError(
-      fmt::format("{}: {}", scene.where(key),
-                  unknown_name(scene.text(key), "group of elements", group_names(part))));
+  const std::vector<std::string> names = group_names(part);
+  const std::string wanted = fmt::format("{}: {} has no group of elements called \"{}\"",
+                                         scene.where(key), part.file, scene.text(key));
+  if (names.empty())
+    throw InputError(fmt::format("{}, nor any other; in Gmsh: Physical {}(\"{}\") = {{1}};", wanted,
+                                 dim == 2 ? "Surface" : "Volume", scene.text(key)));
+  const std::string near = nearest_name(scene.text(key), names);
+  throw InputError(near.empty()
+                       ? fmt::format("{}, it has \"{}\"", wanted, fmt::join(names, "\", \""))
+                       : fmt::format("{}, did you mean \"{}\"?", wanted, near));
 }
 
 }  // namespace

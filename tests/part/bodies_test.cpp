@@ -179,6 +179,8 @@ TEST_F(Bodies, AreAllElementsEachOnce) {
   };
   EXPECT_THAT(refusal(with("name = \"coating\"", "name = \"coting\"")),
               ::testing::HasSubstr("did you mean \"coating\""));
+  EXPECT_THAT(refusal(with("name = \"coating\"", "name = \"paint\"")),
+              ::testing::HasSubstr("elements called \"paint\", it has \"coating\", \"substrate\""));
   EXPECT_THAT(refusal(with("name = \"coating\"", "name = \"substrate\"")),
               ::testing::HasSubstr("share no element"));
   EXPECT_THAT(refusal(with("name = \"coating\"\n", "")),
