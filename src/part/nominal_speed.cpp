@@ -62,13 +62,17 @@ Patches<dim> first_touch(const Scene& scene, const Instants<dim>& instants,
     if (!(travel <= least)) continue;
     touching.push_back(patch);
   }
-  const bool faces = std::ranges::any_of(all, [&](const auto* patch) {
-    return patch->initial_normal.dot(instants.front().approach) < 0;
-  });
-  if (!faces)
+  const auto faces = [&](double side) {
+    constexpr double rounding = 1e-12;
+    return std::ranges::any_of(all, [&](const auto* patch) {
+      return side * patch->initial_normal.dot(instants.front().approach) > rounding;
+    });
+  };
+  if (!faces(-1))
     throw InputError(scene.where("counter_body.press.direction") +
-                     ": expected a direction into the body, but the surfaces of wear.on face the "
-                     "same way");
+                     ": expected a direction into the body, but " +
+                     (faces(1) ? "the surfaces of wear.on face the same way"
+                               : "it lies in the surfaces of wear.on and does not press on them"));
   if (!std::isfinite(least) && meets_between_nodes(instants, all))
     throw InputError(scene.where("counter_body.shape") +
                      ": the counter-body meets the surfaces of wear.on between their nodes alone, "

@@ -478,8 +478,11 @@ TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
   EXPECT_THAT(refusal("counter_body.press.factors=[1.0]"),
               HasSubstr("also counter_body.press.times"));
   EXPECT_THAT(refusal("counter_body.press.direction=[0.0, 0.0]"), HasSubstr("length zero"));
-  EXPECT_THAT(refusal("counter_body.press.direction=[0.0, 1.0]"),
-              HasSubstr("a direction into the body"));
+  EXPECT_THAT(
+      refusal("counter_body.press.direction=[0.0, 1.0]"),
+      HasSubstr("a direction into the body, but the surfaces of wear.on face the same way"));
+  EXPECT_THAT(refusal("counter_body.press.direction=[1.0, 0.0]"),
+              HasSubstr("it lies in the surfaces of wear.on"));
   EXPECT_THAT(refusal("shape.slide=[\"nowhere\"]"), HasSubstr("surface"));
   EXPECT_THAT(refusal("mesh.file=none.geo"),
               HasSubstr("gnomon: --set mesh.file: none.geo: no such file"));
