@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
@@ -21,7 +22,12 @@ namespace {
 void find_mistakes_of_run(const Scene& scene, Mistakes& mistakes) {
   if (scene.has("time.end")) mistakes.collect([&] { store_policy(scene); });
   if (scene.has("integrator.name")) mistakes.collect([&] { chosen_integrator(scene); });
-  mistakes.collect([&] { require_coefficient(scene); });
+  const std::string key = "wear.coefficient";
+  const auto refuses_it = [&](const std::string& line) {
+    return scene.knows(key) && line.starts_with(scene.where(key) + ": expected");
+  };
+  if (std::ranges::none_of(mistakes.lines(), refuses_it))  // else it is given, not missing
+    mistakes.collect([&] { require_coefficient(scene); });
 }
 
 /// A result or a mesh instead of a scene is no bad TOML.

@@ -483,6 +483,7 @@ TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
       HasSubstr("a direction into the body, but the surfaces of wear.on face the same way"));
   EXPECT_THAT(refusal("counter_body.press.direction=[1.0, 0.0]"),
               HasSubstr("it lies in the surfaces of wear.on"));
+  EXPECT_THAT(refusal("wear.coefficient=-1e-7"), ::testing::Not(HasSubstr("missing")));
   EXPECT_THAT(refusal("shape.slide=[\"nowhere\"]"), HasSubstr("surface"));
   EXPECT_THAT(refusal("mesh.file=none.geo"),
               HasSubstr("gnomon: --set mesh.file: none.geo: no such file"));
