@@ -212,7 +212,9 @@ std::optional<PhaseError> WearModel<dim>::phase_error(const State& state) const 
   // Bodies that hardly touch any more: what is lost is then small beside what is worn already.
   if (state.t > 0)
     whole = std::max(whole, *value_of(observe(state), "worn_volume") / (body.copies * state.t));
-  if (!(whole > 0)) return {};
+  constexpr double rounding = 1e-12;  // of a length that occurs: what nothing wears
+  const double area = sum_over_processes(std::reduce(shape.areas().begin(), shape.areas().end()));
+  if (!(whole * body.scales.duration > rounding * body.scales.displacement * area)) return {};
   const double of_motion = error_of_motion(body.phases, set(fine));
   return PhaseError{state.t, static_cast<long>(body.phases.size()),
                     std::max(of_motion, difference / whole)};

@@ -170,6 +170,14 @@ TEST_F(PhaseErrors, AtTheEndArePartsOfTheMeanRate) {
   EXPECT_LT(of_the_mean, 0.01 * first);
 }
 
+/// Of a speed that is a rounding error there is no part.
+TEST_F(PhaseErrors, AbsentWhereNothingSlides) {
+  const std::string still = "0.1 * sin(2*pi*tau)^2 + 0.1 * cos(2*pi*tau)^2";
+  const gnomon::Setup idle = setup("6", "", {"cycle.x=\"" + still + "\""});
+  Counters counters;
+  EXPECT_FALSE(idle.model->phase_error(idle.model->start(counters)));
+}
+
 TEST_F(PhaseErrors, AbsentWithoutACycle) {
   std::string text = text_of(scene("4"));
   text.erase(text.find("[cycle]"));
