@@ -114,7 +114,7 @@ std::string ledger_text(const Observation& observed) {
   std::string text =
       fmt::format("worn volume {:#.6g} {}, wear integral {:#.6g} {}, difference {:.1e} {}", worn,
                   unit, integral, unit, *difference, unit);
-  if (const double percent = 100 * *difference / integral; std::isfinite(percent))
+  if (const double percent = 100 * *difference / integral; worn != 0 && std::isfinite(percent))
     text += fmt::format(" ({:.2g} %)", percent);
   return text;
 }
