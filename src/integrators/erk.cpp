@@ -69,7 +69,8 @@ public:
         counters_(counters),
         table_(std::move(table)),
         norm_(system.structure(), settings),
-        expected_error_(settings, table_.embedded_order),
+        // Errors of contact problems enter times h, so that a part of the estimate is enough.
+        expected_error_(settings, table_.embedded_order, table_.embedded_order),
         algebraic_(system, counters, settings.nonlinear_fraction),
         proposal_(settings.step),
         step_control_(pi_controller, context_),

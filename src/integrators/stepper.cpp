@@ -52,7 +52,7 @@ OneStepStepper::OneStepStepper(const System& system, const IntegratorSettings& s
       order_(order),
       control_(error_order),
       error_order_(error_order),
-      expected_error_(settings, error_order) {
+      expected_error_(settings, order, error_order) {
   // How long a method that damps stiff components needs to damp a closing.
   constexpr int steps_to_damp = 2;
   if (settings.locate_events) locator_.emplace(system, *method_);

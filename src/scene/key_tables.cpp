@@ -33,10 +33,12 @@ std::vector<Key> integrator_keys() {
                    {.min = 1e-20},
                    "absolute tolerance of the worn surface per step, when steps follow the error",
                    steps_are_fixed)),
-      resumable(real_key(
-          "integrator.nonlinear_fraction", "", by_default(0.01), {.min = 0, .max = 0.5},
-          "part of the tolerated error of a step, or of the error of a fixed step, that Newton's "
-          "iterations may leave; 0: they go on to rounding, 1e-11 of the scaled residual")),
+      resumable(real_key("integrator.nonlinear_fraction", "", by_default(0.01),
+                         {.min = 0, .max = 0.5},
+                         "part of the tolerated error of a step, or of a fixed step's own where an "
+                         "estimate tells it, "
+                         "that Newton's iterations may leave; 0: they go on to rounding, 1e-11 of "
+                         "the scaled residual")),
       resumable(real_key("integrator.max_step", "s", absent("no bound"), duration,
                          "longest step, when steps follow the error", steps_are_fixed)),
       text_key("integrator.events", by_default("ignore"),

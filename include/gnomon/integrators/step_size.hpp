@@ -82,19 +82,20 @@ inline double first_step(const State& start, const Structure& structure,
 }
 
 /// The error of the step to come, by which its Newton iterations are measured; 1 is the tolerance
-/// (ErrorNorm). That of a fixed step follows from the estimate for the last one. It is not in a
+/// (ErrorNorm). That of a fixed step follows from the estimate for the last one, if this is of the
+/// order of the method: an embedded method of lower order says nothing about it. It is not in a
 /// checkpoint: the first step after one is solved to rounding, whether the run goes on or is
 /// resumed.
 class ExpectedError {
 public:
-  /// `order`: the estimated error of a step of size h is of order h^(order + 1).
-  ExpectedError(const IntegratorSettings& settings, int order)
-      : fixed_(settings.step > 0), order_(order) {}
+  /// The estimated error of a step of size h is of order h^(error_order + 1).
+  ExpectedError(const IntegratorSettings& settings, int order, int error_order)
+      : fixed_(settings.step > 0), order_(error_order), known_(error_order >= order) {}
 
   /// Of a step of size h; 0 where it is not known.
   double of_step(double h) const {
     if (!fixed_) return 1;
-    return last_step_ > 0 ? last_error_ * std::pow(h / last_step_, order_ + 1) : 0;
+    return known_ && last_step_ > 0 ? last_error_ * std::pow(h / last_step_, order_ + 1) : 0;
   }
   /// After a step of size h with this estimated error.
   void learn(double h, double error) {
@@ -105,6 +106,7 @@ public:
 private:
   bool fixed_;
   int order_;
+  bool known_;
   double last_step_ = 0, last_error_ = 0;
 };
 
