@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <gnomon/base/error.hpp>
-#include <gnomon/model/magnitudes.hpp>
+#include <iterator>
 #include <set>
 
 #include "base/spectrum.hpp"
@@ -164,28 +165,57 @@ std::string describe(const Eigen::VectorXd& mode, const std::vector<std::string>
                   : "turn about " + names[static_cast<std::size_t>(largest - 3)];
 }
 
-/// Nothing but loads keeps the bodies on a counter-body that no force presses.
+/// A rigid motion, by the displacement of a point.
 template <int dim>
-void require_pressing_loads(const Scene& scene, const AssemblyParts<dim>& parts) {
-  constexpr double vanishing = 1e-6;
-  std::set<double> times = {0};
-  for (const Load<dim>& load : parts.loads)
+using RigidMotionOfPoints = std::function<Vector<dim>(const Vector<dim>&)>;
+
+/// Work of a load at factor one.
+template <int dim>
+double work_of(const Load<dim>& load, const AssemblyParts<dim>& parts,
+               const RigidMotionOfPoints<dim>& motion) {
+  double work = 0;
+  for (Eigen::Index node = 0; node < load.forces.rows(); ++node)
+    work += load.forces.row(node).dot(motion(parts.mesh.nodes[static_cast<std::size_t>(node)]));
+  for (const auto& patch : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()))
+    work -= load.pressure * patch.initial_area *
+            patch.initial_normal.dot(motion(patch.initial_position));
+  return work;
+}
+
+/// Contact alone resists this motion, and to one side: loads have to drive the bodies there.
+template <int dim>
+void require_pressing_loads(const Scene& scene, const AssemblyParts<dim>& parts,
+                            const RigidMotionOfPoints<dim>& motion) {
+  constexpr double oblique = 1e-3;
+  double away = 0, back = 0;
+  for (const ContactPatch<dim>& patch : contact_nodes_of(parts)) {
+    const double work =
+        patch.initial_area * patch.initial_normal.dot(motion(patch.initial_position));
+    (work > 0 ? away : back) += std::abs(work);
+  }
+  if (std::min(away, back) > oblique * std::max(away, back)) return;
+  const double side = away > back ? 1 : -1, end = scene.real("time.end");
+  std::set<double> times = {0, end};
+  std::vector<double> works;
+  double whole = 0;
+  for (const Load<dim>& load : parts.loads) {
     times.insert(load.history.times().begin(), load.history.times().end());
+    works.push_back(side * work_of(load, parts, motion));
+    whole += std::abs(works.back());
+  }
   for (const Phase<dim>& phase : parts.instants())
-    for (const double t : times) {
-      double pressing = 0, whole = 0;
-      for (const Load<dim>& load : parts.loads) {
-        const double part = -resultant(load, parts).dot(phase.counter_body.approach);
-        pressing += phase.load * load.history.factor(t) * part;
-        whole += std::abs(part);
+    for (auto t = times.begin(); *t < end; ++t)
+      for (const double at : {*t, *std::next(t)}) {  // the ends of a straight line
+        double pressing = 0;
+        for (std::size_t k = 0; k < works.size(); ++k)
+          pressing += phase.load * parts.loads[k].history.factor(at, *t) * works[k];
+        if (pressing <= 0)
+          throw InputError(fmt::format(
+              "{}: [[load]]: expected loads that press the bodies on the counter-body at any time, "
+              "since nothing else holds them there, got {:.3g} of the loads at t = {:g} s{}",
+              scene.path().string(), whole > 0 ? pressing / whole : 0, at,
+              parts.cycle ? fmt::format(", tau = {:.3g} of the cycle", phase.position) : ""));
       }
-      if (!(pressing > vanishing * whole))
-        throw InputError(fmt::format(
-            "{}: [[load]]: expected loads that press the bodies on the counter-body at any time, "
-            "since nothing else holds them there, got {:.3g} of the loads at t = {:g} s{}",
-            scene.path().string(), whole > 0 ? pressing / whole : 0, t,
-            parts.cycle ? fmt::format(", tau = {:.3g} of the cycle", phase.position) : ""));
-    }
 }
 
 }  // namespace
@@ -216,19 +246,26 @@ void require_held(const Scene& scene, const AssemblyParts<dim>& parts) {
       for (int node : facet)
         for (int i = 0; i < dim; ++i)
           if (springs.stiffness[i] > 0) holds(node, Vector<dim>::Unit(i));
-  const auto loose = [&] {
-    const Eigen::VectorXd values = spectrum_of(held).values;
-    return values[0] <= 1e-9 * values[modes - 1];
+  constexpr double nothing = 1e-9;
+  const Spectrum without_contact = spectrum_of(held);
+  const auto loose = [](const Eigen::VectorXd& values) {
+    return (values.array() <= nothing * values[modes - 1]).count();
   };
-  const bool by_contact = !parts.interface.force && loose();
   // The contact holds in one direction; without friction it does not hold along the surface.
   if (!parts.interface.force)
     for (const Surface<dim>& surface : parts.interface.surfaces)
       for (const auto& facet : surface.facets)
         for (int node : facet) holds(node, parts.interface.partner.approach);
   const auto [values, vectors] = spectrum_of(held);
-  if (!loose()) return by_contact ? require_pressing_loads(scene, parts) : void();
-  const auto free = (values.array() <= 1e-9 * values[modes - 1]).count();
+  const auto free = loose(values);
+  if (free == 0) {
+    // Several motions may be resisted together, as by a prism in a groove.
+    if (!parts.interface.force && loose(without_contact.values) == 1)
+      require_pressing_loads<dim>(scene, parts, [&](const Vector<dim>& X) -> Vector<dim> {
+        return rigid_motions<dim>((X - centre) / size) * without_contact.vectors.col(0);
+      });
+    return;
+  }
   throw InputError(
       fmt::format("{}: expected supports that hold the part, but it can still move as a rigid body "
                   "in {} {}, for "

@@ -132,8 +132,9 @@ TEST_F(Balance, ACylinderBetweenTwoNodesIsFound) {
 }
 
 TEST_F(Balance, ALoadThatPullsOffIsNotTooLarge) {
+  folder_.write("flat.geo", flat_geometry(6) + "Physical Curve(\"sides\") = {2, 4};\n");
   std::string pulled = replaced(text("motion.velocity = [10.0, 0.0]", ""), "on = \"bottom\"",
-                                "on = \"bottom\", directions = [\"x\"]");
+                                "on = \"sides\", directions = [\"x\"]");
   pulled += "\n[[load]]\non = \"bottom\"\npressure = -2.0\n";
   EXPECT_THAT(refusal(pulled), HasSubstr("expected loads that press the bodies"));
 }

@@ -95,21 +95,41 @@ TEST_F(ResultChecks, ALoadOnAHeldFaceIsNamed) {
 }
 
 // On springs so soft that friction moves the flat by more than the stroke.
-// Only its load keeps a flat that slides along its support on the counter-body.
+// Only its load keeps a flat that slides along its sides on the counter-body.
 TEST_F(ResultChecks, LoadsThatCeaseToPressAreRefused) {
-  std::string pressed = text("motion.velocity = [10.0, 0.0]", "");
+  folder_.write("flat.geo", flat_geometry(6) + "Physical Curve(\"sides\") = {2, 4};\n");
   const std::string held = "support = [ { on = \"bottom\" } ]";
-  const auto by_load = [&](const std::string& factors) {
-    std::string scene = pressed;
-    return scene.replace(
-        scene.find(held), held.size(),
-        "support = [ { on = \"bottom\", directions = [\"x\"] } ]\n"
-        "load = [ { on = \"bottom\", force = [0.0, 18.5], times = [0.0, 50.0], factors = " +
-            factors + " } ]");
+  const auto pressed = [&](const std::string& history) {
+    std::string scene = text("motion.velocity = [10.0, 0.0]", "");
+    return scene.replace(scene.find(held), held.size(),
+                         "support = [ { on = \"sides\", directions = [\"x\"] } ]\n"
+                         "load = [ { on = \"bottom\", force = [0.0, 18.5], " +
+                             history + " } ]");
   };
-  EXPECT_NO_THROW(this->model(by_load("[1.0, 0.5]")));
-  EXPECT_THAT(refusal(by_load("[1.0, 0.0]")), HasSubstr("0 of the loads at t = 50 s"));
-  EXPECT_THAT(refusal(by_load("[1.0, -1.0]")), HasSubstr("-1 of the loads at t = 50 s"));
+  EXPECT_NO_THROW(this->model(pressed("times = [0.0, 50.0], factors = [1.0, 0.5]")));
+  EXPECT_NO_THROW(this->model(pressed("times = [0.0, 150.0, 200.0], factors = [1.0, 1.0, 0.0]")));
+  EXPECT_THAT(refusal(pressed("times = [0.0, 50.0], factors = [1.0, 0.0]")),
+              HasSubstr("got 0 of the loads at t = 50 s"));
+  EXPECT_THAT(refusal(pressed("times = [0.0, 50.0, 50.0], factors = [1.0, -1.0, 1.0]")),
+              HasSubstr("got -1 of the loads at t = 50 s"));
+}
+
+// A flat that turns about a corner: its load pulls it off along the approach, and its torque
+// presses.
+TEST_F(ResultChecks, TheTorqueOfALoadPresses) {
+  folder_.write("flat.geo", flat_geometry(6) +
+                                "Physical Curve(\"right\") = {2};\n"
+                                "Physical Point(\"corner\") = {1};\n");
+  const std::string held = "support = [ { on = \"bottom\" } ]";
+  const auto loaded = [&](const std::string& force) {
+    std::string scene = text("motion.velocity = [10.0, 0.0]", "");
+    return scene.replace(scene.find(held), held.size(),
+                         "support = [ { on = \"corner\" } ]\n"
+                         "load = [ { on = \"right\", force = " +
+                             force + " } ]");
+  };
+  EXPECT_NO_THROW(this->model(loaded("[-5.0, -0.1]")));
+  EXPECT_THAT(refusal(loaded("[5.0, 0.1]")), HasSubstr("got -1 of the loads at t = 0 s"));
 }
 
 TEST_F(ResultChecks, AFlatThatWouldStickIsRefused) {
