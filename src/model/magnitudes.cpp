@@ -121,6 +121,34 @@ GapProfile gaps_of(const AssemblyParts<dim>& parts, const Patches<dim>& patches)
   return {gaps, areas};
 }
 
+/// The force of a load at factor one on the unworn bodies.
+template <int dim>
+Vector<dim> resultant(const Load<dim>& load, const AssemblyParts<dim>& parts) {
+  if (load.forces.size() > 0) return load.forces.colwise().sum().transpose();
+  Vector<dim> sum = Vector<dim>::Zero();
+  for (const auto& patch : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()))
+    sum -= load.pressure * patch.initial_area * patch.initial_normal;
+  return sum;
+}
+
+/// All loads together along the approach of the counter-body, at factor one, or, where they cancel
+/// each other then, the largest of their history.
+template <int dim>
+double load_along_approach(const AssemblyParts<dim>& parts) {
+  const auto sum = [&](auto factor) {
+    double along = 0;
+    for (const Load<dim>& load : parts.loads)
+      along += factor(load.history) * resultant(load, parts).dot(parts.interface.partner.approach);
+    return std::abs(along);
+  };
+  double most = sum([](const LoadHistory&) { return 1.0; });
+  if (most > 0) return most;
+  for (const Load<dim>& load : parts.loads)
+    for (const double t : load.history.times())
+      most = std::max(most, sum([t](const LoadHistory& history) { return history.factor(t); }));
+  return most;
+}
+
 /// How far the bodies are brought into each other where no force presses them.
 template <int dim>
 double given_overlap(const AssemblyParts<dim>& parts) {
@@ -150,15 +178,6 @@ double contact_modulus(const std::vector<Body>& bodies) {
 }  // namespace
 
 template <int dim>
-Vector<dim> resultant(const Load<dim>& load, const AssemblyParts<dim>& parts) {
-  if (load.forces.size() > 0) return load.forces.colwise().sum().transpose();
-  Vector<dim> sum = Vector<dim>::Zero();
-  for (const auto& patch : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()))
-    sum -= load.pressure * patch.initial_area * patch.initial_normal;
-  return sum;
-}
-
-template <int dim>
 double overlap_at_rest(const AssemblyParts<dim>& parts, const CounterBody<dim>& other) {
   PartnerMotion<> q = other.given(0, 0);
   q.setZero();
@@ -171,12 +190,10 @@ double overlap_at_rest(const AssemblyParts<dim>& parts, const CounterBody<dim>& 
 template <int dim>
 Pressing pressing_of(const AssemblyParts<dim>& parts, double duration) {
   const Interface<dim>& interface = parts.interface;
-  Vector<dim> load = Vector<dim>::Zero();
-  for (const Load<dim>& each : parts.loads) load += resultant(each, parts);
   double most_load = 0;
   for (const Phase<dim>& phase : parts.instants()) most_load = std::max(most_load, phase.load);
   const double force = interface.force ? *interface.force / interface.partner.guides.front().share
-                                       : most_load * std::abs(load.dot(interface.partner.approach));
+                                       : most_load * load_along_approach(parts);
   return {force, force * interface.history.integral(duration), given_overlap(parts)};
 }
 
@@ -218,8 +235,6 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   return result;
 }
 
-template Vector<2> resultant(const Load<2>&, const AssemblyParts<2>&);
-template Vector<3> resultant(const Load<3>&, const AssemblyParts<3>&);
 template double overlap_at_rest(const AssemblyParts<2>&, const CounterBody<2>&);
 template double overlap_at_rest(const AssemblyParts<3>&, const CounterBody<3>&);
 template Pressing pressing_of(const AssemblyParts<2>&, double);

@@ -5,10 +5,6 @@
 
 namespace gnomon {
 
-/// The force of a load at factor one on the unworn bodies.
-template <int dim>
-Vector<dim> resultant(const Load<dim>& load, const AssemblyParts<dim>& parts);
-
 /// How deep the unloaded bodies lie in a counter-body that has not moved [length].
 template <int dim>
 double overlap_at_rest(const AssemblyParts<dim>& parts, const CounterBody<dim>& other);
