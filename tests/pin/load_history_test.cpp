@@ -195,7 +195,7 @@ TEST(LoadHistoryOfThePin, RefusesWhatIsNoHistory) {
               HasSubstr("expected 1e-06 or more, got 0: only a force keeps the bodies together"));
   EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1, -1]"}), HasSubstr("got -1"));
   EXPECT_THAT(refusal({"load.times=[0, 1]", "load.factors=[1, 1e-6]", "load.force=1e-8"}),
-              HasSubstr("strains the body by 1e-14 or more"));
+              HasSubstr("strain the body by 1e-14 or more"));
   // Loads beyond the end of the run (1000 s) are never applied.
   EXPECT_EQ(refusal({"load.times=[0, 2000]", "load.factors=[1, 1e-6]", "load.force=2e-8"}),
             "accepted");
