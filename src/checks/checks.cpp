@@ -36,7 +36,7 @@ std::string point_text(const std::array<double, 3>& x) {
 
 std::vector<std::string> doubts(const Examination& facts) {
   constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
-                   wedged = 10, inside = 1e-3, rounding = 1e-9;
+                   wedged = 50, inside = 1e-3, rounding = 1e-9;
   std::vector<std::string> found;
   const bool loaded = largest_force(facts) > rounding * facts.force;
   if (const double left = norm(sum_of(facts.forces, &ResultantForce::force));
@@ -69,7 +69,7 @@ std::vector<std::string> doubts(const Examination& facts) {
   if (facts.overlap > inside * facts.size)
     found.push_back(fmt::format(
         "the counter-body lies {:.3g} mm inside the unloaded bodies and cannot give way: they are "
-        "pressed by as much, besides an approach",
+        "pressed by as much",
         facts.overlap));
   if (facts.wedging > wedged)
     found.push_back(

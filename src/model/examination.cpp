@@ -171,7 +171,7 @@ Examination WearModel<dim>::examine(const State& state) const {
   facts.drag = find_drag(equations_, values, contacts);
   if (state.t > 0) facts.edge = edge_pressure(assembly(), contacts);
   facts.overlap = find_overlap(equations_);
-  facts.wedging = find_wedging(equations_.phases(), contacts);
+  if (assembly().loads.empty()) facts.wedging = find_wedging(equations_.phases(), contacts);
   facts.deformation = assembly().scales.displacement;
   facts.force = assembly().copies * assembly().scales.force;
   const Box<dim> box = Box<dim>::around(assembly().mesh.nodes);

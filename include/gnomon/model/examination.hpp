@@ -57,7 +57,7 @@ struct Examination {
   /// [length].
   double overlap = 0;
   /// Contact forces, added up without regard to their directions, by what presses a free
-  /// counter-body; 0 where none is free, or one turns.
+  /// counter-body; 0 where none is free, one turns, or loads press on the bodies.
   double wedging = 0;
   double deformation = 0;  ///< typical displacement: much less of a depth does not count [length]
   double force = 0;        ///< typical: a small part of it is rounding
