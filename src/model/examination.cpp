@@ -129,7 +129,7 @@ double find_overlap(const WornBodyEquations<dim>& equations) {
   double deepest = 0;
   for (const Phase<dim>& phase : equations.phases()) {
     if (phase.moves_freely() || !assembly.loads.empty()) return 0;
-    deepest = std::max(deepest, overlap_at_rest<dim>(assembly, phase.counter_body));
+    deepest = std::max(deepest, overlap_at_rest(assembly.contact_nodes, phase.counter_body));
   }
   return deepest;
 }

@@ -162,7 +162,7 @@ double given_overlap(const AssemblyParts<dim>& parts) {
     for (const double value : springs.displacement) take(springs.history, value);
   for (const Guide<dim>& guide : parts.interface.partner.guides)
     if (guide.travel) take(*guide.travel, 1);
-  return std::max(most, overlap_at_rest(parts, parts.interface.partner));
+  return std::max(most, overlap_at_rest(contact_nodes_of(parts), parts.interface.partner));
 }
 
 /// Of the softest body.
@@ -178,11 +178,11 @@ double contact_modulus(const std::vector<Body>& bodies) {
 }  // namespace
 
 template <int dim>
-double overlap_at_rest(const AssemblyParts<dim>& parts, const CounterBody<dim>& other) {
+double overlap_at_rest(const std::vector<ContactPatch<dim>>& nodes, const CounterBody<dim>& other) {
   PartnerMotion<> q = other.given(0, 0);
   q.setZero();
   double deepest = 0;
-  for (const ContactPatch<dim>& patch : contact_nodes_of(parts))
+  for (const ContactPatch<dim>& patch : nodes)
     deepest = std::max(deepest, -other.unchecked_distance(patch.initial_position, q, 0).gap);
   return deepest;
 }
@@ -235,8 +235,8 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   return result;
 }
 
-template double overlap_at_rest(const AssemblyParts<2>&, const CounterBody<2>&);
-template double overlap_at_rest(const AssemblyParts<3>&, const CounterBody<3>&);
+template double overlap_at_rest(const std::vector<ContactPatch<2>>&, const CounterBody<2>&);
+template double overlap_at_rest(const std::vector<ContactPatch<3>>&, const CounterBody<3>&);
 template Pressing pressing_of(const AssemblyParts<2>&, double);
 template Pressing pressing_of(const AssemblyParts<3>&, double);
 template Magnitudes magnitudes_of(const AssemblyParts<2>&, double);

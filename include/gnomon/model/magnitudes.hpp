@@ -5,9 +5,9 @@
 
 namespace gnomon {
 
-/// How deep the unloaded bodies lie in a counter-body that has not moved [length].
+/// How deep the nodes of unloaded bodies lie in a counter-body that has not moved [length].
 template <int dim>
-double overlap_at_rest(const AssemblyParts<dim>& parts, const CounterBody<dim>& other);
+double overlap_at_rest(const std::vector<ContactPatch<dim>>& nodes, const CounterBody<dim>& other);
 
 /// What brings the bodies together: a force, or without one a displacement.
 struct Pressing {
