@@ -62,6 +62,13 @@ protected:
     Counters counters;
     return model.examine(model.start(counters));
   }
+  /// The flat with another support, and a load in the place of the press.
+  std::string loaded(const std::string& support, const std::string& load) const {
+    const std::string held = "support = [ { on = \"bottom\" } ]";
+    std::string scene = text("motion.velocity = [10.0, 0.0]", "");
+    return scene.replace(scene.find(held), held.size(),
+                         "support = [ { " + support + " } ]\nload = [ { " + load + " } ]");
+  }
   static std::array<double, 3> force(const Examination& facts, const std::string& name) {
     for (const ResultantForce& each : facts.forces)
       if (each.name == name) return each.force;
@@ -98,13 +105,9 @@ TEST_F(ResultChecks, ALoadOnAHeldFaceIsNamed) {
 // Only its load keeps a flat that slides along its sides on the counter-body.
 TEST_F(ResultChecks, LoadsThatCeaseToPressAreRefused) {
   folder_.write("flat.geo", flat_geometry(6) + "Physical Curve(\"sides\") = {2, 4};\n");
-  const std::string held = "support = [ { on = \"bottom\" } ]";
   const auto pressed = [&](const std::string& history) {
-    std::string scene = text("motion.velocity = [10.0, 0.0]", "");
-    return scene.replace(scene.find(held), held.size(),
-                         "support = [ { on = \"sides\", directions = [\"x\"] } ]\n"
-                         "load = [ { on = \"bottom\", force = [0.0, 18.5], " +
-                             history + " } ]");
+    return loaded("on = \"sides\", directions = [\"x\"]",
+                  "on = \"bottom\", force = [0.0, 18.5], " + history);
   };
   EXPECT_NO_THROW(this->model(pressed("times = [0.0, 50.0], factors = [1.0, 0.5]")));
   EXPECT_NO_THROW(this->model(pressed("times = [0.0, 150.0, 200.0], factors = [1.0, 1.0, 0.0]")));
@@ -120,16 +123,11 @@ TEST_F(ResultChecks, TheTorqueOfALoadPresses) {
   folder_.write("flat.geo", flat_geometry(6) +
                                 "Physical Curve(\"right\") = {2};\n"
                                 "Physical Point(\"corner\") = {1};\n");
-  const std::string held = "support = [ { on = \"bottom\" } ]";
-  const auto loaded = [&](const std::string& force) {
-    std::string scene = text("motion.velocity = [10.0, 0.0]", "");
-    return scene.replace(scene.find(held), held.size(),
-                         "support = [ { on = \"corner\" } ]\n"
-                         "load = [ { on = \"right\", force = " +
-                             force + " } ]");
+  const auto pulled = [&](const std::string& force) {
+    return loaded("on = \"corner\"", "on = \"right\", force = " + force);
   };
-  EXPECT_NO_THROW(this->model(loaded("[-5.0, -0.1]")));
-  EXPECT_THAT(refusal(loaded("[5.0, 0.1]")), HasSubstr("got -1 of the loads at t = 0 s"));
+  EXPECT_NO_THROW(this->model(pulled("[-5.0, -0.1]")));
+  EXPECT_THAT(refusal(pulled("[5.0, 0.1]")), HasSubstr("got -1 of the loads at t = 0 s"));
 }
 
 TEST_F(ResultChecks, AFlatThatWouldStickIsRefused) {
