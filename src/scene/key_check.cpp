@@ -82,7 +82,7 @@ std::variant<SceneValue, Complaint> check_number(const Key& key, const RawValue&
     if (const auto value = number<T>(key, *scalar)) return SceneValue(*value);
   Complaint complaint = complain(key, describe(raw));
   if (scalar && lacks_digit_at_point(*scalar))
-    complaint.text += ": TOML wants a digit before and after the point, as in 0.2 or 2.0";
+    complaint.text += ": TOML needs a digit before and after the point, as in 0.2 or 2.0";
   return complaint;
 }
 
