@@ -94,7 +94,7 @@ struct Block {
 
   int nodes() const { return static_cast<int>(mesh.nodes.size()); }
   CellAssembly<3> assembly() const {
-    return {mesh, {{.material = material("neo-hookean")}}, u, u, &d};
+    return {mesh, {Body{.material = material("neo-hookean"), .element = {}}}, u, u, d};
   }
   SparsePattern pattern(const CellAssembly<3>& cells) const {
     PatternBuilder builder(size);
