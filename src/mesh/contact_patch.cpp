@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+#include "mesh/facet_table.hpp"
+
 namespace gnomon {
 
 namespace {
