@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "study/process_pool.hpp"
 #include "study/run_files.hpp"
 #include "study/text_file.hpp"
 
