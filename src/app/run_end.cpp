@@ -38,6 +38,7 @@ void print_summary(const RunOutcome& outcome, const std::string& result, bool ha
           balance_text(outcome.examination, dimension_of(outcome.last->scalars));
       !forces.empty())
     fmt::print("{}", forces);
+  fmt::print("{}", model_text(outcome.examination));
   if (const std::string ledger = ledger_text(outcome.last->scalars); !ledger.empty())
     fmt::print("{}\n", ledger);
   if (const std::string text = phase_error_text(outcome.phase_errors); !text.empty())

@@ -36,7 +36,7 @@ std::string point_text(const std::array<double, 3>& x) {
 
 std::vector<std::string> doubts(const Examination& facts) {
   constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
-                   wedged = 50, inside = 1e-3, rounding = 1e-9;
+                   wedged = 50, inside = 1e-3, renewed = 0.02, rounding = 1e-9;
   std::vector<std::string> found;
   const bool loaded = largest_force(facts) > rounding * facts.force;
   if (const double left = norm(sum_of(facts.forces, &ResultantForce::force));
@@ -82,6 +82,16 @@ std::vector<std::string> doubts(const Examination& facts) {
         "the contact it is {:.4g} MPa at most: the former depends on the tolerance of the steps "
         "and on the mesh",
         facts.edge->pressure, point_text(facts.edge->position), facts.edge->inside));
+  if (facts.gap_error && !facts.gap_error->failure.empty())
+    found.push_back(
+        "wear is a gap, and what this leaves out is not known, because a mesh that "
+        "follows the wear has no equilibrium: " +
+        facts.gap_error->failure);
+  else if (facts.gap_error && facts.gap_error->pressure > renewed)
+    found.push_back(fmt::format(
+        "wear is a gap: pressures would change by {:.2g} of themselves if the mesh followed the "
+        "wear, so those of the moment, not the worn shape, are as wrong",
+        facts.gap_error->pressure));
   if (!facts.touches)
     found.push_back(fmt::format(
         "the bodies do not touch anywhere, they are {:.3g} mm apart: nothing wears", facts.gap));
@@ -110,6 +120,14 @@ void require_model(const Examination& facts) {
         "and sliding over the whole contact is all that is modelled; expected stiffer supports, "
         "less friction or longer strokes",
         facts.drag->drag, facts.drag->stroke));
+}
+
+std::string model_text(const Examination& facts) {
+  if (!facts.gap_error || !facts.gap_error->failure.empty()) return {};
+  return fmt::format(
+      "wear as a gap: pressures would change by {:.2g} of themselves (root mean "
+      "square) if the mesh followed the wear\n",
+      facts.gap_error->pressure);
 }
 
 std::string balance_text(const Examination& facts, int dim) {

@@ -101,6 +101,16 @@ std::vector<double> weights_on_path(const std::vector<ContactPatch<dim>>& patche
 }  // namespace
 
 template <int dim>
+NodalField<dim> pull_of(const SpringSupport<dim>& springs, const AssemblyParts<dim>& parts) {
+  NodalField<dim> pull =
+      NodalField<dim>::Zero(static_cast<Eigen::Index>(parts.mesh.nodes.size()), dim);
+  for (const auto& patch : contact_patches<dim>(parts.mesh, springs.facets, {}, parts.section()))
+    pull.row(patch.node) +=
+        (patch.initial_area * springs.stiffness.cwiseProduct(springs.displacement)).transpose();
+  return pull;
+}
+
+template <int dim>
 std::vector<typename Mesh<dim>::Facet> facets_of(const std::vector<Surface<dim>>& surfaces) {
   std::vector<typename Mesh<dim>::Facet> facets;
   for (const Surface<dim>& surface : surfaces)
@@ -127,6 +137,11 @@ Assembly<dim>::Assembly(AssemblyParts<dim> parts) : AssemblyParts<dim>(std::move
     patch.shape_free =
         wears(static_cast<int>(c)) ? this->shape.free(patch.node) : Tensor<dim>::Zero();
   }
+  if (this->condensed) {
+    std::vector<int> nodes;
+    for (const ContactPatch<dim>& patch : contact_nodes) nodes.push_back(patch.node);
+    condensation = std::make_shared<const Condensation<dim>>(*this, nodes);
+  }
   if (this->cross_section)
     wear_weight = weights_on_path(contact_nodes, this->mesh, *this->cross_section);
 }
@@ -139,6 +154,8 @@ NodalFlags<2> held_on_axis(const Mesh<2>& mesh) {
 
 template struct Assembly<2>;
 template struct Assembly<3>;
+template NodalField<2> pull_of(const SpringSupport<2>&, const AssemblyParts<2>&);
+template NodalField<3> pull_of(const SpringSupport<3>&, const AssemblyParts<3>&);
 template std::vector<Mesh<2>::Facet> facets_of(const std::vector<Surface<2>>&);
 template std::vector<Mesh<3>::Facet> facets_of(const std::vector<Surface<3>>&);
 template std::vector<ContactPatch<2>> contact_nodes_of(const AssemblyParts<2>&);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <gnomon/model/examination.hpp>
+#include <gnomon/model/gap_motion.hpp>
 #include <gnomon/model/magnitudes.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <limits>
@@ -62,7 +63,9 @@ std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equati
       if (gap < -std::max(least, deepest ? deepest->depth : 0))
         deepest = BoundaryPoint{point_in_space<dim>(initial), -gap};
     };
-    for (const int node : nodes) look(std::array{node}, std::array{1.0}, 0);
+    for (const int node : nodes)
+      if (!is_worn_away(assembly, values.vector(fields.d), assembly.mesh.nodes[node]))
+        look(std::array{node}, std::array{1.0}, 0);
     if (std::ranges::any_of(contacts[p].nodes, &ContactNode<dim>::active)) continue;
     for (const auto& facet : facets_of(assembly.interface.surfaces))
       for (const auto& weights : points_between<dim>())
@@ -161,15 +164,16 @@ double find_wedging(const std::vector<Phase<dim>>& phases,
 
 template <int dim>
 Examination WearModel<dim>::examine(const State& state) const {
-  const FieldValues<dim> values = system().values(state.t, state.y);
+  const FieldValues<dim> values = this->values(state);
   const std::vector<PhaseContact<dim>> contacts = this->contacts(values, state);
-  ForceBalance balance = resultants_->balance(equations_, values, state.t, contacts);
+  ForceBalance balance = resultants_->balance(values, state.t, contacts);
   Examination facts{.forces = std::move(balance.forces),
                     .reactions = std::move(balance.reactions),
                     .idle_load = balance.idle_load};
   facts.intrusion = find_intrusion(equations_, values, state.t, contacts);
   facts.drag = find_drag(equations_, values, contacts);
   if (state.t > 0) facts.edge = edge_pressure(assembly(), contacts);
+  if (state.t > 0) facts.gap_error = gap_error(state, values, contacts);
   facts.overlap = find_overlap(equations_);
   if (assembly().loads.empty()) facts.wedging = find_wedging(equations_.phases(), contacts);
   facts.deformation = assembly().scales.displacement;

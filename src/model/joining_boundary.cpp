@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <gnomon/integrators/rates.hpp>
+#include <gnomon/model/gap_motion.hpp>
 #include <gnomon/model/joining_boundary.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
@@ -79,7 +80,9 @@ Surface<dim> boundary_within(double distance, const OtherBoundary<dim>& others,
   std::vector<PartnerMotion<>> q;  // by phase
   for (std::size_t p = 0; p < equations.phases().size(); ++p)
     q.push_back(equations.partner_motion(values, t, p));
+  const NodalField<dim>& worn = values.vector(equations.fields().d);
   return others.joining([&](const ContactPatch<dim>& patch) {
+    if (is_worn_away(equations.assembly(), worn, patch.initial_position)) return false;
     for (std::size_t p = 0; p < q.size(); ++p) {
       const Vector<dim> d = values.vector(equations.fields(p).d).row(patch.node).transpose(),
                         u = values.vector(equations.fields(p).u).row(patch.node).transpose();
@@ -126,14 +129,13 @@ FieldValues<dim> moved(const FieldSet& from, const FieldValues<dim>& values, con
 
 template <int dim>
 bool WearModel<dim>::overdue(const State& state) const {
-  return !boundary_within(0, *others_, equations_, system().values(state.t, state.y), state.t)
-              .facets.empty();
+  return !boundary_within(0, *others_, equations_, values(state), state.t).facets.empty();
 }
 
 template <int dim>
 std::optional<Succession> WearModel<dim>::succeed(const State& state) const {
   const double reach = assembly().interface.reach;
-  const FieldValues<dim> values = system().values(state.t, state.y);
+  const FieldValues<dim> values = this->values(state);
   if (boundary_within(reach / 2, *others_, equations_, values, state.t).facets.empty()) return {};
   auto next = std::make_shared<WearModel>(
       with_surface<dim>(assembly(), boundary_within(reach, *others_, equations_, values, state.t)));

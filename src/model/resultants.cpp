@@ -31,9 +31,10 @@ bool acts_on_bodies(TermKind kind) {
 
 /// Where forces act: on the deformed bodies; with small strains they balance on the undeformed.
 template <int dim>
-NodalField<dim> places_of(const Assembly<dim>& assembly, const FieldValues<dim>& values,
+NodalField<dim> places_of(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values,
                           const WornBodyFields& fields) {
-  NodalField<dim> places = values.vector(fields.d);
+  const Assembly<dim>& assembly = equations.assembly();
+  NodalField<dim> places = equations.shape_of_cells(values);
   for (Eigen::Index node = 0; node < places.rows(); ++node)
     places.row(node) += assembly.mesh.nodes[static_cast<std::size_t>(node)].transpose();
   const bool small = std::ranges::any_of(assembly.bodies, [](const Body& body) {
@@ -73,11 +74,13 @@ private:
 }  // namespace
 
 template <int dim>
-Resultants<dim>::Resultants(const WornBodyEquations<dim>& equations)
-    : all_(numbering_of(equations, false)), held_(numbering_of(equations, true)) {
-  for (std::size_t k = 0; k < equations.kinds().size(); ++k) {
-    const TermKind kind = equations.kinds()[k].kind;
-    terms_.push_back(acts_on_bodies(kind) ? equations.composition()->terms[k](of_kind(kind))
+Resultants<dim>::Resultants(WornBodyEquations<dim> equations)
+    : equations_(std::move(equations)),
+      all_(numbering_of(equations_, false)),
+      held_(numbering_of(equations_, true)) {
+  for (std::size_t k = 0; k < equations_.kinds().size(); ++k) {
+    const TermKind kind = equations_.kinds()[k].kind;
+    terms_.push_back(acts_on_bodies(kind) ? equations_.composition()->terms[k](of_kind(kind))
                                           : nullptr);
   }
 }
@@ -85,16 +88,15 @@ Resultants<dim>::Resultants(const WornBodyEquations<dim>& equations)
 /// The rows of u to which terms of a kind, phase and number add, nodes x dim; on the bodies. What
 /// the bodies carry themselves, only where supports hold them.
 template <int dim>
-NodalField<dim> Resultants<dim>::of(const WornBodyEquations<dim>& equations,
-                                    const FieldValues<dim>& values, double t,
+NodalField<dim> Resultants<dim>::of(const FieldValues<dim>& values, double t,
                                     KindOfTerm wanted) const {
   const Numbering& numbering = of_kind(wanted.kind);
   std::vector<double> F(static_cast<std::size_t>(numbering.size()));
   const std::vector<double> ydot(F.size());
   const Evaluation<dim> at{.values = values, .ydot = ydot, .t = t, .within = t};
   for (std::size_t k = 0; k < terms_.size(); ++k)
-    if (equations.kinds()[k] == wanted) terms_[k]->add_residual(at, F);
-  const Field::Indices& numbers = numbering.numbers(equations.fields(wanted.phase).u);
+    if (equations_.kinds()[k] == wanted) terms_[k]->add_residual(at, F);
+  const Field::Indices& numbers = numbering.numbers(equations_.fields(wanted.phase).u);
   NodalField<dim> force = NodalField<dim>::Zero(numbers.rows(), dim);
   for (Eigen::Index k = 0; k < force.size(); ++k)
     if (numbers.data()[k] >= 0) force.data()[k] = -F[numbers.data()[k]];
@@ -102,10 +104,9 @@ NodalField<dim> Resultants<dim>::of(const WornBodyEquations<dim>& equations,
 }
 
 template <int dim>
-ForceBalance Resultants<dim>::balance(const WornBodyEquations<dim>& equations,
-                                      const FieldValues<dim>& values, double t,
+ForceBalance Resultants<dim>::balance(const FieldValues<dim>& values, double t,
                                       const std::vector<PhaseContact<dim>>& contacts) const {
-  const Assembly<dim>& assembly = equations.assembly();
+  const Assembly<dim>& assembly = equations_.assembly();
   const Supports<dim>& held = assembly.supports;
   const NodalSum<dim> sum(assembly);
   ResultantForce loads{"loads"}, supports{"supports"}, springs{"springs"}, pressed{"contact"},
@@ -114,14 +115,14 @@ ForceBalance Resultants<dim>::balance(const WornBodyEquations<dim>& equations,
   for (const NamedSupport& each : held.named) balance.reactions.push_back({each.name});
   for (const SpringSupport<dim>& each : held.springs) balance.reactions.push_back({each.name});
   double idle = 0, all = 0;
-  for (std::size_t p = 0; p < equations.phases().size(); ++p) {
-    const double weight = assembly.copies * equations.phases()[p].weight;
-    const NodalField<dim> places = places_of(assembly, values, equations.fields(p));
-    const NodalField<dim> load = of(equations, values, t, {TermKind::load, p});
-    NodalField<dim> others = load + of(equations, values, t, {TermKind::body, p});
+  for (std::size_t p = 0; p < equations_.phases().size(); ++p) {
+    const double weight = assembly.copies * equations_.phases()[p].weight;
+    const NodalField<dim> places = places_of(equations_, values, equations_.fields(p));
+    const NodalField<dim> load = of(values, t, {TermKind::load, p});
+    NodalField<dim> others = load + of(values, t, {TermKind::body, p});
     sum.add_all(loads, weight, places, load);
     for (std::size_t k = 0; k < held.springs.size(); ++k) {
-      const NodalField<dim> spring = of(equations, values, t, {TermKind::spring, p, k});
+      const NodalField<dim> spring = of(values, t, {TermKind::spring, p, k});
       others += spring;
       sum.add_all(springs, weight, places, spring);
       sum.add_all(balance.reactions[held.named.size() + k], weight, places, spring);

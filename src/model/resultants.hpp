@@ -18,19 +18,19 @@ struct ForceBalance {
 template <int dim>
 class Resultants {
 public:
-  explicit Resultants(const WornBodyEquations<dim>& equations);
+  /// Of all displacements, also of a condensed assembly.
+  explicit Resultants(WornBodyEquations<dim> equations);
 
-  /// Of the equations that it was made of.
-  ForceBalance balance(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values,
-                       double t, const std::vector<PhaseContact<dim>>& contacts) const;
+  ForceBalance balance(const FieldValues<dim>& values, double t,
+                       const std::vector<PhaseContact<dim>>& contacts) const;
 
 private:
-  NodalField<dim> of(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values,
-                     double t, KindOfTerm wanted) const;
+  NodalField<dim> of(const FieldValues<dim>& values, double t, KindOfTerm wanted) const;
 
   /// The inner forces are asked for only at supports, and so only the cells there are visited.
   const Numbering& of_kind(TermKind kind) const { return kind == TermKind::body ? held_ : all_; }
 
+  WornBodyEquations<dim> equations_;
   Numbering all_, held_;  // of all values of u, and of those that supports hold
   std::vector<std::unique_ptr<Term<dim>>> terms_;  // null where a term exerts no force on a body
 };

@@ -123,8 +123,8 @@ void observe_cells(const Assembly<dim>& body, const NodalField<dim>& d, double w
     const double before = cell_volume<dim>(initial, body.section()),
                  after = cell_volume<dim>(X, body.section());
     worn += before - after;
-    least = std::min(least, after / before);
-    quality = std::min(quality, scaled_jacobian<dim>(X));
+    if (!body.shape.gap) least = std::min(least, after / before);
+    quality = std::min(quality, scaled_jacobian<dim>(body.shape.gap ? initial : X));
   }
   worn = sum_over_processes(worn) * body.copies;
   const auto& groove = body.cross_section;
@@ -172,7 +172,8 @@ WearModel<dim>::WearModel(WornBodyEquations<dim> equations)
     : Physics<dim>(equations.composition(), equations.assembly().mesh),
       surroundings_(surroundings(equations.assembly())),
       equations_(std::move(equations)),
-      resultants_(std::make_shared<const Resultants<dim>>(equations_)) {
+      resultants_(std::make_shared<const Resultants<dim>>(WornBodyEquations<dim>(
+          equations_.shared_assembly(), equations_.phases(), Elasticity::whole))) {
   ModelFacts& facts = *this;
   facts.differential_scale = assembly().scales.wear_depth;
   facts.grid->parts = assembly().named_parts;
@@ -195,6 +196,13 @@ WearModel<dim>::WearModel(WornBodyEquations<dim> equations)
 }
 
 template <int dim>
+FieldValues<dim> WearModel<dim>::values(const State& state) const {
+  FieldValues<dim> values = system().values(state.t, state.y);
+  equations_.complete(values, state.t);
+  return values;
+}
+
+template <int dim>
 std::vector<PhaseContact<dim>> WearModel<dim>::contacts(const FieldValues<dim>& values,
                                                         const Point& at) const {
   std::vector<PhaseContact<dim>> result;
@@ -211,8 +219,15 @@ std::vector<PhaseContact<dim>> WearModel<dim>::contacts(const FieldValues<dim>& 
 }
 
 template <int dim>
+double WearModel<dim>::wear_depth(std::size_t contact_node, const NodalField<dim>& d) const {
+  const ContactPatch<dim>& patch = assembly().contact_nodes[contact_node];
+  const Vector<dim> moved = d.row(patch.node).transpose();
+  return assembly().shape.gap ? std::abs(moved.dot(patch.initial_normal)) : moved.norm();
+}
+
+template <int dim>
 Observation WearModel<dim>::observe(const State& state) const {
-  const FieldValues<dim> values = system().values(state.t, state.y);
+  const FieldValues<dim> values = this->values(state);
   const std::vector<PhaseContact<dim>> phases = contacts(values, state);
   const int units = assembly().section() == Section::meridian ? 3 : dim;
   const NodalField<dim>& d = values.vector(equations_.fields().d);
@@ -223,7 +238,7 @@ Observation WearModel<dim>::observe(const State& state) const {
   Observation motion;
   for (std::size_t p = 0; p < phases.size(); ++p) {
     const WornBodyFields& fields = equations_.fields(p);
-    widen(gradient, assembly(), d, values.vector(fields.u));
+    widen(gradient, assembly(), equations_.shape_of_cells(values), values.vector(fields.u));
     const Phase<dim>& phase = equations_.phases()[p];
     reaction += phases[p].weight * reaction_of(assembly(), phase, phases[p].nodes, state.t);
     if (fields.w != FieldId::none)
@@ -236,8 +251,7 @@ Observation WearModel<dim>::observe(const State& state) const {
   }
   double depth = 0;
   for (std::size_t c = 0; c < assembly().contact_nodes.size(); ++c)
-    if (assembly().wears(static_cast<int>(c)))
-      depth = std::max(depth, d.row(assembly().contact_nodes[c].node).norm());
+    if (assembly().wears(static_cast<int>(c))) depth = std::max(depth, wear_depth(c, d));
   Observation observed;
   observe_contact(phases, assembly().copies, units, observed);
   observe_cells(assembly(), d, wear_flux_of(phases, assembly().copies), units, observed);
@@ -251,17 +265,14 @@ Observation WearModel<dim>::observe(const State& state) const {
   // Of a part of a symmetric body, what is across the symmetry is not known.
   if (!equations_.phases().front().counter_body.guides.empty() && assembly().copies == 1)
     observe_reaction(assembly().section(), reaction, observed);
-  for (Scalar& column :
-       force_columns(assembly(), resultants_->balance(equations_, values, state.t, phases)))
+  for (Scalar& column : force_columns(assembly(), resultants_->balance(values, state.t, phases)))
     observed.push_back(std::move(column));
   return observed;
 }
 
 template <int dim>
 std::vector<GridField> WearModel<dim>::fields(const State& state) const {
-  const FieldValues<dim> values = system().values(state.t, state.y);
-  const NodalField<dim>&nodal_u = values.vector(equations_.fields().u),
-        &nodal_d = values.vector(equations_.fields().d);
+  const FieldValues<dim> values = this->values(state);
   const Assembly<dim>& body = assembly();
   GridField pressure{"pressure", "MPa", GridField::On::nodes, 1, {}};
   pressure.values.assign(body.mesh.nodes.size(), 0.0);
@@ -269,14 +280,16 @@ std::vector<GridField> WearModel<dim>::fields(const State& state) const {
     for (std::size_t c = 0; c < nodes.size(); ++c)
       pressure.values[body.contact_nodes[c].node] += weight * std::max(0.0, -nodes[c].traction);
   std::vector<GridField> fields =
-      solid_fields<dim>(body.mesh, body.bodies, body.body_of, nodal_d, nodal_u);
+      solid_fields<dim>(body.mesh, body.bodies, body.body_of, equations_.shape_of_cells(values),
+                        values.vector(equations_.fields().u));
+  fields[1] = nodal_vector<dim>("shape", values.vector(equations_.fields().d));
   fields.insert(fields.begin() + 2, pressure);
   return fields;
 }
 
 template <int dim>
 std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const {
-  const FieldValues<dim> values = system().values(state.t, state.y);
+  const FieldValues<dim> values = this->values(state);
   const std::vector<PhaseContact<dim>> phases = contacts(values, state);
   ContactSurface surface =
       surface_of<dim>(assembly().mesh, assembly().contact_nodes,
@@ -286,7 +299,9 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
       surface.pressure[c] += weight * std::max(0.0, -nodes[c].traction);
       surface.active[c] = std::max<int>(surface.active[c], nodes[c].active);
     }
-    if (!assembly().wears(static_cast<int>(c))) surface.wear_depth[c] = 0;
+    surface.wear_depth[c] = assembly().wears(static_cast<int>(c))
+                                ? wear_depth(c, values.vector(equations_.fields().d))
+                                : 0;
   }
   if (phases.size() > 1)
     for (std::size_t p = 0; p < phases.size(); ++p) {

@@ -5,6 +5,7 @@
 #include <gnomon/model/worn_body_equations.hpp>
 #include <gnomon/shapes/counter_surface.hpp>
 #include <gnomon/terms/body_term.hpp>
+#include <gnomon/terms/condensed_body.hpp>
 #include <gnomon/terms/pressure_load.hpp>
 #include <gnomon/terms/shape_evolution.hpp>
 #include <gnomon/terms/shape_multiplier.hpp>
@@ -118,17 +119,20 @@ ContactState<dim> contact_state(const Assembly<dim>& body, const Phase<dim>& pha
 }  // namespace
 
 template <int dim>
-WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const Assembly<dim>> assembly)
-    : WornBodyEquations(assembly, assembly->instants()) {}
+WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const Assembly<dim>> assembly,
+                                          Elasticity elasticity)
+    : WornBodyEquations(assembly, assembly->instants(), elasticity) {}
 
 template <int dim>
 WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const Assembly<dim>> assembly,
-                                          std::vector<Phase<dim>> phases)
-    : assembly_(std::move(assembly)), phases_(std::move(phases)) {
+                                          std::vector<Phase<dim>> phases, Elasticity elasticity)
+    : assembly_(std::move(assembly)),
+      phases_(std::move(phases)),
+      condensation_(elasticity == Elasticity::whole ? nullptr : assembly_->condensation) {
   auto composition = std::make_shared<Composition<dim>>();
   composition->fields = std::make_shared<const FieldSet>(make_fields());
   add_terms(composition->terms);
-  for (const WornBodyFields& fields : fields_)
+  for (const WornBodyFields& fields : fields_)  // also of a condensed one, to be read from values
     for (PrescribedValues held : assembly_->supports.moved) {
       held.field = fields.u;
       composition->prescribed.push_back(std::move(held));
@@ -151,11 +155,13 @@ void WornBodyEquations<dim>::add(std::vector<TermFactory<dim>>& terms, TermKind 
 template <int dim>
 void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   for (std::size_t p = 0; p < phases_.size(); ++p) add_equilibrium(p, terms);
-  add(terms, TermKind::mesh_motion, 0, [of = assembly_, f = fields()](const Numbering& numbering) {
-    return std::make_unique<MeshMotion<dim>>(of->mesh,
-                                             of->cross_section ? &*of->cross_section : nullptr,
-                                             of->shape.along, of->shape.law, numbering, f.d);
-  });
+  if (!assembly_->shape.gap)
+    add(terms, TermKind::mesh_motion, 0,
+        [of = assembly_, f = fields()](const Numbering& numbering) {
+          return std::make_unique<MeshMotion<dim>>(
+              of->mesh, of->cross_section ? &*of->cross_section : nullptr, of->shape.along,
+              of->shape.law, numbering, f.d);
+        });
   if (assembly_->shape.constraint == ConstraintForm::multiplier)
     add(terms, TermKind::mesh_motion, 0,
         [of = assembly_, f = fields()](const Numbering& numbering) {
@@ -174,17 +180,37 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   add(terms, TermKind::evolution, 0, [of = assembly_, f = fields()](const Numbering& numbering) {
     return std::make_unique<ShapeEvolution<dim>>(numbering, of->contact_nodes, f.d);
   });
+  if (condensation_) return;
   for (const SpringSupport<dim>& springs : assembly_->supports.springs) add_springs(springs, terms);
   for (const Load<dim>& load : assembly_->loads) add_load(load, terms);
+}
+
+/// Of a phase, in its displacements at the contact nodes.
+template <int dim>
+void WornBodyEquations<dim>::add_condensed(std::size_t p, std::vector<TermFactory<dim>>& terms) {
+  add(terms, TermKind::body, p, [of = condensation_, f = fields_[p]](const Numbering& numbering) {
+    return std::make_unique<CondensedBody<dim>>(of->stiffness(), of->kept(), numbering, f.u);
+  });
+  for (const DeadForces<dim>& load : condensation_->loads())
+    add(terms, TermKind::load, p,
+        [f = fields_[p], load, factor = load.cyclic ? phases_[p].load : 1](const Numbering& n) {
+          using Purpose = typename Loads<dim>::Purpose;
+          return std::make_unique<Loads<dim>>(n, f.u, factor * load.forces, load.history,
+                                              load.presses ? Purpose::presses : Purpose::acts);
+        });
 }
 
 /// The rows of u and w, without contact and loads on the bodies. The first guide of the partner
 /// follows the history of the interface.
 template <int dim>
 void WornBodyEquations<dim>::add_equilibrium(std::size_t p, std::vector<TermFactory<dim>>& terms) {
-  add(terms, TermKind::body, p, [of = assembly_, f = fields_[p]](const Numbering& numbering) {
-    return std::make_unique<BodyTerm<dim>>(of->mesh, of->bodies, numbering, f.u, f.d);
-  });
+  if (condensation_)
+    add_condensed(p, terms);
+  else
+    add(terms, TermKind::body, p, [of = assembly_, f = fields_[p]](const Numbering& numbering) {
+      return std::make_unique<BodyTerm<dim>>(of->mesh, of->bodies, numbering, f.u,
+                                             of->shape.gap ? FieldId::none : f.d);
+    });
   const std::vector<std::optional<double>> forces = phases_[p].forces();
   for (std::size_t k = 0; k < forces.size(); ++k) {
     if (!forces[k]) continue;
@@ -210,14 +236,9 @@ void WornBodyEquations<dim>::add_equilibrium(std::size_t p, std::vector<TermFact
 template <int dim>
 void WornBodyEquations<dim>::add_springs(const SpringSupport<dim>& springs,
                                          std::vector<TermFactory<dim>>& terms) {
-  Field::Values pull =
-      Field::Values::Zero(static_cast<Eigen::Index>(assembly_->mesh.nodes.size()), dim);
-  const Section section = assembly_->section();
+  const NodalField<dim> pull = pull_of<dim>(springs, *assembly_);
   const auto number = static_cast<std::size_t>(&springs - assembly_->supports.springs.data());
   const auto first = kinds_.size();
-  for (const auto& patch : contact_patches<dim>(assembly_->mesh, springs.facets, {}, section))
-    for (int i = 0; i < dim; ++i)
-      pull(patch.node, i) = springs.stiffness[i] * patch.initial_area * springs.displacement[i];
   for (std::size_t p = 0; p < fields_.size(); ++p) {
     const WornBodyFields& fields = fields_[p];
     add(terms, TermKind::spring, p,
@@ -261,18 +282,21 @@ FieldSet WornBodyEquations<dim>::make_fields() {
     return block;
   };
   for (std::size_t p = 0; p < phases_.size(); ++p) {
-    const int displacement =
-        set.add(of_phase({"displacement", "u", "all nodes", Role::stiffness}, p));
-    fields_[p].u = set.add(field_at_nodes<dim>("displacement", assembly_->supports.held,
-                                               displacement, scales.force, scales.displacement));
+    const int displacement = set.add(of_phase(
+        {"displacement", "u", condensation_ ? "contact nodes" : "all nodes", Role::stiffness}, p));
+    fields_[p].u = set.add(field_at_nodes<dim>(
+        "displacement", condensation_ ? condensation_->left_out() : assembly_->supports.held,
+        displacement, scales.force, scales.displacement));
   }
-  const int interior = set.add({"shape", "d", "nodes off the contact surface", Role::extension});
+  const bool gap = assembly_->shape.gap;
+  const int interior =
+      gap ? -1 : set.add({"shape", "d", "nodes off the contact surface", Role::extension});
   const int surface = set.add({.name = "worn_surface",
                                .symbol = "d",
                                .where = "contact nodes (differential)",
                                .role = Role::evolution,
                                .differential = true});
-  const FieldId d = set.add(shape_field(*assembly_, scales, interior, surface));
+  const FieldId d = set.add(shape_field(*assembly_, scales, gap ? surface : interior, surface));
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     const int multiplier =
         set.add(of_phase({"contact_multiplier", "lambda", "contact nodes", Role::multiplier}, p));

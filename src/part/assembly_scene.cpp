@@ -6,6 +6,7 @@
 #include <gnomon/base/same_time.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/mesh/semi_coarsening.hpp>
+#include <gnomon/model/gap_motion.hpp>
 #include <gnomon/model/memory_estimate.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/part/assembly_scene.hpp>
@@ -71,6 +72,20 @@ MeshSize size_of(const AssemblyParts<dim>& parts) {
 }
 
 template <int dim>
+ShapeMotion<dim> read_gap_motion(const Scene& scene, const AssemblyParts<dim>& parts) try {
+  return gap_motion(parts);
+} catch (const InputError& error) {
+  throw InputError(scene.path().string() + ": " + error.what());
+}
+
+template <int dim>
+void require_condensable(const Scene& scene, const AssemblyParts<dim>& parts) try {
+  require_constant_stiffness(parts);
+} catch (const InputError& error) {
+  throw InputError(scene.path().string() + ": " + error.what());
+}
+
+template <int dim>
 void choose_solver(const Scene& scene, AssemblyParts<dim>& parts) {
   const MeshSize size = size_of(parts);
   parts.solver = linear_solver_kind(scene).make(scene, size);
@@ -130,6 +145,12 @@ AssemblyParts<dim> completed(const Scene& scene, double facet, AssemblyParts<dim
   const Vector<dim> apart = scene.real("contact.initial_gap") * interface.partner.approach;
   interface.partner.position -= apart;
   for (Phase<dim>& phase : parts.phases) phase.counter_body.position -= apart;
+  if (scene.text("shape.motion") == "gap") {
+    parts.following = parts.shape;
+    parts.shape = read_gap_motion(scene, parts);
+  }
+  parts.condensed = scene.flag("solver.reduce");
+  if (parts.condensed) require_condensable(scene, parts);
   choose_solver(scene, parts);
   return parts;
 }

@@ -169,6 +169,10 @@ std::vector<Key> body_keys() {
 
 std::vector<Key> shape_keys() {
   return {
+      text_key("shape.motion", by_default("mesh"),
+               "mesh: the mesh follows the wear; gap: it stays, and wear is a gap between the body "
+               "and its partner (docs/gap.md)",
+               {"mesh", "gap"}),
       text_key("shape.constraint", by_default("eliminated"),
                "shape of the contact surface: reaction eliminated, or multiplier mu, eq. (22)",
                {"eliminated", "multiplier"}),
@@ -189,6 +193,11 @@ std::vector<Key> make_worn_body_keys(int dim) {
     keys.insert(keys.end(), part.begin(), part.end());
   keys.push_back(resumable(text_key("solver.method", by_default("block"),
                                     "how linear systems are solved (gnomon list solvers)")));
+  keys.push_back({.name = "solver.reduce",
+                  .kind = KeyKind::flag,
+                  .default_value = false,
+                  .help = "condense the elasticity to the contact nodes once: with small strains "
+                          "and wear as a gap (docs/gap.md)"});
   keys.push_back(friction_key(dim));
   keys.push_back({.name = "contact.initial_gap",
                   .unit = "mm",

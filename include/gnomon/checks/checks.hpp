@@ -19,6 +19,9 @@ std::vector<std::string> doubts(const std::vector<Body>& bodies);
 /// Throws InputError where the model cannot hold: bodies that would stick instead of sliding.
 void require_model(const Examination& facts);
 
+/// What the model leaves out, with its figure, in a line; empty where nothing is known of it.
+std::string model_text(const Examination& facts);
+
 /// The resultants in lines: "forces on the bodies: loads (0, -20), supports (0, 0), ...", the
 /// reactions of named supports, and the torques.
 std::string balance_text(const Examination& facts, int dim);

@@ -6,10 +6,12 @@
 #include <gnomon/fields/nodal.hpp>
 #include <gnomon/laws/load_history.hpp>
 #include <gnomon/mesh/extrusion.hpp>
+#include <gnomon/model/condensation.hpp>
 #include <gnomon/model/cyclic_phases.hpp>
 #include <gnomon/system/linear_solver.hpp>
 #include <gnomon/terms/contact_node.hpp>
 #include <gnomon/terms/material.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -117,6 +119,8 @@ struct ShapeMotion {
   NodalProjectors<dim> along{};
   MeshMotionLaw law{};  ///< eq. (20)
   ConstraintForm constraint = ConstraintForm::eliminated;
+  /// Wear is a gap (gap_motion.hpp): cells keep their initial shape.
+  bool gap = false;
 
   /// Projector on the directions in which the shape of a node may move.
   Tensor<dim> free(int node) const {
@@ -144,7 +148,10 @@ struct AssemblyParts {
   double copies = 1;  ///< number of modelled parts in the whole body (symmetry)
   Scales scales{};
   LinearSolverMaker solver{};
-  double memory = 0;                    ///< ModelFacts::memory
+  /// Where wear is a gap: how the mesh would follow it, for an estimate of the difference.
+  std::optional<ShapeMotion<dim>> following{};
+  bool condensed = false;  ///< the elasticity is condensed to the contact nodes (condensation.hpp)
+  double memory = 0;       ///< ModelFacts::memory
   std::vector<std::string> remarks{};   ///< ModelFacts::remarks
   std::vector<MeshPart> named_parts{};  ///< of a mesh from a file, for its result to keep
 
@@ -169,7 +176,7 @@ template <int dim>
 struct Assembly : AssemblyParts<dim> {
   /// Throws InputError where the parts do not fit: bodies that are not all cells, flags that are
   /// not for all nodes, a surface without facets, elements that are too long, a load too small to
-  /// strain the bodies.
+  /// strain the bodies; what Condensation throws.
   explicit Assembly(AssemblyParts<dim> parts);
 
   std::vector<ContactPatch<dim>> contact_nodes;  ///< of all surfaces
@@ -181,6 +188,8 @@ struct Assembly : AssemblyParts<dim> {
   /// cross-section, the length that it represents divided by the length of the path.
   std::vector<double> wear_weight;
   std::vector<int> body_of;  ///< by cell
+  /// Of a `condensed` assembly; null: none.
+  std::shared_ptr<const Condensation<dim>> condensation;
 
   /// The node that carries the shape unknowns of `node`.
   int shape_node(int node) const {
@@ -188,6 +197,10 @@ struct Assembly : AssemblyParts<dim> {
     return uniform ? uniform->node[uniform->of[node]] : node;
   }
 };
+
+/// The force k A^ u^ of the moved ends of springs, at factor one, nodes x dim [force].
+template <int dim>
+NodalField<dim> pull_of(const SpringSupport<dim>& springs, const AssemblyParts<dim>& parts);
 
 /// Of all surfaces, one after the other.
 template <int dim>

@@ -40,6 +40,14 @@ struct ElasticDrag {
   double drag = 0;    ///< the largest tangential displacement over the cycle [length]
 };
 
+/// What wear as a gap leaves out: the change of pressures, at the same depth of wear, if the mesh
+/// had followed it. Root mean square over the nodes that are closed with their neighbours, as a
+/// part of their pressures.
+struct GapError {
+  double pressure = 0;
+  std::string failure{};  ///< why it is not known; empty: it is
+};
+
 struct Examination {
   /// They add up to zero within the tolerance of the equilibrium.
   std::vector<ResultantForce> forces;
@@ -59,6 +67,7 @@ struct Examination {
   /// Contact forces, added up without regard to their directions, by what presses a free
   /// counter-body; 0 where none is free, one turns, or loads press on the bodies.
   double wedging = 0;
+  std::optional<GapError> gap_error{};  ///< where wear is a gap
   double deformation = 0;  ///< typical displacement: much less of a depth does not count [length]
   double force = 0;        ///< typical: a small part of it is rounding
   double size = 0;         ///< of the bodies, from corner to corner [length]

@@ -47,12 +47,19 @@ private:
   explicit WearModel(WornBodyEquations<dim> equations);
   std::optional<PhaseError> phase_error(const State& state) const;
   Examination examine(const State& state) const;
+  /// Of a state with these values and contacts, where wear is a gap (Examination::gap_error).
+  std::optional<GapError> gap_error(const State& state, const FieldValues<dim>& values,
+                                    const std::vector<PhaseContact<dim>>& contacts) const;
   /// Boundary that the counter-body comes near to joins the contact (Interface::reach).
   std::optional<Succession> succeed(const State& state) const;
   /// Boundary that would join lies inside of the counter-body.
   bool overdue(const State& state) const;
   /// Within the box of the initial body, widened by a quarter of its longest side.
   CounterSurface counter_surface(const State& state) const;
+  /// How far the shape of a contact node has moved; where wear is a gap, along its initial normal.
+  double wear_depth(std::size_t contact_node, const NodalField<dim>& d) const;
+  /// Of all fields at a state, also of displacements that are condensed.
+  FieldValues<dim> values(const State& state) const;
   /// The contact law at every contact node, phase by phase; on the state's own smooth branch.
   std::vector<PhaseContact<dim>> contacts(const FieldValues<dim>& values, const Point& at) const;
   std::vector<PhaseContact<dim>> contacts(const FieldValues<dim>& values, const State& state) const;

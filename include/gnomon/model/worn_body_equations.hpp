@@ -29,8 +29,13 @@ struct KindOfTerm {
   bool operator==(const KindOfTerm&) const = default;
 };
 
+/// Of a condensed assembly: the equations in the displacements of the contact nodes alone, or in
+/// all.
+enum class Elasticity { as_assembled, whole };
+
 /// Rows, in the order of their unknowns:
 ///   u                equilibrium, eq. 23-25: internal + contact force - load            [force]
+///                    of a condensed assembly S u + contact force - g (condensation.hpp)
 ///   lambda           C_N, eq. 26                                                        [length]
 ///   w                contact force on the counter-body - applied force, by guide        [force]
 ///   d (interior)     auxiliary equilibrium, eq. 20                                      [force]
@@ -41,9 +46,11 @@ struct KindOfTerm {
 template <int dim>
 class WornBodyEquations {
 public:
-  explicit WornBodyEquations(std::shared_ptr<const Assembly<dim>> assembly);
+  explicit WornBodyEquations(std::shared_ptr<const Assembly<dim>> assembly,
+                             Elasticity elasticity = Elasticity::as_assembled);
   /// The same in other phases of its cycle.
-  WornBodyEquations(std::shared_ptr<const Assembly<dim>> assembly, std::vector<Phase<dim>> phases);
+  WornBodyEquations(std::shared_ptr<const Assembly<dim>> assembly, std::vector<Phase<dim>> phases,
+                    Elasticity elasticity = Elasticity::as_assembled);
 
   const Assembly<dim>& assembly() const { return *assembly_; }
   const std::shared_ptr<const Assembly<dim>>& shared_assembly() const { return assembly_; }
@@ -62,6 +69,18 @@ public:
     if (const FieldId w = fields_[phase].w; w != FieldId::none) q += values.scalar(w);
     return q;
   }
+  /// The shape that the cells have: d, or, where wear is a gap, none.
+  NodalField<dim> shape_of_cells(const FieldValues<dim>& values) const {
+    const NodalField<dim>& d = values.vector(fields().d);
+    return assembly_->shape.gap ? NodalField<dim>::Zero(d.rows(), dim) : d;
+  }
+  /// Adds the displacements that are condensed to the values of a state at t.
+  void complete(FieldValues<dim>& values, double t) const {
+    for (std::size_t p = 0; condensation_ && p < phases_.size(); ++p) {
+      NodalField<dim>& u = values.vector(fields_[p].u);
+      u = condensation_->whole(u, t, phases_[p].load);
+    }
+  }
   /// The contact term of a phase, in a system of this composition.
   const ContactTerm<dim>& contact(const ComposedSystem<dim>& system, std::size_t phase = 0) const;
   /// The contact law at every contact node in a phase, on the smooth branch of the point. `values`:
@@ -75,6 +94,7 @@ private:
   void add_terms(std::vector<TermFactory<dim>>& terms);
   void add(std::vector<TermFactory<dim>>& terms, TermKind kind, std::size_t phase,
            TermFactory<dim> make);
+  void add_condensed(std::size_t phase, std::vector<TermFactory<dim>>& terms);
   void add_equilibrium(std::size_t phase, std::vector<TermFactory<dim>>& terms);
   void add_springs(const SpringSupport<dim>& springs, std::vector<TermFactory<dim>>& terms);
   void add_load(const Load<dim>& load, std::vector<TermFactory<dim>>& terms);
@@ -82,6 +102,7 @@ private:
 
   std::shared_ptr<const Assembly<dim>> assembly_;
   std::vector<Phase<dim>> phases_;
+  std::shared_ptr<const Condensation<dim>> condensation_;
   std::vector<WornBodyFields> fields_;      // of each phase
   std::vector<std::size_t> contact_terms_;  // in the composition, of each phase
   std::vector<KindOfTerm> kinds_;

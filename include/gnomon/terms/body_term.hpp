@@ -7,7 +7,7 @@
 
 namespace gnomon {
 
-/// R(d, u) of eq. (24) in the rows of u, integrated over X = X^ + d.
+/// R(d, u) of eq. (24) in the rows of u, integrated over X = X^ + d; without a shape field over X^.
 template <int dim>
 class BodyTerm : public Term<dim> {
 public:
@@ -26,13 +26,17 @@ public:
   }
   void map_to(const SparsePattern& pattern) override { cells_.map_to(pattern); }
   void add_residual(const Evaluation<dim>& at, std::span<double> F) const override {
-    cells_.add_residual(&at.values.vector(d_), at.values.vector(u_), F);
+    cells_.add_residual(shape(at), at.values.vector(u_), F);
   }
   void add_jacobian(const Evaluation<dim>& at, double, std::span<double> values) const override {
-    cells_.add_jacobian(&at.values.vector(d_), at.values.vector(u_), values);
+    cells_.add_jacobian(shape(at), at.values.vector(u_), values);
   }
 
 private:
+  const NodalField<dim>* shape(const Evaluation<dim>& at) const {
+    return d_ == FieldId::none ? nullptr : &at.values.vector(d_);
+  }
+
   FieldId u_, d_;
   CellAssembly<dim> cells_;
 };

@@ -1,0 +1,73 @@
+// Elasticity condensed to the contact nodes. With small strains and wear as a gap the stiffness K
+// of the bodies is constant, so that the other displacements are eliminated once and for all:
+//
+//   S = K_cc - K_ci K_ii^-1 K_ic          c: unknown displacements of contact nodes
+//   g = f_c  - K_ci K_ii^-1 f_i           i: all other unknown displacements
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <functional>
+#include <gnomon/fields/nodal.hpp>
+#include <gnomon/laws/load_history.hpp>
+#include <utility>
+#include <vector>
+
+namespace gnomon {
+
+template <int dim>
+struct AssemblyParts;
+
+/// Forces at nodes that do not follow the deformation.
+template <int dim>
+struct DeadForces {
+  NodalField<dim> forces;  ///< at factor one, nodes x dim [force]
+  LoadHistory history{};
+  bool presses = false;  ///< Load::presses
+  bool cyclic = false;   ///< multiplied by the load factor of a phase
+};
+
+/// Throws InputError where the stiffness is not constant: finite strains, a mesh that moves,
+/// pressures that follow the surface.
+template <int dim>
+void require_constant_stiffness(const AssemblyParts<dim>& parts);
+
+template <int dim>
+class Condensation {
+public:
+  /// `nodes`: of contact. Throws as require_constant_stiffness(), and Error where the other nodes
+  /// have no unique displacement.
+  Condensation(const AssemblyParts<dim>& parts, const std::vector<int>& nodes);
+
+  /// S [force / length], by kept unknown.
+  const Eigen::MatrixXd& stiffness() const { return stiffness_; }
+  /// Node and direction of each kept unknown, ascending.
+  const std::vector<std::pair<int, int>>& kept() const { return kept_; }
+  /// 1 where u is not kept, by node of the mesh.
+  const NodalFlags<dim>& left_out() const { return left_out_; }
+  /// g of all dead forces, of what moved supports and springs exert among them.
+  const std::vector<DeadForces<dim>>& loads() const { return condensed_; }
+  /// All of u at time t, from that of the kept unknowns and of moved supports, in equilibrium
+  /// with the loads times `cyclic` (Phase::load).
+  NodalField<dim> whole(const NodalField<dim>& u, double t, double cyclic) const;
+
+private:
+  using Sparse = Eigen::SparseMatrix<double>;
+  void assemble(const AssemblyParts<dim>& parts);
+  void number(const AssemblyParts<dim>& parts, const std::vector<int>& nodes);
+  void factorize();
+  void condense_stiffness();
+  NodalField<dim> condensed(const NodalField<dim>& forces) const;
+  /// K u, nodes x dim.
+  NodalField<dim> resistance(const NodalField<dim>& u) const;
+
+  Sparse K_;  // of all displacements, also the held ones
+  Sparse K_ii_, K_ic_, K_ci_;
+  std::vector<std::pair<int, int>> kept_, inner_;  // c and i: node, direction
+  NodalFlags<dim> left_out_;
+  std::vector<DeadForces<dim>> loads_, condensed_;
+  Eigen::MatrixXd stiffness_;
+  std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)> solve_inner_;  // K_ii^-1, column by column
+};
+
+}  // namespace gnomon

@@ -1,0 +1,98 @@
+#include <gnomon/base/error.hpp>
+#include <gnomon/model/gap_motion.hpp>
+
+namespace gnomon {
+
+namespace {
+
+/// The nodes that wear, by the first surface that has them.
+template <int dim>
+std::vector<ContactPatch<dim>> nodes_of(const AssemblyParts<dim>& parts,
+                                        const Surface<dim>& surface) {
+  return contact_patches<dim>(parts.mesh, surface.facets, parts.interface.boundary,
+                              parts.section());
+}
+
+/// Whether depths along the direction in which the partner comes describe the worn surface: it does
+/// not turn away from it by more than 60 degrees.
+template <int dim>
+bool faces_partner(const std::vector<ContactPatch<dim>>& nodes, const Vector<dim>& approach) {
+  constexpr double least_cosine = 0.5;
+  return std::ranges::all_of(nodes, [&](const ContactPatch<dim>& patch) {
+    return -patch.initial_normal.dot(approach) >= least_cosine;
+  });
+}
+
+/// The derivative of the volume by the position of a node, at the initial shape.
+template <int dim>
+Vector<dim> volume_gradient(const Mesh<dim>& mesh, ContactPatch<dim> patch,
+                            const Tensor<dim>& free) {
+  patch.shape_free = free;
+  PatchNodal<dim> X(static_cast<Eigen::Index>(patch.nodes.size()), dim);
+  for (Eigen::Index p = 0; p < X.rows(); ++p) X.row(p) = mesh.nodes[patch.nodes[p]].transpose();
+  return free_volume_gradient<dim, double>(patch, X);
+}
+
+/// m: the wanted direction within the motion that is free; where that is across, the direction that
+/// changes the volume. Zero where no motion does.
+template <int dim>
+Vector<dim> direction_of(const Mesh<dim>& mesh, const ContactPatch<dim>& patch,
+                         const Tensor<dim>& free, const Vector<dim>& wanted) {
+  constexpr double across = 0.1, none = 1e-4;
+  if (const Vector<dim> m = free * wanted; m.norm() > across) return m.normalized();
+  const Vector<dim> a = volume_gradient<dim>(mesh, patch, free);
+  return a.norm() > none * patch.initial_area ? Vector<dim>(a.normalized()) : Vector<dim>::Zero();
+}
+
+/// Node by node: components that m does not have need no unknown.
+template <int dim>
+void move_along(int node, Vector<dim> m, ShapeMotion<dim>& shape) {
+  constexpr double rounding = 1e-12;
+  for (double& component : m)
+    if (std::abs(component) < rounding) component = 0;
+  Tensor<dim> along = m * m.transpose();
+  for (int i = 0; i < dim; ++i) shape.held(node, i) = m[i] == 0;
+  if (!along.isDiagonal(rounding)) shape.along[node] = along;
+}
+
+}  // namespace
+
+template <int dim>
+ShapeMotion<dim> gap_motion(const AssemblyParts<dim>& parts) {
+  if (parts.interface.normal_rule != NormalRule::conservative)
+    throw InputError("wear.normal: expected \"conservative\" with shape.motion = \"gap\"");
+  if (parts.shape.constraint != ConstraintForm::eliminated)
+    throw InputError("shape.constraint: expected \"eliminated\" with shape.motion = \"gap\"");
+  ShapeMotion<dim> shape = parts.shape;
+  shape.gap = true;
+  shape.held.setOnes();
+  shape.along.clear();
+  for (const Surface<dim>& surface : parts.interface.surfaces) {
+    if (!surface.wears) continue;
+    const std::vector<ContactPatch<dim>> nodes = nodes_of(parts, surface);
+    const bool faces = faces_partner(nodes, parts.interface.partner.approach);
+    for (const ContactPatch<dim>& patch : nodes)
+      move_along<dim>(patch.node,
+                      direction_of<dim>(parts.mesh, patch, parts.shape.free(patch.node),
+                                        faces ? Vector<dim>(-parts.interface.partner.approach)
+                                              : patch.initial_normal),
+                      shape);
+  }
+  return shape;
+}
+
+template <int dim>
+bool is_worn_away(const Assembly<dim>& assembly, const NodalField<dim>& d, const Vector<dim>& X) {
+  constexpr double beside = 1.5;  // of an oblique side
+  return assembly.shape.gap &&
+         std::ranges::any_of(assembly.contact_nodes, [&](const ContactPatch<dim>& patch) {
+           return (X - patch.initial_position).norm() <= beside * d.row(patch.node).norm();
+         });
+}
+
+template bool is_worn_away(const Assembly<2>&, const NodalField<2>&, const Vector<2>&);
+template bool is_worn_away(const Assembly<3>&, const NodalField<3>&, const Vector<3>&);
+template ShapeMotion<2> gap_motion(const AssemblyParts<2>&);
+template ShapeMotion<3> gap_motion(const AssemblyParts<3>&);
+
+}  // namespace gnomon
