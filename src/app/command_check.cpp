@@ -24,6 +24,8 @@ std::string text_of(const Setup& setup) {
   if (const double memory = setup.model->memory; memory > 0)
     text += fmt::format("# a run takes about {} of memory\n", memory_text(memory));
   for (const std::string& remark : setup.model->remarks) text += fmt::format("# {}\n", remark);
+  for (const std::string& proposal : setup.model->proposals)
+    text += fmt::format("# {}\n", proposal);
   for (const std::string& remark : remarks_on_keys(setup)) text += fmt::format("# {}\n", remark);
   return text;
 }

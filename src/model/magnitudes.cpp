@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gnomon/model/magnitudes.hpp>
 #include <gnomon/model/wear_scene.hpp>
+#include <gnomon/shapes/counter_surface.hpp>
 #include <limits>
 #include <numeric>
 
@@ -226,6 +227,10 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   const double worn_area = std::max(gaps.area(result.deepest), start.area);
   scales.stress = start.force / worn_area;
   scales.wear_depth = worn > 0 ? worn / worn_area : scales.displacement;
+  const double half_width = solid ? std::sqrt(worn_area / M_PI) : worn_area / 2;
+  result.slope = 2 * result.deepest / half_width;
+  const auto [low, high] = Box<dim>::around(parts.mesh.nodes);
+  result.thinning = result.deepest / (high - low).dot(parts.interface.partner.approach.cwiseAbs());
   double area = 0, count = 0;
   for (const auto& patch : patches) area += patch.initial_area, ++count;
   result.facet = width_of(area / count, solid);

@@ -178,6 +178,7 @@ WearModel<dim>::WearModel(WornBodyEquations<dim> equations)
   facts.differential_scale = assembly().scales.wear_depth;
   facts.grid->parts = assembly().named_parts;
   facts.remarks = assembly().remarks;
+  facts.proposals = assembly().proposals;
   facts.memory = assembly().memory;
   facts.phases = static_cast<long>(equations_.phases().size());
   Abilities& can = *this;

@@ -188,6 +188,27 @@ void join_reachable_boundary(const Magnitudes& magnitudes, AssemblyParts<dim>& p
   parts.interface.surfaces.push_back(std::move(others));
 }
 
+/// Where wear as a gap keeps the worn shape to about 1e-3, and where not (docs/gap.md).
+template <int dim>
+void judge_gap(const Magnitudes& expected, AssemblyParts<dim>& parts) {
+  constexpr double most_slope = 0.5, most_thinning = 0.06;
+  const bool does = expected.slope <= most_slope && expected.thinning <= most_thinning;
+  const std::string extent = fmt::format(
+      "the worn surface is expected to have a slope of about {:.2g}, and a depth of {:.2g} of the "
+      "body's size",
+      expected.slope, expected.thinning);
+  const bool small = std::ranges::all_of(
+      parts.bodies, [](const Body& body) { return body.element.kinematics == Kinematics::small; });
+  if (parts.shape.gap && !does)
+    parts.remarks.push_back(
+        fmt::format("wear is a gap: {}; above {:g} and {:g} use shape.motion = \"mesh\"", extent,
+                    most_slope, most_thinning));
+  else if (!parts.shape.gap && does && small && expected.deepest > 0)
+    parts.proposals.push_back(
+        "wear as a gap would do, for less time (shape.motion = \"gap\", solver.reduce = true): " +
+        extent);
+}
+
 template <int dim>
 std::vector<Surface<dim>> wearing(std::vector<Surface<dim>> surfaces) {
   std::erase_if(surfaces, [](const Surface<dim>& surface) { return !surface.wears; });
@@ -220,6 +241,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   append(parts.remarks, remarks_on_speeds(scene, patches, parts.interface.partner, cycle));
   complete_surface_laws(scene, parts);
   parts = completed(scene, magnitudes.facet, std::move(parts));
+  judge_gap(magnitudes, parts);
   require_moving_shape(scene, patches, parts.shape);
   require_held(scene, parts);
   return parts;

@@ -97,6 +97,19 @@ TEST(GapMotion, DoesNotMissWhatIsWornAway) {
   EXPECT_FALSE(model->examine(run.last()).intrusion);
 }
 
+TEST(GapMotion, IsProposedWhereItDoes) {
+  const Overrides linear = {"body.material=linear"};
+  using ::testing::Contains;
+  using ::testing::HasSubstr;
+  EXPECT_THAT(model_of("worn_body/block_on_ring.toml", linear)->proposals,
+              Contains(HasSubstr("wear as a gap would do")));
+  EXPECT_TRUE(model_of("worn_body/block_on_ring.toml")->proposals.empty());  // finite strains
+  const Overrides deep = with(linear, {"wear.coefficient=2e-6"});
+  EXPECT_TRUE(model_of("worn_body/block_on_ring.toml", deep)->proposals.empty());
+  EXPECT_THAT(model_of("worn_body/block_on_ring.toml", with(deep, {"shape.motion=gap"}))->remarks,
+              Contains(HasSubstr("use shape.motion = \"mesh\"")));
+}
+
 // The estimate is that of a model whose mesh moves, brought to the same shape; it grows with the
 // slope and vanishes where nothing has worn.
 TEST(GapMotion, TellsWhatAMovingMeshWouldChange) {

@@ -152,8 +152,9 @@ struct AssemblyParts {
   std::optional<ShapeMotion<dim>> following{};
   bool condensed = false;  ///< the elasticity is condensed to the contact nodes (condensation.hpp)
   double memory = 0;       ///< ModelFacts::memory
-  std::vector<std::string> remarks{};   ///< ModelFacts::remarks
-  std::vector<MeshPart> named_parts{};  ///< of a mesh from a file, for its result to keep
+  std::vector<std::string> remarks{};    ///< ModelFacts::remarks
+  std::vector<std::string> proposals{};  ///< ModelFacts::proposals
+  std::vector<MeshPart> named_parts{};   ///< of a mesh from a file, for its result to keep
 
   Section section() const { return bodies.front().element.section; }
   /// The contact states: the phases of the cycle, or the steady state.

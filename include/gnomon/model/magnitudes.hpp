@@ -23,6 +23,8 @@ struct Magnitudes {
   double facet = 1;          ///< typical length of a contact facet
   double deepest = 0;        ///< expected wear depth at the end, at most [length]
   double contact_nodes = 0;  ///< expected in contact at the start
+  double slope = 0;          ///< of the worn surface at the end, about, if it is a parabola
+  double thinning = 0;       ///< `deepest` by the size of the bodies along the approach
 };
 
 /// Of parts whose shape may not be known yet. Throws RecoverableError like wear_by_pressure().

@@ -101,6 +101,8 @@ struct ModelFacts {
   std::optional<Grid> grid{};  ///< the mesh, if there is one
   /// What was repaired, chosen or is doubtful in what the scene gives, in sentences for the user.
   std::vector<std::string> remarks{};
+  /// Simpler models that would do, in sentences for the user.
+  std::vector<std::string> proposals{};
   double memory = 0;  ///< estimate of the peak of a run [bytes]; 0: there is none
   long phases = 1;    ///< of a cycle, at which the deformation is taken
 };
