@@ -78,7 +78,7 @@ class Scene(_gnomon.Scene):
     >>> scene.with_({"body.young_modulus": -1})  # doctest: +ELLIPSIS
     Traceback (most recent call last):
         ...
-    gnomon.InputError: --set body.young_modulus: expected ... got -1
+    gnomon.InputError: body.young_modulus: expected ... got -1
     """
 
     def __init__(self, file, set=None):

@@ -4,10 +4,10 @@ from gnomon import _gnomon
 from gnomon.scenes import Scene
 
 
-def _jacobian(self, t, y, ydot, alpha):
-    """dF/dy + alpha dF/dydot as a scipy.sparse.csc_matrix; needs scipy."""
+def _jacobian(self, t, y, ydot=None, alpha=0.0, branch=None, within=None):
+    """dF/dy + alpha dF/dydot as a scipy.sparse.csc_matrix, on a branch as in residual(); needs scipy."""
     import scipy.sparse
-    values, rows, starts = self._jacobian(t, y, ydot, alpha)
+    values, rows, starts = self._jacobian(t, y, ydot, alpha, branch, within)
     return scipy.sparse.csc_matrix((values, rows, starts), shape=(self.size, self.size))
 
 

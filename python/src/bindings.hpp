@@ -37,6 +37,7 @@ void add_arrays(py::module_& module);
 struct SharedModel {
   explicit SharedModel(Setup made) : setup(std::move(made)) {}
   Setup setup;
+  Counters counters;          // of what is asked of its system
   std::recursive_mutex busy;  // a callback of a run may ask its model
 };
 
@@ -58,12 +59,14 @@ auto with_model(SharedModel& model, Action&& action) {
   return action();
 }
 
-/// A system as Python sees it: that of a model, which it keeps; or that of a run, until the run
-/// ends.
+/// A system as Python sees it: that of a model, which it keeps; that of a run, until the run ends;
+/// or that of an algebraic stage of one of these.
 class SystemHandle {
 public:
   explicit SystemHandle(std::shared_ptr<SharedModel> owner) : owner_(std::move(owner)) {}
   SystemHandle(const System& system, Counters& counters) : system_(&system), counters_(&counters) {}
+  SystemHandle(std::shared_ptr<const SystemHandle> parent, std::shared_ptr<AlgebraicStage> stage)
+      : parent_(std::move(parent)), stage_(std::move(stage)) {}
   /// The run has ended.
   void end() {
     system_ = nullptr;
@@ -72,13 +75,18 @@ public:
   /// Throws Error after that.
   const System& system() const;
   const Structure& structure() const { return system().structure(); }
-  /// Those of the run, if there is one.
-  Counters* counters() const { return counters_; }
+  /// Those of the model or of the run. Throws as system().
+  Counters& counters() const {
+    system();
+    return parent_ ? parent_->counters() : owner_ ? owner_->counters : *counters_;
+  }
   /// with_model() for the owner, if there is one.
   template <class Action>
   auto compute(Action&& action) const {
     const System& system = this->system();
-    if (owner_) return with_model(*owner_, [&] { return action(system); });
+    const SystemHandle* root = this;
+    while (root->parent_) root = root->parent_.get();
+    if (root->owner_) return with_model(*root->owner_, [&] { return action(system); });
     const py::gil_scoped_release without_interpreter;
     return action(system);
   }
@@ -87,6 +95,14 @@ private:
   std::shared_ptr<SharedModel> owner_;
   const System* system_ = nullptr;
   Counters* counters_ = nullptr;
+  std::shared_ptr<const SystemHandle> parent_;
+  std::shared_ptr<AlgebraicStage> stage_;
+};
+
+/// An algebraic stage as Python sees it.
+struct StageView {
+  std::shared_ptr<const SystemHandle> parent;
+  std::shared_ptr<AlgebraicStage> stage;
 };
 
 /// An array that owns the values.
@@ -117,8 +133,8 @@ struct StepView;
 template <class T>
 inline constexpr bool is_bound =
     std::is_same_v<T, Scene> || std::is_same_v<T, State> || std::is_same_v<T, SharedModel> ||
-    std::is_same_v<T, SystemHandle> || std::is_same_v<T, StepView> || std::is_same_v<T, Steps> ||
-    std::is_same_v<T, ResultReader>;
+    std::is_same_v<T, SystemHandle> || std::is_same_v<T, StageView> ||
+    std::is_same_v<T, StepView> || std::is_same_v<T, Steps> || std::is_same_v<T, ResultReader>;
 
 template <class A, class T = std::remove_cvref_t<A>>
 using Parameter = std::conditional_t<is_bound<T>, const std::shared_ptr<T>&, A>;

@@ -8,9 +8,17 @@ namespace gnomon::python {
 
 void add_scene(py::module_& module) {
   using Overrides = std::vector<std::string>;
+  static const std::string by_key;  // messages name an override by its key alone
   py::class_<Scene, std::shared_ptr<Scene>>(module, "Scene")
-      .def(py::init(&checked_scene), py::arg("file"), py::arg("overrides") = Overrides{})
-      .def(py::init(&checked_scene_of_text), py::arg("text"), py::arg("name"), py::arg("overrides"))
+      .def(py::init([](const std::filesystem::path& file, const Overrides& overrides) {
+             return checked_scene(file, overrides, by_key);
+           }),
+           py::arg("file"), py::arg("overrides") = Overrides{})
+      .def(py::init(
+               [](const std::string& text, const std::string& name, const Overrides& overrides) {
+                 return checked_scene_of_text(text, name, overrides, by_key);
+               }),
+           py::arg("text"), py::arg("name"), py::arg("overrides"))
       .def("resolved", held(&Scene::resolved),
            "The complete scene as TOML text, defaults included.")
       .def_property_readonly("path", held(&Scene::path), "The file that it came from.")

@@ -19,13 +19,6 @@ namespace {
 using Status = RunOutcome::Status;
 using Clock = std::chrono::steady_clock;
 
-/// The times of the stored states after the start.
-std::vector<double> settled_times(const StorePolicy& policy, double end) {
-  std::vector<double> times = policy.times;
-  if (times.empty() || times.back() < end) times.push_back(end);
-  return times;
-}
-
 class Runner {
 public:
   Runner(const Model& model, const Integrator& integrator, const IntegratorSettings& settings,
@@ -37,8 +30,6 @@ public:
         schedule_(policy, settings.end),
         writer_(writer),
         hooks_(hooks) {
-    if (policy.settle && integrator.settles)
-      settings_.settled = settled_times(policy, settings.end);
     watch_model();
   }
 

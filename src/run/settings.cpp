@@ -91,7 +91,6 @@ StorePolicy store_policy(const Scene& scene) {
   for (double& time : policy.times)
     if (same_time(time, end)) time = end;
   policy.until = read_until(scene);
-  policy.settle = scene.flag("output.settle");
   policy.checkpoint_seconds = scene.real("output.checkpoint_seconds");
   policy.phase_errors = scene.flag("output.phase_errors");
   std::sort(policy.times.begin(), policy.times.end());
@@ -154,7 +153,12 @@ IntegratorSettings integrator_settings(const Scene& scene, const Model& model) {
   settings.max_step = scene.real_if("integrator.max_step").value_or(0.0);
   settings.locate_events = scene.text("integrator.events") == "locate";
   settings.stop_unstable = scene.text("integrator.unstable") == "stop";
-  for (const Key& key : chosen_integrator(scene).keys) settings.own[key.name] = scene.any(key.name);
+  const Integrator& integrator = chosen_integrator(scene);
+  for (const Key& key : integrator.keys) settings.own[key.name] = scene.any(key.name);
+  if (!scene.flag("output.settle") || !integrator.settles) return settings;
+  settings.settled = store_policy(scene).times;
+  if (settings.settled.empty() || settings.settled.back() < settings.end)
+    settings.settled.push_back(settings.end);
   return settings;
 }
 

@@ -68,16 +68,19 @@ Scene without_mistakes(const std::function<Scene(Mistakes&)>& load) {
 
 }  // namespace
 
-Scene checked_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+Scene checked_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                    const std::string& source) {
   require_scene_file(file);
-  return without_mistakes(
-      [&](Mistakes& mistakes) { return load_scene(file, overrides, key_table, &mistakes); });
+  return without_mistakes([&](Mistakes& mistakes) {
+    return load_scene(file, overrides, key_table, &mistakes, source);
+  });
 }
 
 Scene checked_scene_of_text(const std::string& text, const std::string& name,
-                            const std::vector<std::string>& overrides) {
-  return without_mistakes(
-      [&](Mistakes& mistakes) { return parse_scene(text, name, overrides, key_table, &mistakes); });
+                            const std::vector<std::string>& overrides, const std::string& source) {
+  return without_mistakes([&](Mistakes& mistakes) {
+    return parse_scene(text, name, overrides, key_table, &mistakes, source);
+  });
 }
 
 namespace {

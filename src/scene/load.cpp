@@ -14,13 +14,13 @@ namespace gnomon {
 
 namespace {
 
-void refuse_deep_nesting(const std::string& text) {
+void refuse_deep_nesting(const std::string& text, const std::string& source) {
   constexpr std::size_t shown = 40;
   const auto deep = find_deep_nesting(text);
   if (!deep) return;
   std::string key = trimmed(text.substr(0, text.find_first_of("=\r\n")));
   if (key.size() > shown) key = key.substr(0, shown) + "...";
-  throw InputError(fmt::format("--set {}: {}", key, deep->message));
+  throw InputError(fmt::format("{}{}: {}", source, key, deep->message));
 }
 
 /// What to write for a text that is not a bare word: max(p, 0).
@@ -48,36 +48,37 @@ std::size_t place_of_equals(const std::string& text) {
 }
 
 /// The key as a file would give it: with quotes where they are needed.
-std::string normal_key(const std::string& key) {
+std::string normal_key(const std::string& key, const std::string& source) {
   if (key.find_first_of("\"'") == std::string::npos) return key;
   try {
     return read_toml(key + " = 0", "").front().name;
   } catch (const InputError&) {
-    throw InputError(fmt::format("--set {}: expected a key of TOML before \"=\"", key));
+    throw InputError(fmt::format("{}{}: expected a key of TOML before \"=\"", source, key));
   }
 }
 
-/// "key=value" of the command line.
-GivenValue parse_override(const std::string& text) {
-  refuse_deep_nesting(text);
+/// "key=value".
+GivenValue parse_override(const std::string& text, const std::string& source) {
+  refuse_deep_nesting(text, source);
   const std::size_t equals = place_of_equals(text);
-  const std::string key = normal_key(trimmed(text.substr(0, equals)));
+  const std::string key = normal_key(trimmed(text.substr(0, equals)), source);
   if (equals == std::string::npos || key.empty())
-    throw InputError(fmt::format("--set {}: expected KEY=VALUE", text));
-  const std::string origin = "--set " + key;
+    throw InputError(fmt::format("{}{}: expected KEY=VALUE", source, text));
+  const std::string origin = source + key;
   const std::string value = trimmed(text.substr(equals + 1));
   if (value.empty()) throw InputError(origin + ": expected a value after \"=\"");
-  if (auto raw = read_toml_value(value)) return override_of(key, *raw);
+  if (auto raw = read_toml_value(value)) return {key, origin, *raw};
   if (value.find_first_of("\"'[]{}#=,\r\n") != std::string::npos)
     throw InputError(
         fmt::format("{}: not a TOML value: {}{}", origin, value, quoting_hint(key, value)));
-  return override_of(key, RawValue{RawScalar(value)});  // a bare word is a text
+  return {key, origin, RawValue{RawScalar(value)}};  // a bare word is a text
 }
 
-std::vector<GivenValue> parse_overrides(const std::vector<std::string>& texts) {
+std::vector<GivenValue> parse_overrides(const std::vector<std::string>& texts,
+                                        const std::string& source) {
   std::vector<GivenValue> overrides;
   for (const std::string& text : texts) {
-    GivenValue given = parse_override(text);
+    GivenValue given = parse_override(text, source);
     for (const GivenValue& earlier : overrides)
       if (earlier.name == given.name)
         throw InputError(given.origin + ": given twice, expected once");
@@ -90,13 +91,13 @@ std::vector<GivenValue> parse_overrides(const std::vector<std::string>& texts) {
 
 Scene parse_scene(const std::string& text, const std::string& name,
                   const std::vector<std::string>& overrides, const KeyTableOf& table_of,
-                  Mistakes* mistakes) {
-  return SceneFile(text, name).scene(parse_overrides(overrides), table_of, mistakes);
+                  Mistakes* mistakes, const std::string& source) {
+  return SceneFile(text, name).scene(parse_overrides(overrides, source), table_of, mistakes);
 }
 
 Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                 const KeyTableOf& table_of, Mistakes* mistakes) {
-  return SceneFile(file).scene(parse_overrides(overrides), table_of, mistakes);
+                 const KeyTableOf& table_of, Mistakes* mistakes, const std::string& source) {
+  return SceneFile(file).scene(parse_overrides(overrides, source), table_of, mistakes);
 }
 
 }  // namespace gnomon

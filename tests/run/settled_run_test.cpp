@@ -17,14 +17,18 @@ protected:
 
   /// The ends of the steps of a run of the pin in which nodes close, with many stored times.
   std::vector<double> ends(bool settle) const {
-    const auto model = model_of("pin_on_flat/small_deformation.toml", {"mesh.elements=[8,6]"});
-    const IntegratorSettings settings = controlled_settings(*model, 1e-2, 160);
+    const Scene scene = load_scene(GNOMON_SOURCE_DIR "/problems/pin_on_flat/small_deformation.toml",
+                                   {"mesh.elements=[8,6]", "time.end=160", "integrator.rtol=1e-2",
+                                    "output.interval=20", "integrator.name=" + GetParam(),
+                                    std::string("output.settle=") + (settle ? "true" : "false")},
+                                   key_table);
+    const auto model = make_model(scene);
     std::vector<double> times;
     const RunHooks hooks{.on_step = [&](const HistoryRow& row) { times.push_back(row.t); }};
-    StorePolicy policy;
-    policy.times = {20, 40, 60, 80, 100, 120, 140, 160};
-    policy.settle = settle;
-    EXPECT_EQ(run(*model, integrator(), settings, policy, nullptr, hooks).text(), "finished");
+    EXPECT_EQ(run(*model, integrator(), integrator_settings(scene, *model), store_policy(scene),
+                  nullptr, hooks)
+                  .text(),
+              "finished");
     return times;
   }
 };

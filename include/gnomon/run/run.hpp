@@ -28,7 +28,6 @@ struct StorePolicy {
   long every = 0;                   ///< every n-th step; 0: none
   std::vector<double> times = {};   ///< at these times, ascending, in (0, end]
   std::vector<double> beyond = {};  ///< times of the scene after the end, ascending: not stored
-  bool settle = false;              ///< with settled pressures (IntegratorSettings::settled)
   /// Wall time after which a checkpoint (Checkpoint) follows the start or a step [s]; 0: none. One
   /// more is written where the run ends or is interrupted (RunHooks). They do not change the run.
   double checkpoint_seconds = 0;
@@ -55,7 +54,8 @@ void require_apart(const std::vector<double>& times, const std::string& where);
 /// does not accept.
 const Integrator& chosen_integrator(const Scene& scene);
 
-/// The `integrator.*` keys, with the meaning of absent ones filled in.
+/// The `integrator.*` keys, with the meaning of absent ones filled in, and the times at which
+/// pressures shall have settled: those of the stored states, if the integrator settles them.
 IntegratorSettings integrator_settings(const Scene& scene, const Model& model);
 
 /// How a run ended.

@@ -18,13 +18,15 @@ struct Setup {
 /// Checks of combinations of keys that do not need a model. Throws InputError.
 void check_run(const Scene& scene);
 
-/// Loads the scene and makes all checks that do not need a model.
-Scene checked_scene(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
+/// Loads the scene (load_scene()) and makes all checks that do not need a model.
+Scene checked_scene(const std::filesystem::path& scene, const std::vector<std::string>& overrides,
+                    const std::string& source = "--set ");
 
 /// The same from TOML text; `name` stands for the file in messages, and files that the scene names
 /// are relative to its folder.
 Scene checked_scene_of_text(const std::string& text, const std::string& name,
-                            const std::vector<std::string>& overrides);
+                            const std::vector<std::string>& overrides,
+                            const std::string& source = "--set ");
 
 /// How a program that has the options of gnomon gets a plug-in, for messages.
 inline constexpr const char* plugin_option =

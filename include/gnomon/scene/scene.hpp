@@ -162,17 +162,18 @@ private:
 using KeyTableOf = std::function<std::vector<Key>(const std::string& problem)>;
 
 /// Reads and validates `file`, with `overrides` ("key=value", value in TOML syntax; a bare word is
-/// taken as a text) replacing values of the file.
+/// taken as a text) replacing values of the file. Messages name an override by `source` and key.
 /// Throws InputError with one line for each mistake, naming file, line, key, and what was expected,
 /// with the nearest known key for an unknown one. With `mistakes` these lines are added there
 /// instead, and the scene has what is right: a key with a mistake has its default, or no value.
 Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                 const KeyTableOf& table_of, Mistakes* mistakes = nullptr);
+                 const KeyTableOf& table_of, Mistakes* mistakes = nullptr,
+                 const std::string& source = "--set ");
 
 /// The same from TOML text in memory; `name` stands for the file in messages.
 Scene parse_scene(const std::string& text, const std::string& name,
                   const std::vector<std::string>& overrides, const KeyTableOf& table_of,
-                  Mistakes* mistakes = nullptr);
+                  Mistakes* mistakes = nullptr, const std::string& source = "--set ");
 
 /// The help text of a key table, aligned for a terminal.
 std::string describe_keys(const std::vector<Key>& table);
