@@ -254,7 +254,8 @@ void add_system(py::module_& module) {
            "switching function that is taken as active, 0 for others: that smooth branch, "
            "continued beyond its border; None: by their signs. `within`: time whose smooth part "
            "in t is continued to t.")
-      .def("_jacobian", held(jacobian))
+      .def("_jacobian", held(jacobian), py::arg("t"), py::arg("y"), py::arg("ydot"),
+           py::arg("alpha"), py::arg("branch") = py::none(), py::arg("within") = py::none())
       .def("switching", held(switching), py::arg("t"), py::arg("y"), py::arg("branch") = py::none(),
            py::arg("within") = py::none(),
            "One value per switching function, zero or negative where it is active.")

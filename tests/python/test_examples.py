@@ -56,14 +56,38 @@ def test_how_to_read_a_result(tmp_path, monkeypatch):
         assert mine == (pytest.approx(other, rel=0.1) if isinstance(other, float) else other)
 
 
-def test_the_notebook():
-    matplotlib = pytest.importorskip("matplotlib")
-    matplotlib.use("Agg")
-    notebook = pathlib.Path(__file__).parents[2] / "examples/python/work_precision.ipynb"
+def names_of_notebook(name):
+    """What the code of a notebook defines."""
+    notebook = pathlib.Path(__file__).parents[2] / "examples/python" / name
     names = {}
     for cell in json.loads(notebook.read_text())["cells"]:
         if cell["cell_type"] == "code":
             exec("".join(cell["source"]), names)  # pylint: disable=exec-used
+    return names
+
+
+def test_the_notebook():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    names = names_of_notebook("work_precision.ipynb")
     errors = names["study"].table["shape_error"]
     assert len(errors) == 10 and errors.min() < 2e-4 and errors.max() > 1e-2
     assert names["error"] < 1e-2
+
+
+def test_schemes_of_the_literature():
+    """The notebook repeats the table of its page: counts to a tenth, errors to a fifth."""
+    pytest.importorskip("scipy.sparse.linalg")
+    table = names_of_notebook("schemes_of_the_literature.ipynb")["table"]
+    page = (DOCS / "schemes_of_the_literature.md").read_text()
+    rows = {row[0]: row[1:-1] for row in
+            ([cell.strip() for cell in line.strip("|").split("|")] for line in page.splitlines() if " | " in line)}
+    del rows["scheme"]
+    assert rows.keys() == table.keys()
+    for scheme, cells in rows.items():
+        for cell, found in zip(cells, table[scheme], strict=True):
+            if cell == "fails":
+                assert found is None, scheme
+                continue
+            iterations, error = map(float, cell.split(","))
+            assert found[0] == pytest.approx(iterations, rel=0.1) and found[1] == pytest.approx(error, rel=0.2), scheme

@@ -124,3 +124,15 @@ def test_ctrl_c_ends_a_run_and_keeps_its_result(tmp_path):
     rest, _ = process.communicate(timeout=60)
     assert process.returncode == 0 and rest.endswith("interrupted\n")
     assert gnomon.Result(tmp_path / "r.h5").status == "interrupted"
+
+
+def test_a_stepper_takes_the_steps_of_a_run(pin):
+    """Also those in which pressures settle at the end."""
+    model = gnomon.Model(pin.with_({"integrator.name": "esdirk-3", "integrator.rtol": 1e-3}))
+    outcome = gnomon.run(model)
+    stepper = gnomon.Stepper(model)
+    while stepper.state.t < 20:
+        stepper.advance()
+    for name in ("steps", "newton_iterations", "factorizations"):
+        assert stepper.counters[name] == outcome.counters[name]
+    assert (stepper.state.y == outcome.state.y).all()

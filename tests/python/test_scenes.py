@@ -72,3 +72,12 @@ def test_other_things_than_dictionaries_are_refused(values):
 def test_scenes_can_be_pickled(pin):
     again = pickle.loads(pickle.dumps(pin))
     assert again == pin and type(again) is gnomon.Scene
+
+
+def test_mistakes_in_a_dictionary_are_named_by_key(pin):
+    """Not by the option of the command line."""
+    with pytest.raises(gnomon.InputError, match=r"^body\.young_modulus: expected .* got -1"):
+        pin.with_({"body.young_modulus": -1})
+    with pytest.raises(gnomon.InputError) as told:
+        gnomon.Scene.from_dict({"problem": "pin_on_flat"}, {"load.force": "much", "pin.wide": 1})
+    assert "--set" not in str(told.value) and "load.force: expected a number" in str(told.value)
