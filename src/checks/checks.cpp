@@ -89,8 +89,8 @@ std::vector<std::string> doubts(const Examination& facts) {
         facts.gap_error->failure);
   else if (facts.gap_error && facts.gap_error->pressure > renewed)
     found.push_back(fmt::format(
-        "wear is a gap: pressures would change by {:.2g} of themselves if the mesh followed the "
-        "wear, so those of the moment, not the worn shape, are as wrong",
+        "wear is a gap: the pressures of this moment would change by {:.2g} of themselves if the "
+        "mesh followed the wear; the worn shape is mostly far less wrong",
         facts.gap_error->pressure));
   if (!facts.touches)
     found.push_back(fmt::format(
