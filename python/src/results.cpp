@@ -69,7 +69,8 @@ void add_results(py::module_& module) {
       .def_property_readonly("_scene", held(scene_of))
       .def("model", held([](const ResultReader& r) {
              const py::gil_scoped_release without_interpreter;
-             return std::make_shared<SharedModel>(set_up_again(scene_of(r), r.grid()));
+             return std::make_shared<SharedModel>(
+                 set_up_again(scene_of(r), r.grid(), r.header().model_end));
            }),
            "The Model of the run, with the mesh that the result keeps.")
       .def_property_readonly("versions",

@@ -87,16 +87,29 @@ void check_times(const Scene& scene, const ResultReader& earlier, double reached
                                    scene.where("output.times"), reached, t));
 }
 
-void check_same(const Model& model, const ResultReader& earlier, const std::string& name) {
+bool is_same(const Model& model, const ResultReader& earlier) {
   const auto same_block = [](const BlockSize& a, const BlockSize& b) {
     return a.name == b.name && a.size == b.size;
   };
   const auto grid = model.grid, old = earlier.grid();
   const bool same_grid = grid.has_value() == old.has_value() &&
                          (!grid || (grid->points == old->points && grid->cells == old->cells));
-  if (!std::ranges::equal(model.blocks, earlier.header().blocks, same_block) || !same_grid)
-    throw InputError(
-        fmt::format("{}: this version of gnomon makes a different mesh from its scene", name));
+  return std::ranges::equal(model.blocks, earlier.header().blocks, same_block) && same_grid;
+}
+
+/// With the model of the new end, or, where more of the boundary would come into reach until then,
+/// with that of the result, which it joins when it comes near.
+Setup set_up_as_before(const Scene& scene, const ResultReader& earlier,
+                       const std::filesystem::path& file) {
+  Setup setup = set_up_again(scene, earlier.grid());
+  if (is_same(*setup.model, earlier)) return setup;
+  const double end = earlier.header().model_end;
+  setup = set_up_again(scene, earlier.grid(),
+                       end > 0 ? end : scene_of_result(earlier, file).real("time.end"));
+  if (!is_same(*setup.model, earlier))
+    throw InputError(fmt::format("{}: this version of gnomon makes a different mesh from its scene",
+                                 file.string()));
+  return setup;
 }
 
 /// The time that the result has reached; a result without a step has reached none.
@@ -123,7 +136,7 @@ int resume_command(const RunOptions& options) {
   const ResultReader earlier(options.result);
   const std::optional<Resumption> from = last_checkpoint(earlier, name);
   const double reached = time_reached(earlier);
-  Scene scene = changed_scene(earlier, options);
+  const Scene scene = changed_scene(earlier, options);
   check_end(scene, reached, name);
   if (earlier.status() == "finished" && scene.real("time.end") == reached) {
     if (!options.summary.empty() || !options.overrides.empty())
@@ -145,8 +158,7 @@ int resume_command(const RunOptions& options) {
   if (!options.quiet)
     print_remarks({from ? "" : name + " holds no checkpoint: begins at its start",
                    dropped_times_text(scene)});
-  const Setup setup = set_up_again(std::move(scene), earlier.grid());
-  check_same(*setup.model, earlier, name);
+  const Setup setup = set_up_as_before(scene, earlier, options.result);
   const RunHeader header = run_header(setup);
   const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
   const RunOutcome outcome = [&] {

@@ -94,6 +94,7 @@ void write_header(hid_t gnomon, const RunHeader& header) {
   hdf5::write_attribute(gnomon, "format_version", kVersion);
   hdf5::write_attribute(gnomon, "problem", header.problem);
   hdf5::write_attribute(gnomon, "integrator", header.integrator);
+  if (header.model_end > 0) hdf5::write_attribute(gnomon, "model_end", header.model_end);
   hdf5::write_attribute(gnomon, "wall_seconds", 0.0);
   hdf5::rewrite_attribute(gnomon, "status", kRunning);
   hdf5::write_dataset(gnomon, "scene", header.scene);

@@ -50,6 +50,8 @@ RunHeader read_header(hid_t gnomon) {
   header.problem = hdf5::read_text_attribute(gnomon, "problem");
   header.integrator = hdf5::read_text_attribute(gnomon, "integrator");
   header.scene = hdf5::read_text(gnomon, "scene");
+  if (H5Aexists(gnomon, "model_end") > 0)
+    header.model_end = hdf5::read_number_attribute(gnomon, "model_end");
   const Handle versions = hdf5::open_group(gnomon, "versions", "read the versions");
   for (const std::string& name : hdf5::attribute_names(versions.id())) {
     header.versions[name] = hdf5::read_text_attribute(versions.id(), name.c_str());

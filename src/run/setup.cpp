@@ -92,7 +92,7 @@ Setup completed(const Scene& scene, std::unique_ptr<Model> model) {
     complete = complete.with(key, value);
   if (chooses_phases(scene)) complete = with_phases(complete, model->phases);
   if (scene.knows("counter_body.points")) complete = with_profile_points(complete);
-  return {with_cycle_tables(complete), std::move(model)};
+  return {.scene = with_cycle_tables(complete), .model = std::move(model)};
 }
 
 }  // namespace
@@ -117,8 +117,11 @@ Scene scene_of_result(const ResultReader& result, const std::filesystem::path& f
   return overrides.empty() ? scene : read(overrides);
 }
 
-Setup set_up_again(Scene scene, const std::optional<Grid>& grid) {
-  return completed(scene, remake_model(scene, grid));
+Setup set_up_again(Scene scene, const std::optional<Grid>& grid, double model_end) {
+  Setup setup = completed(
+      scene, remake_model(model_end > 0 ? scene.with("time.end", model_end) : scene, grid));
+  setup.model_end = model_end;
+  return setup;
 }
 
 Setup set_up(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
@@ -145,7 +148,8 @@ RunHeader run_header(const Setup& setup) {
           .integrator = setup.scene.text("integrator.name"),
           .scene = setup.scene.resolved(),
           .versions = library_versions(),
-          .blocks = setup.model->blocks};
+          .blocks = setup.model->blocks,
+          .model_end = setup.model_end};
 }
 
 }  // namespace gnomon

@@ -172,6 +172,25 @@ TEST_F(Resume, GoesOnToALaterEnd) {
         << row.scalars[i].name;
 }
 
+// A longer run brings more of the boundary into reach, which the model of the result does not have.
+TEST_F(Resume, GoesOnToWhereMoreBoundaryIsInReach) {
+  if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
+  const Overrides short_run = {"time.end=1000", "output.times=[]", "integrator.rtol=1e-3"};
+  run_scene("worn_body/block_on_ring.toml", short_run, file("ring"));
+  const std::size_t nodes = ResultReader(file("ring")).contact(0).node.size();
+  for (const double end : {7200.0, 8000.0}) {
+    SCOPED_TRACE(end);
+    ASSERT_EQ(resume(file("ring"), {}, end), 0);
+    const ResultReader extended(file("ring"));
+    EXPECT_EQ(extended.history().back().t, end);
+    EXPECT_EQ(extended.header().model_end, 1000);
+    EXPECT_EQ(extended.contact(0).node.size(), nodes);
+  }
+  const std::vector<HistoryRow> history = ResultReader(file("ring")).history();
+  const auto wear = [](const HistoryRow& row) { return *value_of(row.scalars, "worn_volume"); };
+  EXPECT_NEAR(wear(history.back()) / (8000 * 2e-9 * 500 * 10.8333), 1, 1e-4);  // k v F t
+}
+
 // Times of the load and output times that differ only by rounding from the end are replaced by it;
 // the end may change.
 TEST_F(Resume, GoesOnToAMomentBehindWhatWasReached) {

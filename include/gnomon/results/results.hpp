@@ -23,6 +23,9 @@ struct RunHeader {
   std::string scene;                            ///< Scene::resolved()
   std::map<std::string, std::string> versions;  ///< "gnomon", "SUNDIALS", "HDF5", ...
   std::vector<BlockSize> blocks;
+  /// time.end of which the model was made, where it is not that of the scene: a run that went on to
+  /// a later one; 0: that of the scene [time].
+  double model_end = 0;
 };
 
 /// One line of the history: the start (step 0) or an accepted step.
