@@ -54,7 +54,7 @@ void require_apart(const std::vector<double>& times, const std::string& where);
 /// does not accept.
 const Integrator& chosen_integrator(const Scene& scene);
 
-/// The `integrator.*` keys, with the meaning of absent ones filled in, and the times at which
+/// What the keys of the integrator say, with the meaning of absent ones, and the times at which
 /// pressures shall have settled: those of the stored states, if the integrator settles them.
 IntegratorSettings integrator_settings(const Scene& scene, const Model& model);
 
