@@ -27,10 +27,11 @@ namespace {
 std::vector<Key> keys() {
   std::vector<Key> result = {
       length_key("ball.radius", "radius R of the ball"),
-      integers_key("mesh.elements", by_default(std::vector<long>{20, 6, 9}), {.min = 1, .max = 500},
-                   "elements from the pole to the edge of the bottom patch, from there to the "
-                   "mid-plane, and from the core to the surface",
-                   3),
+      controlling_by_count(integers_key(
+          "mesh.elements", by_default(std::vector<long>{20, 6, 9}), {.min = 1, .max = 500},
+          "elements from the pole to the edge of the bottom patch, from there to the "
+          "mid-plane, and from the core to the surface",
+          3)),
       real_key("mesh.patch", "mm", by_default(2.5), positive_quantity,
                "arc from the pole to the edge of the bottom patch of equal elements"),
       real_key("contact.radius", "mm", by_default(3.0), positive_quantity,

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/hertz.hpp>
@@ -25,6 +26,16 @@
 namespace gnomon {
 
 namespace {
+
+/// With sizes and numbers of elements alike; the number along the block stays even.
+std::optional<Scene> with_scaled_elements(const Scene& scene, double factor) {
+  std::vector<double> sizes = scene.reals("mesh.size");
+  for (double& size : sizes) size *= factor;
+  std::vector<long> counts = scene.integers("mesh.elements");
+  for (long& count : counts)
+    count = std::max(2L, 2 * std::lround(static_cast<double>(count) / (2 * factor)));
+  return scene.with("mesh.size", sizes).with("mesh.elements", counts);
+}
 
 std::vector<Key> keys() {
   std::vector<Key> result = {
@@ -41,8 +52,9 @@ std::vector<Key> keys() {
       integers_key("mesh.elements", by_default(std::vector<long>{40, 82, 20}),
                    {.min = 2, .max = 2000},
                    "elements along the block (even), across its half width, in its depth", 3),
-      reals_key("mesh.size", "mm", required(), positive_quantity,
-                "sizes of the elements at the origin, in the same order", 3),
+      controlling(reals_key("mesh.size", "mm", required(), positive_quantity,
+                            "sizes of the elements at the origin, in the same order", 3),
+                  ErrorSource::mesh, with_scaled_elements),
       reals_key(
           "mesh.fine", "mm", required(), non_negative,
           "distances from the origin up to which the elements have that size; beyond, they grow",

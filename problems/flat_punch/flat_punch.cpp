@@ -23,6 +23,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/grid_lines.hpp>
@@ -39,8 +40,14 @@ std::vector<Key> keys() {
       length_key("punch.half_width", "half width a"),
       length_key("block.width", "width W of the block"),
       length_key("block.depth", "depth H of the block"),
-      integer_key("mesh.punch_elements", by_default(20L), {.min = 2, .max = 2000},
-                  "elements under the punch, equally wide"),
+      controlling(integer_key("mesh.punch_elements", by_default(20L), {.min = 2, .max = 2000},
+                              "elements under the punch, equally wide"),
+                  ErrorSource::mesh,
+                  [](const Scene& scene, double factor) -> std::optional<Scene> {
+                    const double under =
+                        static_cast<double>(scene.integer("mesh.punch_elements")) / factor;
+                    return scene.with("mesh.punch_elements", std::max(2L, std::lround(under)));
+                  }),
       real_key("mesh.grading", "", by_default(1.2), {.min = 1, .max = 3, .min_open = true},
                "largest ratio of neighbouring elements away from the punch")};
   result.insert(result.end(), worn_body_keys(2).begin(), worn_body_keys(2).end());

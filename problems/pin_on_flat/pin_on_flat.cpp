@@ -22,8 +22,9 @@ namespace {
 
 std::vector<Key> keys() {
   std::vector<Key> result = {
-      integers_key("mesh.elements", by_default(std::vector<long>{40, 40}), {.min = 2, .max = 4000},
-                   "elements across and along the height of the pin", 2),
+      controlling_by_count(integers_key("mesh.elements", by_default(std::vector<long>{40, 40}),
+                                        {.min = 2, .max = 4000},
+                                        "elements across and along the height of the pin", 2)),
       real_key(
           "mesh.distortion", "", by_default(0.0), {.min = 0, .max = 1},
           "largest displacement of the inner nodes, relative to the shortest edge at the node"),

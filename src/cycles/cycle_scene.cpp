@@ -22,6 +22,16 @@ Key function_key(const std::string& name, const std::string& unit, const std::st
           .help = help};
 }
 
+/// Where the scene gives their number.
+std::optional<Scene> with_scaled_phases(const Scene& scene, double factor) {
+  if (!scene.given("cycle.phases") || chooses_phases(scene)) return {};
+  const std::vector<double>& phases = scene.reals("cycle.phases");
+  if (phases.size() != 1 || phases[0] < 2) return {};
+  const double count = std::max(1.0, std::round(phases[0] / factor));
+  if (count > most_phases) return {};
+  return with_phases(scene, static_cast<long>(count));
+}
+
 std::vector<Key> make_keys() {
   const std::string how = ": an expression of tau in [0, 1), or a file (.csv) of tau and values";
   return {real_key("cycle.period", "s", absent("no cycle"), positive_quantity,
@@ -35,7 +45,8 @@ std::vector<Key> make_keys() {
            .or_single = Range{.min = 1, .max = most_phases},
            .or_text = "auto",
            .help = "phases of a cycle: their number, their positions in [0, 1), ascending, or "
-                   "\"auto\": a number that fits integrator.rtol"},
+                   "\"auto\": a number that fits integrator.rtol",
+           .controls = ErrorControl{ErrorSource::phases, with_scaled_phases}},
           function_key("cycle.x", "mm", "displacement of the counter-body along x" + how),
           function_key("cycle.y", "mm", "along y"),
           function_key("cycle.z", "mm",

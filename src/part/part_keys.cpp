@@ -1,4 +1,5 @@
 #include <gnomon/cycles/cycle_scene.hpp>
+#include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/part/part_scene.hpp>
 
@@ -18,17 +19,25 @@ std::string idle_beside_bodies(const Scene& scene) {
   return has_bodies(scene) ? "each [[body]] has its own" : "";
 }
 
+/// Of a geometry; a mesh is what it is.
+std::optional<Scene> with_scaled_edges(const Scene& scene, double factor) {
+  if (!scene.has("mesh.file") || !is_geometry(scene.text("mesh.file"))) return {};
+  return scene.with("mesh.factor", factor * scene.real("mesh.factor"));
+}
+
 std::vector<Key> mesh_keys() {
-  return {{.name = "mesh.file",
-           .kind = KeyKind::text,
-           .absent_meaning = "needed by every command that reads the scene from a file",
-           .names_file = true,
-           .help = "mesh of Gmsh (.msh), or geometry (.geo, .step) that Gmsh meshes, beside the "
-                   "scene or by its path"},
-          real_key("mesh.size", "mm", absent("as the geometry asks for"), positive_quantity,
-                   "longest edge of an element where the geometry asks for no smaller one"),
-          real_key("mesh.factor", "", by_default(1.0), {.min = 1e-3, .max = 1e3},
-                   "multiplies every edge of the geometry: 0.5 for a mesh twice as fine")};
+  return {
+      {.name = "mesh.file",
+       .kind = KeyKind::text,
+       .absent_meaning = "needed by every command that reads the scene from a file",
+       .names_file = true,
+       .help = "mesh of Gmsh (.msh), or geometry (.geo, .step) that Gmsh meshes, beside the "
+               "scene or by its path"},
+      real_key("mesh.size", "mm", absent("as the geometry asks for"), positive_quantity,
+               "longest edge of an element where the geometry asks for no smaller one"),
+      controlling(real_key("mesh.factor", "", by_default(1.0), {.min = 1e-3, .max = 1e3},
+                           "multiplies every edge of the geometry: 0.5 for a mesh twice as fine"),
+                  ErrorSource::mesh, with_scaled_edges)};
 }
 
 std::vector<Key> own_keys() {

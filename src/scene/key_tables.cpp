@@ -14,31 +14,47 @@ std::string steps_are_fixed(const Scene& scene) {
   return scene.has("integrator.step") ? "steps are fixed (integrator.step)" : "";
 }
 
+/// Where it governs the steps; an absolute tolerance that is given changes with it.
+std::optional<Scene> scaled_tolerance(const Scene& scene, double factor) {
+  const double rtol = factor * scene.real("integrator.rtol");
+  if (scene.has("integrator.step") || rtol < relative_tolerance.min ||
+      rtol > relative_tolerance.max)
+    return {};
+  Scene scaled = scene.with("integrator.rtol", rtol);
+  if (const auto atol = scene.real_if("integrator.atol"))
+    scaled = scaled.with("integrator.atol", factor * *atol);
+  return scaled;
+}
+
 std::string no_cycle(const Scene& scene) {
   return scene.given("cycle.period") ? "" : "there is no cycle";
 }
 
 std::vector<Key> integrator_keys() {
   return {
-      text_key("integrator.name", required(), "time integration method (gnomon list integrators)"),
-      resumable(real_key("integrator.step", "s", absent("steps chosen by the error estimate"),
-                         duration,
-                         "fixed step, halved only if its equations cannot be solved; not for bdf")),
-      resumable(
+      text_key("integrator.name", by_default("esdirk-3"),
+               "time integration method (gnomon list integrators)"),
+      resumable(controlling(
+          real_key("integrator.step", "s", absent("steps chosen by the error estimate"), duration,
+                   "fixed step, halved only if its equations cannot be solved; not for bdf"),
+          ErrorSource::time)),
+      resumable(controlling(
           real_key("integrator.rtol", "", by_default(1e-4), relative_tolerance,
                    "relative tolerance of the worn surface per step, when steps follow the error",
-                   steps_are_fixed)),
+                   steps_are_fixed),
+          ErrorSource::time, scaled_tolerance)),
       resumable(
           real_key("integrator.atol", "mm", absent("rtol times the mean wear depth at time.end"),
                    {.min = 1e-20},
                    "absolute tolerance of the worn surface per step, when steps follow the error",
                    steps_are_fixed)),
-      resumable(real_key("integrator.nonlinear_fraction", "", by_default(0.01),
-                         {.min = 0, .max = 0.5},
-                         "part of the tolerated error of a step, or of a fixed step's own where an "
-                         "estimate tells it, "
-                         "that Newton's iterations may leave; 0: they go on to rounding, 1e-11 of "
-                         "the scaled residual")),
+      resumable(controlling(
+          real_key("integrator.nonlinear_fraction", "", by_default(0.01), {.min = 0, .max = 0.5},
+                   "part of the tolerated error of a step, or of a fixed step's own where an "
+                   "estimate tells it, "
+                   "that Newton's iterations may leave; 0: they go on to rounding, 1e-11 of "
+                   "the scaled residual"),
+          ErrorSource::solves)),
       resumable(real_key("integrator.max_step", "s", absent("no bound"), duration,
                          "longest step, when steps follow the error", steps_are_fixed)),
       text_key("integrator.events", by_default("ignore"),
@@ -49,6 +65,18 @@ std::vector<Key> integrator_keys() {
                "for fixed steps that amplify the fastest mode or hardly damp it: stop the run, or "
                "accept numbers without meaning",
                {"stop", "accept"}),
+  };
+}
+
+std::vector<Key> accuracy_keys() {
+  return {
+      real_key("accuracy.within", "", absent("the settings of the scene"),
+               {.min = 1e-5, .max = 0.5},
+               "error that the result may have, relative: gnomon chooses mesh, model and tolerance "
+               "where the scene does not give them (docs/accuracy.md)"),
+      texts_key("accuracy.of", by_default(std::vector<std::string>{"depth", "volume", "pressure"}),
+                "of what: depth, volume, profile, width, pressure (the mean and the inner one), "
+                "largest_pressure, approach"),
   };
 }
 
@@ -79,6 +107,12 @@ std::vector<Key> output_keys() {
        .help = "estimate the error of the mean over the phases of a cycle, with other ones, at "
                "the start and at the end of the run",
        .idle = no_cycle},
+      {.name = "output.budget",
+       .kind = KeyKind::flag,
+       .default_value = true,
+       .on_resume = true,
+       .help = "estimate the errors of the result at the end of the run, in a tenth of its time or "
+               "a second (docs/accuracy.md)"},
   };
 }
 
@@ -96,7 +130,7 @@ std::vector<Key> make_run_keys() {
           "ends the run where this holds, before time.end: an observation of the history, > "
           "or <, and a number in its unit, as in \"wear_depth > 1.0\"")),
   };
-  for (const auto& part : {integrator_keys(), output_keys()})
+  for (const auto& part : {accuracy_keys(), integrator_keys(), output_keys()})
     keys.insert(keys.end(), part.begin(), part.end());
   return keys;
 }
@@ -149,6 +183,17 @@ std::vector<Key> table_keys() {
                     "values of this function, as many as arguments")};
 }
 
+/// Of two models the one that neglects less, for a factor below 1, or more, unless it is chosen.
+/// The stiffness is condensed where both models neglect what they can.
+std::optional<Scene> with_model(const Scene& scene, double factor, const std::string& key,
+                                const std::string& simple, const std::string& full) {
+  if (factor == 1 || !scene.has(key) || scene.text(key) != (factor < 1 ? simple : full)) return {};
+  const Scene chosen = scene.with(key, factor < 1 ? full : simple);
+  if (!chosen.knows("solver.reduce")) return chosen;
+  return chosen.with("solver.reduce", factor > 1 && chosen.text("body.material") == "linear" &&
+                                          chosen.text("shape.motion") == "gap");
+}
+
 std::vector<Key> body_keys() {
   return {
       real_key("body.young_modulus", "MPa", required(), positive_quantity,
@@ -157,10 +202,15 @@ std::vector<Key> body_keys() {
                "Poisson's ratio nu of the worn body (of the linearized law)"),
       // Further choices, and keys of the materials that follow it, are filled in where materials
       // are known.
-      text_key("body.material", by_default("neo-hookean"),
-               "elastic law of the body, with finite strains (docs/equations.md); linear: with "
-               "small strains (K_uu then depends on the shape alone)",
-               {"linear", "neo-hookean"}),
+      controlling(
+          text_key("body.material", by_default("neo-hookean"),
+                   "elastic law of the body, with finite strains (docs/equations.md); linear: with "
+                   "small strains (K_uu then depends on the shape alone)",
+                   {"linear", "neo-hookean"}),
+          ErrorSource::model,
+          [](const Scene& scene, double factor) {
+            return with_model(scene, factor, "body.material", "linear", "neo-hookean");
+          }),
       text_key("body.element", by_default("f-bar"),
                "plain, F-bar (de Souza Neto), or F-bar as the variation of eq. (32)",
                {"plain", "f-bar", "f-bar-variational"}),
@@ -169,10 +219,15 @@ std::vector<Key> body_keys() {
 
 std::vector<Key> shape_keys() {
   return {
-      text_key("shape.motion", by_default("mesh"),
-               "mesh: the mesh follows the wear; gap: it stays, and wear is a gap between the body "
-               "and its partner (docs/gap.md)",
-               {"mesh", "gap"}),
+      controlling(
+          text_key("shape.motion", by_default("mesh"),
+                   "mesh: the mesh follows the wear; gap: it stays, and wear is a gap between the "
+                   "body and its partner (docs/gap.md)",
+                   {"mesh", "gap"}),
+          ErrorSource::model,
+          [](const Scene& scene, double factor) {
+            return with_model(scene, factor, "shape.motion", "gap", "mesh");
+          }),
       text_key("shape.constraint", by_default("eliminated"),
                "shape of the contact surface: reaction eliminated, or multiplier mu, eq. (22)",
                {"eliminated", "multiplier"}),

@@ -117,6 +117,10 @@ std::vector<std::string> Scene::unread_keys() const {
   return keys;
 }
 
+bool Scene::is_set(const std::string& key) const {
+  return !entry(key).origin.empty();
+}
+
 std::optional<double> Scene::real_if(const std::string& key) const {
   return has(key) ? std::optional(real(key)) : std::nullopt;
 }
@@ -126,6 +130,13 @@ std::vector<std::string> Scene::chosen_names(const std::string& key) const {
   for (const Entry& entry : entries_)
     if (const auto name = chosen_name(key, entry.key.name)) names.push_back(*name);
   return names;
+}
+
+std::vector<Key> Scene::controlling_keys() const {
+  std::vector<Key> keys;
+  for (const Entry& entry : entries_)
+    if (entry.key.controls && why_idle(*this, entry.key).empty()) keys.push_back(entry.key);
+  return keys;
 }
 
 std::string Scene::where(const std::string& key) const {

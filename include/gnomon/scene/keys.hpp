@@ -1,6 +1,7 @@
 // The commonest kinds of keys in a line or two; rarer ones are written as a `Key`.
 #pragma once
 
+#include <cmath>
 #include <gnomon/scene/scene.hpp>
 #include <utility>
 
@@ -80,6 +81,40 @@ inline Key texts_key(std::string name, WithoutKey without, std::string help) {
   Key key = text_key(std::move(name), std::move(without), std::move(help));
   key.kind = KeyKind::texts;
   return key;
+}
+
+/// The key decides a part of the error.
+inline Key controlling(Key key, ErrorSource source,
+                       std::function<std::optional<Scene>(const Scene&, double)> scaled) {
+  key.controls = ErrorControl{source, std::move(scaled)};
+  return key;
+}
+
+/// The same of a number to which the error is proportional, to some power.
+inline Key controlling(Key key, ErrorSource source) {
+  return controlling(key, source,
+                     [name = key.name, range = key.range](const Scene& scene,
+                                                          double factor) -> std::optional<Scene> {
+                       if (!scene.has(name)) return {};
+                       const double value = scene.real(name) * factor;
+                       if (value == 0 || value < range.min || value > range.max) return {};
+                       return scene.with(name, value);
+                     });
+}
+
+/// The same of numbers of elements.
+inline Key controlling_by_count(Key key) {
+  return controlling(key, ErrorSource::mesh,
+                     [name = key.name, range = key.range](const Scene& scene,
+                                                          double factor) -> std::optional<Scene> {
+                       std::vector<long> counts = scene.integers(name);
+                       for (long& count : counts) {
+                         count = std::lround(static_cast<double>(count) / factor);
+                         const double value = static_cast<double>(count);
+                         if (value < range.min || value > range.max) return {};
+                       }
+                       return scene.with(name, counts);
+                     });
 }
 
 /// The key may change where a run continues from a checkpoint.

@@ -40,6 +40,18 @@ inline constexpr Range relative_tolerance{.min = 1e-13, .max = 0.1};
 
 class Scene;
 
+/// What a result is wrong by, for which keys of its scene decide how much.
+enum class ErrorSource { time, mesh, model, phases, solves };
+
+/// How a key decides a part of the error.
+struct ErrorControl {
+  ErrorSource source = ErrorSource::time;
+  /// The scene in which steps, tolerance, elements or distances of phases are `factor` times as
+  /// large, as nearly as the key allows; of a model, for a factor below 1 the one that neglects
+  /// less, above 1 the one that neglects more. Nothing where the scene has no such choice.
+  std::function<std::optional<Scene>(const Scene&, double factor)> scaled{};
+};
+
 /// Specification of one scene key.
 struct Key {
   /// Dotted, for example "body.young_modulus". A part "*" stands for any identifier that the scene
@@ -69,6 +81,7 @@ struct Key {
   /// has one. Where it has none, resolved() leaves the key out if it has its default, so that the
   /// scene can be read without laws that it does not choose. No function: there always is a use.
   std::function<std::string(const Scene&)> idle{};
+  std::optional<ErrorControl> controls{};  ///< a part of the error, or nothing
 
   bool required() const { return !default_value && absent_meaning.empty(); }
 };
@@ -100,6 +113,7 @@ public:
   bool has_text_instead(const std::string& key) const;
   bool knows(const std::string& key) const;  ///< whether the key is in the table of the scene
   bool given(const std::string& key) const;  ///< knows(key) && has(key)
+  bool is_set(const std::string& key) const;  ///< whether the file or an override gives it
   std::optional<double> real_if(const std::string& key) const;
   bool is_default(const std::string& key) const;  ///< whether a key has its default value
   /// The keys that the file or an override gives, be it with their defaults, and for which the
@@ -110,6 +124,9 @@ public:
   std::vector<std::string> unread_keys() const;
   /// The names that the scene gives in place of the "*" or "#" in a key of the table, ascending.
   std::vector<std::string> chosen_names(const std::string& key) const;
+
+  /// The keys of its table that decide a part of the error, and have an effect.
+  std::vector<Key> controlling_keys() const;
 
   /// The file it came from, for messages.
   const std::filesystem::path& path() const { return path_; }
