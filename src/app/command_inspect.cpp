@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <gnomon/base/counter_names.hpp>
 #include <gnomon/base/error.hpp>
+#include <gnomon/budget/budget.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/results/results.hpp>
 #include <gnomon/run/setup.hpp>
@@ -140,6 +141,8 @@ void info_command(const std::filesystem::path& file) {
     print_history(history.back());
   if (const std::string text = phase_error_text(result.phase_errors()); !text.empty())
     fmt::print("{}\n", text);
+  if (const std::string budget = result.budget(); !budget.empty())
+    fmt::print("error budget:\n{}", budget_text(budget_of_json(budget)));
   fmt::print("\nscene (gnomon scene prints it in full):\n{}", shortened_scene(header.scene));
 }
 

@@ -64,6 +64,8 @@ CommandLine::CommandLine()
   add_inspection();
   add_meshes();
   add_compare();
+  add_budget();
+  add_plan();
   add_stability();
   add_plot();
   add_help();
@@ -134,6 +136,25 @@ void CommandLine::add_compare() {
   add_name(command, "--reference", reference_, "RESULT.h5",
            "Result against which shape errors are measured; default: the last result");
   on(command, [this] { compare_command(results_, reference_); });
+}
+
+void CommandLine::add_budget() {
+  CLI::App* command = app_.add_subcommand(
+      "budget", "Tells how wrong the result of a scene is, and by what, from further runs of it");
+  add_argument(command, "SCENE", budget_.scene, "Scene file (TOML)");
+  add_overrides(command, budget_.overrides);
+  command->add_flag("--json", budget_.json, "Prints it as JSON");
+  add_quiet(command, budget_.quiet);
+  on(command, [this] { budget_command(budget_); });
+}
+
+void CommandLine::add_plan() {
+  CLI::App* command = app_.add_subcommand(
+      "plan", "Shows the settings that meet accuracy.within at the least cost, by pilot runs");
+  add_argument(command, "SCENE", budget_.scene, "Scene file (TOML)");
+  add_overrides(command, budget_.overrides);
+  add_quiet(command, budget_.quiet);
+  on(command, [this] { plan_command(budget_); });
 }
 
 void CommandLine::add_stability() {

@@ -35,6 +35,8 @@ private:
   void add_inspection();
   void add_meshes();
   void add_compare();
+  void add_budget();
+  void add_plan();
   void add_stability();
   void add_plot();
   void add_help();
@@ -51,6 +53,7 @@ private:
   RunOptions run_;
   StudyCommandOptions study_;
   StudyCommandOptions extremes_{.folder = "extremes", .limit = 300};
+  BudgetOptions budget_;
   StabilityOptions stability_;
   std::optional<std::string> integrator_;
   std::string subject_;

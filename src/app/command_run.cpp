@@ -1,5 +1,7 @@
 // gnomon run: integrates a scene, writes its result and summary, and reports how it ended.
 
+#include <fmt/format.h>
+
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
@@ -13,16 +15,18 @@
 
 namespace gnomon::app {
 
-int run_command(const RunOptions& given) {
-  RunOptions options = given;
-  Scene scene = checked_scene(options.scene, options.overrides);
-  if (options.result.empty())
-    options.result = options.scene.stem().string() + "-" + scene.text("integrator.name") + ".h5";
-  check_outputs(options);  // before anything that takes time
-  const bool earlier = is_taken(options.result);
+namespace {
 
-  if (!options.quiet) warn_of_slow_blas();
-  const Setup setup = [&] {
+/// A run that has ended, and what belongs to it.
+struct Run {
+  Setup setup;
+  RunHeader header;
+  IntegratorSettings settings;
+  RunOutcome outcome;
+};
+
+Run run_scene(Scene scene, const RunOptions& options, Earlier earlier, const Plan* plan = nullptr) {
+  Setup setup = [&] {
     const LiveLine line(making_the_model, options.quiet);
     return set_up(std::move(scene));
   }();
@@ -32,16 +36,53 @@ int run_command(const RunOptions& given) {
   }
   const RunHeader header = run_header(setup);
   const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
-  const RunOutcome outcome = [&] {
-    const InterruptGuard guard(
-        !options.quiet);  // before the result is created, so that it is always closed
-    ResultWriter writer(options.result, header, setup.model->grid,
-                        options.force ? Earlier::replaced : Earlier::refused);
-    return integrate(setup, settings, writer, options.quiet);
-  }();
+  const InterruptGuard guard(
+      !options.quiet);  // before the result is created, so that it is always closed
+  ResultWriter writer(options.result, header, setup.model->grid, earlier);
+  RunOutcome outcome = integrate(setup, settings, writer, options.quiet, nullptr, plan);
+  return {std::move(setup), header, settings, std::move(outcome)};
+}
+
+void print_unless(bool quiet, const std::string& text) {
+  if (!quiet) fmt::print("{}", text);
+}
+
+/// With settings that meet accuracy.within; once more with finer ones where its budget shows that
+/// they do not.
+Run run_planned(const Scene& asked, const RunOptions& options, Earlier earlier) {
+  const bool quiet = options.quiet || options.summary == "-";
+  const Plan plan = planned(asked, options.quiet);
+  print_unless(quiet, plan_text(plan));
+  Run run = run_scene(plan.scene, options, earlier, &plan);
+  if (run.outcome.budget.empty()) return run;
+  if (const auto finer = refined(plan, asked, budget_of_json(run.outcome.budget))) {
+    print_unless(quiet, fmt::format("the error is {:.2g} %: once more, finer\n",
+                                    100 * wanted_error(asked, budget_of_json(run.outcome.budget))));
+    run = run_scene(*finer, options, Earlier::replaced, &plan);
+  }
+  if (!run.outcome.budget.empty())
+    print_unless(quiet, accuracy_text(asked, budget_of_json(run.outcome.budget)) + "\n");
+  return run;
+}
+
+}  // namespace
+
+int run_command(const RunOptions& given) {
+  RunOptions options = given;
+  const Scene scene = checked_scene(options.scene, options.overrides);
+  if (options.result.empty())
+    options.result = options.scene.stem().string() + "-" + scene.text("integrator.name") + ".h5";
+  check_outputs(options);  // before anything that takes time
+  const bool was_there = is_taken(options.result);
+
+  if (!options.quiet) warn_of_slow_blas();
+  const Earlier earlier = options.force ? Earlier::replaced : Earlier::refused;
+  const auto [setup, header, settings, outcome] = scene.has("accuracy.within")
+                                                      ? run_planned(scene, options, earlier)
+                                                      : run_scene(scene, options, earlier);
   write_summary(options, summary_json(setup.scene, header, settings, outcome, setup.model->remarks),
                 outcome.last.has_value());
-  return report_end(outcome, options, setup.model->grid.has_value(), earlier && !outcome.last);
+  return report_end(outcome, options, setup.model->grid.has_value(), was_there && !outcome.last);
 }
 
 }  // namespace gnomon::app

@@ -49,6 +49,13 @@ struct StabilityOptions {
   std::filesystem::path folder;      ///< for the tables as CSV; empty: none
 };
 
+struct BudgetOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;
+  bool json = false;  ///< print it as JSON
+  bool quiet = false;
+};
+
 int run_command(const RunOptions& options);
 int resume_command(const RunOptions& options);
 void study_command(const StudyCommandOptions& options);
@@ -79,6 +86,8 @@ void new_command(const std::filesystem::path& file, std::optional<double> size,
 /// `reference` empty: the last of the results.
 void compare_command(const std::vector<std::filesystem::path>& results,
                      const std::filesystem::path& reference);
+void budget_command(const BudgetOptions& options);
+void plan_command(const BudgetOptions& options);
 void stability_command(const StabilityOptions& options);
 /// Figures of results and of folders with studies or spectra. `folder` empty: beside each of them.
 void plot_command(const std::vector<std::filesystem::path>& targets,

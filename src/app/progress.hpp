@@ -56,6 +56,8 @@ public:
 
   void show(const HistoryRow& row);
   void warn(const std::string& text) const;
+  /// What is done after the last step, on a terminal.
+  void say(const std::string& text) const { line_.show(text); }
 
 private:
   using Clock = std::chrono::steady_clock;

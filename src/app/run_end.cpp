@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <gnomon/base/error.hpp>
+#include <gnomon/budget/budget.hpp>
 #include <gnomon/checks/checks.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/summary.hpp>
@@ -43,6 +44,9 @@ void print_summary(const RunOutcome& outcome, const std::string& result, bool ha
     fmt::print("{}\n", ledger);
   if (const std::string text = phase_error_text(outcome.phase_errors); !text.empty())
     fmt::print("{}\n", text);
+  if (!outcome.budget.empty())
+    fmt::print("error budget (docs/accuracy.md; gnomon budget SCENE is more sure):\n{}",
+               budget_table(budget_of_json(outcome.budget)));
   if (kept)
     fmt::print("the earlier {} is kept, because it goes further\n", result);
   else
@@ -73,11 +77,43 @@ void print_remarks(const std::vector<std::string>& remarks) {
     if (!remark.empty()) fmt::print(stderr, "{}\n", remark);
 }
 
+namespace {
+
+/// Of a planned run what mesh and time are wrong by, surely, and of its models what the plan knows;
+/// of another one what can be told in a tenth of its time.
+Budget judged(const Setup& setup, const Goals& goals, double work, const Plan* plan) {
+  BudgetHooks hooks{.interrupted = InterruptGuard::interrupted};
+  if (!plan) {
+    constexpr double always = 3e6;  // about a second
+    hooks.limit = std::max(always, 0.1 * work);
+    return quick_budget(setup.scene, goals, hooks);
+  }
+  hooks.sources = {ErrorSource::mesh, ErrorSource::time, ErrorSource::phases};
+  Budget budget = find_budget(setup.scene, goals, hooks);
+  budget.parts.insert(budget.parts.end(), plan->models.begin(), plan->models.end());
+  return budget;
+}
+
+}  // namespace
+
 RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, ResultWriter& writer,
-                     bool quiet, const Resumption* from) {
+                     bool quiet, const Resumption* from, const Plan* plan) {
   Progress progress(quiet, settings.end);
-  const RunHooks hooks{.on_step = [&](const HistoryRow& row) { progress.show(row); },
+  long iterations = 0;
+  const auto judge = [&](const Model& model, const State& state, const Observation& observed) {
+    const std::optional<Goals> goals = goals_of(model, state, observed);
+    if (!goals || !setup.scene.flag("output.budget")) return std::string();
+    progress.say("estimating the errors");
+    const double work = static_cast<double>(iterations) * static_cast<double>(goals->unknowns);
+    return budget_json(judged(setup, *goals, work, plan));
+  };
+  const RunHooks hooks{.on_step =
+                           [&](const HistoryRow& row) {
+                             iterations = row.counters.newton_iterations;
+                             progress.show(row);
+                           },
                        .on_warning = [&](const std::string& text) { progress.warn(text); },
+                       .judge = judge,
                        .interrupted = InterruptGuard::interrupted};
   return run(*setup.model, chosen_integrator(setup.scene), settings, store_policy(setup.scene),
              &writer, hooks, from);

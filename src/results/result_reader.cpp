@@ -219,6 +219,14 @@ std::string ResultReader::status() const {
   return file_->guarded([&] { return hdf5::read_text_attribute(file_->gnomon(), "status"); });
 }
 
+std::string ResultReader::budget() const {
+  return file_->guarded([&] {
+    return H5Aexists(file_->gnomon(), "budget") > 0
+               ? hdf5::read_text_attribute(file_->gnomon(), "budget")
+               : std::string();
+  });
+}
+
 double ResultReader::wall_seconds() const {
   return file_->guarded(
       [&] { return hdf5::read_number_attribute(file_->gnomon(), "wall_seconds"); });

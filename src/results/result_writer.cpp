@@ -27,6 +27,7 @@ public:
 
   void append(const HistoryRow& row);
   void append_phase_error(const PhaseError& error);
+  void write_budget(const std::string& json);
   void store(double t, const std::vector<GridField>& fields,
              const std::optional<ContactSurface>& contact,
              const std::optional<CounterSurface>& counter_body);
@@ -254,6 +255,11 @@ void ResultWriter::File::append_phase_error(const PhaseError& error) {
   flush();
 }
 
+void ResultWriter::File::write_budget(const std::string& json) {
+  hdf5::write_attribute(gnomon_.id(), "budget", json);
+  flush();
+}
+
 void ResultWriter::File::begin_epoch(const EpochStart& start, const std::optional<Grid>& grid) {
   const bool same = grid.has_value() == grid_.has_value() &&
                     (!grid || (grid->points == grid_->points && grid->cells == grid_->cells));
@@ -308,6 +314,10 @@ void ResultWriter::append(const HistoryRow& row) {
 
 void ResultWriter::append_phase_error(const PhaseError& error) {
   file_->guarded([&] { file_->append_phase_error(error); });
+}
+
+void ResultWriter::write_budget(const std::string& json) {
+  file_->guarded([&] { file_->write_budget(json); });
 }
 
 void ResultWriter::store(double t, const std::vector<GridField>& fields,

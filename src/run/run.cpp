@@ -55,6 +55,7 @@ public:
     if (outcome_.status != Status::finished && outcome_.last) store();
     if (outcome_.status == Status::finished)
       outcome_.ended_by = ends_early() ? "time.until: " + policy_.until->text : "time.end";
+    if (outcome_.status == Status::finished && hooks_.judge) judge();
     outcome_.wall_seconds = elapsed();
     outcome_.counters = counters_;
     outcome_.chattering_nodes = memory_.chattering.nodes();
@@ -66,6 +67,11 @@ public:
   }
 
 private:
+  void judge() {
+    outcome_.budget = hooks_.judge(model(), state(), observed_);
+    if (writer_ && !outcome_.budget.empty()) writer_->write_budget(outcome_.budget);
+  }
+
   void start() {
     state() = model().start(counters_);
     Observation observed = observe({});

@@ -87,6 +87,7 @@ std::string summary_json(const Scene& scene, const RunHeader& header,
   json["warnings"] = outcome.warnings;
   json["chattering_nodes"] = outcome.chattering_nodes;
   add_phase_errors(json, outcome);
+  json["budget"] = outcome.budget.empty() ? Json(nullptr) : Json::parse(outcome.budget);
   add_balance(json, outcome.examination);
   json["wall_seconds"] = outcome.wall_seconds;
   add_scalars(json, outcome);

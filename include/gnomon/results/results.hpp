@@ -85,6 +85,8 @@ public:
              const std::optional<CounterSurface>& counter_body = {});
   /// Of a cycle: an error of the mean over its phases.
   void append_phase_error(const PhaseError& error);
+  /// The error budget of a finished run, as JSON: once, before close().
+  void write_budget(const std::string& json);
   /// A new epoch begins: fields and contact surfaces that follow belong to this grid; checkpoints
   /// have another size.
   void begin_epoch(const EpochStart& start, const std::optional<Grid>& grid);
@@ -117,6 +119,7 @@ public:
   std::vector<double> stored_times() const;
   /// Of a cycle: the errors of the mean over its phases, in ascending order of time.
   std::vector<PhaseError> phase_errors() const;
+  std::string budget() const;  ///< its error budget as JSON; empty: it has none
   /// The beginnings of the epochs after the first.
   std::vector<EpochStart> epochs() const;
   /// The complete checkpoints of the last epoch that has one, in ascending order: two, one or none.

@@ -78,6 +78,8 @@ struct RunOutcome {
   /// Of a cycle: the errors of the mean over its phases, at the start and at the end.
   std::vector<PhaseError> phase_errors;
   Examination examination;  ///< of the last good state
+  /// What RunHooks::judge says of a finished run; empty: nothing.
+  std::string budget;
   /// The warnings of the run, one line each: reasons why its numbers may be worthless.
   std::vector<std::string> warnings;
 
@@ -93,6 +95,9 @@ struct RunHooks {
   std::function<void(const State&)> on_state = [](const State&) {};
   /// Called with each of RunOutcome::warnings when it arises.
   std::function<void(const std::string&)> on_warning = [](const std::string&) {};
+  /// Called with the model and the last state of a finished run, and their observation, before the
+  /// result is closed: its error budget as JSON, which the result keeps; empty: there is none.
+  std::function<std::string(const Model&, const State&, const Observation&)> judge{};
   /// Called after the start and after every step; true ends the run there.
   std::function<bool()> interrupted = [] { return false; };
 };

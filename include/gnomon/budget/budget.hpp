@@ -1,0 +1,103 @@
+// How wrong a result is, and by what: its error budget, from further runs of the same scene in each
+// of which one thing is finer.
+#pragma once
+
+#include <functional>
+#include <gnomon/model/model.hpp>
+#include <gnomon/scene/scene.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// An error that nothing tells.
+inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+/// What a run is made for: numbers of its end, and the worn surface.
+struct Goals {
+  double time = 0;    ///< end of the run [s]
+  long unknowns = 0;  ///< of its model
+  /// Those that the problem has of worn_volume, wear_depth, profile, contact_half_width or (bodies
+  /// in space and of revolution) contact_area, mean_pressure, inner_pressure, max_pressure,
+  /// approach. profile is the paper's norm of the change of shape. mean_pressure is contact_force
+  /// over contact_area, in plane strain over the distance of the ends of contact; inner_pressure
+  /// the root mean square over the nodes within 0.9 of the contact from its middle to its edge.
+  std::vector<Scalar> values;
+  ContactSurface surface;
+};
+
+/// Of the state at the end of a run. Nothing without a worn surface.
+std::optional<Goals> goals_of(const Model& model, const State& state, const Observation& observed);
+
+/// The values minus those of another result, relative to themselves. Of profile the paper's norm of
+/// the distances between the worn surfaces along the normal, of inner_pressure the root mean square
+/// of differences; another mesh is interpolated linearly to the nodes of `goals`. not_known where
+/// the value is zero, or the other result does not have it.
+std::vector<double> differences(const Goals& goals, const Goals& other);
+
+/// One part of the error.
+struct BudgetPart {
+  ErrorSource source = ErrorSource::time;
+  std::string key;  ///< that governs it: "integrator.rtol"
+  std::string how;  ///< "integrator.rtol 1e-04 against 1e-05, with mesh.factor = 2"
+  /// Relative, one for each of Goals::values, or not_known.
+  std::vector<double> errors;
+  std::string unknown{};  ///< why none is known; empty: some are
+};
+
+struct Budget {
+  std::vector<Scalar> values;  ///< Goals::values
+  std::vector<BudgetPart> parts;
+  double run_seconds = 0;        ///< CPU time of the run that is judged [s]
+  double companion_seconds = 0;  ///< of the others [s]
+
+  /// Sum of the known parts, relative; not_known where none is known.
+  double total(std::size_t value) const;
+};
+
+struct BudgetHooks {
+  /// Before each run: what differs in it.
+  std::function<void(const std::string&)> on_run = [](const std::string&) {};
+  /// Asked after each step; true ends with a SolutionError.
+  std::function<bool()> interrupted = [] { return false; };
+  /// Newton iterations times unknowns of all companions after which the rest is not known.
+  double limit = std::numeric_limits<double>::infinity();
+  /// The parts to find.
+  std::vector<ErrorSource> sources = {ErrorSource::time, ErrorSource::mesh, ErrorSource::model,
+                                      ErrorSource::phases, ErrorSource::solves};
+
+  bool wants(const Key& key) const;  ///< whether it controls one of them
+};
+
+/// Runs the scene, and with it companions: twice and four times as large elements, from which
+/// Richardson's extrapolation with the observed order tells the error of the mesh; one with a finer
+/// tolerance or step; and on the mesh of twice as large elements one with a finer value of every
+/// other key that controls an error (Key::controls). Throws InputError where the scene has nothing
+/// to judge, and SolutionError where its own run fails; what fails of a companion is in
+/// BudgetPart::unknown.
+Budget find_budget(const Scene& scene, const BudgetHooks& hooks);
+/// The same of a run that has ended, with the error in time on the mesh of twice as large elements,
+/// too. `scene` as Setup::scene has it.
+Budget find_budget(const Scene& scene, const Goals& goals, const BudgetHooks& hooks);
+
+/// That of a run that has ended, from companions on meshes of twice and four times as large
+/// elements, with simpler models where the scene allows them: mostly for less than a tenth of its
+/// cost, and less sure.
+Budget quick_budget(const Scene& scene, const Goals& goals, const BudgetHooks& hooks);
+
+/// A table for a terminal, a line for each value, and why a part is not known.
+std::string budget_table(const Budget& budget);
+/// The same, and how each part was found.
+std::string budget_text(const Budget& budget);
+/// CPU time of this process until now [s].
+double cpu_seconds();
+/// As JSON, an object; and such text again. Throws InputError for another one.
+std::string budget_json(const Budget& budget);
+Budget budget_of_json(const std::string& text);
+
+/// "time", "mesh", "model", "phases", "solves".
+std::string name_of(ErrorSource source);
+
+}  // namespace gnomon

@@ -1,0 +1,49 @@
+// Accuracy as one number: the settings that meet accuracy.within at the least cost, found by pilot
+// runs on coarse meshes.
+#pragma once
+
+#include <gnomon/budget/budget.hpp>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// One choice of settings, with what the pilot runs predict for it.
+struct PlanLine {
+  double within = 0;     ///< error that may be, relative
+  std::string settings;  ///< "mesh.factor = 0.5, integrator.rtol = 0.001"
+  /// Relative errors, the largest of the wanted values.
+  double mesh = 0, time = 0, model = 0;
+  double cpu_seconds = 0;
+  bool meets = true;  ///< whether the errors are within it
+
+  double error() const { return mesh + time + model; }
+};
+
+struct Plan {
+  Scene scene;                  ///< with the chosen settings
+  std::vector<PlanLine> lines;  ///< for twice the error, the asked one, half and a quarter of it
+  PlanLine chosen;
+  std::vector<BudgetPart> models;  ///< what the models neglect, by pilot runs
+  double pilot_seconds = 0;        ///< CPU time of the pilot runs [s]
+  /// What the given settings cost or spoil, what could not be measured; one line each.
+  std::vector<std::string> remarks;
+};
+
+/// Throws InputError where the scene has no accuracy.within, where accuracy.of names what is not
+/// known or has no value, and SolutionError where no pilot run succeeds.
+Plan plan_of(const Scene& scene, const BudgetHooks& hooks);
+
+/// The largest error of the values that the scene wants, of its budget; not_known without one.
+double wanted_error(const Scene& scene, const Budget& budget);
+
+/// The scene of a plan once more, with settings that bring the errors which its run has shown
+/// within the asked one; nothing where they are, or where no free key would.
+std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Budget& shown);
+
+/// A table for a terminal.
+std::string plan_text(const Plan& plan);
+/// In one line: "asked for 1 % in depth, volume, pressure: 0.41 %, by inner_pressure".
+std::string accuracy_text(const Scene& asked, const Budget& shown);
+
+}  // namespace gnomon

@@ -1,0 +1,186 @@
+// What a run is made for, and how far two runs differ in it.
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <gnomon/budget/budget.hpp>
+#include <gnomon/system/system.hpp>
+#include <numeric>
+
+#include "base/spectrum.hpp"
+
+namespace gnomon {
+
+namespace {
+
+Eigen::Vector3d vector_of(const std::array<double, 3>& point) {
+  return {point[0], point[1], point[2]};
+}
+
+/// The nodes within 0.9 of the contact from its middle to its edge. An ellipse stands for the
+/// contact: that of the covariance of its nodes, as large as the farthest of them.
+std::vector<std::size_t> inner_nodes(const ContactSurface& surface) {
+  std::vector<std::size_t> closed;
+  for (std::size_t i = 0; i < surface.pressure.size(); ++i)
+    if (surface.pressure[i] > 0) closed.push_back(i);
+  Eigen::Vector3d middle(0, 0, 0);
+  for (const std::size_t i : closed)
+    middle += vector_of(surface.initial[i]) / static_cast<double>(closed.size());
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(3, 3);
+  const auto apart = [&](std::size_t i) -> Eigen::Vector3d {
+    return vector_of(surface.initial[i]) - middle;
+  };
+  for (const std::size_t i : closed) covariance += apart(i) * apart(i).transpose();
+  const Eigen::Matrix3d metric = pseudo_inverse(covariance, 1e-6);
+  const auto radius = [&](std::size_t i) { return std::sqrt(apart(i).dot(metric * apart(i))); };
+  double edge = 0;
+  for (const std::size_t i : closed) edge = std::max(edge, radius(i));
+  std::erase_if(closed, [&](std::size_t i) { return radius(i) > 0.9 * edge; });
+  return closed;
+}
+
+Eigen::Vector3d wear_of(const ContactSurface& surface, std::size_t node) {
+  return vector_of(surface.worn[node]) - vector_of(surface.initial[node]);
+}
+
+std::vector<std::size_t> nearest_nodes(const ContactSurface& surface, const Eigen::Vector3d& x,
+                                       std::size_t count) {
+  std::vector<std::size_t> nodes(surface.initial.size());
+  std::iota(nodes.begin(), nodes.end(), 0);
+  count = std::min(count, nodes.size());
+  std::ranges::partial_sort(
+      nodes, nodes.begin() + static_cast<long>(count), {},
+      [&](std::size_t i) { return (vector_of(surface.initial[i]) - x).squaredNorm(); });
+  nodes.resize(count);
+  return nodes;
+}
+
+/// The change of shape and the pressure at any place of the initial surface: linear through the
+/// nodes nearest to it, by least squares with weights, so that a node at this place has its values.
+Eigen::Vector4d values_at(const ContactSurface& surface, const Eigen::Vector3d& x) {
+  const std::vector<std::size_t> nodes = nearest_nodes(surface, x, surface.dim == 2 ? 2 : 6);
+  const auto apart = [&](std::size_t i) -> Eigen::Vector3d {
+    return vector_of(surface.initial[i]) - x;
+  };
+  const double size = apart(nodes.back()).norm() + std::numeric_limits<double>::min();
+  Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(4, 4), values = Eigen::MatrixXd::Zero(4, 4);
+  for (const std::size_t i : nodes) {
+    Eigen::Vector4d row, value;
+    row << 1, apart(i) / size;
+    value << wear_of(surface, i), surface.pressure[i];
+    const double weight = 1 / (row.tail<3>().squaredNorm() + 1e-12);
+    moments += weight * row * row.transpose();
+    values += weight * row * value.transpose();
+  }
+  const double scale = moments(0, 0);
+  return (pseudo_inverse(moments / scale, 1e-4) * (values / scale)).row(0).transpose();
+}
+
+/// The projection on the tangents of the initial surface at a node.
+Eigen::Matrix3d tangents_at(const ContactSurface& surface, std::size_t node) {
+  const std::vector<std::size_t> nodes =
+      nearest_nodes(surface, vector_of(surface.initial[node]), surface.dim == 2 ? 3 : 9);
+  Eigen::Vector3d middle(0, 0, 0);
+  for (const std::size_t i : nodes)
+    middle += vector_of(surface.initial[i]) / static_cast<double>(nodes.size());
+  Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(3, 3);
+  for (const std::size_t i : nodes) {
+    const Eigen::Vector3d apart = vector_of(surface.initial[i]) - middle;
+    spread += apart * apart.transpose();
+  }
+  const Eigen::MatrixXd vectors = spectrum_of(spread).vectors;
+  const Eigen::Vector3d last = vectors.col(2), normal = vectors.col(0);
+  return surface.dim == 2
+             ? Eigen::Matrix3d(last * last.transpose())
+             : Eigen::Matrix3d(Eigen::Matrix3d::Identity() - normal * normal.transpose());
+}
+
+/// How far the worn surface at a node lies from another one along the normal, whichever points of
+/// the initial surface have come there: nodes of a mesh that follows the wear slide.
+double distance_along_normal(const ContactSurface& surface, std::size_t node,
+                             const ContactSurface& other) {
+  const Eigen::Matrix3d tangents = tangents_at(surface, node);
+  Eigen::Vector3d from = vector_of(surface.initial[node]);
+  Eigen::Vector3d apart;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d there = from + values_at(other, from).head<3>();
+    apart = vector_of(surface.worn[node]) - there;
+    if (i < 2) from += tangents * apart;
+  }
+  return (apart - tangents * apart).norm();
+}
+
+double profile_norm(const ContactSurface& surface) {
+  double sum = 0;
+  for (std::size_t i = 0; i < surface.worn.size(); ++i) sum += wear_of(surface, i).squaredNorm();
+  return std::sqrt(sum);
+}
+
+double inner_pressure(const ContactSurface& surface) {
+  double sum = 0;
+  const std::vector<std::size_t> nodes = inner_nodes(surface);
+  for (const std::size_t i : nodes) sum += std::pow(surface.pressure[i], 2);
+  return nodes.empty() ? 0 : std::sqrt(sum / static_cast<double>(nodes.size()));
+}
+
+/// Norms of differences between fields, as those of the fields above.
+struct FieldDifferences {
+  double profile = 0, inner_pressure = 0;
+};
+
+FieldDifferences field_differences(const ContactSurface& surface, const ContactSurface& other) {
+  FieldDifferences result;
+  for (std::size_t i = 0; i < surface.worn.size(); ++i)
+    result.profile += std::pow(distance_along_normal(surface, i, other), 2);
+  const std::vector<std::size_t> inner = inner_nodes(surface);
+  for (const std::size_t i : inner) {
+    const double there = values_at(other, vector_of(surface.initial[i]))[3];
+    result.inner_pressure +=
+        std::pow(surface.pressure[i] - there, 2) / static_cast<double>(inner.size());
+  }
+  return {std::sqrt(result.profile), std::sqrt(result.inner_pressure)};
+}
+
+}  // namespace
+
+std::optional<Goals> goals_of(const Model& model, const State& state, const Observation& observed) {
+  std::optional<ContactSurface> surface = model.contact(state);
+  if (!surface || !find_scalar(observed, "worn_volume")) return {};
+  Goals goals{.time = state.t,
+              .unknowns = static_cast<long>(model.system().structure().size),
+              .values = {},
+              .surface = std::move(*surface)};
+  const auto add = [&](const char* name) {
+    if (const Scalar* const scalar = find_scalar(observed, name)) goals.values.push_back(*scalar);
+  };
+  add("worn_volume");
+  add("wear_depth");
+  goals.values.push_back({"profile", "mm", profile_norm(goals.surface)});
+  const Scalar* const area = find_scalar(observed, "contact_area");
+  const auto half_width = value_of(observed, "contact_half_width");
+  const bool in_plane = half_width && !(area && area->unit == "mm^2");
+  add(in_plane ? "contact_half_width" : "contact_area");
+  const double size = in_plane ? 2 * *half_width : area ? area->value : 0;
+  if (const auto force = value_of(observed, "contact_force"); force && size > 0)
+    goals.values.push_back({"mean_pressure", "MPa", *force / size});
+  goals.values.push_back({"inner_pressure", "MPa", inner_pressure(goals.surface)});
+  add("max_pressure");
+  add("approach");
+  return goals;
+}
+
+std::vector<double> differences(const Goals& goals, const Goals& other) {
+  const FieldDifferences fields = field_differences(goals.surface, other.surface);
+  std::vector<double> result;
+  for (const Scalar& scalar : goals.values) {
+    const double difference =
+        scalar.name == "profile" ? fields.profile
+        : scalar.name == "inner_pressure"
+            ? fields.inner_pressure
+            : scalar.value - value_of(other.values, scalar.name).value_or(not_known);
+    result.push_back(scalar.value == 0 ? not_known : difference / std::abs(scalar.value));
+  }
+  return result;
+}
+
+}  // namespace gnomon

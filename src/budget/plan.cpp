@@ -1,0 +1,300 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/budget/plan.hpp>
+#include <map>
+
+#include "budget/companions.hpp"
+#include "budget/trade.hpp"
+
+namespace gnomon {
+
+namespace {
+
+using namespace budget;
+
+/// Goals::values, by the words of accuracy.of.
+const std::map<std::string, std::vector<std::string>> wanted_names = {
+    {"depth", {"wear_depth"}},
+    {"volume", {"worn_volume"}},
+    {"profile", {"profile"}},
+    {"width", {"contact_half_width", "contact_area"}},
+    {"pressure", {"mean_pressure", "inner_pressure"}},
+    {"largest_pressure", {"max_pressure"}},
+    {"approach", {"approach"}}};
+
+/// The places of the wanted values. Throws InputError for a word without a value.
+std::vector<std::size_t> wanted_places(const Scene& scene, const std::vector<Scalar>& values) {
+  std::vector<std::size_t> places;
+  for (const std::string& word : scene.texts("accuracy.of")) {
+    const auto names = wanted_names.find(word);
+    if (names == wanted_names.end()) {
+      std::vector<std::string> known;
+      for (const auto& [name, unused] : wanted_names) known.push_back(name);
+      throw InputError(fmt::format("{}: expected {}, got \"{}\"", scene.where("accuracy.of"),
+                                   fmt::join(known, ", "), word));
+    }
+    const std::size_t before = places.size();
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (std::ranges::find(names->second, values[i].name) != names->second.end() &&
+          values[i].value != 0)
+        places.push_back(i);
+    if (places.size() == before)
+      throw InputError(fmt::format("{}: expected what the scene has, its {} is zero or none",
+                                   scene.where("accuracy.of"), word));
+  }
+  return places;
+}
+
+double largest(const std::vector<double>& errors, const std::vector<std::size_t>& places) {
+  double result = 0;
+  for (const std::size_t i : places) result = std::max(result, std::abs(errors[i]));
+  return result;
+}
+
+class Planner {
+public:
+  Planner(const Scene& scene, const BudgetHooks& hooks)
+      : companions_(budget_, hooks), asked_(scene), scene_(scene), within_(read_within(scene)) {
+    for (const Key& key : scene.controlling_keys()) {
+      if (key.controls->source == ErrorSource::mesh) mesh_ = key;
+      if (key.controls->source == ErrorSource::time && key.controls->scaled(scene, 0.1))
+        time_ = key;
+    }
+    trade_.free_time = time_ && !scene.is_set(time_->name);
+    trade_.free_mesh = mesh_ && !scene.is_set(mesh_->name) && mesh_->controls->scaled(scene, 2);
+  }
+
+  Plan operator()() {
+    find_coarse_mesh();
+    for (const Key& key : asked_.controlling_keys())
+      if (key.controls->source == ErrorSource::model) try_simpler(key);
+    measure_mesh();
+    measure_time();
+    Plan plan{.scene = with(cheapest(trade_, within_)),
+              .lines = {},
+              .chosen = {},
+              .models = {},
+              .remarks = {}};
+    for (const double part : {2.0, 1.0, 0.5, 0.25}) plan.lines.push_back(line_for(part * within_));
+    plan.chosen = plan.lines[1];
+    plan.pilot_seconds = budget_.companion_seconds;
+    plan.models = std::move(models_);
+    plan.remarks = std::move(remarks_);
+    remark_on_given(plan);
+    return plan;
+  }
+
+private:
+  static double read_within(const Scene& scene) {
+    if (const auto within = scene.real_if("accuracy.within")) return *within;
+    throw InputError(scene.path().string() +
+                     ": expected accuracy.within, the error that the result may have");
+  }
+
+  Scene with(Factors factors) const {
+    Scene scene = scene_;
+    if (mesh_ && factors.mesh != 1)
+      scene = mesh_->controls->scaled(scene, factors.mesh).value_or(scene);
+    if (time_ && factors.time != 1)
+      scene = time_->controls->scaled(scene, factors.time).value_or(scene);
+    return scene;
+  }
+
+  Trial pilot(Factors factors, const std::string& what) {
+    return companions_.run(with(factors), what);
+  }
+
+  /// The coarsest of some meshes on which contact has so many nodes that differences mean
+  /// something. The tolerance is that of pilots.
+  void find_coarse_mesh() {
+    if (trade_.free_time) pilot_.time = time_of_pilots;
+    const bool scales = mesh_ && mesh_->controls->scaled(asked_, 2);
+    std::string failure;
+    for (const double factor : {8.0, 4.0, 2.0, 1.0, 0.5}) {
+      if (!scales && factor != 1) continue;
+      pilot_.mesh = factor;
+      try {
+        coarse_ = pilot(pilot_, fmt::format("a pilot on {} times as large elements", factor));
+        const ContactSurface& surface = coarse_->goals.surface;
+        const auto closed = std::ranges::count_if(surface.pressure, [](double p) { return p > 0; });
+        if (!scales || closed >= (surface.dim == 2 ? 7 : 12)) break;
+      } catch (const Interrupted&) {
+        throw;
+      } catch (const SolutionError& error) {
+        failure = error.what();
+      } catch (const InputError& error) {
+        if (factor == 1 || !scales) throw;
+        failure = error.what();
+      }
+    }
+    if (!coarse_) throw SolutionError("no pilot run succeeds: " + failure);
+    places_ = wanted_places(asked_, coarse_->goals.values);
+  }
+
+  /// Goes on with the simpler of two models, where the scene does not give one and the error is a
+  /// small part of what may be. One that is given is judged.
+  void try_simpler(const Key& key) {
+    constexpr double small_part = 0.15;
+    const bool given = asked_.is_set(key.name);
+    const auto other = key.controls->scaled(scene_, given ? 0.5 : 2);
+    if (!other) return;
+    const Scene own = scene_;
+    try {
+      scene_ = *other;
+      Trial trial = pilot(pilot_, key.name);
+      const std::vector<double> errors = differences(coarse_->goals, trial.goals);
+      const double error = largest(errors, places_);
+      const bool goes_on = !given && error <= small_part * within_;
+      if (goes_on || given) {
+        trade_.model += error;
+        models_.push_back({.source = ErrorSource::model,
+                           .key = key.name,
+                           .how = change_text(own, *other) + ", by a pilot run",
+                           .errors = errors});
+        for (double& each : models_.back().errors) each = std::abs(each);
+      }
+      if (goes_on)
+        coarse_ = std::move(trial);
+      else
+        scene_ = own;
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const Error&) {  // the model does not suit the scene
+      scene_ = own;
+    }
+  }
+
+  void measure_mesh() {
+    trade_.seconds = coarse_->cpu_seconds;
+    const Factors finer{pilot_.mesh / 2, pilot_.time};
+    if (!mesh_ || !mesh_->controls->scaled(asked_, 2)) {
+      remarks_.push_back("the mesh is given: its error is not known, and not part of the plan");
+      return;
+    }
+    const Trial fine = pilot(finer, "a pilot on elements of half this size");
+    if (fine.goals.unknowns == coarse_->goals.unknowns) {
+      trade_.free_mesh = false;
+      remarks_.push_back(mesh_->name + no_effect_on_mesh + ": its error is not known");
+      return;
+    }
+    const double difference = largest(differences(fine.goals, coarse_->goals), places_);
+    const double of_fine = difference / (std::exp2(Trade::order) - 1);
+    trade_.mesh = of_fine / std::pow(finer.mesh, Trade::order);
+    trade_.cost_mesh = std::clamp(std::log2(fine.cpu_seconds / coarse_->cpu_seconds), 0.7, 4.0);
+    trade_.seconds = fine.cpu_seconds * std::pow(finer.mesh, trade_.cost_mesh);
+  }
+
+  void measure_time() {
+    if (!time_) return;
+    const Trial finer =
+        pilot({pilot_.mesh, pilot_.time / 10}, "a pilot with a tenth of the tolerance");
+    const double difference = largest(differences(coarse_->goals, finer.goals), places_);
+    trade_.time = difference * Finer(ErrorSource::time).part_of_coarser / pilot_.time;
+    trade_.cost_time = std::clamp(std::log10(finer.cpu_seconds / coarse_->cpu_seconds), 0.05, 1.0);
+    trade_.seconds *= std::pow(pilot_.time, trade_.cost_time);
+  }
+
+  PlanLine line_for(double within) const {
+    const Factors factors = cheapest(trade_, within);
+    PlanLine line = predicted(trade_, factors);
+    line.within = within;
+    line.settings = change_text(asked_, with(factors));
+    line.meets = line.error() <= within;
+    return line;
+  }
+
+  /// What it costs that the scene gives settings.
+  void remark_on_given(Plan& plan) const {
+    Trade all = trade_;
+    all.free_mesh = trade_.mesh > 0;
+    all.free_time = time_.has_value();
+    const double seconds = predicted(all, cheapest(all, within_)).cpu_seconds;
+    std::vector<std::string> given;
+    if (all.free_mesh && !trade_.free_mesh) given.push_back(mesh_->name);
+    if (all.free_time && !trade_.free_time) given.push_back(time_->name);
+    if (!given.empty())
+      plan.remarks.push_back(
+          fmt::format("{} {} given: the run takes about {:.2g} s of CPU, without about {:.2g} s",
+                      fmt::join(given, ", "), given.size() == 1 ? "is" : "are",
+                      plan.chosen.cpu_seconds, seconds));
+  }
+
+  static constexpr double time_of_pilots = 10;  ///< times the default of the tolerance
+
+  Budget budget_;
+  Companions companions_;
+  const Scene& asked_;
+  Scene scene_;  ///< with the chosen models
+  double within_;
+  std::optional<Key> mesh_{}, time_{};
+  Factors pilot_;
+  std::optional<Trial> coarse_{};
+  std::vector<std::size_t> places_;
+  Trade trade_;
+  std::vector<BudgetPart> models_;
+  std::vector<std::string> remarks_;
+};
+
+}  // namespace
+
+Plan plan_of(const Scene& scene, const BudgetHooks& hooks) {
+  return Planner(scene, hooks)();
+}
+
+double wanted_error(const Scene& scene, const Budget& budget) {
+  double error = 0;
+  for (const std::size_t i : wanted_places(scene, budget.values))
+    error = std::max(error, budget.total(i));
+  return error;
+}
+
+std::string accuracy_text(const Scene& asked, const Budget& shown) {
+  std::size_t worst = 0;
+  double error = 0;
+  for (const std::size_t i : wanted_places(asked, shown.values))
+    if (shown.total(i) >= error) error = shown.total(i), worst = i;
+  const double within = asked.real("accuracy.within");
+  return fmt::format(
+      "asked for {:.2g} % in {}: {:.2g} %, by {}{}", 100 * within,
+      fmt::join(asked.texts("accuracy.of"), ", "), 100 * error, shown.values[worst].name,
+      error > within ? ", which is NOT within it (gnomon plan shows what it takes)" : "");
+}
+
+std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Budget& shown) {
+  const double within = asked.real("accuracy.within");
+  if (!(wanted_error(asked, shown) > within)) return {};
+  const std::vector<std::size_t> places = wanted_places(asked, shown.values);
+  Trade trade;
+  for (const BudgetPart& part : shown.parts) {
+    const double error = largest(part.errors, places);
+    if (std::isnan(error)) continue;
+    if (part.source == ErrorSource::mesh) {
+      trade.mesh = error;
+      trade.free_mesh = !asked.is_set(part.key);
+    } else if (part.source == ErrorSource::time) {
+      trade.time = error;
+      trade.free_time = !asked.is_set(part.key);
+    } else {
+      trade.model += error;
+    }
+  }
+  trade.seconds = 1;
+  Factors factors = cheapest(trade, within);
+  factors.mesh = std::min(factors.mesh, 1.0), factors.time = std::min(factors.time, 1.0);
+  if (factors.mesh == 1 && factors.time == 1) return {};
+  Scene scene = plan.scene;
+  for (const Key& key : plan.scene.controlling_keys()) {
+    const ErrorSource source = key.controls->source;
+    if (source == ErrorSource::mesh)
+      scene = key.controls->scaled(scene, factors.mesh).value_or(scene);
+    if (source == ErrorSource::time)
+      scene = key.controls->scaled(scene, factors.time).value_or(scene);
+  }
+  return scene;
+}
+
+}  // namespace gnomon

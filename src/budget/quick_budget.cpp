@@ -1,0 +1,109 @@
+// The error budget of a run that has ended, by companions that cost little: larger elements, small
+// strains, and wear as a gap over a condensed stiffness.
+
+#include <algorithm>
+#include <gnomon/budget/budget.hpp>
+
+#include "budget/companions.hpp"
+
+namespace gnomon {
+
+namespace {
+
+using namespace budget;
+
+constexpr double order = 1.5;  // of mesh errors, mostly between 1 and 2
+
+class QuickSearch {
+public:
+  QuickSearch(const Scene& scene, const Goals& goals, const BudgetHooks& hooks)
+      : scene_(ending_at(scene, goals.time)), companions_(budget_, hooks), own_(scene_) {
+    budget_.values = goals.values;
+  }
+
+  Budget operator()() {
+    const std::vector<Key> keys = scene_.controlling_keys();
+    const auto is_mesh = [](const Key& key) { return key.controls->source == ErrorSource::mesh; };
+    try {
+      if (const auto mesh = std::ranges::find_if(keys, is_mesh); mesh != keys.end())
+        companions_.add(*mesh, [&](BudgetPart& part) { find_mesh(*mesh, part); });
+      for (const Key& key : keys)
+        if (!is_mesh(key)) add_other(key);
+    } catch (const Interrupted&) {  // the user does not want to wait for the rest
+    }
+    return std::move(budget_);
+  }
+
+private:
+  /// With models that neglect what they can; where they are refused, those of the scene.
+  Trial cheap(const Scene& scene, const std::string& what) {
+    Scene simple = scene;
+    for (const Key& key : scene.controlling_keys())
+      if (key.controls->source == ErrorSource::model)
+        simple = key.controls->scaled(simple, 2).value_or(simple);
+    try {
+      if (simpler_) return companions_.run(simple, what);
+    } catch (const InputError&) {
+      simpler_ = false;
+    }
+    return companions_.run(scene, what);
+  }
+
+  void find_mesh(const Key& key, BudgetPart& part) {
+    if (!key.controls->scaled(scene_, 2)) throw InputError(given_mesh);
+    try {
+      find_mesh(key, part, 4);
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const Error&) {  // a mesh so coarse cannot be made, or carries no contact
+      find_mesh(key, part, 2);
+    }
+  }
+
+  /// From elements `factor` times as large, and half of that.
+  void find_mesh(const Key& key, BudgetPart& part, double factor) {
+    const auto larger = key.controls->scaled(scene_, factor),
+               smaller = key.controls->scaled(scene_, factor / 2);
+    if (!larger || !smaller) throw InputError(given_mesh);
+    own_ = *larger;
+    coarse_ = cheap(own_, "a coarse mesh");
+    const Trial fine = cheap(*smaller, "a finer mesh");
+    if (fine.goals.unknowns == coarse_->goals.unknowns)
+      throw InputError(key.name + no_effect_on_mesh);
+    part.how = change_text(scene_, fine.scene) + " against " + change_text(scene_, coarse_->scene);
+    part.errors = differences(fine.goals, coarse_->goals);
+    for (double& error : part.errors)
+      error = std::abs(error) * std::pow(factor / 2, -order) / (std::exp2(order) - 1);
+  }
+
+  void add_other(const Key& key) {
+    const Finer finer(key.controls->source);
+    if (!key.controls->scaled(scene_, finer.factor)) return;
+    companions_.add(key, [&](BudgetPart& part) {
+      if (!coarse_) coarse_ = cheap(own_, "the same mesh");
+      std::optional<Trial> own;  // of the scene's own model
+      if (part.source == ErrorSource::model) own = companions_.run(own_, "the models of the scene");
+      const Trial& base = own ? *own : *coarse_;
+      const auto scene = key.controls->scaled(base.scene, finer.factor);
+      if (!scene) throw InputError("the companions cannot have it finer");
+      part.how = change_text(base.scene, *scene);
+      part.errors = differences(base.goals, companions_.run(*scene, part.how).goals);
+      for (double& error : part.errors) error = std::abs(error) * finer.part_of_coarser;
+    });
+  }
+
+  Scene scene_;
+  Budget budget_;
+  Companions companions_;
+  std::optional<Trial> coarse_{};
+  Scene own_;  ///< of the companions' mesh, with the scene's own models
+  bool simpler_ = true;
+};
+
+}  // namespace
+
+Budget quick_budget(const Scene& scene, const Goals& goals, const BudgetHooks& hooks) {
+  return QuickSearch(scene, goals, hooks)();
+}
+
+}  // namespace gnomon

@@ -1,0 +1,32 @@
+// Error and cost as powers of the sizes of elements and of the tolerance in time.
+#pragma once
+
+#include <gnomon/budget/plan.hpp>
+
+namespace gnomon::budget {
+
+/// At the scene's own values of the keys that control mesh and time (factors 1), and how they
+/// change with factors of these: errors with mesh^order and time^1, cost with mesh^-cost_mesh and
+/// time^-cost_time.
+struct Trade {
+  double mesh = 0, time = 0, model = 0;  ///< relative errors
+  double seconds = 0;
+  double cost_mesh = 2, cost_time = 0.3;
+  bool free_mesh = false, free_time = false;  ///< whether their factors may change
+
+  static constexpr double order = 1.5;  ///< of mesh errors, mostly between 1 and 2
+};
+
+/// Factors of the two.
+struct Factors {
+  double mesh = 1, time = 1;
+};
+
+PlanLine predicted(const Trade& trade, Factors factors);
+
+/// The cheapest factors whose error is at most that part of `within` that leaves room for the
+/// estimates' own errors. Where there are none: the best ones that errors of mesh and time that are
+/// free can still be halved by with effect.
+Factors cheapest(const Trade& trade, double within);
+
+}  // namespace gnomon::budget

@@ -1,0 +1,83 @@
+#include "budget/trial.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <ctime>
+#include <gnomon/run/run.hpp>
+#include <gnomon/run/setup.hpp>
+
+namespace gnomon::budget {
+
+namespace {
+
+/// A value as TOML writes it.
+std::string text_of(const SceneValue& value) {
+  return std::visit(
+      []<class T>(const T& known) {
+        if constexpr (std::is_same_v<T, std::string>)
+          return fmt::format("\"{}\"", known);
+        else if constexpr (std::is_same_v<T, double>)
+          return fmt::format("{:g}", known);
+        else if constexpr (std::is_same_v<T, std::vector<double>>)
+          return known.size() == 1 ? fmt::format("{:g}", known[0])
+                                   : fmt::format("[{:g}]", fmt::join(known, ", "));
+        else
+          return fmt::format("{}", known);
+      },
+      value);
+}
+
+}  // namespace
+
+Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupted) {
+  const double begin = cpu_seconds();
+  const Setup setup = set_up(scene);
+  StorePolicy policy = store_policy(setup.scene);
+  policy.checkpoint_seconds = 0;
+  policy.phase_errors = false;
+  const auto unknowns = static_cast<double>(setup.model->system().structure().size);
+  double work = 0;
+  const RunOutcome outcome =
+      run(*setup.model, chosen_integrator(setup.scene),
+          integrator_settings(setup.scene, *setup.model), policy, nullptr,
+          {.on_step =
+               [&](const HistoryRow& row) {
+                 work = static_cast<double>(row.counters.newton_iterations) * unknowns;
+               },
+           .interrupted = [&] { return interrupted(work); }});
+  if (outcome.status == RunOutcome::Status::failed) throw SolutionError(outcome.diagnosis);
+  if (outcome.status == RunOutcome::Status::interrupted) throw Interrupted("interrupted");
+  const Model& model = outcome.successor ? *outcome.successor : *setup.model;
+  auto goals = goals_of(model, *outcome.state, outcome.last->scalars);
+  if (!goals)
+    throw InputError(fmt::format(
+        "{}: expected a problem with a worn surface, {} has none whose error could be judged",
+        scene.path().string(), scene.text("problem")));
+  return {.scene = setup.scene,
+          .goals = std::move(*goals),
+          .cpu_seconds = cpu_seconds() - begin,
+          .work = work};
+}
+
+Scene ending_at(const Scene& scene, double time) {
+  return scene.has("time.until") ? scene.with("time.end", time).without("time.until") : scene;
+}
+
+std::string change_text(const Scene& from, const Scene& to) {
+  std::string text;
+  for (const std::string& key : Scene::differing_keys(from, to))
+    if (to.has(key))
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, text_of(to.any(key)));
+  return text;
+}
+
+}  // namespace gnomon::budget
+
+namespace gnomon {
+
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,38 @@
+// A run that is made for its goals alone.
+#pragma once
+
+#include <gnomon/base/error.hpp>
+#include <gnomon/budget/budget.hpp>
+#include <string>
+
+namespace gnomon {
+
+/// The user has ended the search.
+class Interrupted : public SolutionError {
+public:
+  using SolutionError::SolutionError;
+};
+
+namespace budget {
+
+struct Trial {
+  Scene scene;  ///< complete: with what was chosen where the model was made
+  Goals goals;
+  double cpu_seconds = 0;  ///< with making the model
+  double work = 0;         ///< Newton iterations times unknowns
+};
+
+/// Makes the model of a scene and integrates it, nothing is stored. Throws InputError where the
+/// scene has no worn surface, SolutionError where the run fails, and Interrupted.
+/// `interrupted` is asked after each step, with the work until then.
+Trial try_scene(const Scene& scene, const std::function<bool(double work)>& interrupted);
+
+/// The scene of companions, which end at the time at which the run did.
+Scene ending_at(const Scene& scene, double time);
+
+/// "integrator.rtol = 1e-05": keys that the second scene has otherwise.
+std::string change_text(const Scene& from, const Scene& to);
+
+}  // namespace budget
+
+}  // namespace gnomon

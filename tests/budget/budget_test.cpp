@@ -1,0 +1,158 @@
+// The error budget: what it estimates against what is known in closed form or from a finer run, and
+// that it says what it does not know.
+
+#include <gnomon/base/error.hpp>
+#include <gnomon/budget/budget.hpp>
+#include <gnomon/run/setup.hpp>
+
+#include "support/problem_run.hpp"
+
+namespace gnomon::budget_test {
+namespace {
+
+using namespace testing;
+
+std::string shipped(const std::string& scene) {
+  return std::string(GNOMON_SOURCE_DIR "/problems/") + scene;
+}
+
+Budget budget_of(const std::string& scene, const Overrides& overrides = {}) {
+  return find_budget(checked_scene(shipped(scene), overrides), {});
+}
+
+std::size_t index_of(const Budget& budget, const std::string& name) {
+  const auto found = std::ranges::find(budget.values, name, &Scalar::name);
+  EXPECT_NE(found, budget.values.end()) << name;
+  return static_cast<std::size_t>(found - budget.values.begin());
+}
+
+double value(const Budget& budget, const std::string& name) {
+  return budget.values[index_of(budget, name)].value;
+}
+
+double total(const Budget& budget, const std::string& name) {
+  return budget.total(index_of(budget, name));
+}
+
+const BudgetPart& part(const Budget& budget, ErrorSource source) {
+  const auto found = std::ranges::find(budget.parts, source, &BudgetPart::source);
+  EXPECT_NE(found, budget.parts.end()) << name_of(source);
+  return *found;
+}
+
+void expect_effectivity(double estimate, double error) {
+  EXPECT_GT(error, 1e-4);  // else this test shows nothing
+  EXPECT_GT(estimate, 0.3 * error);
+  EXPECT_LT(estimate, 3 * error);
+}
+
+// Hertz: half width 0.25 mm, largest pressure 288.4 MPa.
+TEST(Budget, OfALineContactIsTheErrorAgainstHertz) {
+  const Budget budget = budget_of("worn_body/hertz_cylinder.toml", {"mesh.factor=2"});
+  const double E = 210e3 / (1 - 0.09), F = 113.26, R = 100;
+  const double half_width = std::sqrt(4 * F * R / (M_PI * E));
+  const double largest = 2 * F / (M_PI * half_width);
+  expect_effectivity(total(budget, "contact_half_width"),
+                     std::abs(value(budget, "contact_half_width") / half_width - 1));
+  expect_effectivity(total(budget, "max_pressure"),
+                     std::abs(value(budget, "max_pressure") / largest - 1));
+  EXPECT_TRUE(std::isnan(total(budget, "worn_volume")));  // it is zero, and has no relative error
+}
+
+// Backward Euler in few steps: the error is that of time, and falls with the step.
+TEST(Budget, OfLargeStepsIsTheErrorAgainstSmallOnes) {
+  const Overrides coarse = {"mesh.elements=[16,8]", "integrator.name=backward-euler",
+                            "integrator.step=50"};
+  const Budget budget = budget_of("pin_on_flat/small_deformation.toml", coarse);
+  Overrides fine = coarse;
+  fine.back() = "integrator.step=1";
+  const Budget reference = budget_of("pin_on_flat/small_deformation.toml", fine);
+  const BudgetPart& time = part(budget, ErrorSource::time);
+  for (const char* name : {"wear_depth", "max_pressure"})
+    expect_effectivity(time.errors[index_of(budget, name)],
+                       std::abs(value(budget, name) / value(reference, name) - 1));
+}
+
+TEST(Budget, OfWearAsAGapIsTheDifferenceToTheMovingMesh) {
+  const Overrides coarse = {"mesh.elements=[16,8]", "integrator.rtol=1e-5", "body.material=linear",
+                            "wear.normal=conservative"};
+  Overrides gap = coarse;
+  gap.insert(gap.end(), {"shape.motion=gap", "solver.reduce=true"});
+  const Budget budget = budget_of("pin_on_flat/small_deformation.toml", gap);
+  const Budget reference = budget_of("pin_on_flat/small_deformation.toml", coarse);
+  const auto model = std::ranges::find(budget.parts, "shape.motion", &BudgetPart::key);
+  ASSERT_NE(model, budget.parts.end());
+  expect_effectivity(
+      model->errors[index_of(budget, "max_pressure")],
+      std::abs(value(budget, "max_pressure") / value(reference, "max_pressure") - 1));
+}
+
+TEST(Budget, SaysThatAGivenMeshHasNoCoarserOne) {
+  const std::filesystem::path mesh = std::filesystem::path(::testing::TempDir()) / "given.msh";
+  std::filesystem::remove(mesh);
+  const std::string command = std::string(GNOMON_PROGRAM) + " mesh " +
+                              shipped("worn_body/hertz_cylinder.geo") + " -o " + mesh.string() +
+                              " > /dev/null";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const Budget budget =
+      budget_of("worn_body/hertz_cylinder.toml", {"mesh.file=\"" + mesh.string() + "\""});
+  const BudgetPart& unknown = part(budget, ErrorSource::mesh);
+  EXPECT_THAT(unknown.unknown, ::testing::HasSubstr("the mesh is given"));
+  EXPECT_TRUE(std::ranges::all_of(unknown.errors, [](double e) { return std::isnan(e); }));
+  EXPECT_FALSE(std::isnan(total(budget, "max_pressure")));  // other parts are known
+}
+
+TEST(Budget, RefusesWhatHasNoWornSurface) {
+  EXPECT_THROW(budget_of("dahlquist/decay.toml"), InputError);
+}
+
+TEST(Budget, IsTheSameFromItsJson) {
+  Budget budget{.values = {{"wear_depth", "mm", 0.25}, {"approach", "mm", 0}},
+                .parts = {{.source = ErrorSource::phases,
+                           .key = "cycle.phases",
+                           .how = "cycle.phases = 32",
+                           .errors = {0.125, not_known},
+                           .unknown = ""}},
+                .run_seconds = 0,
+                .companion_seconds = 0};
+  const Budget again = budget_of_json(budget_json(budget));
+  EXPECT_EQ(budget_text(again), budget_text(budget));
+  EXPECT_EQ(again.parts[0].errors[0], 0.125);
+  EXPECT_TRUE(std::isnan(again.total(1)));
+  EXPECT_THROW(budget_of_json("{}"), InputError);
+}
+
+// The fields of another mesh are interpolated; what is linear along the surface exactly.
+TEST(Budget, ComparesProfilesOfDifferentMeshes) {
+  const auto line = [](int elements, double slope) {
+    Goals goals{.values = {{"profile", "mm", 1}}, .surface = {}};
+    for (int i = 0; i <= elements; ++i) {
+      const double x = double(i) / elements;
+      goals.surface.initial.push_back({x, 0, 0});
+      goals.surface.worn.push_back({x, -slope * x, 0});
+      goals.surface.pressure.push_back(1);
+    }
+    return goals;
+  };
+  EXPECT_NEAR(differences(line(10, 1), line(7, 1))[0], 0, 1e-9);
+  // Nodes at 0, 0.1, ... 1: the sum of x^2 is 3.85.
+  EXPECT_NEAR(differences(line(10, 1.01), line(7, 1))[0], 0.01 * std::sqrt(3.85), 1e-9);
+}
+
+TEST(QuickBudget, EndsWhereTheUserOrTheLimitDoes) {
+  const Scene scene = checked_scene(shipped("pin_on_flat/small_deformation.toml"),
+                                    {"mesh.elements=[8,8]", "integrator.rtol=1e-2"});
+  const gnomon::Setup setup = set_up(scene);
+  Counters counters;
+  const State start = setup.model->start(counters);
+  const auto goals = goals_of(*setup.model, start, setup.model->observe(start));
+  ASSERT_TRUE(goals);
+  const Budget none = quick_budget(setup.scene, *goals, {.interrupted = [] { return true; }});
+  EXPECT_TRUE(none.parts.empty());
+  const Budget limited = quick_budget(setup.scene, *goals, {.limit = 0});
+  ASSERT_FALSE(limited.parts.empty());
+  for (const BudgetPart& part : limited.parts) EXPECT_FALSE(part.unknown.empty());
+}
+
+}  // namespace
+}  // namespace gnomon::budget_test
