@@ -1,0 +1,129 @@
+// Accuracy as one number: the cheapest settings within it, what is given stays, and the runs that
+// follow keep it.
+
+#include <gnomon/base/error.hpp>
+#include <gnomon/budget/plan.hpp>
+#include <gnomon/run/setup.hpp>
+
+#include "budget/trade.hpp"
+#include "budget/trial.hpp"
+#include "support/problem_run.hpp"
+
+namespace gnomon::plan_test {
+namespace {
+
+using namespace testing;
+using budget::Trade;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+constexpr Trade trade{
+    .mesh = 0.01, .time = 0.001, .model = 0, .seconds = 1, .free_mesh = true, .free_time = true};
+
+TEST(Trade, IsCheapestWhereMeshAndTimeHaveTheirShare) {
+  double before = 0;
+  for (const double within : {0.3, 0.1, 0.03, 0.01, 0.003}) {
+    const budget::Factors best = budget::cheapest(trade, within);
+    const PlanLine line = budget::predicted(trade, best);
+    EXPECT_LE(line.error(), within);
+    EXPECT_GT(line.error(), within / 20);  // it pays for no more than that
+    EXPECT_GT(line.cpu_seconds, before);
+    before = line.cpu_seconds;
+    // One of the two larger alone would be too much, or cost no less.
+    for (const budget::Factors other : {budget::Factors{best.mesh * std::sqrt(2.0), best.time},
+                                        budget::Factors{best.mesh, best.time * std::sqrt(10.0)}})
+      if (other.time < 500) {
+        EXPECT_GT(budget::predicted(trade, other).error(), within / 2);
+      }
+  }
+}
+
+TEST(Trade, LeavesWhatIsGiven) {
+  Trade given = trade;
+  given.free_mesh = false;
+  EXPECT_EQ(budget::cheapest(given, 1e-4).mesh, 1);
+  EXPECT_LT(budget::cheapest(given, 1e-4).time, 1);  // not without end, for the mesh spoils it
+  EXPECT_GT(budget::cheapest(given, 1e-4).time, 1e-3);
+}
+
+/// A pin of height 10 mm that wears by 0.2 mm, without mesh and tolerance.
+Scene scene(const Overrides& overrides) {
+  return checked_scene_of_text(R"(problem = "pin_on_flat"
+[pin]
+radius = 5
+height = 10
+width = 10
+[body]
+young_modulus = 640
+poisson_ratio = 0.3
+[load]
+force = 20
+[wear]
+coefficient = 1e-7
+velocity = 1000
+[time]
+end = 300
+)",
+                               "pin.toml", overrides);
+}
+
+Plan plan(const Overrides& overrides) {
+  return plan_of(scene(overrides), {});
+}
+
+TEST(Plan, LeavesWhatTheSceneGives) {
+  const Plan made = plan({"accuracy.within=0.05", "mesh.elements=[40,20]", "shape.motion=mesh"});
+  EXPECT_EQ(made.scene.integers("mesh.elements"), (std::vector<long>{40, 20}));
+  EXPECT_EQ(made.scene.text("shape.motion"), "mesh");
+  EXPECT_FALSE(made.scene.flag("solver.reduce"));
+  EXPECT_THAT(made.remarks, ::testing::Contains(HasSubstr("mesh.elements")));
+  EXPECT_THAT(plan_text(made), HasSubstr("5 %"));
+}
+
+// Against the same mesh and model in steps that hardly matter.
+TEST(Plan, ChoosesATolerance) {
+  const auto goes_on = [](double) { return false; };
+  const Plan made = plan({"accuracy.within=0.01", "accuracy.of=[\"depth\"]", "shape.motion=mesh",
+                          "body.material=linear"});
+  EXPECT_GT(made.scene.real("integrator.rtol"), 1e-4);
+  const auto run = budget::try_scene(made.scene, goes_on);
+  const auto reference = budget::try_scene(made.scene.with("integrator.rtol", 1e-7), goes_on);
+  const double depth = *value_of(reference.goals.values, "wear_depth");
+  EXPECT_LT(std::abs(*value_of(run.goals.values, "wear_depth") / depth - 1), 0.01);
+}
+
+TEST(Plan, RefusesWhatItCannotJudge) {
+  EXPECT_THAT([] { plan({}); }, ThrowsMessage<InputError>(HasSubstr("expected accuracy.within")));
+  EXPECT_THAT(
+      [] {
+        plan({"accuracy.within=0.1", "accuracy.of=[\"colour\"]"});
+      },
+      ThrowsMessage<InputError>(HasSubstr("accuracy.of: expected approach, depth")));
+  EXPECT_THAT(
+      [] {
+        plan_of(checked_scene(GNOMON_SOURCE_DIR "/problems/worn_body/hertz_cylinder.toml",
+                              {"accuracy.within=0.1"}),
+                {});
+      },
+      ThrowsMessage<InputError>(HasSubstr("its depth is zero or none")));
+}
+
+TEST(Plan, IsRefinedWhereItsRunShowsMore) {
+  const Scene asked =
+      scene({"accuracy.within=0.01", "accuracy.of=[\"depth\"]", "mesh.elements=[40,20]"});
+  const Plan made{.scene = asked, .lines = {}, .chosen = {}, .models = {}, .remarks = {}};
+  const auto shown = [](double mesh, double time) {
+    return Budget{.values = {{"wear_depth", "mm", 1}},
+                  .parts = {{ErrorSource::mesh, "mesh.elements", "", {mesh}},
+                            {ErrorSource::time, "integrator.rtol", "", {time}}}};
+  };
+  EXPECT_FALSE(refined(made, asked, shown(0.004, 0.005)));
+  const auto finer = refined(made, asked, shown(0.001, 0.03));
+  ASSERT_TRUE(finer);
+  EXPECT_LT(finer->real("integrator.rtol"), asked.real("integrator.rtol") / 3);
+  // The mesh is given.
+  EXPECT_EQ(finer->integers("mesh.elements"), asked.integers("mesh.elements"));
+}
+
+}  // namespace
+}  // namespace gnomon::plan_test
