@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <gnomon/run/setup.hpp>
+#include <sstream>
 
 #include "app/commands.hpp"
 #include "app/progress.hpp"
+#include "app/run_end.hpp"
 #include "app/text_table.hpp"
 
 namespace gnomon::app {
@@ -30,14 +32,28 @@ std::string text_of(const Setup& setup) {
   return text;
 }
 
+std::string commented(const std::string& text) {
+  std::string result;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) result += "# " + line + "\n";
+  return result;
+}
+
 }  // namespace
 
 void check_command(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
+  Scene checked = checked_scene(scene, overrides);
+  std::string plan;
+  if (checked.has("accuracy.within")) {
+    Plan made = planned(checked, /*quiet=*/false);
+    plan = commented(plan_text(made));
+    checked = std::move(made.scene);
+  }
   const Setup setup = [&] {
     const LiveLine line(making_the_model);
-    return set_up(scene, overrides);
+    return set_up(std::move(checked));
   }();
-  fmt::print("{}", text_of(setup));
+  fmt::print("{}{}", text_of(setup), plan);
 }
 
 }  // namespace gnomon::app

@@ -58,7 +58,10 @@ double largest(const std::vector<double>& errors, const std::vector<std::size_t>
 class Planner {
 public:
   Planner(const Scene& scene, const BudgetHooks& hooks)
-      : companions_(budget_, hooks), asked_(scene), scene_(scene), within_(read_within(scene)) {
+      : companions_(budget_, hooks),
+        asked_(scene),
+        scene_(scene.without("accuracy.within")),
+        within_(read_within(scene)) {
     for (const Key& key : scene.controlling_keys()) {
       if (key.controls->source == ErrorSource::mesh) mesh_ = key;
       if (key.controls->source == ErrorSource::time && key.controls->scaled(scene, 0.1))
@@ -138,7 +141,7 @@ private:
   /// Goes on with the simpler of two models, where the scene does not give one and the error is a
   /// small part of what may be. One that is given is judged.
   void try_simpler(const Key& key) {
-    constexpr double small_part = 0.15;
+    constexpr double small_part = 0.25;
     const bool given = asked_.is_set(key.name);
     const auto other = key.controls->scaled(scene_, given ? 0.5 : 2);
     if (!other) return;
@@ -170,6 +173,7 @@ private:
 
   void measure_mesh() {
     trade_.seconds = coarse_->cpu_seconds;
+    trade_.coarsest = pilot_.mesh;
     const Factors finer{pilot_.mesh / 2, pilot_.time};
     if (!mesh_ || !mesh_->controls->scaled(asked_, 2)) {
       remarks_.push_back("the mesh is given: its error is not known, and not part of the plan");

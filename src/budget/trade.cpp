@@ -10,12 +10,15 @@ namespace {
 
 /// An estimate may be wrong by a factor of two.
 constexpr double used_part = 0.5;
+/// Times the default tolerance: near the largest that controls steps.
+constexpr double loosest = 316.2;
 
-/// Powers of the square root of two for elements, of ten for tolerances.
-std::vector<double> choices(bool is_free, double base, int from, int to) {
+/// From the largest one, divided by powers of the square root of `base`.
+std::vector<double> choices(bool is_free, double largest, double base) {
+  constexpr int most = 20;
   if (!is_free) return {1};
   std::vector<double> factors;
-  for (int k = from; k >= to; --k) factors.push_back(std::pow(base, k / 2.0));
+  for (int k = 0; k <= most; ++k) factors.push_back(largest * std::pow(base, -k / 2.0));
   return factors;
 }
 
@@ -39,8 +42,8 @@ Factors cheapest(const Trade& trade, double within) {
   const double rest = std::max(target - fixed, target / 4);
   Factors best;
   double least = std::numeric_limits<double>::infinity();
-  for (const double mesh : choices(trade.free_mesh, 2, 8, -10))
-    for (const double time : choices(trade.free_time, 10, 5, -10)) {
+  for (const double mesh : choices(trade.free_mesh, trade.coarsest, 2))
+    for (const double time : choices(trade.free_time, loosest, 10)) {
       const PlanLine line = predicted(trade, {mesh, time});
       const double error = (trade.free_mesh ? line.mesh : 0) + (trade.free_time ? line.time : 0);
       if (error > rest || line.cpu_seconds >= least) continue;
@@ -48,7 +51,7 @@ Factors cheapest(const Trade& trade, double within) {
       best = {mesh, time};
     }
   if (!std::isfinite(least))
-    return {trade.free_mesh ? std::exp2(-5) : 1, trade.free_time ? 1e-5 : 1};
+    return {trade.free_mesh ? trade.coarsest / 32 : 1, trade.free_time ? 1e-5 : 1};
   return best;
 }
 

@@ -12,6 +12,7 @@ struct Trade {
   double mesh = 0, time = 0, model = 0;  ///< relative errors
   double seconds = 0;
   double cost_mesh = 2, cost_time = 0.3;
+  double coarsest = 1;  ///< mesh factor: on larger elements contact has too few nodes
   bool free_mesh = false, free_time = false;  ///< whether their factors may change
 
   static constexpr double order = 1.5;  ///< of mesh errors, mostly between 1 and 2

@@ -98,6 +98,9 @@ Setup completed(const Scene& scene, std::unique_ptr<Model> model) {
 }  // namespace
 
 Setup set_up(Scene scene) {
+  if (scene.has("accuracy.within"))
+    throw InputError(scene.where("accuracy.within") +
+                     ": expected none here, only gnomon run, plan and check choose settings");
   auto model = make_model(scene);
   return completed(scene.with_absolute_files(), std::move(model));
 }

@@ -240,7 +240,11 @@ private:
       // Runs lie in folders of their own, to which files of the scene are not relative.
       Scene scene = with_cycle_tables(scene_with(overrides)).with_absolute_files();
       if (!fixed) scene = scene.without("integrator.step");
+      if (scene.has("accuracy.within"))
+        throw InputError(scene.where("accuracy.within") +
+                         ": expected none in a study, which has settings of its own");
       // Costs are compared: an estimate beside the run is not one of the method.
+      scene = scene.with("output.budget", false);
       if (scene.knows("cycle.period") && scene.has("cycle.period"))
         scene = scene.with("output.phase_errors", false);
       store_policy(scene);

@@ -347,7 +347,8 @@ TEST_F(Resume, CheckpointsDoNotChangeTheRun) {
 }
 
 TEST_F(Resume, BeginsAtTheStartWithoutACheckpoint) {
-  Overrides none = coarse({"integrator.name=backward-euler", "integrator.step=20"});
+  Overrides none =
+      coarse({"integrator.name=backward-euler", "integrator.step=20", "output.budget=false"});
   none[2] = "output.checkpoint_seconds=0";
   run_scene(pin, none, file("whole"));
   run_scene(pin, none, file("cut"), 6, Cut::killed);

@@ -21,7 +21,7 @@ struct PlanLine {
 };
 
 struct Plan {
-  Scene scene;                  ///< with the chosen settings
+  Scene scene;                  ///< with the chosen settings, and without accuracy.within
   std::vector<PlanLine> lines;  ///< for twice the error, the asked one, half and a quarter of it
   PlanLine chosen;
   std::vector<BudgetPart> models;  ///< what the models neglect, by pilot runs

@@ -1,0 +1,96 @@
+// Error budgets and plans as a user meets them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <gnomon/budget/budget.hpp>
+#include <gnomon/results/results.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/child.hpp"
+
+namespace gnomon::accuracy_test {
+namespace {
+
+using test::Outcome;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Accuracy : public test::ProgramTest {
+protected:
+  void write_scene(const std::string& more) const {
+    write("pin.toml", R"(problem = "pin_on_flat"
+[pin]
+radius = 5
+height = 10
+width = 10
+[body]
+young_modulus = 640
+poisson_ratio = 0.3
+[load]
+force = 20
+[wear]
+coefficient = 1e-7
+velocity = 1000
+[time]
+end = 1000
+)" + more);
+  }
+};
+
+TEST_F(Accuracy, ARunEndsWithABudgetThatItsResultKeeps) {
+  write_scene("[mesh]\nelements = [24, 16]\n");
+  const Outcome run = gnomon({"run", "pin.toml", "-o", "a.h5", "--summary", "s.json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("error budget"), HasSubstr("inner_pressure")));
+  EXPECT_THAT(gnomon({"info", "a.h5"}).out, HasSubstr("mesh: mesh.elements = [12, 8]"));
+  const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
+  const Budget kept = budget_of_json(ResultReader(folder() / "a.h5").budget());
+  ASSERT_EQ(json["budget"]["values"].size(), kept.values.size());
+  for (std::size_t i = 0; i < kept.values.size(); ++i)
+    EXPECT_EQ(json["budget"]["values"][i]["error"], kept.total(i)) << kept.values[i].name;
+
+  const Outcome without = gnomon({"run", "pin.toml", "-o", "b.h5", "--set", "output.budget=false"});
+  EXPECT_THAT(without.out, Not(HasSubstr("error budget")));
+  EXPECT_EQ(ResultReader(folder() / "b.h5").budget(), "");
+}
+
+TEST_F(Accuracy, MayBeAskedForInsteadOfSettings) {
+  write_scene("[accuracy]\nwithin = 0.1\nof = [\"depth\", \"volume\"]\n");
+  const Outcome run = gnomon({"run", "pin.toml", "-o", "a.h5"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("asked for 10 % in depth, volume: "),
+                             Not(HasSubstr("NOT within")), HasSubstr("integrator.rtol")));
+  // The result has settings, and goes on by them.
+  EXPECT_THAT(ResultReader(folder() / "a.h5").header().scene, HasSubstr("# within = ..."));
+  EXPECT_EQ(gnomon({"resume", "a.h5", "--end", "1010"}).exit_code, 0);
+
+  const Outcome plan = gnomon({"plan", "pin.toml"});
+  EXPECT_THAT(plan.out, AllOf(HasSubstr("20 %"), HasSubstr("2.5 %"), HasSubstr("pilot runs")));
+  EXPECT_THAT(gnomon({"check", "pin.toml"}).out,
+              AllOf(HasSubstr("#     10 %"), HasSubstr("[pin]")));
+}
+
+TEST_F(Accuracy, IsRefusedWhereNothingWouldPlan) {
+  write_scene("[accuracy]\nwithin = 0.1\n");
+  write("study.toml",
+        "scene = \"pin.toml\"\n[[method]]\nintegrator = \"esdirk-3\"\ntolerances = [1e-2]\n");
+  const Outcome study = gnomon({"study", "study.toml"});
+  EXPECT_EQ(study.exit_code, 2);
+  EXPECT_THAT(study.err, HasSubstr("accuracy.within`: expected none in a study"));
+  const Outcome stability = gnomon({"stability", "pin.toml"});
+  EXPECT_EQ(stability.exit_code, 2);
+  EXPECT_THAT(stability.err, HasSubstr("accuracy.within`: expected none here"));
+}
+
+TEST_F(Accuracy, OfWhatHasNoWornSurfaceIsRefused) {
+  const std::string decay = GNOMON_SOURCE_DIR "/problems/dahlquist/decay.toml";
+  for (const char* command : {"budget", "plan"}) {
+    const Outcome outcome = gnomon({command, decay, "--set", "accuracy.within=0.1"});
+    EXPECT_EQ(outcome.exit_code, 2) << command;
+  }
+}
+
+}  // namespace
+}  // namespace gnomon::accuracy_test
