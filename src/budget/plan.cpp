@@ -5,55 +5,16 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/budget/plan.hpp>
-#include <map>
 
 #include "budget/companions.hpp"
 #include "budget/trade.hpp"
+#include "budget/wanted.hpp"
 
 namespace gnomon {
 
 namespace {
 
 using namespace budget;
-
-/// Goals::values, by the words of accuracy.of.
-const std::map<std::string, std::vector<std::string>> wanted_names = {
-    {"depth", {"wear_depth"}},
-    {"volume", {"worn_volume"}},
-    {"profile", {"profile"}},
-    {"width", {"contact_half_width", "contact_area"}},
-    {"pressure", {"mean_pressure", "inner_pressure"}},
-    {"largest_pressure", {"max_pressure"}},
-    {"approach", {"approach"}}};
-
-/// The places of the wanted values. Throws InputError for a word without a value.
-std::vector<std::size_t> wanted_places(const Scene& scene, const std::vector<Scalar>& values) {
-  std::vector<std::size_t> places;
-  for (const std::string& word : scene.texts("accuracy.of")) {
-    const auto names = wanted_names.find(word);
-    if (names == wanted_names.end()) {
-      std::vector<std::string> known;
-      for (const auto& [name, unused] : wanted_names) known.push_back(name);
-      throw InputError(fmt::format("{}: expected {}, got \"{}\"", scene.where("accuracy.of"),
-                                   fmt::join(known, ", "), word));
-    }
-    const std::size_t before = places.size();
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (std::ranges::find(names->second, values[i].name) != names->second.end() &&
-          values[i].value != 0)
-        places.push_back(i);
-    if (places.size() == before)
-      throw InputError(fmt::format("{}: expected what the scene has, its {} is zero or none",
-                                   scene.where("accuracy.of"), word));
-  }
-  return places;
-}
-
-double largest(const std::vector<double>& errors, const std::vector<std::size_t>& places) {
-  double result = 0;
-  for (const std::size_t i : places) result = std::max(result, std::abs(errors[i]));
-  return result;
-}
 
 class Planner {
 public:
@@ -104,7 +65,20 @@ private:
       scene = mesh_->controls->scaled(scene, factors.mesh).value_or(scene);
     if (time_ && factors.time != 1)
       scene = time_->controls->scaled(scene, factors.time).value_or(scene);
-    return scene;
+    return reduces(factors) ? scene : without_condensation(scene);
+  }
+
+  /// Whether a condensed stiffness pays: it is dense, which in space costs more than it saves where
+  /// many nodes may touch.
+  bool reduces(Factors factors) const {
+    if (!coarse_ || coarse_->goals.surface.dim == 2) return true;
+    constexpr double most_nodes = 500;
+    const auto nodes = static_cast<double>(coarse_->goals.surface.initial.size());
+    return nodes * std::pow(pilot_.mesh / factors.mesh, 2) <= most_nodes;
+  }
+
+  static Scene without_condensation(const Scene& scene) {
+    return scene.knows("solver.reduce") ? scene.with("solver.reduce", false) : scene;
   }
 
   Trial pilot(Factors factors, const std::string& what) {
@@ -247,58 +221,6 @@ private:
 
 Plan plan_of(const Scene& scene, const BudgetHooks& hooks) {
   return Planner(scene, hooks)();
-}
-
-double wanted_error(const Scene& scene, const Budget& budget) {
-  double error = 0;
-  for (const std::size_t i : wanted_places(scene, budget.values))
-    error = std::max(error, budget.total(i));
-  return error;
-}
-
-std::string accuracy_text(const Scene& asked, const Budget& shown) {
-  std::size_t worst = 0;
-  double error = 0;
-  for (const std::size_t i : wanted_places(asked, shown.values))
-    if (shown.total(i) >= error) error = shown.total(i), worst = i;
-  const double within = asked.real("accuracy.within");
-  return fmt::format(
-      "asked for {:.2g} % in {}: {:.2g} %, by {}{}", 100 * within,
-      fmt::join(asked.texts("accuracy.of"), ", "), 100 * error, shown.values[worst].name,
-      error > within ? ", which is NOT within it (gnomon plan shows what it takes)" : "");
-}
-
-std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Budget& shown) {
-  const double within = asked.real("accuracy.within");
-  if (!(wanted_error(asked, shown) > within)) return {};
-  const std::vector<std::size_t> places = wanted_places(asked, shown.values);
-  Trade trade;
-  for (const BudgetPart& part : shown.parts) {
-    const double error = largest(part.errors, places);
-    if (std::isnan(error)) continue;
-    if (part.source == ErrorSource::mesh) {
-      trade.mesh = error;
-      trade.free_mesh = !asked.is_set(part.key);
-    } else if (part.source == ErrorSource::time) {
-      trade.time = error;
-      trade.free_time = !asked.is_set(part.key);
-    } else {
-      trade.model += error;
-    }
-  }
-  trade.seconds = 1;
-  Factors factors = cheapest(trade, within);
-  factors.mesh = std::min(factors.mesh, 1.0), factors.time = std::min(factors.time, 1.0);
-  if (factors.mesh == 1 && factors.time == 1) return {};
-  Scene scene = plan.scene;
-  for (const Key& key : plan.scene.controlling_keys()) {
-    const ErrorSource source = key.controls->source;
-    if (source == ErrorSource::mesh)
-      scene = key.controls->scaled(scene, factors.mesh).value_or(scene);
-    if (source == ErrorSource::time)
-      scene = key.controls->scaled(scene, factors.time).value_or(scene);
-  }
-  return scene;
 }
 
 }  // namespace gnomon

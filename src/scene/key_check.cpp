@@ -106,30 +106,39 @@ std::variant<SceneValue, Complaint> check_numbers(const Key& key, const RawValue
   return SceneValue(values);
 }
 
+bool is_choice(const Key& key, const std::string& text) {
+  return key.choices.empty() || std::ranges::find(key.choices, text) != key.choices.end();
+}
+
+Complaint no_choice(const Key& key, const std::string& text, const std::string& got) {
+  Complaint complaint = complain(key, got);
+  if (const std::string near = nearest_name(text, key.choices); !near.empty())
+    complaint.text += fmt::format(", did you mean \"{}\"?", near);
+  return complaint;
+}
+
 std::variant<SceneValue, Complaint> check_text(const Key& key, const RawValue& raw) {
   const auto* scalar = std::get_if<RawScalar>(&raw.content);
   const auto* text = scalar ? std::get_if<std::string>(scalar) : nullptr;
   if (!text) return complain(key, describe(raw));
-  if (key.choices.empty() ||
-      std::find(key.choices.begin(), key.choices.end(), *text) != key.choices.end())
-    return SceneValue(*text);
-  Complaint complaint = complain(key, describe(raw));
-  if (const std::string near = nearest_name(*text, key.choices); !near.empty())
-    complaint.text += fmt::format(", did you mean \"{}\"?", near);
-  return complaint;
+  if (is_choice(key, *text)) return SceneValue(*text);
+  return no_choice(key, *text, describe(raw));
 }
 
 /// A single text is an array of one.
 std::variant<SceneValue, Complaint> check_texts(const Key& key, const RawValue& raw) {
   if (const auto* scalar = std::get_if<RawScalar>(&raw.content))
-    if (const auto* text = std::get_if<std::string>(scalar))
-      return SceneValue(std::vector<std::string>{*text});
+    return std::holds_alternative<std::string>(*scalar)
+               ? check_texts(key, {.content = RawArray{*scalar}})
+               : std::variant<SceneValue, Complaint>(complain(key, describe(raw)));
   const auto* array = std::get_if<RawArray>(&raw.content);
   if (!array) return complain(key, describe(raw));
   std::vector<std::string> values;
   for (std::size_t i = 0; i < array->size(); ++i) {
     const auto* text = std::get_if<std::string>(&(*array)[i]);
-    if (!text) return complain(key, fmt::format("{} at place {}", describe((*array)[i]), i + 1));
+    const std::string got = fmt::format("{} at place {}", describe((*array)[i]), i + 1);
+    if (!text) return complain(key, got);
+    if (!is_choice(key, *text)) return no_choice(key, *text, got);
     values.push_back(*text);
   }
   return SceneValue(values);
@@ -150,12 +159,13 @@ bool inside(const Range& range, double value) {
 
 std::string expectation(const Key& key) {
   if (key.kind == KeyKind::flag) return "true or false";
-  if (key.kind == KeyKind::texts) return "a text or an array of texts";
-  if (key.kind != KeyKind::text) return number_expectation(key);
+  if (key.kind == KeyKind::texts && key.choices.empty()) return "a text or an array of texts";
+  if (key.kind != KeyKind::text && key.kind != KeyKind::texts) return number_expectation(key);
   if (key.choices.empty()) return "a text";
   std::vector<std::string> quoted;
   for (const std::string& choice : key.choices) quoted.push_back(toml_text(choice));
-  return fmt::format("{}{}", quoted.size() > 1 ? "one of " : "", fmt::join(quoted, ", "));
+  const char* const which = key.kind == KeyKind::texts ? "some of " : "one of ";
+  return fmt::format("{}{}", quoted.size() > 1 ? which : "", fmt::join(quoted, ", "));
 }
 
 std::variant<SceneValue, Complaint> check_value(const Key& key, const RawValue& raw) {

@@ -74,9 +74,13 @@ std::vector<Key> accuracy_keys() {
                {.min = 1e-5, .max = 0.5},
                "error that the result may have, relative: gnomon chooses mesh, model and tolerance "
                "where the scene does not give them (docs/accuracy.md)"),
-      texts_key("accuracy.of", by_default(std::vector<std::string>{"depth", "volume", "pressure"}),
-                "of what: depth, volume, profile, width, pressure (the mean and the inner one), "
-                "largest_pressure, approach"),
+      {.name = "accuracy.of",
+       .kind = KeyKind::texts,
+       .default_value = std::vector<std::string>{"depth", "volume", "pressure"},
+       .choices = {"depth", "volume", "profile", "width", "pressure", "largest_pressure",
+                   "approach"},
+       .help = "of what: depth, volume, profile, width, pressure (the mean and the inner one), "
+               "largest_pressure, approach"},
   };
 }
 

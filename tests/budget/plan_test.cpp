@@ -105,7 +105,7 @@ TEST(Plan, RefusesWhatItCannotJudge) {
       [] {
         plan({"accuracy.within=0.1", "accuracy.of=[\"colour\"]"});
       },
-      ThrowsMessage<InputError>(HasSubstr("accuracy.of: expected approach, depth")));
+      ThrowsMessage<InputError>(HasSubstr("accuracy.of: expected some of \"depth\", \"volume\"")));
   EXPECT_THAT(
       [] {
         plan_of(checked_scene(GNOMON_SOURCE_DIR "/problems/worn_body/hertz_cylinder.toml",

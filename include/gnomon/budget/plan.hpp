@@ -30,8 +30,8 @@ struct Plan {
   std::vector<std::string> remarks;
 };
 
-/// Throws InputError where the scene has no accuracy.within, where accuracy.of names what is not
-/// known or has no value, and SolutionError where no pilot run succeeds.
+/// Throws InputError where the scene has no accuracy.within, where accuracy.of names what has no
+/// value, and SolutionError where no pilot run succeeds.
 Plan plan_of(const Scene& scene, const BudgetHooks& hooks);
 
 /// The largest error of the values that the scene wants, of its budget; not_known without one.

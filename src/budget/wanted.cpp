@@ -1,0 +1,129 @@
+#include "budget/wanted.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/budget/plan.hpp>
+#include <map>
+
+#include "budget/trade.hpp"
+
+namespace gnomon {
+
+namespace budget {
+
+namespace {
+
+/// Goals::values, by the words of accuracy.of.
+const std::map<std::string, std::vector<std::string>> wanted_names = {
+    {"depth", {"wear_depth"}},
+    {"volume", {"worn_volume"}},
+    {"profile", {"profile"}},
+    {"width", {"contact_half_width", "contact_area"}},
+    {"pressure", {"mean_pressure", "inner_pressure"}},
+    {"largest_pressure", {"max_pressure"}},
+    {"approach", {"approach"}}};
+
+}  // namespace
+
+std::vector<std::size_t> wanted_places(const Scene& scene, const std::vector<Scalar>& values) {
+  std::vector<std::size_t> places;
+  for (const std::string& word : scene.texts("accuracy.of")) {
+    const std::vector<std::string>& names = wanted_names.at(word);
+    const std::size_t before = places.size();
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (std::ranges::find(names, values[i].name) != names.end() && values[i].value != 0)
+        places.push_back(i);
+    if (places.size() == before)
+      throw InputError(fmt::format("{}: expected what the scene has, its {} is zero or none",
+                                   scene.where("accuracy.of"), word));
+  }
+  return places;
+}
+
+double assumed(double error) {
+  return std::isnan(error) ? 1 : std::abs(error);
+}
+
+double largest(const std::vector<double>& errors, const std::vector<std::size_t>& places) {
+  double result = 0;
+  for (const std::size_t i : places) result = std::max(result, assumed(errors[i]));
+  return result;
+}
+
+}  // namespace budget
+
+namespace {
+
+using namespace budget;
+
+/// Of one value, but for parts of which nothing is known.
+double sum_of_parts(const Budget& shown, std::size_t place) {
+  double sum = 0;
+  for (const BudgetPart& part : shown.parts)
+    if (part.unknown.empty()) sum += assumed(part.errors[place]);
+  return sum;
+}
+
+}  // namespace
+
+double wanted_error(const Scene& scene, const Budget& budget) {
+  double error = 0;
+  for (const std::size_t i : wanted_places(scene, budget.values))
+    error = std::max(error, sum_of_parts(budget, i));
+  return error;
+}
+
+std::string accuracy_text(const Scene& asked, const Budget& shown) {
+  std::size_t worst = 0;
+  double error = 0;
+  for (const std::size_t i : wanted_places(asked, shown.values))
+    if (const double sum = sum_of_parts(shown, i); sum >= error) error = sum, worst = i;
+  std::string without;
+  for (const BudgetPart& part : shown.parts)
+    if (!part.unknown.empty())
+      without += fmt::format(", without that of {} ({})", part.key, part.unknown);
+  const double within = asked.real("accuracy.within");
+  return fmt::format(
+      "asked for {:.2g} % in {}: {:.2g} %, by {}{}{}", 100 * within,
+      fmt::join(asked.texts("accuracy.of"), ", "), 100 * error, shown.values[worst].name, without,
+      error > within ? "; this is NOT within it (gnomon plan shows what it takes)" : "");
+}
+
+std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Budget& shown) {
+  const double within = asked.real("accuracy.within");
+  if (!(wanted_error(asked, shown) > within)) return {};
+  const std::vector<std::size_t> places = wanted_places(asked, shown.values);
+  Trade trade;
+  for (const BudgetPart& part : shown.parts) {
+    if (!part.unknown.empty()) continue;
+    const double error = largest(part.errors, places);
+    if (part.source == ErrorSource::mesh) {
+      trade.mesh = error;
+      trade.free_mesh = !asked.is_set(part.key);
+    } else if (part.source == ErrorSource::time) {
+      trade.time = error;
+      trade.free_time = !asked.is_set(part.key);
+    } else {
+      trade.model += error;
+    }
+  }
+  trade.seconds = 1;
+  Factors factors = cheapest(trade, within);
+  factors.mesh = std::min(factors.mesh, 1.0), factors.time = std::min(factors.time, 1.0);
+  if (factors.mesh == 1 && factors.time == 1) return {};
+  Scene scene = plan.scene;
+  for (const Key& key : plan.scene.controlling_keys()) {
+    const ErrorSource source = key.controls->source;
+    if (source == ErrorSource::mesh)
+      scene = key.controls->scaled(scene, factors.mesh).value_or(scene);
+    if (source == ErrorSource::time)
+      scene = key.controls->scaled(scene, factors.time).value_or(scene);
+  }
+  return scene;
+}
+
+}  // namespace gnomon

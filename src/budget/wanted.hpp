@@ -1,0 +1,18 @@
+// The values that accuracy.of asks for, and their errors.
+#pragma once
+
+#include <gnomon/budget/budget.hpp>
+#include <vector>
+
+namespace gnomon::budget {
+
+/// Their places among `values`. Throws InputError for a word that has no value.
+std::vector<std::size_t> wanted_places(const Scene& scene, const std::vector<Scalar>& values);
+
+/// An error that cannot be told counts as a whole one.
+double assumed(double error);
+
+/// The largest of the errors at some places.
+double largest(const std::vector<double>& errors, const std::vector<std::size_t>& places);
+
+}  // namespace gnomon::budget
