@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   const budget::Trial run = budget::try_scene(scene, [](double) { return false; });
   const budget::Trial reference =
       budget::try_scene(reference_of(run.scene, std::atof(argv[1])), [](double) { return false; });
-  const Budget quick = quick_budget(run.scene, run.goals, hooks);
+  const Budget quick = quick_budget(run.scene, run.goals, run.work, hooks);
   const std::vector<double> errors = differences(run.goals, reference.goals);
   fmt::print("| {} | {:.2g} s | {:.2g} s | {:.2g} s |", file.stem().string(), budget.run_seconds,
              budget.companion_seconds, quick.companion_seconds);

@@ -80,14 +80,10 @@ void print_remarks(const std::vector<std::string>& remarks) {
 namespace {
 
 /// Of a planned run what mesh and time are wrong by, surely, and of its models what the plan knows;
-/// of another one what can be told in a tenth of its time.
+/// of another one what can be told for a part of its work.
 Budget judged(const Setup& setup, const Goals& goals, double work, const Plan* plan) {
   BudgetHooks hooks{.interrupted = InterruptGuard::interrupted};
-  if (!plan) {
-    constexpr double always = 3e6;  // about a second
-    hooks.limit = std::max(always, 0.1 * work);
-    return quick_budget(setup.scene, goals, hooks);
-  }
+  if (!plan) return quick_budget(setup.scene, goals, work, hooks);
   hooks.sources = {ErrorSource::mesh, ErrorSource::time, ErrorSource::phases};
   Budget budget = find_budget(setup.scene, goals, hooks);
   budget.parts.insert(budget.parts.end(), plan->models.begin(), plan->models.end());
@@ -104,7 +100,7 @@ RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, Res
     const std::optional<Goals> goals = goals_of(model, state, observed);
     if (!goals || !setup.scene.flag("output.budget")) return std::string();
     progress.say("estimating the errors");
-    const double work = static_cast<double>(iterations) * static_cast<double>(goals->unknowns);
+    const double work = static_cast<double>(iterations) * goals->nonzeros;
     return budget_json(judged(setup, *goals, work, plan));
   };
   const RunHooks hooks{.on_step =

@@ -148,6 +148,7 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
   if (!surface || !find_scalar(observed, "worn_volume")) return {};
   Goals goals{.time = state.t,
               .unknowns = static_cast<long>(model.system().structure().size),
+              .nonzeros = static_cast<double>(model.system().structure().pattern.nonzeros()),
               .values = {},
               .surface = std::move(*surface)};
   const auto add = [&](const char* name) {

@@ -65,20 +65,8 @@ private:
       scene = mesh_->controls->scaled(scene, factors.mesh).value_or(scene);
     if (time_ && factors.time != 1)
       scene = time_->controls->scaled(scene, factors.time).value_or(scene);
-    return reduces(factors) ? scene : without_condensation(scene);
-  }
-
-  /// Whether a condensed stiffness pays: it is dense, which in space costs more than it saves where
-  /// many nodes may touch.
-  bool reduces(Factors factors) const {
-    if (!coarse_ || coarse_->goals.surface.dim == 2) return true;
-    constexpr double most_nodes = 500;
-    const auto nodes = static_cast<double>(coarse_->goals.surface.initial.size());
-    return nodes * std::pow(pilot_.mesh / factors.mesh, 2) <= most_nodes;
-  }
-
-  static Scene without_condensation(const Scene& scene) {
-    return scene.knows("solver.reduce") ? scene.with("solver.reduce", false) : scene;
+    const bool dense = !coarse_ || condensation_pays(full_, factors.mesh / pilot_.mesh);
+    return dense ? scene : without_condensation(scene);
   }
 
   Trial pilot(Factors factors, const std::string& what) {
@@ -109,7 +97,8 @@ private:
       }
     }
     if (!coarse_) throw SolutionError("no pilot run succeeds: " + failure);
-    places_ = wanted_places(asked_, coarse_->goals.values);
+    full_ = coarse_->goals;
+    places_ = wanted_places(asked_, full_.values);
   }
 
   /// Goes on with the simpler of two models, where the scene does not give one and the error is a
@@ -211,6 +200,7 @@ private:
   std::optional<Key> mesh_{}, time_{};
   Factors pilot_;
   std::optional<Trial> coarse_{};
+  Goals full_;  ///< of the same mesh with the models of the scene
   std::vector<std::size_t> places_;
   Trade trade_;
   std::vector<BudgetPart> models_;

@@ -14,10 +14,17 @@ using namespace budget;
 
 constexpr double order = 1.5;  // of mesh errors, mostly between 1 and 2
 
+/// Of the work of the run; and what may always be spent, about two seconds.
+constexpr double part_of_work = 0.2, always = 1e8;
+
 class QuickSearch {
 public:
-  QuickSearch(const Scene& scene, const Goals& goals, const BudgetHooks& hooks)
-      : scene_(ending_at(scene, goals.time)), companions_(budget_, hooks), own_(scene_) {
+  QuickSearch(const Scene& scene, const Goals& goals, double work, const BudgetHooks& hooks)
+      : scene_(ending_at(scene, goals.time)),
+        companions_(budget_, hooks),
+        own_(scene_),
+        condensation_pays_(condensation_pays(goals, 2)),
+        is_small_(part_of_work * work <= always) {
     budget_.values = goals.values;
   }
 
@@ -41,6 +48,7 @@ private:
     for (const Key& key : scene.controlling_keys())
       if (key.controls->source == ErrorSource::model)
         simple = key.controls->scaled(simple, 2).value_or(simple);
+    if (!condensation_pays_) simple = without_condensation(simple);
     try {
       if (simpler_) return companions_.run(simple, what);
     } catch (const InputError&) {
@@ -52,7 +60,7 @@ private:
   void find_mesh(const Key& key, BudgetPart& part) {
     if (!key.controls->scaled(scene_, 2)) throw InputError(given_mesh);
     try {
-      find_mesh(key, part, 4);
+      find_mesh(key, part, is_small_ ? 4 : 8);
     } catch (const Interrupted&) {
       throw;
     } catch (const Error&) {  // a mesh so coarse cannot be made, or carries no contact
@@ -97,13 +105,16 @@ private:
   Companions companions_;
   std::optional<Trial> coarse_{};
   Scene own_;  ///< of the companions' mesh, with the scene's own models
-  bool simpler_ = true;
+  bool simpler_ = true, condensation_pays_;
+  bool is_small_;  ///< a run that leaves time for half of its elements along each direction
 };
 
 }  // namespace
 
-Budget quick_budget(const Scene& scene, const Goals& goals, const BudgetHooks& hooks) {
-  return QuickSearch(scene, goals, hooks)();
+Budget quick_budget(const Scene& scene, const Goals& goals, double work, const BudgetHooks& hooks) {
+  BudgetHooks limited = hooks;
+  limited.limit = std::min(hooks.limit, std::max(always, part_of_work * work));
+  return QuickSearch(scene, goals, work, limited)();
 }
 
 }  // namespace gnomon

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <ctime>
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
@@ -36,14 +37,14 @@ Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupt
   StorePolicy policy = store_policy(setup.scene);
   policy.checkpoint_seconds = 0;
   policy.phase_errors = false;
-  const auto unknowns = static_cast<double>(setup.model->system().structure().size);
+  const auto nonzeros = static_cast<double>(setup.model->system().structure().pattern.nonzeros());
   double work = 0;
   const RunOutcome outcome =
       run(*setup.model, chosen_integrator(setup.scene),
           integrator_settings(setup.scene, *setup.model), policy, nullptr,
           {.on_step =
                [&](const HistoryRow& row) {
-                 work = static_cast<double>(row.counters.newton_iterations) * unknowns;
+                 work = static_cast<double>(row.counters.newton_iterations) * nonzeros;
                },
            .interrupted = [&] { return interrupted(work); }});
   if (outcome.status == RunOutcome::Status::failed) throw SolutionError(outcome.diagnosis);
@@ -58,6 +59,16 @@ Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupt
           .goals = std::move(*goals),
           .cpu_seconds = cpu_seconds() - begin,
           .work = work};
+}
+
+bool condensation_pays(const Goals& goals, double factor) {
+  const int dim = goals.surface.dim;
+  const double rows = dim * static_cast<double>(goals.surface.initial.size());
+  return rows * rows * std::pow(factor, 2 - dim) < goals.nonzeros;
+}
+
+Scene without_condensation(const Scene& scene) {
+  return scene.knows("solver.reduce") ? scene.with("solver.reduce", false) : scene;
 }
 
 Scene ending_at(const Scene& scene, double time) {

@@ -19,13 +19,20 @@ struct Trial {
   Scene scene;  ///< complete: with what was chosen where the model was made
   Goals goals;
   double cpu_seconds = 0;  ///< with making the model
-  double work = 0;         ///< Newton iterations times unknowns
+  double work = 0;         ///< Newton iterations times nonzeros of the Jacobian
 };
 
 /// Makes the model of a scene and integrates it, nothing is stored. Throws InputError where the
 /// scene has no worn surface, SolutionError where the run fails, and Interrupted.
 /// `interrupted` is asked after each step, with the work until then.
 Trial try_scene(const Scene& scene, const std::function<bool(double work)>& interrupted);
+
+/// Whether a condensed stiffness has fewer nonzeros, on elements `factor` times as large, than the
+/// Jacobian that is not condensed, of `goals`.
+bool condensation_pays(const Goals& goals, double factor);
+
+/// The scene without it.
+Scene without_condensation(const Scene& scene);
 
 /// The scene of companions, which end at the time at which the run did.
 Scene ending_at(const Scene& scene, double time);

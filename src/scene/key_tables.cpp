@@ -115,8 +115,8 @@ std::vector<Key> output_keys() {
        .kind = KeyKind::flag,
        .default_value = true,
        .on_resume = true,
-       .help = "estimate the errors of the result at the end of the run, in a tenth of its time or "
-               "a second (docs/accuracy.md)"},
+       .help = "estimate the errors of the result at the end of the run, by a fifth of its work or "
+               "in some two seconds (docs/accuracy.md)"},
   };
 }
 

@@ -147,9 +147,9 @@ TEST(QuickBudget, EndsWhereTheUserOrTheLimitDoes) {
   const State start = setup.model->start(counters);
   const auto goals = goals_of(*setup.model, start, setup.model->observe(start));
   ASSERT_TRUE(goals);
-  const Budget none = quick_budget(setup.scene, *goals, {.interrupted = [] { return true; }});
+  const Budget none = quick_budget(setup.scene, *goals, 0, {.interrupted = [] { return true; }});
   EXPECT_TRUE(none.parts.empty());
-  const Budget limited = quick_budget(setup.scene, *goals, {.limit = 0});
+  const Budget limited = quick_budget(setup.scene, *goals, 0, {.limit = 0});
   ASSERT_FALSE(limited.parts.empty());
   for (const BudgetPart& part : limited.parts) EXPECT_FALSE(part.unknown.empty());
 }

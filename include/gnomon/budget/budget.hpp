@@ -17,8 +17,9 @@ inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 /// What a run is made for: numbers of its end, and the worn surface.
 struct Goals {
-  double time = 0;    ///< end of the run [s]
-  long unknowns = 0;  ///< of its model
+  double time = 0;      ///< end of the run [s]
+  long unknowns = 0;    ///< of its model
+  double nonzeros = 0;  ///< of its Jacobian
   /// Those that the problem has of worn_volume, wear_depth, profile, contact_half_width or (bodies
   /// in space and of revolution) contact_area, mean_pressure, inner_pressure, max_pressure,
   /// approach. profile is the paper's norm of the change of shape. mean_pressure is contact_force
@@ -62,7 +63,7 @@ struct BudgetHooks {
   std::function<void(const std::string&)> on_run = [](const std::string&) {};
   /// Asked after each step; true ends with a SolutionError.
   std::function<bool()> interrupted = [] { return false; };
-  /// Newton iterations times unknowns of all companions after which the rest is not known.
+  /// Newton iterations times nonzeros of all companions after which the rest is not known.
   double limit = std::numeric_limits<double>::infinity();
   /// The parts to find.
   std::vector<ErrorSource> sources = {ErrorSource::time, ErrorSource::mesh, ErrorSource::model,
@@ -83,9 +84,10 @@ Budget find_budget(const Scene& scene, const BudgetHooks& hooks);
 Budget find_budget(const Scene& scene, const Goals& goals, const BudgetHooks& hooks);
 
 /// That of a run that has ended, from companions on meshes of twice and four times as large
-/// elements, with simpler models where the scene allows them: mostly for less than a tenth of its
-/// cost, and less sure.
-Budget quick_budget(const Scene& scene, const Goals& goals, const BudgetHooks& hooks);
+/// elements (after much work four and eight times), with simpler models where the scene allows
+/// them: less sure, and for a fifth of the run's work, Newton iterations times nonzeros, or some
+/// two seconds.
+Budget quick_budget(const Scene& scene, const Goals& goals, double work, const BudgetHooks& hooks);
 
 /// A table for a terminal, a line for each value, and why a part is not known.
 std::string budget_table(const Budget& budget);
