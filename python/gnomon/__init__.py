@@ -11,6 +11,7 @@
 
 from gnomon._gnomon import (Error, InputError, Model, RecoverableError, SolutionError, State, Step, Stepper, System,
                             __version__, installed, integrators, load_plugin, problems, versions, wear_laws)
+from gnomon.accuracy import budget, plan
 from gnomon.extensions import register_integrator, register_wear_law
 from gnomon.parts import assemble
 from gnomon.results import Result
@@ -20,5 +21,6 @@ from gnomon.studies import Study, study
 from gnomon import systems as _systems  # adds members to Model and System
 
 __all__ = ["Error", "InputError", "Model", "Outcome", "RecoverableError", "Result", "Scene", "SolutionError", "State",
-           "Step", "Stepper", "Study", "System", "__version__", "assemble", "installed", "integrators", "load_plugin",
-           "problems", "register_integrator", "register_wear_law", "run", "study", "versions", "wear_laws"]
+           "Step", "Stepper", "Study", "System", "__version__", "assemble", "budget", "installed", "integrators",
+           "load_plugin", "plan", "problems", "register_integrator", "register_wear_law", "run", "study", "versions",
+           "wear_laws"]

@@ -32,6 +32,7 @@ void add_runs(py::module_& module);
 void add_results(py::module_& module);
 void add_extensions(py::module_& module);
 void add_arrays(py::module_& module);
+void add_budget(py::module_& module);
 
 /// A scene and its model, which Python objects share; their calls take turns.
 struct SharedModel {

@@ -20,6 +20,7 @@ PYBIND11_MODULE(_gnomon, module) {
   python::add_results(module);
   python::add_extensions(module);
   python::add_arrays(module);
+  python::add_budget(module);
   module.attr("__version__") = library_versions().at("gnomon");
   module.def(
       "integrators", [] { return Integrators::names(); }, "Names of the integrators.");

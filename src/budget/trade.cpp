@@ -11,7 +11,7 @@ namespace {
 /// An estimate may be wrong by a factor of two.
 constexpr double used_part = 0.5;
 /// Times the default tolerance: near the largest that controls steps.
-constexpr double loosest = 316.2;
+const double loosest = std::pow(10.0, 2.5);
 
 /// From the largest one, divided by powers of the square root of `base`.
 std::vector<double> choices(bool is_free, double largest, double base) {

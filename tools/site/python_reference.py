@@ -14,6 +14,7 @@ GROUPS = {
     "Runs and results": ["run", "Outcome", "Step", "Result"],
     "Step by step": ["Model", "Stepper", "State"],
     "The equations": ["System"],
+    "Accuracy": ["budget", "plan"],
     "Studies": ["study", "Study"],
     "Extensions": ["register_integrator", "register_wear_law", "load_plugin"],
     "What there is": ["integrators", "problems", "wear_laws", "versions", "installed"],

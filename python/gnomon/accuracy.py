@@ -1,0 +1,25 @@
+"""How wrong results are, and settings for an accuracy."""
+
+import json
+
+from gnomon import _gnomon
+
+
+def budget(scene):
+    """How wrong the result of a scene is, and by what, from further runs of it, as `gnomon budget --json` prints it:
+    `values` with their relative `error`, and the `parts` of it. Runs the scene, and takes two to three times as long.
+
+    >>> import gnomon
+    >>> scene = gnomon.Scene.example("pin_on_flat/small_deformation.toml",
+    ...                              {"mesh.elements": [16, 8], "time.end": 100, "integrator.rtol": 1e-2})
+    >>> found = gnomon.budget(scene)
+    >>> [part["source"] for part in found["parts"]]
+    ['mesh', 'time', 'solves']
+    """
+    return json.loads(_gnomon._budget(scene))
+
+
+def plan(scene):
+    """The scene with the settings that meet its accuracy.within at the least cost, by pilot runs, and the table of the
+    plan as text. A run by gnomon.run(scene) is not checked against it; gnomon.budget(scene) checks."""
+    return _gnomon._plan(scene)
