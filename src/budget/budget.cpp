@@ -53,9 +53,7 @@ private:
   void find_mesh(const Key& key, BudgetPart& part) {
     const auto twice = key.controls->scaled(run_.scene, 2);
     if (!twice) throw InputError(given_mesh);
-    Trial coarse = companions_.run(*twice, "twice as large elements");
-    if (coarse.goals.unknowns == run_.goals.unknowns)
-      throw InputError(key.name + no_effect_on_mesh);
+    Trial coarse = companions_.run(*twice, "twice as large elements", run_.goals.nodes);
     part.how = change_text(run_.scene, *twice);
     part.errors = differences(coarse.goals, run_.goals);
     const std::vector<double> further = coarser_differences(key, coarse, part);
@@ -72,8 +70,8 @@ private:
     try {
       const auto four = key.controls->scaled(run_.scene, 4);
       if (!four) return none;
-      const Trial coarser = companions_.run(*four, "four times as large elements");
-      if (coarser.goals.unknowns >= coarse.goals.unknowns) return none;
+      const Trial coarser =
+          companions_.run(*four, "four times as large elements", coarse.goals.nodes);
       part.how += ", " + change_text(run_.scene, *four);
       return differences(coarser.goals, coarse.goals);
     } catch (const Interrupted&) {

@@ -12,14 +12,14 @@ class Companions {
 public:
   Companions(Budget& budget, const BudgetHooks& hooks) : budget_(budget), hooks_(hooks) {}
 
-  Trial run(const Scene& scene, const std::string& what) {
+  Trial run(const Scene& scene, const std::string& what, long unlike = 0) {
     hooks_.on_run(what);
     const double begin = cpu_seconds(), before = work_;
     const auto interrupted = [&](double work) {
       work_ = before + work;
       return hooks_.interrupted() || work_ > hooks_.limit;
     };
-    Trial trial = try_scene(scene, interrupted);
+    Trial trial = try_scene(scene, interrupted, unlike);
     budget_.companion_seconds += cpu_seconds() - begin;
     return trial;
   }
@@ -48,7 +48,6 @@ private:
 
 inline const std::string given_mesh =
     "the mesh is given, and no geometry from which to make another";
-inline const std::string no_effect_on_mesh = " changes nothing in this mesh";
 
 /// By how much a finer companion differs, and the part of the difference by which the coarser of
 /// the two is wrong, if the error is proportional to the factor.

@@ -143,11 +143,15 @@ FieldDifferences field_differences(const ContactSurface& surface, const ContactS
 
 }  // namespace
 
+long nodes_of(const Model& model) {
+  return model.grid ? static_cast<long>(model.grid->points.size()) : 0;
+}
+
 std::optional<Goals> goals_of(const Model& model, const State& state, const Observation& observed) {
   std::optional<ContactSurface> surface = model.contact(state);
   if (!surface || !find_scalar(observed, "worn_volume")) return {};
   Goals goals{.time = state.t,
-              .unknowns = static_cast<long>(model.system().structure().size),
+              .nodes = nodes_of(model),
               .nonzeros = static_cast<double>(model.system().structure().pattern.nonzeros()),
               .values = {},
               .surface = std::move(*surface)};

@@ -142,12 +142,17 @@ private:
       remarks_.push_back("the mesh is given: its error is not known, and not part of the plan");
       return;
     }
-    const Trial fine = pilot(finer, "a pilot on elements of half this size");
-    if (fine.goals.unknowns == coarse_->goals.unknowns) {
+    std::optional<Trial> finer_trial;
+    try {
+      finer_trial = companions_.run(with(finer), "a pilot on elements of half this size",
+                                    coarse_->goals.nodes);
+    } catch (const MeshUnchanged& error) {
       trade_.free_mesh = false;
-      remarks_.push_back(mesh_->name + no_effect_on_mesh + ": its error is not known");
+      remarks_.push_back(
+          fmt::format("{}: {}, and the error of the mesh is not known", mesh_->name, error.what()));
       return;
     }
+    const Trial& fine = *finer_trial;
     const double difference = largest(differences(fine.goals, coarse_->goals), places_);
     const double of_fine = difference / (std::exp2(Trade::order) - 1);
     trade_.mesh = of_fine / std::pow(finer.mesh, Trade::order);

@@ -23,8 +23,9 @@ public:
       : scene_(ending_at(scene, goals.time)),
         companions_(budget_, hooks),
         own_(scene_),
+        nodes_(goals.nodes),
         condensation_pays_(condensation_pays(goals, 2)),
-        is_small_(part_of_work * work <= always) {
+        is_small_(0.5 * work <= always) {
     budget_.values = goals.values;
   }
 
@@ -43,29 +44,34 @@ public:
 
 private:
   /// With models that neglect what they can; where they are refused, those of the scene.
-  Trial cheap(const Scene& scene, const std::string& what) {
+  Trial cheap(const Scene& scene, const std::string& what, long unlike = 0) {
     Scene simple = scene;
     for (const Key& key : scene.controlling_keys())
       if (key.controls->source == ErrorSource::model)
         simple = key.controls->scaled(simple, 2).value_or(simple);
     if (!condensation_pays_) simple = without_condensation(simple);
     try {
-      if (simpler_) return companions_.run(simple, what);
+      if (simpler_) return companions_.run(simple, what, unlike);
+    } catch (const MeshUnchanged&) {
+      throw;
     } catch (const InputError&) {
       simpler_ = false;
     }
-    return companions_.run(scene, what);
+    return companions_.run(scene, what, unlike);
   }
 
   void find_mesh(const Key& key, BudgetPart& part) {
     if (!key.controls->scaled(scene_, 2)) throw InputError(given_mesh);
-    try {
-      find_mesh(key, part, is_small_ ? 4 : 8);
-    } catch (const Interrupted&) {
-      throw;
-    } catch (const Error&) {  // a mesh so coarse cannot be made, or carries no contact
-      find_mesh(key, part, 2);
+    for (const double factor : {8, 4}) {
+      if (factor == 8 && is_small_) continue;
+      try {
+        return find_mesh(key, part, factor);
+      } catch (const Interrupted&) {
+        throw;
+      } catch (const Error&) {  // a mesh so coarse cannot be made, or carries no contact
+      }
     }
+    find_mesh(key, part, 2);
   }
 
   /// From elements `factor` times as large, and half of that.
@@ -74,10 +80,8 @@ private:
                smaller = key.controls->scaled(scene_, factor / 2);
     if (!larger || !smaller) throw InputError(given_mesh);
     own_ = *larger;
-    coarse_ = cheap(own_, "a coarse mesh");
-    const Trial fine = cheap(*smaller, "a finer mesh");
-    if (fine.goals.unknowns == coarse_->goals.unknowns)
-      throw InputError(key.name + no_effect_on_mesh);
+    coarse_ = cheap(own_, "a coarse mesh", nodes_);
+    const Trial fine = cheap(*smaller, "a finer mesh", coarse_->goals.nodes);
     part.how = change_text(scene_, fine.scene) + " against " + change_text(scene_, coarse_->scene);
     part.errors = differences(fine.goals, coarse_->goals);
     for (double& error : part.errors)
@@ -105,8 +109,9 @@ private:
   Companions companions_;
   std::optional<Trial> coarse_{};
   Scene own_;  ///< of the companions' mesh, with the scene's own models
+  long nodes_;
   bool simpler_ = true, condensation_pays_;
-  bool is_small_;  ///< a run that leaves time for half of its elements along each direction
+  bool is_small_;  ///< companions on elements of twice the size take half of its work, all together
 };
 
 }  // namespace

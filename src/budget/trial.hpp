@@ -13,6 +13,12 @@ public:
   using SolutionError::SolutionError;
 };
 
+/// Another size of elements makes the same mesh.
+class MeshUnchanged : public InputError {
+public:
+  using InputError::InputError;
+};
+
 namespace budget {
 
 struct Trial {
@@ -25,7 +31,9 @@ struct Trial {
 /// Makes the model of a scene and integrates it, nothing is stored. Throws InputError where the
 /// scene has no worn surface, SolutionError where the run fails, and Interrupted.
 /// `interrupted` is asked after each step, with the work until then.
-Trial try_scene(const Scene& scene, const std::function<bool(double work)>& interrupted);
+/// `unlike`: a mesh with so many nodes is refused before the run, by MeshUnchanged.
+Trial try_scene(const Scene& scene, const std::function<bool(double work)>& interrupted,
+                long unlike = 0);
 
 /// Whether a condensed stiffness has fewer nonzeros, on elements `factor` times as large, than the
 /// Jacobian that is not condensed, of `goals`.

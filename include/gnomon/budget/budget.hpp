@@ -18,7 +18,7 @@ inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 /// What a run is made for: numbers of its end, and the worn surface.
 struct Goals {
   double time = 0;      ///< end of the run [s]
-  long unknowns = 0;    ///< of its model
+  long nodes = 0;       ///< of the mesh; 0 without one
   double nonzeros = 0;  ///< of its Jacobian
   /// Those that the problem has of worn_volume, wear_depth, profile, contact_half_width or (bodies
   /// in space and of revolution) contact_area, mean_pressure, inner_pressure, max_pressure,
@@ -28,6 +28,8 @@ struct Goals {
   std::vector<Scalar> values;
   ContactSurface surface;
 };
+
+long nodes_of(const Model& model);
 
 /// Of the state at the end of a run. Nothing without a worn surface.
 std::optional<Goals> goals_of(const Model& model, const State& state, const Observation& observed);
