@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
@@ -44,7 +45,9 @@ Run run_scene(Scene scene, const RunOptions& options, Earlier earlier, const Pla
 }
 
 void print_unless(bool quiet, const std::string& text) {
-  if (!quiet) fmt::print("{}", text);
+  if (quiet) return;
+  fmt::print("{}", text);
+  std::fflush(stdout);  // what follows takes long
 }
 
 /// With settings that meet accuracy.within; once more with finer ones where its budget shows that
@@ -55,9 +58,10 @@ Run run_planned(const Scene& asked, const RunOptions& options, Earlier earlier) 
   print_unless(quiet, plan_text(plan));
   Run run = run_scene(plan.scene, options, earlier, &plan);
   if (run.outcome.budget.empty()) return run;
-  if (const auto finer = refined(plan, asked, budget_of_json(run.outcome.budget))) {
-    print_unless(quiet, fmt::format("the error is {:.2g} %: once more, finer\n",
-                                    100 * wanted_error(asked, budget_of_json(run.outcome.budget))));
+  const Budget shown = budget_of_json(run.outcome.budget);
+  if (const auto finer = refined(plan, asked, shown)) {
+    print_unless(quiet, fmt::format("{}\nonce more, finer: {}\n", accuracy_text(asked, shown),
+                                    change_text(plan.scene, *finer)));
     run = run_scene(*finer, options, Earlier::replaced, &plan);
   }
   if (!run.outcome.budget.empty())

@@ -98,7 +98,7 @@ RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, Res
   long iterations = 0;
   const auto judge = [&](const Model& model, const State& state, const Observation& observed) {
     const std::optional<Goals> goals = goals_of(model, state, observed);
-    if (!goals || !setup.scene.flag("output.budget")) return std::string();
+    if (!goals || !(setup.scene.flag("output.budget") || plan)) return std::string();
     progress.say("estimating the errors");
     const double work = static_cast<double>(iterations) * goals->nonzeros;
     return budget_json(judged(setup, *goals, work, plan));

@@ -13,20 +13,6 @@ namespace {
 
 using namespace budget;
 
-/// Richardson's extrapolation from elements of sizes h, 2h and 4h. `fine` and `coarse` are the
-/// differences between neighbours; the second is not_known if there are only two. Where they do not
-/// fall as an error of order 0.5 to 2 does, chance has a part in them (which node is the last
-/// closed one), and the order is taken as 1.5: for 1 and 2 the estimate is then wrong by a factor
-/// of 1.8. Differences that fall faster than with h^3 do so by chance.
-double extrapolated(double fine, double coarse) {
-  constexpr double usual = 1.5, least = 0.5, most = 2;
-  const double difference =
-      std::isnan(coarse) ? std::abs(fine) : std::max(std::abs(fine), std::abs(coarse) / 8);
-  const double observed = std::log2(coarse / fine);  // not a number where the signs differ
-  const double order = observed >= least && observed <= most ? observed : usual;
-  return difference / (std::exp2(order) - 1);
-}
-
 class Search {
 public:
   /// `must_be_sure`: the error in time costs more than the run.
@@ -41,24 +27,33 @@ public:
   }
 
   Budget operator()() {
+    try {
+      find();
+    } catch (const Interrupted&) {
+      if (must_be_sure_) throw;
+    }  // else the run has ended, and the user does not want to wait for the rest
+    respect_ledger(budget_, run_.goals.ledger);
+    return std::move(budget_);
+  }
+
+private:
+  void find() {
     for (const Key& key : run_.scene.controlling_keys())
       if (key.controls->source == ErrorSource::mesh)
         companions_.add(key, [&](BudgetPart& part) { find_mesh(key, part); });
     for (const Key& key : run_.scene.controlling_keys())
       if (key.controls->source != ErrorSource::mesh && hooks_.wants(key)) add_other(key);
-    return std::move(budget_);
   }
 
-private:
   void find_mesh(const Key& key, BudgetPart& part) {
     const auto twice = key.controls->scaled(run_.scene, 2);
-    if (!twice) throw InputError(given_mesh);
+    if (!twice) throw InputError(no_other_mesh);
     Trial coarse = companions_.run(*twice, "twice as large elements", run_.goals.nodes);
     part.how = change_text(run_.scene, *twice);
-    part.errors = differences(coarse.goals, run_.goals);
+    part.errors = differences(run_.goals, coarse.goals);
     const std::vector<double> further = coarser_differences(key, coarse, part);
     for (std::size_t i = 0; i < further.size(); ++i)
-      part.errors[i] = extrapolated(part.errors[i], further[i]);
+      part.errors[i] = extrapolated(part.errors[i], further[i]).error;
     coarse_ = std::move(coarse);
     coarse_is_ = change_text(run_.scene, *twice);
   }
@@ -73,7 +68,7 @@ private:
       const Trial coarser =
           companions_.run(*four, "four times as large elements", coarse.goals.nodes);
       part.how += ", " + change_text(run_.scene, *four);
-      return differences(coarser.goals, coarse.goals);
+      return differences(coarse.goals, coarser.goals);
     } catch (const Interrupted&) {
       throw;
     } catch (const Error&) {

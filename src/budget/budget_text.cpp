@@ -61,7 +61,10 @@ std::string budget_table(const Budget& budget) {
                         fmt::format("{:.5g} {}", value.value, value.unit), value_width);
     for (std::size_t p = 0; p < budget.parts.size(); ++p)
       text += fmt::format("  {:>{}}", percent(budget.parts[p].errors[i]), widths[p]);
-    text += fmt::format("  {:>9}\n", percent(budget.total(i)));
+    const bool is_whole = std::ranges::none_of(
+        budget.parts, [&](const BudgetPart& part) { return std::isnan(part.errors[i]); });
+    text += fmt::format("  {:>9}\n", (is_whole || std::isnan(budget.total(i)) ? "" : "> ") +
+                                         percent(budget.total(i)));
   }
   for (const BudgetPart& part : budget.parts)
     if (!part.unknown.empty())
@@ -81,11 +84,11 @@ std::string budget_text(const Budget& budget) {
 
 std::string plan_text(const Plan& plan) {
   std::string text = fmt::format("{:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  settings\n", "asked",
-                                 "expected", "mesh", "time", "model", "CPU [s]");
+                                 "expected", "mesh", "time", "rest", "CPU [s]");
   for (const PlanLine& line : plan.lines)
     text += fmt::format("{:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8.2g}  {}{}\n", percent(line.within),
                         percent(line.error()), percent(line.mesh), percent(line.time),
-                        percent(line.model), line.cpu_seconds, line.settings,
+                        percent(line.rest), line.cpu_seconds, line.settings,
                         line.meets ? "" : " (not reached)");
   for (const std::string& remark : plan.remarks) text += remark + "\n";
   return text + fmt::format("pilot runs took {:.2g} s of CPU\n", plan.pilot_seconds);

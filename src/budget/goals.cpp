@@ -155,6 +155,8 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
               .nonzeros = static_cast<double>(model.system().structure().pattern.nonzeros()),
               .values = {},
               .surface = std::move(*surface)};
+  if (const auto difference = wear_difference(observed); difference && *difference != 0)
+    goals.ledger = std::abs(*difference / *value_of(observed, "worn_volume"));
   const auto add = [&](const char* name) {
     if (const Scalar* const scalar = find_scalar(observed, name)) goals.values.push_back(*scalar);
   };

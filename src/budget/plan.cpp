@@ -38,6 +38,7 @@ public:
       if (key.controls->source == ErrorSource::model) try_simpler(key);
     measure_mesh();
     measure_time();
+    measure_phases();
     Plan plan{.scene = with(cheapest(trade_, within_)),
               .lines = {},
               .chosen = {},
@@ -116,7 +117,7 @@ private:
       const double error = largest(errors, places_);
       const bool goes_on = !given && error <= small_part * within_;
       if (goes_on || given) {
-        trade_.model += error;
+        trade_.rest += error;
         models_.push_back({.source = ErrorSource::model,
                            .key = key.name,
                            .how = change_text(own, *other) + ", by a pilot run",
@@ -139,7 +140,7 @@ private:
     trade_.coarsest = pilot_.mesh;
     const Factors finer{pilot_.mesh / 2, pilot_.time};
     if (!mesh_ || !mesh_->controls->scaled(asked_, 2)) {
-      remarks_.push_back("the mesh is given: its error is not known, and not part of the plan");
+      remarks_.push_back(std::string(no_other_mesh) + ": its error is not part of the plan");
       return;
     }
     std::optional<Trial> finer_trial;
@@ -156,7 +157,7 @@ private:
     const double difference = largest(differences(fine.goals, coarse_->goals), places_);
     const double of_fine = difference / (std::exp2(Trade::order) - 1);
     trade_.mesh = of_fine / std::pow(finer.mesh, Trade::order);
-    trade_.cost_mesh = std::clamp(std::log2(fine.cpu_seconds / coarse_->cpu_seconds), 0.7, 4.0);
+    trade_.cost_mesh = 1.2 * full_.surface.dim;
     trade_.seconds = fine.cpu_seconds * std::pow(finer.mesh, trade_.cost_mesh);
   }
 
@@ -166,8 +167,24 @@ private:
         pilot({pilot_.mesh, pilot_.time / 10}, "a pilot with a tenth of the tolerance");
     const double difference = largest(differences(coarse_->goals, finer.goals), places_);
     trade_.time = difference * Finer(ErrorSource::time).part_of_coarser / pilot_.time;
-    trade_.cost_time = std::clamp(std::log10(finer.cpu_seconds / coarse_->cpu_seconds), 0.05, 1.0);
+    trade_.cost_time = std::clamp(std::log10(finer.work / coarse_->work), 0.05, 1.0);
     trade_.seconds *= std::pow(pilot_.time, trade_.cost_time);
+  }
+
+  /// What they are wrong by stays, because the scene gives them.
+  void measure_phases() {
+    for (const Key& key : scene_.controlling_keys()) {
+      if (key.controls->source != ErrorSource::phases) continue;
+      const Finer finer(ErrorSource::phases);
+      const auto scene = key.controls->scaled(with(pilot_), finer.factor);
+      if (!scene) continue;
+      const Trial trial = companions_.run(*scene, "a pilot with more phases");
+      const double error =
+          largest(differences(coarse_->goals, trial.goals), places_) * finer.part_of_coarser;
+      trade_.rest += error;
+      remarks_.push_back(
+          fmt::format("{} is given: it changes values by {:.2g} %", key.name, 100 * error));
+    }
   }
 
   PlanLine line_for(double within) const {

@@ -12,8 +12,6 @@ namespace {
 
 using namespace budget;
 
-constexpr double order = 1.5;  // of mesh errors, mostly between 1 and 2
-
 /// Of the work of the run; and what may always be spent, about two seconds.
 constexpr double part_of_work = 0.2, always = 1e8;
 
@@ -23,6 +21,7 @@ public:
       : scene_(ending_at(scene, goals.time)),
         companions_(budget_, hooks),
         own_(scene_),
+        ledger_(goals.ledger),
         nodes_(goals.nodes),
         condensation_pays_(condensation_pays(goals, 2)),
         is_small_(0.5 * work <= always) {
@@ -39,6 +38,7 @@ public:
         if (!is_mesh(key)) add_other(key);
     } catch (const Interrupted&) {  // the user does not want to wait for the rest
     }
+    respect_ledger(budget_, ledger_);
     return std::move(budget_);
   }
 
@@ -61,7 +61,7 @@ private:
   }
 
   void find_mesh(const Key& key, BudgetPart& part) {
-    if (!key.controls->scaled(scene_, 2)) throw InputError(given_mesh);
+    if (!key.controls->scaled(scene_, 2)) throw InputError(no_other_mesh);
     for (const double factor : {8, 4}) {
       if (factor == 8 && is_small_) continue;
       try {
@@ -78,14 +78,30 @@ private:
   void find_mesh(const Key& key, BudgetPart& part, double factor) {
     const auto larger = key.controls->scaled(scene_, factor),
                smaller = key.controls->scaled(scene_, factor / 2);
-    if (!larger || !smaller) throw InputError(given_mesh);
+    if (!larger || !smaller) throw InputError(no_other_mesh);
     own_ = *larger;
     coarse_ = cheap(own_, "a coarse mesh", nodes_);
     const Trial fine = cheap(*smaller, "a finer mesh", coarse_->goals.nodes);
     part.how = change_text(scene_, fine.scene) + " against " + change_text(scene_, coarse_->scene);
     part.errors = differences(fine.goals, coarse_->goals);
-    for (double& error : part.errors)
-      error = std::abs(error) * std::pow(factor / 2, -order) / (std::exp2(order) - 1);
+    const std::vector<double> further = coarser_differences(key, 2 * factor);
+    for (std::size_t i = 0; i < further.size(); ++i) {
+      const auto [error, order] = extrapolated(part.errors[i], further[i]);
+      part.errors[i] = error * std::pow(factor / 2, -order);
+    }
+  }
+
+  /// Between the coarse mesh and a coarser one, which costs little; not known where there is none.
+  std::vector<double> coarser_differences(const Key& key, double factor) {
+    try {
+      if (const auto scene = key.controls->scaled(scene_, factor))
+        return differences(coarse_->goals,
+                           cheap(*scene, "a coarser mesh", coarse_->goals.nodes).goals);
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const Error&) {  // it cannot be made, or carries no contact
+    }
+    return std::vector<double>(budget_.values.size(), not_known);
   }
 
   void add_other(const Key& key) {
@@ -109,6 +125,7 @@ private:
   Companions companions_;
   std::optional<Trial> coarse_{};
   Scene own_;  ///< of the companions' mesh, with the scene's own models
+  double ledger_;
   long nodes_;
   bool simpler_ = true, condensation_pays_;
   bool is_small_;  ///< companions on elements of twice the size take half of its work, all together

@@ -8,14 +8,13 @@ namespace gnomon::budget {
 
 namespace {
 
-/// An estimate may be wrong by a factor of two.
 constexpr double used_part = 0.5;
 /// Times the default tolerance: near the largest that controls steps.
 const double loosest = std::pow(10.0, 2.5);
 
 /// From the largest one, divided by powers of the square root of `base`.
 std::vector<double> choices(bool is_free, double largest, double base) {
-  constexpr int most = 20;
+  constexpr int most = 12;  // 64 times as fine, a millionth of the tolerance
   if (!is_free) return {1};
   std::vector<double> factors;
   for (int k = 0; k <= most; ++k) factors.push_back(largest * std::pow(base, -k / 2.0));
@@ -28,7 +27,7 @@ PlanLine predicted(const Trade& trade, Factors factors) {
   PlanLine line;
   line.mesh = trade.mesh * std::pow(factors.mesh, Trade::order);
   line.time = trade.time * factors.time;
-  line.model = trade.model;
+  line.rest = trade.rest;
   line.cpu_seconds = trade.seconds * std::pow(factors.mesh, -trade.cost_mesh) *
                      std::pow(factors.time, -trade.cost_time);
   return line;
@@ -38,7 +37,7 @@ Factors cheapest(const Trade& trade, double within) {
   const double target = used_part * within;
   // What cannot be changed is not made up for by the rest.
   const double fixed =
-      trade.model + (trade.free_mesh ? 0 : trade.mesh) + (trade.free_time ? 0 : trade.time);
+      trade.rest + (trade.free_mesh ? 0 : trade.mesh) + (trade.free_time ? 0 : trade.time);
   const double rest = std::max(target - fixed, target / 4);
   Factors best;
   double least = std::numeric_limits<double>::infinity();
@@ -51,7 +50,8 @@ Factors cheapest(const Trade& trade, double within) {
       best = {mesh, time};
     }
   if (!std::isfinite(least))
-    return {trade.free_mesh ? trade.coarsest / 32 : 1, trade.free_time ? 1e-5 : 1};
+    return {choices(trade.free_mesh, trade.coarsest, 2).back(),
+            choices(trade.free_time, loosest, 10).back()};
   return best;
 }
 

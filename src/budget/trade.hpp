@@ -9,9 +9,10 @@ namespace gnomon::budget {
 /// change with factors of these: errors with mesh^order and time^1, cost with mesh^-cost_mesh and
 /// time^-cost_time.
 struct Trade {
-  double mesh = 0, time = 0, model = 0;  ///< relative errors
+  double mesh = 0, time = 0;  ///< relative errors
+  double rest = 0;            ///< of model and phases, which stay
   double seconds = 0;
-  double cost_mesh = 2, cost_time = 0.3;
+  double cost_mesh = 2.4, cost_time = 0.3;
   double coarsest = 1;  ///< mesh factor: on larger elements contact has too few nodes
   bool free_mesh = false, free_time = false;  ///< whether their factors may change
 
@@ -25,9 +26,9 @@ struct Factors {
 
 PlanLine predicted(const Trade& trade, Factors factors);
 
-/// The cheapest factors whose error is at most that part of `within` that leaves room for the
-/// estimates' own errors. Where there are none: the best ones that errors of mesh and time that are
-/// free can still be halved by with effect.
+/// The cheapest factors whose error is at most half of `within`, because estimates are wrong by a
+/// factor of two; what cannot be changed is not made up for by less than a quarter of that. Where
+/// there are none: the least.
 Factors cheapest(const Trade& trade, double within);
 
 }  // namespace gnomon::budget

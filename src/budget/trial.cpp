@@ -77,17 +77,17 @@ Scene ending_at(const Scene& scene, double time) {
   return scene.has("time.until") ? scene.with("time.end", time).without("time.until") : scene;
 }
 
+}  // namespace gnomon::budget
+
+namespace gnomon {
+
 std::string change_text(const Scene& from, const Scene& to) {
   std::string text;
   for (const std::string& key : Scene::differing_keys(from, to))
     if (to.has(key))
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, text_of(to.any(key)));
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, budget::text_of(to.any(key)));
   return text;
 }
-
-}  // namespace gnomon::budget
-
-namespace gnomon {
 
 double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;

@@ -45,9 +45,6 @@ Scene without_condensation(const Scene& scene);
 /// The scene of companions, which end at the time at which the run did.
 Scene ending_at(const Scene& scene, double time);
 
-/// "integrator.rtol = 1e-05": keys that the second scene has otherwise.
-std::string change_text(const Scene& from, const Scene& to);
-
 }  // namespace budget
 
 }  // namespace gnomon

@@ -31,6 +31,8 @@ const std::map<std::string, std::vector<std::string>> wanted_names = {
 
 std::vector<std::size_t> wanted_places(const Scene& scene, const std::vector<Scalar>& values) {
   std::vector<std::size_t> places;
+  if (scene.texts("accuracy.of").empty())
+    throw InputError(scene.where("accuracy.of") + ": expected at least one word, got none");
   for (const std::string& word : scene.texts("accuracy.of")) {
     const std::vector<std::string>& names = wanted_names.at(word);
     const std::size_t before = places.size();
@@ -38,7 +40,7 @@ std::vector<std::size_t> wanted_places(const Scene& scene, const std::vector<Sca
       if (std::ranges::find(names, values[i].name) != names.end() && values[i].value != 0)
         places.push_back(i);
     if (places.size() == before)
-      throw InputError(fmt::format("{}: expected what the scene has, its {} is zero or none",
+      throw InputError(fmt::format("{}: expected values that are not zero in this scene, got {}",
                                    scene.where("accuracy.of"), word));
   }
   return places;
@@ -86,10 +88,14 @@ std::string accuracy_text(const Scene& asked, const Budget& shown) {
   for (const BudgetPart& part : shown.parts)
     if (!part.unknown.empty())
       without += fmt::format(", without that of {} ({})", part.key, part.unknown);
+  const auto part = std::ranges::max_element(shown.parts, {}, [&](const BudgetPart& each) {
+    return each.unknown.empty() ? assumed(each.errors[worst]) : 0;
+  });
   const double within = asked.real("accuracy.within");
   return fmt::format(
-      "asked for {:.2g} % in {}: {:.2g} %, by {}{}{}", 100 * within,
-      fmt::join(asked.texts("accuracy.of"), ", "), 100 * error, shown.values[worst].name, without,
+      "asked for {:.2g} % in {}: {:.2g} %, that of {}, mostly by {}{}{}", 100 * within,
+      fmt::join(asked.texts("accuracy.of"), ", "), 100 * error, shown.values[worst].name,
+      part == shown.parts.end() ? "nothing" : part->key, without,
       error > within ? "; this is NOT within it (gnomon plan shows what it takes)" : "");
 }
 
@@ -108,12 +114,16 @@ std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Budget&
       trade.time = error;
       trade.free_time = !asked.is_set(part.key);
     } else {
-      trade.model += error;
+      trade.rest += error;
     }
   }
+  // What finer elements and steps cannot mend is no reason for them; and no more than half as large
+  // elements at once, for estimates of large errors are rough.
+  if (trade.rest > 0.7 * within) return {};
   trade.seconds = 1;
   Factors factors = cheapest(trade, within);
-  factors.mesh = std::min(factors.mesh, 1.0), factors.time = std::min(factors.time, 1.0);
+  factors.mesh = std::clamp(factors.mesh, 0.5, 1.0);
+  factors.time = std::clamp(factors.time, 0.01, 1.0);
   if (factors.mesh == 1 && factors.time == 1) return {};
   Scene scene = plan.scene;
   for (const Key& key : plan.scene.controlling_keys()) {

@@ -55,8 +55,8 @@ public:
     if (outcome_.status != Status::finished && outcome_.last) store();
     if (outcome_.status == Status::finished)
       outcome_.ended_by = ends_early() ? "time.until: " + policy_.until->text : "time.end";
-    if (outcome_.status == Status::finished && hooks_.judge) judge();
     outcome_.wall_seconds = elapsed();
+    if (outcome_.status == Status::finished && hooks_.judge) judge();
     outcome_.counters = counters_;
     outcome_.chattering_nodes = memory_.chattering.nodes();
     if (writer_) writer_->close(outcome_.text(), outcome_.wall_seconds);

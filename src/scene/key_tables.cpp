@@ -80,7 +80,11 @@ std::vector<Key> accuracy_keys() {
        .choices = {"depth", "volume", "profile", "width", "pressure", "largest_pressure",
                    "approach"},
        .help = "of what: depth, volume, profile, width, pressure (the mean and the inner one), "
-               "largest_pressure, approach"},
+               "largest_pressure, approach",
+       .idle =
+           [](const Scene& scene) {
+             return scene.has("accuracy.within") ? "" : "there is no accuracy.within";
+           }},
   };
 }
 

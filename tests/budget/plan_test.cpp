@@ -19,7 +19,7 @@ using ::testing::ThrowsMessage;
 
 constexpr Trade trade{.mesh = 0.01,
                       .time = 0.001,
-                      .model = 0,
+                      .rest = 0,
                       .seconds = 1,
                       .coarsest = 16,
                       .free_mesh = true,
@@ -112,7 +112,8 @@ TEST(Plan, RefusesWhatItCannotJudge) {
                               {"accuracy.within=0.1"}),
                 {});
       },
-      ThrowsMessage<InputError>(HasSubstr("its depth is zero or none")));
+      ThrowsMessage<InputError>(
+          HasSubstr("expected values that are not zero in this scene, got depth")));
 }
 
 TEST(Plan, IsRefinedWhereItsRunShowsMore) {

@@ -19,6 +19,7 @@ inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 struct Goals {
   double time = 0;      ///< end of the run [s]
   long nodes = 0;       ///< of the mesh; 0 without one
+  double ledger = 0;    ///< |wear_difference| as a part of worn_volume
   double nonzeros = 0;  ///< of its Jacobian
   /// Those that the problem has of worn_volume, wear_depth, profile, contact_half_width or (bodies
   /// in space and of revolution) contact_area, mean_pressure, inner_pressure, max_pressure,
@@ -100,6 +101,9 @@ double cpu_seconds();
 /// As JSON, an object; and such text again. Throws InputError for another one.
 std::string budget_json(const Budget& budget);
 Budget budget_of_json(const std::string& text);
+
+/// "integrator.rtol = 1e-05": keys that the second scene has otherwise.
+std::string change_text(const Scene& from, const Scene& to);
 
 /// "time", "mesh", "model", "phases", "solves".
 std::string name_of(ErrorSource source);

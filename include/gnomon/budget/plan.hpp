@@ -13,11 +13,12 @@ struct PlanLine {
   double within = 0;     ///< error that may be, relative
   std::string settings;  ///< "mesh.factor = 0.5, integrator.rtol = 0.001"
   /// Relative errors, the largest of the wanted values.
-  double mesh = 0, time = 0, model = 0;
+  double mesh = 0, time = 0;
+  double rest = 0;  ///< of models and phases
   double cpu_seconds = 0;
   bool meets = true;  ///< whether the errors are within it
 
-  double error() const { return mesh + time + model; }
+  double error() const { return mesh + time + rest; }
 };
 
 struct Plan {
@@ -43,7 +44,8 @@ std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Budget&
 
 /// A table for a terminal.
 std::string plan_text(const Plan& plan);
-/// In one line: "asked for 1 % in depth, volume, pressure: 0.41 %, by inner_pressure".
+/// In one line: "asked for 1 % in depth, volume, pressure: 0.41 %, that of inner_pressure, mostly
+/// by mesh.factor".
 std::string accuracy_text(const Scene& asked, const Budget& shown);
 
 }  // namespace gnomon
