@@ -111,8 +111,8 @@ public:
   bool has(const std::string& key) const;               ///< false for an absent optional key
   /// Whether the key has a text instead of its numbers (Key::or_text, Key::names_file).
   bool has_text_instead(const std::string& key) const;
-  bool knows(const std::string& key) const;  ///< whether the key is in the table of the scene
-  bool given(const std::string& key) const;  ///< knows(key) && has(key)
+  bool knows(const std::string& key) const;   ///< whether the key is in the table of the scene
+  bool given(const std::string& key) const;   ///< knows(key) && has(key)
   bool is_set(const std::string& key) const;  ///< whether the file or an override gives it
   std::optional<double> real_if(const std::string& key) const;
   bool is_default(const std::string& key) const;  ///< whether a key has its default value
