@@ -50,7 +50,7 @@ private:
     if (!twice) throw InputError(no_other_mesh);
     Trial coarse = companions_.run(*twice, "twice as large elements", run_.goals.nodes);
     part.how = change_text(run_.scene, *twice);
-    part.errors = differences(run_.goals, coarse.goals);
+    part.errors = mesh_differences(coarse.goals, run_.goals);
     const std::vector<double> further = coarser_differences(key, coarse, part);
     for (std::size_t i = 0; i < further.size(); ++i)
       part.errors[i] = extrapolated(part.errors[i], further[i]).error;
@@ -68,7 +68,7 @@ private:
       const Trial coarser =
           companions_.run(*four, "four times as large elements", coarse.goals.nodes);
       part.how += ", " + change_text(run_.scene, *four);
-      return differences(coarse.goals, coarser.goals);
+      return mesh_differences(coarser.goals, coarse.goals);
     } catch (const Interrupted&) {
       throw;
     } catch (const Error&) {

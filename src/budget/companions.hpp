@@ -62,6 +62,16 @@ inline void respect_ledger(Budget& budget, double ledger) {
     time->errors[i] += missing;
 }
 
+/// Of two meshes. Fields are compared at the nodes of the coarse one, to which a fine mesh is
+/// interpolated with little error; the other way round where its contact has too few nodes.
+inline std::vector<double> mesh_differences(const Goals& coarse, const Goals& fine) {
+  std::vector<double> errors = differences(coarse, fine);
+  const std::vector<double> other = differences(fine, coarse);
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    if (std::isnan(errors[i])) errors[i] = -other[i];
+  return errors;
+}
+
 /// The error of the finer of two runs, and the observed order.
 struct Extrapolated {
   double error, order;

@@ -154,7 +154,7 @@ private:
       return;
     }
     const Trial& fine = *finer_trial;
-    const double difference = largest(differences(fine.goals, coarse_->goals), places_);
+    const double difference = largest(mesh_differences(coarse_->goals, fine.goals), places_);
     const double of_fine = difference / (std::exp2(Trade::order) - 1);
     trade_.mesh = of_fine / std::pow(finer.mesh, Trade::order);
     trade_.cost_mesh = 1.2 * full_.surface.dim;

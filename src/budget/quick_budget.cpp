@@ -83,7 +83,7 @@ private:
     coarse_ = cheap(own_, "a coarse mesh", nodes_);
     const Trial fine = cheap(*smaller, "a finer mesh", coarse_->goals.nodes);
     part.how = change_text(scene_, fine.scene) + " against " + change_text(scene_, coarse_->scene);
-    part.errors = differences(fine.goals, coarse_->goals);
+    part.errors = mesh_differences(coarse_->goals, fine.goals);
     const std::vector<double> further = coarser_differences(key, 2 * factor);
     for (std::size_t i = 0; i < further.size(); ++i) {
       const auto [error, order] = extrapolated(part.errors[i], further[i]);
@@ -95,8 +95,8 @@ private:
   std::vector<double> coarser_differences(const Key& key, double factor) {
     try {
       if (const auto scene = key.controls->scaled(scene_, factor))
-        return differences(coarse_->goals,
-                           cheap(*scene, "a coarser mesh", coarse_->goals.nodes).goals);
+        return mesh_differences(cheap(*scene, "a coarser mesh", coarse_->goals.nodes).goals,
+                                coarse_->goals);
     } catch (const Interrupted&) {
       throw;
     } catch (const Error&) {  // it cannot be made, or carries no contact

@@ -71,6 +71,10 @@ TEST(Budget, OfLargeStepsIsTheErrorAgainstSmallOnes) {
   for (const char* name : {"wear_depth", "max_pressure"})
     expect_effectivity(time.errors[index_of(budget, name)],
                        std::abs(value(budget, name) / value(reference, name) - 1));
+  // The paper's rule of normals loses volume: k F v t is 2.
+  const double lost = std::abs(2 / value(budget, "worn_volume") - 1);
+  EXPECT_GT(lost, 1e-3);
+  EXPECT_GT(total(budget, "worn_volume"), 0.99 * lost);
 }
 
 TEST(Budget, OfWearAsAGapIsTheDifferenceToTheMovingMesh) {
@@ -120,6 +124,14 @@ TEST(Budget, IsTheSameFromItsJson) {
   EXPECT_EQ(again.parts[0].errors[0], 0.125);
   EXPECT_TRUE(std::isnan(again.total(1)));
   EXPECT_THROW(budget_of_json("{}"), InputError);
+}
+
+TEST(Budget, SaysThatASumLacksAPart) {
+  const Budget budget{.values = {{"wear_depth", "mm", 0.25}},
+                      .parts = {{ErrorSource::time, "integrator.rtol", "", {0.01}},
+                                {ErrorSource::mesh, "mesh.factor", "", {not_known}, "no time"}}};
+  EXPECT_THAT(budget_table(budget), ::testing::AllOf(::testing::HasSubstr("> 1 %"),
+                                                     ::testing::HasSubstr("mesh is not known")));
 }
 
 // The fields of another mesh are interpolated; what is linear along the surface exactly.
