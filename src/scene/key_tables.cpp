@@ -191,15 +191,20 @@ std::vector<Key> table_keys() {
                     "values of this function, as many as arguments")};
 }
 
-/// Of two models the one that neglects less, for a factor below 1, or more, unless it is chosen.
-/// The stiffness is condensed where both models neglect what they can.
-std::optional<Scene> with_model(const Scene& scene, double factor, const std::string& key,
-                                const std::string& simple, const std::string& full) {
-  if (factor == 1 || !scene.has(key) || scene.text(key) != (factor < 1 ? simple : full)) return {};
-  const Scene chosen = scene.with(key, factor < 1 ? full : simple);
-  if (!chosen.knows("solver.reduce")) return chosen;
-  return chosen.with("solver.reduce", factor > 1 && chosen.text("body.material") == "linear" &&
-                                          chosen.text("shape.motion") == "gap");
+/// The key chooses between two models: for a factor below 1 the one that neglects less, else the
+/// one that neglects more, unless it is chosen. The stiffness is condensed where both keys of
+/// models neglect what they can.
+Key between_models(const Key& key, const std::string& simple, const std::string& full) {
+  const auto scaled = [name = key.name, simple, full](const Scene& scene,
+                                                      double factor) -> std::optional<Scene> {
+    if (factor == 1 || !scene.has(name) || scene.text(name) != (factor < 1 ? simple : full))
+      return {};
+    const Scene chosen = scene.with(name, factor < 1 ? full : simple);
+    if (!chosen.knows("solver.reduce")) return chosen;
+    return chosen.with("solver.reduce", factor > 1 && chosen.text("body.material") == "linear" &&
+                                            chosen.text("shape.motion") == "gap");
+  };
+  return controlling(key, ErrorSource::model, scaled);
 }
 
 std::vector<Key> body_keys() {
@@ -210,15 +215,12 @@ std::vector<Key> body_keys() {
                "Poisson's ratio nu of the worn body (of the linearized law)"),
       // Further choices, and keys of the materials that follow it, are filled in where materials
       // are known.
-      controlling(
+      between_models(
           text_key("body.material", by_default("neo-hookean"),
                    "elastic law of the body, with finite strains (docs/equations.md); linear: with "
                    "small strains (K_uu then depends on the shape alone)",
                    {"linear", "neo-hookean"}),
-          ErrorSource::model,
-          [](const Scene& scene, double factor) {
-            return with_model(scene, factor, "body.material", "linear", "neo-hookean");
-          }),
+          "linear", "neo-hookean"),
       text_key("body.element", by_default("f-bar"),
                "plain, F-bar (de Souza Neto), or F-bar as the variation of eq. (32)",
                {"plain", "f-bar", "f-bar-variational"}),
@@ -227,15 +229,12 @@ std::vector<Key> body_keys() {
 
 std::vector<Key> shape_keys() {
   return {
-      controlling(
+      between_models(
           text_key("shape.motion", by_default("mesh"),
                    "mesh: the mesh follows the wear; gap: it stays, and wear is a gap between the "
                    "body and its partner (docs/gap.md)",
                    {"mesh", "gap"}),
-          ErrorSource::model,
-          [](const Scene& scene, double factor) {
-            return with_model(scene, factor, "shape.motion", "gap", "mesh");
-          }),
+          "gap", "mesh"),
       text_key("shape.constraint", by_default("eliminated"),
                "shape of the contact surface: reaction eliminated, or multiplier mu, eq. (22)",
                {"eliminated", "multiplier"}),
