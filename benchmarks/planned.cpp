@@ -28,11 +28,8 @@ Scene reference_of(Scene scene, double factor) {
 
 /// As `gnomon run` does it.
 budget::Trial planned_run(const Scene& asked, const Plan& plan, int& runs) {
-  BudgetHooks hooks;
   budget::Trial trial = budget::try_scene(plan.scene, [](double) { return false; });
-  hooks.sources = {ErrorSource::mesh, ErrorSource::time, ErrorSource::phases};
-  Budget shown = find_budget(trial.scene, trial.goals, hooks);
-  shown.parts.insert(shown.parts.end(), plan.models.begin(), plan.models.end());
+  const Budget shown = find_budget(plan, trial.scene, trial.goals, {});
   runs = 1;
   if (const auto finer = refined(plan, asked, shown)) {
     trial = budget::try_scene(*finer, [](double) { return false; });
@@ -68,7 +65,7 @@ int main(int argc, char** argv) {
     fmt::print("| {} | {:g} % | {:.2g} % | {} | {} | {:.2g} s | {:.2g} s | {} |\n",
                scene.path().stem().string(), 100 * within, 100 * error,
                error <= within ? "yes" : "NO", runs, seconds, trial.cpu_seconds,
-               plan.chosen.settings);
+               plan.chosen().settings);
     std::fflush(stdout);
   }
 }

@@ -77,31 +77,19 @@ void print_remarks(const std::vector<std::string>& remarks) {
     if (!remark.empty()) fmt::print(stderr, "{}\n", remark);
 }
 
-namespace {
-
-/// Of a planned run what mesh and time are wrong by, surely, and of its models what the plan knows;
-/// of another one what can be told for a part of its work.
-Budget judged(const Setup& setup, const Goals& goals, double work, const Plan* plan) {
-  BudgetHooks hooks{.interrupted = InterruptGuard::interrupted};
-  if (!plan) return quick_budget(setup.scene, goals, work, hooks);
-  hooks.sources = {ErrorSource::mesh, ErrorSource::time, ErrorSource::phases};
-  Budget budget = find_budget(setup.scene, goals, hooks);
-  budget.parts.insert(budget.parts.end(), plan->models.begin(), plan->models.end());
-  return budget;
-}
-
-}  // namespace
-
 RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, ResultWriter& writer,
                      bool quiet, const Resumption* from, const Plan* plan) {
   Progress progress(quiet, settings.end);
   long iterations = 0;
   const auto judge = [&](const Model& model, const State& state, const Observation& observed) {
+    if (!setup.scene.flag("output.budget") && !plan) return std::string();
     const std::optional<Goals> goals = goals_of(model, state, observed);
-    if (!goals || !(setup.scene.flag("output.budget") || plan)) return std::string();
+    if (!goals) return std::string();
     progress.say("estimating the errors");
+    const BudgetHooks hooks{.interrupted = InterruptGuard::interrupted};
     const double work = static_cast<double>(iterations) * goals->nonzeros;
-    return budget_json(judged(setup, *goals, work, plan));
+    return budget_json(plan ? find_budget(*plan, setup.scene, *goals, hooks)
+                            : quick_budget(setup.scene, *goals, work, hooks));
   };
   const RunHooks hooks{.on_step =
                            [&](const HistoryRow& row) {

@@ -81,15 +81,11 @@ private:
     const bool on_own_mesh =
         !coarse_ || (must_be_sure_ && key.controls->source == ErrorSource::time);
     const Trial& base = on_own_mesh ? run_ : *coarse_;
-    const Finer finer(key.controls->source);
-    const auto scene = key.controls->scaled(base.scene, finer.factor);
+    const auto scene = key.controls->scaled(base.scene, Finer(key.controls->source).factor);
     if (!scene) return;
     companions_.add(key, [&](BudgetPart& part) {
-      part.how = change_text(base.scene, *scene);
-      const Trial trial = companions_.run(*scene, part.how);
+      companions_.compare(part, base, *scene);
       if (!on_own_mesh) part.how += ", with " + coarse_is_;
-      part.errors = differences(base.goals, trial.goals);
-      for (double& error : part.errors) error = std::abs(error) * finer.part_of_coarser;
     });
   }
 

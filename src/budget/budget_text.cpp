@@ -89,7 +89,7 @@ std::string plan_text(const Plan& plan) {
     text += fmt::format("{:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8.2g}  {}{}\n", percent(line.within),
                         percent(line.error()), percent(line.mesh), percent(line.time),
                         percent(line.rest), line.cpu_seconds, line.settings,
-                        line.meets ? "" : " (not reached)");
+                        line.meets() ? "" : " (not reached)");
   for (const std::string& remark : plan.remarks) text += remark + "\n";
   return text + fmt::format("pilot runs took {:.2g} s of CPU\n", plan.pilot_seconds);
 }

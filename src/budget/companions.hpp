@@ -9,6 +9,15 @@
 
 namespace gnomon::budget {
 
+/// By how much a finer companion differs, and the part of the difference by which the coarser of
+/// the two is wrong, if the error is proportional to the factor.
+struct Finer {
+  explicit Finer(ErrorSource source)
+      : factor(source == ErrorSource::time || source == ErrorSource::solves ? 0.1 : 0.5),
+        part_of_coarser(source == ErrorSource::model ? 1 : 1 / (1 - factor)) {}
+  double factor, part_of_coarser;
+};
+
 class Companions {
 public:
   Companions(Budget& budget, const BudgetHooks& hooks) : budget_(budget), hooks_(hooks) {}
@@ -41,6 +50,13 @@ public:
     budget_.parts.push_back(std::move(part));
   }
 
+  /// What `base` is wrong by, from a run of a scene in which the key of the part is finer.
+  void compare(BudgetPart& part, const Trial& base, const Scene& finer) {
+    part.how = change_text(base.scene, finer);
+    part.errors = differences(base.goals, run(finer, part.how).goals);
+    for (double& error : part.errors) error = std::abs(error) * Finer(part.source).part_of_coarser;
+  }
+
 private:
   Budget& budget_;
   const BudgetHooks& hooks_;
@@ -66,6 +82,7 @@ inline void respect_ledger(Budget& budget, double ledger) {
 /// interpolated with little error; the other way round where its contact has too few nodes.
 inline std::vector<double> mesh_differences(const Goals& coarse, const Goals& fine) {
   std::vector<double> errors = differences(coarse, fine);
+  if (std::ranges::none_of(errors, [](double error) { return std::isnan(error); })) return errors;
   const std::vector<double> other = differences(fine, coarse);
   for (std::size_t i = 0; i < errors.size(); ++i)
     if (std::isnan(errors[i])) errors[i] = -other[i];
@@ -90,14 +107,5 @@ inline Extrapolated extrapolated(double fine, double coarse) {
   const double order = observed >= least && observed <= most ? observed : usual;
   return {difference / (std::exp2(order) - 1), order};
 }
-
-/// By how much a finer companion differs, and the part of the difference by which the coarser of
-/// the two is wrong, if the error is proportional to the factor.
-struct Finer {
-  explicit Finer(ErrorSource source)
-      : factor(source == ErrorSource::time || source == ErrorSource::solves ? 0.1 : 0.5),
-        part_of_coarser(source == ErrorSource::model ? 1 : 1 / (1 - factor)) {}
-  double factor, part_of_coarser;
-};
 
 }  // namespace gnomon::budget

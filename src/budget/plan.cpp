@@ -39,13 +39,8 @@ public:
     measure_mesh();
     measure_time();
     measure_phases();
-    Plan plan{.scene = with(cheapest(trade_, within_)),
-              .lines = {},
-              .chosen = {},
-              .models = {},
-              .remarks = {}};
+    Plan plan{.scene = with(cheapest(trade_, within_)), .lines = {}, .models = {}, .remarks = {}};
     for (const double part : {2.0, 1.0, 0.5, 0.25}) plan.lines.push_back(line_for(part * within_));
-    plan.chosen = plan.lines[1];
     plan.pilot_seconds = budget_.companion_seconds;
     plan.models = std::move(models_);
     plan.remarks = std::move(remarks_);
@@ -192,7 +187,6 @@ private:
     PlanLine line = predicted(trade_, factors);
     line.within = within;
     line.settings = change_text(asked_, with(factors));
-    line.meets = line.error() <= within;
     return line;
   }
 
@@ -209,7 +203,7 @@ private:
       plan.remarks.push_back(
           fmt::format("{} {} given: the run takes about {:.2g} s of CPU, without about {:.2g} s",
                       fmt::join(given, ", "), given.size() == 1 ? "is" : "are",
-                      plan.chosen.cpu_seconds, seconds));
+                      plan.chosen().cpu_seconds, seconds));
   }
 
   static constexpr double time_of_pilots = 10;  ///< times the default of the tolerance
@@ -230,6 +224,13 @@ private:
 };
 
 }  // namespace
+
+Budget find_budget(const Plan& plan, const Scene& scene, const Goals& goals, BudgetHooks hooks) {
+  hooks.sources = {ErrorSource::mesh, ErrorSource::time, ErrorSource::phases};
+  Budget budget = find_budget(scene, goals, hooks);
+  budget.parts.insert(budget.parts.end(), plan.models.begin(), plan.models.end());
+  return budget;
+}
 
 Plan plan_of(const Scene& scene, const BudgetHooks& hooks) {
   return Planner(scene, hooks)();

@@ -105,18 +105,16 @@ private:
   }
 
   void add_other(const Key& key) {
-    const Finer finer(key.controls->source);
-    if (!key.controls->scaled(scene_, finer.factor)) return;
+    const double factor = Finer(key.controls->source).factor;
+    if (!key.controls->scaled(scene_, factor)) return;
     companions_.add(key, [&](BudgetPart& part) {
       if (!coarse_) coarse_ = cheap(own_, "the same mesh");
       std::optional<Trial> own;  // of the scene's own model
       if (part.source == ErrorSource::model) own = companions_.run(own_, "the models of the scene");
       const Trial& base = own ? *own : *coarse_;
-      const auto scene = key.controls->scaled(base.scene, finer.factor);
+      const auto scene = key.controls->scaled(base.scene, factor);
       if (!scene) throw InputError("the companions cannot have it finer");
-      part.how = change_text(base.scene, *scene);
-      part.errors = differences(base.goals, companions_.run(*scene, part.how).goals);
-      for (double& error : part.errors) error = std::abs(error) * finer.part_of_coarser;
+      companions_.compare(part, base, *scene);
     });
   }
 

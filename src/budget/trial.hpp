@@ -19,6 +19,9 @@ public:
   using InputError::InputError;
 };
 
+/// CPU time of this process until now [s].
+double cpu_seconds();
+
 namespace budget {
 
 struct Trial {

@@ -117,8 +117,8 @@ std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Budget&
       trade.rest += error;
     }
   }
-  // What finer elements and steps cannot mend is no reason for them; and no more than half as large
-  // elements at once, for estimates of large errors are rough.
+  // What finer elements and steps cannot improve is no reason for them; and no more than half as
+  // large elements at once, for estimates of large errors are rough.
   if (trade.rest > 0.7 * within) return {};
   trade.seconds = 1;
   Factors factors = cheapest(trade, within);

@@ -7,6 +7,7 @@
 
 #include "budget/trade.hpp"
 #include "budget/trial.hpp"
+#include "support/pin_text.hpp"
 #include "support/problem_run.hpp"
 
 namespace gnomon::plan_test {
@@ -55,23 +56,7 @@ TEST(Trade, LeavesWhatIsGiven) {
 
 /// A pin of height 10 mm that wears by 0.2 mm, without mesh and tolerance.
 Scene scene(const Overrides& overrides) {
-  return checked_scene_of_text(R"(problem = "pin_on_flat"
-[pin]
-radius = 5
-height = 10
-width = 10
-[body]
-young_modulus = 640
-poisson_ratio = 0.3
-[load]
-force = 20
-[wear]
-coefficient = 1e-7
-velocity = 1000
-[time]
-end = 300
-)",
-                               "pin.toml", overrides);
+  return checked_scene_of_text(test::pin_text(300), "pin.toml", overrides);
 }
 
 Plan plan(const Overrides& overrides) {
@@ -119,7 +104,7 @@ TEST(Plan, RefusesWhatItCannotJudge) {
 TEST(Plan, IsRefinedWhereItsRunShowsMore) {
   const Scene asked =
       scene({"accuracy.within=0.01", "accuracy.of=[\"depth\"]", "mesh.elements=[40,20]"});
-  const Plan made{.scene = asked, .lines = {}, .chosen = {}, .models = {}, .remarks = {}};
+  const Plan made{.scene = asked, .lines = {}, .models = {}, .remarks = {}};
   const auto shown = [](double mesh, double time) {
     return Budget{.values = {{"wear_depth", "mm", 1}},
                   .parts = {{ErrorSource::mesh, "mesh.elements", "", {mesh}},

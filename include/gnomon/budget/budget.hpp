@@ -96,8 +96,6 @@ Budget quick_budget(const Scene& scene, const Goals& goals, double work, const B
 std::string budget_table(const Budget& budget);
 /// The same, and how each part was found.
 std::string budget_text(const Budget& budget);
-/// CPU time of this process until now [s].
-double cpu_seconds();
 /// As JSON, an object; and such text again. Throws InputError for another one.
 std::string budget_json(const Budget& budget);
 Budget budget_of_json(const std::string& text);

@@ -16,26 +16,32 @@ struct PlanLine {
   double mesh = 0, time = 0;
   double rest = 0;  ///< of models and phases
   double cpu_seconds = 0;
-  bool meets = true;  ///< whether the errors are within it
 
   double error() const { return mesh + time + rest; }
+  bool meets() const { return error() <= within; }
 };
 
 struct Plan {
-  Scene scene;                  ///< with the chosen settings, and without accuracy.within
-  std::vector<PlanLine> lines;  ///< for twice the error, the asked one, half and a quarter of it
-  PlanLine chosen;
+  Scene scene;                     ///< with the chosen settings, and without accuracy.within
+  std::vector<PlanLine> lines;     ///< for twice the error, the asked one, half and a quarter of it
   std::vector<BudgetPart> models;  ///< what the models neglect, by pilot runs
   double pilot_seconds = 0;        ///< CPU time of the pilot runs [s]
   /// What the given settings cost or spoil, what could not be measured; one line each.
   std::vector<std::string> remarks;
+
+  const PlanLine& chosen() const { return lines.at(1); }
 };
 
 /// Throws InputError where the scene has no accuracy.within, where accuracy.of names what has no
 /// value, and SolutionError where no pilot run succeeds.
 Plan plan_of(const Scene& scene, const BudgetHooks& hooks);
 
-/// The largest error of the values that the scene wants, of its budget; not_known without one.
+/// The budget of a planned run that has ended: what mesh, time and phases are wrong by, surely, and
+/// of its models what the plan knows. `scene` as Setup::scene has it.
+Budget find_budget(const Plan& plan, const Scene& scene, const Goals& goals, BudgetHooks hooks);
+
+/// The largest error of the values that the scene wants, by its budget; a part that cannot be told
+/// of a value counts as a whole one.
 double wanted_error(const Scene& scene, const Budget& budget);
 
 /// The scene of a plan once more, with settings that bring the errors which its run has shown
