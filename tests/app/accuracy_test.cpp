@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/child.hpp"
+#include "support/pin_text.hpp"
 
 namespace gnomon::accuracy_test {
 namespace {
@@ -20,22 +21,7 @@ using ::testing::Not;
 class Accuracy : public test::ProgramTest {
 protected:
   void write_scene(const std::string& more) const {
-    write("pin.toml", R"(problem = "pin_on_flat"
-[pin]
-radius = 5
-height = 10
-width = 10
-[body]
-young_modulus = 640
-poisson_ratio = 0.3
-[load]
-force = 20
-[wear]
-coefficient = 1e-7
-velocity = 1000
-[time]
-end = 1000
-)" + more);
+    write("pin.toml", test::pin_text(1000) + more);
   }
 };
 
