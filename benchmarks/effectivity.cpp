@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -19,9 +20,13 @@ namespace {
 
 using namespace gnomon;
 
-Scene reference_of(Scene scene, double factor) {
+/// With the mesh by the key that the budget has used.
+Scene reference_of(Scene scene, double factor, const Budget& budget) {
+  const auto used = std::ranges::find(budget.parts, ErrorSource::mesh, &BudgetPart::source);
   for (const Key& key : scene.controlling_keys()) {
-    const double finer = key.controls->source == ErrorSource::mesh   ? factor
+    const bool is_mesh = key.controls->source == ErrorSource::mesh;
+    if (is_mesh && (used == budget.parts.end() || key.name != used->key)) continue;
+    const double finer = is_mesh                                     ? factor
                          : key.controls->source != ErrorSource::time ? 0.5
                          : scene.given("integrator.step")            ? 0.1
                                                                      : 0.01;
@@ -39,8 +44,8 @@ int main(int argc, char** argv) {
   const BudgetHooks hooks;
   const Budget budget = find_budget(scene, hooks);
   const budget::Trial run = budget::try_scene(scene, [](double) { return false; });
-  const budget::Trial reference =
-      budget::try_scene(reference_of(run.scene, std::atof(argv[1])), [](double) { return false; });
+  const budget::Trial reference = budget::try_scene(
+      reference_of(run.scene, std::atof(argv[1]), budget), [](double) { return false; });
   const Budget quick = quick_budget(run.scene, run.goals, run.work, hooks);
   const std::vector<double> errors = differences(run.goals, reference.goals);
   fmt::print("| {} | {:.2g} s | {:.2g} s | {:.2g} s |", file.stem().string(), budget.run_seconds,

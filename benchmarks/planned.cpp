@@ -19,11 +19,13 @@ namespace {
 
 using namespace gnomon;
 
-Scene reference_of(Scene scene, double factor) {
+/// Of a mesh from a file the cells are split, whatever its geometry fixes.
+Scene reference_of(const Scene& scene, double factor) {
+  std::optional<Scene> finer;
   for (const Key& key : scene.controlling_keys())
     if (key.controls->source == ErrorSource::mesh)
-      scene = key.controls->scaled(scene, factor).value_or(scene);
-  return scene.with("integrator.rtol", 1e-6);
+      if (auto scaled = key.controls->scaled(scene, factor)) finer = std::move(scaled);
+  return finer.value_or(scene).with("integrator.rtol", 1e-6);
 }
 
 /// As `gnomon run` does it.

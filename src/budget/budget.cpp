@@ -38,24 +38,33 @@ public:
 
 private:
   void find() {
+    if (hooks_.wants(ErrorSource::mesh))
+      companions_.add_mesh(run_.scene, [&](const OtherMesh& other, BudgetPart& part) {
+        other.is_coarser ? find_mesh(other.key, part) : find_mesh_by_finer(other.key, part);
+      });
     for (const Key& key : run_.scene.controlling_keys())
-      if (key.controls->source == ErrorSource::mesh)
-        companions_.add(key, [&](BudgetPart& part) { find_mesh(key, part); });
-    for (const Key& key : run_.scene.controlling_keys())
-      if (key.controls->source != ErrorSource::mesh && hooks_.wants(key)) add_other(key);
+      if (key.controls->source != ErrorSource::mesh && hooks_.wants(key.controls->source))
+        add_other(key);
   }
 
   void find_mesh(const Key& key, BudgetPart& part) {
-    const auto twice = key.controls->scaled(run_.scene, 2);
-    if (!twice) throw InputError(no_other_mesh);
-    Trial coarse = companions_.run(*twice, "twice as large elements", run_.goals.nodes);
-    part.how = change_text(run_.scene, *twice);
+    const Scene twice = *key.controls->scaled(run_.scene, 2);
+    Trial coarse = companions_.run(twice, "twice as large elements", run_.goals.nodes);
+    part.how = change_text(run_.scene, twice);
     part.errors = mesh_differences(coarse.goals, run_.goals);
     const std::vector<double> further = coarser_differences(key, coarse, part);
     for (std::size_t i = 0; i < further.size(); ++i)
       part.errors[i] = extrapolated(part.errors[i], further[i]).error;
     coarse_ = std::move(coarse);
-    coarse_is_ = change_text(run_.scene, *twice);
+    coarse_is_ = change_text(run_.scene, twice);
+  }
+
+  void find_mesh_by_finer(const Key& key, BudgetPart& part) {
+    const Scene half = *key.controls->scaled(run_.scene, 0.5);
+    const Trial fine = companions_.run(half, "elements of half the size", run_.goals.nodes);
+    part.how = change_text(run_.scene, half);
+    part.errors = mesh_differences(run_.goals, fine.goals);
+    for (double& error : part.errors) error = extrapolated(error, not_known).of_coarser();
   }
 
   /// From the mesh of twice as large elements to that of four times as large ones. Not known where
@@ -109,8 +118,8 @@ Budget find_budget(const Scene& scene, const Goals& goals, const BudgetHooks& ho
   return Search({.scene = scene, .goals = goals}, hooks, false)();
 }
 
-bool BudgetHooks::wants(const Key& key) const {
-  return std::ranges::find(sources, key.controls->source) != sources.end();
+bool BudgetHooks::wants(ErrorSource source) const {
+  return std::ranges::find(sources, source) != sources.end();
 }
 
 double Budget::total(std::size_t value) const {

@@ -18,6 +18,22 @@ struct Finer {
   double factor, part_of_coarser;
 };
 
+/// A key by which a scene has another mesh, of larger elements, or of smaller ones only.
+struct OtherMesh {
+  Key key;
+  bool is_coarser;
+};
+
+/// Those with larger elements first: runs on them cost less.
+inline std::vector<OtherMesh> other_meshes(const Scene& scene) {
+  std::vector<OtherMesh> found;
+  for (const double factor : {2.0, 0.5})
+    for (const Key& key : scene.controlling_keys())
+      if (key.controls->source == ErrorSource::mesh && key.controls->scaled(scene, factor))
+        found.push_back({key, factor > 1});
+  return found;
+}
+
 class Companions {
 public:
   Companions(Budget& budget, const BudgetHooks& hooks) : budget_(budget), hooks_(hooks) {}
@@ -50,6 +66,29 @@ public:
     budget_.parts.push_back(std::move(part));
   }
 
+  /// The part of the mesh, by the first of other_meshes() with which `find` succeeds. None where
+  /// no key of the scene controls it.
+  template <class Find>
+  void add_mesh(const Scene& scene, Find find) {
+    const std::vector<Key> keys = scene.controlling_keys();
+    const auto own = std::ranges::find(keys, ErrorSource::mesh,
+                                       [](const Key& key) { return key.controls->source; });
+    if (own == keys.end()) return;
+    add(*own, [&](BudgetPart& part) {
+      std::string failure;
+      for (const OtherMesh& mesh : other_meshes(scene)) try {
+          part.key = mesh.key.name;
+          return find(mesh, part);
+        } catch (const Interrupted&) {
+          throw;
+        } catch (const Error& error) {
+          if (failure.empty()) failure = error.what();
+        }
+      throw InputError(failure.empty() ? "there is no mesh of other elements to compare with"
+                                       : failure);
+    });
+  }
+
   /// What `base` is wrong by, from a run of a scene in which the key of the part is finer.
   void compare(BudgetPart& part, const Trial& base, const Scene& finer) {
     part.how = change_text(base.scene, finer);
@@ -62,9 +101,6 @@ private:
   const BudgetHooks& hooks_;
   double work_ = 0;
 };
-
-inline const std::string no_other_mesh =
-    "there is no mesh of larger elements to compare with (a mesh file has none)";
 
 /// The estimates of worn_volume are at least what the ledger shows. Adds what is missing to the
 /// error in time.
@@ -92,6 +128,8 @@ inline std::vector<double> mesh_differences(const Goals& coarse, const Goals& fi
 /// The error of the finer of two runs, and the observed order.
 struct Extrapolated {
   double error, order;
+
+  double of_coarser() const { return error * std::exp2(order); }
 };
 
 /// Richardson's extrapolation from elements of sizes h, 2h and 4h. `fine` and `coarse` are the

@@ -24,12 +24,13 @@ public:
         scene_(scene.without("accuracy.within")),
         within_(read_within(scene)) {
     for (const Key& key : scene.controlling_keys()) {
-      if (key.controls->source == ErrorSource::mesh) mesh_ = key;
+      const bool has_coarser = key.controls->scaled(scene, 2).has_value();
+      if (key.controls->source == ErrorSource::mesh && has_coarser && !mesh_) mesh_ = key;
       if (key.controls->source == ErrorSource::time && key.controls->scaled(scene, 0.1))
         time_ = key;
     }
     trade_.free_time = time_ && !scene.is_set(time_->name);
-    trade_.free_mesh = mesh_ && !scene.is_set(mesh_->name) && mesh_->controls->scaled(scene, 2);
+    trade_.free_mesh = mesh_ && !scene.is_set(mesh_->name);
   }
 
   Plan operator()() {
@@ -39,10 +40,10 @@ public:
     measure_mesh();
     measure_time();
     measure_phases();
-    Plan plan{.scene = with(cheapest(trade_, within_)), .lines = {}, .models = {}, .remarks = {}};
+    Plan plan{.scene = with(cheapest(trade_, within_)), .lines = {}, .given = {}, .remarks = {}};
     for (const double part : {2.0, 1.0, 0.5, 0.25}) plan.lines.push_back(line_for(part * within_));
     plan.pilot_seconds = budget_.companion_seconds;
-    plan.models = std::move(models_);
+    plan.given = std::move(given_);
     plan.remarks = std::move(remarks_);
     remark_on_given(plan);
     return plan;
@@ -73,22 +74,21 @@ private:
   /// something. The tolerance is that of pilots.
   void find_coarse_mesh() {
     if (trade_.free_time) pilot_.time = time_of_pilots;
-    const bool scales = mesh_ && mesh_->controls->scaled(asked_, 2);
     std::string failure;
     for (const double factor : {8.0, 4.0, 2.0, 1.0, 0.5}) {
-      if (!scales && factor != 1) continue;
+      if (!mesh_ && factor != 1) continue;
       pilot_.mesh = factor;
       try {
         coarse_ = pilot(pilot_, fmt::format("a pilot on {} times as large elements", factor));
         const ContactSurface& surface = coarse_->goals.surface;
         const auto closed = std::ranges::count_if(surface.pressure, [](double p) { return p > 0; });
-        if (!scales || closed >= (surface.dim == 2 ? 7 : 12)) break;
+        if (!mesh_ || closed >= (surface.dim == 2 ? 7 : 12)) break;
       } catch (const Interrupted&) {
         throw;
       } catch (const SolutionError& error) {
         failure = error.what();
       } catch (const InputError& error) {
-        if (factor == 1 || !scales) throw;
+        if (factor == 1 || !mesh_) throw;
         failure = error.what();
       }
     }
@@ -112,12 +112,10 @@ private:
       const double error = largest(errors, places_);
       const bool goes_on = !given && error <= small_part * within_;
       if (goes_on || given) {
-        trade_.rest += error;
-        models_.push_back({.source = ErrorSource::model,
-                           .key = key.name,
-                           .how = change_text(own, *other) + ", by a pilot run",
-                           .errors = errors});
-        for (double& each : models_.back().errors) each = std::abs(each);
+        add_given({.source = ErrorSource::model,
+                   .key = key.name,
+                   .how = change_text(own, *other),
+                   .errors = errors});
       }
       if (goes_on)
         coarse_ = std::move(trial);
@@ -130,23 +128,26 @@ private:
     }
   }
 
+  /// A part of the error that stays, known from a pilot run.
+  void add_given(BudgetPart part) {
+    for (double& each : part.errors) each = std::abs(each);
+    part.how += ", by a pilot run";
+    trade_.rest += largest(part.errors, places_);
+    given_.push_back(std::move(part));
+  }
+
   void measure_mesh() {
     trade_.seconds = coarse_->cpu_seconds;
     trade_.coarsest = pilot_.mesh;
+    if (!mesh_) return judge_mesh();
     const Factors finer{pilot_.mesh / 2, pilot_.time};
-    if (!mesh_ || !mesh_->controls->scaled(asked_, 2)) {
-      remarks_.push_back(std::string(no_other_mesh) + ": its error is not part of the plan");
-      return;
-    }
     std::optional<Trial> finer_trial;
     try {
       finer_trial = companions_.run(with(finer), "a pilot on elements of half this size",
                                     coarse_->goals.nodes);
-    } catch (const MeshUnchanged& error) {
+    } catch (const MeshUnchanged&) {
       trade_.free_mesh = false;
-      remarks_.push_back(
-          fmt::format("{}: {}, and the error of the mesh is not known", mesh_->name, error.what()));
-      return;
+      return judge_mesh();
     }
     const Trial& fine = *finer_trial;
     const double difference = largest(mesh_differences(coarse_->goals, fine.goals), places_);
@@ -154,6 +155,31 @@ private:
     trade_.mesh = of_fine / std::pow(finer.mesh, Trade::order);
     trade_.cost_mesh = 1.2 * full_.surface.dim;
     trade_.seconds = fine.cpu_seconds * std::pow(finer.mesh, trade_.cost_mesh);
+  }
+
+  /// A mesh that is given stays; what it is wrong by, a finer one tells.
+  void judge_mesh() {
+    std::string failure = "there is no other mesh";
+    for (const OtherMesh& other : other_meshes(asked_)) try {
+        if (other.is_coarser) continue;
+        const Scene base = with(pilot_), half = *other.key.controls->scaled(base, 0.5);
+        const Trial fine = companions_.run(half, "a pilot on a finer mesh", coarse_->goals.nodes);
+        BudgetPart part{.source = ErrorSource::mesh,
+                        .key = other.key.name,
+                        .how = change_text(base, half),
+                        .errors = mesh_differences(coarse_->goals, fine.goals)};
+        for (double& error : part.errors) error = extrapolated(error, not_known).of_coarser();
+        remarks_.push_back(fmt::format(
+            "the mesh is given, its error is {:.2g} %; with {} it would be less, for {:.2g} times "
+            "the work",
+            100 * largest(part.errors, places_), part.how, fine.work / coarse_->work));
+        return add_given(std::move(part));
+      } catch (const Interrupted&) {
+        throw;
+      } catch (const Error& error) {
+        failure = error.what();
+      }
+    remarks_.push_back("the error of the mesh is not part of the plan: " + failure);
   }
 
   void measure_time() {
@@ -219,7 +245,7 @@ private:
   Goals full_;  ///< of the same mesh with the models of the scene
   std::vector<std::size_t> places_;
   Trade trade_;
-  std::vector<BudgetPart> models_;
+  std::vector<BudgetPart> given_;
   std::vector<std::string> remarks_;
 };
 
@@ -227,8 +253,9 @@ private:
 
 Budget find_budget(const Plan& plan, const Scene& scene, const Goals& goals, BudgetHooks hooks) {
   hooks.sources = {ErrorSource::mesh, ErrorSource::time, ErrorSource::phases};
+  for (const BudgetPart& part : plan.given) std::erase(hooks.sources, part.source);
   Budget budget = find_budget(scene, goals, hooks);
-  budget.parts.insert(budget.parts.end(), plan.models.begin(), plan.models.end());
+  budget.parts.insert(budget.parts.end(), plan.given.begin(), plan.given.end());
   return budget;
 }
 

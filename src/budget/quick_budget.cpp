@@ -29,13 +29,12 @@ public:
   }
 
   Budget operator()() {
-    const std::vector<Key> keys = scene_.controlling_keys();
-    const auto is_mesh = [](const Key& key) { return key.controls->source == ErrorSource::mesh; };
     try {
-      if (const auto mesh = std::ranges::find_if(keys, is_mesh); mesh != keys.end())
-        companions_.add(*mesh, [&](BudgetPart& part) { find_mesh(*mesh, part); });
-      for (const Key& key : keys)
-        if (!is_mesh(key)) add_other(key);
+      companions_.add_mesh(scene_, [&](const OtherMesh& other, BudgetPart& part) {
+        other.is_coarser ? find_mesh(other.key, part) : find_mesh_by_finer(other.key, part);
+      });
+      for (const Key& key : scene_.controlling_keys())
+        if (key.controls->source != ErrorSource::mesh) add_other(key);
     } catch (const Interrupted&) {  // the user does not want to wait for the rest
     }
     respect_ledger(budget_, ledger_);
@@ -61,7 +60,6 @@ private:
   }
 
   void find_mesh(const Key& key, BudgetPart& part) {
-    if (!key.controls->scaled(scene_, 2)) throw InputError(no_other_mesh);
     for (const double factor : {8, 4}) {
       if (factor == 8 && is_small_) continue;
       try {
@@ -78,9 +76,9 @@ private:
   void find_mesh(const Key& key, BudgetPart& part, double factor) {
     const auto larger = key.controls->scaled(scene_, factor),
                smaller = key.controls->scaled(scene_, factor / 2);
-    if (!larger || !smaller) throw InputError(no_other_mesh);
+    if (!larger || !smaller) throw InputError("there is no mesh of elements so large");
+    coarse_ = cheap(*larger, "a coarse mesh", nodes_);
     own_ = *larger;
-    coarse_ = cheap(own_, "a coarse mesh", nodes_);
     const Trial fine = cheap(*smaller, "a finer mesh", coarse_->goals.nodes);
     part.how = change_text(scene_, fine.scene) + " against " + change_text(scene_, coarse_->scene);
     part.errors = mesh_differences(coarse_->goals, fine.goals);
@@ -89,6 +87,17 @@ private:
       const auto [error, order] = extrapolated(part.errors[i], further[i]);
       part.errors[i] = error * std::pow(factor / 2, -order);
     }
+  }
+
+  /// From elements of half the size.
+  void find_mesh_by_finer(const Key& key, BudgetPart& part) {
+    const Scene half = *key.controls->scaled(scene_, 0.5);
+    coarse_ = cheap(scene_, "the same mesh");
+    own_ = scene_;
+    const Trial fine = cheap(half, "a finer mesh", nodes_);
+    part.how = change_text(scene_, half);
+    part.errors = mesh_differences(coarse_->goals, fine.goals);
+    for (double& error : part.errors) error = extrapolated(error, not_known).of_coarser();
   }
 
   /// Between the coarse mesh and a coarser one, which costs little; not known where there is none.

@@ -103,11 +103,16 @@ std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Budget&
   const double within = asked.real("accuracy.within");
   if (!(wanted_error(asked, shown) > within)) return {};
   const std::vector<std::size_t> places = wanted_places(asked, shown.values);
+  const auto is_given = [&](const BudgetPart& part) {
+    return std::ranges::find(plan.given, part.key, &BudgetPart::key) != plan.given.end();
+  };
   Trade trade;
+  std::string mesh;
   for (const BudgetPart& part : shown.parts) {
     if (!part.unknown.empty()) continue;
     const double error = largest(part.errors, places);
-    if (part.source == ErrorSource::mesh) {
+    if (part.source == ErrorSource::mesh && !is_given(part)) {
+      mesh = part.key;
       trade.mesh = error;
       trade.free_mesh = !asked.is_set(part.key);
     } else if (part.source == ErrorSource::time) {
@@ -127,10 +132,8 @@ std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Budget&
   if (factors.mesh == 1 && factors.time == 1) return {};
   Scene scene = plan.scene;
   for (const Key& key : plan.scene.controlling_keys()) {
-    const ErrorSource source = key.controls->source;
-    if (source == ErrorSource::mesh)
-      scene = key.controls->scaled(scene, factors.mesh).value_or(scene);
-    if (source == ErrorSource::time)
+    if (key.name == mesh) scene = key.controls->scaled(scene, factors.mesh).value_or(scene);
+    if (key.controls->source == ErrorSource::time)
       scene = key.controls->scaled(scene, factors.time).value_or(scene);
   }
   return scene;

@@ -3,6 +3,8 @@
 
 #include <gnomon/mesh/imported_mesh.hpp>
 
+#include "mesh/edge_bulges.hpp"
+
 namespace gnomon {
 
 /// Throws InputError in the form "FILE: why".
@@ -43,8 +45,9 @@ bool needs_subdivision(const ImportedMesh& mesh);
 /// corner, the midpoints of its edges, the centroids of its faces and that of the cell: 3 from a
 /// triangle, 4 from a quadrilateral or a tetrahedron, 6 from a wedge, 8 from a hexahedron.
 /// Neighbours share the new nodes, whose tag is 0; new cells and facets have the tag of that which
-/// they are a part of. Edges stay straight. Facets and groups follow; a facet that is no side of a
-/// cell stays as it is. Throws InputError at a pyramid, whose tip has four edges.
-ImportedMesh subdivide(const ImportedMesh& mesh);
+/// they are a part of. Facets and groups follow; a facet that is no side of a cell stays as it is.
+/// Edges stay straight but for those of quadrilaterals and hexahedra that have bulges, which
+/// middles of faces and cells follow. Throws InputError at a pyramid, whose tip has four edges.
+ImportedMesh subdivide(const ImportedMesh& mesh, const EdgeBulges& bulges = {});
 
 }  // namespace gnomon

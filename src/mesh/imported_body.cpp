@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/imported_body.hpp>
 
+#include "mesh/edge_bulges.hpp"
 #include "mesh/import_cells.hpp"
 #include "mesh/import_nodes.hpp"
 
@@ -56,16 +58,35 @@ ImportedBody<dim> body_of(ImportedMesh& mesh) {
   return body;
 }
 
+/// Halves all elements, with new nodes on smooth curves through those of the boundary.
+template <int dim>
+void split_cells(ImportedMesh& mesh, int times) {
+  constexpr double most = 20e6;
+  if (mesh.cells.size() * std::pow(2, dim * times) > most)
+    refuse_mesh(mesh.file, fmt::format("{} split {} times are more than {:g} million, expected "
+                                       "a smaller mesh.split",
+                                       counted(mesh.cells.size(), "cell"), times, most / 1e6));
+  for (int k = 0; k < times; ++k) {
+    ImportedMesh copy = mesh;
+    ImportedBody<dim> body = body_of<dim>(copy);
+    orient_cells(body);
+    mesh =
+        subdivide(mesh, edge_bulges<dim>(body.mesh, FacetTable<dim>(body.mesh).exterior_facets()));
+  }
+}
+
 }  // namespace
 
 template <int dim>
-ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& ascending) {
+ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& ascending,
+                             int splits) {
   check_content(mesh, dim);
   if (dim == 2) lay_in_plane(mesh);
   merge_equal_nodes(mesh);
   drop_unused_nodes(mesh);
   drop_equal_cells(mesh);
   subdivide_where_needed(mesh);
+  split_cells<dim>(mesh, splits);
   ImportedBody<dim> body = body_of<dim>(mesh);
   orient_cells(body);
   const FacetTable<dim> facets(body.mesh);
@@ -76,7 +97,7 @@ ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& 
   return body;
 }
 
-template ImportedBody<2> check_mesh(ImportedMesh, const std::vector<std::string>&);
-template ImportedBody<3> check_mesh(ImportedMesh, const std::vector<std::string>&);
+template ImportedBody<2> check_mesh(ImportedMesh, const std::vector<std::string>&, int);
+template ImportedBody<3> check_mesh(ImportedMesh, const std::vector<std::string>&, int);
 
 }  // namespace gnomon

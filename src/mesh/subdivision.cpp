@@ -67,13 +67,13 @@ int place_of(const std::vector<Key>& keys, const Key& key) {
 
 class Subdivision {
 public:
-  explicit Subdivision(const ImportedMesh& mesh);
+  Subdivision(const ImportedMesh& mesh, const EdgeBulges& bulges);
   ImportedMesh operator()();
 
 private:
   void collect(int cell);
   void add_nodes();
-  void add_node(std::span<const int> around);
+  void add_node(std::span<const int> around, double part, std::span<const EdgeKey> edges);
   int edge_node(int a, int b) const;
   int face_node(const FaceKey& nodes) const;
   void split_in_plane(std::span<const int> nodes, std::int64_t tag, int centre, ElementList& to);
@@ -83,13 +83,16 @@ private:
   void follow_groups();
 
   const ImportedMesh& old_;
+  const EdgeBulges& bulges_;
   ImportedMesh result_;
   std::vector<EdgeKey> edges_;
-  std::vector<FaceKey> faces_;                 // in space, sorted nodes, -1 first
-  std::vector<int> cell_start_, facet_start_;  // of the children of each
+  std::vector<FaceKey> faces_;                              // in space, sorted nodes, -1 first
+  std::map<FaceKey, std::vector<EdgeKey>> edges_of_faces_;  // where edges have bulges
+  std::vector<int> cell_start_, facet_start_;               // of the children of each
 };
 
-Subdivision::Subdivision(const ImportedMesh& mesh) : old_(mesh) {
+Subdivision::Subdivision(const ImportedMesh& mesh, const EdgeBulges& bulges)
+    : old_(mesh), bulges_(bulges) {
   result_.file = mesh.file;
   result_.dimension = mesh.dimension;
   result_.nodes = mesh.nodes;
@@ -97,33 +100,63 @@ Subdivision::Subdivision(const ImportedMesh& mesh) : old_(mesh) {
   result_.remarks = mesh.remarks;
 }
 
-void Subdivision::collect(int cell) {
-  const std::span<const int> nodes = old_.cells.at(cell);
-  if (old_.dimension == 2) {
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-      edges_.push_back(edge_key(nodes[a], nodes[(a + 1) % nodes.size()]));
-    return;
-  }
-  const Shape& shape = shape_of(old_.cells.kinds[cell]);
-  for (const Corner& corner : shape.corners)
-    for (int k = 1; k < 4; ++k)
-      if (corner[0] < corner[k]) edges_.push_back(edge_key(nodes[corner[0]], nodes[corner[k]]));
-  for (const Face& face : shape.faces) faces_.push_back(sorted(nodes_of(face, nodes)));
+/// Edges of a cell or, by their nodes in this order, of a polygon.
+std::vector<EdgeKey> edges_around(std::span<const int> polygon) {
+  std::vector<EdgeKey> edges;
+  for (std::size_t a = 0; a < polygon.size(); ++a)
+    edges.push_back(edge_key(polygon[a], polygon[(a + 1) % polygon.size()]));
+  return edges;
 }
 
-void Subdivision::add_node(std::span<const int> around) {
+std::vector<EdgeKey> edges_of(ElementKind kind, std::span<const int> nodes) {
+  if (dimension_of(kind) == 2) return edges_around(nodes);
+  std::vector<EdgeKey> edges;
+  for (const Corner& corner : shape_of(kind).corners)
+    for (int k = 1; k < 4; ++k)
+      if (corner[0] < corner[k]) edges.push_back(edge_key(nodes[corner[0]], nodes[corner[k]]));
+  return edges;
+}
+
+void Subdivision::collect(int cell) {
+  const std::span<const int> nodes = old_.cells.at(cell);
+  const ElementKind kind = old_.cells.kinds[cell];
+  const std::vector<EdgeKey> edges = edges_of(kind, nodes);
+  edges_.insert(edges_.end(), edges.begin(), edges.end());
+  if (old_.dimension == 2) return;
+  for (const Face& face : shape_of(kind).faces) {
+    const FaceKey key = sorted(nodes_of(face, nodes));
+    faces_.push_back(key);
+    if (!bulges_.empty()) edges_of_faces_[key] = edges_around(nodes_of(face, nodes));
+  }
+}
+
+/// In the middle of nodes, moved by a part of the bulges of the edges between them.
+void Subdivision::add_node(std::span<const int> around, double part,
+                           std::span<const EdgeKey> edges) {
   std::array<double, 3> middle{};
   for (int node : around)
     for (int i = 0; i < 3; ++i)
       middle[i] += old_.nodes[node][i] / static_cast<double>(around.size());
+  if (!bulges_.empty())
+    for (const EdgeKey& edge : edges)
+      if (const auto bulge = bulges_.find(edge); bulge != bulges_.end())
+        for (int i = 0; i < 3; ++i) middle[i] += part * bulge->second[i];
   result_.nodes.push_back(middle);
   result_.node_tags.push_back(0);
 }
 
+/// Middles of faces and cells follow their edges as in Coons' patches.
 void Subdivision::add_nodes() {
-  for (const EdgeKey& edge : edges_) add_node(edge);
-  for (const FaceKey& face : faces_) add_node(std::span(face).subspan(face[0] < 0 ? 1 : 0));
-  for (int cell = 0; cell < old_.cells.size(); ++cell) add_node(old_.cells.at(cell));
+  for (const EdgeKey& edge : edges_) add_node(edge, 1, {&edge, 1});
+  for (const FaceKey& face : faces_) {
+    const auto edges = edges_of_faces_.find(face);
+    add_node(std::span(face).subspan(face[0] < 0 ? 1 : 0), 0.5,
+             edges == edges_of_faces_.end() ? std::span<const EdgeKey>() : edges->second);
+  }
+  for (int cell = 0; cell < old_.cells.size(); ++cell) {
+    const std::span<const int> nodes = old_.cells.at(cell);
+    add_node(nodes, old_.dimension == 2 ? 0.5 : 0.25, edges_of(old_.cells.kinds[cell], nodes));
+  }
 }
 
 int Subdivision::edge_node(int a, int b) const {
@@ -252,8 +285,8 @@ bool needs_subdivision(const ImportedMesh& mesh) {
                      [wanted](ElementKind kind) { return kind != wanted; });
 }
 
-ImportedMesh subdivide(const ImportedMesh& mesh) {
-  return Subdivision(mesh)();
+ImportedMesh subdivide(const ImportedMesh& mesh, const EdgeBulges& bulges) {
+  return Subdivision(mesh, bulges)();
 }
 
 }  // namespace gnomon

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/model/wear_scene.hpp>
@@ -15,6 +16,8 @@ namespace {
 
 using namespace part;
 
+constexpr int most_splits = 6;
+
 std::string idle_beside_bodies(const Scene& scene) {
   return has_bodies(scene) ? "each [[body]] has its own" : "";
 }
@@ -23,6 +26,12 @@ std::string idle_beside_bodies(const Scene& scene) {
 std::optional<Scene> with_scaled_edges(const Scene& scene, double factor) {
   if (!scene.has("mesh.file") || !is_geometry(scene.text("mesh.file"))) return {};
   return scene.with("mesh.factor", factor * scene.real("mesh.factor"));
+}
+
+std::optional<Scene> with_scaled_split(const Scene& scene, double factor) {
+  const long splits = scene.integer("mesh.split") - std::lround(std::log2(factor));
+  if (!scene.has("mesh.file") || splits < 0 || splits > most_splits) return {};
+  return scene.with("mesh.split", splits);
 }
 
 std::vector<Key> mesh_keys() {
@@ -37,7 +46,11 @@ std::vector<Key> mesh_keys() {
                "longest edge of an element where the geometry asks for no smaller one"),
       controlling(real_key("mesh.factor", "", by_default(1.0), {.min = 1e-3, .max = 1e3},
                            "multiplies every edge of the geometry: 0.5 for a mesh twice as fine"),
-                  ErrorSource::mesh, with_scaled_edges)};
+                  ErrorSource::mesh, with_scaled_edges),
+      controlling(integer_key("mesh.split", by_default(0L), {.min = 0, .max = most_splits},
+                              "times that each cell is split into four (eight in space), with new "
+                              "nodes of the boundary on smooth curves through the old ones"),
+                  ErrorSource::mesh, with_scaled_split)};
 }
 
 std::vector<Key> own_keys() {

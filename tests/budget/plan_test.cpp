@@ -104,7 +104,7 @@ TEST(Plan, RefusesWhatItCannotJudge) {
 TEST(Plan, IsRefinedWhereItsRunShowsMore) {
   const Scene asked =
       scene({"accuracy.within=0.01", "accuracy.of=[\"depth\"]", "mesh.elements=[40,20]"});
-  const Plan made{.scene = asked, .lines = {}, .models = {}, .remarks = {}};
+  const Plan made{.scene = asked, .lines = {}, .given = {}, .remarks = {}};
   const auto shown = [](double mesh, double time) {
     return Budget{.values = {{"wear_depth", "mm", 1}},
                   .parts = {{ErrorSource::mesh, "mesh.elements", "", {mesh}},

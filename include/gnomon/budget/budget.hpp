@@ -72,7 +72,7 @@ struct BudgetHooks {
   std::vector<ErrorSource> sources = {ErrorSource::time, ErrorSource::mesh, ErrorSource::model,
                                       ErrorSource::phases, ErrorSource::solves};
 
-  bool wants(const Key& key) const;  ///< whether it controls one of them
+  bool wants(ErrorSource source) const;
 };
 
 /// Runs the scene, and with it companions: twice and four times as large elements, from which

@@ -14,7 +14,7 @@ struct PlanLine {
   std::string settings;  ///< "mesh.factor = 0.5, integrator.rtol = 0.001"
   /// Relative errors, the largest of the wanted values.
   double mesh = 0, time = 0;
-  double rest = 0;  ///< of models and phases
+  double rest = 0;  ///< of models, phases and a mesh that is given
   double cpu_seconds = 0;
 
   double error() const { return mesh + time + rest; }
@@ -22,10 +22,10 @@ struct PlanLine {
 };
 
 struct Plan {
-  Scene scene;                     ///< with the chosen settings, and without accuracy.within
-  std::vector<PlanLine> lines;     ///< for twice the error, the asked one, half and a quarter of it
-  std::vector<BudgetPart> models;  ///< what the models neglect, by pilot runs
-  double pilot_seconds = 0;        ///< CPU time of the pilot runs [s]
+  Scene scene;                    ///< with the chosen settings, and without accuracy.within
+  std::vector<PlanLine> lines;    ///< for twice the error, the asked one, half and a quarter of it
+  std::vector<BudgetPart> given;  ///< by pilot runs: of the models, and of a mesh that is given
+  double pilot_seconds = 0;       ///< CPU time of the pilot runs [s]
   /// What the given settings cost or spoil, what could not be measured; one line each.
   std::vector<std::string> remarks;
 
@@ -37,7 +37,7 @@ struct Plan {
 Plan plan_of(const Scene& scene, const BudgetHooks& hooks);
 
 /// The budget of a planned run that has ended: what mesh, time and phases are wrong by, surely, and
-/// of its models what the plan knows. `scene` as Setup::scene has it.
+/// of its models and of a mesh that is given what the plan knows. `scene` as Setup::scene has it.
 Budget find_budget(const Plan& plan, const Scene& scene, const Goals& goals, BudgetHooks hooks);
 
 /// The largest error of the values that the scene wants, by its budget; a part that cannot be told

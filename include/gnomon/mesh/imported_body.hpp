@@ -33,9 +33,12 @@ struct ImportedBody {
 /// into quadrilaterals or hexahedra. Refused by InputError with the element and its place:
 /// everything else that is not sound. A group that is no part of the boundary becomes `unusable`.
 /// In 2D the numbers of the nodes ascend along the parts named `ascending` (contact surfaces) as
-/// far as that is possible: they cannot along all of a closed curve.
+/// far as that is possible: they cannot along all of a closed curve. `splits`: times that each cell
+/// becomes four (eight in space), with new nodes of the boundary on smooth curves through the old
+/// ones.
 template <int dim>
-ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& ascending = {});
+ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& ascending = {},
+                             int splits = 0);
 
 /// The facets of a boundary part. Throws InputError that says why there is none, with the nearest
 /// name, or all names.
