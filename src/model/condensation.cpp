@@ -92,11 +92,19 @@ bool is_symmetric(const Eigen::SparseMatrix<double>& K) {
   return difference.norm() <= rounding * K.norm();
 }
 
+/// Its solves shall not be refined, which would cost twice as much as they do.
+void prepare(Eigen::UmfPackLU<Eigen::SparseMatrix<double>>& factors) {
+  factors.umfpackControl()[UMFPACK_IRSTEP] = 0;
+}
+void prepare(Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>>&) {}
+
 template <class Factors>
 std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)> solver_of(
     const Eigen::SparseMatrix<double>& K) {
   if (K.rows() == 0) return [](const Eigen::MatrixXd& b) { return b; };  // all nodes may touch
-  auto factors = std::make_shared<Factors>(K);
+  auto factors = std::make_shared<Factors>();
+  prepare(*factors);
+  factors->compute(K);
   if (factors->info() != Eigen::Success)
     throw Error("the stiffness of the nodes off the contact is singular");
   return [factors](const Eigen::MatrixXd& b) -> Eigen::MatrixXd { return factors->solve(b); };
