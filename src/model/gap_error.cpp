@@ -36,35 +36,83 @@ std::vector<char> inner_nodes(const Assembly<dim>& body, const std::vector<Conta
   return inner;
 }
 
+/// Where the nodes off the surface are does not matter, as long as their elements are sound.
+constexpr double rough = 1e-3;
+
+/// Solves one stage for y to a residual, from its unknowns there. Returns the reason where this
+/// fails; then y is as before.
+std::string solve_stage(const AlgebraicStage& stage, double t, std::vector<double>& y,
+                        double tolerance) {
+  NewtonOptions options = modified_newton;
+  options.tolerance = tolerance;
+  Counters counters;
+  NewtonSolver newton(stage.system->structure(), counters, options);
+  std::vector<double> unknowns(stage.unknowns.size());
+  for (std::size_t k = 0; k < unknowns.size(); ++k) unknowns[k] = y[stage.unknowns[k]];
+  stage.freeze(t, y);
+  const NewtonReport report = newton.solve(algebraic_function(*stage.system), unknowns);
+  if (!report.converged) return report.reason;
+  for (std::size_t k = 0; k < unknowns.size(); ++k) y[stage.unknowns[k]] = unknowns[k];
+  return {};
+}
+
+/// y with a part of its worn surface.
+std::vector<double> worn_by(double part, const std::vector<char>& differential,
+                            std::vector<double> y) {
+  for (std::size_t i = 0; i < y.size(); ++i)
+    if (differential[i]) y[i] *= part;
+  return y;
+}
+
+/// Moves the mesh of y in proportion to the worn surface, as the first of it does. Whether all
+/// elements are sound then.
+bool move_linearly(const AlgebraicStage& motion, const std::vector<char>& differential, double t,
+                   std::vector<double>& y) {
+  constexpr double little = 1e-3;
+  std::vector<double> first = worn_by(little, differential, y);
+  if (!solve_stage(motion, t, first, rough * little).empty()) return false;
+  std::vector<double> unknowns, residual(motion.unknowns.size());
+  for (const int k : motion.unknowns) unknowns.push_back(y[k] = first[k] / little);
+  motion.freeze(t, y);
+  try {
+    motion.system->residual({.y = unknowns}, residual);
+  } catch (const RecoverableError&) {
+    return false;
+  }
+  return true;
+}
+
 /// Solves the mesh motion for the worn surface in y, in parts of it where it inverts elements at
 /// once. Returns the reason where this fails.
-std::string move_mesh(const System& system, double t, std::vector<double>& y) {
+std::string move_mesh(const AlgebraicStage& motion, const std::vector<char>& differential, double t,
+                      std::vector<double>& y) {
   constexpr double smallest = 1.0 / 64;
-  std::vector<AlgebraicStage> stages = system.algebraic_stages();
-  if (stages.size() < 2) return {};  // no mesh off the worn surface
-  const AlgebraicStage& motion = stages.front();
   const std::vector<double> worn = y;
-  const std::vector<char>& differential = system.structure().differential;
-  Counters counters;
-  NewtonSolver newton(motion.system->structure(), counters, {});
-  std::vector<double> d(motion.unknowns.size());
+  if (move_linearly(motion, differential, t, y)) return {};
+  y = worn_by(0, differential, worn);
   double done = 0, step = 1;
   while (done < 1) {
     const double next = std::min(1.0, done + step);
     for (std::size_t i = 0; i < y.size(); ++i)
       if (differential[i]) y[i] = next * worn[i];
-    motion.freeze(t, y);
-    std::vector<double> trial = d;
-    const NewtonReport report = newton.solve(algebraic_function(*motion.system), trial);
-    if (report.converged) {
-      d = trial;
+    const std::string failure = solve_stage(motion, t, y, rough);
+    if (failure.empty())
       done = next;
-    } else if ((step /= 2) < smallest) {
-      return report.reason;
-    }
+    else if ((step /= 2) < smallest)
+      return failure;
   }
-  for (std::size_t k = 0; k < d.size(); ++k) y[motion.unknowns[k]] = d[k];
   return {};
+}
+
+/// Makes y consistent with its worn surface.
+std::string solve_stages(const System& system, double t, std::vector<double>& y) {
+  const std::vector<AlgebraicStage> stages = system.algebraic_stages();
+  if (stages.size() > 1)  // else there is no mesh off the worn surface
+    if (const std::string failure =
+            move_mesh(stages.front(), system.structure().differential, t, y);
+        !failure.empty())
+      return failure;
+  return solve_stage(stages.back(), t, y, NewtonOptions().tolerance);
 }
 
 }  // namespace
@@ -77,11 +125,8 @@ std::optional<GapError> WearModel<dim>::gap_error(
   const WearModel moving(following<dim>(assembly()));
   std::vector<double> y(static_cast<std::size_t>(moving.system().structure().size));
   moving.system().numbering().gather(values, y);
-  Counters counters;
   GapError error;
-  error.failure = move_mesh(moving.system(), state.t, y);
-  if (error.failure.empty())
-    error.failure = AlgebraicSolver(moving.system(), counters).solve(state.t, y);
+  error.failure = solve_stages(moving.system(), state.t, y);
   if (!error.failure.empty()) return error;
   const Point at{.t = state.t, .y = y};
   const auto moved = moving.contacts(moving.system().values(state.t, y), at);
