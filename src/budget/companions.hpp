@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gnomon/mesh/mesh_file.hpp>
 #include <utility>
 
 #include "budget/trial.hpp"
@@ -82,7 +83,7 @@ public:
         } catch (const Interrupted&) {
           throw;
         } catch (const Error& error) {
-          if (failure.empty()) failure = error.what();
+          failure = error.what();
         }
       throw InputError(failure.empty() ? "there is no mesh of other elements to compare with"
                                        : failure);
@@ -99,6 +100,7 @@ public:
 private:
   Budget& budget_;
   const BudgetHooks& hooks_;
+  KeptMeshes meshes_;
   double work_ = 0;
 };
 

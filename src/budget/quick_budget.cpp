@@ -24,6 +24,7 @@ public:
         ledger_(goals.ledger),
         nodes_(goals.nodes),
         condensation_pays_(condensation_pays(goals, 2)),
+        finer_is_cheap_(work * std::exp2(goals.surface.dim) <= hooks.limit),
         is_small_(0.5 * work <= always) {
     budget_.values = goals.values;
   }
@@ -91,6 +92,8 @@ private:
 
   /// From elements of half the size.
   void find_mesh_by_finer(const Key& key, BudgetPart& part) {
+    if (!finer_is_cheap_)
+      throw InputError("a finer mesh takes longer than the run may be delayed by");
     const Scene half = *key.controls->scaled(scene_, 0.5);
     coarse_ = cheap(scene_, "the same mesh");
     own_ = scene_;
@@ -135,6 +138,7 @@ private:
   double ledger_;
   long nodes_;
   bool simpler_ = true, condensation_pays_;
+  bool finer_is_cheap_;  ///< without what simpler models save
   bool is_small_;  ///< companions on elements of twice the size take half of its work, all together
 };
 

@@ -38,7 +38,7 @@ Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupt
     throw MeshUnchanged("elements of another size make the same mesh, its geometry fixes them");
   StorePolicy policy = store_policy(setup.scene);
   policy.checkpoint_seconds = 0;
-  policy.phase_errors = false;
+  policy.phase_errors = policy.examine_end = false;
   const auto nonzeros = static_cast<double>(setup.model->system().structure().pattern.nonzeros());
   double work = 0;
   const RunOutcome outcome =

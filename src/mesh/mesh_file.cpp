@@ -8,11 +8,13 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <deque>
 #include <fstream>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/installation.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
 #include <optional>
+#include <tuple>
 
 #include "mesh/import_nodes.hpp"
 #include "mesh/mesh_stream.hpp"
@@ -236,7 +238,20 @@ ImportedMesh mesh_from_process(const std::filesystem::path& file, const MeshFile
 
 #endif
 
+using MeshOfFile = std::pair<std::tuple<std::filesystem::path, double, double>, ImportedMesh>;
+
+/// The last ones, oldest first; nothing while meshes are not kept.
+thread_local std::optional<std::deque<MeshOfFile>> kept;
+
 }  // namespace
+
+KeptMeshes::KeptMeshes() : outermost_(!kept) {
+  if (outermost_) kept.emplace();
+}
+
+KeptMeshes::~KeptMeshes() {
+  if (outermost_) kept.reset();
+}
 
 bool reads_mesh_files() {
 #ifdef GNOMON_HAS_GMSH
@@ -261,7 +276,13 @@ ImportedMesh read_mesh_file(const std::filesystem::path& file, const MeshFileOpt
     check_version(file);
   }
   if (extension(file) == ".geo") check_last_line(file);
-  return mesh_from_process(file, options);
+  if (!kept) return mesh_from_process(file, options);
+  constexpr std::size_t most = 3;
+  const std::tuple key(file, options.size, options.factor);
+  const auto known = std::ranges::find(*kept, key, &MeshOfFile::first);
+  if (known != kept->end()) return known->second;
+  if (kept->size() == most) kept->pop_front();
+  return kept->emplace_back(key, mesh_from_process(file, options)).second;
 }
 
 }  // namespace gnomon

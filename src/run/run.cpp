@@ -44,7 +44,7 @@ public:
       close_quietly(error.what());
       throw;
     }
-    if (outcome_.last) examine_end();
+    if (outcome_.last && policy_.examine_end) examine_end();
     if (outcome_.status != Status::failed)
       for (const std::string& text :
            end_warnings(observed_, invisible_volume(model().grid, dimension_of(observed_)),

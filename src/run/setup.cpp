@@ -134,6 +134,7 @@ Setup set_up(const std::filesystem::path& file, const std::vector<std::string>& 
 std::vector<std::string> remarks_on_keys(const Setup& setup) {
   const Scene& scene = setup.scene;
   integrator_settings(scene, *setup.model);  // reads what a run reads
+  scene.flag("output.budget");               // as does its end
   std::vector<std::string> remarks = scene.idle_texts();
   if (const std::string dropped = dropped_times_text(scene); !dropped.empty())
     remarks.push_back(dropped);

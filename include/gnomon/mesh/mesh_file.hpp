@@ -26,4 +26,17 @@ bool is_geometry(const std::filesystem::path& file);
 /// whose faults end a process of its own; throws InputError with its first complaint.
 ImportedMesh read_mesh_file(const std::filesystem::path& file, const MeshFileOptions& options = {});
 
+/// While one exists, this thread reads a file with the same options once. For runs that follow each
+/// other so soon that nobody changes a file in between.
+class KeptMeshes {
+public:
+  KeptMeshes();
+  ~KeptMeshes();
+  KeptMeshes(const KeptMeshes&) = delete;
+  KeptMeshes& operator=(const KeptMeshes&) = delete;
+
+private:
+  bool outermost_;
+};
+
 }  // namespace gnomon

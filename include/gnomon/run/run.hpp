@@ -36,6 +36,8 @@ struct StorePolicy {
   std::optional<Until> until = {};
   /// Of a cycle: the error of the mean over its phases is estimated at the start and at the end.
   bool phase_errors = false;
+  /// Whether the state at the end is examined, of which the user is warned.
+  bool examine_end = true;
 };
 
 /// What the keys of output and time.until ask for. Throws InputError for times that are too close
