@@ -70,6 +70,41 @@ double sum_of_parts(const Budget& shown, std::size_t place) {
   return sum;
 }
 
+/// What can be done about the errors that a run has shown.
+struct Repair {
+  Trade trade;
+  std::string mesh, phases;  ///< keys to change; empty: none
+};
+
+Repair repair_of(const Plan& plan, const Scene& asked, const Budget& shown) {
+  constexpr double phases_part = 0.3;  // of what may be: more of it calls for more phases
+  const std::vector<std::size_t> places = wanted_places(asked, shown.values);
+  Repair repair;
+  repair.trade.seconds = 1;
+  for (const BudgetPart& part : shown.parts) {
+    if (!part.unknown.empty()) continue;
+    const double error = largest(part.errors, places);
+    const bool is_free =
+        !asked.is_set(part.key) &&
+        std::ranges::find(plan.given, part.key, &BudgetPart::key) == plan.given.end();
+    if (part.source == ErrorSource::time) {
+      repair.trade.time = error;
+      repair.trade.free_time = is_free;
+    } else if (part.source == ErrorSource::mesh && is_free) {
+      repair.mesh = part.key;
+      repair.trade.mesh = error;
+      repair.trade.free_mesh = true;
+    } else if (part.source == ErrorSource::phases && is_free &&
+               error > phases_part * asked.real("accuracy.within")) {
+      repair.phases = part.key;
+      repair.trade.rest += error / 4;
+    } else {
+      repair.trade.rest += error;
+    }
+  }
+  return repair;
+}
+
 }  // namespace
 
 double wanted_error(const Scene& scene, const Budget& budget) {
@@ -102,39 +137,22 @@ std::string accuracy_text(const Scene& asked, const Budget& shown) {
 std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Budget& shown) {
   const double within = asked.real("accuracy.within");
   if (!(wanted_error(asked, shown) > within)) return {};
-  const std::vector<std::size_t> places = wanted_places(asked, shown.values);
-  const auto is_given = [&](const BudgetPart& part) {
-    return std::ranges::find(plan.given, part.key, &BudgetPart::key) != plan.given.end();
-  };
-  Trade trade;
-  std::string mesh;
-  for (const BudgetPart& part : shown.parts) {
-    if (!part.unknown.empty()) continue;
-    const double error = largest(part.errors, places);
-    if (part.source == ErrorSource::mesh && !is_given(part)) {
-      mesh = part.key;
-      trade.mesh = error;
-      trade.free_mesh = !asked.is_set(part.key);
-    } else if (part.source == ErrorSource::time) {
-      trade.time = error;
-      trade.free_time = !asked.is_set(part.key);
-    } else {
-      trade.rest += error;
-    }
-  }
+  const Repair repair = repair_of(plan, asked, shown);
   // What finer elements and steps cannot improve is no reason for them; and no more than half as
   // large elements at once, for estimates of large errors are rough.
-  if (trade.rest > 0.7 * within) return {};
-  trade.seconds = 1;
-  Factors factors = cheapest(trade, within);
+  if (repair.trade.rest > 0.7 * within) return {};
+  Factors factors = cheapest(repair.trade, within);
   factors.mesh = std::clamp(factors.mesh, 0.5, 1.0);
   factors.time = std::clamp(factors.time, 0.01, 1.0);
-  if (factors.mesh == 1 && factors.time == 1) return {};
+  if (factors.mesh == 1 && factors.time == 1 && repair.phases.empty()) return {};
   Scene scene = plan.scene;
+  const auto scale = [&scene](const Key& key, double factor) {
+    scene = key.controls->scaled(scene, factor).value_or(scene);
+  };
   for (const Key& key : plan.scene.controlling_keys()) {
-    if (key.name == mesh) scene = key.controls->scaled(scene, factors.mesh).value_or(scene);
-    if (key.controls->source == ErrorSource::time)
-      scene = key.controls->scaled(scene, factors.time).value_or(scene);
+    if (key.name == repair.phases) scale(key, 0.5);
+    if (key.name == repair.mesh) scale(key, factors.mesh);
+    if (key.controls->source == ErrorSource::time) scale(key, factors.time);
   }
   return scene;
 }

@@ -22,10 +22,12 @@ Key function_key(const std::string& name, const std::string& unit, const std::st
           .help = help};
 }
 
-/// Where the scene gives their number.
+/// Where the scene gives their number, or no phases at all.
 std::optional<Scene> with_scaled_phases(const Scene& scene, double factor) {
-  if (!scene.given("cycle.phases") || chooses_phases(scene)) return {};
-  const std::vector<double>& phases = scene.reals("cycle.phases");
+  constexpr double usual = 16;
+  if (!scene.has("cycle.period") || chooses_phases(scene)) return {};
+  const std::vector<double> phases =
+      scene.given("cycle.phases") ? scene.reals("cycle.phases") : std::vector<double>{usual};
   if (phases.size() != 1 || phases[0] < 2) return {};
   const double count = std::max(1.0, std::round(phases[0] / factor));
   if (count > most_phases) return {};
@@ -40,7 +42,7 @@ std::vector<Key> make_keys() {
                              "end of the run in cycles, instead of time.end")),
           {.name = "cycle.phases",
            .kind = KeyKind::reals,
-           .absent_meaning = "needed by cycle.period",
+           .absent_meaning = "needed by cycle.period; chosen where accuracy.within is given",
            .range = {.min = 0, .max = most_phases},
            .or_single = Range{.min = 1, .max = most_phases},
            .or_text = "auto",

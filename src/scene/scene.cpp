@@ -173,7 +173,10 @@ Scene Scene::without(const std::string& key) const {
   if (entry(key).key.absent_meaning.empty())
     throw std::logic_error("scene key `" + key + "` is not optional");
   Scene result = *this;
-  result.value(key).reset();
+  const auto place = std::ranges::find(result.entries_, key,
+                                       [](const Entry& entry) { return entry.key.name; });
+  place->value.reset();
+  place->origin = {};
   return result;
 }
 
