@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/budget/budget.hpp>
+#include <gnomon/results/surface_difference.hpp>
 #include <gnomon/system/system.hpp>
-#include <numeric>
 
 #include "base/spectrum.hpp"
 
@@ -39,80 +39,10 @@ std::vector<std::size_t> inner_nodes(const ContactSurface& surface) {
   return closed;
 }
 
-Eigen::Vector3d wear_of(const ContactSurface& surface, std::size_t node) {
-  return vector_of(surface.worn[node]) - vector_of(surface.initial[node]);
-}
-
-std::vector<std::size_t> nearest_nodes(const ContactSurface& surface, const Eigen::Vector3d& x,
-                                       std::size_t count) {
-  std::vector<std::size_t> nodes(surface.initial.size());
-  std::iota(nodes.begin(), nodes.end(), 0);
-  count = std::min(count, nodes.size());
-  std::ranges::partial_sort(
-      nodes, nodes.begin() + static_cast<long>(count), {},
-      [&](std::size_t i) { return (vector_of(surface.initial[i]) - x).squaredNorm(); });
-  nodes.resize(count);
-  return nodes;
-}
-
-/// The change of shape and the pressure at any place of the initial surface: linear through the
-/// nodes nearest to it, by least squares with weights, so that a node at this place has its values.
-Eigen::Vector4d values_at(const ContactSurface& surface, const Eigen::Vector3d& x) {
-  const std::vector<std::size_t> nodes = nearest_nodes(surface, x, surface.dim == 2 ? 2 : 6);
-  const auto apart = [&](std::size_t i) -> Eigen::Vector3d {
-    return vector_of(surface.initial[i]) - x;
-  };
-  const double size = apart(nodes.back()).norm() + std::numeric_limits<double>::min();
-  Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(4, 4), values = Eigen::MatrixXd::Zero(4, 4);
-  for (const std::size_t i : nodes) {
-    Eigen::Vector4d row, value;
-    row << 1, apart(i) / size;
-    value << wear_of(surface, i), surface.pressure[i];
-    const double weight = 1 / (row.tail<3>().squaredNorm() + 1e-12);
-    moments += weight * row * row.transpose();
-    values += weight * row * value.transpose();
-  }
-  const double scale = moments(0, 0);
-  return (pseudo_inverse(moments / scale, 1e-4) * (values / scale)).row(0).transpose();
-}
-
-/// The projection on the tangents of the initial surface at a node.
-Eigen::Matrix3d tangents_at(const ContactSurface& surface, std::size_t node) {
-  const std::vector<std::size_t> nodes =
-      nearest_nodes(surface, vector_of(surface.initial[node]), surface.dim == 2 ? 3 : 9);
-  Eigen::Vector3d middle(0, 0, 0);
-  for (const std::size_t i : nodes)
-    middle += vector_of(surface.initial[i]) / static_cast<double>(nodes.size());
-  Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(3, 3);
-  for (const std::size_t i : nodes) {
-    const Eigen::Vector3d apart = vector_of(surface.initial[i]) - middle;
-    spread += apart * apart.transpose();
-  }
-  const Eigen::MatrixXd vectors = spectrum_of(spread).vectors;
-  const Eigen::Vector3d last = vectors.col(2), normal = vectors.col(0);
-  return surface.dim == 2
-             ? Eigen::Matrix3d(last * last.transpose())
-             : Eigen::Matrix3d(Eigen::Matrix3d::Identity() - normal * normal.transpose());
-}
-
-/// How far the worn surface at a node lies from another one along the normal, whichever points of
-/// the initial surface have come there: nodes of a mesh that follows the wear slide.
-double distance_along_normal(const ContactSurface& surface, std::size_t node,
-                             const ContactSurface& other) {
-  const Eigen::Matrix3d tangents = tangents_at(surface, node);
-  Eigen::Vector3d from = vector_of(surface.initial[node]);
-  Eigen::Vector3d apart;
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d there = from + values_at(other, from).head<3>();
-    apart = vector_of(surface.worn[node]) - there;
-    if (i < 2) from += tangents * apart;
-  }
-  return (apart - tangents * apart).norm();
-}
-
 double profile_norm(const ContactSurface& surface) {
   double sum = 0;
-  for (std::size_t i = 0; i < surface.worn.size(); ++i) sum += wear_of(surface, i).squaredNorm();
+  for (std::size_t i = 0; i < surface.worn.size(); ++i)
+    sum += (vector_of(surface.worn[i]) - vector_of(surface.initial[i])).squaredNorm();
   return std::sqrt(sum);
 }
 
@@ -129,16 +59,13 @@ struct FieldDifferences {
 };
 
 FieldDifferences field_differences(const ContactSurface& surface, const ContactSurface& other) {
-  FieldDifferences result;
-  for (std::size_t i = 0; i < surface.worn.size(); ++i)
-    result.profile += std::pow(distance_along_normal(surface, i, other), 2);
+  const SurfaceDifference difference = surface_difference(surface, other);
   const std::vector<std::size_t> inner = inner_nodes(surface);
-  for (const std::size_t i : inner) {
-    const double there = values_at(other, vector_of(surface.initial[i]))[3];
-    result.inner_pressure +=
-        std::pow(surface.pressure[i] - there, 2) / static_cast<double>(inner.size());
-  }
-  return {std::sqrt(result.profile), std::sqrt(result.inner_pressure)};
+  double sum = 0;
+  for (const std::size_t i : inner) sum += std::pow(difference.pressure[i], 2);
+  const Eigen::Map<const Eigen::VectorXd> distance(
+      difference.distance.data(), static_cast<Eigen::Index>(difference.distance.size()));
+  return {distance.norm(), inner.empty() ? 0 : std::sqrt(sum / static_cast<double>(inner.size()))};
 }
 
 }  // namespace

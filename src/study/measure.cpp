@@ -6,6 +6,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/results.hpp>
+#include <gnomon/results/surface_difference.hpp>
 #include <gnomon/study/study.hpp>
 
 #include "study/run_files.hpp"
@@ -175,8 +176,14 @@ private:
       row.marked_pressure = !closed && mark(errors.pressure, reference.pressure_error);
     }
     const Surfaces& self = self_surfaces_[sweep];
-    if (!self.empty() && row.point.run != study_.sweep[sweep].self_reference)
-      row.shape_error_self = shape_error(surfaces.back(), self.back());
+    if (!self.empty() && row.point.run != study_.sweep[sweep].self_reference) {
+      // In the same measure, where the reference has another mesh.
+      const Surfaces& reference_surfaces = surfaces_[sweep];
+      const bool other_mesh = !reference_surfaces.empty() &&
+                              reference_surfaces.back().initial != surfaces.back().initial;
+      row.shape_error_self = other_mesh ? distance_error(surfaces.back(), self.back())
+                                        : shape_error(surfaces.back(), self.back());
+    }
   }
 
   const Study& study_;

@@ -53,6 +53,13 @@ assert [axes.get_title() for axes in swept.axes] == ["bdf", "esdirk-4", "esdirk-
 lines = [line for line in swept.axes[0].lines if len(line.get_xdata())]
 assert all(list(line.get_xdata()) == [1e4, 1e2] for line in lines)
 assert len({line.get_color() for line in lines}) == 2
+timed = errors.draw_sweep_time(runs("mesh.factor=2") + runs("mesh.factor=1"))
+assert timed.axes[-1].get_xlabel() == "CPU time [s]"
+try:
+    errors.draw_sweep_time(runs("kappa=0") + runs("kappa=0.1"))
+    raise AssertionError("these meshes are the same")
+except Unsuitable:
+    pass
 try:
     errors.draw_sweep_work(runs())
     raise AssertionError("without a sweep there is nothing to compare")

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/results/results.hpp>
+#include <gnomon/results/surface_difference.hpp>
 #include <gnomon/study/study.hpp>
 #include <thread>
 

@@ -153,13 +153,6 @@ std::vector<PhaseError> start_errors(const ResultReader& from);
 void copy_to_last_checkpoint(const ResultReader& from, const std::vector<std::string>& fields,
                              ResultWriter& to);
 
-/// The paper's error (sec. 4.1): Euclidean norm of the differences of worn (undeformed)
-/// contact-node positions [length]. Throws InputError when the surfaces have different nodes.
-double shape_error(const ContactSurface& surface, const ContactSurface& reference);
-
-/// Largest difference of the nodal contact pressures [stress]. Throws InputError as above.
-double pressure_error(const ContactSurface& surface, const ContactSurface& reference);
-
 /// A spatial collection of grids: "body", its cells, and one grid with the name of each part, its
 /// facets or points. Each has the nodes that it uses. All numbers are in the file itself. `axes`:
 /// names of the coordinates, "x y".

@@ -34,7 +34,14 @@ def draw_sweep_work(runs):
     return draw(runs, "Newton iterations", "", "newton_iterations")
 
 
-def draw(runs, across, otherwise, x="setting"):
+def draw_sweep_time(runs):
+    """Of a sweep over meshes, whose iterations cost different times."""
+    if not any(run.sweep.startswith("mesh.") for run in runs):
+        raise Unsuitable("the study has no sweep over meshes")
+    return draw(runs, "CPU time [s]", "", "cpu_seconds", with_self=True)
+
+
+def draw(runs, across, otherwise, x="setting", with_self=False):
     """Several sweep values: a panel for each method, a colour for each value. One value: a colour
     for each method."""
     if not any(0 < run.shape_error < math.inf for run in runs):
@@ -44,7 +51,7 @@ def draw(runs, across, otherwise, x="setting"):
     names = distinct(run.sweep if swept else run.method for run in runs)
     looks = looks_of(names, ordered=swept)
     figure, panels = panels_for(len(titles))
-    limits = error_limits(runs)
+    limits = error_limits(runs, with_self)
     guides = False
     for panel, title in zip(panels, titles):
         members = [run for run in runs if not swept or run.method == title]
@@ -75,13 +82,15 @@ def panels_for(count):
     return figure, list(panels.flat[:count])
 
 
-def error_limits(runs):
+def error_limits(runs, with_self=False):
     errors = [run.shape_error for run in runs if 0 < run.shape_error < math.inf]
     sound = [run.shape_error for run in runs if run.finished and run.shape_error > 0] or errors
     typical = numpy.median(sound)
     top = min(max(errors), ROOM_ABOVE * typical)
     # Errors of references that are far below the measured errors would take too much space.
     low = min(errors)
+    if with_self:
+        low = min([low, *(run.shape_error_self for run in runs if run.shape_error_self > 0)])
     references = [run.reference_error for run in runs if run.reference_error > 0.1 * low]
     return 0.5 * min([low, *references]), 4 * top
 

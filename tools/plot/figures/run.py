@@ -163,6 +163,7 @@ def draw_study(folder, sink):
         sink.draw(f"{stem}-error-step", errors.draw_steps, own)
         sink.draw(f"{stem}-error-tolerance", errors.draw_tolerances, own)
         sink.draw(f"{stem}-error-newton", errors.draw_sweep_work, own)
+        sink.draw(f"{stem}-error-time", errors.draw_sweep_time, own)
         sweeps = study.distinct(run.sweep for run in own)
         for sweep in sweeps:
             tail = f"-{file_name(sweep)}" if len(sweeps) > 1 else ""
