@@ -4,7 +4,7 @@
 //   gnomon_effectivity FACTOR SCENE.toml [KEY=VALUE ...]
 //
 // FACTOR: of the reference's elements, which also has a hundredth of the tolerance, or a tenth of
-// the step.
+// the step, half the fraction of solves, twice the phases and the models that neglect less.
 
 #include <fmt/format.h>
 
@@ -38,7 +38,10 @@ Scene reference_of(Scene scene, double factor, const Budget& budget) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 3) return 2;
+  if (argc < 3) {
+    fmt::print(stderr, "expected: gnomon_effectivity FACTOR SCENE.toml [KEY=VALUE ...]\n");
+    return 2;
+  }
   const std::filesystem::path file = argv[2];
   const Scene scene = checked_scene(file, {argv + 3, argv + argc});
   const BudgetHooks hooks;

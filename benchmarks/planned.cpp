@@ -3,7 +3,8 @@
 //
 //   gnomon_planned FACTOR WITHIN,WITHIN SCENE.toml [KEY=VALUE ...]
 //
-// FACTOR: of the reference's elements, of tolerance 1e-6, with the scene's own models.
+// FACTOR: of the reference's elements (a power of two where cells are split), of tolerance 1e-6,
+// with four times the phases and the scene's own models.
 
 #include <fmt/format.h>
 
@@ -25,7 +26,11 @@ Scene reference_of(const Scene& scene, double factor) {
   for (const Key& key : scene.controlling_keys())
     if (key.controls->source == ErrorSource::mesh)
       if (auto scaled = key.controls->scaled(scene, factor)) finer = std::move(scaled);
-  return finer.value_or(scene).with("integrator.rtol", 1e-6);
+  Scene reference = finer.value_or(scene).with("integrator.rtol", 1e-6);
+  for (const Key& key : scene.controlling_keys())
+    if (key.controls->source == ErrorSource::phases)
+      reference = key.controls->scaled(reference, 0.25).value_or(reference);
+  return reference;
 }
 
 /// As `gnomon run` does it.
@@ -43,7 +48,11 @@ budget::Trial planned_run(const Scene& asked, const Plan& plan, int& runs) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) return 2;
+  if (argc < 4) {
+    fmt::print(stderr,
+               "expected: gnomon_planned FACTOR WITHIN,WITHIN SCENE.toml [KEY=VALUE ...]\n");
+    return 2;
+  }
   const std::vector<std::string> overrides(argv + 4, argv + argc);
   const BudgetHooks hooks;
   const Scene scene = checked_scene(argv[3], overrides);

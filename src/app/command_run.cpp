@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
@@ -62,7 +63,11 @@ Run run_planned(const Scene& asked, const RunOptions& options, Earlier earlier) 
   if (const auto finer = refined(plan, asked, shown)) {
     print_unless(quiet, fmt::format("{}\nonce more, finer: {}\n", accuracy_text(asked, shown),
                                     change_text(plan.scene, *finer)));
-    run = run_scene(*finer, options, Earlier::replaced, &plan);
+    try {
+      run = run_scene(*finer, options, Earlier::replaced, &plan);
+    } catch (const InputError& error) {  // of the finer mesh: the result stays
+      print_remarks({fmt::format("not done once more: {}", error.what())});
+    }
   }
   if (!run.outcome.budget.empty())
     print_unless(quiet, accuracy_text(asked, budget_of_json(run.outcome.budget)) + "\n");

@@ -6,6 +6,7 @@
 #include <gnomon/budget/budget.hpp>
 
 #include "budget/companions.hpp"
+#include "budget/extrapolation.hpp"
 
 namespace gnomon {
 
@@ -63,8 +64,7 @@ private:
     const Scene half = *key.controls->scaled(run_.scene, 0.5);
     const Trial fine = companions_.run(half, "elements of half the size", run_.goals.nodes);
     part.how = change_text(run_.scene, half);
-    part.errors = mesh_differences(run_.goals, fine.goals);
-    for (double& error : part.errors) error = extrapolated(error, not_known).of_coarser();
+    part.errors = errors_of_coarser(run_.goals, fine.goals);
   }
 
   /// From the mesh of twice as large elements to that of four times as large ones. Not known where
@@ -111,6 +111,7 @@ private:
 
 Budget find_budget(const Scene& scene, const BudgetHooks& hooks) {
   hooks.on_run("the run itself");
+  const KeptMeshes meshes;
   return Search(try_scene(scene, [&](double) { return hooks.interrupted(); }), hooks, true)();
 }
 

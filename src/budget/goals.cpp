@@ -95,12 +95,16 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
   const bool in_plane = half_width && !(area && area->unit == "mm^2");
   add(in_plane ? "contact_half_width" : "contact_area");
   const double size = in_plane ? 2 * *half_width : area ? area->value : 0;
-  if (const auto force = value_of(observed, "contact_force"); force && size > 0)
-    goals.values.push_back({"mean_pressure", "MPa", *force / size});
+  if (const auto force = value_of(observed, "contact_force"))
+    goals.values.push_back({"mean_pressure", "MPa", size > 0 ? *force / size : 0});
   goals.values.push_back({"inner_pressure", "MPa", inner_pressure(goals.surface)});
   add("max_pressure");
   add("approach");
   return goals;
+}
+
+bool is_norm(const std::string& value) {
+  return value == "profile" || value == "inner_pressure";
 }
 
 std::vector<double> differences(const Goals& goals, const Goals& other) {

@@ -7,6 +7,7 @@
 #include <gnomon/budget/plan.hpp>
 
 #include "budget/companions.hpp"
+#include "budget/extrapolation.hpp"
 #include "budget/trade.hpp"
 #include "budget/wanted.hpp"
 
@@ -39,19 +40,29 @@ public:
     find_coarse_mesh();
     for (const Key& key : asked_.controlling_keys())
       if (key.controls->source == ErrorSource::model) try_simpler(key);
-    measure_mesh();
-    measure_time();
-    measure_phases();
-    Plan plan{.scene = with(cheapest(trade_, within_)), .lines = {}, .given = {}, .remarks = {}};
+    attempt("mesh", [&] { measure_mesh(); });
+    attempt("time", [&] { measure_time(); });
+    attempt("phases", [&] { measure_phases(); });
+    Plan plan{.scene = with(cheapest(trade_, within_)), .lines = {}, .known = {}, .remarks = {}};
     for (const double part : {2.0, 1.0, 0.5, 0.25}) plan.lines.push_back(line_for(part * within_));
     plan.pilot_seconds = budget_.companion_seconds;
-    plan.given = std::move(given_);
+    plan.known = std::move(known_);
     plan.remarks = std::move(remarks_);
     remark_on_given(plan);
     return plan;
   }
 
 private:
+  /// A pilot that fails leaves a part of the error unknown.
+  void attempt(const std::string& part, const std::function<void()>& measure) try {
+    measure();
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const Error& error) {
+    remarks_.push_back(
+        fmt::format("the error of the {} is not part of the plan: {}", part, error.what()));
+  }
+
   static double read_within(const Scene& scene) {
     if (const auto within = scene.real_if("accuracy.within")) return *within;
     throw InputError(scene.path().string() +
@@ -64,8 +75,8 @@ private:
       scene = mesh_->controls->scaled(scene, factors.mesh).value_or(scene);
     if (time_ && factors.time != 1)
       scene = time_->controls->scaled(scene, factors.time).value_or(scene);
-    const bool dense = !coarse_ || condensation_pays(full_, factors.mesh / pilot_.mesh);
-    return dense ? scene : without_condensation(scene);
+    const bool pays = !coarse_ || condensation_pays(coarse_goals_, factors.mesh / pilot_.mesh);
+    return pays || asked_.is_set("solver.reduce") ? scene : without_condensation(scene);
   }
 
   Trial pilot(Factors factors, const std::string& what) {
@@ -78,13 +89,13 @@ private:
     if (trade_.free_time) pilot_.time = time_of_pilots;
     std::string failure;
     for (const double factor : {8.0, 4.0, 2.0, 1.0, 0.5}) {
-      if (!mesh_ && factor != 1) continue;
-      pilot_.mesh = factor;
+      if (!scales(factor)) continue;
       try {
-        coarse_ = pilot(pilot_, fmt::format("a pilot on {} times as large elements", factor));
-        const ContactSurface& surface = coarse_->goals.surface;
-        const auto closed = std::ranges::count_if(surface.pressure, [](double p) { return p > 0; });
-        if (!mesh_ || closed >= (surface.dim == 2 ? 7 : 12)) break;
+        const Factors factors{factor, pilot_.time};
+        coarse_ = pilot(factors, fmt::format("a pilot on {} times as large elements", factor));
+        pilot_ = factors;
+        coarse_goals_ = coarse_->goals;
+        if (!mesh_ || has_enough_contact(coarse_goals_)) break;
       } catch (const Interrupted&) {
         throw;
       } catch (const SolutionError& error) {
@@ -95,8 +106,18 @@ private:
       }
     }
     if (!coarse_) throw SolutionError("no pilot run succeeds: " + failure);
-    full_ = coarse_->goals;
-    places_ = wanted_places(asked_, full_.values);
+    places_ = wanted_places(asked_, coarse_goals_.values);
+  }
+
+  /// Whether there is a mesh of elements `factor` times as large.
+  bool scales(double factor) const {
+    return factor == 1 || (mesh_ && mesh_->controls->scaled(scene_, factor));
+  }
+
+  static bool has_enough_contact(const Goals& goals) {
+    const auto closed =
+        std::ranges::count_if(goals.surface.pressure, [](double p) { return p > 0; });
+    return closed >= (goals.surface.dim == 2 ? 7 : 12);
   }
 
   /// Goes on with the simpler of two models, where the scene does not give one and the error is a
@@ -108,12 +129,12 @@ private:
     const Scene own = scene_;
     try {
       scene_ = *other;
-      Trial trial = pilot(pilot_, key.name);
+      Trial trial = pilot(pilot_, change_text(own, *other));
       const std::vector<double> errors = differences(coarse_->goals, trial.goals);
       const double error = largest(errors, places_);
       const bool goes_on = !given && error <= small_part * within_;
       if (goes_on || given) {
-        add_given({.source = ErrorSource::model,
+        add_known({.source = ErrorSource::model,
                    .key = key.name,
                    .how = change_text(own, *other),
                    .errors = errors});
@@ -130,17 +151,17 @@ private:
   }
 
   /// A part of the error that stays, known from a pilot run.
-  void add_given(BudgetPart part) {
+  void add_known(BudgetPart part) {
     for (double& each : part.errors) each = std::abs(each);
     part.how += ", by a pilot run";
     trade_.rest += largest(part.errors, places_);
-    given_.push_back(std::move(part));
+    known_.push_back(std::move(part));
   }
 
   void measure_mesh() {
     trade_.seconds = coarse_->cpu_seconds;
     trade_.coarsest = pilot_.mesh;
-    if (!mesh_) return judge_mesh();
+    if (!mesh_ || !scales(pilot_.mesh / 2)) return judge_mesh();
     const Factors finer{pilot_.mesh / 2, pilot_.time};
     std::optional<Trial> finer_trial;
     try {
@@ -148,13 +169,14 @@ private:
                                     coarse_->goals.nodes);
     } catch (const MeshUnchanged&) {
       trade_.free_mesh = false;
+      pilot_.mesh = 1;
       return judge_mesh();
     }
     const Trial& fine = *finer_trial;
     const double difference = largest(mesh_differences(coarse_->goals, fine.goals), places_);
-    const double of_fine = difference / (std::exp2(Trade::order) - 1);
-    trade_.mesh = of_fine / std::pow(finer.mesh, Trade::order);
-    trade_.cost_mesh = 1.2 * full_.surface.dim;
+    const double of_fine = difference / (std::exp2(usual_order) - 1);
+    trade_.mesh = of_fine / std::pow(finer.mesh, usual_order);
+    trade_.cost_mesh = 1.2 * coarse_goals_.surface.dim;
     trade_.seconds = fine.cpu_seconds * std::pow(finer.mesh, trade_.cost_mesh);
   }
 
@@ -162,25 +184,27 @@ private:
   void judge_mesh() {
     std::string failure = "there is no other mesh";
     for (const OtherMesh& other : other_meshes(asked_)) try {
-        if (other.is_coarser) continue;
-        const Scene base = with(pilot_), half = *other.key.controls->scaled(base, 0.5);
-        const Trial fine = companions_.run(half, "a pilot on a finer mesh", coarse_->goals.nodes);
-        BudgetPart part{.source = ErrorSource::mesh,
-                        .key = other.key.name,
-                        .how = change_text(base, half),
-                        .errors = mesh_differences(coarse_->goals, fine.goals)};
-        for (double& error : part.errors) error = extrapolated(error, not_known).of_coarser();
-        remarks_.push_back(fmt::format(
-            "the mesh is given, its error is {:.2g} %; with {} it would be less, for {:.2g} times "
-            "the work",
-            100 * largest(part.errors, places_), part.how, fine.work / coarse_->work));
-        return add_given(std::move(part));
+        if (!other.is_coarser) return judge_mesh_by(other.key);
       } catch (const Interrupted&) {
         throw;
       } catch (const Error& error) {
         failure = error.what();
       }
-    remarks_.push_back("the error of the mesh is not part of the plan: " + failure);
+    throw InputError(failure);
+  }
+
+  void judge_mesh_by(const Key& key) {
+    const Scene base = with(pilot_), half = *key.controls->scaled(base, 0.5);
+    const Trial fine = companions_.run(half, "a pilot on a finer mesh", coarse_->goals.nodes);
+    BudgetPart part{.source = ErrorSource::mesh,
+                    .key = key.name,
+                    .how = change_text(base, half),
+                    .errors = errors_of_coarser(coarse_->goals, fine.goals)};
+    remarks_.push_back(fmt::format(
+        "the mesh is given, its error is {:.2g} %; with {} it would be less, for {:.2g} "
+        "times the work",
+        100 * largest(part.errors, places_), part.how, fine.work / coarse_->work));
+    add_known(std::move(part));
   }
 
   void measure_time() {
@@ -242,10 +266,11 @@ private:
     if (all.free_mesh && !trade_.free_mesh) given.push_back(mesh_->name);
     if (all.free_time && !trade_.free_time) given.push_back(time_->name);
     if (!given.empty())
-      plan.remarks.push_back(
-          fmt::format("{} {} given: the run takes about {:.2g} s of CPU, without about {:.2g} s",
-                      fmt::join(given, ", "), given.size() == 1 ? "is" : "are",
-                      plan.chosen().cpu_seconds, seconds));
+      plan.remarks.push_back(fmt::format(
+          "{} {} given: the run takes about {:.2g} s of CPU, with the plan's own choice "
+          "about {:.2g} s",
+          fmt::join(given, ", "), given.size() == 1 ? "is" : "are", plan.chosen().cpu_seconds,
+          seconds));
   }
 
   static constexpr double small_part = 0.25;    ///< of what may be, of models and phases
@@ -259,10 +284,10 @@ private:
   std::optional<Key> mesh_{}, time_{};
   Factors pilot_;
   std::optional<Trial> coarse_{};
-  Goals full_;  ///< of the same mesh with the models of the scene
+  Goals coarse_goals_;  ///< with the models of the scene
   std::vector<std::size_t> places_;
   Trade trade_;
-  std::vector<BudgetPart> given_;
+  std::vector<BudgetPart> known_;
   std::vector<std::string> remarks_;
 };
 
@@ -270,9 +295,9 @@ private:
 
 Budget find_budget(const Plan& plan, const Scene& scene, const Goals& goals, BudgetHooks hooks) {
   hooks.sources = {ErrorSource::mesh, ErrorSource::time, ErrorSource::phases};
-  for (const BudgetPart& part : plan.given) std::erase(hooks.sources, part.source);
+  for (const BudgetPart& part : plan.known) std::erase(hooks.sources, part.source);
   Budget budget = find_budget(scene, goals, hooks);
-  budget.parts.insert(budget.parts.end(), plan.given.begin(), plan.given.end());
+  budget.parts.insert(budget.parts.end(), plan.known.begin(), plan.known.end());
   return budget;
 }
 

@@ -5,6 +5,7 @@
 #include <gnomon/budget/budget.hpp>
 
 #include "budget/companions.hpp"
+#include "budget/extrapolation.hpp"
 
 namespace gnomon {
 
@@ -92,15 +93,13 @@ private:
 
   /// From elements of half the size.
   void find_mesh_by_finer(const Key& key, BudgetPart& part) {
-    if (!finer_is_cheap_)
-      throw InputError("a finer mesh takes longer than the run may be delayed by");
+    if (!finer_is_cheap_) throw InputError(too_long);
     const Scene half = *key.controls->scaled(scene_, 0.5);
     coarse_ = cheap(scene_, "the same mesh");
     own_ = scene_;
     const Trial fine = cheap(half, "a finer mesh", nodes_);
     part.how = change_text(scene_, half);
-    part.errors = mesh_differences(coarse_->goals, fine.goals);
-    for (double& error : part.errors) error = extrapolated(error, not_known).of_coarser();
+    part.errors = errors_of_coarser(coarse_->goals, fine.goals);
   }
 
   /// Between the coarse mesh and a coarser one, which costs little; not known where there is none.
@@ -121,19 +120,25 @@ private:
     if (!key.controls->scaled(scene_, factor)) return;
     companions_.add(key, [&](BudgetPart& part) {
       if (!coarse_) coarse_ = cheap(own_, "the same mesh");
-      std::optional<Trial> own;  // of the scene's own model
-      if (part.source == ErrorSource::model) own = companions_.run(own_, "the models of the scene");
-      const Trial& base = own ? *own : *coarse_;
+      const Trial& base = part.source == ErrorSource::model ? with_own_models() : *coarse_;
       const auto scene = key.controls->scaled(base.scene, factor);
-      if (!scene) throw InputError("the companions cannot have it finer");
+      if (!scene) throw InputError("it cannot be finer on the mesh of the companions");
       companions_.compare(part, base, *scene);
     });
+  }
+
+  /// On the companions' mesh.
+  const Trial& with_own_models() {
+    if (own_models_) return *own_models_;
+    const bool is_coarse = Scene::differing_keys(coarse_->scene, own_).empty();
+    own_models_ = is_coarse ? *coarse_ : companions_.run(own_, "the models of the scene");
+    return *own_models_;
   }
 
   Scene scene_;
   Budget budget_;
   Companions companions_;
-  std::optional<Trial> coarse_{};
+  std::optional<Trial> coarse_{}, own_models_{};
   Scene own_;  ///< of the companions' mesh, with the scene's own models
   double ledger_;
   long nodes_;

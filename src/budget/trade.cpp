@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "budget/extrapolation.hpp"
+
 namespace gnomon::budget {
 
 namespace {
@@ -25,7 +27,7 @@ std::vector<double> choices(bool is_free, double largest, double base) {
 
 PlanLine predicted(const Trade& trade, Factors factors) {
   PlanLine line;
-  line.mesh = trade.mesh * std::pow(factors.mesh, Trade::order);
+  line.mesh = trade.mesh * std::pow(factors.mesh, usual_order);
   line.time = trade.time * factors.time;
   line.rest = trade.rest;
   line.cpu_seconds = trade.seconds * std::pow(factors.mesh, -trade.cost_mesh) *
@@ -49,9 +51,14 @@ Factors cheapest(const Trade& trade, double within) {
       least = line.cpu_seconds;
       best = {mesh, time};
     }
-  if (!std::isfinite(least))
-    return {choices(trade.free_mesh, trade.coarsest, 2).back(),
-            choices(trade.free_time, loosest, 10).back()};
+  if (std::isfinite(least)) return best;
+  // The finest mesh is not enough: smaller steps than its error would be in vain.
+  best.mesh = choices(trade.free_mesh, trade.coarsest, 2).back();
+  for (const double time : choices(trade.free_time, loosest, 10)) {
+    best.time = time;
+    const PlanLine line = predicted(trade, best);
+    if (line.time <= std::max(line.mesh, rest) / 4) break;
+  }
   return best;
 }
 

@@ -6,8 +6,8 @@
 namespace gnomon::budget {
 
 /// At the scene's own values of the keys that control mesh and time (factors 1), and how they
-/// change with factors of these: errors with mesh^order and time^1, cost with mesh^-cost_mesh and
-/// time^-cost_time.
+/// change with factors of these: errors with mesh^usual_order and time^1, cost with mesh^-cost_mesh
+/// and time^-cost_time.
 struct Trade {
   double mesh = 0, time = 0;  ///< relative errors
   double rest = 0;            ///< of model and phases, which stay
@@ -15,8 +15,6 @@ struct Trade {
   double cost_mesh = 2.4, cost_time = 0.3;
   double coarsest = 1;  ///< mesh factor: on larger elements contact has too few nodes
   bool free_mesh = false, free_time = false;  ///< whether their factors may change
-
-  static constexpr double order = 1.5;  ///< of mesh errors, mostly between 1 and 2
 };
 
 /// Factors of the two.
@@ -27,8 +25,9 @@ struct Factors {
 PlanLine predicted(const Trade& trade, Factors factors);
 
 /// The cheapest factors whose error is at most half of `within`, because estimates are wrong by a
-/// factor of two; what cannot be changed is not made up for by less than a quarter of that. Where
-/// there are none: the least.
+/// factor of two. Where errors that cannot be changed leave less than a quarter of that half, the
+/// others may still be that quarter. Where no factors reach this: the finest mesh, and steps that
+/// suit it.
 Factors cheapest(const Trade& trade, double within);
 
 }  // namespace gnomon::budget

@@ -12,7 +12,7 @@ namespace gnomon::budget {
 
 namespace {
 
-/// A value as TOML writes it.
+/// A value in a line for people: with six digits, where scene/toml_text.hpp writes all.
 std::string text_of(const SceneValue& value) {
   return std::visit(
       []<class T>(const T& known) {
@@ -27,6 +27,12 @@ std::string text_of(const SceneValue& value) {
           return fmt::format("{}", known);
       },
       value);
+}
+
+[[noreturn]] void refuse_without_surface(const Scene& scene) {
+  throw InputError(fmt::format(
+      "{}: expected a problem with a worn surface, {} has none whose error could be judged",
+      scene.path().string(), scene.text("problem")));
 }
 
 }  // namespace
@@ -53,10 +59,7 @@ Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupt
   if (outcome.status == RunOutcome::Status::interrupted) throw Interrupted("interrupted");
   const Model& model = outcome.successor ? *outcome.successor : *setup.model;
   auto goals = goals_of(model, *outcome.state, outcome.last->scalars);
-  if (!goals)
-    throw InputError(fmt::format(
-        "{}: expected a problem with a worn surface, {} has none whose error could be judged",
-        scene.path().string(), scene.text("problem")));
+  if (!goals) refuse_without_surface(scene);
   return {.scene = setup.scene,
           .goals = std::move(*goals),
           .cpu_seconds = cpu_seconds() - begin,

@@ -86,10 +86,10 @@ Repair repair_of(const Plan& plan, const Scene& asked, const Budget& shown) {
     const double error = largest(part.errors, places);
     const bool is_free =
         !asked.is_set(part.key) &&
-        std::ranges::find(plan.given, part.key, &BudgetPart::key) == plan.given.end();
-    if (part.source == ErrorSource::time) {
+        std::ranges::find(plan.known, part.key, &BudgetPart::key) == plan.known.end();
+    if (part.source == ErrorSource::time && is_free) {
       repair.trade.time = error;
-      repair.trade.free_time = is_free;
+      repair.trade.free_time = true;
     } else if (part.source == ErrorSource::mesh && is_free) {
       repair.mesh = part.key;
       repair.trade.mesh = error;

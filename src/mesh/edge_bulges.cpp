@@ -10,14 +10,8 @@ namespace gnomon {
 
 namespace {
 
-using Edge = std::array<int, 2>;
-
 constexpr double cosine_of_corner = 0.87;  // of 30 degrees
 constexpr double straight = 1e-5;          // of the length of an edge
-
-Edge edge_of(int a, int b) {
-  return {std::min(a, b), std::max(a, b)};
-}
 
 /// Edges of curves, and the tangents where two of them meet smoothly.
 template <int dim>

@@ -278,7 +278,7 @@ ImportedMesh read_mesh_file(const std::filesystem::path& file, const MeshFileOpt
   if (extension(file) == ".geo") check_last_line(file);
   if (!kept) return mesh_from_process(file, options);
   constexpr std::size_t most = 3;
-  const std::tuple key(file, options.size, options.factor);
+  const std::tuple key(std::filesystem::absolute(file), options.size, options.factor);
   const auto known = std::ranges::find(*kept, key, &MeshOfFile::first);
   if (known != kept->end()) return known->second;
   if (kept->size() == most) kept->pop_front();

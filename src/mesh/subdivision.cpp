@@ -44,7 +44,6 @@ bool contains(const Face& face, int node) {
   return std::find(face.begin(), face.end(), node) != face.end();
 }
 
-using EdgeKey = std::array<int, 2>;
 using FaceKey = std::array<int, 4>;
 
 /// Nodes of a face of a cell with these nodes.
@@ -52,10 +51,6 @@ FaceKey nodes_of(const Face& face, std::span<const int> cell) {
   FaceKey nodes;
   for (int a = 0; a < 4; ++a) nodes[a] = face[a] < 0 ? -1 : cell[face[a]];
   return nodes;
-}
-
-EdgeKey edge_key(int a, int b) {
-  return {std::min(a, b), std::max(a, b)};
 }
 
 /// Position among the sorted keys; -1 where there is none.
@@ -73,7 +68,7 @@ public:
 private:
   void collect(int cell);
   void add_nodes();
-  void add_node(std::span<const int> around, double part, std::span<const EdgeKey> edges);
+  void add_node(std::span<const int> around, double part, std::span<const Edge> edges);
   int edge_node(int a, int b) const;
   int face_node(const FaceKey& nodes) const;
   void split_in_plane(std::span<const int> nodes, std::int64_t tag, int centre, ElementList& to);
@@ -85,10 +80,10 @@ private:
   const ImportedMesh& old_;
   const EdgeBulges& bulges_;
   ImportedMesh result_;
-  std::vector<EdgeKey> edges_;
-  std::vector<FaceKey> faces_;                              // in space, sorted nodes, -1 first
-  std::map<FaceKey, std::vector<EdgeKey>> edges_of_faces_;  // where edges have bulges
-  std::vector<int> cell_start_, facet_start_;               // of the children of each
+  std::vector<Edge> edges_;
+  std::vector<FaceKey> faces_;                           // in space, sorted nodes, -1 first
+  std::map<FaceKey, std::vector<Edge>> edges_of_faces_;  // where edges have bulges
+  std::vector<int> cell_start_, facet_start_;            // of the children of each
 };
 
 Subdivision::Subdivision(const ImportedMesh& mesh, const EdgeBulges& bulges)
@@ -101,26 +96,26 @@ Subdivision::Subdivision(const ImportedMesh& mesh, const EdgeBulges& bulges)
 }
 
 /// Edges of a cell or, by their nodes in this order, of a polygon.
-std::vector<EdgeKey> edges_around(std::span<const int> polygon) {
-  std::vector<EdgeKey> edges;
+std::vector<Edge> edges_around(std::span<const int> polygon) {
+  std::vector<Edge> edges;
   for (std::size_t a = 0; a < polygon.size(); ++a)
-    edges.push_back(edge_key(polygon[a], polygon[(a + 1) % polygon.size()]));
+    edges.push_back(edge_of(polygon[a], polygon[(a + 1) % polygon.size()]));
   return edges;
 }
 
-std::vector<EdgeKey> edges_of(ElementKind kind, std::span<const int> nodes) {
+std::vector<Edge> edges_of(ElementKind kind, std::span<const int> nodes) {
   if (dimension_of(kind) == 2) return edges_around(nodes);
-  std::vector<EdgeKey> edges;
+  std::vector<Edge> edges;
   for (const Corner& corner : shape_of(kind).corners)
     for (int k = 1; k < 4; ++k)
-      if (corner[0] < corner[k]) edges.push_back(edge_key(nodes[corner[0]], nodes[corner[k]]));
+      if (corner[0] < corner[k]) edges.push_back(edge_of(nodes[corner[0]], nodes[corner[k]]));
   return edges;
 }
 
 void Subdivision::collect(int cell) {
   const std::span<const int> nodes = old_.cells.at(cell);
   const ElementKind kind = old_.cells.kinds[cell];
-  const std::vector<EdgeKey> edges = edges_of(kind, nodes);
+  const std::vector<Edge> edges = edges_of(kind, nodes);
   edges_.insert(edges_.end(), edges.begin(), edges.end());
   if (old_.dimension == 2) return;
   for (const Face& face : shape_of(kind).faces) {
@@ -131,14 +126,13 @@ void Subdivision::collect(int cell) {
 }
 
 /// In the middle of nodes, moved by a part of the bulges of the edges between them.
-void Subdivision::add_node(std::span<const int> around, double part,
-                           std::span<const EdgeKey> edges) {
+void Subdivision::add_node(std::span<const int> around, double part, std::span<const Edge> edges) {
   std::array<double, 3> middle{};
   for (int node : around)
     for (int i = 0; i < 3; ++i)
       middle[i] += old_.nodes[node][i] / static_cast<double>(around.size());
   if (!bulges_.empty())
-    for (const EdgeKey& edge : edges)
+    for (const Edge& edge : edges)
       if (const auto bulge = bulges_.find(edge); bulge != bulges_.end())
         for (int i = 0; i < 3; ++i) middle[i] += part * bulge->second[i];
   result_.nodes.push_back(middle);
@@ -147,11 +141,11 @@ void Subdivision::add_node(std::span<const int> around, double part,
 
 /// Middles of faces and cells follow their edges as in Coons' patches.
 void Subdivision::add_nodes() {
-  for (const EdgeKey& edge : edges_) add_node(edge, 1, {&edge, 1});
+  for (const Edge& edge : edges_) add_node(edge, 1, {&edge, 1});
   for (const FaceKey& face : faces_) {
     const auto edges = edges_of_faces_.find(face);
     add_node(std::span(face).subspan(face[0] < 0 ? 1 : 0), 0.5,
-             edges == edges_of_faces_.end() ? std::span<const EdgeKey>() : edges->second);
+             edges == edges_of_faces_.end() ? std::span<const Edge>() : edges->second);
   }
   for (int cell = 0; cell < old_.cells.size(); ++cell) {
     const std::span<const int> nodes = old_.cells.at(cell);
@@ -160,7 +154,7 @@ void Subdivision::add_nodes() {
 }
 
 int Subdivision::edge_node(int a, int b) const {
-  const int place = place_of(edges_, edge_key(a, b));
+  const int place = place_of(edges_, edge_of(a, b));
   return place < 0 ? -1 : static_cast<int>(old_.nodes.size()) + place;
 }
 

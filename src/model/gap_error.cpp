@@ -64,8 +64,8 @@ std::vector<double> worn_by(double part, const std::vector<char>& differential,
   return y;
 }
 
-/// Moves the mesh of y in proportion to the worn surface, as the first of it does. Whether all
-/// elements are sound then.
+/// Moves the mesh of y in proportion to the worn surface, as a thousandth of the wear does. Whether
+/// all elements are sound then.
 bool move_linearly(const AlgebraicStage& motion, const std::vector<char>& differential, double t,
                    std::vector<double>& y) {
   constexpr double little = 1e-3;

@@ -74,9 +74,11 @@ TEST_F(Accuracy, IsRefusedWhereNothingWouldPlan) {
 
 TEST_F(Accuracy, OfWhatHasNoWornSurfaceIsRefused) {
   const std::string decay = GNOMON_SOURCE_DIR "/problems/dahlquist/decay.toml";
-  for (const char* command : {"budget", "plan"}) {
-    const Outcome outcome = gnomon({command, decay, "--set", "accuracy.within=0.1"});
-    EXPECT_EQ(outcome.exit_code, 2) << command;
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"budget", decay},
+                                                {"plan", decay, "--set", "accuracy.within=0.1"}}) {
+    const Outcome outcome = gnomon(words);
+    EXPECT_EQ(outcome.exit_code, 2) << words[0];
+    EXPECT_THAT(outcome.err, HasSubstr("expected a problem with a worn surface")) << words[0];
   }
 }
 

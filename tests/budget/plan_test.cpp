@@ -69,7 +69,7 @@ TEST(Plan, LeavesWhatTheSceneGives) {
   EXPECT_EQ(made.scene.text("shape.motion"), "mesh");
   EXPECT_FALSE(made.scene.flag("solver.reduce"));
   EXPECT_THAT(made.remarks, ::testing::Contains(HasSubstr("mesh.elements")));
-  EXPECT_THAT(plan_text(made), HasSubstr("5 %"));
+  EXPECT_THAT(plan_text(made), HasSubstr("\n     5 %"));
 }
 
 // Against the same mesh and model in steps that hardly matter.
@@ -109,8 +109,8 @@ TEST(Plan, LeavesAndJudgesAMeshThatItsGeometryFixes) {
   EXPECT_EQ(made.scene.real("mesh.factor"), 1);
   EXPECT_EQ(made.scene.integer("mesh.split"), 0);
   EXPECT_THAT(made.remarks, ::testing::Contains(HasSubstr("the mesh is given, its error is")));
-  const auto mesh = std::ranges::find(made.given, "mesh.split", &BudgetPart::key);
-  ASSERT_NE(mesh, made.given.end());
+  const auto mesh = std::ranges::find(made.known, "mesh.split", &BudgetPart::key);
+  ASSERT_NE(mesh, made.known.end());
   EXPECT_GT(made.chosen().rest, *std::ranges::max_element(mesh->errors) / 2);
 }
 
@@ -129,7 +129,7 @@ TEST(Plan, RefusesWhatItCannotJudge) {
 TEST(Plan, IsRefinedWhereItsRunShowsMore) {
   const Scene asked =
       scene({"accuracy.within=0.01", "accuracy.of=[\"depth\"]", "mesh.elements=[40,20]"});
-  const Plan made{.scene = asked, .lines = {}, .given = {}, .remarks = {}};
+  const Plan made{.scene = asked, .lines = {}, .known = {}, .remarks = {}};
   const auto shown = [](double mesh, double time) {
     return Budget{.values = {{"wear_depth", "mm", 1}},
                   .parts = {{ErrorSource::mesh, "mesh.elements", "", {mesh}},
@@ -149,7 +149,7 @@ TEST(Plan, IsRefinedInPhasesThatItChose) {
           .without("cycle.phases");
   const Plan made{.scene = asked.with("cycle.phases", std::vector<double>{16}),
                   .lines = {},
-                  .given = {},
+                  .known = {},
                   .remarks = {}};
   const Budget shown{.values = {{"wear_depth", "mm", 1}},
                      .parts = {{ErrorSource::phases, "cycle.phases", "", {0.02}}}};

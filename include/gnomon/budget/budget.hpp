@@ -12,7 +12,7 @@
 
 namespace gnomon {
 
-/// An error that nothing tells.
+/// An error that is not known.
 inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 /// What a run is made for: numbers of its end, and the worn surface.
@@ -40,6 +40,9 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
 /// of differences; another mesh is interpolated linearly to the nodes of `goals`. not_known where
 /// the value is zero, or the other result does not have it.
 std::vector<double> differences(const Goals& goals, const Goals& other);
+
+/// Whether the difference of this value is a norm, which has no sign: profile, inner_pressure.
+bool is_norm(const std::string& value);
 
 /// One part of the error.
 struct BudgetPart {

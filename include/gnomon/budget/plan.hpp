@@ -24,7 +24,7 @@ struct PlanLine {
 struct Plan {
   Scene scene;                    ///< with the chosen settings, and without accuracy.within
   std::vector<PlanLine> lines;    ///< for twice the error, the asked one, half and a quarter of it
-  std::vector<BudgetPart> given;  ///< by pilot runs: of the models, and of a mesh that is given
+  std::vector<BudgetPart> known;  ///< by pilot runs: of the models, and of a mesh that is given
   double pilot_seconds = 0;       ///< CPU time of the pilot runs [s]
   /// What the given settings cost or spoil, what could not be measured; one line each.
   std::vector<std::string> remarks;
@@ -40,8 +40,9 @@ Plan plan_of(const Scene& scene, const BudgetHooks& hooks);
 /// of its models and of a mesh that is given what the plan knows. `scene` as Setup::scene has it.
 Budget find_budget(const Plan& plan, const Scene& scene, const Goals& goals, BudgetHooks hooks);
 
-/// The largest error of the values that the scene wants, by its budget; a part that cannot be told
-/// of a value counts as a whole one.
+/// The largest error of the values that the scene wants, by its budget. A part that cannot be told
+/// of a value counts as a whole one; one of which nothing is known (BudgetPart::unknown) as none,
+/// which accuracy_text() says.
 double wanted_error(const Scene& scene, const Budget& budget);
 
 /// The scene of a plan once more, with settings that bring the errors which its run has shown

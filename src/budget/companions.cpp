@@ -1,0 +1,96 @@
+#include "budget/companions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gnomon::budget {
+
+namespace {
+
+/// Adds the CPU time until it goes out of scope, however that comes.
+class Stopwatch {
+public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  ~Stopwatch() { seconds_ += cpu_seconds() - begin_; }
+
+private:
+  double& seconds_;
+  double begin_ = cpu_seconds();
+};
+
+}  // namespace
+
+std::vector<OtherMesh> other_meshes(const Scene& scene) {
+  std::vector<OtherMesh> found;
+  for (const double factor : {2.0, 0.5})
+    for (const Key& key : scene.controlling_keys())
+      if (key.controls->source == ErrorSource::mesh && key.controls->scaled(scene, factor))
+        found.push_back({key, factor > 1});
+  return found;
+}
+
+Trial Companions::run(const Scene& scene, const std::string& what, long unlike) {
+  hooks_.on_run(what);
+  const Stopwatch stopwatch(budget_.companion_seconds);
+  const double before = work_;
+  const auto interrupted = [&](double work) {
+    work_ = before + work;
+    return hooks_.interrupted() || work_ > hooks_.limit;
+  };
+  return try_scene(scene, interrupted, unlike);
+}
+
+void Companions::add(const Key& key, const std::function<void(BudgetPart&)>& find) {
+  BudgetPart part{.source = key.controls->source, .key = key.name, .how = {}, .errors = {}};
+  try {
+    find(part);
+  } catch (const Interrupted&) {
+    if (hooks_.interrupted()) throw;
+    part.unknown = too_long;
+  } catch (const Error& error) {
+    part.unknown = error.what();
+  }
+  if (!part.unknown.empty()) part.errors.assign(budget_.values.size(), not_known);
+  budget_.parts.push_back(std::move(part));
+}
+
+void Companions::add_mesh(const Scene& scene,
+                          const std::function<void(const OtherMesh&, BudgetPart&)>& find) {
+  const std::vector<Key> keys = scene.controlling_keys();
+  const auto own = std::ranges::find(keys, ErrorSource::mesh,
+                                     [](const Key& key) { return key.controls->source; });
+  if (own == keys.end()) return;
+  add(*own, [&](BudgetPart& part) {
+    std::string failure = "there is no mesh of other elements to compare with";
+    for (const OtherMesh& mesh : other_meshes(scene)) try {
+        part.key = mesh.key.name;
+        return find(mesh, part);
+      } catch (const Interrupted&) {
+        throw;
+      } catch (const Error& error) {
+        failure = error.what();
+      }
+    throw InputError(failure);
+  });
+}
+
+void Companions::compare(BudgetPart& part, const Trial& base, const Scene& finer) {
+  part.how = change_text(base.scene, finer);
+  part.errors = differences(base.goals, run(finer, part.how).goals);
+  for (double& error : part.errors) error = std::abs(error) * Finer(part.source).part_of_coarser;
+}
+
+void respect_ledger(Budget& budget, double ledger) {
+  const auto place = std::ranges::find(budget.values, "worn_volume", &Scalar::name);
+  const auto time = std::ranges::find(budget.parts, ErrorSource::time, &BudgetPart::source);
+  if (place == budget.values.end() || time == budget.parts.end()) return;
+  const auto i = static_cast<std::size_t>(place - budget.values.begin());
+  const double missing = ledger - budget.total(i);
+  if (std::isfinite(ledger) && missing > 0 && !std::isnan(time->errors[i]))
+    time->errors[i] += missing;
+}
+
+}  // namespace gnomon::budget

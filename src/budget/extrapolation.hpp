@@ -1,0 +1,31 @@
+// Errors from the differences between runs on meshes of different elements.
+#pragma once
+
+#include <gnomon/budget/budget.hpp>
+#include <vector>
+
+namespace gnomon::budget {
+
+/// Of errors in the size of the elements, which is mostly between 1 and 2.
+inline constexpr double usual_order = 1.5;
+
+/// differences() of two meshes. Fields are compared at the nodes of the coarse one, to which a fine
+/// mesh is interpolated with little error; the other way round where its contact has too few nodes.
+std::vector<double> mesh_differences(const Goals& coarse, const Goals& fine);
+
+/// What the coarse mesh is wrong by, from one of elements of half the size, with the usual order.
+std::vector<double> errors_of_coarser(const Goals& coarse, const Goals& fine);
+
+/// The error of the finer of two runs, and the observed order.
+struct Extrapolated {
+  double error, order;
+};
+
+/// Richardson's extrapolation from elements of sizes h, 2h and 4h. `fine` and `coarse` are the
+/// differences between neighbours; the second is not_known if there are only two. Where they do not
+/// fall as an error of order 0.5 to 2 does, chance has a part in them (which node is the last
+/// closed one), and the order is taken as the usual one: for 1 and 2 the estimate is then wrong by
+/// a factor of 1.8. Differences that fall faster than with h^3 do so by chance.
+Extrapolated extrapolated(double fine, double coarse);
+
+}  // namespace gnomon::budget
