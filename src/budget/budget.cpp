@@ -43,6 +43,7 @@ private:
       companions_.add_mesh(run_.scene, [&](const OtherMesh& other, BudgetPart& part) {
         other.is_coarser ? find_mesh(other.key, part) : find_mesh_by_finer(other.key, part);
       });
+    if (hooks_.wants(ErrorSource::phases)) companions_.add_given_phases(run_.scene);
     for (const Key& key : run_.scene.controlling_keys())
       if (key.controls->source != ErrorSource::mesh && hooks_.wants(key.controls->source))
         add_other(key);

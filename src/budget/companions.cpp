@@ -57,6 +57,13 @@ void Companions::add(const Key& key, const std::function<void(BudgetPart&)>& fin
   budget_.parts.push_back(std::move(part));
 }
 
+void Companions::add_given_phases(const Scene& scene) {
+  for (const Key& key : scene.controlling_keys())
+    if (key.controls->source == ErrorSource::phases && scene.given(key.name) &&
+        !key.controls->scaled(scene, 0.5))
+      add(key, [](BudgetPart&) { throw InputError("positions are given, or as many as can be"); });
+}
+
 void Companions::add_mesh(const Scene& scene,
                           const std::function<void(const OtherMesh&, BudgetPart&)>& find) {
   const std::vector<Key> keys = scene.controlling_keys();

@@ -39,6 +39,9 @@ public:
   /// Adds a part that `find` fills in, or why it cannot.
   void add(const Key& key, const std::function<void(BudgetPart&)>& find);
 
+  /// Adds the part of the phases of a cycle where their positions are given, which cannot be known.
+  void add_given_phases(const Scene& scene);
+
   /// The part of the mesh, by the first of other_meshes() with which `find` succeeds. None where
   /// no key of the scene controls it.
   void add_mesh(const Scene& scene, const std::function<void(const OtherMesh&, BudgetPart&)>& find);

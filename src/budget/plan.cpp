@@ -22,11 +22,11 @@ public:
   Planner(const Scene& scene, const BudgetHooks& hooks)
       : companions_(budget_, hooks),
         asked_(scene),
-        scene_(scene.without("accuracy.within")),
+        scene_(scene.without("accuracy.within").without("accuracy.of")),
         within_(read_within(scene)) {
     for (const Key& key : scene.controlling_keys()) {
-      const bool has_coarser = key.controls->scaled(scene, 2).has_value();
-      if (key.controls->source == ErrorSource::mesh && has_coarser && !mesh_) mesh_ = key;
+      const bool is_choice = !key.controls->judges_only && key.controls->scaled(scene, 2);
+      if (key.controls->source == ErrorSource::mesh && is_choice) mesh_ = key;
       if (key.controls->source == ErrorSource::time && key.controls->scaled(scene, 0.1))
         time_ = key;
       if (key.controls->source == ErrorSource::phases && !scene.is_set(key.name))

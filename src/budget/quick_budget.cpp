@@ -35,6 +35,7 @@ public:
       companions_.add_mesh(scene_, [&](const OtherMesh& other, BudgetPart& part) {
         other.is_coarser ? find_mesh(other.key, part) : find_mesh_by_finer(other.key, part);
       });
+      companions_.add_given_phases(scene_);
       for (const Key& key : scene_.controlling_keys())
         if (key.controls->source != ErrorSource::mesh) add_other(key);
     } catch (const Interrupted&) {  // the user does not want to wait for the rest

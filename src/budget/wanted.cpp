@@ -39,10 +39,13 @@ std::vector<std::size_t> wanted_places(const Scene& scene, const std::vector<Sca
     for (std::size_t i = 0; i < values.size(); ++i)
       if (std::ranges::find(names, values[i].name) != names.end() && values[i].value != 0)
         places.push_back(i);
-    if (places.size() == before)
+    if (places.size() == before && scene.is_set("accuracy.of"))
       throw InputError(fmt::format("{}: expected values that are not zero in this scene, got {}",
                                    scene.where("accuracy.of"), word));
   }
+  if (places.empty())
+    throw InputError(scene.path().string() +
+                     ": accuracy.within: expected depth, volume or pressure that are not zero");
   return places;
 }
 
@@ -151,7 +154,7 @@ std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Budget&
   };
   for (const Key& key : plan.scene.controlling_keys()) {
     if (key.name == repair.phases) scale(key, 0.5);
-    if (key.name == repair.mesh) scale(key, factors.mesh);
+    if (key.name == repair.mesh && !key.controls->judges_only) scale(key, factors.mesh);
     if (key.controls->source == ErrorSource::time) scale(key, factors.time);
   }
   return scene;

@@ -28,9 +28,9 @@ std::optional<Scene> with_scaled_phases(const Scene& scene, double factor) {
   if (!scene.has("cycle.period") || chooses_phases(scene)) return {};
   const std::vector<double> phases =
       scene.given("cycle.phases") ? scene.reals("cycle.phases") : std::vector<double>{usual};
-  if (phases.size() != 1 || phases[0] < 2) return {};
-  const double count = std::max(1.0, std::round(phases[0] / factor));
-  if (count > most_phases) return {};
+  if (phases.size() != 1 || phases[0] < 1) return {};
+  const double count = std::round(phases[0] / factor);
+  if (count < 1 || count > most_phases) return {};
   return with_phases(scene, static_cast<long>(count));
 }
 

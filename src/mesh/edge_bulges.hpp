@@ -1,7 +1,9 @@
 // Where the boundary of a mesh lies between its nodes, as far as its nodes tell.
 #pragma once
 
-#include <gnomon/mesh/mesh.hpp>
+#include <array>
+#include <gnomon/mesh/imported_mesh.hpp>
+#include <map>
 
 namespace gnomon {
 
@@ -15,15 +17,13 @@ inline Edge edge_of(int a, int b) {
 /// Displacements of points half way along edges.
 using EdgeBulges = std::map<Edge, std::array<double, 3>>;
 
-/// From the middle of each edge of the boundary to the smooth curve or surface through the nodes:
-/// the cubic whose tangents at the ends are those of the boundary there. On a circle its error is
-/// of fourth order. Tangents are means of both sides (of all facets around), exact on circles and
-/// spheres (Max 1999). Where the boundary turns by more than 30 degrees at a node or an edge it has
-/// a corner: an edge with one end there takes the curvature of its other end, one with both stays
-/// straight, as does one that leaves a straight neighbour. `exterior`: the whole boundary, oriented
-/// outwards.
-template <int dim>
-EdgeBulges edge_bulges(const Mesh<dim>& mesh,
-                       const std::vector<typename Mesh<dim>::Facet>& exterior);
+/// From the middle of each edge of the boundary, and of the interfaces between groups of cells, to
+/// the smooth curve or surface through the nodes: the cubic whose tangents at the ends are those
+/// there, of such a length that an arc is exact. Tangents are means of both sides (normals of all
+/// facets around), exact on circles and spheres (Max 1999). Where the boundary turns by more than
+/// 40 degrees at a node or an edge, and where three of its parts meet, it has a corner: an edge
+/// with one end there takes the curvature of its other end; one with both stays straight, as does
+/// one that leaves a straight neighbour.
+EdgeBulges edge_bulges(const ImportedMesh& mesh);
 
 }  // namespace gnomon

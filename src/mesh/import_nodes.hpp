@@ -46,8 +46,8 @@ bool needs_subdivision(const ImportedMesh& mesh);
 /// triangle, 4 from a quadrilateral or a tetrahedron, 6 from a wedge, 8 from a hexahedron.
 /// Neighbours share the new nodes, whose tag is 0; new cells and facets have the tag of that which
 /// they are a part of. Facets and groups follow; a facet that is no side of a cell stays as it is.
-/// Edges stay straight but for those of quadrilaterals and hexahedra that have bulges, which
-/// middles of faces and cells follow. Throws InputError at a pyramid, whose tip has four edges.
+/// Edges stay straight but for those that have bulges, which middles of faces and cells follow.
+/// Throws InputError at a pyramid, whose tip has four edges.
 ImportedMesh subdivide(const ImportedMesh& mesh, const EdgeBulges& bulges = {});
 
 }  // namespace gnomon

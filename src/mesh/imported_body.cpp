@@ -32,10 +32,11 @@ std::string kinds_text(const ElementList& cells) {
   return text;
 }
 
-void subdivide_where_needed(ImportedMesh& mesh) {
+/// Edges stay straight unless the cells are split afterwards.
+void subdivide_where_needed(ImportedMesh& mesh, int splits) {
   if (!needs_subdivision(mesh)) return;
   const std::string before = kinds_text(mesh.cells);
-  mesh = subdivide(mesh);
+  mesh = subdivide(mesh, splits > 0 ? edge_bulges(mesh) : EdgeBulges());
   mesh.remarks.push_back(fmt::format("{} were subdivided into {}", before, kinds_text(mesh.cells)));
 }
 
@@ -59,20 +60,13 @@ ImportedBody<dim> body_of(ImportedMesh& mesh) {
 }
 
 /// Halves all elements, with new nodes on smooth curves through those of the boundary.
-template <int dim>
 void split_cells(ImportedMesh& mesh, int times) {
   constexpr double most = 20e6;
-  if (mesh.cells.size() * std::pow(2, dim * times) > most)
+  if (mesh.cells.size() * std::pow(2, mesh.dimension * times) > most)
     refuse_mesh(mesh.file, fmt::format("{} split {} times are more than {:g} million, expected "
                                        "a smaller mesh.split",
                                        counted(mesh.cells.size(), "cell"), times, most / 1e6));
-  for (int k = 0; k < times; ++k) {
-    ImportedMesh copy = mesh;
-    ImportedBody<dim> body = body_of<dim>(copy);
-    orient_cells(body);
-    mesh =
-        subdivide(mesh, edge_bulges<dim>(body.mesh, FacetTable<dim>(body.mesh).exterior_facets()));
-  }
+  for (int k = 0; k < times; ++k) mesh = subdivide(mesh, edge_bulges(mesh));
 }
 
 }  // namespace
@@ -85,10 +79,18 @@ ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& 
   merge_equal_nodes(mesh);
   drop_unused_nodes(mesh);
   drop_equal_cells(mesh);
-  subdivide_where_needed(mesh);
-  split_cells<dim>(mesh, splits);
+  subdivide_where_needed(mesh, splits);
+  split_cells(mesh, splits);
   ImportedBody<dim> body = body_of<dim>(mesh);
-  orient_cells(body);
+  try {
+    orient_cells(body);
+  } catch (const InputError& error) {
+    if (splits == 0) throw;
+    throw InputError(
+        fmt::format("{} (with mesh.split = {}, which curves the boundary between its "
+                    "nodes; smaller elements there help)",
+                    error.what(), splits));
+  }
   const FacetTable<dim> facets(body.mesh);
   body.exterior = facets.exterior_facets();
   check_connection(body, facets);

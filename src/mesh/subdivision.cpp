@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mesh/cell_faces.hpp"
 #include "mesh/facet_table.hpp"
 #include "mesh/import_nodes.hpp"
 
@@ -9,45 +10,14 @@ namespace gnomon {
 
 namespace {
 
-/// A corner of a cell in space and its three neighbours, in a right-handed order.
-using Corner = std::array<int, 4>;
-/// Local nodes of a face; -1 where there are three.
-using Face = std::array<int, 4>;
-
-struct Shape {
-  std::vector<Corner> corners;
-  std::vector<Face> faces;
-};
-
-const Shape& shape_of(ElementKind kind) {
-  static const Shape tetrahedron = {{{0, 1, 2, 3}, {1, 2, 0, 3}, {2, 0, 1, 3}, {3, 0, 2, 1}},
-                                    {{0, 1, 2, -1}, {0, 1, 3, -1}, {0, 2, 3, -1}, {1, 2, 3, -1}}};
-  static const Shape wedge = {
-      {{0, 1, 2, 3}, {1, 2, 0, 4}, {2, 0, 1, 5}, {3, 5, 4, 0}, {4, 3, 5, 1}, {5, 4, 3, 2}},
-      {{0, 1, 2, -1}, {3, 4, 5, -1}, {0, 1, 4, 3}, {1, 2, 5, 4}, {0, 2, 5, 3}}};
-  static const Shape hexahedron = {
-      {{0, 1, 3, 4},
-       {1, 2, 0, 5},
-       {2, 3, 1, 6},
-       {3, 0, 2, 7},
-       {4, 7, 5, 0},
-       {5, 4, 6, 1},
-       {6, 5, 7, 2},
-       {7, 6, 4, 3}},
-      {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
-  return kind == ElementKind::tetrahedron ? tetrahedron
-         : kind == ElementKind::wedge     ? wedge
-                                          : hexahedron;
-}
-
-bool contains(const Face& face, int node) {
+bool contains(const CellFace& face, int node) {
   return std::find(face.begin(), face.end(), node) != face.end();
 }
 
 using FaceKey = std::array<int, 4>;
 
 /// Nodes of a face of a cell with these nodes.
-FaceKey nodes_of(const Face& face, std::span<const int> cell) {
+FaceKey nodes_of(const CellFace& face, std::span<const int> cell) {
   FaceKey nodes;
   for (int a = 0; a < 4; ++a) nodes[a] = face[a] < 0 ? -1 : cell[face[a]];
   return nodes;
@@ -106,7 +76,7 @@ std::vector<Edge> edges_around(std::span<const int> polygon) {
 std::vector<Edge> edges_of(ElementKind kind, std::span<const int> nodes) {
   if (dimension_of(kind) == 2) return edges_around(nodes);
   std::vector<Edge> edges;
-  for (const Corner& corner : shape_of(kind).corners)
+  for (const CellCorner& corner : faces_of(kind).corners)
     for (int k = 1; k < 4; ++k)
       if (corner[0] < corner[k]) edges.push_back(edge_of(nodes[corner[0]], nodes[corner[k]]));
   return edges;
@@ -118,10 +88,12 @@ void Subdivision::collect(int cell) {
   const std::vector<Edge> edges = edges_of(kind, nodes);
   edges_.insert(edges_.end(), edges.begin(), edges.end());
   if (old_.dimension == 2) return;
-  for (const Face& face : shape_of(kind).faces) {
-    const FaceKey key = sorted(nodes_of(face, nodes));
-    faces_.push_back(key);
-    if (!bulges_.empty()) edges_of_faces_[key] = edges_around(nodes_of(face, nodes));
+  for (const CellFace& face : faces_of(kind).faces) faces_.push_back(sorted(nodes_of(face, nodes)));
+  if (bulges_.empty()) return;
+  for (const std::vector<int>& facet : facets_of(kind, nodes)) {
+    FaceKey key = {-1, -1, -1, -1};
+    std::ranges::copy(facet, key.begin());
+    edges_of_faces_[sorted(key)] = edges_around(facet);
   }
 }
 
@@ -139,17 +111,26 @@ void Subdivision::add_node(std::span<const int> around, double part, std::span<c
   result_.node_tags.push_back(0);
 }
 
-/// Middles of faces and cells follow their edges as in Coons' patches.
+/// Of a triangle or a quadrilateral.
+double part_of_edges(std::size_t corners) {
+  return corners == 3 ? 4.0 / 9 : 0.5;
+}
+
+/// Middles of faces and cells follow their edges as those of quadratic elements do; of a wedge
+/// nearly so.
 void Subdivision::add_nodes() {
   for (const Edge& edge : edges_) add_node(edge, 1, {&edge, 1});
   for (const FaceKey& face : faces_) {
+    const std::span<const int> nodes = std::span(face).subspan(face[0] < 0 ? 1 : 0);
     const auto edges = edges_of_faces_.find(face);
-    add_node(std::span(face).subspan(face[0] < 0 ? 1 : 0), 0.5,
+    add_node(nodes, part_of_edges(nodes.size()),
              edges == edges_of_faces_.end() ? std::span<const Edge>() : edges->second);
   }
   for (int cell = 0; cell < old_.cells.size(); ++cell) {
     const std::span<const int> nodes = old_.cells.at(cell);
-    add_node(nodes, old_.dimension == 2 ? 0.5 : 0.25, edges_of(old_.cells.kinds[cell], nodes));
+    constexpr double in_space = 0.25;
+    add_node(nodes, old_.dimension == 2 ? part_of_edges(nodes.size()) : in_space,
+             edges_of(old_.cells.kinds[cell], nodes));
   }
 }
 
@@ -177,10 +158,10 @@ void Subdivision::split_in_plane(std::span<const int> nodes, std::int64_t tag, i
 
 void Subdivision::split_in_space(int cell) {
   const std::span<const int> nodes = old_.cells.at(cell);
-  const Shape& shape = shape_of(old_.cells.kinds[cell]);
+  const CellFaces& shape = faces_of(old_.cells.kinds[cell]);
   const int centre = static_cast<int>(old_.nodes.size() + edges_.size() + faces_.size()) + cell;
   const auto face = [&](int a, int b, int c) {
-    for (const Face& one : shape.faces)
+    for (const CellFace& one : shape.faces)
       if (contains(one, a) && contains(one, b) && contains(one, c))
         return face_node(nodes_of(one, nodes));
     return -1;

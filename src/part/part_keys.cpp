@@ -35,7 +35,7 @@ std::optional<Scene> with_scaled_split(const Scene& scene, double factor) {
 }
 
 std::vector<Key> mesh_keys() {
-  return {
+  std::vector<Key> keys = {
       {.name = "mesh.file",
        .kind = KeyKind::text,
        .absent_meaning = "needed by every command that reads the scene from a file",
@@ -51,6 +51,8 @@ std::vector<Key> mesh_keys() {
                               "times that each cell is split into four (eight in space), with new "
                               "nodes of the boundary on smooth curves through the old ones"),
                   ErrorSource::mesh, with_scaled_split)};
+  keys.back().controls->judges_only = true;
+  return keys;
 }
 
 std::vector<Key> own_keys() {

@@ -170,12 +170,11 @@ Scene Scene::with(Key key, SceneValue value) const {
 }
 
 Scene Scene::without(const std::string& key) const {
-  if (entry(key).key.absent_meaning.empty())
-    throw std::logic_error("scene key `" + key + "` is not optional");
+  if (entry(key).key.required()) throw std::logic_error("scene key `" + key + "` is not optional");
   Scene result = *this;
-  const auto place = std::ranges::find(result.entries_, key,
-                                       [](const Entry& entry) { return entry.key.name; });
-  place->value.reset();
+  const auto place =
+      std::ranges::find(result.entries_, key, [](const Entry& entry) { return entry.key.name; });
+  place->value = place->key.default_value;
   place->origin = {};
   return result;
 }

@@ -53,15 +53,57 @@ double deviation(const ImportedBody<dim>& body, const std::string& part, double 
 }
 
 TEST(Splitting, KeepsCircles) {
-  for (const auto& [part, radius] : {std::pair("bottom", 1.0), {"top", 2.0}}) {
-    const double coarse = deviation(check_mesh<2>(ring(4), {}, 1), part, radius),
-                 fine = deviation(check_mesh<2>(ring(8), {}, 1), part, radius);
-    const double of_chord = radius * (1 - std::cos(M_PI_2 / 8 / 2));
-    EXPECT_LT(fine, of_chord / 50);
-    EXPECT_GT(coarse / fine, 11);  // 16: fourth order
-    // Further splits follow the same curve.
-    EXPECT_LT(deviation(check_mesh<2>(ring(8), {}, 3), part, radius), 2 * fine);
+  for (const int elements : {3, 8})
+    for (const int splits : {1, 3})
+      for (const auto& [part, radius] : {std::pair("bottom", 1.0), {"top", 2.0}})
+        EXPECT_LT(deviation(check_mesh<2>(ring(elements), {}, splits), part, radius), 1e-14);
+}
+
+/// How far the boundary of the unit circle is off, that is stretched to an ellipse for the split.
+double off_ellipse(int elements, int splits) {
+  ImportedMesh mesh = ring(elements);
+  for (auto& X : mesh.nodes) X[0] *= 2;
+  ImportedBody<2> body = check_mesh<2>(mesh, {}, splits);
+  for (auto& X : body.mesh.nodes) X[0] /= 2;
+  return deviation(body, "bottom", 1);
+}
+
+TEST(Splitting, FollowsOtherCurvesWithFourthOrder) {
+  EXPECT_LT(off_ellipse(16, 1), 1e-4);
+  EXPECT_GT(off_ellipse(8, 1) / off_ellipse(16, 1), 11);  // 16
+  EXPECT_LT(off_ellipse(16, 3), 2 * off_ellipse(16, 1));  // further splits follow the same curve
+}
+
+/// Every quadrilateral as two triangles.
+ImportedMesh of_triangles(ImportedMesh mesh) {
+  ElementList cut;
+  for (int cell = 0; cell < mesh.cells.size(); ++cell) {
+    const auto c = mesh.cells.at(cell);
+    cut.add(ElementKind::triangle, cell, std::array{c[0], c[1], c[2]});
+    cut.add(ElementKind::triangle, cell, std::array{c[0], c[2], c[3]});
   }
+  mesh.cells = cut;
+  std::erase_if(mesh.groups, [](const MeshGroup& group) { return group.dimension == 2; });
+  return mesh;
+}
+
+// Unsplit they keep their chords, whose middles are nodes.
+TEST(Splitting, KeepsCirclesOfTriangles) {
+  EXPECT_GT(deviation(check_mesh<2>(of_triangles(ring(4)), {}, 0), "bottom", 1), 1e-3);
+  EXPECT_LT(deviation(check_mesh<2>(of_triangles(ring(4)), {}, 1), "bottom", 1), 1e-14);
+  EXPECT_LT(deviation(check_mesh<2>(of_triangles(ring(4)), {}, 2), "top", 2), 1e-14);
+}
+
+// Two bodies: the inner row of cells is one of its own.
+TEST(Splitting, KeepsTheCircleBetweenBodies) {
+  ImportedMesh mesh = ring(4);
+  std::erase_if(mesh.groups, [](const MeshGroup& group) { return group.dimension == 2; });
+  mesh.groups.push_back({"lining", 2, {0, 1, 2, 3}});
+  mesh.groups.push_back({"body", 2, {4, 5, 6, 7, 8, 9, 10, 11}});
+  const ImportedBody<2> body = check_mesh<2>(mesh, {}, 2);
+  int on_bond = 0;
+  for (const auto& X : body.mesh.nodes) on_bond += std::abs(X.norm() - 4.0 / 3) < 1e-14;
+  EXPECT_EQ(on_bond, 17);
 }
 
 TEST(Splitting, KeepsStraightSidesAndCorners) {
@@ -87,12 +129,8 @@ TEST(Splitting, KeepsSpheres) {
 }
 
 TEST(Splitting, KeepsRimsAndFlatEndsInSpace) {
-  for (const auto& [part, radius] : {std::pair("bottom", 1.0), {"top", 2.0}}) {
-    const double coarse = deviation(check_mesh<3>(pipe(4), {}, 1), part, radius, true),
-                 fine = deviation(check_mesh<3>(pipe(8), {}, 1), part, radius, true);
-    EXPECT_LT(fine, 1e-4 * radius);
-    EXPECT_GT(coarse / fine, 11);
-  }
+  for (const auto& [part, radius] : {std::pair("bottom", 1.0), {"top", 2.0}})
+    EXPECT_LT(deviation(check_mesh<3>(pipe(4), {}, 2), part, radius, true), 1e-13);
   const ImportedBody<3> body = check_mesh<3>(pipe(4), {}, 1);
   EXPECT_EQ(body.mesh.cells.size(), 8u * 16);
   expect_sound(body.mesh);

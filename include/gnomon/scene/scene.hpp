@@ -50,6 +50,8 @@ struct ErrorControl {
   /// large, as nearly as the key allows; of a model, for a factor below 1 the one that neglects
   /// less, above 1 the one that neglects more. Nothing where the scene has no such choice.
   std::function<std::optional<Scene>(const Scene&, double factor)> scaled{};
+  /// Plans leave it, because it refines what is given; budgets tell its error.
+  bool judges_only = false;
 };
 
 /// Specification of one scene key.
@@ -142,7 +144,7 @@ public:
   /// The same scene with a key that is not in its table, in the place of a "*": it stands behind
   /// the others of its table.
   Scene with(Key key, SceneValue value) const;
-  /// The same scene with an optional key absent.
+  /// The same scene as if nobody had given an optional key: it is absent, or has its default.
   Scene without(const std::string& key) const;
   /// The same scene with absolute paths of the files that it names (Key::names_file), for a copy of
   /// it in another folder.
