@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <gnomon/budget/plan.hpp>
@@ -20,29 +21,40 @@ namespace {
 
 using namespace gnomon;
 
-/// Of a mesh from a file the cells are split, whatever its geometry fixes.
-Scene reference_of(const Scene& scene, double factor) {
-  std::optional<Scene> finer;
-  for (const Key& key : scene.controlling_keys())
-    if (key.controls->source == ErrorSource::mesh)
-      if (auto scaled = key.controls->scaled(scene, factor)) finer = std::move(scaled);
-  Scene reference = finer.value_or(scene).with("integrator.rtol", 1e-6);
-  for (const Key& key : scene.controlling_keys())
-    if (key.controls->source == ErrorSource::phases)
-      reference = key.controls->scaled(reference, 0.25).value_or(reference);
+/// On a finer mesh than the run's, by the key that its budget has used, with the models of `asked`.
+Scene reference_of(const Scene& asked, const Scene& run, const Budget& shown, double factor) {
+  const auto mesh = std::ranges::find(shown.parts, ErrorSource::mesh, &BudgetPart::source);
+  Scene reference = run.with("integrator.rtol", 1e-6);
+  if (reference.knows("solver.reduce")) reference = reference.without("solver.reduce");
+  for (const Key& key : asked.controlling_keys()) {
+    const auto scale = [&](double by) {
+      reference = key.controls->scaled(reference, by).value_or(reference);
+    };
+    if (key.controls->source == ErrorSource::model)
+      reference = reference.with(key.name, asked.any(key.name));
+    if (key.controls->source == ErrorSource::phases) scale(0.25);
+    if (mesh != shown.parts.end() && key.name == mesh->key) scale(factor);
+  }
   return reference;
 }
 
+struct PlannedRun {
+  budget::Trial trial;
+  Budget shown;
+  int runs = 1;
+};
+
 /// As `gnomon run` does it.
-budget::Trial planned_run(const Scene& asked, const Plan& plan, int& runs) {
-  budget::Trial trial = budget::try_scene(plan.scene, [](double) { return false; });
-  const Budget shown = find_budget(plan, trial.scene, trial.goals, {});
-  runs = 1;
-  if (const auto finer = refined(plan, asked, shown)) {
-    trial = budget::try_scene(*finer, [](double) { return false; });
-    runs = 2;
-  }
-  return trial;
+PlannedRun run_planned(const Scene& asked, const Plan& plan) {
+  const auto goes_on = [](double) { return false; };
+  const auto judged = [&](const Scene& scene, int runs) {
+    PlannedRun run{.trial = budget::try_scene(scene, goes_on), .shown = {}, .runs = runs};
+    run.shown = find_budget(plan, run.trial.scene, run.trial.goals, {});
+    return run;
+  };
+  PlannedRun run = judged(plan.scene, 1);
+  if (const auto finer = refined(plan, asked, run.shown)) run = judged(*finer, 2);
+  return run;
 }
 
 }  // namespace
@@ -56,16 +68,15 @@ int main(int argc, char** argv) {
   const std::vector<std::string> overrides(argv + 4, argv + argc);
   const BudgetHooks hooks;
   const Scene scene = checked_scene(argv[3], overrides);
-  const budget::Trial reference =
-      budget::try_scene(reference_of(scene, std::atof(argv[1])), [](double) { return false; });
   std::istringstream list(argv[2]);
   for (std::string word; std::getline(list, word, ',');) {
     const Scene asked = scene.with("accuracy.within", std::atof(word.c_str()));
     const double begin = cpu_seconds();
     const Plan plan = plan_of(asked, hooks);
-    int runs = 0;
-    const budget::Trial trial = planned_run(asked, plan, runs);
+    const auto [trial, shown, runs] = run_planned(asked, plan);
     const double seconds = cpu_seconds() - begin;
+    const budget::Trial reference = budget::try_scene(
+        reference_of(asked, trial.scene, shown, std::atof(argv[1])), [](double) { return false; });
     Budget truth{.values = trial.goals.values,
                  .parts = {{.source = ErrorSource::mesh,
                             .key = "",

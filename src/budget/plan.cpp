@@ -75,8 +75,7 @@ private:
       scene = mesh_->controls->scaled(scene, factors.mesh).value_or(scene);
     if (time_ && factors.time != 1)
       scene = time_->controls->scaled(scene, factors.time).value_or(scene);
-    const bool pays = !coarse_ || condensation_pays(coarse_goals_, factors.mesh / pilot_.mesh);
-    return pays || asked_.is_set("solver.reduce") ? scene : without_condensation(scene);
+    return scene;
   }
 
   Trial pilot(Factors factors, const std::string& what) {
@@ -94,8 +93,7 @@ private:
         const Factors factors{factor, pilot_.time};
         coarse_ = pilot(factors, fmt::format("a pilot on {} times as large elements", factor));
         pilot_ = factors;
-        coarse_goals_ = coarse_->goals;
-        if (!mesh_ || has_enough_contact(coarse_goals_)) break;
+        if (!mesh_ || has_enough_contact(coarse_->goals)) break;
       } catch (const Interrupted&) {
         throw;
       } catch (const SolutionError& error) {
@@ -106,7 +104,7 @@ private:
       }
     }
     if (!coarse_) throw SolutionError("no pilot run succeeds: " + failure);
-    places_ = wanted_places(asked_, coarse_goals_.values);
+    places_ = wanted_places(asked_, coarse_->goals.values);
   }
 
   /// Whether there is a mesh of elements `factor` times as large.
@@ -176,7 +174,7 @@ private:
     const double difference = largest(mesh_differences(coarse_->goals, fine.goals), places_);
     const double of_fine = difference / (std::exp2(usual_order) - 1);
     trade_.mesh = of_fine / std::pow(finer.mesh, usual_order);
-    trade_.cost_mesh = 1.2 * coarse_goals_.surface.dim;
+    trade_.cost_mesh = 1.2 * coarse_->goals.surface.dim;
     trade_.seconds = fine.cpu_seconds * std::pow(finer.mesh, trade_.cost_mesh);
   }
 
@@ -284,7 +282,6 @@ private:
   std::optional<Key> mesh_{}, time_{};
   Factors pilot_;
   std::optional<Trial> coarse_{};
-  Goals coarse_goals_;  ///< with the models of the scene
   std::vector<std::size_t> places_;
   Trade trade_;
   std::vector<BudgetPart> known_;

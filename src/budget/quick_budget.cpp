@@ -24,7 +24,6 @@ public:
         own_(scene_),
         ledger_(goals.ledger),
         nodes_(goals.nodes),
-        condensation_pays_(condensation_pays(goals, 2)),
         finer_is_cheap_(work * std::exp2(goals.surface.dim) <= hooks.limit),
         is_small_(0.5 * work <= always) {
     budget_.values = goals.values;
@@ -51,7 +50,6 @@ private:
     for (const Key& key : scene.controlling_keys())
       if (key.controls->source == ErrorSource::model)
         simple = key.controls->scaled(simple, 2).value_or(simple);
-    if (!condensation_pays_) simple = without_condensation(simple);
     try {
       if (simpler_) return companions_.run(simple, what, unlike);
     } catch (const MeshUnchanged&) {
@@ -143,7 +141,7 @@ private:
   Scene own_;  ///< of the companions' mesh, with the scene's own models
   double ledger_;
   long nodes_;
-  bool simpler_ = true, condensation_pays_;
+  bool simpler_ = true;
   bool finer_is_cheap_;  ///< without what simpler models save
   bool is_small_;  ///< companions on elements of twice the size take half of its work, all together
 };

@@ -66,16 +66,6 @@ Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupt
           .work = work};
 }
 
-bool condensation_pays(const Goals& goals, double factor) {
-  const int dim = goals.surface.dim;
-  const double rows = dim * static_cast<double>(goals.surface.initial.size());
-  return rows * rows * std::pow(factor, 2 - dim) < goals.nonzeros;
-}
-
-Scene without_condensation(const Scene& scene) {
-  return scene.knows("solver.reduce") ? scene.with("solver.reduce", false) : scene;
-}
-
 Scene ending_at(const Scene& scene, double time) {
   return scene.has("time.until") ? scene.with("time.end", time).without("time.until") : scene;
 }

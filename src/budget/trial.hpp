@@ -38,13 +38,6 @@ struct Trial {
 Trial try_scene(const Scene& scene, const std::function<bool(double work)>& interrupted,
                 long unlike = 0);
 
-/// Whether a condensed stiffness has fewer nonzeros, on elements `factor` times as large, than the
-/// Jacobian that is not condensed, of `goals`.
-bool condensation_pays(const Goals& goals, double factor);
-
-/// The scene without it.
-Scene without_condensation(const Scene& scene);
-
 /// The scene of companions, which end at the time at which the run did.
 Scene ending_at(const Scene& scene, double time);
 

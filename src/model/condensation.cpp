@@ -15,18 +15,17 @@
 namespace gnomon {
 
 template <int dim>
-void require_constant_stiffness(const AssemblyParts<dim>& parts) {
-  const auto require = [](bool holds, const char* what) {
-    if (!holds) throw InputError(std::string("solver.reduce: expected ") + what);
-  };
-  require(parts.shape.gap, "shape.motion = \"gap\": where the mesh moves, the stiffness changes");
-  require(std::ranges::all_of(
-              parts.bodies,
-              [](const Body& body) { return body.element.kinematics == Kinematics::small; }),
-          "body.material = \"linear\": with finite strains the stiffness changes");
-  require(std::ranges::all_of(parts.loads,
-                              [](const Load<dim>& load) { return load.forces.size() > 0; }),
-          "loads that do not follow the surface, instead of a pressure");
+std::string varying_stiffness(const AssemblyParts<dim>& parts) {
+  if (!parts.shape.gap)
+    return "shape.motion = \"gap\": where the mesh moves, the stiffness changes";
+  if (!std::ranges::all_of(parts.bodies, [](const Body& body) {
+        return body.element.kinematics == Kinematics::small;
+      }))
+    return "body.material = \"linear\": with finite strains the stiffness changes";
+  if (!std::ranges::all_of(parts.loads,
+                           [](const Load<dim>& load) { return load.forces.size() > 0; }))
+    return "loads that do not follow the surface, instead of a pressure";
+  return {};
 }
 
 namespace {
@@ -130,7 +129,8 @@ void put(const Eigen::VectorXd& values, const std::vector<std::pair<int, int>>& 
 
 template <int dim>
 Condensation<dim>::Condensation(const AssemblyParts<dim>& parts, const std::vector<int>& nodes) {
-  require_constant_stiffness(parts);
+  if (const std::string reason = varying_stiffness(parts); !reason.empty())
+    throw InputError("solver.reduce: expected " + reason);
   use_blas_threads(1);
   K_ = stiffness_of(parts);
   number(parts, nodes);
@@ -205,8 +205,8 @@ NodalField<dim> Condensation<dim>::whole(const NodalField<dim>& u, double t, dou
   return all;
 }
 
-template void require_constant_stiffness(const AssemblyParts<2>&);
-template void require_constant_stiffness(const AssemblyParts<3>&);
+template std::string varying_stiffness(const AssemblyParts<2>&);
+template std::string varying_stiffness(const AssemblyParts<3>&);
 template class Condensation<2>;
 template class Condensation<3>;
 

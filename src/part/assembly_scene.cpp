@@ -11,6 +11,7 @@
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/terms/material_law.hpp>
+#include <set>
 
 namespace gnomon {
 
@@ -78,11 +79,24 @@ ShapeMotion<dim> read_gap_motion(const Scene& scene, const AssemblyParts<dim>& p
   throw InputError(scene.path().string() + ": " + error.what());
 }
 
+/// Whether the elasticity is condensed. Where the scene does not say so: where the condensed
+/// matrix, which is full, has fewer entries than the stiffness.
 template <int dim>
-void require_condensable(const Scene& scene, const AssemblyParts<dim>& parts) try {
-  require_constant_stiffness(parts);
-} catch (const InputError& error) {
-  throw InputError(scene.path().string() + ": " + error.what());
+bool read_condensed(const Scene& scene, const AssemblyParts<dim>& parts) {
+  const std::string reason = varying_stiffness(parts);
+  if (scene.has("solver.reduce")) {
+    const bool condensed = scene.flag("solver.reduce");
+    if (condensed && !reason.empty())
+      throw InputError(scene.where("solver.reduce") + ": expected " + reason);
+    return condensed;
+  }
+  std::set<int> nodes;
+  for (const auto& facet : facets_of(parts.interface.surfaces))
+    nodes.insert(facet.begin(), facet.end());
+  const double rows = dim * static_cast<double>(nodes.size());
+  const double row_of_stiffness = dim * std::pow(3, dim);  // entries
+  return reason.empty() &&
+         rows * rows < row_of_stiffness * dim * static_cast<double>(parts.mesh.nodes.size());
 }
 
 template <int dim>
@@ -149,8 +163,7 @@ AssemblyParts<dim> completed(const Scene& scene, double facet, AssemblyParts<dim
     parts.following = parts.shape;
     parts.shape = read_gap_motion(scene, parts);
   }
-  parts.condensed = scene.flag("solver.reduce");
-  if (parts.condensed) require_condensable(scene, parts);
+  parts.condensed = read_condensed(scene, parts);
   choose_solver(scene, parts);
   return parts;
 }

@@ -204,9 +204,8 @@ void judge_gap(const Magnitudes& expected, AssemblyParts<dim>& parts) {
         fmt::format("wear is a gap: {}; above {:g} and {:g} use shape.motion = \"mesh\"", extent,
                     most_slope, most_thinning));
   else if (!parts.shape.gap && does && small && expected.deepest > 0)
-    parts.proposals.push_back(
-        "wear as a gap would do, for less time (shape.motion = \"gap\", solver.reduce = true): " +
-        extent);
+    parts.proposals.push_back("wear as a gap would do, for less time (shape.motion = \"gap\"): " +
+                              extent);
 }
 
 template <int dim>

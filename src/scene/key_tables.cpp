@@ -192,17 +192,15 @@ std::vector<Key> table_keys() {
 }
 
 /// The key chooses between two models: for a factor below 1 the one that neglects less, else the
-/// one that neglects more, unless it is chosen. The stiffness is condensed where both keys of
-/// models neglect what they can.
+/// one that neglects more, unless it is chosen. The stiffness is condensed where the other one
+/// allows it.
 Key between_models(const Key& key, const std::string& simple, const std::string& full) {
   const auto scaled = [name = key.name, simple, full](const Scene& scene,
                                                       double factor) -> std::optional<Scene> {
     if (factor == 1 || !scene.has(name) || scene.text(name) != (factor < 1 ? simple : full))
       return {};
     const Scene chosen = scene.with(name, factor < 1 ? full : simple);
-    if (!chosen.knows("solver.reduce")) return chosen;
-    return chosen.with("solver.reduce", factor > 1 && chosen.text("body.material") == "linear" &&
-                                            chosen.text("shape.motion") == "gap");
+    return chosen.knows("solver.reduce") ? chosen.without("solver.reduce") : chosen;
   };
   return controlling(key, ErrorSource::model, scaled);
 }
@@ -257,7 +255,7 @@ std::vector<Key> make_worn_body_keys(int dim) {
                                     "how linear systems are solved (gnomon list solvers)")));
   keys.push_back({.name = "solver.reduce",
                   .kind = KeyKind::flag,
-                  .default_value = false,
+                  .absent_meaning = "where it can and pays, which few contact nodes do",
                   .help = "condense the elasticity to the contact nodes once: with small strains "
                           "and wear as a gap (docs/gap.md)"});
   keys.push_back(friction_key(dim));

@@ -67,7 +67,6 @@ TEST(Plan, LeavesWhatTheSceneGives) {
   const Plan made = plan({"accuracy.within=0.05", "mesh.elements=[40,20]", "shape.motion=mesh"});
   EXPECT_EQ(made.scene.integers("mesh.elements"), (std::vector<long>{40, 20}));
   EXPECT_EQ(made.scene.text("shape.motion"), "mesh");
-  EXPECT_FALSE(made.scene.flag("solver.reduce"));
   EXPECT_THAT(made.remarks, ::testing::Contains(HasSubstr("mesh.elements")));
   EXPECT_THAT(plan_text(made), HasSubstr("\n     5 %"));
 }

@@ -10,6 +10,7 @@
 #include <functional>
 #include <gnomon/fields/nodal.hpp>
 #include <gnomon/laws/load_history.hpp>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -27,15 +28,15 @@ struct DeadForces {
   bool cyclic = false;   ///< multiplied by the load factor of a phase
 };
 
-/// Throws InputError where the stiffness is not constant: finite strains, a mesh that moves,
-/// pressures that follow the surface.
+/// What would make the stiffness constant: a gap instead of a mesh that moves, small strains, no
+/// pressures that follow the surface. Empty where it is constant.
 template <int dim>
-void require_constant_stiffness(const AssemblyParts<dim>& parts);
+std::string varying_stiffness(const AssemblyParts<dim>& parts);
 
 template <int dim>
 class Condensation {
 public:
-  /// `nodes`: of contact. Throws as require_constant_stiffness(), and Error where the other nodes
+  /// `nodes`: of contact. Throws InputError for a varying_stiffness(), and Error where the other nodes
   /// have no unique displacement.
   Condensation(const AssemblyParts<dim>& parts, const std::vector<int>& nodes);
 
