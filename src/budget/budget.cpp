@@ -51,7 +51,7 @@ private:
 
   void find_mesh(const Key& key, BudgetPart& part) {
     const Scene twice = *key.controls->scaled(run_.scene, 2);
-    Trial coarse = companions_.run(twice, "twice as large elements", run_.goals.nodes);
+    Trial coarse = companions_.run(twice, "twice as large elements", &run_.goals);
     part.how = change_text(run_.scene, twice);
     part.errors = mesh_differences(coarse.goals, run_.goals);
     const std::vector<double> further = coarser_differences(key, coarse, part);
@@ -63,7 +63,7 @@ private:
 
   void find_mesh_by_finer(const Key& key, BudgetPart& part) {
     const Scene half = *key.controls->scaled(run_.scene, 0.5);
-    const Trial fine = companions_.run(half, "elements of half the size", run_.goals.nodes);
+    const Trial fine = companions_.run(half, "elements of half the size", &run_.goals);
     part.how = change_text(run_.scene, half);
     part.errors = errors_of_coarser(run_.goals, fine.goals);
   }
@@ -75,8 +75,7 @@ private:
     try {
       const auto four = key.controls->scaled(run_.scene, 4);
       if (!four) return none;
-      const Trial coarser =
-          companions_.run(*four, "four times as large elements", coarse.goals.nodes);
+      const Trial coarser = companions_.run(*four, "four times as large elements", &coarse.goals);
       part.how += ", " + change_text(run_.scene, *four);
       return mesh_differences(coarser.goals, coarse.goals);
     } catch (const Interrupted&) {

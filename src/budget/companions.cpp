@@ -32,7 +32,7 @@ std::vector<OtherMesh> other_meshes(const Scene& scene) {
   return found;
 }
 
-Trial Companions::run(const Scene& scene, const std::string& what, long unlike) {
+Trial Companions::run(const Scene& scene, const std::string& what, const Goals* unlike) {
   hooks_.on_run(what);
   const Stopwatch stopwatch(budget_.companion_seconds);
   const double before = work_;

@@ -34,7 +34,7 @@ public:
   Companions(Budget& budget, const BudgetHooks& hooks) : budget_(budget), hooks_(hooks) {}
 
   /// Throws as try_scene().
-  Trial run(const Scene& scene, const std::string& what, long unlike = 0);
+  Trial run(const Scene& scene, const std::string& what, const Goals* unlike = nullptr);
 
   /// Adds a part that `find` fills in, or why it cannot.
   void add(const Key& key, const std::function<void(BudgetPart&)>& find);

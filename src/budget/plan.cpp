@@ -163,8 +163,8 @@ private:
     const Factors finer{pilot_.mesh / 2, pilot_.time};
     std::optional<Trial> finer_trial;
     try {
-      finer_trial = companions_.run(with(finer), "a pilot on elements of half this size",
-                                    coarse_->goals.nodes);
+      finer_trial =
+          companions_.run(with(finer), "a pilot on elements of half this size", &coarse_->goals);
     } catch (const MeshUnchanged&) {
       trade_.free_mesh = false;
       pilot_.mesh = 1;
@@ -193,7 +193,7 @@ private:
 
   void judge_mesh_by(const Key& key) {
     const Scene base = with(pilot_), half = *key.controls->scaled(base, 0.5);
-    const Trial fine = companions_.run(half, "a pilot on a finer mesh", coarse_->goals.nodes);
+    const Trial fine = companions_.run(half, "a pilot on a finer mesh", &coarse_->goals);
     BudgetPart part{.source = ErrorSource::mesh,
                     .key = key.name,
                     .how = change_text(base, half),
@@ -250,7 +250,7 @@ private:
     const Factors factors = cheapest(trade_, within);
     PlanLine line = predicted(trade_, factors);
     line.within = within;
-    line.settings = change_text(asked_, with(factors));
+    line.settings = change_text(asked_.without("accuracy.of"), with(factors));
     return line;
   }
 

@@ -22,8 +22,7 @@ public:
       : scene_(ending_at(scene, goals.time)),
         companions_(budget_, hooks),
         own_(scene_),
-        ledger_(goals.ledger),
-        nodes_(goals.nodes),
+        goals_(goals),
         finer_is_cheap_(work * std::exp2(goals.surface.dim) <= hooks.limit),
         is_small_(0.5 * work <= always) {
     budget_.values = goals.values;
@@ -39,13 +38,13 @@ public:
         if (key.controls->source != ErrorSource::mesh) add_other(key);
     } catch (const Interrupted&) {  // the user does not want to wait for the rest
     }
-    respect_ledger(budget_, ledger_);
+    respect_ledger(budget_, goals_.ledger);
     return std::move(budget_);
   }
 
 private:
   /// With models that neglect what they can; where they are refused, those of the scene.
-  Trial cheap(const Scene& scene, const std::string& what, long unlike = 0) {
+  Trial cheap(const Scene& scene, const std::string& what, const Goals* unlike = nullptr) {
     Scene simple = scene;
     for (const Key& key : scene.controlling_keys())
       if (key.controls->source == ErrorSource::model)
@@ -78,9 +77,9 @@ private:
     const auto larger = key.controls->scaled(scene_, factor),
                smaller = key.controls->scaled(scene_, factor / 2);
     if (!larger || !smaller) throw InputError("there is no mesh of elements so large");
-    coarse_ = cheap(*larger, "a coarse mesh", nodes_);
+    coarse_ = cheap(*larger, "a coarse mesh", &goals_);
     own_ = *larger;
-    const Trial fine = cheap(*smaller, "a finer mesh", coarse_->goals.nodes);
+    const Trial fine = cheap(*smaller, "a finer mesh", &coarse_->goals);
     part.how = change_text(scene_, fine.scene) + " against " + change_text(scene_, coarse_->scene);
     part.errors = mesh_differences(coarse_->goals, fine.goals);
     const std::vector<double> further = coarser_differences(key, 2 * factor);
@@ -96,7 +95,7 @@ private:
     const Scene half = *key.controls->scaled(scene_, 0.5);
     coarse_ = cheap(scene_, "the same mesh");
     own_ = scene_;
-    const Trial fine = cheap(half, "a finer mesh", nodes_);
+    const Trial fine = cheap(half, "a finer mesh", &goals_);
     part.how = change_text(scene_, half);
     part.errors = errors_of_coarser(coarse_->goals, fine.goals);
   }
@@ -105,7 +104,7 @@ private:
   std::vector<double> coarser_differences(const Key& key, double factor) {
     try {
       if (const auto scene = key.controls->scaled(scene_, factor))
-        return mesh_differences(cheap(*scene, "a coarser mesh", coarse_->goals.nodes).goals,
+        return mesh_differences(cheap(*scene, "a coarser mesh", &coarse_->goals).goals,
                                 coarse_->goals);
     } catch (const Interrupted&) {
       throw;
@@ -139,8 +138,7 @@ private:
   Companions companions_;
   std::optional<Trial> coarse_{}, own_models_{};
   Scene own_;  ///< of the companions' mesh, with the scene's own models
-  double ledger_;
-  long nodes_;
+  const Goals& goals_;
   bool simpler_ = true;
   bool finer_is_cheap_;  ///< without what simpler models save
   bool is_small_;  ///< companions on elements of twice the size take half of its work, all together

@@ -37,10 +37,11 @@ std::string text_of(const SceneValue& value) {
 
 }  // namespace
 
-Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupted, long unlike) {
+Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupted,
+                const Goals* unlike) {
   const double begin = cpu_seconds();
   const Setup setup = set_up(scene);
-  if (unlike > 0 && nodes_of(*setup.model) == unlike)
+  if (unlike && nodes_of(*setup.model) == unlike->nodes)
     throw MeshUnchanged("elements of another size make the same mesh, its geometry fixes them");
   StorePolicy policy = store_policy(setup.scene);
   policy.checkpoint_seconds = 0;
@@ -60,6 +61,9 @@ Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupt
   const Model& model = outcome.successor ? *outcome.successor : *setup.model;
   auto goals = goals_of(model, *outcome.state, outcome.last->scalars);
   if (!goals) refuse_without_surface(scene);
+  if (unlike && goals->surface.initial.size() == unlike->surface.initial.size())
+    throw MeshUnchanged(
+        "elements of another size leave the contact surface as it is, its geometry fixes them");
   return {.scene = setup.scene,
           .goals = std::move(*goals),
           .cpu_seconds = cpu_seconds() - begin,

@@ -34,9 +34,10 @@ struct Trial {
 /// Makes the model of a scene and integrates it, nothing is stored. Throws InputError where the
 /// scene has no worn surface, SolutionError where the run fails, and Interrupted.
 /// `interrupted` is asked after each step, with the work until then.
-/// `unlike`: a mesh with so many nodes is refused before the run, by MeshUnchanged.
+/// `unlike`: a mesh with as many nodes as that of this run is refused by MeshUnchanged, as is one
+/// with as many nodes of contact, whose geometry fixes them (after the run).
 Trial try_scene(const Scene& scene, const std::function<bool(double work)>& interrupted,
-                long unlike = 0);
+                const Goals* unlike = nullptr);
 
 /// The scene of companions, which end at the time at which the run did.
 Scene ending_at(const Scene& scene, double time);
