@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <gnomon/run/run.hpp>
@@ -35,6 +36,17 @@ std::string text_of(const SceneValue& value) {
       scene.path().string(), scene.text("problem")));
 }
 
+/// Whether more nodes touch on the mesh that has more nodes.
+bool refines_contact(const Goals& one, const Goals& other) {
+  constexpr double clearly = 1.25;
+  const auto closed = [](const Goals& goals) {
+    return static_cast<double>(
+        std::ranges::count_if(goals.surface.pressure, [](double p) { return p > 0; }));
+  };
+  const bool is_finer = one.nodes > other.nodes;
+  return closed(is_finer ? one : other) >= clearly * closed(is_finer ? other : one);
+}
+
 }  // namespace
 
 Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupted,
@@ -61,9 +73,11 @@ Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupt
   const Model& model = outcome.successor ? *outcome.successor : *setup.model;
   auto goals = goals_of(model, *outcome.state, outcome.last->scalars);
   if (!goals) refuse_without_surface(scene);
-  if (unlike && goals->surface.initial.size() == unlike->surface.initial.size())
+  if (unlike && !refines_contact(*goals, *unlike))
     throw MeshUnchanged(
-        "elements of another size leave the contact surface as it is, its geometry fixes them");
+        "about as many nodes touch on elements of another size: the geometry fixes them, or there "
+        "are "
+        "too few");
   return {.scene = setup.scene,
           .goals = std::move(*goals),
           .cpu_seconds = cpu_seconds() - begin,

@@ -1,6 +1,7 @@
 // The error budget: what it estimates against what is known in closed form or from a finer run, and
 // that it says what it does not know.
 
+#include <fstream>
 #include <gnomon/base/error.hpp>
 #include <gnomon/budget/budget.hpp>
 #include <gnomon/run/setup.hpp>
@@ -106,6 +107,36 @@ TEST(Budget, OfAMeshThatIsGivenIsTheErrorAgainstHertz) {
                      std::abs(value(budget, "contact_half_width") / half_width - 1));
   expect_effectivity(total(budget, "max_pressure"),
                      std::abs(value(budget, "max_pressure") / largest - 1));
+}
+
+// Its script gives the number of elements on the sole: other sizes refine what does not touch.
+TEST(Budget, SplitsCellsWhereAGeometryFixesThoseOfTheContact) {
+  const std::filesystem::path geometry = std::filesystem::path(::testing::TempDir()) / "pad.geo";
+  std::ofstream(geometry) << R"(
+Point(1) = {-5, 0, 0}; Point(2) = {5, 0, 0}; Point(3) = {5, 4, 0}; Point(4) = {-5, 4, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Transfinite Curve {1, 3} = 21; Transfinite Curve {2, 4} = 8 / Mesh.MeshSizeFactor + 1;
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Transfinite Surface {1}; Recombine Surface {1};
+Physical Curve("sole") = {1}; Physical Curve("top") = {3}; Physical Surface("pad") = {1};
+)";
+  const Scene scene = checked_scene_of_text(R"(problem = "worn_body"
+mesh.file = ")" + geometry.string() + R"("
+body = { young_modulus = 600, poisson_ratio = 0.4, material = "linear" }
+wear = { on = ["sole"], coefficient = 1e-8, rate = "k * p * v" }
+time.end = 2000
+[[support]]
+on = "top"
+directions = ["x", "y"]
+[counter_body]
+shape = "cylinder"
+center = [0, -100]
+radius = 100
+motion = { velocity = [500, 0] }
+press = { direction = [0, 1], force = 100 }
+)",
+                                            "pad.toml", {});
+  EXPECT_EQ(part(find_budget(scene, {}), ErrorSource::mesh).key, "mesh.split");
 }
 
 TEST(Budget, RefusesWhatHasNoWornSurface) {
