@@ -36,8 +36,8 @@ std::string varying_stiffness(const AssemblyParts<dim>& parts);
 template <int dim>
 class Condensation {
 public:
-  /// `nodes`: of contact. Throws InputError for a varying_stiffness(), and Error where the other nodes
-  /// have no unique displacement.
+  /// `nodes`: of contact. Throws InputError for a varying_stiffness(), and Error where the other
+  /// nodes have no unique displacement.
   Condensation(const AssemblyParts<dim>& parts, const std::vector<int>& nodes);
 
   /// S [force / length], by kept unknown.
