@@ -53,6 +53,7 @@ private:
     const Scene twice = *key.controls->scaled(run_.scene, 2);
     Trial coarse = companions_.run(twice, "twice as large elements", &run_.goals);
     part.how = change_text(run_.scene, twice);
+    require_refined_contact(coarse.goals, run_.goals);
     part.errors = mesh_differences(coarse.goals, run_.goals);
     const std::vector<double> further = coarser_differences(key, coarse, part);
     for (std::size_t i = 0; i < further.size(); ++i)
@@ -65,6 +66,7 @@ private:
     const Scene half = *key.controls->scaled(run_.scene, 0.5);
     const Trial fine = companions_.run(half, "elements of half the size", &run_.goals);
     part.how = change_text(run_.scene, half);
+    require_refined_contact(run_.goals, fine.goals);
     part.errors = errors_of_coarser(run_.goals, fine.goals);
   }
 

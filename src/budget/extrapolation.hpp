@@ -9,6 +9,10 @@ namespace gnomon::budget {
 /// Of errors in the size of the elements, which is mostly between 1 and 2.
 inline constexpr double usual_order = 1.5;
 
+/// Throws MeshUnchanged where no more nodes touch on the mesh that has more nodes: then their
+/// difference says nothing about the elements of the contact.
+void require_refined_contact(const Goals& one, const Goals& other);
+
 /// differences() of two meshes. Fields are compared at the nodes of the coarse one, to which a fine
 /// mesh is interpolated with little error; the other way round where its contact has too few nodes.
 std::vector<double> mesh_differences(const Goals& coarse, const Goals& fine);

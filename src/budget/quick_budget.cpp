@@ -81,6 +81,7 @@ private:
     own_ = *larger;
     const Trial fine = cheap(*smaller, "a finer mesh", &coarse_->goals);
     part.how = change_text(scene_, fine.scene) + " against " + change_text(scene_, coarse_->scene);
+    require_refined_contact(coarse_->goals, fine.goals);
     part.errors = mesh_differences(coarse_->goals, fine.goals);
     const std::vector<double> further = coarser_differences(key, 2 * factor);
     for (std::size_t i = 0; i < further.size(); ++i) {
@@ -97,6 +98,7 @@ private:
     own_ = scene_;
     const Trial fine = cheap(half, "a finer mesh", &goals_);
     part.how = change_text(scene_, half);
+    require_refined_contact(coarse_->goals, fine.goals);
     part.errors = errors_of_coarser(coarse_->goals, fine.goals);
   }
 

@@ -36,17 +36,6 @@ std::string text_of(const SceneValue& value) {
       scene.path().string(), scene.text("problem")));
 }
 
-/// Whether more nodes touch on the mesh that has more nodes.
-bool refines_contact(const Goals& one, const Goals& other) {
-  constexpr double clearly = 1.25;
-  const auto closed = [](const Goals& goals) {
-    return static_cast<double>(
-        std::ranges::count_if(goals.surface.pressure, [](double p) { return p > 0; }));
-  };
-  const bool is_finer = one.nodes > other.nodes;
-  return closed(is_finer ? one : other) >= clearly * closed(is_finer ? other : one);
-}
-
 }  // namespace
 
 Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupted,
@@ -73,11 +62,6 @@ Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupt
   const Model& model = outcome.successor ? *outcome.successor : *setup.model;
   auto goals = goals_of(model, *outcome.state, outcome.last->scalars);
   if (!goals) refuse_without_surface(scene);
-  if (unlike && !refines_contact(*goals, *unlike))
-    throw MeshUnchanged(
-        "about as many nodes touch on elements of another size: the geometry fixes them, or there "
-        "are "
-        "too few");
   return {.scene = setup.scene,
           .goals = std::move(*goals),
           .cpu_seconds = cpu_seconds() - begin,

@@ -34,9 +34,8 @@ struct Trial {
 /// Makes the model of a scene and integrates it, nothing is stored. Throws InputError where the
 /// scene has no worn surface, SolutionError where the run fails, and Interrupted.
 /// `interrupted` is asked after each step, with the work until then.
-/// `unlike`: a mesh with as many nodes as that of this run is refused by MeshUnchanged, and after
-/// the run one of more (fewer) nodes on which no more (fewer) touch, because the geometry fixes
-/// those.
+/// `unlike`: a mesh with as many nodes as that of this run is refused before the run, by
+/// MeshUnchanged.
 Trial try_scene(const Scene& scene, const std::function<bool(double work)>& interrupted,
                 const Goals* unlike = nullptr);
 
