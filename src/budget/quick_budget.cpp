@@ -23,7 +23,7 @@ public:
         companions_(budget_, hooks),
         own_(scene_),
         goals_(goals),
-        finer_is_cheap_(work * std::exp2(goals.surface.dim) <= hooks.limit),
+        finer_is_cheap_(goals.surface.dim == 2 && 4 * work <= hooks.limit),
         is_small_(0.5 * work <= always) {
     budget_.values = goals.values;
   }
@@ -142,7 +142,7 @@ private:
   Scene own_;  ///< of the companions' mesh, with the scene's own models
   const Goals& goals_;
   bool simpler_ = true;
-  bool finer_is_cheap_;  ///< without what simpler models save
+  bool finer_is_cheap_;  ///< in space it would take eight times the memory of the run
   bool is_small_;  ///< companions on elements of twice the size take half of its work, all together
 };
 
