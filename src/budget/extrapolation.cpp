@@ -7,23 +7,12 @@
 
 namespace gnomon::budget {
 
-namespace {
-
-/// Whether more nodes touch on the mesh that has more nodes.
-bool refines_contact(const Goals& one, const Goals& other) {
-  constexpr double clearly = 1.25;
-  const auto closed = [](const Goals& goals) {
-    return static_cast<double>(
-        std::ranges::count_if(goals.surface.pressure, [](double p) { return p > 0; }));
-  };
-  const bool is_finer = one.nodes > other.nodes;
-  return closed(is_finer ? one : other) >= clearly * closed(is_finer ? other : one);
-}
-
-}  // namespace
-
 void require_refined_contact(const Goals& one, const Goals& other) {
-  if (!refines_contact(one, other))
+  constexpr double clearly = 1.25;
+  const bool is_finer = one.nodes > other.nodes;
+  const auto fine = static_cast<double>(touching_nodes(is_finer ? one : other)),
+             coarse = static_cast<double>(touching_nodes(is_finer ? other : one));
+  if (fine < clearly * coarse)
     throw MeshUnchanged(
         "about as many nodes touch on elements of another size: the geometry fixes them, or there "
         "are too few");

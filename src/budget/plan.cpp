@@ -113,9 +113,7 @@ private:
   }
 
   static bool has_enough_contact(const Goals& goals) {
-    const auto closed =
-        std::ranges::count_if(goals.surface.pressure, [](double p) { return p > 0; });
-    return closed >= (goals.surface.dim == 2 ? 7 : 12);
+    return touching_nodes(goals) >= (goals.surface.dim == 2 ? 7 : 12);
   }
 
   /// Goes on with the simpler of two models, where the scene does not give one and the error is a

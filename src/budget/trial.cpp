@@ -30,12 +30,6 @@ std::string text_of(const SceneValue& value) {
       value);
 }
 
-[[noreturn]] void refuse_without_surface(const Scene& scene) {
-  throw InputError(fmt::format(
-      "{}: expected a problem with a worn surface, {} has none whose error could be judged",
-      scene.path().string(), scene.text("problem")));
-}
-
 }  // namespace
 
 Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupted,
@@ -61,11 +55,18 @@ Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupt
   if (outcome.status == RunOutcome::Status::interrupted) throw Interrupted("interrupted");
   const Model& model = outcome.successor ? *outcome.successor : *setup.model;
   auto goals = goals_of(model, *outcome.state, outcome.last->scalars);
-  if (!goals) refuse_without_surface(scene);
+  if (!goals)
+    throw InputError(fmt::format(
+        "{}: expected a problem with a worn surface, {} has none whose error could be judged",
+        scene.path().string(), scene.text("problem")));
   return {.scene = setup.scene,
           .goals = std::move(*goals),
           .cpu_seconds = cpu_seconds() - begin,
           .work = work};
+}
+
+long touching_nodes(const Goals& goals) {
+  return std::ranges::count_if(goals.surface.pressure, [](double p) { return p > 0; });
 }
 
 Scene ending_at(const Scene& scene, double time) {

@@ -39,6 +39,9 @@ struct Trial {
 Trial try_scene(const Scene& scene, const std::function<bool(double work)>& interrupted,
                 const Goals* unlike = nullptr);
 
+/// Nodes under pressure at the end.
+long touching_nodes(const Goals& goals);
+
 /// The scene of companions, which end at the time at which the run did.
 Scene ending_at(const Scene& scene, double time);
 

@@ -99,9 +99,8 @@ void add_curves(EdgeBulges& bulges, const ImportedMesh& mesh, const std::vector<
                          curves.tangent(edge[1]));
 }
 
-/// Facets in space with their area vectors, which point out of their cells.
+/// Of facets in space; normals point out of their cells.
 struct Surface {
-  std::vector<Polygon> facets;
   std::map<Edge, std::vector<Vector3>> sides;  ///< unit normals on the sides of each edge
   std::map<int, Vector3> normals;              ///< at nodes, by weights that are exact on spheres
 };

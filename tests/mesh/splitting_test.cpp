@@ -74,17 +74,8 @@ TEST(Splitting, FollowsOtherCurvesWithFourthOrder) {
   EXPECT_LT(off_ellipse(16, 3), 2 * off_ellipse(16, 1));  // further splits follow the same curve
 }
 
-/// Every quadrilateral as two triangles.
 ImportedMesh of_triangles(ImportedMesh mesh) {
-  ElementList cut;
-  for (int cell = 0; cell < mesh.cells.size(); ++cell) {
-    const auto c = mesh.cells.at(cell);
-    cut.add(ElementKind::triangle, cell, std::array{c[0], c[1], c[2]});
-    cut.add(ElementKind::triangle, cell, std::array{c[0], c[2], c[3]});
-  }
-  mesh.cells = cut;
-  std::erase_if(mesh.groups, [](const MeshGroup& group) { return group.dimension == 2; });
-  return mesh;
+  return with_triangles(std::move(mesh), [](int) { return true; });
 }
 
 // Unsplit they keep their chords, whose middles are nodes.

@@ -37,19 +37,8 @@ ImportedMesh mixed_square(bool all) {
   for (auto& X : mesh.nodes)
     if (X[0] > 0 && X[0] < 1 && X[1] > 0 && X[1] < 1)
       X = {X[0] + shift(random), X[1] + shift(random), 0};
-  ElementList cut;
-  for (int cell = 0; cell < mesh.cells.size(); ++cell) {
-    const auto c = mesh.cells.at(cell);
-    if (!all && (cell + cell / n) % 2) {
-      cut.add(Kind::quadrilateral, cell, c);
-      continue;
-    }
-    cut.add(Kind::triangle, cell, std::array{c[0], c[1], c[2]});
-    cut.add(Kind::triangle, cell, std::array{c[0], c[2], c[3]});
-  }
-  mesh.cells = cut;
-  std::erase_if(mesh.groups, [](const MeshGroup& group) { return group.dimension == 2; });
-  return mesh;
+  return with_triangles(std::move(mesh),
+                        [all](int cell) { return all || (cell + cell / n) % 2 == 0; });
 }
 
 TEST(Subdivision, OfTrianglesAndQuadrilateralsKeepsTheArea) {

@@ -73,6 +73,24 @@ inline ImportedMesh cube(int n) {
       n, n, n, [](double r, double s, double t) { return Vector<3>(r, s, t); }));
 }
 
+/// The quadrilaterals whose number `is_cut` accepts as two triangles each, without groups of cells.
+template <class IsCut>
+ImportedMesh with_triangles(ImportedMesh mesh, IsCut is_cut) {
+  ElementList cut;
+  for (int cell = 0; cell < mesh.cells.size(); ++cell) {
+    const auto c = mesh.cells.at(cell);
+    if (!is_cut(cell)) {
+      cut.add(ElementKind::quadrilateral, cell, c);
+      continue;
+    }
+    cut.add(ElementKind::triangle, cell, std::array{c[0], c[1], c[2]});
+    cut.add(ElementKind::triangle, cell, std::array{c[0], c[2], c[3]});
+  }
+  mesh.cells = cut;
+  std::erase_if(mesh.groups, [](const MeshGroup& group) { return group.dimension == 2; });
+  return mesh;
+}
+
 /// The facets of the boundary that a group in a file would name, as elements of the list.
 inline int add_facet(ImportedMesh& mesh, std::initializer_list<int> nodes) {
   mesh.facets.add(nodes.size() == 2   ? ElementKind::line
