@@ -108,17 +108,18 @@ struct ContactKinematics {
 /// Residual of a contact node.
 template <int dim, class Scalar = double>
 struct ContactNode {
-  Vector<dim, Scalar> force;
-  Scalar constraint;
-  Vector<dim, Scalar> velocity;
-  PartnerMotion<Scalar> partner;  ///< force on the partner in the rows of q
-  Scalar wear_rate;               ///< Wdot [length / time]
-  Scalar traction;                ///< lambda_eff [stress]
-  Scalar area;                    ///< A
-  Scalar gap;                     ///< g [length]
-  Vector<dim> normal;             ///< n of the partner
-  bool active;
+  Vector<dim, Scalar> force = Vector<dim, Scalar>::Zero();
+  Scalar constraint{0};
+  Vector<dim, Scalar> velocity = Vector<dim, Scalar>::Zero();
+  PartnerMotion<Scalar> partner{};  ///< force on the partner in the rows of q
+  Scalar wear_rate{0};              ///< Wdot [length / time]
+  Scalar traction{0};               ///< lambda_eff [stress]
+  Scalar area{0};                   ///< A; of a pair of bodies, that which the partner covers
+  Scalar gap{0};                    ///< g [length]
+  Vector<dim> normal = Vector<dim>::Zero();  ///< n of the partner
+  bool active = false;
 
+  ContactNode() = default;
   ContactNode(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
               const ContactInput<dim, Scalar>& at, const NodeBranch& branch = {});
 };

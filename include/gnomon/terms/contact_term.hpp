@@ -4,8 +4,7 @@
 #pragma once
 
 #include <algorithm>
-#include <gnomon/terms/contact_node.hpp>
-#include <gnomon/terms/term.hpp>
+#include <gnomon/terms/contact_nodes.hpp>
 #include <limits>
 
 namespace gnomon {
@@ -29,7 +28,7 @@ struct ContactState {
 };
 
 template <int dim>
-class ContactTerm : public Term<dim> {
+class ContactTerm : public ContactNodes<dim> {
 public:
   ContactTerm(const ContactState<dim>& state, FieldId d, const Numbering& numbering)
       : state_(state),
@@ -111,8 +110,7 @@ public:
                         own(values, c));
   }
 
-  /// The contact law at every contact node.
-  std::vector<ContactNode<dim>> nodes(const Evaluation<dim>& at) const {
+  std::vector<ContactNode<dim>> nodes(const Evaluation<dim>& at) const override {
     std::vector<ContactNode<dim>> result;
     for (int c = 0; c < count(); ++c) result.push_back(node(at, c));
     return result;

@@ -1,0 +1,35 @@
+// Contact of two surfaces that both deform and may both wear, as data.
+#pragma once
+
+#include <gnomon/mesh/mesh.hpp>
+#include <gnomon/shapes/counter_body.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+template <int dim>
+struct MortarPair {
+  using Facet = typename Mesh<dim>::Facet;
+  std::vector<Facet> slave;   ///< its nodes carry the multipliers
+  std::vector<Facet> master;  ///< no node of the slave's
+  /// The direction in which the master comes near to the slave: unit.
+  Vector<dim> approach = Vector<dim>::Unit(dim - 1);
+  /// Of the master's material relative to the slave's, v^2 - F V of eq. (6).
+  RigidMotion<dim> motion{};
+  double friction = 0;
+  double reach = 0;                     ///< facets that are farther apart do not meet [length]
+  std::array<std::string, 2> bodies{};  ///< names of the slave and of the master
+  /// By node of the slave: the projector on the directions in which its normal may point, where
+  /// supports, as of a symmetry, leave it fewer than all.
+  std::map<int, Tensor<dim>> along{};
+};
+
+/// By slave facet of a pair: the masters that may cover it, by their positions in `master`; those
+/// near to it where the nodes are at `x`, with a margin of a facet around.
+template <int dim>
+std::vector<std::vector<int>> mortar_candidates(const MortarPair<dim>& pair,
+                                                const std::vector<Vector<dim>>& x);
+
+}  // namespace gnomon

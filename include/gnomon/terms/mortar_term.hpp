@@ -1,0 +1,147 @@
+// Contact of deformable surfaces by segment mortar with dual multipliers (docs/two_bodies.md). With
+// the sums D, g, M and W over the slave's facets (mortar_facet.hpp), for slave nodes i and master
+// nodes j, lambda <= 0 and the traction direction tau (mortar_node.hpp):
+//
+//   u, slave    D_i lambda_i tau_i                           eq. (25)
+//   u, master   -sum_i M_ij lambda_i tau_i
+//   lambda      g_i / A^_i = 0 in contact, else lambda_i = 0     eq. (26)
+//   d, slave    Wdot(p_i) D_i P N_i / A_i,   p_i = -lambda_i         eq. (14)
+//   d, master   Wdot(p_j) C_j P N_j / A_j,   C_j = sum_i W_ij, p_j = sum_i p_i W_ij / C_j
+//
+// The speed v_i of sliding is that of the slave; a master has v_j = sum_i p_i v_i W_ij / (p_j C_j).
+// So the forces on both bodies are equal, and the volumes that they lose where their laws are.
+#pragma once
+
+#include <gnomon/terms/contact_nodes.hpp>
+#include <gnomon/terms/mortar_facet.hpp>
+#include <gnomon/terms/mortar_node.hpp>
+#include <gnomon/terms/mortar_pair.hpp>
+#include <optional>
+
+namespace gnomon {
+
+/// All pairs of an assembly in one contact state. The referenced objects must outlive the term.
+template <int dim>
+struct MortarState {
+  FieldId u = FieldId::none;       ///< displacement, at all nodes of the mesh
+  FieldId lambda = FieldId::none;  ///< contact multiplier, at the contact nodes of slaves
+  FieldId d = FieldId::none;       ///< shape; none: wear does not move the mesh
+  const Mesh<dim>& mesh;
+  const std::vector<ContactPatch<dim>>& patches;  ///< of slaves and masters, ascending nodes
+  const std::vector<MortarPair<dim>>& pairs;
+  const std::vector<Vector<dim>>& near;  ///< nodes of the mesh, where candidates are found
+  const std::vector<int>& surface_of;    ///< each contact node: whose law wears it
+  std::vector<WearLaw> laws{};           ///< of the surfaces
+  std::vector<double> wear_weight{};     ///< of each contact node, in its wear; empty: 1
+  NormalRule normal_rule = NormalRule::conservative;
+  Section section = Section::plane;
+  double rho = 1;            ///< [stress / length]
+  double part = 1;           ///< of the mean over a cycle: the weight of its phase
+  double nominal_speed = 0;  ///< at which the bodies slide [length / time]
+};
+
+template <int dim>
+class FacetMatrix;
+template <int dim>
+struct FacetNodes;
+
+template <int dim>
+class MortarTerm : public ContactNodes<dim> {
+public:
+  MortarTerm(const MortarState<dim>& state, const Numbering& numbering);
+
+  void declare(TermStructure& structure) const override;
+  void map_to(const SparsePattern& pattern) override;
+  void add_residual(const Evaluation<dim>& at, std::span<double> F) const override;
+  void add_jacobian(const Evaluation<dim>& at, double, std::span<double> values) const override;
+  /// For every slave node lambda + rho g [stress], then for all contact nodes the kinks of the wear
+  /// law.
+  void switching(const Evaluation<dim>& at, std::span<double> values) const override;
+  std::vector<ContactNode<dim>> nodes(const Evaluation<dim>& at) const override;
+
+private:
+  static constexpr int corners = Mesh<dim>::facet_nodes;
+
+  /// A contact node in one of its pairs.
+  struct Side {
+    int node = 0;  ///< contact node
+    int pair = 0;
+    bool slave = false;
+    std::size_t first_switch = 0;
+  };
+  struct SlaveFacet {
+    int pair = 0;
+    std::array<int, corners> sides = {};
+    std::vector<int> masters;  ///< candidates: positions among the pair's
+    std::vector<int> around;   ///< mesh nodes on which the normals of its corners depend
+  };
+  /// What a side has at a state.
+  struct SideState {
+    double lambda = 0;  ///< effective; of a slave
+    double area = 0;    ///< D of a slave, C of a master
+    double gap = 0;     ///< g of a slave, times area
+    double load = 0;    ///< force by pressure: D p, or sum_i p_i W_ij
+    double power = 0;   ///< load times speed of sliding
+    bool active = false;
+    Vector<dim> force = Vector<dim>::Zero();         ///< in the rows of u
+    std::optional<NodeNormal<dim>> normal{};         ///< of a slave
+    std::optional<SlidingTraction<dim>> traction{};  ///< of a slave
+    std::optional<WearDirection<dim>> direction{};
+    WearRate rate{};
+    double rate_by_pressure = 0, rate_by_speed = 0;  ///< friction power by the chain rule
+
+    double pressure() const { return area > 0 ? load / area : 0; }
+    double speed() const { return load > 0 ? power / load : 0; }
+  };
+  /// All sums at a state.
+  struct Surfaces {
+    std::vector<SideState> sides;
+    std::vector<MortarFacet<dim>> facets;
+    std::vector<MortarFacetTangent<dim>> tangents;  ///< where they were asked for
+  };
+  void find_sides();
+  void find_facets();
+  Vector<dim> undeformed(const Evaluation<dim>& at, int node) const;
+  Vector<dim> current(const Evaluation<dim>& at, int node) const;
+  PatchNodal<dim> positions(const Evaluation<dim>& at, const ContactPatch<dim>& patch,
+                            bool deformed) const;
+  Surfaces surfaces(const Evaluation<dim>& at, bool with_tangents) const;
+  void add_facets(const Evaluation<dim>& at, bool with_tangents, Surfaces& result) const;
+  void add_masters(Surfaces& result) const;
+  void find_wear(const Evaluation<dim>& at, const Side& side, SideState& state) const;
+  void add_side(const Side& side, const SideState& state, std::span<double> values) const;
+  void add_facet(const SlaveFacet& facet, const MortarFacetTangent<dim>& tangent,
+                 const Surfaces& at, std::span<double> values) const;
+  void add_master(const SlaveFacet& facet, const Surfaces& at, int master, int b, int side,
+                  FacetMatrix<dim>& matrix) const;
+  FacetNodes<dim> nodes_of(const SlaveFacet& facet, const std::vector<int>& masters) const;
+  std::vector<int> rows_of(const SlaveFacet& facet, const FacetNodes<dim>& nodes) const;
+  std::vector<int> columns_of(const SlaveFacet& facet, const FacetNodes<dim>& nodes) const;
+
+  const ContactPatch<dim>& patch(const Side& side) const { return state_.patches[side.node]; }
+  const MortarPair<dim>& pair(const Side& side) const { return state_.pairs[side.pair]; }
+  const WearLaw& law(const Side& side) const { return state_.laws[state_.surface_of[side.node]]; }
+  double weight(const Side& side) const {
+    return state_.part * (state_.wear_weight.empty() ? 1 : state_.wear_weight[side.node]);
+  }
+  std::span<const char> law_branch(const Evaluation<dim>& at, const Side& side) const {
+    if (at.branch.empty()) return {};
+    return at.branch.subspan(side.first_switch + side.slave, law(side).kinks());
+  }
+  int side_of(int pair, int mesh_node) const { return side_of_[pair].at(mesh_node); }
+  /// Numbers of u, then of d, of these mesh nodes; d only where the node wears, if `worn`.
+  std::vector<int> numbers_of(const std::vector<int>& nodes, bool worn) const;
+  void add(const std::vector<int>& rows, const std::vector<int>& columns, const Eigen::MatrixXd& K,
+           std::span<double> values) const;
+
+  MortarState<dim> state_;
+  NodalNumbers<dim> u_numbers_, d_numbers_;
+  std::vector<int> lambda_numbers_;          // of each contact node; masters: -1
+  std::vector<int> contact_of_;              // by mesh node; -1: none
+  std::vector<std::map<int, int>> side_of_;  // by pair and mesh node
+  std::vector<Side> sides_;
+  std::vector<SlaveFacet> facets_;
+  const SparsePattern* pattern_ = nullptr;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,120 @@
+#include <gnomon/terms/mortar_facet.hpp>
+
+namespace gnomon {
+
+namespace {
+
+/// Where less than this part of a facet is covered, its mass has no accurate inverse.
+constexpr double least_cover = 1e-6;
+
+/// The mass of the whole facet, nearly.
+template <int dim>
+double size_of(const FacetNodal<dim>& X, Section section) {
+  if constexpr (dim == 2) {
+    const double length = (X.row(1) - X.row(0)).norm();
+    return section == Section::meridian ? M_PI * (X(0, 0) + X(1, 0)) * length : length;
+  } else {
+    const Vector<3> a = X.row(2) - X.row(0), b = X.row(3) - X.row(1);
+    return a.cross(b).norm() / 2;
+  }
+}
+
+/// A = diag(m 1) m^-1.
+template <class Square>
+Square dual_coefficients(const Square& mass) {
+  return mass.rowwise().sum().asDiagonal() * mass.inverse();
+}
+
+}  // namespace
+
+template <int dim>
+MortarFacet<dim>::MortarFacet(FacetPair<dim> pair, const std::vector<FacetNodal<dim>>& y,
+                              const std::vector<int>& facets, Section section, double reach) {
+  Square mass = Square::Zero();
+  Nodal raw = Nodal::Zero();
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    pair.y = y[k];
+    const CoveredPart<dim> part = covered_part<dim>(pair, section, reach);
+    if (part.mass.sum() == 0) continue;
+    mass += part.mass;
+    raw += part.gap;
+    masters.push_back({facets[k], part.coupling, part.shared});
+  }
+  if (!(mass.sum() > least_cover * size_of<dim>(pair.X, section))) {
+    masters.clear();
+    return;
+  }
+  const Square A = dual_coefficients(mass);
+  D = mass.rowwise().sum();
+  gap = A * raw;
+  for (Master& master : masters) master.M = A * master.M;
+}
+
+template <int dim>
+MortarFacetTangent<dim>::MortarFacetTangent(FacetPair<dim> pair,
+                                            const std::vector<FacetNodal<dim>>& y,
+                                            const std::vector<int>& facets, Section section,
+                                            double reach)
+    : facet(pair, {}, {}, section, reach) {
+  std::vector<CoveredPartTangent<dim>> parts;
+  Square mass = Square::Zero();
+  typename MortarFacet<dim>::Nodal raw = MortarFacet<dim>::Nodal::Zero();
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    pair.y = y[k];
+    CoveredPartTangent<dim> part = covered_part_tangent<dim>(pair, section, reach);
+    if (part.part.mass.sum() == 0) continue;
+    mass += part.part.mass;
+    raw += part.part.gap;
+    facet.masters.push_back({facets[k], part.part.coupling, part.part.shared});
+    parts.push_back(std::move(part));
+  }
+  if (!(mass.sum() > least_cover * size_of<dim>(pair.X, section))) {
+    facet.masters.clear();
+    by_input.resize(row_of_masters, own);
+    by_input.setZero();
+    return;
+  }
+  const Square A = dual_coefficients(mass), inverse = mass.inverse();
+  facet.D = mass.rowwise().sum();
+  facet.gap = A * raw;
+  for (auto& master : facet.masters) master.M = A * master.M;
+  const auto count = static_cast<int>(parts.size());
+  by_input.resize(row_of_masters + count * rows_of_master, own + count * each);
+  by_input.setZero();
+  constexpr int coupling = n * n, shared = 2 * n * n, gap = 3 * n * n;  // rows of a part
+  for (int column = 0; column < by_input.cols(); ++column) {
+    // Of the parts that depend on this input: its column there, -1: none.
+    const auto column_of = [&](int k) {
+      return column < own ? column : (column - own) / each == k ? own + (column - own) % each : -1;
+    };
+    Square dm = Square::Zero();
+    typename MortarFacet<dim>::Nodal dr = MortarFacet<dim>::Nodal::Zero();
+    for (int k = 0; k < count; ++k) {
+      if (const int at = column_of(k); at >= 0) {
+        dm += parts[k].by_input.col(at).template segment<n * n>(0).reshaped(n, n);
+        dr += parts[k].by_input.col(at).template segment<n>(gap);
+      }
+    }
+    const Square dA = (Square(dm.rowwise().sum().asDiagonal()) - A * dm) * inverse;
+    by_input.col(column).template segment<n>(0) = dm.rowwise().sum();
+    by_input.col(column).template segment<n>(row_of_gap) = dA * raw + A * dr;
+    for (int k = 0; k < count; ++k) {
+      Square dW = Square::Zero(), dR = dW;
+      if (const int at = column_of(k); at >= 0) {
+        dR = parts[k].by_input.col(at).template segment<n * n>(coupling).reshaped(n, n);
+        dW = parts[k].by_input.col(at).template segment<n * n>(shared).reshaped(n, n);
+      }
+      const int row = row_of_masters + k * rows_of_master;
+      const Square dM = dA * parts[k].part.coupling + A * dR;
+      by_input.col(column).template segment<n * n>(row) = dM.reshaped();
+      by_input.col(column).template segment<n * n>(row + n * n) = dW.reshaped();
+    }
+  }
+}
+
+template struct MortarFacet<2>;
+template struct MortarFacetTangent<2>;
+template struct MortarFacet<3>;
+template struct MortarFacetTangent<3>;
+
+}  // namespace gnomon

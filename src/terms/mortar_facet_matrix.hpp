@@ -1,0 +1,161 @@
+// What a slave facet adds to J, as a dense matrix.
+#pragma once
+
+#include <algorithm>
+#include <gnomon/terms/mortar_facet.hpp>
+#include <gnomon/terms/mortar_node.hpp>
+#include <gnomon/terms/mortar_pair.hpp>
+#include <vector>
+
+namespace gnomon {
+
+/// The mesh nodes that a slave facet and some masters join: its corners, the masters' nodes, then
+/// the others around, each once.
+template <int dim>
+struct FacetNodes {
+  static constexpr int corners = Mesh<dim>::facet_nodes;
+  std::vector<int> all;
+  std::size_t rows = 0;  ///< the first of them have rows: corners and masters
+  std::vector<std::array<int, corners>> masters{};  ///< positions in `all` of each master's nodes
+
+  template <class CornerNode>
+  FacetNodes(const MortarPair<dim>& pair, const std::vector<int>& around,
+             const std::vector<int>& facets, const CornerNode& corner) {
+    for (int a = 0; a < corners; ++a) all.push_back(corner(a));
+    for (const int facet : facets) {
+      auto& positions = masters.emplace_back();
+      for (int b = 0; b < corners; ++b) positions[b] = place(pair.master[facet][b]);
+    }
+    rows = all.size();
+    for (const int node : around) place(node);
+  }
+  std::vector<int> with_rows() const { return {all.begin(), all.begin() + std::ptrdiff_t(rows)}; }
+  int position(int node) const {
+    return static_cast<int>(std::ranges::find(all, node) - all.begin());
+  }
+
+private:
+  int place(int node) {
+    const int at = position(node);
+    if (at == static_cast<int>(all.size())) all.push_back(node);
+    return at;
+  }
+};
+
+/// Rows: lambda of the corners, then u and d of the nodes with rows; columns: lambda of the
+/// corners, then u and d of all nodes.
+template <int dim>
+class FacetMatrix {
+  static constexpr int corners = Mesh<dim>::facet_nodes;
+  using Tangent = MortarFacetTangent<dim>;
+  using Wide = Eigen::Matrix<double, dim, Eigen::Dynamic>;
+
+public:
+  FacetMatrix(const FacetNodes<dim>& nodes, const Tangent& tangent)
+      : nodes_(nodes), tangent_(tangent), columns_(dim * static_cast<int>(nodes.all.size())) {
+    const auto rows = static_cast<int>(nodes.rows);
+    K_ = Eigen::MatrixXd::Zero(corners + 2 * dim * rows, corners + 2 * columns_);
+    // A change of d moves the undeformed position and, with it, the current one.
+    G_ = Eigen::MatrixXd::Zero(tangent.by_input.rows(), 2 * columns_);
+    constexpr int X = 0, x = corners * dim, y = Tangent::own;
+    for (int a = 0; a < corners; ++a) {
+      G_.middleCols(columns_ + dim * a, dim) += tangent.by_input.middleCols(X + dim * a, dim);
+      move(a, tangent.by_input.middleCols(x + dim * a, dim));
+    }
+    for (std::size_t k = 0; k < nodes.masters.size(); ++k)
+      for (int b = 0; b < corners; ++b)
+        move(nodes.masters[k][b],
+             tangent.by_input.middleCols(y + static_cast<int>(k) * Tangent::each + dim * b, dim));
+  }
+
+  /// The normal of a corner as a function of positions; of all corners, before anything is added.
+  void set_normal(int a, const ContactPatch<dim>& patch, const NodeNormal<dim>& normal,
+                  const SlidingTraction<dim>& traction) {
+    constexpr int n = 2 * corners * dim;
+    Wide& by = traction_by_[a];
+    Eigen::RowVectorXd& speed_by = speed_by_[a];
+    by = Wide::Zero(dim, 2 * columns_);
+    speed_by = Eigen::RowVectorXd::Zero(2 * columns_);
+    const auto add = [&](int position, const Tensor<dim>& change,
+                         const Eigen::Matrix<double, 1, dim>& faster) {
+      for (const int first : {dim * position, columns_ + dim * position}) {
+        by.middleCols(first, dim) += change;
+        speed_by.segment(first, dim) += faster;
+      }
+    };
+    for (std::size_t p = 0; p < patch.nodes.size(); ++p) {
+      if (normal.by_x[p].isZero(0)) continue;
+      const int position = nodes_.position(patch.nodes[p]);
+      move(position, tangent_.by_input.middleCols(n + dim * a, dim) * normal.by_x[p]);
+      add(position, traction.direction_by.template leftCols<dim>() * normal.by_x[p],
+          traction.speed_by.template head<dim>() * normal.by_x[p]);
+    }
+    add(a, traction.direction_by.template rightCols<dim>(), traction.speed_by.template tail<dim>());
+    traction_[a] = traction.direction;
+  }
+
+  /// The contact of a closed corner with multiplier lambda.
+  void add_slave(int a, double lambda, double initial_area) {
+    const double D = tangent_.facet.D[a];
+    K_.block(u_row(a), corners, dim, 2 * columns_) +=
+        lambda * (traction_[a] * G_.row(a) + D * traction_by_[a]);
+    K_.block(u_row(a), a, dim, 1) += D * traction_[a];
+    K_.row(a).tail(2 * columns_) += G_.row(Tangent::row_of_gap + a) / initial_area;
+  }
+  /// Its force on corner b of a covering master.
+  void add_pressing(int a, double lambda, int master, int b) {
+    const double M = tangent_.facet.masters[master].M(a, b);
+    const int row = u_row(nodes_.masters[master][b]);
+    K_.block(row, corners, dim, 2 * columns_) -=
+        lambda * (traction_[a] * G_.row(row_of(master, a, b)) + M * traction_by_[a]);
+    K_.block(row, a, dim, 1) -= M * traction_[a];
+  }
+  /// Its wear along a direction per volume, with the rate and its derivatives by the pressure
+  /// -lambda and the speed.
+  void add_slave_wear(int a, const Vector<dim>& direction, double rate, double rate_by_pressure,
+                      double rate_by_speed) {
+    const double D = tangent_.facet.D[a];
+    K_.block(d_row(a), corners, dim, 2 * columns_) +=
+        direction * (rate * G_.row(a) + rate_by_speed * D * speed_by_[a]);
+    K_.block(d_row(a), a, dim, 1) -= rate_by_pressure * D * direction;
+  }
+  /// The wear of corner b of a master by the area that it shares with corner a.
+  void add_master_wear(int a, int master, int b, const Vector<dim>& direction, double by_shared) {
+    K_.block(d_row(nodes_.masters[master][b]), corners, dim, 2 * columns_) +=
+        by_shared * direction * G_.row(row_of(master, a, b) + corners * corners);
+  }
+  /// The same by the multiplier of a closed corner and its speed.
+  void add_master_wear_by_pressure(int a, double lambda, int master, int b,
+                                   const Vector<dim>& direction, double by_load, double by_power) {
+    const double W = tangent_.facet.masters[master].W(a, b);
+    const int row = d_row(nodes_.masters[master][b]);
+    K_.block(row, a, dim, 1) -= by_load * W * direction;
+    K_.block(row, corners, dim, 2 * columns_) -= by_power * lambda * W * direction * speed_by_[a];
+  }
+
+  const Eigen::MatrixXd& values() const { return K_; }
+
+private:
+  template <class Columns>
+  void move(int position, const Columns& by) {
+    G_.middleCols(dim * position, dim) += by;
+    G_.middleCols(columns_ + dim * position, dim) += by;
+  }
+  int u_row(int position) const { return corners + dim * position; }
+  int d_row(int position) const {
+    return corners + dim * (static_cast<int>(nodes_.rows) + position);
+  }
+  static int row_of(int master, int a, int b) {
+    return Tangent::row_of_masters + master * Tangent::rows_of_master + corners * b + a;
+  }
+
+  const FacetNodes<dim>& nodes_;
+  const Tangent& tangent_;
+  int columns_;
+  Eigen::MatrixXd G_, K_;  // G: derivatives of the facet's sums by u and d of all nodes
+  std::array<Vector<dim>, corners> traction_;
+  std::array<Wide, corners> traction_by_;  // by u and d of all nodes
+  std::array<Eigen::RowVectorXd, corners> speed_by_;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,414 @@
+#include <algorithm>
+#include <gnomon/base/error.hpp>
+#include <gnomon/terms/mortar_term.hpp>
+#include <set>
+
+#include "terms/mortar_facet_matrix.hpp"
+
+namespace gnomon {
+
+template <int dim>
+MortarTerm<dim>::MortarTerm(const MortarState<dim>& state, const Numbering& numbering)
+    : state_(state),
+      u_numbers_(numbering.nodal<dim>(state.u)),
+      d_numbers_(numbering.nodal<dim>(state.d)),
+      contact_of_(state.mesh.nodes.size(), -1) {
+  for (int c = 0; c < static_cast<int>(state.patches.size()); ++c) {
+    contact_of_[static_cast<std::size_t>(state.patches[c].node)] = c;
+    lambda_numbers_.push_back(numbering.number(state.lambda, c));
+  }
+  find_sides();
+  find_facets();
+}
+
+template <int dim>
+void MortarTerm<dim>::find_sides() {
+  std::size_t switches = 0;
+  for (int p = 0; p < static_cast<int>(state_.pairs.size()); ++p) {
+    side_of_.emplace_back();
+    for (const bool slave : {true, false})
+      for (const auto& facet : slave ? state_.pairs[p].slave : state_.pairs[p].master)
+        for (const int node : facet) {
+          const auto number = static_cast<int>(sides_.size());
+          if (!side_of_[p].try_emplace(node, number).second) continue;
+          sides_.push_back({contact_of_[static_cast<std::size_t>(node)], p, slave, switches});
+          switches += slave + law(sides_.back()).kinks();
+        }
+  }
+}
+
+template <int dim>
+void MortarTerm<dim>::find_facets() {
+  for (int p = 0; p < static_cast<int>(state_.pairs.size()); ++p) {
+    const MortarPair<dim>& pair = state_.pairs[p];
+    const auto candidates = mortar_candidates(pair, state_.near);
+    for (std::size_t f = 0; f < pair.slave.size(); ++f) {
+      SlaveFacet facet{.pair = p, .masters = candidates[f], .around = {}};
+      std::set<int> around;
+      for (int a = 0; a < corners; ++a) {
+        const int node = pair.slave[f][a];
+        facet.sides[a] = side_of(p, node);
+        for (const auto& corner : state_.patches[contact_of_[node]].corners)
+          for (const int k : corner.nodes)
+            around.insert(state_.patches[contact_of_[node]].nodes[k]);
+      }
+      facet.around.assign(around.begin(), around.end());
+      facets_.push_back(std::move(facet));
+    }
+  }
+}
+
+template <int dim>
+std::vector<int> MortarTerm<dim>::numbers_of(const std::vector<int>& nodes, bool worn) const {
+  std::vector<int> numbers;
+  for (const int node : nodes)
+    for (int i = 0; i < dim; ++i) numbers.push_back(u_numbers_(node, i));
+  for (const int node : nodes) {
+    const int c = contact_of_[static_cast<std::size_t>(node)];
+    const bool has = !worn || (c >= 0 && state_.patches[c].may_move());
+    for (int i = 0; i < dim; ++i) numbers.push_back(has ? d_numbers_(node, i) : -1);
+  }
+  return numbers;
+}
+
+template <int dim>
+FacetNodes<dim> MortarTerm<dim>::nodes_of(const SlaveFacet& facet,
+                                          const std::vector<int>& masters) const {
+  return {state_.pairs[facet.pair], facet.around, masters,
+          [&](int a) { return patch(sides_[facet.sides[a]]).node; }};
+}
+
+template <int dim>
+std::vector<int> MortarTerm<dim>::rows_of(const SlaveFacet& facet,
+                                          const FacetNodes<dim>& nodes) const {
+  std::vector<int> rows;
+  for (const int side : facet.sides) rows.push_back(lambda_numbers_[sides_[side].node]);
+  for (const int number : numbers_of(nodes.with_rows(), true)) rows.push_back(number);
+  return rows;
+}
+
+template <int dim>
+std::vector<int> MortarTerm<dim>::columns_of(const SlaveFacet& facet,
+                                             const FacetNodes<dim>& nodes) const {
+  std::vector<int> columns;
+  for (const int side : facet.sides) columns.push_back(lambda_numbers_[sides_[side].node]);
+  for (const int number : numbers_of(nodes.all, false)) columns.push_back(number);
+  return columns;
+}
+
+template <int dim>
+void MortarTerm<dim>::declare(TermStructure& structure) const {
+  for (const SlaveFacet& facet : facets_) {
+    const FacetNodes<dim> nodes = nodes_of(facet, facet.masters);
+    structure.pattern.add(rows_of(facet, nodes), columns_of(facet, nodes));
+  }
+  for (const Side& side : sides_) {
+    const std::vector<int> rows = numbers_of({patch(side).node}, true);
+    structure.pattern.add(rows, numbers_of(patch(side).nodes, false));
+    if (side.slave) {
+      structure.switch_node.push_back(patch(side).node);
+      structure.switch_jumps.push_back(0);
+    }
+    for (std::size_t k = 0; k < law(side).kinks(); ++k) {
+      structure.switch_node.push_back(patch(side).node);
+      structure.switch_jumps.push_back(law(side).may_jump(k));
+    }
+  }
+  for (const WearLaw& law : state_.laws) {
+    for (const double t : law.breakpoints()) structure.breakpoints.push_back(t);
+    for (const double t : law.stops()) structure.stops.push_back(t);
+  }
+}
+
+template <int dim>
+void MortarTerm<dim>::map_to(const SparsePattern& pattern) {
+  pattern_ = &pattern;
+}
+
+template <int dim>
+Vector<dim> MortarTerm<dim>::undeformed(const Evaluation<dim>& at, int node) const {
+  return state_.mesh.nodes[static_cast<std::size_t>(node)] +
+         at.values.vector(state_.d).row(node).transpose();
+}
+
+template <int dim>
+Vector<dim> MortarTerm<dim>::current(const Evaluation<dim>& at, int node) const {
+  return undeformed(at, node) + at.values.vector(state_.u).row(node).transpose();
+}
+
+template <int dim>
+PatchNodal<dim> MortarTerm<dim>::positions(const Evaluation<dim>& at,
+                                           const ContactPatch<dim>& patch, bool deformed) const {
+  PatchNodal<dim> result(static_cast<Eigen::Index>(patch.nodes.size()), dim);
+  for (Eigen::Index p = 0; p < result.rows(); ++p)
+    result.row(p) =
+        (deformed ? current(at, patch.nodes[p]) : undeformed(at, patch.nodes[p])).transpose();
+  return result;
+}
+
+template <int dim>
+void MortarTerm<dim>::add_facets(const Evaluation<dim>& at, bool with_tangents,
+                                 Surfaces& result) const {
+  for (const SlaveFacet& facet : facets_) {
+    const MortarPair<dim>& pair = state_.pairs[facet.pair];
+    FacetPair<dim> slave;
+    slave.y.setZero();  // of each master in turn
+    for (int a = 0; a < corners; ++a) {
+      const int node = patch(sides_[facet.sides[a]]).node;
+      slave.X.row(a) = undeformed(at, node).transpose();
+      slave.x.row(a) = current(at, node).transpose();
+      slave.n.row(a) = result.sides[facet.sides[a]].normal->value.transpose();
+    }
+    std::vector<FacetNodal<dim>> masters(facet.masters.size());
+    for (std::size_t k = 0; k < masters.size(); ++k)
+      for (int b = 0; b < corners; ++b)
+        masters[k].row(b) = current(at, pair.master[facet.masters[k]][b]).transpose();
+    if (with_tangents) {
+      result.tangents.emplace_back(slave, masters, facet.masters, state_.section, pair.reach);
+      result.facets.push_back(result.tangents.back().facet);
+    } else {
+      result.facets.emplace_back(slave, masters, facet.masters, state_.section, pair.reach);
+    }
+    for (int a = 0; a < corners; ++a) {
+      result.sides[facet.sides[a]].area += result.facets.back().D[a];
+      result.sides[facet.sides[a]].gap += result.facets.back().gap[a];
+    }
+  }
+}
+
+/// What the slaves press on the masters.
+template <int dim>
+void MortarTerm<dim>::add_masters(Surfaces& result) const {
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    const MortarPair<dim>& pair = state_.pairs[facets_[f].pair];
+    for (const auto& covering : result.facets[f].masters)
+      for (int b = 0; b < corners; ++b) {
+        SideState& master = result.sides[side_of(facets_[f].pair, pair.master[covering.facet][b])];
+        for (int a = 0; a < corners; ++a) {
+          const SideState& slave = result.sides[facets_[f].sides[a]];
+          master.area += covering.W(a, b);
+          if (!slave.active) continue;
+          master.load -= slave.lambda * covering.W(a, b);
+          master.power -= slave.lambda * slave.traction->speed * covering.W(a, b);
+          master.force -= covering.M(a, b) * slave.lambda * slave.traction->direction;
+        }
+      }
+  }
+}
+
+template <int dim>
+void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
+                                SideState& state) const {
+  const ContactPatch<dim>& own = patch(side);
+  if (!state.active || !own.may_move()) return;
+  const PatchNodal<dim> X = positions(at, own, false);
+  const double friction = pair(side).friction, speed = state.speed();
+  const double p = state.pressure();
+  const double depth = (own.initial_position - X.row(0).transpose()).dot(own.initial_normal);
+  const WearMoment moment{.time = at.t, .slid = state_.nominal_speed * at.t, .within = at.within};
+  state.rate =
+      law(side).rate(wear_input(own, Vector<4>(p, speed, depth, friction * p * speed), moment),
+                     law_branch(at, side));
+  state.rate_by_pressure = state.rate.by_pressure + friction * speed * state.rate.by_friction_power;
+  state.rate_by_speed = state.rate.by_speed + friction * p * state.rate.by_friction_power;
+  state.direction.emplace(own, X, state_.normal_rule);
+  if (state.rate.value != 0) require_direction(own, state.direction->value);
+}
+
+template <int dim>
+typename MortarTerm<dim>::Surfaces MortarTerm<dim>::surfaces(const Evaluation<dim>& at,
+                                                             bool with_tangents) const {
+  Surfaces result;
+  result.sides.resize(sides_.size());
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    const Side& side = sides_[s];
+    if (!side.slave) continue;
+    SideState& state = result.sides[s];
+    const PatchNodal<dim> x = positions(at, patch(side), true);
+    const auto along = pair(side).along.find(patch(side).node);
+    state.normal.emplace(
+        patch(side), x,
+        along == pair(side).along.end() ? Tensor<dim>(Tensor<dim>::Identity()) : along->second);
+    state.traction.emplace(patch(side), state.normal->value, x.row(0).transpose(),
+                           pair(side).motion, pair(side).friction);
+  }
+  add_facets(at, with_tangents, result);
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    if (!sides_[s].slave) continue;
+    SideState& state = result.sides[s];
+    const double lambda = at.values.scalar(state_.lambda)[sides_[s].node];
+    state.active = at.branch.empty()
+                       ? state.area > 0 && lambda * state.area + state_.rho * state.gap <= 0
+                       : at.branch[sides_[s].first_switch] != 0;
+    state.lambda = state.active ? lambda : 0;
+    state.load = -state.lambda * state.area;
+    state.power = state.load * state.traction->speed;
+    state.force = state.area * state.lambda * state.traction->direction;
+  }
+  add_masters(result);
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    if (!sides_[s].slave) result.sides[s].active = result.sides[s].load > 0;
+    find_wear(at, sides_[s], result.sides[s]);
+  }
+  return result;
+}
+
+template <int dim>
+void MortarTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double> F) const {
+  const Surfaces result = surfaces(at, false);
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    const Side& side = sides_[s];
+    const SideState& state = result.sides[s];
+    const ContactPatch<dim>& own = patch(side);
+    for (int i = 0; i < dim; ++i) {
+      if (const int row = u_numbers_(own.node, i); row >= 0) F[row] += state.force[i];
+      if (const int row = d_numbers_(own.node, i); row >= 0 && state.direction)
+        F[row] += weight(side) * state.rate.value * state.area * state.direction->value[i];
+    }
+    if (!side.slave) continue;
+    if (const int row = lambda_numbers_[side.node]; row >= 0)
+      F[row] += state.active ? state.gap / own.initial_area
+                             : -at.values.scalar(state_.lambda)[side.node] / state_.rho;
+  }
+}
+
+template <int dim>
+void MortarTerm<dim>::add(const std::vector<int>& rows, const std::vector<int>& columns,
+                          const Eigen::MatrixXd& K, std::span<double> values) const {
+  const std::vector<int> at = pattern_->positions(rows, columns);
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (at[k] >= 0) values[at[k]] += K.data()[k];
+}
+
+/// What does not depend on the sums of single facets.
+template <int dim>
+void MortarTerm<dim>::add_side(const Side& side, const SideState& state,
+                               std::span<double> values) const {
+  const ContactPatch<dim>& own = patch(side);
+  if (side.slave && !state.active) {
+    const int number = lambda_numbers_[side.node];
+    add({number}, {number}, Eigen::MatrixXd::Constant(1, 1, -1 / state_.rho), values);
+  }
+  if (!state.direction) return;
+  const auto count = static_cast<int>(own.nodes.size());
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(dim, 2 * dim * count);
+  const double scale = weight(side) * state.area;
+  const Vector<dim> along = scale * state.direction->value;
+  for (int p = 0; p < count; ++p)
+    K.template middleCols<dim>(dim * (count + p)) =
+        scale * state.rate.value * state.direction->by_X[static_cast<std::size_t>(p)];
+  K.template middleCols<dim>(dim * count) -=
+      state.rate.by_depth * along * own.initial_normal.transpose();
+  std::vector<int> rows;
+  for (int i = 0; i < dim; ++i) rows.push_back(d_numbers_(own.node, i));
+  add(rows, numbers_of(own.nodes, false), K, values);
+}
+
+/// What depends on the sums of a facet.
+template <int dim>
+void MortarTerm<dim>::add_facet(const SlaveFacet& facet, const MortarFacetTangent<dim>& tangent,
+                                const Surfaces& at, std::span<double> values) const {
+  std::vector<int> covering;
+  for (const auto& master : tangent.facet.masters) covering.push_back(master.facet);
+  const FacetNodes<dim> nodes = nodes_of(facet, covering);
+  FacetMatrix<dim> matrix(nodes, tangent);
+  for (int a = 0; a < corners; ++a) {
+    const SideState& slave = at.sides[facet.sides[a]];
+    matrix.set_normal(a, patch(sides_[facet.sides[a]]), *slave.normal, *slave.traction);
+  }
+  for (int a = 0; a < corners; ++a) {
+    const Side& side = sides_[facet.sides[a]];
+    const SideState& slave = at.sides[facet.sides[a]];
+    if (!slave.active) continue;
+    matrix.add_slave(a, slave.lambda, patch(side).initial_area);
+    if (slave.direction)
+      matrix.add_slave_wear(a, weight(side) * slave.direction->value, slave.rate.value,
+                            slave.rate_by_pressure, slave.rate_by_speed);
+  }
+  for (std::size_t k = 0; k < covering.size(); ++k)
+    for (int b = 0; b < corners; ++b)
+      add_master(facet, at, static_cast<int>(k), b,
+                 side_of(facet.pair, state_.pairs[facet.pair].master[covering[k]][b]), matrix);
+  add(rows_of(facet, nodes), columns_of(facet, nodes), matrix.values(), values);
+}
+
+template <int dim>
+void MortarTerm<dim>::add_master(const SlaveFacet& facet, const Surfaces& at, int master, int b,
+                                 int side, FacetMatrix<dim>& matrix) const {
+  const SideState& state = at.sides[side];
+  for (int a = 0; a < corners; ++a) {
+    const SideState& slave = at.sides[facet.sides[a]];
+    if (slave.active) matrix.add_pressing(a, slave.lambda, master, b);
+    if (!state.direction) continue;
+    // d(Wdot C) by the area, load and power that the slave's corner shares with the master's.
+    const double by_power = state.rate_by_speed / state.pressure(),
+                 by_load = state.rate_by_pressure - by_power * state.speed(),
+                 by_area = state.rate.value - state.pressure() * state.rate_by_pressure;
+    matrix.add_master_wear(a, master, b, weight(sides_[side]) * state.direction->value,
+                           by_area - slave.lambda * (by_load + by_power * slave.traction->speed));
+    if (slave.active)
+      matrix.add_master_wear_by_pressure(a, slave.lambda, master, b,
+                                         weight(sides_[side]) * state.direction->value,
+                                         by_load + by_power * slave.traction->speed, by_power);
+  }
+}
+
+template <int dim>
+void MortarTerm<dim>::add_jacobian(const Evaluation<dim>& at, double,
+                                   std::span<double> values) const {
+  const Surfaces result = surfaces(at, true);
+  for (std::size_t s = 0; s < sides_.size(); ++s) add_side(sides_[s], result.sides[s], values);
+  for (std::size_t f = 0; f < facets_.size(); ++f)
+    if (!result.facets[f].masters.empty())
+      add_facet(facets_[f], result.tangents[f], result, values);
+}
+
+template <int dim>
+void MortarTerm<dim>::switching(const Evaluation<dim>& at, std::span<double> values) const {
+  const Surfaces result = surfaces(at, false);
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    const Side& side = sides_[s];
+    const SideState& state = result.sides[s];
+    std::span<double> own = values.subspan(side.first_switch, side.slave + law(side).kinks());
+    if (side.slave) {
+      const double gap = state.area > 0 ? state.gap / state.area : pair(side).reach;
+      own[0] = at.values.scalar(state_.lambda)[side.node] + state_.rho * gap;
+    }
+    if (law(side).kinks() == 0) continue;
+    const double p = state.pressure(), v = state.speed();
+    const double depth = (patch(side).initial_position - undeformed(at, patch(side).node))
+                             .dot(patch(side).initial_normal);
+    law(side).switching(
+        wear_input(patch(side), Vector<4>(p, v, depth, pair(side).friction * p * v),
+                   {.time = at.t, .slid = state_.nominal_speed * at.t, .within = at.within}),
+        own.subspan(side.slave), law_branch(at, side));
+  }
+}
+
+template <int dim>
+std::vector<ContactNode<dim>> MortarTerm<dim>::nodes(const Evaluation<dim>& at) const {
+  const Surfaces result = surfaces(at, false);
+  std::vector<ContactNode<dim>> nodes(state_.patches.size());
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    const SideState& state = result.sides[s];
+    ContactNode<dim>& node = nodes[sides_[s].node];
+    const double area = node.area + state.area, flux = node.area * node.wear_rate,
+                 load = node.area * node.traction;
+    node.active = node.active || state.active;
+    node.force += state.force;
+    if (state.normal) node.normal = -state.normal->value;
+    if (state.direction)
+      node.velocity -= weight(sides_[s]) * state.rate.value * state.area * state.direction->value;
+    if (sides_[s].slave) node.gap = state.area > 0 ? state.gap / state.area : pair(sides_[s]).reach;
+    if (!(area > 0)) continue;
+    node.traction = (load - state.load) / area;
+    node.wear_rate = (flux + state.area * state.rate.value) / area;
+    node.area = area;
+  }
+  return nodes;
+}
+
+template class MortarTerm<2>;
+template class MortarTerm<3>;
+
+}  // namespace gnomon
