@@ -104,35 +104,6 @@ bool hangs(const Vector<dim>& x, const typename Mesh<dim>::Facet& facet,
                      [&](const Vector<dim>& corner) { return (point - corner).norm() > margin; });
 }
 
-/// Refuses nodes of the boundary that lie within a facet of the boundary.
-template <int dim>
-void check_hanging_nodes(const ImportedBody<dim>& body) {
-  const auto& X = body.mesh.nodes;
-  const std::vector<int> nodes = sorted_nodes(body);
-  for (const auto& facet : body.exterior) {
-    Eigen::AlignedBox<double, dim> box;
-    for (int node : facet) box.extend(X[node]);
-    const double margin = nearness * box.diagonal().norm();
-    box.min().array() -= margin;
-    box.max().array() += margin;
-    auto at =
-        std::ranges::lower_bound(nodes, box.min()[0], {}, [&X](int node) { return X[node][0]; });
-    for (; at != nodes.end() && X[*at][0] <= box.max()[0]; ++at) {
-      if (!box.contains(X[*at])) continue;
-      if (std::find(facet.begin(), facet.end(), *at) != facet.end()) continue;
-      if (hangs<dim>(X[*at], facet, X, margin))
-        refuse_mesh(
-            body.file,
-            fmt::format("{} hangs: it lies at {} within the side of a cell, of which it is no "
-                        "corner; expected cells that meet side to side (in Gmsh: Coherence, or "
-                        "BooleanFragments, before meshing)",
-                        body.node_tags[*at] == 0 ? std::string("a node")
-                                                 : fmt::format("node {}", body.node_tags[*at]),
-                        place_text({X[*at].data(), static_cast<std::size_t>(dim)})));
-    }
-  }
-}
-
 /// Number of the part that each cell belongs to, found through facets.
 template <int dim>
 std::vector<int> parts_of(const ImportedBody<dim>& body, const FacetTable<dim>& facets) {
@@ -159,11 +130,49 @@ std::vector<int> parts_of(const ImportedBody<dim>& body, const FacetTable<dim>& 
   return part;
 }
 
+/// By node: the number of the part that it belongs to.
 template <int dim>
-void check_one_part(const ImportedBody<dim>& body, const FacetTable<dim>& facets) {
-  const std::vector<int> part = parts_of(body, facets);
+std::vector<int> parts_of_nodes(const ImportedBody<dim>& body, const std::vector<int>& parts) {
+  std::vector<int> part(body.mesh.nodes.size(), -1);
+  for (std::size_t cell = 0; cell < parts.size(); ++cell)
+    for (const int node : body.mesh.cells[cell]) part[node] = parts[cell];
+  return part;
+}
+
+/// Refuses nodes of the boundary that lie within a facet of the boundary, where several parts are
+/// allowed within one of their own.
+template <int dim>
+void check_hanging_nodes(const ImportedBody<dim>& body, const std::vector<int>& part) {
+  const auto& X = body.mesh.nodes;
+  const std::vector<int> nodes = sorted_nodes(body);
+  for (const auto& facet : body.exterior) {
+    Eigen::AlignedBox<double, dim> box;
+    for (int node : facet) box.extend(X[node]);
+    const double margin = nearness * box.diagonal().norm();
+    box.min().array() -= margin;
+    box.max().array() += margin;
+    auto at =
+        std::ranges::lower_bound(nodes, box.min()[0], {}, [&X](int node) { return X[node][0]; });
+    for (; at != nodes.end() && X[*at][0] <= box.max()[0]; ++at) {
+      if (!box.contains(X[*at]) || part[*at] != part[facet[0]]) continue;
+      if (std::find(facet.begin(), facet.end(), *at) != facet.end()) continue;
+      if (hangs<dim>(X[*at], facet, X, margin))
+        refuse_mesh(
+            body.file,
+            fmt::format("{} hangs: it lies at {} within the side of a cell, of which it is no "
+                        "corner; expected cells that meet side to side (in Gmsh: Coherence, or "
+                        "BooleanFragments, before meshing)",
+                        body.node_tags[*at] == 0 ? std::string("a node")
+                                                 : fmt::format("node {}", body.node_tags[*at]),
+                        place_text({X[*at].data(), static_cast<std::size_t>(dim)})));
+    }
+  }
+}
+
+template <int dim>
+void check_parts(const ImportedBody<dim>& body, const std::vector<int>& part, std::size_t most) {
   const int parts = *std::max_element(part.begin(), part.end()) + 1;
-  if (parts == 1) return;
+  if (parts <= static_cast<int>(most)) return;
   std::vector<int> cells(parts, 0), first(parts, -1);
   for (int cell = 0; cell < static_cast<int>(part.size()); ++cell) {
     if (first[part[cell]] < 0) first[part[cell]] = cell;
@@ -172,9 +181,10 @@ void check_one_part(const ImportedBody<dim>& body, const FacetTable<dim>& facets
   refuse_mesh(
       body.file,
       fmt::format("the body consists of {} parts that share no side of a cell, for example {} with "
-                  "{} and {} with {}; expected one part",
+                  "{} and {} with {}; expected {}",
                   parts, counted(cells[0], "cell"), cell_text(body, first[0]),
-                  counted(cells[1], "cell"), cell_text(body, first[1])));
+                  counted(cells[1], "cell"), cell_text(body, first[1]),
+                  most == 1 ? "one part" : fmt::format("the {} of [[pair]]", most)));
 }
 
 /// Every node of a closed curve begins one of its edges.
@@ -207,14 +217,17 @@ void check_pinches(const ImportedBody<3>& body) {
 }  // namespace
 
 template <int dim>
-void check_connection(const ImportedBody<dim>& body, const FacetTable<dim>& facets) {
+void check_connection(const ImportedBody<dim>& body, const FacetTable<dim>& facets,
+                      std::size_t most_parts) {
   check_overlaps(body, facets);
-  check_hanging_nodes(body);
-  check_one_part(body, facets);
+  const std::vector<int> part = parts_of(body, facets);
+  check_hanging_nodes(body, most_parts > 1 ? parts_of_nodes(body, part)
+                                           : std::vector<int>(body.mesh.nodes.size(), 0));
+  check_parts(body, part, most_parts);
   check_pinches(body);
 }
 
-template void check_connection(const ImportedBody<2>&, const FacetTable<2>&);
-template void check_connection(const ImportedBody<3>&, const FacetTable<3>&);
+template void check_connection(const ImportedBody<2>&, const FacetTable<2>&, std::size_t);
+template void check_connection(const ImportedBody<3>&, const FacetTable<3>&, std::size_t);
 
 }  // namespace gnomon

@@ -20,7 +20,8 @@ void orient_cells(ImportedBody<dim>& body);
 /// it, a body in several parts, and one that touches itself in a node (2D) or an edge (3D) only.
 /// `exterior` has to be filled.
 template <int dim>
-void check_connection(const ImportedBody<dim>& body, const FacetTable<dim>& facets);
+void check_connection(const ImportedBody<dim>& body, const FacetTable<dim>& facets,
+                      std::size_t most_parts);
 
 /// (import_groups.cpp) Fills the groups of the body from those of the mesh it was made of.
 template <int dim>

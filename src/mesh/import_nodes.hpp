@@ -30,7 +30,7 @@ void lay_in_plane(ImportedMesh& mesh);
 
 /// (merge_nodes.cpp) Nodes nearer to each other than 1e-8 of the diagonal become one, that of the
 /// least index.
-void merge_equal_nodes(ImportedMesh& mesh);
+void merge_equal_nodes(ImportedMesh& mesh, const std::vector<std::string>& separate = {});
 
 /// Nodes of no cell go, also from groups of points; in facets they become -1.
 void drop_unused_nodes(ImportedMesh& mesh);

@@ -73,10 +73,10 @@ void split_cells(ImportedMesh& mesh, int times) {
 
 template <int dim>
 ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& ascending,
-                             int splits) {
+                             int splits, const std::vector<std::string>& separate) {
   check_content(mesh, dim);
   if (dim == 2) lay_in_plane(mesh);
-  merge_equal_nodes(mesh);
+  merge_equal_nodes(mesh, separate);
   drop_unused_nodes(mesh);
   drop_equal_cells(mesh);
   subdivide_where_needed(mesh, splits);
@@ -93,13 +93,15 @@ ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& 
   }
   const FacetTable<dim> facets(body.mesh);
   body.exterior = facets.exterior_facets();
-  check_connection(body, facets);
+  check_connection(body, facets, std::max<std::size_t>(1, separate.size()));
   take_groups(body, facets, mesh);
   if constexpr (dim == 2) order_along_boundary(body, ascending);
   return body;
 }
 
-template ImportedBody<2> check_mesh(ImportedMesh, const std::vector<std::string>&, int);
-template ImportedBody<3> check_mesh(ImportedMesh, const std::vector<std::string>&, int);
+template ImportedBody<2> check_mesh(ImportedMesh, const std::vector<std::string>&, int,
+                                    const std::vector<std::string>&);
+template ImportedBody<3> check_mesh(ImportedMesh, const std::vector<std::string>&, int,
+                                    const std::vector<std::string>&);
 
 }  // namespace gnomon

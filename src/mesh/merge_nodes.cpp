@@ -27,9 +27,24 @@ int kept_for(std::vector<int>& now, int node) {
   return node;
 }
 
+/// By node: which of the separate groups of cells it belongs to; -1: none.
+std::vector<int> bodies_of_nodes(const ImportedMesh& mesh,
+                                 const std::vector<std::string>& separate) {
+  std::vector<int> body(mesh.nodes.size(), -1);
+  for (const MeshGroup& group : mesh.groups) {
+    const auto at = std::ranges::find(separate, group.name);
+    if (at == separate.end() || group.dimension != mesh.dimension) continue;
+    for (const int cell : group.members)
+      for (const int node : mesh.cells.at(cell))
+        body[node] = static_cast<int>(at - separate.begin());
+  }
+  return body;
+}
+
 }  // namespace
 
-void merge_equal_nodes(ImportedMesh& mesh) {
+void merge_equal_nodes(ImportedMesh& mesh, const std::vector<std::string>& separate) {
+  const std::vector<int> body = bodies_of_nodes(mesh, separate);
   const double tolerance = same_place * diagonal(mesh);
   std::vector<Vector<3>> places;
   for (const auto& place : mesh.nodes) places.push_back(Vector<3>::Map(place.data()));
@@ -43,6 +58,7 @@ void merge_equal_nodes(ImportedMesh& mesh) {
     for (auto other = one + 1; other != order.end() && along[*other] - along[*one] <= tolerance;
          ++other) {
       if ((places[*one] - places[*other]).norm() > tolerance) continue;
+      if (body[*one] != body[*other]) continue;
       // A chain of nodes may lead from one to the next.
       const auto [kept, gone] = std::minmax({kept_for(now, *one), kept_for(now, *other)});
       now[gone] = kept;

@@ -35,10 +35,10 @@ struct ImportedBody {
 /// In 2D the numbers of the nodes ascend along the parts named `ascending` (contact surfaces) as
 /// far as that is possible: they cannot along all of a closed curve. `splits`: times that each cell
 /// becomes four (eight in space), with new nodes of the boundary on smooth curves through the old
-/// ones.
+/// ones. `separate`: groups of cells that are bodies of their own, which may touch each other.
 template <int dim>
 ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& ascending = {},
-                             int splits = 0);
+                             int splits = 0, const std::vector<std::string>& separate = {});
 
 /// The facets of a boundary part. Throws InputError that says why there is none, with the nearest
 /// name, or all names.
