@@ -5,6 +5,8 @@
 #include <gnomon/model/assembly.hpp>
 #include <map>
 
+#include "model/bring_together.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -136,6 +138,16 @@ Assembly<dim>::Assembly(AssemblyParts<dim> parts) : AssemblyParts<dim>(std::move
     ContactPatch<dim>& patch = contact_nodes[c];
     patch.shape_free =
         wears(static_cast<int>(c)) ? this->shape.free(patch.node) : Tensor<dim>::Zero();
+  }
+  carries.assign(contact_nodes.size(), this->pairs.empty());
+  for (const MortarPair<dim>& pair : this->pairs)
+    for (const auto& facet : pair.slave)
+      for (const int node : facet) carries[static_cast<std::size_t>(contact_node(node))] = 1;
+  if (!this->pairs.empty()) {
+    const Touching<dim> moved(*this);
+    for (std::size_t node = 0; node < this->mesh.nodes.size(); ++node)
+      touching.push_back(this->mesh.nodes[node] +
+                         moved.displacement.row(static_cast<Eigen::Index>(node)).transpose());
   }
   if (this->condensed) {
     std::vector<int> nodes;

@@ -25,6 +25,7 @@ ContactArea contact_area(const Assembly<dim>& body, const NodalField<dim>& d,
   const std::vector<char> closed = closed_nodes(body, nodes);
   double area = 0, unknown = 0;
   for (std::size_t c = 0; c < nodes.size(); ++c) {
+    if (!body.carries[c]) continue;
     const ContactPatch<dim>& patch = body.contact_nodes[c];
     PatchNodal<dim> X(static_cast<Eigen::Index>(patch.nodes.size()), dim);
     for (Eigen::Index p = 0; p < X.rows(); ++p)
@@ -48,6 +49,7 @@ std::optional<EdgePressure> edge_pressure(const Assembly<dim>& body,
   for (const auto& [weight, nodes] : phases) {
     const std::vector<char> closed = closed_nodes(body, nodes);
     for (std::size_t c = 0; c < nodes.size(); ++c) {
+      if (!body.carries[c]) continue;
       const double pressure = -nodes[c].traction;
       const ContactPatch<dim>& patch = body.contact_nodes[c];
       const bool within = std::ranges::all_of(patch.corners, [&](const auto& corner) {

@@ -93,7 +93,7 @@ double contact_half_width(const Assembly<2>& body, const WornBodyFields& fields,
         (values.vector(fields.d).row(node) + values.vector(fields.u).row(node)).transpose();
     const ContactNode<2>& contact = nodes[c];
     points.push_back({along.dot(x), -contact.traction, contact.gap,
-                      contact.active && contact.traction < 0,
+                      body.carries[c] && contact.active && contact.traction < 0,
                       neighbours(body.contact_nodes, body.contact_nodes[c])});
     if (!points.back().active) continue;
     if (first < 0 || points[c].s < points[first].s) first = c;

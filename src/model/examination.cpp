@@ -170,11 +170,12 @@ Examination WearModel<dim>::examine(const State& state) const {
   Examination facts{.forces = std::move(balance.forces),
                     .reactions = std::move(balance.reactions),
                     .idle_load = balance.idle_load};
-  facts.intrusion = find_intrusion(equations_, values, state.t, contacts);
+  if (assembly().pairs.empty())
+    facts.intrusion = find_intrusion(equations_, values, state.t, contacts);
   facts.drag = find_drag(equations_, values, contacts);
   if (state.t > 0) facts.edge = edge_pressure(assembly(), contacts);
   if (state.t > 0) facts.gap_error = gap_error(state, values, contacts);
-  facts.overlap = find_overlap(equations_);
+  if (assembly().pairs.empty()) facts.overlap = find_overlap(equations_);
   if (assembly().loads.empty()) facts.wedging = find_wedging(equations_.phases(), contacts);
   facts.deformation = assembly().scales.displacement;
   facts.force = assembly().copies * assembly().scales.force;

@@ -4,7 +4,10 @@
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/shapes/counter_surface.hpp>
 #include <limits>
+#include <map>
 #include <numeric>
+
+#include "model/bring_together.hpp"
 
 namespace gnomon {
 
@@ -105,9 +108,27 @@ std::vector<double> travels(const Phase<dim>& phase, const Mesh<dim>& mesh,
   return result;
 }
 
+/// How far the masters come to each node of the slaves, from the first touch.
+template <int dim>
+GapProfile gaps_of_pairs(const AssemblyParts<dim>& parts, const Patches<dim>& patches) {
+  std::vector<double> gaps, areas;
+  for (const MortarPair<dim>& pair : parts.pairs) {
+    const std::map<int, double> travel = travels_of_slave<dim>(pair, parts.mesh.nodes);
+    const double first = travel_to_touch<dim>(pair, parts.mesh.nodes);
+    for (const ContactPatch<dim>& patch : patches) {
+      const auto at = travel.find(patch.node);
+      if (at == travel.end() || !std::isfinite(at->second)) continue;
+      gaps.push_back(at->second - first);
+      areas.push_back(patch.initial_area);
+    }
+  }
+  return {gaps, areas};
+}
+
 /// The least of all phases.
 template <int dim>
 GapProfile gaps_of(const AssemblyParts<dim>& parts, const Patches<dim>& patches) {
+  if (!parts.pairs.empty()) return gaps_of_pairs(parts, patches);
   std::vector<double> least(patches.size(), std::numeric_limits<double>::infinity());
   for (const Phase<dim>& phase : parts.instants()) {
     const std::vector<double> travel = travels(phase, parts.mesh, patches);
@@ -163,17 +184,21 @@ double given_overlap(const AssemblyParts<dim>& parts) {
     for (const double value : springs.displacement) take(springs.history, value);
   for (const Guide<dim>& guide : parts.interface.partner.guides)
     if (guide.travel) take(*guide.travel, 1);
+  for (const MortarPair<dim>& pair : parts.pairs)
+    most = std::max(most, -travel_to_touch<dim>(pair, parts.mesh.nodes));
+  if (!parts.pairs.empty()) return most;
   return std::max(most, overlap_at_rest(contact_nodes_of(parts), parts.interface.partner));
 }
 
-/// Of the softest body.
-double contact_modulus(const std::vector<Body>& bodies) {
-  double least = std::numeric_limits<double>::infinity();
+/// Of the softest body, or of the two softest against each other.
+double contact_modulus(const std::vector<Body>& bodies, bool pairs) {
+  std::vector<double> compliances;
   for (const Body& body : bodies) {
     const double nu = body.material.poisson_ratio;
-    least = std::min(least, body.material.young_modulus / (1 - nu * nu));
+    compliances.push_back((1 - nu * nu) / body.material.young_modulus);
   }
-  return least;
+  std::ranges::sort(compliances, std::greater());
+  return 1 / (compliances[0] + (pairs && compliances.size() > 1 ? compliances[1] : 0));
 }
 
 }  // namespace
@@ -202,7 +227,7 @@ template <int dim>
 Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   const Pressing press = pressing_of(parts, duration);
   const Patches<dim> patches = contact_nodes_of(parts);
-  const double modulus = contact_modulus(parts.bodies);
+  const double modulus = contact_modulus(parts.bodies, !parts.pairs.empty());
   const GapProfile gaps = gaps_of(parts, patches);
   const bool solid = dim == 3 || parts.section() == Section::meridian;
   const Indentation start = press.force > 0 ? by_force(gaps, press.force, modulus, solid)
@@ -213,12 +238,17 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   scales.force = start.force;
   scales.displacement =
       std::max(start.depth, start.force / (modulus * width_of(start.area, solid)));
-  double k_v = 0;  // of the surface that wears most
-  for (const Surface<dim>& surface : parts.interface.surfaces)
-    k_v = std::max(k_v, wear_by_pressure(surface.wear, {.pressure = start.force / start.area,
-                                                        .friction = parts.interface.friction,
-                                                        .speed = parts.nominal_speed(),
-                                                        .duration = duration}));
+  double k_v = 0, second = 0;  // of the surfaces that wear most; of pairs both recede
+  for (const Surface<dim>& surface : parts.interface.surfaces) {
+    if (!surface.wears) continue;
+    const double own = wear_by_pressure(surface.wear, {.pressure = start.force / start.area,
+                                                       .friction = parts.interface.friction,
+                                                       .speed = parts.nominal_speed(),
+                                                       .duration = duration});
+    second = std::max(second, std::min(own, k_v));
+    k_v = std::max(k_v, own);
+  }
+  if (!parts.pairs.empty()) k_v += second;
   // Held bodies wear until they no longer overlap.
   const double worn = press.force > 0
                           ? k_v * press.impulse

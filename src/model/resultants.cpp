@@ -168,8 +168,9 @@ std::vector<Scalar> force_columns(const Assembly<dim>& assembly, const ForceBala
   const auto has = [&](const std::string& name) {
     if (name == "loads") return !assembly.loads.empty();
     if (name == "supports") return assembly.supports.named.empty();
-    if (name == "friction") return assembly.interface.friction != 0;
-    return name == "contact";
+    // Those of a pair act on one body as on the other.
+    if (name == "friction") return assembly.interface.friction != 0 && assembly.pairs.empty();
+    return name == "contact" && assembly.pairs.empty();
   };
   for (const ResultantForce& each : balance.forces)
     if (has(each.name)) add(each);

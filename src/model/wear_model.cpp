@@ -38,13 +38,14 @@ double displacement_gradient(const CellState<dim>& at, [[maybe_unused]] Section 
 /// The part of an observation that is a sum over contact nodes: nodes in contact in any phase, the
 /// mean force, the largest pressure.
 template <int dim>
-void observe_contact(const std::vector<PhaseContact<dim>>& phases, double copies, int units,
-                     Observation& observed) {
+void observe_contact(const std::vector<PhaseContact<dim>>& phases, const Assembly<dim>& body,
+                     int units, Observation& observed) {
   double force = 0, pressure = 0;
   std::vector<char> active(phases.front().nodes.size(), 0);
   for (const auto& [weight, nodes] : phases)
     for (std::size_t c = 0; c < nodes.size(); ++c) {
-      force -= weight * copies * nodes[c].area * nodes[c].traction;
+      if (!body.carries[c]) continue;
+      force -= weight * body.copies * nodes[c].area * nodes[c].traction;
       pressure = std::max(pressure, -nodes[c].traction);
       if (nodes[c].active) active[c] = 1;
     }
@@ -136,6 +137,33 @@ void observe_cells(const Assembly<dim>& body, const NodalField<dim>& d, double w
   if (groove) observed.push_back(common("groove_section", worn / groove->length));
 }
 
+/// What each body of pairs has lost, and loses: "worn_volume_pin", "wear_flux_pin".
+template <int dim>
+void observe_bodies(const Assembly<dim>& body, const NodalField<dim>& d,
+                    const std::vector<PhaseContact<dim>>& phases, int units,
+                    Observation& observed) {
+  std::vector<double> worn(body.bodies.size(), 0), flux = worn;
+  std::vector<int> owner(body.mesh.nodes.size(), 0);
+  for (std::size_t c = 0; c < body.mesh.cells.size(); ++c) {
+    const auto& cell = body.mesh.cells[c];
+    for (const int node : cell) owner[node] = body.body_of[c];
+    const CellNodal<dim> initial = body.mesh.positions(cell);
+    worn[body.body_of[c]] +=
+        body.copies * (cell_volume<dim>(initial, body.section()) -
+                       cell_volume<dim>(worn_positions<dim>(initial, cell, d), body.section()));
+  }
+  for (const auto& [weight, nodes] : phases)
+    for (std::size_t c = 0; c < nodes.size(); ++c)
+      flux[owner[body.contact_nodes[c].node]] +=
+          weight * body.copies * nodes[c].area * nodes[c].wear_rate;
+  const std::string volume = common("worn_volume", 0, units).unit,
+                    rate = common("wear_flux", 0, units).unit;
+  for (std::size_t b = 0; b < worn.size(); ++b) {
+    observed.push_back({"worn_volume_" + body.bodies[b].name, volume, sum_over_processes(worn[b])});
+    observed.push_back({"wear_flux_" + body.bodies[b].name, rate, sum_over_processes(flux[b])});
+  }
+}
+
 /// The largest displacement gradient of this and the phases before, of bodies with small strains.
 template <int dim>
 void widen(std::optional<double>& largest, const Assembly<dim>& body, const NodalField<dim>& d,
@@ -193,7 +221,8 @@ WearModel<dim>::WearModel(WornBodyEquations<dim> equations)
     can.overdue = [this](const State& state) { return overdue(state); };
   }
   can.examine = [this](const State& state) { return examine(state); };
-  can.counter_surface = [this](const State& state) { return counter_surface(state); };
+  if (assembly().pairs.empty())
+    can.counter_surface = [this](const State& state) { return counter_surface(state); };
 }
 
 template <int dim>
@@ -254,8 +283,9 @@ Observation WearModel<dim>::observe(const State& state) const {
   for (std::size_t c = 0; c < assembly().contact_nodes.size(); ++c)
     if (assembly().wears(static_cast<int>(c))) depth = std::max(depth, wear_depth(c, d));
   Observation observed;
-  observe_contact(phases, assembly().copies, units, observed);
+  observe_contact(phases, assembly(), units, observed);
   observe_cells(assembly(), d, wear_flux_of(phases, assembly().copies), units, observed);
+  if (!assembly().pairs.empty()) observe_bodies(assembly(), d, phases, units, observed);
   if (approach) observed.push_back(common("approach", *approach));
   if (gradient) observed.push_back(common("displacement_gradient", *gradient));
   if (dim == 2) observed.push_back(common("contact_half_width", half_width));

@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "base/spectrum.hpp"
+#include "model/bring_together.hpp"
 
 namespace gnomon {
 
@@ -75,6 +76,14 @@ void approach_rest(const Assembly<dim>& body, const NodalField<dim>& d, CounterB
   }
 }
 
+/// The approximate approach of a counter-body under part of its force: proportional to F^(2/3), as
+/// for a ball (Hertz). From there Newton's method begins with several active nodes. With a single
+/// active node it would invert the elements at that node, and the more easily the finer they are.
+template <int dim>
+double indentation(const Assembly<dim>& body, double fraction) {
+  return body.scales.displacement * std::cbrt(fraction * fraction);
+}
+
 /// Moves body and counter-body together, or apart, until they touch at a point, so that the first
 /// matrix is not singular: moves the counter-body if it is free, otherwise the body. A counter-body
 /// that passes by in a phase leaves the body as it is. Returns the counter-body with the direction
@@ -84,6 +93,12 @@ CounterBody<dim> close_initial_gap(const WornBodyEquations<dim>& equations, std:
                                    FieldValues<dim>& values) {
   const Assembly<dim>& body = equations.assembly();
   CounterBody<dim> other = equations.phases()[phase].counter_body;
+  if (!body.pairs.empty()) {
+    const Touching<dim> touching(body);
+    values.vector(equations.fields(phase).u) +=
+        touching.displacement + indentation(body, 1) * touching.direction;
+    return other;
+  }
   const bool free = equations.phases()[phase].moves_freely();
   if (other.is_given() && !free) return other;
   const NodalField<dim>& d = values.vector(equations.fields().d);
@@ -100,14 +115,6 @@ CounterBody<dim> close_initial_gap(const WornBodyEquations<dim>& equations, std:
     for (int i = 0; i < dim; ++i)
       if (!body.supports.held(node, i)) u(node, i) = -least * other.approach[i];
   return other;
-}
-
-/// The approximate approach of a counter-body under part of its force: proportional to F^(2/3), as
-/// for a ball (Hertz). From there Newton's method begins with several active nodes. With a single
-/// active node it would invert the elements at that node, and the more easily the finer they are.
-template <int dim>
-double indentation(const Assembly<dim>& body, double fraction) {
-  return body.scales.displacement * std::cbrt(fraction * fraction);
 }
 
 }  // namespace

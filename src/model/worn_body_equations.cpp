@@ -6,6 +6,8 @@
 #include <gnomon/shapes/counter_surface.hpp>
 #include <gnomon/terms/body_term.hpp>
 #include <gnomon/terms/condensed_body.hpp>
+#include <gnomon/terms/contact_term.hpp>
+#include <gnomon/terms/mortar_term.hpp>
 #include <gnomon/terms/pressure_load.hpp>
 #include <gnomon/terms/shape_evolution.hpp>
 #include <gnomon/terms/shape_multiplier.hpp>
@@ -62,7 +64,8 @@ Field shape_field(const Assembly<dim>& body, const Scales& scales, int interior,
 template <int dim>
 Field multiplier_field(const Assembly<dim>& body, const Scales& scales, int block) {
   Field lambda("contact_multiplier", contact_nodes(body), 1);
-  lambda.block.setConstant(block);
+  for (std::size_t c = 0; c < body.carries.size(); ++c)
+    lambda.block(static_cast<Eigen::Index>(c), 0) = body.carries[c] ? block : -1;
   lambda.row_scale.setConstant(scales.displacement);
   lambda.unknown_scale.setConstant(scales.stress);
   return lambda;
@@ -113,6 +116,27 @@ ContactState<dim> contact_state(const Assembly<dim>& body, const Phase<dim>& pha
                           .part = phase.weight,
                           .nominal_speed = nominal_speed};
   for (const Surface<dim>& surface : contact.surfaces) state.laws.push_back(surface.wear);
+  return state;
+}
+
+template <int dim>
+MortarState<dim> mortar_state(const Assembly<dim>& body, const Phase<dim>& phase,
+                              const WornBodyFields& fields, double nominal_speed) {
+  MortarState<dim> state{.u = fields.u,
+                         .lambda = fields.lambda,
+                         .d = fields.d,
+                         .mesh = body.mesh,
+                         .patches = body.contact_nodes,
+                         .pairs = body.pairs,
+                         .near = body.touching,
+                         .surface_of = body.surface_of,
+                         .wear_weight = body.wear_weight,
+                         .normal_rule = body.interface.normal_rule,
+                         .section = body.section(),
+                         .rho = body.interface.rho,
+                         .part = phase.weight,
+                         .nominal_speed = nominal_speed};
+  for (const Surface<dim>& surface : body.interface.surfaces) state.laws.push_back(surface.wear);
   return state;
 }
 
@@ -172,7 +196,10 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     contact_terms_.push_back(terms.size());
     add(terms, TermKind::contact, p,
-        [of = assembly_, phase = phases_[p], f = fields_[p], speed](const Numbering& numbering) {
+        [of = assembly_, phase = phases_[p], f = fields_[p],
+         speed](const Numbering& numbering) -> std::unique_ptr<Term<dim>> {
+          if (!of->pairs.empty())
+            return std::make_unique<MortarTerm<dim>>(mortar_state(*of, phase, f, speed), numbering);
           return std::make_unique<ContactTerm<dim>>(contact_state(*of, phase, f, speed), f.d,
                                                     numbering);
         });
@@ -334,9 +361,9 @@ BlockSelection WornBodyEquations<dim>::deformation() const {
 }
 
 template <int dim>
-const ContactTerm<dim>& WornBodyEquations<dim>::contact(const ComposedSystem<dim>& system,
-                                                        std::size_t phase) const {
-  return dynamic_cast<const ContactTerm<dim>&>(system.term(contact_terms_[phase]));
+const ContactNodes<dim>& WornBodyEquations<dim>::contact(const ComposedSystem<dim>& system,
+                                                         std::size_t phase) const {
+  return dynamic_cast<const ContactNodes<dim>&>(system.term(contact_terms_[phase]));
 }
 
 template <int dim>

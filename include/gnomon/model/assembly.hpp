@@ -11,6 +11,7 @@
 #include <gnomon/system/linear_solver.hpp>
 #include <gnomon/terms/contact_node.hpp>
 #include <gnomon/terms/material.hpp>
+#include <gnomon/terms/mortar_pair.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -141,6 +142,9 @@ struct AssemblyParts {
   Supports<dim> supports;
   std::vector<Load<dim>> loads{};
   Interface<dim> interface;
+  /// Contact of the bodies with each other: then they have no rigid partner, of which the approach
+  /// alone is read, and the facets of the pairs are those of the interface's surfaces.
+  std::vector<MortarPair<dim>> pairs{};
   ShapeMotion<dim> shape;
   std::optional<CyclicContact<dim>> cycle{};
   std::vector<Phase<dim>> phases{};             ///< of the cycle; empty: one steady state
@@ -185,6 +189,16 @@ struct Assembly : AssemblyParts<dim> {
   bool wears(int contact_node) const {
     return this->interface.surfaces[surface_of[contact_node]].wears;
   }
+  /// The contact node at a mesh node that has one.
+  int contact_node(int node) const {
+    const auto at = std::ranges::lower_bound(contact_nodes, node, {}, &ContactPatch<dim>::node);
+    return static_cast<int>(at - contact_nodes.begin());
+  }
+  /// By contact node: whether it carries a multiplier. Sums over the contact are taken over these:
+  /// the nodes of masters meet the same pressures a second time.
+  std::vector<char> carries;
+  /// Of pairs: the nodes where bodies that contact alone holds touch each other [length].
+  std::vector<Vector<dim>> touching;
   /// By contact node: its part in the wear rate of its shape unknowns; empty: 1. With a
   /// cross-section, the length that it represents divided by the length of the path.
   std::vector<double> wear_weight;

@@ -4,7 +4,7 @@
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/system/composed_system.hpp>
 #include <gnomon/system/state.hpp>
-#include <gnomon/terms/contact_term.hpp>
+#include <gnomon/terms/contact_nodes.hpp>
 #include <memory>
 
 namespace gnomon {
@@ -82,7 +82,7 @@ public:
     }
   }
   /// The contact term of a phase, in a system of this composition.
-  const ContactTerm<dim>& contact(const ComposedSystem<dim>& system, std::size_t phase = 0) const;
+  const ContactNodes<dim>& contact(const ComposedSystem<dim>& system, std::size_t phase = 0) const;
   /// The contact law at every contact node in a phase, on the smooth branch of the point. `values`:
   /// those of its y.
   std::vector<ContactNode<dim>> contact_nodes(const ComposedSystem<dim>& system,

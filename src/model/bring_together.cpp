@@ -1,0 +1,156 @@
+#include "model/bring_together.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+namespace gnomon {
+
+namespace {
+
+/// The simplices of a facet: itself, or two triangles.
+template <int dim>
+std::vector<std::array<int, dim>> simplices(const typename Mesh<dim>::Facet& facet) {
+  if constexpr (dim == 2)
+    return {facet};
+  else
+    return {{facet[0], facet[1], facet[2]}, {facet[0], facet[2], facet[3]}};
+}
+
+/// The distance along e from a point to a simplex; nothing where the line passes by.
+template <int dim>
+std::optional<double> distance_along(const Vector<dim>& point, const Vector<dim>& e,
+                                     const std::array<int, dim>& simplex,
+                                     const std::vector<Vector<dim>>& x) {
+  constexpr double rounding = 1e-9;
+  Tensor<dim> A;  // point + s e = x_0 + sum_k c_k (x_k - x_0)
+  A.col(0) = -e;
+  for (int k = 1; k < dim; ++k) A.col(k) = x[simplex[k]] - x[simplex[0]];
+  const Vector<dim> solution = A.fullPivLu().solve(point - x[simplex[0]]);
+  double first = 1;
+  for (int k = 1; k < dim; ++k) {
+    if (!(solution[k] >= -rounding)) return {};
+    first -= solution[k];
+  }
+  return first >= -rounding ? std::optional(solution[0]) : std::nullopt;
+}
+
+/// The least travel of nodes along e to facets that face them.
+template <int dim, class Nodes>
+void take_least(const std::vector<Nodes>& from, const std::vector<typename Mesh<dim>::Facet>& to,
+                const Vector<dim>& e, const std::vector<Vector<dim>>& x, double& least) {
+  for (const auto& target : to)
+    for (const auto& simplex : simplices<dim>(target)) {
+      Vector<dim> normal;
+      const Vector<dim> a = x[simplex[1]] - x[simplex[0]];
+      if constexpr (dim == 2)
+        normal = Vector<2>(a[1], -a[0]);
+      else
+        normal = a.cross(x[simplex[2]] - x[simplex[0]]);
+      if (!(normal.dot(e) < 0)) continue;
+      for (const auto& facet : from)
+        for (const int node : facet)
+          if (const auto s = distance_along<dim>(x[node], e, simplex, x))
+            least = std::min(least, *s);
+    }
+}
+
+/// By node: the number of the connected part of the mesh to which it belongs.
+template <int dim>
+std::vector<int> connected_parts(const Mesh<dim>& mesh) {
+  std::vector<int> root(mesh.nodes.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&root](int node) {
+    while (root[node] != node) node = root[node] = root[root[node]];
+    return node;
+  };
+  for (const auto& cell : mesh.cells)
+    for (const int node : cell) root[find(node)] = find(cell[0]);
+  for (std::size_t node = 0; node < root.size(); ++node) root[node] = find(static_cast<int>(node));
+  return root;
+}
+
+/// By node: whether the part that it belongs to is held along e, or has been `moved` into place.
+template <int dim>
+std::vector<char> held_nodes(const AssemblyParts<dim>& parts, const std::vector<int>& part,
+                             const Vector<dim>& e, std::vector<char> held) {
+  constexpr double across = 1e-6;
+  for (std::size_t node = 0; node < part.size(); ++node)
+    for (int i = 0; i < dim; ++i)
+      if (parts.supports.held(static_cast<Eigen::Index>(node), i) && std::abs(e[i]) > across)
+        held[part[node]] = 1;
+  for (const auto& springs : parts.supports.springs)
+    for (const auto& facet : springs.facets)
+      if (springs.stiffness.cwiseProduct(e).norm() > 0) held[part[facet[0]]] = 1;
+  for (std::size_t node = 0; node < part.size(); ++node) held[node] = held[part[node]];
+  return held;
+}
+
+}  // namespace
+
+template <int dim>
+double travel_to_touch(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x) {
+  double least = std::numeric_limits<double>::infinity();
+  take_least<dim>(pair.slave, pair.master, -pair.approach, x, least);
+  take_least<dim>(pair.master, pair.slave, pair.approach, x, least);
+  return least;
+}
+
+template <int dim>
+std::map<int, double> travels_of_slave(const MortarPair<dim>& pair,
+                                       const std::vector<Vector<dim>>& x) {
+  std::map<int, double> travel;
+  for (const auto& facet : pair.slave)
+    for (const int node : facet) {
+      const auto [at, is_new] = travel.try_emplace(node, std::numeric_limits<double>::infinity());
+      if (is_new)
+        take_least<dim>(std::vector{std::array{node}}, pair.master, -pair.approach, x, at->second);
+    }
+  return travel;
+}
+
+template <int dim>
+Touching<dim>::Touching(const AssemblyParts<dim>& parts)
+    : displacement(NodalField<dim>::Zero(static_cast<Eigen::Index>(parts.mesh.nodes.size()), dim)),
+      direction(displacement) {
+  const std::vector<int> part = connected_parts(parts.mesh);
+  std::vector<char> placed(part.size(), 0);
+  std::vector<Vector<dim>> x = parts.mesh.nodes;
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (const MortarPair<dim>& pair : parts.pairs) {
+      const int slave = pair.slave.front()[0], master = pair.master.front()[0];
+      const Vector<dim>& e = pair.approach;
+      const std::vector<char> held = held_nodes<dim>(parts, part, e, placed);
+      if (held[slave] == held[master]) continue;
+      const double travel = travel_to_touch<dim>(pair, x);
+      if (!std::isfinite(travel)) continue;
+      const int floating = held[slave] ? master : slave;
+      const Vector<dim> along = held[slave] ? e : Vector<dim>(-e);
+      for (std::size_t node = 0; node < part.size(); ++node) {
+        if (part[node] != part[floating]) continue;
+        placed[node] = 1;
+        x[node] += travel * along;
+        const auto row = static_cast<Eigen::Index>(node);
+        for (int i = 0; i < dim; ++i)
+          if (!parts.supports.held(row, i)) {
+            displacement(row, i) = travel * along[i];
+            direction(row, i) = along[i];
+          }
+      }
+      moved = true;
+    }
+  }
+}
+
+template double travel_to_touch(const MortarPair<2>&, const std::vector<Vector<2>>&);
+template double travel_to_touch(const MortarPair<3>&, const std::vector<Vector<3>>&);
+template std::map<int, double> travels_of_slave(const MortarPair<2>&,
+                                                const std::vector<Vector<2>>&);
+template std::map<int, double> travels_of_slave(const MortarPair<3>&,
+                                                const std::vector<Vector<3>>&);
+template struct Touching<2>;
+template struct Touching<3>;
+
+}  // namespace gnomon

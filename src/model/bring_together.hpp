@@ -1,0 +1,26 @@
+// Bodies that contact alone holds are moved, before a run starts, to where they touch.
+#pragma once
+
+#include <gnomon/model/assembly.hpp>
+
+namespace gnomon {
+
+/// How far the master of a pair goes along its approach to touch the slave, where the nodes are at
+/// `x`: negative where they overlap, infinite where it passes by [length].
+template <int dim>
+double travel_to_touch(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x);
+/// The same for every node of the slave's facets by itself.
+template <int dim>
+std::map<int, double> travels_of_slave(const MortarPair<dim>& pair,
+                                       const std::vector<Vector<dim>>& x);
+
+/// Displacements of bodies that no support holds along the approach of a pair, nodes x dim: to
+/// where the pairs touch [length], and of the length one in the same direction.
+template <int dim>
+struct Touching {
+  NodalField<dim> displacement, direction;
+
+  Touching(const AssemblyParts<dim>& parts);
+};
+
+}  // namespace gnomon
