@@ -7,6 +7,7 @@
 #include "part/bodies.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
+#include "part/pairs.hpp"
 #include "part/shape_support.hpp"
 #include "part/supports.hpp"
 
@@ -100,8 +101,8 @@ std::vector<Key> shared_keys() {
 
 std::vector<Key> part_keys() {
   std::vector<Key> keys = mesh_keys();
-  for (const auto& more : {own_keys(), support_keys(), load_keys(), cycle_keys(), shared_keys(),
-                           body_table_keys(), shape_support_keys()})
+  for (const auto& more : {own_keys(), support_keys(), load_keys(), pair_keys(), cycle_keys(),
+                           shared_keys(), body_table_keys(), shape_support_keys()})
     keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }

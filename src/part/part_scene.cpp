@@ -16,6 +16,7 @@
 #include "part/histories.hpp"
 #include "part/loads.hpp"
 #include "part/nominal_speed.hpp"
+#include "part/pairs.hpp"
 #include "part/phases.hpp"
 #include "part/shape_support.hpp"
 #include "part/stored_part.hpp"
@@ -120,6 +121,25 @@ void append(std::vector<std::string>& remarks, const std::vector<std::string>& m
   remarks.insert(remarks.end(), more.begin(), more.end());
 }
 
+/// A part meets a rigid counter-body, or its bodies meet each other.
+void require_partner(const Scene& scene) {
+  if (!has_pairs(scene)) {
+    if (!scene.given("counter_body.shape"))
+      throw InputError(
+          scene.path().string() +
+          ": missing key `counter_body.shape`, or [[pair]] where bodies meet each other");
+    return;
+  }
+  if (scene.given("counter_body.shape"))
+    throw InputError(scene.where("counter_body.shape") + ": expected none beside [[pair]]");
+  if (!has_bodies(scene))
+    throw InputError(scene.path().string() + ": [[pair]]: expected also a [[body]] for each body");
+  if (!cycle_expressions(scene).empty())
+    throw InputError(scene.path().string() + ": [[pair]]: expected no cycle");
+  if (scene.text("shape.motion") == "gap")
+    throw InputError(scene.where("shape.motion") + ": expected \"mesh\" beside [[pair]]");
+}
+
 /// All parts but the scales and where the shape is held, or all mistakes in them.
 template <int dim>
 AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim>& part) {
@@ -129,7 +149,9 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
   find_conflicts(scene, mistakes);
   std::vector<Surface<dim>> surfaces;
   std::vector<ContactPatch<dim>> patches;
-  const bool wears = mistakes.collect([&] {
+  const bool pairs = has_pairs(scene);
+  mistakes.collect([&] { require_partner(scene); });
+  const bool wears = !pairs && mistakes.collect([&] {
     surfaces = wearing_surfaces(scene, part);
     patches = contact_patches<dim>(part.mesh, facets_of(surfaces), part.exterior, section);
   });
@@ -137,7 +159,7 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
   Supports<dim> supports{};
   std::vector<Body> bodies;
   std::vector<Load<dim>> loads;
-  mistakes.collect([&] { motion = read_motion(scene, section, patches); });
+  if (!pairs) mistakes.collect([&] { motion = read_motion(scene, section, patches); });
   mistakes.collect([&] { supports = read_supports(scene, part); });
   mistakes.collect([&] {
     bodies = read_bodies(scene, part, section);
@@ -166,6 +188,14 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
                            .shape = read_shape_motion<dim>(scene, {}),
                            .remarks = part.remarks,
                            .named_parts = stored_parts(part)};
+  if (pairs) {
+    read_pairs(scene, part, parts);
+    require_free_contact(scene, part);
+    require_surface_names(scene);
+    for (Surface<dim>& surface : parts.interface.surfaces)
+      if (surface.wears)
+        surface.wear = read_surface_law(scene, surface.name, *parts.interface.speed);
+  }
   if (!motion.phases) return parts;
   parts.cycle = motion.phases->contact;
   parts.phases = motion.phases->phases;
@@ -221,7 +251,10 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   AssemblyParts<dim> parts = read_all_but_shape(scene, part);
   const Magnitudes magnitudes = find_magnitudes(scene, parts);
   parts.scales = magnitudes.scales;
-  join_reachable_boundary(magnitudes, parts);
+  if (parts.pairs.empty())
+    join_reachable_boundary(magnitudes, parts);
+  else
+    restrict_pairs(magnitudes, parts);
   const std::optional<CyclicMotion<dim>> cycle =
       parts.cycle ? std::optional(parts.cycle->motion) : std::nullopt;
   if (cycle) require_gross_sliding(scene, *cycle, parts);
@@ -237,7 +270,9 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   append(parts.remarks, doubts(parts.bodies));
   append(parts.remarks, remarks_on_loads(scene));
   const std::vector<ContactPatch<dim>> patches = contact_nodes_of(parts);
-  append(parts.remarks, remarks_on_speeds(scene, patches, parts.interface.partner, cycle));
+  if (parts.pairs.empty())
+    append(parts.remarks, remarks_on_speeds(scene, patches, parts.interface.partner, cycle));
+  keep_normals_to_supports(parts);
   complete_surface_laws(scene, parts);
   parts = completed(scene, magnitudes.facet, std::move(parts));
   judge_gap(magnitudes, parts);
@@ -258,7 +293,8 @@ std::unique_ptr<Model> model_of(const Scene& scene, const ImportedBody<dim>& par
 template <int dim>
 std::unique_ptr<Model> model_of_file(const Scene& scene, ImportedMesh mesh) {
   return model_of<dim>(scene, check_mesh<dim>(std::move(mesh), scene.texts("wear.on"),
-                                              static_cast<int>(scene.integer("mesh.split"))));
+                                              static_cast<int>(scene.integer("mesh.split")),
+                                              bodies_of_pairs(scene)));
 }
 
 /// 2 or 3 by the numbers of the counter-body's vectors; 0 if it has none.
@@ -274,7 +310,7 @@ void find_mistakes_without_mesh(const Scene& scene, Mistakes& mistakes) {
   find_conflicts(scene, mistakes);
   find_mistakes_of_supports(scene, mistakes);
   find_mistakes_of_loads(scene, mistakes);
-  const std::size_t dim = dimension_of(scene);
+  const std::size_t dim = has_pairs(scene) ? 0 : dimension_of(scene);
   if (dim == 2) mistakes.collect([&] { read_counter_body<2>(scene, section_of(scene)); });
   if (dim == 3) mistakes.collect([&] { read_counter_body<3>(scene, Section::plane); });
 }
@@ -301,10 +337,11 @@ void find_mistakes_of_groups(const Scene& scene, Mistakes& mistakes) {
   find_conflicts(scene, mistakes);
   mistakes.collect([&] {
     ImportedMesh mesh = read_mesh(scene);
+    const std::vector<std::string> separate = bodies_of_pairs(scene);
     if (mesh.dimension == 2)
-      find_unknown_groups(scene, check_mesh<2>(std::move(mesh)), mistakes);
+      find_unknown_groups(scene, check_mesh<2>(std::move(mesh), {}, 0, separate), mistakes);
     else
-      find_unknown_groups(scene, check_mesh<3>(std::move(mesh)), mistakes);
+      find_unknown_groups(scene, check_mesh<3>(std::move(mesh), {}, 0, separate), mistakes);
   });
 }
 

@@ -97,8 +97,8 @@ std::vector<Key> counter_body_keys() {
   for (Key& key : keys)
     key.absent_meaning = fmt::format("by the shape; of {}", fmt::join(owners_of(key), ", "));
   keys.insert(keys.begin(),
-              text_key("counter_body.shape", required(), "shape of the rigid counter-body",
-                       Registry<CounterShapeKind>::names()));
+              text_key("counter_body.shape", absent("bodies meet each other, by [[pair]]"),
+                       "shape of the rigid counter-body", Registry<CounterShapeKind>::names()));
   for (const auto& part : {motion_keys(), press_keys("counter_body.press"), entry_keys()})
     keys.insert(keys.end(), part.begin(), part.end());
   return keys;

@@ -1,0 +1,52 @@
+// Which facets of two bodies can touch each other, and which of the bodies is the slave.
+#pragma once
+
+#include <gnomon/model/assembly.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace gnomon::part {
+
+/// The body to which a facet of the boundary belongs.
+template <int dim>
+class BodyOfFacets {
+public:
+  BodyOfFacets(const Mesh<dim>& mesh, const std::vector<Body>& bodies);
+  int operator()(const typename Mesh<dim>::Facet& facet) const;
+
+private:
+  std::map<typename Mesh<dim>::Facet, int> body_;  // by sorted nodes
+};
+
+/// By node: the last of the bodies that have it.
+template <int dim>
+std::vector<int> body_of_nodes(const AssemblyParts<dim>& parts);
+
+/// Where the nodes are when bodies that contact alone holds touch each other.
+template <int dim>
+std::vector<Vector<dim>> touching_nodes(const AssemblyParts<dim>& parts);
+
+/// Leaves the facets that meet one of the other side along their normals, nodes at `x`, within the
+/// reach of the pair; with `margin` also those beside them.
+template <int dim>
+void keep_facing(const std::vector<Vector<dim>>& x, Section section, bool margin,
+                 MortarPair<dim>& pair);
+
+/// The mean size of facets, edges of them in space [length].
+template <int dim>
+double mean_size(const std::vector<typename Mesh<dim>::Facet>& facets,
+                 const std::vector<Vector<dim>>& x);
+
+/// Exchanges slave and master.
+template <int dim>
+void reverse(MortarPair<dim>& pair);
+
+/// The slave is the side of the coarser mesh, or where they are equal, of the stiffer body: a fine
+/// slave would feel the facets of the master. Reverses the pair where it has to be, and says why it
+/// is so.
+template <int dim>
+std::string choose_slave(const std::vector<Vector<dim>>& x, const std::vector<Body>& bodies,
+                         MortarPair<dim>& pair);
+
+}  // namespace gnomon::part

@@ -1,0 +1,229 @@
+#include "part/pairs.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <gnomon/base/error.hpp>
+#include <gnomon/base/mistakes.hpp>
+#include <gnomon/shapes/counter_surface.hpp>
+#include <set>
+
+#include "mesh/facet_table.hpp"
+#include "part/body_motions.hpp"
+#include "part/facing_facets.hpp"
+#include "part/groups.hpp"
+#include "part/histories.hpp"
+#include "part/surfaces.hpp"
+
+namespace gnomon::part {
+
+std::vector<Key> pair_keys() {
+  std::vector<Key> keys = {
+      texts_key("pair.#.bodies", absent("needed in every [[pair]]"),
+                "two bodies, by their names, that touch each other"),
+      texts_key("pair.#.surfaces", absent("all boundary that faces the other body"),
+                "groups of the mesh to which their contact is restricted"),
+      real_key("pair.#.friction", "", absent("friction.coefficient"), {.min = 0, .max = 1e30},
+               "Coulomb's coefficient of friction of the pair, in gross sliding")};
+  for (Key& key : motion_keys_of_bodies()) keys.push_back(std::move(key));
+  return keys;
+}
+
+bool has_pairs(const Scene& scene) {
+  return !scene.chosen_names("pair.#.bodies").empty();
+}
+
+std::vector<std::string> bodies_of_pairs(const Scene& scene) {
+  std::set<std::string> names;
+  for (const std::string& pair : scene.chosen_names("pair.#.bodies"))
+    for (const std::string& name : scene.texts("pair." + pair + ".bodies")) names.insert(name);
+  return {names.begin(), names.end()};
+}
+
+namespace {
+
+/// The two bodies of a pair.
+std::array<int, 2> read_bodies_of(const Scene& scene, const std::string& pair,
+                                  const std::vector<Body>& bodies) {
+  const std::string key = pair + ".bodies";
+  const std::vector<std::string>& names = scene.texts(key);
+  std::array<int, 2> result{};
+  if (names.size() != 2 || names[0] == names[1])
+    throw InputError(scene.where(key) + ": expected the names of two bodies");
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto at = std::ranges::find(bodies, names[side], &Body::name);
+    std::vector<std::string> all;
+    for (const Body& body : bodies) all.push_back(body.name);
+    if (at == bodies.end())
+      throw InputError(fmt::format("{}: expected names of [[body]], \"{}\", got \"{}\"",
+                                   scene.where(key), fmt::join(all, "\", \""), names[side]));
+    result[side] = static_cast<int>(at - bodies.begin());
+  }
+  return result;
+}
+
+/// The boundary of a body, or the part of it that the pair is restricted to.
+template <int dim>
+Facets<dim> boundary_of(const Scene& scene, const std::string& pair, const ImportedBody<dim>& part,
+                        const BodyOfFacets<dim>& body_of, int body) {
+  const std::string key = pair + ".surfaces";
+  Facets<dim> result;
+  const auto take = [&](const Facets<dim>& facets) {
+    for (const auto& facet : facets)
+      if (body_of(facet) == body) result.push_back(facet);
+  };
+  if (!scene.given(key)) {
+    take(part.exterior);
+    return result;
+  }
+  for (const std::string& name : scene.texts(key)) take(group_facets(scene, key, name, part));
+  if (result.empty()) throw InputError(scene.where(key) + ": expected surfaces of both bodies");
+  return result;
+}
+
+/// The direction in which the master comes near: against the loads on a slave that nothing holds
+/// there, along those on such a master, else into the surface of the slave.
+template <int dim>
+Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& parts,
+                        const std::array<int, 2>& bodies) {
+  Vector<dim> outward = Vector<dim>::Zero();
+  for (const auto& patch : contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section()))
+    outward += patch.initial_area * patch.initial_normal;
+  const std::vector<int> body_of = body_of_nodes(parts);
+  std::array<Vector<dim>, 2> load = {Vector<dim>::Zero(), Vector<dim>::Zero()};
+  std::array<Vector<dim>, 2> held = load;
+  for (std::size_t node = 0; node < body_of.size(); ++node)
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (body_of[node] != bodies[side]) continue;
+      const auto row = static_cast<Eigen::Index>(node);
+      for (int i = 0; i < dim; ++i) held[side][i] += parts.supports.held(row, i);
+      for (const Load<dim>& each : parts.loads)
+        if (each.forces.size() > 0) load[side] += each.forces.row(row).transpose();
+    }
+  for (std::size_t side = 0; side < 2; ++side) {
+    // A load along directions that supports hold does not press.
+    const Vector<dim> free = (held[side].array() == 0).select(load[side], 0.0);
+    if (free.norm() > 0) return (side == 0 ? -free : free).normalized();
+  }
+  return outward.norm() > 0 ? Vector<dim>(-outward.normalized()) : Vector<dim>::Unit(dim - 1);
+}
+
+/// What touches, as surfaces: those that wear by name, and the rest.
+template <int dim>
+std::vector<Surface<dim>> surfaces_of(const Scene& scene, const ImportedBody<dim>& part,
+                                      const std::vector<MortarPair<dim>>& pairs) {
+  std::map<typename Mesh<dim>::Facet, typename Mesh<dim>::Facet> touching;  // by sorted nodes
+  for (const MortarPair<dim>& pair : pairs)
+    for (const auto* side : {&pair.slave, &pair.master})
+      for (const auto& facet : *side) touching.try_emplace(sorted(facet), facet);
+  std::vector<Surface<dim>> surfaces = wearing_surfaces(scene, part);
+  for (Surface<dim>& surface : surfaces) {
+    std::erase_if(surface.facets,
+                  [&](const auto& facet) { return touching.erase(sorted(facet)) == 0; });
+    if (surface.facets.empty())
+      throw InputError(
+          fmt::format("{}: expected surfaces that touch another body, \"{}\" faces none",
+                      scene.where("wear.on"), surface.name));
+  }
+  Surface<dim> others{.name = "", .facets = {}, .wear = {}, .wears = false};
+  for (const auto& [nodes, facet] : touching) others.facets.push_back(facet);
+  if (!others.facets.empty()) surfaces.push_back(std::move(others));
+  return surfaces;
+}
+
+/// Mean tangential speed over the slave.
+template <int dim>
+double speed_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& parts) {
+  double sum = 0, area = 0;
+  for (const auto& patch : contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section())) {
+    RigidMotion<dim> motion = pair.motion;
+    motion.reference = patch.initial_position;
+    motion.normal = patch.initial_normal.normalized();
+    sum += patch.initial_area * motion.nominal_speed(Vector<dim>::Zero());
+    area += patch.initial_area;
+  }
+  return area > 0 ? sum / area : 0;
+}
+
+}  // namespace
+
+template <int dim>
+void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts<dim>& parts) {
+  const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
+  const std::map<std::string, RigidMotion<dim>> motions =
+      read_motions_of_bodies<dim>(scene, parts.bodies, parts.section());
+  std::set<std::set<int>> seen;
+  for (const std::string& table : entries_of(scene, "pair", pair_keys(), {"bodies"})) {
+    const std::array<int, 2> bodies = read_bodies_of(scene, table, parts.bodies);
+    if (!seen.insert({bodies[0], bodies[1]}).second)
+      throw InputError(scene.where(table + ".bodies") + ": expected each pair of bodies once");
+    const std::array<std::string, 2> names = {parts.bodies[bodies[0]].name,
+                                              parts.bodies[bodies[1]].name};
+    MortarPair<dim> pair{.slave = boundary_of(scene, table, part, body_of, bodies[0]),
+                         .master = boundary_of(scene, table, part, body_of, bodies[1]),
+                         .motion = difference_of<dim>(motions, names),
+                         .friction = scene.given(table + ".friction")
+                                         ? scene.real(table + ".friction")
+                                         : scene.real("friction.coefficient"),
+                         .bodies = names};
+    pair.reach =
+        (Box<dim>::around(parts.mesh.nodes).high - Box<dim>::around(parts.mesh.nodes).low).norm();
+    keep_facing<dim>(parts.mesh.nodes, parts.section(), false, pair);
+    if (pair.slave.empty())
+      throw InputError(
+          fmt::format("{}: expected bodies that face each other, but no boundary of "
+                      "\"{}\" faces \"{}\"",
+                      scene.where(table + ".bodies"), pair.bodies[0], pair.bodies[1]));
+    pair.approach = approach_of(pair, parts, bodies);
+    parts.pairs.push_back(std::move(pair));
+  }
+  parts.interface.partner.approach = parts.pairs.front().approach;
+  parts.interface.friction = parts.pairs.front().friction;
+  parts.interface.surfaces = surfaces_of(scene, part, parts.pairs);
+  double speed = 0;
+  for (const MortarPair<dim>& pair : parts.pairs) speed = std::max(speed, speed_of(pair, parts));
+  parts.interface.speed = scene.real_if("wear.velocity").value_or(speed);
+}
+
+template <int dim>
+void restrict_pairs(const Magnitudes& expected, AssemblyParts<dim>& parts) {
+  // Contact grows to where the gap at first touch is what wear and deformation close.
+  const double reach = 3 * (expected.deepest + expected.scales.displacement);
+  const std::vector<Vector<dim>> touching = touching_nodes(parts);
+  std::set<typename Mesh<dim>::Facet> kept;  // by sorted nodes
+  for (MortarPair<dim>& pair : parts.pairs) {
+    pair.reach = reach;
+    keep_facing<dim>(touching, parts.section(), true, pair);
+    const std::string reason = choose_slave<dim>(touching, parts.bodies, pair);
+    pair.reach = 2 * (reach + mean_size<dim>(pair.slave, touching));
+    parts.remarks.push_back(
+        fmt::format("\"{}\" may touch \"{}\" with {} facets, which carry the pressures since {}",
+                    pair.bodies[0], pair.bodies[1], pair.slave.size(), reason));
+    for (const auto* side : {&pair.slave, &pair.master})
+      for (const auto& facet : *side) kept.insert(sorted(facet));
+  }
+  parts.interface.partner.approach = parts.pairs.front().approach;
+  for (Surface<dim>& surface : parts.interface.surfaces)
+    std::erase_if(surface.facets, [&](const auto& facet) { return !kept.contains(sorted(facet)); });
+}
+
+template <int dim>
+void keep_normals_to_supports(AssemblyParts<dim>& parts) {
+  for (MortarPair<dim>& pair : parts.pairs)
+    for (const auto& facet : pair.slave)
+      for (const int node : facet) {
+        const auto held = parts.supports.held.row(node);
+        if (held.maxCoeff() == 0 || held.minCoeff() != 0) continue;
+        pair.along[node] = (1 - held.template cast<double>().array()).matrix().asDiagonal();
+      }
+}
+
+template void read_pairs(const Scene&, const ImportedBody<2>&, AssemblyParts<2>&);
+template void read_pairs(const Scene&, const ImportedBody<3>&, AssemblyParts<3>&);
+template void restrict_pairs(const Magnitudes&, AssemblyParts<2>&);
+template void restrict_pairs(const Magnitudes&, AssemblyParts<3>&);
+template void keep_normals_to_supports(AssemblyParts<2>&);
+template void keep_normals_to_supports(AssemblyParts<3>&);
+
+}  // namespace gnomon::part

@@ -1,0 +1,35 @@
+// Contact of bodies with each other: [[pair]] and [[motion]].
+#pragma once
+
+#include <gnomon/mesh/imported_body.hpp>
+#include <gnomon/model/assembly.hpp>
+#include <gnomon/model/magnitudes.hpp>
+#include <gnomon/scene/scene.hpp>
+#include <string>
+#include <vector>
+
+namespace gnomon::part {
+
+/// Keys of `[[pair]]` and `[[motion]]`.
+std::vector<Key> pair_keys();
+
+/// Whether the bodies meet each other, and no counter-body.
+bool has_pairs(const Scene& scene);
+/// Names of all bodies of pairs.
+std::vector<std::string> bodies_of_pairs(const Scene& scene);
+
+/// Sets pairs, surfaces, approach and speed of parts that have bodies, supports and loads: all
+/// boundary of the bodies that faces the partner. Throws InputError.
+template <int dim>
+void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts<dim>& parts);
+
+/// Leaves what can touch in a run that is expected to have these magnitudes, and chooses slaves.
+template <int dim>
+void restrict_pairs(const Magnitudes& expected, AssemblyParts<dim>& parts);
+
+/// Where supports hold a node of a slave in some directions, as in a symmetry, its normal lies in
+/// the others.
+template <int dim>
+void keep_normals_to_supports(AssemblyParts<dim>& parts);
+
+}  // namespace gnomon::part
