@@ -56,7 +56,8 @@ void take_least(const std::vector<Nodes>& from, const std::vector<typename Mesh<
     }
 }
 
-/// By node: the number of the connected part of the mesh to which it belongs.
+}  // namespace
+
 template <int dim>
 std::vector<int> connected_parts(const Mesh<dim>& mesh) {
   std::vector<int> root(mesh.nodes.size());
@@ -70,6 +71,8 @@ std::vector<int> connected_parts(const Mesh<dim>& mesh) {
   for (std::size_t node = 0; node < root.size(); ++node) root[node] = find(static_cast<int>(node));
   return root;
 }
+
+namespace {
 
 /// By node: whether the part that it belongs to is held along e, or has been `moved` into place.
 template <int dim>
@@ -144,6 +147,8 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts)
   }
 }
 
+template std::vector<int> connected_parts(const Mesh<2>&);
+template std::vector<int> connected_parts(const Mesh<3>&);
 template double travel_to_touch(const MortarPair<2>&, const std::vector<Vector<2>>&);
 template double travel_to_touch(const MortarPair<3>&, const std::vector<Vector<3>>&);
 template std::map<int, double> travels_of_slave(const MortarPair<2>&,

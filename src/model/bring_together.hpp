@@ -5,6 +5,10 @@
 
 namespace gnomon {
 
+/// By node: the number of the connected part of the mesh to which it belongs.
+template <int dim>
+std::vector<int> connected_parts(const Mesh<dim>& mesh);
+
 /// How far the master of a pair goes along its approach to touch the slave, where the nodes are at
 /// `x`: negative where they overlap, infinite where it passes by [length].
 template <int dim>

@@ -133,8 +133,10 @@ ForceBalance Resultants<dim>::balance(const FieldValues<dim>& values, double t,
       const Vector<dim> place = places.row(node).transpose(), force = -contact.force,
                         along = contact.normal * contact.normal.dot(force);
       others.row(node) += force.transpose();
-      sum.add(pressed, weight, place, along);
-      sum.add(rubbed, weight, place, force - along);
+      // Of pairs, forces of all nodes cancel each other, but not their parts.
+      const Vector<dim> normal = assembly.pairs.empty() ? along : force;
+      sum.add(pressed, weight, place, normal);
+      sum.add(rubbed, weight, place, force - normal);
     }
     const NodalField<dim> carried =
         -(others.array() * held.held.template cast<double>().array()).matrix();

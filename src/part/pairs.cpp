@@ -104,7 +104,8 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
   for (std::size_t side = 0; side < 2; ++side) {
     // A load along directions that supports hold does not press.
     const Vector<dim> free = (held[side].array() == 0).select(load[side], 0.0);
-    if (free.norm() > 0) return (side == 0 ? -free : free).normalized();
+    const Vector<dim> presses = side == 0 ? Vector<dim>(-free) : free;
+    if (presses.norm() > 0 && !(presses.dot(outward) > 0)) return presses.normalized();
   }
   return outward.norm() > 0 ? Vector<dim>(-outward.normalized()) : Vector<dim>::Unit(dim - 1);
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/spectrum.hpp"
+#include "model/bring_together.hpp"
 #include "part/groups.hpp"
 #include "part/histories.hpp"
 
@@ -169,26 +170,42 @@ std::string describe(const Eigen::VectorXd& mode, const std::vector<std::string>
 template <int dim>
 using RigidMotionOfPoints = std::function<Vector<dim>(const Vector<dim>&)>;
 
-/// Work of a load at factor one.
+/// Nodes of a part of the mesh that is connected: 1 by node.
+using NodesOfPart = std::vector<char>;
+
+/// Work of a load on a part at factor one.
 template <int dim>
-double work_of(const Load<dim>& load, const AssemblyParts<dim>& parts,
+double work_of(const Load<dim>& load, const AssemblyParts<dim>& parts, const NodesOfPart& part,
                const RigidMotionOfPoints<dim>& motion) {
   double work = 0;
-  for (Eigen::Index node = 0; node < load.forces.rows(); ++node)
-    work += load.forces.row(node).dot(motion(parts.mesh.nodes[static_cast<std::size_t>(node)]));
+  for (std::size_t node = 0; node < static_cast<std::size_t>(load.forces.rows()); ++node)
+    if (part[node])
+      work += load.forces.row(static_cast<Eigen::Index>(node)).dot(motion(parts.mesh.nodes[node]));
   for (const auto& patch : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()))
-    work -= load.pressure * patch.initial_area *
-            patch.initial_normal.dot(motion(patch.initial_position));
+    if (part[patch.node])
+      work -= load.pressure * patch.initial_area *
+              patch.initial_normal.dot(motion(patch.initial_position));
   return work;
+}
+
+/// "the part", or what the bodies of this part are called.
+template <int dim>
+std::string name_of(const AssemblyParts<dim>& parts, const NodesOfPart& part) {
+  if (parts.pairs.empty()) return "the part";
+  for (const Body& body : parts.bodies)
+    for (const int cell : body.cells)
+      if (part[parts.mesh.cells[cell][0]]) return "\"" + body.name + "\"";
+  return "each body";
 }
 
 /// Contact alone resists this motion, and to one side: loads have to drive the bodies there.
 template <int dim>
 void require_pressing_loads(const Scene& scene, const AssemblyParts<dim>& parts,
-                            const RigidMotionOfPoints<dim>& motion) {
+                            const NodesOfPart& part, const RigidMotionOfPoints<dim>& motion) {
   constexpr double oblique = 1e-3;
   double away = 0, back = 0;
   for (const ContactPatch<dim>& patch : contact_nodes_of(parts)) {
+    if (!part[patch.node]) continue;
     const double work =
         patch.initial_area * patch.initial_normal.dot(motion(patch.initial_position));
     (work > 0 ? away : back) += std::abs(work);
@@ -200,7 +217,7 @@ void require_pressing_loads(const Scene& scene, const AssemblyParts<dim>& parts,
   double whole = 0;
   for (const Load<dim>& load : parts.loads) {
     times.insert(load.history.times().begin(), load.history.times().end());
-    works.push_back(side * work_of(load, parts, motion));
+    works.push_back(side * work_of(load, parts, part, motion));
     whole += std::abs(works.back());
   }
   for (const Phase<dim>& phase : parts.instants())
@@ -211,23 +228,44 @@ void require_pressing_loads(const Scene& scene, const AssemblyParts<dim>& parts,
           pressing += phase.load * parts.loads[k].history.factor(at, *t) * works[k];
         if (pressing <= 0)
           throw InputError(fmt::format(
-              "{}: [[load]]: expected loads that press the bodies on the counter-body at any time, "
-              "since nothing else holds them there, got {:.3g} of the loads at t = {:g} s{}",
-              scene.path().string(), whole > 0 ? pressing / whole : 0, at,
+              "{}: [[load]]: expected loads that press {} on what it touches at any time, since "
+              "nothing else holds it there, got {:.3g} of the loads at t = {:g} s{}",
+              scene.path().string(), name_of(parts, part), whole > 0 ? pressing / whole : 0, at,
               parts.cycle ? fmt::format(", tau = {:.3g} of the cycle", phase.position) : ""));
       }
 }
 
 }  // namespace
 
+namespace {
+
+/// What holds a part by contact: its partner, in the direction in which this comes, or other
+/// bodies, across the surfaces.
+template <int dim, class Hold>
+void hold_by_contact(const AssemblyParts<dim>& parts, const NodesOfPart& part, const Hold& holds) {
+  if (!parts.pairs.empty()) {
+    for (const ContactPatch<dim>& patch : contact_nodes_of(parts))
+      if (part[patch.node]) holds(patch.node, patch.initial_normal);
+    return;
+  }
+  if (parts.interface.force) return;
+  for (const Surface<dim>& surface : parts.interface.surfaces)
+    for (const auto& facet : surface.facets)
+      for (int node : facet) holds(node, parts.interface.partner.approach);
+}
+
 template <int dim>
-void require_held(const Scene& scene, const AssemblyParts<dim>& parts) {
+void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
+                       const NodesOfPart& part) {
   constexpr int modes = dim == 2 ? 3 : 6;
   const std::vector<Vector<dim>>& nodes = parts.mesh.nodes;
   Vector<dim> centre = Vector<dim>::Zero();
-  for (const auto& X : nodes) centre += X / double(nodes.size());
+  const auto count = static_cast<double>(std::ranges::count(part, 1));
+  for (std::size_t node = 0; node < nodes.size(); ++node)
+    if (part[node]) centre += nodes[node] / count;
   double size = 0;
-  for (const auto& X : nodes) size = std::max(size, (X - centre).norm());
+  for (std::size_t node = 0; node < nodes.size(); ++node)
+    if (part[node]) size = std::max(size, (nodes[node] - centre).norm());
   Eigen::Matrix<double, modes, modes> held;
   held.setZero();
   if (dim == 2 && parts.section() == Section::meridian)  // it moves along the axis alone
@@ -240,38 +278,49 @@ void require_held(const Scene& scene, const AssemblyParts<dim>& parts) {
   const NodalFlags<dim>& fixed = parts.supports.held;
   for (Eigen::Index node = 0; node < fixed.rows(); ++node)
     for (int i = 0; i < dim; ++i)
-      if (fixed(node, i)) holds(static_cast<int>(node), Vector<dim>::Unit(i));
+      if (part[node] && fixed(node, i)) holds(static_cast<int>(node), Vector<dim>::Unit(i));
   for (const SpringSupport<dim>& springs : parts.supports.springs)
     for (const auto& facet : springs.facets)
       for (int node : facet)
         for (int i = 0; i < dim; ++i)
-          if (springs.stiffness[i] > 0) holds(node, Vector<dim>::Unit(i));
+          if (part[node] && springs.stiffness[i] > 0) holds(node, Vector<dim>::Unit(i));
   constexpr double nothing = 1e-9;
   const Spectrum without_contact = spectrum_of(held);
   const auto loose = [](const Eigen::VectorXd& values) {
     return (values.array() <= nothing * values[modes - 1]).count();
   };
   // The contact holds in one direction; without friction it does not hold along the surface.
-  if (!parts.interface.force)
-    for (const Surface<dim>& surface : parts.interface.surfaces)
-      for (const auto& facet : surface.facets)
-        for (int node : facet) holds(node, parts.interface.partner.approach);
+  hold_by_contact(parts, part, holds);
   const auto [values, vectors] = spectrum_of(held);
   const auto free = loose(values);
   if (free == 0) {
     // Several motions may be resisted together, as by a prism in a groove.
     if (!parts.interface.force && loose(without_contact.values) == 1)
-      require_pressing_loads<dim>(scene, parts, [&](const Vector<dim>& X) -> Vector<dim> {
+      require_pressing_loads<dim>(scene, parts, part, [&](const Vector<dim>& X) -> Vector<dim> {
         return rigid_motions<dim>((X - centre) / size) * without_contact.vectors.col(0);
       });
     return;
   }
   throw InputError(
-      fmt::format("{}: expected supports that hold the part, but it can still move as a rigid body "
+      fmt::format("{}: expected supports that hold {}, but it can still move as a rigid body "
                   "in {} {}, for "
                   "example it can {}; name what is held in [[support]], with directions",
-                  scene.path().string(), free, free == 1 ? "way" : "ways",
+                  scene.path().string(), name_of(parts, part), free, free == 1 ? "way" : "ways",
                   describe<dim>(vectors.col(0), direction_names<dim>(scene))));
+}
+
+}  // namespace
+
+template <int dim>
+void require_held(const Scene& scene, const AssemblyParts<dim>& parts) {
+  const std::vector<int> number = connected_parts(parts.mesh);
+  Mistakes mistakes;
+  for (const int part : std::set<int>(number.begin(), number.end())) {
+    NodesOfPart nodes;
+    for (const int each : number) nodes.push_back(each == part);
+    mistakes.collect([&] { require_part_held(scene, parts, nodes); });
+  }
+  mistakes.require_none();
 }
 
 template std::vector<int> directions_of<2>(const Scene&, const std::string&);

@@ -1,6 +1,6 @@
-// Two bodies made without a scene: blocks on each other, in the plane or of revolution. The upper
-// one is the slave; its top is loaded, the bottom of the lower one is held, and so are the sides
-// across, unless they are free.
+// Two bodies made without a scene: blocks on each other, in the plane, of revolution or in space.
+// The upper one is the slave; its top is loaded, the bottom of the lower one is held, and so are
+// the sides across them.
 #pragma once
 
 #include <cmath>
@@ -8,10 +8,13 @@
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 
+#include "support/structured_hexahedra.hpp"
+
 namespace gnomon::testing {
 
 struct BlockOfPair {
   int along = 4, high = 4;  ///< elements
+  int across = 3;           ///< elements along y, in space
   double from = 0, to = 2;  ///< mm, its sides
   double size = 2;          ///< mm, height
   double young_modulus = 1000, poisson_ratio = 0.3;
@@ -23,26 +26,43 @@ struct BlockOfPair {
 struct TwoBodies {
   BlockOfPair upper{}, lower{};
   double force = 20;  ///< N / mm, or N
+  double thick = 1;   ///< mm, along y, in space
   double speed = 1;   ///< mm / s, of the lower body, along x, of revolution across
   double friction = 0;
   double duration = 100;
   Kinematics kinematics = Kinematics::finite;
   Section section = Section::plane;
   NormalRule normal = NormalRule::conservative;
-  bool sides_held = true;
 };
 
-inline Mesh<2> mesh_of(const TwoBodies& pair) {
-  const auto made = [](const BlockOfPair& block, bool upper) {
-    return structured_quadrilaterals(block.along, block.high, [=](double s, double t) {
-      const double x = block.from + (block.to - block.from) * std::pow(s, block.grading);
-      const double y = block.surface(x);
-      if (upper) return Vector<2>(x, y + (block.size - y) * std::pow(t, block.grading));
-      return Vector<2>(x, y - (block.size + y) * std::pow(1 - t, block.grading));
-    });
-  };
-  Mesh<2> mesh = made(pair.upper, true);
-  const Mesh<2> lower = made(pair.lower, false);
+/// A place of a block, from coordinates in the unit square; `upper`: the surface is its bottom.
+inline Vector<2> place_in(const BlockOfPair& block, bool upper, double s, double t) {
+  const double x = block.from + (block.to - block.from) * std::pow(s, block.grading);
+  const double y = block.surface(x);
+  if (upper) return {x, y + (block.size - y) * std::pow(t, block.grading)};
+  return {x, y - (block.size + y) * std::pow(1 - t, block.grading)};
+}
+
+template <int dim>
+Mesh<dim> block_of(const TwoBodies& pair, bool upper) {
+  const BlockOfPair& block = upper ? pair.upper : pair.lower;
+  if constexpr (dim == 2) {
+    return structured_quadrilaterals(
+        block.along, block.high, [&](double s, double t) { return place_in(block, upper, s, t); });
+  } else {
+    return structured_hexahedra(block.along, block.across, block.high,
+                                [&](double r, double s, double t) {
+                                  const Vector<2> place = place_in(block, upper, r, t);
+                                  return Vector<3>(place[0], pair.thick * s, place[1]);
+                                });
+  }
+}
+
+/// Boundary parts of the lower block have "lower" before their names.
+template <int dim>
+Mesh<dim> mesh_of(const TwoBodies& pair) {
+  Mesh<dim> mesh = block_of<dim>(pair, true);
+  const Mesh<dim> lower = block_of<dim>(pair, false);
   const auto first = static_cast<int>(mesh.nodes.size());
   mesh.nodes.insert(mesh.nodes.end(), lower.nodes.begin(), lower.nodes.end());
   for (auto cell : lower.cells) {
@@ -57,86 +77,121 @@ inline Mesh<2> mesh_of(const TwoBodies& pair) {
   return mesh;
 }
 
-inline AssemblyParts<2> two_bodies(const TwoBodies& pair) {
-  const Mesh<2> mesh = mesh_of(pair);
-  const auto nodes = static_cast<Eigen::Index>(mesh.nodes.size());
-  NodalFlags<2> held = pair.section == Section::meridian
-                           ? held_on_axis(mesh)
-                           : NodalFlags<2>(NodalFlags<2>::Zero(nodes, 2));
-  NodalFlags<2> shape_held = held;
-  for (const char* side : {"left", "right", "lower left", "lower right"})
-    for (const int node : mesh.boundary_nodes(side)) {
-      const bool right = std::string(side).find("right") != std::string::npos;
-      if (pair.sides_held || !right) held(node, 0) = 1;
-      shape_held(node, 0) = 1;
-    }
-  for (const int node : mesh.boundary_nodes("lower bottom")) held.row(node).setOnes();
-  for (const char* far : {"top", "lower bottom"})
-    for (const int node : mesh.boundary_nodes(far)) shape_held.row(node).setOnes();
+/// Where displacements and shapes are held.
+template <int dim>
+struct HeldInPair {
+  NodalFlags<dim> displacement, shape;
+
+  HeldInPair(const TwoBodies& pair, const Mesh<dim>& mesh) {
+    displacement = NodalFlags<dim>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), dim);
+    if constexpr (dim == 2)
+      if (pair.section == Section::meridian) displacement = held_on_axis(mesh);
+    shape = displacement;
+    const auto hold = [&](const std::string& side, int i) {
+      for (const std::string& body : {std::string(), std::string("lower ")})
+        for (const int node : mesh.boundary_nodes(body + side))
+          displacement(node, i) = shape(node, i) = 1;
+    };
+    hold("left", 0), hold("right", 0);
+    if (dim == 3) hold("front", 1), hold("back", 1);
+    for (const int node : mesh.boundary_nodes("lower bottom")) displacement.row(node).setOnes();
+    for (const char* far : {"top", "lower bottom"})
+      for (const int node : mesh.boundary_nodes(far)) shape.row(node).setOnes();
+  }
+};
+
+inline std::vector<Body> bodies_of(const TwoBodies& pair, std::size_t upper, std::size_t cells) {
   std::vector<Body> bodies;
-  int cell = 0;
   for (const BlockOfPair* block : {&pair.upper, &pair.lower}) {
     Body body{
         .material = make_material("neo-hookean", ElasticModuli::from_young_poisson(
                                                      block->young_modulus, block->poisson_ratio)),
         .element = {ElementTechnology::plain, pair.kinematics, pair.section}};
     body.name = block == &pair.upper ? "upper" : "lower";
-    for (int k = 0; k < block->along * block->high; ++k) body.cells.push_back(cell++);
+    const std::size_t from = block == &pair.upper ? 0 : upper;
+    for (std::size_t cell = from; cell < (block == &pair.upper ? upper : cells); ++cell)
+      body.cells.push_back(static_cast<int>(cell));
     bodies.push_back(std::move(body));
   }
-  const double width = pair.upper.to - pair.upper.from,
-               area = pair.section == Section::meridian ? M_PI * width * width : width,
-               young = std::min(pair.upper.young_modulus, pair.lower.young_modulus);
+  return bodies;
+}
+
+inline Scales scales_of(const TwoBodies& pair, double area) {
   Scales scales;
   scales.force = pair.force / pair.upper.along;
   scales.stress = pair.force / area;
-  scales.displacement = scales.stress / young * pair.upper.size;
+  scales.displacement = scales.stress /
+                        std::min(pair.upper.young_modulus, pair.lower.young_modulus) *
+                        pair.upper.size;
   scales.duration = pair.duration;
-  scales.wear_depth = std::max(
-      1e-9, (pair.upper.wear + pair.lower.wear) * pair.speed * scales.stress * scales.duration);
-  if (pair.upper.wear + pair.lower.wear == 0) scales.wear_depth = scales.displacement;
+  const double wear = pair.upper.wear + pair.lower.wear;
+  scales.wear_depth =
+      wear > 0 ? wear * pair.speed * scales.stress * scales.duration : scales.displacement;
   scales.auxiliary_force = scales.wear_depth;
+  return scales;
+}
+
+template <int dim>
+MortarPair<dim> contact_of(const TwoBodies& pair, const Mesh<dim>& mesh,
+                           const NodalFlags<dim>& held) {
+  MortarPair<dim> contact{.slave = mesh.boundary.at("bottom"),
+                          .master = mesh.boundary.at("lower top"),
+                          .friction = pair.friction,
+                          .reach = pair.upper.size};
+  if (dim == 2 && pair.section == Section::meridian)
+    contact.motion.across = pair.speed;
+  else
+    contact.motion.velocity = pair.speed * Vector<dim>::Unit(0);
+  for (const auto& facet : contact.slave)
+    for (const int node : facet)
+      if (held.row(node).maxCoeff() != 0)
+        contact.along[node] =
+            (1 - held.row(node).template cast<double>().array()).matrix().asDiagonal();
+  return contact;
+}
+
+template <int dim>
+AssemblyParts<dim> two_bodies(const TwoBodies& pair) {
+  const Mesh<dim> mesh = mesh_of<dim>(pair);
+  const HeldInPair<dim> held(pair, mesh);
+  const std::size_t upper = block_of<dim>(pair, true).cells.size();
+  const double width = pair.upper.to - pair.upper.from, area = pair.section == Section::meridian
+                                                                   ? M_PI * width * width
+                                                               : dim == 3 ? width * pair.thick
+                                                                          : width;
+  const Scales scales = scales_of(pair, area);
   const auto surface = [&mesh](const char* name, double wear) {
-    Surface<2> made{.name = name, .facets = mesh.boundary.at(name), .wear = archard(wear)};
+    Surface<dim> made{.name = name, .facets = mesh.boundary.at(name), .wear = archard(wear)};
     made.wears = wear > 0;
     return made;
   };
-  const Load<2> load{.forces = uniform_load(mesh, "top", Vector<2>(0, -pair.force), pair.section),
-                     .presses = true};
-  AssemblyParts<2> parts{
+  const Load<dim> load{
+      .forces = surface_load<dim>(mesh, mesh.boundary.at("top"),
+                                  Vector<dim>(-pair.force * Vector<dim>::Unit(dim - 1)), true,
+                                  pair.section),
+      .presses = true};
+  AssemblyParts<dim> parts{
       .mesh = mesh,
-      .bodies = bodies,
-      .supports = {.held = held},
+      .bodies = bodies_of(pair, upper, mesh.cells.size()),
+      .supports = {.held = held.displacement},
       .loads = {load},
       .interface = {.surfaces = {surface("bottom", pair.upper.wear),
                                  surface("lower top", pair.lower.wear)},
                     .boundary = exterior_facets(mesh),
                     .normal_rule = pair.normal,
                     .friction = pair.friction,
-                    .rho = 0.1 * young / (width / pair.upper.along),
+                    .rho = 0.1 * pair.upper.young_modulus / (width / pair.upper.along),
                     .speed = pair.speed},
-      .shape = {.held = shape_held,
+      .shape = {.held = held.shape,
                 .law = {make_material("neo-hookean", ElasticModuli::from_young_poisson(1, 0.3))}},
       .scales = scales};
-  MortarPair<2> contact{.slave = mesh.boundary.at("bottom"),
-                        .master = mesh.boundary.at("lower top"),
-                        .motion = {},
-                        .friction = pair.friction,
-                        .reach = pair.upper.size};
-  if (pair.section == Section::meridian)
-    contact.motion.across = pair.speed;
-  else
-    contact.motion.velocity = Vector<2>(pair.speed, 0);
-  for (const auto& facet : contact.slave)
-    for (const int node : facet)
-      if (shape_held(node, 0)) contact.along[node] = Vector<2>(0, 1).asDiagonal();
-  parts.pairs = {contact};
+  parts.pairs = {contact_of(pair, mesh, held.displacement)};
   return parts;
 }
 
 /// The upper body alone, on a rigid plane at y = 0.
 inline AssemblyParts<2> upper_body(const TwoBodies& pair) {
-  AssemblyParts<2> parts = two_bodies(pair);
+  AssemblyParts<2> parts = two_bodies<2>(pair);
   const Mesh<2> both = std::move(parts.mesh);
   const int nodes = (pair.upper.along + 1) * (pair.upper.high + 1);
   parts.mesh = {};
