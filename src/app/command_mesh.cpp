@@ -52,10 +52,11 @@ void with_body(const fs::path& file, std::optional<double> size, const Show& sho
     return;
   }
   ImportedMesh mesh = read(file, size);
+  const std::vector<std::string> bodies = separate_groups(mesh);
   if (mesh.dimension == 2)
-    show(check_mesh<2>(std::move(mesh)));
+    show(check_mesh<2>(std::move(mesh), {}, 0, bodies));
   else
-    show(check_mesh<3>(std::move(mesh)));
+    show(check_mesh<3>(std::move(mesh), {}, 0, bodies));
 }
 
 /// Names of the coordinates. A file with a mesh does not say what its plane is; a result does.

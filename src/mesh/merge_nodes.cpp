@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <gnomon/base/tensor.hpp>
+#include <gnomon/mesh/imported_body.hpp>
 #include <numeric>
 
 #include "mesh/import_nodes.hpp"
@@ -42,6 +43,22 @@ std::vector<int> bodies_of_nodes(const ImportedMesh& mesh,
 }
 
 }  // namespace
+
+std::vector<std::string> separate_groups(const ImportedMesh& mesh) {
+  std::vector<std::string> names;
+  std::vector<int> group_of(mesh.nodes.size(), -1);
+  for (const MeshGroup& group : mesh.groups) {
+    if (group.dimension != mesh.dimension) continue;
+    const auto number = static_cast<int>(names.size());
+    names.push_back(group.name);
+    for (const int cell : group.members)
+      for (const int node : mesh.cells.at(cell)) {
+        if (group_of[node] >= 0 && group_of[node] != number) return {};
+        group_of[node] = number;
+      }
+  }
+  return names.size() > 1 ? names : std::vector<std::string>();
+}
 
 void merge_equal_nodes(ImportedMesh& mesh, const std::vector<std::string>& separate) {
   const std::vector<int> body = bodies_of_nodes(mesh, separate);

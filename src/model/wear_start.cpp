@@ -84,6 +84,28 @@ double indentation(const Assembly<dim>& body, double fraction) {
   return body.scales.displacement * std::cbrt(fraction * fraction);
 }
 
+/// Moves bodies of pairs that no support holds so far that a node of the slave is in contact: the
+/// mean gap over its share of the surface is larger than that where bodies touch.
+template <int dim>
+void close_gap_of_pairs(const WornBodyEquations<dim>& equations, const ComposedSystem<dim>& contact,
+                        std::size_t phase, FieldValues<dim>& values) {
+  const Assembly<dim>& body = equations.assembly();
+  const Touching<dim> touching(body);
+  NodalField<dim>& u = values.vector(equations.fields(phase).u);
+  u += touching.displacement;
+  const auto nodes = equations.contact_nodes(contact, values, {}, phase);
+  double overlap = 0;
+  for (const MortarPair<dim>& pair : body.pairs) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& facet : pair.slave)
+      for (const int node : facet)
+        if (const auto& at = nodes[static_cast<std::size_t>(body.contact_node(node))]; at.area > 0)
+          least = std::min(least, at.gap);
+    if (std::isfinite(least)) overlap = std::max(overlap, least);
+  }
+  u += (overlap + indentation(body, 1)) * touching.direction;
+}
+
 /// Moves body and counter-body together, or apart, until they touch at a point, so that the first
 /// matrix is not singular: moves the counter-body if it is free, otherwise the body. A counter-body
 /// that passes by in a phase leaves the body as it is. Returns the counter-body with the direction
@@ -93,12 +115,6 @@ CounterBody<dim> close_initial_gap(const WornBodyEquations<dim>& equations, std:
                                    FieldValues<dim>& values) {
   const Assembly<dim>& body = equations.assembly();
   CounterBody<dim> other = equations.phases()[phase].counter_body;
-  if (!body.pairs.empty()) {
-    const Touching<dim> touching(body);
-    values.vector(equations.fields(phase).u) +=
-        touching.displacement + indentation(body, 1) * touching.direction;
-    return other;
-  }
   const bool free = equations.phases()[phase].moves_freely();
   if (other.is_given() && !free) return other;
   const NodalField<dim>& d = values.vector(equations.fields().d);
@@ -147,6 +163,10 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
   };
   std::vector<Approach> approaches;
   for (std::size_t p = 0; p < equations.phases().size(); ++p) {
+    if (!equations.assembly().pairs.empty()) {
+      close_gap_of_pairs(equations, contact, p, values);
+      continue;
+    }
     const std::vector<Guide<dim>> guides = close_initial_gap(equations, p, values).guides;
     const FieldId field = equations.fields(p).w;
     for (std::size_t k = 0; field != FieldId::none && k < guides.size(); ++k)

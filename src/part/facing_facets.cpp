@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gnomon/shapes/counter_surface.hpp>
 #include <gnomon/terms/mortar_kernel.hpp>
 #include <set>
 
@@ -101,11 +102,16 @@ void leave(const std::vector<char>& kept, Facets& facets) {
 template <int dim>
 void keep_facing(const std::vector<Vector<dim>>& x, Section section, bool margin,
                  MortarPair<dim>& pair) {
+  // Facets that face away from each other are far behind each other.
+  const Box<dim> box = Box<dim>::around(x);
+  const double deepest = 0.01 * (box.high - box.low).norm();
   std::vector<char> slave(pair.slave.size(), 0), master(pair.master.size(), 0);
   for (std::size_t s = 0; s < slave.size(); ++s)
     for (std::size_t m = 0; m < master.size(); ++m) {
       const FacetPair<dim> both = pair_of<dim>(pair.slave[s], pair.master[m], x);
-      if (covered_part<dim>(both, section, pair.reach).mass.sum() > 0) slave[s] = master[m] = 1;
+      const CoveredPart<dim> part = covered_part<dim>(both, section, pair.reach);
+      if (part.mass.sum() > 0 && part.gap.sum() > -deepest * part.mass.sum())
+        slave[s] = master[m] = 1;
     }
   if (margin) {
     keep_beside<dim>(pair.slave, x, slave);

@@ -40,6 +40,10 @@ template <int dim>
 ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& ascending = {},
                              int splits = 0, const std::vector<std::string>& separate = {});
 
+/// The named groups of cells, if there are several and no node belongs to two of them: bodies of
+/// their own, unless a scene says otherwise. Else none.
+std::vector<std::string> separate_groups(const ImportedMesh& mesh);
+
 /// The facets of a boundary part. Throws InputError that says why there is none, with the nearest
 /// name, or all names.
 template <int dim>

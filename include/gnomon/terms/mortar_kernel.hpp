@@ -10,9 +10,10 @@
 //   gap_a       = int phi_a (x^2 - x^1) . n dS
 //   shared_ab   = int I(phi_a N_b) dS
 //
-// I interpolates linearly between the ends of the covered part in 2D, and is the identity in 3D:
-// the row and column sums of `shared` are those of `coupling`, and between equal meshes it is
-// diagonal, like the nodal quadrature of contact with a rigid body (docs/two_bodies.md).
+// I interpolates linearly between the ends of the covered part in 2D, and is the identity in 3D. The
+// row sums of `shared` are those of `coupling`, on flat interfaces the column sums, too; between
+// equal meshes it is diagonal, like the nodal quadrature of contact with a rigid body
+// (docs/two_bodies.md).
 //
 // The dual basis of the covered part of the slave facet, psi_a = sum_c A_ac phi_c with
 // A = diag(sum_b mass_ab) mass^-1 of the masses summed over all masters, gives D, M and g of the
