@@ -143,12 +143,7 @@ Assembly<dim>::Assembly(AssemblyParts<dim> parts) : AssemblyParts<dim>(std::move
   for (const MortarPair<dim>& pair : this->pairs)
     for (const auto& facet : pair.slave)
       for (const int node : facet) carries[static_cast<std::size_t>(contact_node(node))] = 1;
-  if (!this->pairs.empty()) {
-    const Touching<dim> moved(*this);
-    for (std::size_t node = 0; node < this->mesh.nodes.size(); ++node)
-      touching.push_back(this->mesh.nodes[node] +
-                         moved.displacement.row(static_cast<Eigen::Index>(node)).transpose());
-  }
+  if (!this->pairs.empty() && this->near.empty()) this->near = touching_nodes(*this);
   if (this->condensed) {
     std::vector<int> nodes;
     for (const ContactPatch<dim>& patch : contact_nodes) nodes.push_back(patch.node);

@@ -147,6 +147,15 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts)
   }
 }
 
+template <int dim>
+std::vector<Vector<dim>> touching_nodes(const AssemblyParts<dim>& parts) {
+  const Touching<dim> moved(parts);
+  std::vector<Vector<dim>> x = parts.mesh.nodes;
+  for (std::size_t node = 0; node < x.size(); ++node)
+    x[node] += moved.displacement.row(static_cast<Eigen::Index>(node)).transpose();
+  return x;
+}
+
 template std::vector<int> connected_parts(const Mesh<2>&);
 template std::vector<int> connected_parts(const Mesh<3>&);
 template double travel_to_touch(const MortarPair<2>&, const std::vector<Vector<2>>&);
@@ -155,6 +164,8 @@ template std::map<int, double> travels_of_slave(const MortarPair<2>&,
                                                 const std::vector<Vector<2>>&);
 template std::map<int, double> travels_of_slave(const MortarPair<3>&,
                                                 const std::vector<Vector<3>>&);
+template std::vector<Vector<2>> touching_nodes(const AssemblyParts<2>&);
+template std::vector<Vector<3>> touching_nodes(const AssemblyParts<3>&);
 template struct Touching<2>;
 template struct Touching<3>;
 

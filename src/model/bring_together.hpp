@@ -27,4 +27,8 @@ struct Touching {
   Touching(const AssemblyParts<dim>& parts);
 };
 
+/// Where the nodes are then.
+template <int dim>
+std::vector<Vector<dim>> touching_nodes(const AssemblyParts<dim>& parts);
+
 }  // namespace gnomon

@@ -152,11 +152,48 @@ std::optional<Succession> WearModel<dim>::succeed(const State& state) const {
   return Succession{std::move(next), std::move(start)};
 }
 
+template <int dim>
+std::vector<Vector<dim>> WearModel<dim>::positions(const State& state) const {
+  const FieldValues<dim> values = this->values(state);
+  std::vector<Vector<dim>> x = assembly().mesh.nodes;
+  for (std::size_t node = 0; node < x.size(); ++node) {
+    const auto row = static_cast<Eigen::Index>(node);
+    x[node] += (values.vector(equations_.fields().d).row(row) +
+                values.vector(equations_.fields().u).row(row))
+                   .transpose();
+  }
+  return x;
+}
+
+template <int dim>
+bool WearModel<dim>::have_moved(const std::vector<Vector<dim>>& x, double part) const {
+  return !std::ranges::all_of(assembly().pairs, [&](const MortarPair<dim>& pair) {
+    return is_within_margin(pair, assembly().near, x, part);
+  });
+}
+
+/// New candidates before facets leave the margin in which they were found.
+template <int dim>
+std::optional<Succession> WearModel<dim>::succeed_pairs(const State& state) const {
+  std::vector<Vector<dim>> x = positions(state);
+  if (!have_moved(x, 0.5)) return {};
+  AssemblyParts<dim> parts = assembly();
+  parts.near = std::move(x);
+  return Succession{std::make_shared<WearModel>(std::make_shared<const Assembly<dim>>(parts)),
+                    state, true};
+}
+
 template class OtherBoundary<2>;
 template class OtherBoundary<3>;
 template bool WearModel<2>::overdue(const State&) const;
 template bool WearModel<3>::overdue(const State&) const;
 template std::optional<Succession> WearModel<2>::succeed(const State&) const;
+template std::optional<Succession> WearModel<2>::succeed_pairs(const State&) const;
+template std::vector<Vector<2>> WearModel<2>::positions(const State&) const;
+template std::vector<Vector<3>> WearModel<3>::positions(const State&) const;
+template bool WearModel<2>::have_moved(const std::vector<Vector<2>>&, double) const;
+template bool WearModel<3>::have_moved(const std::vector<Vector<3>>&, double) const;
+template std::optional<Succession> WearModel<3>::succeed_pairs(const State&) const;
 template std::optional<Succession> WearModel<3>::succeed(const State&) const;
 
 }  // namespace gnomon

@@ -220,6 +220,10 @@ WearModel<dim>::WearModel(WornBodyEquations<dim> equations)
     can.succeed = [this](const State& state) { return succeed(state); };
     can.overdue = [this](const State& state) { return overdue(state); };
   }
+  if (!assembly().pairs.empty()) {
+    can.succeed = [this](const State& state) { return succeed_pairs(state); };
+    can.overdue = [this](const State& state) { return have_moved(positions(state), 1); };
+  }
   can.examine = [this](const State& state) { return examine(state); };
   if (assembly().pairs.empty())
     can.counter_surface = [this](const State& state) { return counter_surface(state); };

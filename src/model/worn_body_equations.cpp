@@ -128,7 +128,7 @@ MortarState<dim> mortar_state(const Assembly<dim>& body, const Phase<dim>& phase
                          .mesh = body.mesh,
                          .patches = body.contact_nodes,
                          .pairs = body.pairs,
-                         .near = body.touching,
+                         .near = body.near,
                          .surface_of = body.surface_of,
                          .wear_weight = body.wear_weight,
                          .normal_rule = body.interface.normal_rule,

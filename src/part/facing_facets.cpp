@@ -9,7 +9,6 @@
 #include <set>
 
 #include "mesh/facet_table.hpp"
-#include "model/bring_together.hpp"
 
 namespace gnomon::part {
 
@@ -36,15 +35,6 @@ std::vector<int> body_of_nodes(const AssemblyParts<dim>& parts) {
   for (std::size_t cell = 0; cell < body_of.size(); ++cell)
     for (const int node : parts.mesh.cells[cell]) result[node] = body_of[cell];
   return result;
-}
-
-template <int dim>
-std::vector<Vector<dim>> touching_nodes(const AssemblyParts<dim>& parts) {
-  const Touching<dim> moved(parts);
-  std::vector<Vector<dim>> x = parts.mesh.nodes;
-  for (std::size_t node = 0; node < x.size(); ++node)
-    x[node] += moved.displacement.row(static_cast<Eigen::Index>(node)).transpose();
-  return x;
 }
 
 namespace {
@@ -100,8 +90,8 @@ void leave(const std::vector<char>& kept, Facets& facets) {
 }  // namespace
 
 template <int dim>
-void keep_facing(const std::vector<Vector<dim>>& x, Section section, bool margin,
-                 MortarPair<dim>& pair) {
+void keep_facing(const std::vector<Vector<dim>>& x, Section section, MortarPair<dim>& pair,
+                 const std::function<bool(const typename Mesh<dim>::Facet&)>& always) {
   // Facets that face away from each other are far behind each other.
   const Box<dim> box = Box<dim>::around(x);
   const double deepest = 0.01 * (box.high - box.low).norm();
@@ -113,9 +103,11 @@ void keep_facing(const std::vector<Vector<dim>>& x, Section section, bool margin
       if (part.mass.sum() > 0 && part.gap.sum() > -deepest * part.mass.sum())
         slave[s] = master[m] = 1;
     }
-  if (margin) {
+  if (always) {
     keep_beside<dim>(pair.slave, x, slave);
     keep_beside<dim>(pair.master, x, master);
+    for (std::size_t s = 0; s < slave.size(); ++s) slave[s] |= always(pair.slave[s]);
+    for (std::size_t m = 0; m < master.size(); ++m) master[m] |= always(pair.master[m]);
   }
   leave(slave, pair.slave);
   leave(master, pair.master);
@@ -163,10 +155,10 @@ template class BodyOfFacets<2>;
 template class BodyOfFacets<3>;
 template std::vector<int> body_of_nodes(const AssemblyParts<2>&);
 template std::vector<int> body_of_nodes(const AssemblyParts<3>&);
-template std::vector<Vector<2>> touching_nodes(const AssemblyParts<2>&);
-template std::vector<Vector<3>> touching_nodes(const AssemblyParts<3>&);
-template void keep_facing(const std::vector<Vector<2>>&, Section, bool, MortarPair<2>&);
-template void keep_facing(const std::vector<Vector<3>>&, Section, bool, MortarPair<3>&);
+template void keep_facing(const std::vector<Vector<2>>&, Section, MortarPair<2>&,
+                          const std::function<bool(const Mesh<2>::Facet&)>&);
+template void keep_facing(const std::vector<Vector<3>>&, Section, MortarPair<3>&,
+                          const std::function<bool(const Mesh<3>::Facet&)>&);
 template double mean_size(const std::vector<Mesh<2>::Facet>&, const std::vector<Vector<2>>&);
 template double mean_size(const std::vector<Mesh<3>::Facet>&, const std::vector<Vector<3>>&);
 template void reverse(MortarPair<2>&);

@@ -1,6 +1,7 @@
 // Which facets of two bodies can touch each other, and which of the bodies is the slave.
 #pragma once
 
+#include <functional>
 #include <gnomon/model/assembly.hpp>
 #include <map>
 #include <string>
@@ -23,15 +24,12 @@ private:
 template <int dim>
 std::vector<int> body_of_nodes(const AssemblyParts<dim>& parts);
 
-/// Where the nodes are when bodies that contact alone holds touch each other.
-template <int dim>
-std::vector<Vector<dim>> touching_nodes(const AssemblyParts<dim>& parts);
-
 /// Leaves the facets that meet one of the other side along their normals, nodes at `x`, within the
-/// reach of the pair; with `margin` also those beside them.
+/// reach of the pair. With `always`, those of which this is true, and those beside the ones that
+/// are left, stay, too.
 template <int dim>
-void keep_facing(const std::vector<Vector<dim>>& x, Section section, bool margin,
-                 MortarPair<dim>& pair);
+void keep_facing(const std::vector<Vector<dim>>& x, Section section, MortarPair<dim>& pair,
+                 const std::function<bool(const typename Mesh<dim>::Facet&)>& always = {});
 
 /// The mean size of facets, edges of them in space [length].
 template <int dim>

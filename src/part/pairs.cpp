@@ -10,6 +10,7 @@
 #include <set>
 
 #include "mesh/facet_table.hpp"
+#include "model/bring_together.hpp"
 #include "part/body_motions.hpp"
 #include "part/facing_facets.hpp"
 #include "part/groups.hpp"
@@ -170,7 +171,7 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
                          .bodies = names};
     pair.reach =
         (Box<dim>::around(parts.mesh.nodes).high - Box<dim>::around(parts.mesh.nodes).low).norm();
-    keep_facing<dim>(parts.mesh.nodes, parts.section(), false, pair);
+    keep_facing<dim>(parts.mesh.nodes, parts.section(), pair);
     if (pair.slave.empty())
       throw InputError(
           fmt::format("{}: expected bodies that face each other, but no boundary of "
@@ -192,10 +193,14 @@ void restrict_pairs(const Magnitudes& expected, AssemblyParts<dim>& parts) {
   // Contact grows to where the gap at first touch is what wear and deformation close.
   const double reach = 3 * (expected.deepest + expected.scales.displacement);
   const std::vector<Vector<dim>> touching = touching_nodes(parts);
-  std::set<typename Mesh<dim>::Facet> kept;  // by sorted nodes
+  std::set<typename Mesh<dim>::Facet> kept, wearing;  // by sorted nodes
+  for (const Surface<dim>& surface : parts.interface.surfaces)
+    for (const auto& facet : surface.facets)
+      if (surface.wears) wearing.insert(sorted(facet));
   for (MortarPair<dim>& pair : parts.pairs) {
     pair.reach = reach;
-    keep_facing<dim>(touching, parts.section(), true, pair);
+    keep_facing<dim>(touching, parts.section(), pair,
+                     [&](const auto& facet) { return wearing.contains(sorted(facet)); });
     const std::string reason = choose_slave<dim>(touching, parts.bodies, pair);
     pair.reach = 2 * (reach + mean_size<dim>(pair.slave, touching));
     parts.remarks.push_back(

@@ -16,7 +16,39 @@ struct Ball {
   }
 };
 
+template <int dim>
+Vector<dim> normal_of(const typename Mesh<dim>::Facet& facet, const std::vector<Vector<dim>>& x) {
+  if constexpr (dim == 2) {
+    const Vector<2> a = x[facet[1]] - x[facet[0]];
+    return Vector<2>(a[1], -a[0]).normalized();
+  } else {
+    return (x[facet[2]] - x[facet[0]]).cross(x[facet[3]] - x[facet[1]]).normalized();
+  }
+}
+
+/// Of candidates, by the radius of the larger facet.
+constexpr double margin = 2;
+
 }  // namespace
+
+template <int dim>
+bool is_within_margin(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& near,
+                      const std::vector<Vector<dim>>& x, double part) {
+  Vector<dim> common = Vector<dim>::Zero();
+  double largest = 0;
+  for (const auto& facet : pair.slave) {
+    largest = std::max(largest, Ball<dim>(facet, near).radius);
+    for (const int node : facet)
+      common += (x[node] - near[node]) / double(facet.size() * pair.slave.size());
+  }
+  const auto strays = [&](const auto& facets) {
+    double most = 0;
+    for (const auto& facet : facets)
+      for (const int node : facet) most = std::max(most, (x[node] - near[node] - common).norm());
+    return most;
+  };
+  return strays(pair.slave) + strays(pair.master) <= part * margin * largest;
+}
 
 template <int dim>
 std::vector<std::vector<int>> mortar_candidates(const MortarPair<dim>& pair,
@@ -26,17 +58,24 @@ std::vector<std::vector<int>> mortar_candidates(const MortarPair<dim>& pair,
   std::vector<std::vector<int>> result;
   for (const auto& facet : pair.slave) {
     const Ball<dim> own(facet, x);
+    const Vector<dim> n = normal_of<dim>(facet, x);
     std::vector<int>& near = result.emplace_back();
     for (std::size_t k = 0; k < masters.size(); ++k) {
-      const double margin = 2 * std::max(own.radius, masters[k].radius);
-      if ((masters[k].centre - own.centre).norm() <=
-          own.radius + masters[k].radius + margin + pair.reach)
+      const double around =
+          own.radius + masters[k].radius + margin * std::max(own.radius, masters[k].radius);
+      const Vector<dim> to = masters[k].centre - own.centre;
+      const double ahead = n.dot(to);
+      if ((to - ahead * n).norm() <= around && std::abs(ahead) <= around + pair.reach)
         near.push_back(static_cast<int>(k));
     }
   }
   return result;
 }
 
+template bool is_within_margin(const MortarPair<2>&, const std::vector<Vector<2>>&,
+                               const std::vector<Vector<2>>&, double);
+template bool is_within_margin(const MortarPair<3>&, const std::vector<Vector<3>>&,
+                               const std::vector<Vector<3>>&, double);
 template std::vector<std::vector<int>> mortar_candidates(const MortarPair<2>&,
                                                          const std::vector<Vector<2>>&);
 template std::vector<std::vector<int>> mortar_candidates(const MortarPair<3>&,

@@ -145,6 +145,9 @@ struct AssemblyParts {
   /// Contact of the bodies with each other: then they have no rigid partner, of which the approach
   /// alone is read, and the facets of the pairs are those of the interface's surfaces.
   std::vector<MortarPair<dim>> pairs{};
+  /// Of pairs: positions of the nodes where facets that may meet are found [length]; empty: where
+  /// the bodies first touch each other.
+  std::vector<Vector<dim>> near{};
   ShapeMotion<dim> shape;
   std::optional<CyclicContact<dim>> cycle{};
   std::vector<Phase<dim>> phases{};             ///< of the cycle; empty: one steady state
@@ -197,8 +200,6 @@ struct Assembly : AssemblyParts<dim> {
   /// By contact node: whether it carries a multiplier. Sums over the contact are taken over these:
   /// the nodes of masters meet the same pressures a second time.
   std::vector<char> carries;
-  /// Of pairs: the nodes where bodies that contact alone holds touch each other [length].
-  std::vector<Vector<dim>> touching;
   /// By contact node: its part in the wear rate of its shape unknowns; empty: 1. With a
   /// cross-section, the length that it represents divided by the length of the path.
   std::vector<double> wear_weight;

@@ -31,5 +31,10 @@ struct MortarPair {
 template <int dim>
 std::vector<std::vector<int>> mortar_candidates(const MortarPair<dim>& pair,
                                                 const std::vector<Vector<dim>>& x);
+/// Whether the surfaces have moved relative to each other, from `near` to `x`, by no more than this
+/// part of the margin of candidates.
+template <int dim>
+bool is_within_margin(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& near,
+                      const std::vector<Vector<dim>>& x, double part);
 
 }  // namespace gnomon
