@@ -36,24 +36,35 @@ std::optional<double> distance_along(const Vector<dim>& point, const Vector<dim>
   return first >= -rounding ? std::optional(solution[0]) : std::nullopt;
 }
 
-/// The least travel of nodes along e to facets that face them.
-template <int dim, class Nodes>
-void take_least(const std::vector<Nodes>& from, const std::vector<typename Mesh<dim>::Facet>& to,
-                const Vector<dim>& e, const std::vector<Vector<dim>>& x, double& least) {
-  for (const auto& target : to)
-    for (const auto& simplex : simplices<dim>(target)) {
-      Vector<dim> normal;
-      const Vector<dim> a = x[simplex[1]] - x[simplex[0]];
-      if constexpr (dim == 2)
-        normal = Vector<2>(a[1], -a[0]);
-      else
-        normal = a.cross(x[simplex[2]] - x[simplex[0]]);
-      if (!(normal.dot(e) < 0)) continue;
-      for (const auto& facet : from)
-        for (const int node : facet)
+/// The facets that face along e.
+template <int dim>
+std::vector<typename Mesh<dim>::Facet> facing_along(
+    const Vector<dim>& e, const std::vector<typename Mesh<dim>::Facet>& facets,
+    const std::vector<Vector<dim>>& x) {
+  constexpr double oblique = 1e-6;
+  std::vector<typename Mesh<dim>::Facet> result;
+  for (const auto& facet : facets)
+    if (facet_normal<dim>(facet, x).dot(e) > oblique) result.push_back(facet);
+  return result;
+}
+
+/// By node of facets that face along e: the least travel along it to facets that face it.
+template <int dim>
+std::map<int, double> travels(const std::vector<typename Mesh<dim>::Facet>& from,
+                              const std::vector<typename Mesh<dim>::Facet>& to,
+                              const Vector<dim>& e, const std::vector<Vector<dim>>& x) {
+  std::map<int, double> travel;
+  const auto targets = facing_along<dim>(-e, to, x);
+  for (const auto& facet : facing_along<dim>(e, from, x))
+    for (const int node : facet) {
+      const auto [at, is_new] = travel.try_emplace(node, std::numeric_limits<double>::infinity());
+      if (!is_new) continue;
+      for (const auto& target : targets)
+        for (const auto& simplex : simplices<dim>(target))
           if (const auto s = distance_along<dim>(x[node], e, simplex, x))
-            least = std::min(least, *s);
+            at->second = std::min(at->second, *s);
     }
+  return travel;
 }
 
 }  // namespace
@@ -95,22 +106,16 @@ std::vector<char> held_nodes(const AssemblyParts<dim>& parts, const std::vector<
 template <int dim>
 double travel_to_touch(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x) {
   double least = std::numeric_limits<double>::infinity();
-  take_least<dim>(pair.slave, pair.master, -pair.approach, x, least);
-  take_least<dim>(pair.master, pair.slave, pair.approach, x, least);
+  for (const auto& travel : {travels<dim>(pair.slave, pair.master, -pair.approach, x),
+                             travels<dim>(pair.master, pair.slave, pair.approach, x)})
+    for (const auto& [node, s] : travel) least = std::min(least, s);
   return least;
 }
 
 template <int dim>
 std::map<int, double> travels_of_slave(const MortarPair<dim>& pair,
                                        const std::vector<Vector<dim>>& x) {
-  std::map<int, double> travel;
-  for (const auto& facet : pair.slave)
-    for (const int node : facet) {
-      const auto [at, is_new] = travel.try_emplace(node, std::numeric_limits<double>::infinity());
-      if (is_new)
-        take_least<dim>(std::vector{std::array{node}}, pair.master, -pair.approach, x, at->second);
-    }
-  return travel;
+  return travels<dim>(pair.slave, pair.master, -pair.approach, x);
 }
 
 template <int dim>

@@ -184,7 +184,8 @@ Examination WearModel<dim>::examine(const State& state) const {
   facts.touches = std::ranges::any_of(contacts, touches<dim>);
   facts.gap = std::numeric_limits<double>::infinity();
   for (const PhaseContact<dim>& phase : contacts)
-    for (const ContactNode<dim>& node : phase.nodes) facts.gap = std::min(facts.gap, node.gap);
+    for (std::size_t c = 0; c < phase.nodes.size(); ++c)
+      if (assembly().carries[c]) facts.gap = std::min(facts.gap, phase.nodes[c].gap);
   return facts;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <gnomon/shapes/counter_surface.hpp>
 #include <gnomon/terms/mortar_kernel.hpp>
+#include <limits>
+#include <numeric>
 #include <set>
 
 #include "mesh/facet_table.hpp"
@@ -39,22 +41,12 @@ std::vector<int> body_of_nodes(const AssemblyParts<dim>& parts) {
 
 namespace {
 
-template <int dim>
-Vector<dim> normal_of(const typename Mesh<dim>::Facet& facet, const std::vector<Vector<dim>>& x) {
-  if constexpr (dim == 2) {
-    const Vector<2> a = x[facet[1]] - x[facet[0]];
-    return Vector<2>(a[1], -a[0]).normalized();
-  } else {
-    return (x[facet[2]] - x[facet[0]]).cross(x[facet[3]] - x[facet[1]]).normalized();
-  }
-}
-
 /// Flat, where it is now.
 template <int dim>
 FacetPair<dim> pair_of(const typename Mesh<dim>::Facet& slave,
                        const typename Mesh<dim>::Facet& master, const std::vector<Vector<dim>>& x) {
   FacetPair<dim> pair;
-  const Vector<dim> n = normal_of<dim>(slave, x);
+  const Vector<dim> n = facet_normal<dim>(slave, x);
   for (int a = 0; a < Mesh<dim>::facet_nodes; ++a) {
     pair.x.row(a) = x[slave[a]].transpose();
     pair.n.row(a) = n.transpose();
@@ -64,21 +56,32 @@ FacetPair<dim> pair_of(const typename Mesh<dim>::Facet& slave,
   return pair;
 }
 
-/// Adds those that share a node with one that is kept, and face about the same way.
+/// Adds those that share a node with one that is kept, and face about the same way; again and again
+/// those that are `wanted`, the others once.
 template <int dim>
 void keep_beside(const std::vector<typename Mesh<dim>::Facet>& facets,
-                 const std::vector<Vector<dim>>& x, std::vector<char>& kept) {
+                 const std::vector<Vector<dim>>& x, const std::vector<char>& wanted,
+                 std::vector<char>& kept) {
   constexpr double same_way = 0.5;             // cosine
-  std::map<int, std::vector<std::size_t>> at;  // by node, of those kept
+  std::map<int, std::vector<std::size_t>> at;  // by node
   for (std::size_t f = 0; f < facets.size(); ++f)
-    if (kept[f])
-      for (const int node : facets[f]) at[node].push_back(f);
+    for (const int node : facets[f]) at[node].push_back(f);
+  std::vector<std::size_t> fresh;
   for (std::size_t f = 0; f < facets.size(); ++f)
-    for (const int node : facets[f])
-      if (const auto found = at.find(node); found != at.end())
-        for (const std::size_t other : found->second)
-          if (normal_of<dim>(facets[f], x).dot(normal_of<dim>(facets[other], x)) > same_way)
-            kept[f] = 1;
+    if (kept[f]) fresh.push_back(f);
+  for (bool first = true; !fresh.empty(); first = false) {
+    std::vector<std::size_t> next;
+    for (const std::size_t f : fresh)
+      for (const int node : facets[f])
+        for (const std::size_t other : at[node]) {
+          if (kept[other] || (!first && !wanted[other])) continue;
+          if (facet_normal<dim>(facets[f], x).dot(facet_normal<dim>(facets[other], x)) <= same_way)
+            continue;
+          kept[other] = 1;
+          next.push_back(other);
+        }
+    fresh = std::move(next);
+  }
 }
 
 template <class Facets>
@@ -90,30 +93,6 @@ void leave(const std::vector<char>& kept, Facets& facets) {
 }  // namespace
 
 template <int dim>
-void keep_facing(const std::vector<Vector<dim>>& x, Section section, MortarPair<dim>& pair,
-                 const std::function<bool(const typename Mesh<dim>::Facet&)>& always) {
-  // Facets that face away from each other are far behind each other.
-  const Box<dim> box = Box<dim>::around(x);
-  const double deepest = 0.01 * (box.high - box.low).norm();
-  std::vector<char> slave(pair.slave.size(), 0), master(pair.master.size(), 0);
-  for (std::size_t s = 0; s < slave.size(); ++s)
-    for (std::size_t m = 0; m < master.size(); ++m) {
-      const FacetPair<dim> both = pair_of<dim>(pair.slave[s], pair.master[m], x);
-      const CoveredPart<dim> part = covered_part<dim>(both, section, pair.reach);
-      if (part.mass.sum() > 0 && part.gap.sum() > -deepest * part.mass.sum())
-        slave[s] = master[m] = 1;
-    }
-  if (always) {
-    keep_beside<dim>(pair.slave, x, slave);
-    keep_beside<dim>(pair.master, x, master);
-    for (std::size_t s = 0; s < slave.size(); ++s) slave[s] |= always(pair.slave[s]);
-    for (std::size_t m = 0; m < master.size(); ++m) master[m] |= always(pair.master[m]);
-  }
-  leave(slave, pair.slave);
-  leave(master, pair.master);
-}
-
-template <int dim>
 double mean_size(const std::vector<typename Mesh<dim>::Facet>& facets,
                  const std::vector<Vector<dim>>& x) {
   double sum = 0;
@@ -123,9 +102,89 @@ double mean_size(const std::vector<typename Mesh<dim>::Facet>& facets,
   return sum / static_cast<double>(facets.size() * Mesh<dim>::facet_nodes);
 }
 
+namespace {
+
+/// Of a facet that meets none.
+constexpr double far = std::numeric_limits<double>::infinity();
+
+/// By facet of either side: the smallest mean gap to one of the other that it meets along the
+/// slave's normal.
+template <int dim>
+std::array<std::vector<double>, 2> gaps_of(const MortarPair<dim>& pair,
+                                           const std::vector<Vector<dim>>& x, Section section) {
+  constexpr double opposite = -0.2;  // cosine
+  // Facets that face away from each other are far behind each other.
+  const Box<dim> box = Box<dim>::around(x);
+  const double deepest = 0.01 * (box.high - box.low).norm();
+  std::array<std::vector<double>, 2> gaps = {std::vector<double>(pair.slave.size(), far),
+                                             std::vector<double>(pair.master.size(), far)};
+  std::vector<Vector<dim>> normals;
+  for (const auto& facet : pair.master) normals.push_back(facet_normal<dim>(facet, x));
+  for (std::size_t s = 0; s < pair.slave.size(); ++s) {
+    const Vector<dim> n = facet_normal<dim>(pair.slave[s], x);
+    for (std::size_t m = 0; m < pair.master.size(); ++m) {
+      if (n.dot(normals[m]) > opposite) continue;
+      const CoveredPart<dim> part =
+          covered_part<dim>(pair_of<dim>(pair.slave[s], pair.master[m], x), section, pair.reach);
+      if (!(part.mass.sum() > 0)) continue;
+      const double gap = part.gap.sum() / part.mass.sum();
+      if (gap < -deepest) continue;
+      gaps[0][s] = std::min(gaps[0][s], gap);
+      gaps[1][m] = std::min(gaps[1][m], gap);
+    }
+  }
+  return gaps;
+}
+
+/// Mean edge of the few facets with the smallest gaps [length].
+template <int dim>
+double size_near_touch(const std::vector<typename Mesh<dim>::Facet>& facets,
+                       const std::vector<double>& gaps, const std::vector<Vector<dim>>& x) {
+  const std::size_t few = std::min<std::size_t>(dim == 2 ? 4 : 12, facets.size());
+  std::vector<std::size_t> order(facets.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::partial_sort(order, order.begin() + std::ptrdiff_t(few), {},
+                            [&](std::size_t f) { return gaps[f]; });
+  std::vector<typename Mesh<dim>::Facet> nearest;
+  for (std::size_t k = 0; k < few; ++k) nearest.push_back(facets[order[k]]);
+  return mean_size<dim>(nearest, x);
+}
+
+}  // namespace
+
+template <int dim>
+void keep_facing(const std::vector<Vector<dim>>& x, Section section, MortarPair<dim>& pair) {
+  const auto gaps = gaps_of(pair, x, section);
+  const auto meets = [](double gap) { return static_cast<char>(gap < far); };
+  std::vector<char> slave(gaps[0].size()), master(gaps[1].size());
+  std::ranges::transform(gaps[0], slave.begin(), meets);
+  std::ranges::transform(gaps[1], master.begin(), meets);
+  leave(slave, pair.slave);
+  leave(master, pair.master);
+}
+
+template <int dim>
+void join_beside(const std::vector<Vector<dim>>& x, MortarPair<dim>& pair,
+                 const std::function<bool(const typename Mesh<dim>::Facet&)>& wears) {
+  for (const std::size_t side : {0u, 1u}) {
+    auto& chosen = side == 0 ? pair.slave : pair.master;
+    const auto& all = pair.boundary[side];
+    const std::set<typename Mesh<dim>::Facet> already(chosen.begin(), chosen.end());
+    std::vector<char> kept, wanted;
+    for (const auto& facet : all) {
+      kept.push_back(already.contains(facet));
+      wanted.push_back(wears(facet));
+    }
+    keep_beside<dim>(all, x, wanted, kept);
+    chosen = all;
+    leave(kept, chosen);
+  }
+}
+
 template <int dim>
 void reverse(MortarPair<dim>& pair) {
   std::swap(pair.slave, pair.master);
+  std::swap(pair.boundary[0], pair.boundary[1]);
   std::swap(pair.bodies[0], pair.bodies[1]);
   pair.approach *= -1;
   pair.motion.velocity *= -1;
@@ -135,10 +194,12 @@ void reverse(MortarPair<dim>& pair) {
 }
 
 template <int dim>
-std::string choose_slave(const std::vector<Vector<dim>>& x, const std::vector<Body>& bodies,
-                         MortarPair<dim>& pair) {
+std::string choose_slave(const std::vector<Vector<dim>>& x, Section section,
+                         const std::vector<Body>& bodies, MortarPair<dim>& pair) {
   constexpr double equal = 1.1;
-  const double slave = mean_size<dim>(pair.slave, x), master = mean_size<dim>(pair.master, x);
+  const auto gaps = gaps_of(pair, x, section);
+  const double slave = size_near_touch<dim>(pair.slave, gaps[0], x),
+               master = size_near_touch<dim>(pair.master, gaps[1], x);
   const auto modulus = [&](int side) {
     return std::ranges::find(bodies, pair.bodies[side], &Body::name)->material.young_modulus;
   };
@@ -155,17 +216,19 @@ template class BodyOfFacets<2>;
 template class BodyOfFacets<3>;
 template std::vector<int> body_of_nodes(const AssemblyParts<2>&);
 template std::vector<int> body_of_nodes(const AssemblyParts<3>&);
-template void keep_facing(const std::vector<Vector<2>>&, Section, MortarPair<2>&,
+template void keep_facing(const std::vector<Vector<2>>&, Section, MortarPair<2>&);
+template void keep_facing(const std::vector<Vector<3>>&, Section, MortarPair<3>&);
+template void join_beside(const std::vector<Vector<2>>&, MortarPair<2>&,
                           const std::function<bool(const Mesh<2>::Facet&)>&);
-template void keep_facing(const std::vector<Vector<3>>&, Section, MortarPair<3>&,
+template void join_beside(const std::vector<Vector<3>>&, MortarPair<3>&,
                           const std::function<bool(const Mesh<3>::Facet&)>&);
 template double mean_size(const std::vector<Mesh<2>::Facet>&, const std::vector<Vector<2>>&);
 template double mean_size(const std::vector<Mesh<3>::Facet>&, const std::vector<Vector<3>>&);
 template void reverse(MortarPair<2>&);
 template void reverse(MortarPair<3>&);
-template std::string choose_slave(const std::vector<Vector<2>>&, const std::vector<Body>&,
+template std::string choose_slave(const std::vector<Vector<2>>&, Section, const std::vector<Body>&,
                                   MortarPair<2>&);
-template std::string choose_slave(const std::vector<Vector<3>>&, const std::vector<Body>&,
+template std::string choose_slave(const std::vector<Vector<3>>&, Section, const std::vector<Body>&,
                                   MortarPair<3>&);
 
 }  // namespace gnomon::part

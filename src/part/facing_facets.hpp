@@ -25,11 +25,15 @@ template <int dim>
 std::vector<int> body_of_nodes(const AssemblyParts<dim>& parts);
 
 /// Leaves the facets that meet one of the other side along their normals, nodes at `x`, within the
-/// reach of the pair. With `always`, those of which this is true, and those beside the ones that
-/// are left, stay, too.
+/// reach of the pair.
 template <int dim>
-void keep_facing(const std::vector<Vector<dim>>& x, Section section, MortarPair<dim>& pair,
-                 const std::function<bool(const typename Mesh<dim>::Facet&)>& always = {});
+void keep_facing(const std::vector<Vector<dim>>& x, Section section, MortarPair<dim>& pair);
+
+/// Adds facets of the boundary beside them that face about the same way: one at each end, and all
+/// that wear and go on from there.
+template <int dim>
+void join_beside(const std::vector<Vector<dim>>& x, MortarPair<dim>& pair,
+                 const std::function<bool(const typename Mesh<dim>::Facet&)>& wears);
 
 /// The mean size of facets, edges of them in space [length].
 template <int dim>
@@ -40,11 +44,11 @@ double mean_size(const std::vector<typename Mesh<dim>::Facet>& facets,
 template <int dim>
 void reverse(MortarPair<dim>& pair);
 
-/// The slave is the side of the coarser mesh, or where they are equal, of the stiffer body: a fine
-/// slave would feel the facets of the master. Reverses the pair where it has to be, and says why it
-/// is so.
+/// The slave is the side of the coarser mesh where they first touch, or where they are equal, of
+/// the stiffer body: a fine slave would feel the facets of the master. Reverses the pair where it
+/// has to be, and says why it is so.
 template <int dim>
-std::string choose_slave(const std::vector<Vector<dim>>& x, const std::vector<Body>& bodies,
-                         MortarPair<dim>& pair);
+std::string choose_slave(const std::vector<Vector<dim>>& x, Section section,
+                         const std::vector<Body>& bodies, MortarPair<dim>& pair);
 
 }  // namespace gnomon::part

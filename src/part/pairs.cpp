@@ -171,6 +171,7 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
                          .bodies = names};
     pair.reach =
         (Box<dim>::around(parts.mesh.nodes).high - Box<dim>::around(parts.mesh.nodes).low).norm();
+    pair.boundary = {pair.slave, pair.master};
     keep_facing<dim>(parts.mesh.nodes, parts.section(), pair);
     if (pair.slave.empty())
       throw InputError(
@@ -189,29 +190,31 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
 }
 
 template <int dim>
-void restrict_pairs(const Magnitudes& expected, AssemblyParts<dim>& parts) {
+void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Magnitudes& expected,
+                    AssemblyParts<dim>& parts) {
   // Contact grows to where the gap at first touch is what wear and deformation close.
   const double reach = 3 * (expected.deepest + expected.scales.displacement);
   const std::vector<Vector<dim>> touching = touching_nodes(parts);
-  std::set<typename Mesh<dim>::Facet> kept, wearing;  // by sorted nodes
-  for (const Surface<dim>& surface : parts.interface.surfaces)
-    for (const auto& facet : surface.facets)
-      if (surface.wears) wearing.insert(sorted(facet));
+  std::set<typename Mesh<dim>::Facet> wearing;  // by sorted nodes
+  for (const Surface<dim>& surface : wearing_surfaces(scene, part))
+    for (const auto& facet : surface.facets) wearing.insert(sorted(facet));
   for (MortarPair<dim>& pair : parts.pairs) {
     pair.reach = reach;
-    keep_facing<dim>(touching, parts.section(), pair,
+    keep_facing<dim>(touching, parts.section(), pair);
+    const std::string reason = choose_slave<dim>(touching, parts.section(), parts.bodies, pair);
+    join_beside<dim>(touching, pair,
                      [&](const auto& facet) { return wearing.contains(sorted(facet)); });
-    const std::string reason = choose_slave<dim>(touching, parts.bodies, pair);
     pair.reach = 2 * (reach + mean_size<dim>(pair.slave, touching));
     parts.remarks.push_back(
         fmt::format("\"{}\" may touch \"{}\" with {} facets, which carry the pressures since {}",
                     pair.bodies[0], pair.bodies[1], pair.slave.size(), reason));
-    for (const auto* side : {&pair.slave, &pair.master})
-      for (const auto& facet : *side) kept.insert(sorted(facet));
   }
   parts.interface.partner.approach = parts.pairs.front().approach;
-  for (Surface<dim>& surface : parts.interface.surfaces)
-    std::erase_if(surface.facets, [&](const auto& facet) { return !kept.contains(sorted(facet)); });
+  std::vector<Surface<dim>> surfaces = surfaces_of(scene, part, parts.pairs);
+  for (Surface<dim>& surface : surfaces)
+    for (const Surface<dim>& before : parts.interface.surfaces)
+      if (before.wears && before.name == surface.name) surface.wear = before.wear;
+  parts.interface.surfaces = std::move(surfaces);
 }
 
 template <int dim>
@@ -227,8 +230,10 @@ void keep_normals_to_supports(AssemblyParts<dim>& parts) {
 
 template void read_pairs(const Scene&, const ImportedBody<2>&, AssemblyParts<2>&);
 template void read_pairs(const Scene&, const ImportedBody<3>&, AssemblyParts<3>&);
-template void restrict_pairs(const Magnitudes&, AssemblyParts<2>&);
-template void restrict_pairs(const Magnitudes&, AssemblyParts<3>&);
+template void restrict_pairs(const Scene&, const ImportedBody<2>&, const Magnitudes&,
+                             AssemblyParts<2>&);
+template void restrict_pairs(const Scene&, const ImportedBody<3>&, const Magnitudes&,
+                             AssemblyParts<3>&);
 template void keep_normals_to_supports(AssemblyParts<2>&);
 template void keep_normals_to_supports(AssemblyParts<3>&);
 

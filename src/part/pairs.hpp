@@ -25,7 +25,8 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
 
 /// Leaves what can touch in a run that is expected to have these magnitudes, and chooses slaves.
 template <int dim>
-void restrict_pairs(const Magnitudes& expected, AssemblyParts<dim>& parts);
+void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Magnitudes& expected,
+                    AssemblyParts<dim>& parts);
 
 /// Where supports hold a node of a slave in some directions, as in a symmetry, its normal lies in
 /// the others.

@@ -254,7 +254,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   if (parts.pairs.empty())
     join_reachable_boundary(magnitudes, parts);
   else
-    restrict_pairs(magnitudes, parts);
+    restrict_pairs(scene, part, magnitudes, parts);
   const std::optional<CyclicMotion<dim>> cycle =
       parts.cycle ? std::optional(parts.cycle->motion) : std::nullopt;
   if (cycle) require_gross_sliding(scene, *cycle, parts);

@@ -16,8 +16,14 @@ struct Ball {
   }
 };
 
+/// Of candidates, by the radius of the larger facet.
+constexpr double margin = 2;
+
+}  // namespace
+
 template <int dim>
-Vector<dim> normal_of(const typename Mesh<dim>::Facet& facet, const std::vector<Vector<dim>>& x) {
+Vector<dim> facet_normal(const typename Mesh<dim>::Facet& facet,
+                         const std::vector<Vector<dim>>& x) {
   if constexpr (dim == 2) {
     const Vector<2> a = x[facet[1]] - x[facet[0]];
     return Vector<2>(a[1], -a[0]).normalized();
@@ -25,11 +31,6 @@ Vector<dim> normal_of(const typename Mesh<dim>::Facet& facet, const std::vector<
     return (x[facet[2]] - x[facet[0]]).cross(x[facet[3]] - x[facet[1]]).normalized();
   }
 }
-
-/// Of candidates, by the radius of the larger facet.
-constexpr double margin = 2;
-
-}  // namespace
 
 template <int dim>
 bool is_within_margin(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& near,
@@ -58,7 +59,7 @@ std::vector<std::vector<int>> mortar_candidates(const MortarPair<dim>& pair,
   std::vector<std::vector<int>> result;
   for (const auto& facet : pair.slave) {
     const Ball<dim> own(facet, x);
-    const Vector<dim> n = normal_of<dim>(facet, x);
+    const Vector<dim> n = facet_normal<dim>(facet, x);
     std::vector<int>& near = result.emplace_back();
     for (std::size_t k = 0; k < masters.size(); ++k) {
       const double around =
@@ -72,6 +73,8 @@ std::vector<std::vector<int>> mortar_candidates(const MortarPair<dim>& pair,
   return result;
 }
 
+template Vector<2> facet_normal<2>(const Mesh<2>::Facet&, const std::vector<Vector<2>>&);
+template Vector<3> facet_normal<3>(const Mesh<3>::Facet&, const std::vector<Vector<3>>&);
 template bool is_within_margin(const MortarPair<2>&, const std::vector<Vector<2>>&,
                                const std::vector<Vector<2>>&, double);
 template bool is_within_margin(const MortarPair<3>&, const std::vector<Vector<3>>&,

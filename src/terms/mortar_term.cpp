@@ -200,7 +200,7 @@ template <int dim>
 void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
                                 SideState& state) const {
   const ContactPatch<dim>& own = patch(side);
-  if (!state.active || !own.may_move()) return;
+  if (!state.active) return;
   const PatchNodal<dim> X = positions(at, own, false);
   const double friction = pair(side).friction, speed = state.speed();
   const double p = state.pressure();
@@ -211,6 +211,7 @@ void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
                      law_branch(at, side));
   state.rate_by_pressure = state.rate.by_pressure + friction * speed * state.rate.by_friction_power;
   state.rate_by_speed = state.rate.by_speed + friction * p * state.rate.by_friction_power;
+  if (!own.may_move()) return;
   state.direction.emplace(own, X, state_.normal_rule);
   if (state.rate.value != 0) require_direction(own, state.direction->value);
 }
@@ -392,8 +393,10 @@ std::vector<ContactNode<dim>> MortarTerm<dim>::nodes(const Evaluation<dim>& at) 
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     const SideState& state = result.sides[s];
     ContactNode<dim>& node = nodes[sides_[s].node];
-    const double area = node.area + state.area, flux = node.area * node.wear_rate,
-                 load = node.area * node.traction;
+    // A node that the partner hardly covers has a pressure of no meaning.
+    const double least = state.load > 0 ? 0.1 * patch(sides_[s]).initial_area : 0;
+    const double area = node.area + std::max(state.area, least);
+    const double flux = node.area * node.wear_rate, load = node.area * node.traction;
     node.active = node.active || state.active;
     node.force += state.force;
     if (state.normal) node.normal = -state.normal->value;

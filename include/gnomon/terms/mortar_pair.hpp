@@ -14,6 +14,8 @@ struct MortarPair {
   using Facet = typename Mesh<dim>::Facet;
   std::vector<Facet> slave;   ///< its nodes carry the multipliers
   std::vector<Facet> master;  ///< no node of the slave's
+  /// All boundary of the slave's body and of the master's, of which these are parts.
+  std::array<std::vector<Facet>, 2> boundary{};
   /// The direction in which the master comes near to the slave: unit.
   Vector<dim> approach = Vector<dim>::Unit(dim - 1);
   /// Of the master's material relative to the slave's, v^2 - F V of eq. (6).
@@ -25,6 +27,11 @@ struct MortarPair {
   /// supports, as of a symmetry, leave it fewer than all.
   std::map<int, Tensor<dim>> along{};
 };
+
+/// The outward normal at the centre of a facet, unit, nodes at `x`.
+template <int dim>
+Vector<dim> facet_normal(const typename Mesh<dim>::Facet& facet,
+                         const std::vector<Vector<dim>>& x);
 
 /// By slave facet of a pair: the masters that may cover it, by their positions in `master`; those
 /// near to it where the nodes are at `x`, with a margin of a facet around.
