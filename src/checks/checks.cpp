@@ -36,7 +36,7 @@ std::string point_text(const std::array<double, 3>& x) {
 
 std::vector<std::string> doubts(const Examination& facts) {
   constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
-                   wedged = 50, inside = 1e-3, renewed = 0.02, rounding = 1e-9;
+                   wedged = 50, lost = 0.02, inside = 1e-3, renewed = 0.02, rounding = 1e-9;
   std::vector<std::string> found;
   const bool loaded = largest_force(facts) > rounding * facts.force;
   if (const double left = norm(sum_of(facts.forces, &ResultantForce::force));
@@ -56,6 +56,11 @@ std::vector<std::string> doubts(const Examination& facts) {
         fmt::format("{:.0f} % of the loads act on nodes that supports hold in the same direction: "
                     "they do not press the bodies on each other",
                     100 * facts.idle_load));
+  if (facts.lost_wear > lost)
+    found.push_back(
+        fmt::format("{:.2g} of the wear of a body is at contact nodes whose shape is held, and is "
+                    "lost: shape.hold, or the end of the wearing surface at a curved side",
+                    facts.lost_wear));
   if (facts.intrusion && facts.intrusion->depth > deep * facts.deformation)
     found.push_back(fmt::format(
         "boundary that is not in contact lies {:.3g} mm inside the counter-body, at {}: it should "

@@ -160,6 +160,27 @@ double find_wedging(const std::vector<Phase<dim>>& phases,
   return most;
 }
 
+template <int dim>
+double find_lost_wear(const Assembly<dim>& assembly,
+                      const std::vector<PhaseContact<dim>>& contacts) {
+  std::vector<int> body_of(assembly.mesh.nodes.size(), 0);
+  for (std::size_t cell = 0; cell < assembly.mesh.cells.size(); ++cell)
+    for (const int node : assembly.mesh.cells[cell]) body_of[node] = assembly.body_of[cell];
+  std::vector<double> all(assembly.bodies.size(), 0), lost = all;
+  for (const auto& [weight, nodes] : contacts)
+    for (std::size_t c = 0; c < nodes.size(); ++c) {
+      const ContactPatch<dim>& patch = assembly.contact_nodes[c];
+      const double flux = weight * nodes[c].area * nodes[c].wear_rate;
+      all[body_of[patch.node]] += flux;
+      if (assembly.wears(static_cast<int>(c)) && !patch.may_move())
+        lost[body_of[patch.node]] += flux;
+    }
+  double most = 0;
+  for (std::size_t b = 0; b < all.size(); ++b)
+    if (all[b] > 0) most = std::max(most, lost[b] / all[b]);
+  return most;
+}
+
 }  // namespace
 
 template <int dim>
@@ -177,6 +198,7 @@ Examination WearModel<dim>::examine(const State& state) const {
   if (state.t > 0) facts.gap_error = gap_error(state, values, contacts);
   if (assembly().pairs.empty()) facts.overlap = find_overlap(equations_);
   if (assembly().loads.empty()) facts.wedging = find_wedging(equations_.phases(), contacts);
+  facts.lost_wear = find_lost_wear(assembly(), contacts);
   facts.deformation = assembly().scales.displacement;
   facts.force = assembly().copies * assembly().scales.force;
   const Box<dim> box = Box<dim>::around(assembly().mesh.nodes);

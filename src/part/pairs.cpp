@@ -88,6 +88,7 @@ Facets<dim> boundary_of(const Scene& scene, const std::string& pair, const Impor
 template <int dim>
 Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& parts,
                         const std::array<int, 2>& bodies) {
+  constexpr double away = 0.1;  // cosine
   Vector<dim> outward = Vector<dim>::Zero();
   for (const auto& patch : contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section()))
     outward += patch.initial_area * patch.initial_normal;
@@ -106,7 +107,8 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
     // A load along directions that supports hold does not press.
     const Vector<dim> free = (held[side].array() == 0).select(load[side], 0.0);
     const Vector<dim> presses = side == 0 ? Vector<dim>(-free) : free;
-    if (presses.norm() > 0 && !(presses.dot(outward) > 0)) return presses.normalized();
+    if (presses.norm() > 0 && presses.dot(outward) <= away * presses.norm() * outward.norm())
+      return presses.normalized();
   }
   return outward.norm() > 0 ? Vector<dim>(-outward.normalized()) : Vector<dim>::Unit(dim - 1);
 }

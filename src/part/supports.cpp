@@ -228,9 +228,12 @@ void require_pressing_loads(const Scene& scene, const AssemblyParts<dim>& parts,
           pressing += phase.load * parts.loads[k].history.factor(at, *t) * works[k];
         if (pressing <= 0)
           throw InputError(fmt::format(
-              "{}: [[load]]: expected loads that press {} on what it touches at any time, since "
-              "nothing else holds it there, got {:.3g} of the loads at t = {:g} s{}",
-              scene.path().string(), name_of(parts, part), whole > 0 ? pressing / whole : 0, at,
+              "{}: [[load]]: expected loads that press {} at any time, since nothing else holds "
+              "them there, got {:.3g} of the loads at t = {:g} s{}",
+              scene.path().string(),
+              parts.pairs.empty() ? "the bodies on the counter-body"
+                                  : name_of(parts, part) + " and what it touches on each other",
+              whole > 0 ? pressing / whole : 0, at,
               parts.cycle ? fmt::format(", tau = {:.3g} of the cycle", phase.position) : ""));
       }
 }

@@ -67,6 +67,9 @@ struct Examination {
   /// Contact forces, added up without regard to their directions, by what presses a free
   /// counter-body; 0 where none is free, one turns, or loads press on the bodies.
   double wedging = 0;
+  /// The part of the wear at nodes whose shape is held, so that it is lost; of the body that loses
+  /// most.
+  double lost_wear = 0;
   std::optional<GapError> gap_error{};  ///< where wear is a gap
   double deformation = 0;  ///< typical displacement: much less of a depth does not count [length]
   double force = 0;        ///< typical: a small part of it is rounding
