@@ -329,6 +329,7 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
   ContactSurface surface =
       surface_of<dim>(assembly().mesh, assembly().contact_nodes,
                       values.vector(equations_.fields().d), values.vector(equations_.fields().u));
+  if (!assembly().pairs.empty()) find_bodies(*this->grid, surface);
   for (std::size_t c = 0; c < surface.node.size(); ++c) {
     for (const auto& [weight, nodes] : phases) {
       surface.pressure[c] += weight * std::max(0.0, -nodes[c].traction);

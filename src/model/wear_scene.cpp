@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/model/wear_scene.hpp>
+#include <gnomon/scene/toml_key.hpp>
 #include <gnomon/wear_laws/law_in_time.hpp>
 #include <gnomon/wear_laws/wear_law_kind.hpp>
 #include <set>
@@ -162,8 +164,21 @@ std::set<std::string, std::less<>> names_in_rates(const Scene& scene) {
 
 }  // namespace
 
+namespace {
+
+/// Whether each wearing surface has a coefficient of its own.
+bool have_own_coefficients(const Scene& scene) {
+  if (!scene.given("wear.on") || scene.texts("wear.on").empty()) return false;
+  return std::ranges::all_of(scene.texts("wear.on"), [&](const std::string& name) {
+    return scene.given("wear.surfaces." + toml_key(name) + ".coefficient");
+  });
+}
+
+}  // namespace
+
 void require_coefficient(const Scene& scene) {
-  if (!scene.knows("wear.rate") || scene.has("wear.coefficient") || !reads_in_rates(scene, "k"))
+  if (!scene.knows("wear.rate") || scene.has("wear.coefficient") || !reads_in_rates(scene, "k") ||
+      have_own_coefficients(scene))
     return;
   throw InputError(scene.where("wear.coefficient") +
                    ": missing, expected a number [1/MPa]: the wear law reads it, as k");

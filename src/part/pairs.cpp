@@ -44,23 +44,51 @@ std::vector<std::string> bodies_of_pairs(const Scene& scene) {
 
 namespace {
 
-/// The two bodies of a pair.
-std::array<int, 2> read_bodies_of(const Scene& scene, const std::string& pair,
-                                  const std::vector<Body>& bodies) {
+std::vector<std::string> names_of_bodies(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const std::string& body : scene.chosen_names("body.#.name"))
+    names.push_back(scene.text("body." + body + ".name"));
+  return names;
+}
+
+void require_two_bodies(const Scene& scene, const std::string& pair) {
   const std::string key = pair + ".bodies";
   const std::vector<std::string>& names = scene.texts(key);
-  std::array<int, 2> result{};
   if (names.size() != 2 || names[0] == names[1])
     throw InputError(scene.where(key) + ": expected the names of two bodies");
-  for (std::size_t side = 0; side < 2; ++side) {
-    const auto at = std::ranges::find(bodies, names[side], &Body::name);
-    std::vector<std::string> all;
-    for (const Body& body : bodies) all.push_back(body.name);
-    if (at == bodies.end())
+  const std::vector<std::string> all = names_of_bodies(scene);
+  for (const std::string& name : names)
+    if (std::ranges::find(all, name) == all.end())
       throw InputError(fmt::format("{}: expected names of [[body]], \"{}\", got \"{}\"",
-                                   scene.where(key), fmt::join(all, "\", \""), names[side]));
-    result[side] = static_cast<int>(at - bodies.begin());
-  }
+                                   scene.where(key), fmt::join(all, "\", \""), name));
+}
+
+}  // namespace
+
+void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes) {
+  if (!has_pairs(scene)) return;
+  std::set<std::set<std::string>> seen;
+  mistakes.collect([&] {
+    for (const std::string& pair : entries_of(scene, "pair", pair_keys(), {"bodies"}))
+      mistakes.collect([&] {
+        require_two_bodies(scene, pair);
+        const std::vector<std::string>& names = scene.texts(pair + ".bodies");
+        if (!seen.insert({names[0], names[1]}).second)
+          throw InputError(scene.where(pair + ".bodies") + ": expected each pair of bodies once");
+      });
+  });
+}
+
+namespace {
+
+/// The two bodies of a pair, by their names.
+std::array<int, 2> bodies_of_pair(const Scene& scene, const std::string& pair,
+                                  const std::vector<Body>& bodies) {
+  std::array<int, 2> result{};
+  for (std::size_t side = 0; side < 2; ++side)
+    result[side] = static_cast<int>(
+        std::ranges::find(bodies, scene.texts(pair + ".bodies")[side], &Body::name) -
+        bodies.begin());
   return result;
 }
 
@@ -157,11 +185,8 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
   const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
   const std::map<std::string, RigidMotion<dim>> motions =
       read_motions_of_bodies<dim>(scene, parts.bodies, parts.section());
-  std::set<std::set<int>> seen;
   for (const std::string& table : entries_of(scene, "pair", pair_keys(), {"bodies"})) {
-    const std::array<int, 2> bodies = read_bodies_of(scene, table, parts.bodies);
-    if (!seen.insert({bodies[0], bodies[1]}).second)
-      throw InputError(scene.where(table + ".bodies") + ": expected each pair of bodies once");
+    const std::array<int, 2> bodies = bodies_of_pair(scene, table, parts.bodies);
     const std::array<std::string, 2> names = {parts.bodies[bodies[0]].name,
                                               parts.bodies[bodies[1]].name};
     MortarPair<dim> pair{.slave = boundary_of(scene, table, part, body_of, bodies[0]),

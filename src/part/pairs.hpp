@@ -1,6 +1,7 @@
 // Contact of bodies with each other: [[pair]] and [[motion]].
 #pragma once
 
+#include <gnomon/base/mistakes.hpp>
 #include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/model/magnitudes.hpp>
@@ -17,6 +18,9 @@ std::vector<Key> pair_keys();
 bool has_pairs(const Scene& scene);
 /// Names of all bodies of pairs.
 std::vector<std::string> bodies_of_pairs(const Scene& scene);
+
+/// What is wrong in [[pair]] whatever the mesh is.
+void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes);
 
 /// Sets pairs, surfaces, approach and speed of parts that have bodies, supports and loads: all
 /// boundary of the bodies that faces the partner. Throws InputError.

@@ -320,6 +320,8 @@ void find_mistakes_without_mesh(const Scene& scene, Mistakes& mistakes) {
 std::unique_ptr<Model> make_part(const Scene& scene) {
   ImportedMesh mesh;
   Mistakes mistakes;
+  find_mistakes_of_pairs(scene, mistakes);
+  mistakes.require_none();
   if (!mistakes.collect([&] { mesh = read_mesh(scene); }))
     find_mistakes_without_mesh(scene, mistakes);
   mistakes.require_none();

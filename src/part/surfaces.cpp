@@ -50,16 +50,19 @@ std::vector<Surface<dim>> wearing_surfaces(const Scene& scene, const ImportedBod
 }
 
 WearLaw read_surface_law(const Scene& scene, const std::string& surface, double speed) {
-  return read_wear_law(scene, speed, rate_key(scene, surface));
+  const std::string own = "wear.surfaces." + toml_key(surface) + ".coefficient";
+  return read_wear_law(scene.given(own) ? scene.with("wear.coefficient", scene.real(own)) : scene,
+                       speed, rate_key(scene, surface));
 }
 
 void require_surface_names(const Scene& scene) {
   const std::vector<std::string>& surfaces = scene.texts("wear.on");
-  for (const std::string& name : scene.chosen_names("wear.surfaces.\"*\".rate"))
-    if (std::ranges::find(surfaces, name, toml_key) == surfaces.end())
-      throw InputError(fmt::format("{}: expected one of wear.on, \"{}\", in the place of {}",
-                                   scene.where("wear.surfaces." + name + ".rate"),
-                                   fmt::join(surfaces, "\", \""), name));
+  for (const char* key : {".rate", ".coefficient"})
+    for (const std::string& name : scene.chosen_names("wear.surfaces.\"*\"" + std::string(key)))
+      if (std::ranges::find(surfaces, name, toml_key) == surfaces.end())
+        throw InputError(fmt::format("{}: expected one of wear.on, \"{}\", in the place of {}",
+                                     scene.where("wear.surfaces." + name + key),
+                                     fmt::join(surfaces, "\", \""), name));
 }
 
 template <int dim>

@@ -261,13 +261,17 @@ std::vector<PhaseError> ResultReader::phase_errors() const {
 }
 
 ContactSurface ResultReader::contact(std::optional<double> t) const {
-  return file_->guarded([&] {
+  ContactSurface surface = file_->guarded([&] {
     const std::size_t step = find_step(file_->times(), t);
     const std::string path = layout::step_path(step);
     ContactSurface contact = read_contact(file_->gnomon(), "contact/" + path);
     layout::read_phases(file_->gnomon(), path, contact);
     return contact;
   });
+  const bool has_pairs = header().scene.find("\n[pair.") != std::string::npos;
+  if (const std::optional<Grid> mesh = has_pairs ? grid() : std::nullopt)
+    find_bodies(*mesh, surface);
+  return surface;
 }
 
 bool ResultReader::has_contact() const {

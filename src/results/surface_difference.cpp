@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/results/surface_difference.hpp>
+#include <limits>
 #include <numeric>
 
 #include "base/spectrum.hpp"
@@ -18,10 +19,17 @@ Eigen::Vector3d wear_of(const ContactSurface& surface, std::size_t node) {
   return vector_of(surface.worn[node]) - vector_of(surface.initial[node]);
 }
 
+/// Of the body that a node of a surface belongs to.
+int body_at(const ContactSurface& surface, std::size_t node) {
+  return surface.body.empty() ? 0 : surface.body[node];
+}
+
+/// Those of one body: surfaces of others may lie at the same place.
 std::vector<std::size_t> nearest_nodes(const ContactSurface& surface, const Eigen::Vector3d& x,
-                                       std::size_t count) {
-  std::vector<std::size_t> nodes(surface.initial.size());
-  std::iota(nodes.begin(), nodes.end(), 0);
+                                       int body, std::size_t count) {
+  std::vector<std::size_t> nodes;
+  for (std::size_t i = 0; i < surface.initial.size(); ++i)
+    if (body_at(surface, i) == body) nodes.push_back(i);
   count = std::min(count, nodes.size());
   std::ranges::partial_sort(
       nodes, nodes.begin() + static_cast<long>(count), {},
@@ -38,9 +46,10 @@ Eigen::Vector4d values_of(const ContactSurface& surface, std::size_t node) {
 
 /// The change of shape and the pressure at any place of the initial surface: those of a node there,
 /// or linear through the nodes nearest to it, by least squares with weights.
-Eigen::Vector4d values_at(const ContactSurface& surface, const Eigen::Vector3d& x) {
+Eigen::Vector4d values_at(const ContactSurface& surface, const Eigen::Vector3d& x, int body) {
   constexpr double same_place = 1e-9, nearest_weight = 1e3;
-  const std::vector<std::size_t> nodes = nearest_nodes(surface, x, surface.dim == 2 ? 2 : 6);
+  const std::vector<std::size_t> nodes = nearest_nodes(surface, x, body, surface.dim == 2 ? 2 : 6);
+  if (nodes.empty()) return Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN());
   const auto apart = [&](std::size_t i) -> Eigen::Vector3d {
     return vector_of(surface.initial[i]) - x;
   };
@@ -60,8 +69,8 @@ Eigen::Vector4d values_at(const ContactSurface& surface, const Eigen::Vector3d& 
 
 /// The projection on the tangents of the initial surface at a node.
 Eigen::Matrix3d tangents_at(const ContactSurface& surface, std::size_t node) {
-  const std::vector<std::size_t> nodes =
-      nearest_nodes(surface, vector_of(surface.initial[node]), surface.dim == 2 ? 3 : 9);
+  const std::vector<std::size_t> nodes = nearest_nodes(
+      surface, vector_of(surface.initial[node]), body_at(surface, node), surface.dim == 2 ? 3 : 9);
   Eigen::Vector3d middle(0, 0, 0);
   for (const std::size_t i : nodes)
     middle += vector_of(surface.initial[i]) / static_cast<double>(nodes.size());
@@ -85,7 +94,7 @@ double distance_along_normal(const ContactSurface& surface, std::size_t node,
   Eigen::Vector3d from = vector_of(surface.initial[node]);
   Eigen::Vector3d apart;
   for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d there = from + values_at(other, from).head<3>();
+    const Eigen::Vector3d there = from + values_at(other, from, body_at(surface, node)).head<3>();
     apart = vector_of(surface.worn[node]) - there;
     if (i < 2) from += tangents * apart;
   }
@@ -102,7 +111,7 @@ SurfaceDifference surface_difference(const ContactSurface& surface, const Contac
   SurfaceDifference difference;
   for (std::size_t i = 0; i < surface.worn.size(); ++i) {
     difference.distance.push_back(distance_along_normal(surface, i, other));
-    const double there = values_at(other, vector_of(surface.initial[i]))[3];
+    const double there = values_at(other, vector_of(surface.initial[i]), body_at(surface, i))[3];
     difference.pressure.push_back(surface.pressure[i] - there);
   }
   return difference;

@@ -53,7 +53,14 @@ struct ContactSurface {
   std::vector<double> phase_position{};  ///< tau of each phase
   std::vector<double> phase_weight{};    ///< its part of the mean
   std::vector<double> phase_pressure{};  ///< phases x contact nodes [stress]
+  std::vector<int> body{};  ///< of pairs: the number of the connected body of each node
 };
+
+/// By node of the grid: the number of the connected body that it belongs to, from 0 in the order of
+/// their first nodes.
+std::vector<int> connected_bodies(const Grid& grid);
+/// Sets ContactSurface::body where the grid has several.
+void find_bodies(const Grid& grid, ContactSurface& surface);
 
 /// The surface of the counter-body near the body, for figures and viewers. A facet has the
 /// counter-body on its left (2D), or corners that are anticlockwise as seen from outside of it

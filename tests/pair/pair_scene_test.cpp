@@ -1,0 +1,74 @@
+// Scenes of two bodies: what wears, who is the slave, what is refused.
+
+#include <gnomon/base/error.hpp>
+
+#include "support/problem_run.hpp"
+
+namespace gnomon::pair_scene_test {
+namespace {
+
+using namespace testing;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+constexpr const char* scene = "worn_body/cylinder_on_plate.toml";
+
+TEST(PairScene, BothBodiesLoseWhatTheirLawsSay) {
+  const auto model = model_of(scene, {"mesh.factor=2"});
+  const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 1000);
+  const double power = 50 * 100 * 1000;  // of half of the cylinder
+  EXPECT_NEAR(observed(*model, run.last(), "worn_volume_cylinder") / (1e-8 * power), 1, 2e-5);
+  EXPECT_NEAR(observed(*model, run.last(), "worn_volume_plate") / (1e-9 * power), 1, 2e-5);
+  const Examination facts = model->examine(run.last());
+  EXPECT_LT(facts.lost_wear, 1e-12);
+  Vector<3> sum = Vector<3>::Zero();
+  for (const ResultantForce& force : facts.forces) sum += Vector<3>::Map(force.force.data());
+  EXPECT_LT(sum.norm(), 1e-5 * 50);
+}
+
+TEST(PairScene, TheOrderOfTheBodiesDoesNotMatter) {
+  const auto one = model_of(scene, {"mesh.factor=2"}),
+             other = model_of(scene, {"mesh.factor=2", R"(pair.1.bodies=["plate", "cylinder"])"});
+  Counters counters;
+  const State start = one->start(counters), same = other->start(counters);
+  EXPECT_NEAR(observed(*one, start, "max_pressure") / observed(*other, same, "max_pressure"), 1,
+              1e-9);
+  EXPECT_THAT(one->remarks, Contains(HasSubstr("\"cylinder\" may touch \"plate\"")));
+  EXPECT_THAT(other->remarks, Contains(HasSubstr("\"cylinder\" may touch \"plate\"")));
+}
+
+// A cylinder above its plate, or a little below the surface, is brought to where it touches.
+TEST(PairScene, ABodyThatOnlyContactHoldsIsBroughtToItsPartner) {
+  const auto model = model_of(scene, {"mesh.factor=2"});
+  Counters counters;
+  const State start = model->start(counters);
+  EXPECT_NEAR(observed(*model, start, "contact_force"), 50, 0.1);
+}
+
+std::string refusal(const Overrides& overrides) {
+  try {
+    model_of(scene, overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(PairScene, MistakesAreNamed) {
+  EXPECT_THAT(refusal({R"(pair.1.bodies=["plate"])"}), HasSubstr("the names of two bodies"));
+  EXPECT_THAT(refusal({R"(pair.1.bodies=["plate", "plate"])"}),
+              HasSubstr("the names of two bodies"));
+  EXPECT_THAT(refusal({R"(pair.1.bodies=["plate", "disc"])"}),
+              HasSubstr("expected names of [[body]], \"cylinder\", \"plate\", got \"disc\""));
+  EXPECT_THAT(refusal({R"(pair.1.surfaces=["round"])"}), HasSubstr("surfaces of both bodies"));
+  EXPECT_THAT(refusal({"motion.1.body=disc"}), HasSubstr("the name of a [[body]]"));
+  EXPECT_THAT(refusal({"motion.1.rotation=1.0"}), HasSubstr("also motion.1.center"));
+  EXPECT_THAT(refusal({"load.1.force=[0.0, 50.0]"}), HasSubstr("expected loads that press"));
+  EXPECT_THAT(refusal({R"(wear.on=["base"])"}), HasSubstr("touch another body"));
+  EXPECT_THAT(refusal({"counter_body.shape=plane"}), HasSubstr("expected none beside [[pair]]"));
+  EXPECT_THAT(refusal({"shape.motion=gap"}), HasSubstr("expected \"mesh\" beside [[pair]]"));
+  EXPECT_THAT(refusal({R"(support.1.directions=["x"])"}), HasSubstr("\"plate\""));
+}
+
+}  // namespace
+}  // namespace gnomon::pair_scene_test
