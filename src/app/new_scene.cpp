@@ -1,14 +1,14 @@
 #include "app/new_scene.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <gnomon/mesh/contact_patch.hpp>
 #include <gnomon/mesh/flat_part.hpp>
 #include <limits>
 #include <vector>
+
+#include "app/new_scene_text.hpp"
 
 namespace gnomon::app {
 
@@ -18,6 +18,7 @@ namespace {
 template <int dim>
 struct Suggestion {
   std::string held = "bottom", wearing = "surface";
+  bool closed = false;         ///< it looks everywhere, and has no mean normal
   std::optional<double> bore;  ///< its radius; `point` is its centre
   Vector<dim> outward = -Vector<dim>::Unit(dim - 1), point = Vector<dim>::Zero();
 };
@@ -33,7 +34,8 @@ void meet(const ImportedBody<dim>& body, Suggestion<dim>& suggestion) {
     area += patch.initial_area;
   }
   constexpr double closed = 1e-3;  // part of the area, below which a surface looks everywhere
-  if (normal.norm() > closed * area) suggestion.outward = normal.normalized();
+  suggestion.closed = normal.norm() <= closed * area;
+  if (!suggestion.closed) suggestion.outward = normal.normalized();
   double farthest = -std::numeric_limits<double>::infinity();
   for (int node : body.mesh.boundary_nodes(suggestion.wearing)) {
     const Vector<dim>& X = body.mesh.nodes[node];
@@ -43,47 +45,11 @@ void meet(const ImportedBody<dim>& body, Suggestion<dim>& suggestion) {
   }
 }
 
-/// A circle whose normals look to its centre, at least a half of one.
-void find_bore(const ImportedBody<2>& body, Suggestion<2>& suggestion) {
-  constexpr double round = 1e-3;  // of the radius
-  Vector<2> low = Vector<2>::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  const auto patches = contact_patches<2>(body.mesh, body.mesh.boundary.at(suggestion.wearing));
-  for (const auto& patch : patches) {
-    low = low.cwiseMin(patch.initial_position);
-    high = high.cwiseMax(patch.initial_position);
-  }
-  const double radius = (high - low).maxCoeff() / 2;
-  Vector<2> centre = (low + high) / 2;
-  for (int i = 0; i < 2; ++i)  // of half a circle
-    if (const double height = high[i] - low[i]; height < (2 - round) * radius)
-      centre[i] = suggestion.outward[i] > 0 ? low[i] : high[i];
-  for (const auto& patch : patches) {
-    const Vector<2> arm = patch.initial_position - centre;
-    if (std::abs(arm.norm() - radius) > round * radius || arm.dot(patch.initial_normal) >= 0)
-      return;
-  }
-  suggestion.bore = radius;
-  suggestion.point = centre;
-}
-
-/// Whether somebody may have named a part so because it is what these words say.
-bool sounds_like(const std::string& name, std::initializer_list<const char*> words) {
-  return std::ranges::any_of(
-      words, [&](const char* word) { return name.find(word) != std::string::npos; });
-}
-
 bool sounds_worn(const std::string& name) {
   return sounds_like(name, {"contact", "surface", "wear", "worn", "sole", "bore", "seat", "slid"});
 }
 
-bool sounds_held(const std::string& name) {
-  return sounds_like(name, {"back", "base", "bottom", "clamp", "fix", "held", "hold", "housing",
-                            "mount", "support"});
-}
-
-/// The part that sounds so wears, else a curved one, else the first. Of the others that one is held
-/// which sounds so, else of flat ones that which looks most away from where the wearing one looks,
-/// else any.
+/// The part that sounds so wears, else a curved one, else the first; one of the others is held.
 template <int dim>
 Suggestion<dim> suggest(const ImportedBody<dim>& body) {
   Suggestion<dim> suggestion;
@@ -96,39 +62,17 @@ Suggestion<dim> suggest(const ImportedBody<dim>& body) {
         parts, [&](const auto& part) { return !flat_part<dim>(body.mesh, part.second).flat; });
   suggestion.wearing = (wearing == parts.end() ? parts.begin() : wearing)->first;
   meet(body, suggestion);
-  if constexpr (dim == 2) find_bore(body, suggestion);
-  suggestion.held = "...";
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& [name, facets] : parts) {
-    if (name == suggestion.wearing) continue;
-    const FlatPart<dim> part = flat_part<dim>(body.mesh, facets);
-    const double along = sounds_held(name) ? -2
-                         : part.flat       ? part.normal.dot(suggestion.outward)
-                                           : 2;
-    if (along < least) suggestion.held = name, least = along;
-  }
+  if constexpr (dim == 2)
+    if (const auto circle = circle_of(body.mesh, parts.at(suggestion.wearing), suggestion.outward);
+        circle && circle->hollow) {
+      suggestion.bore = circle->radius, suggestion.point = circle->centre;
+      if (suggestion.closed) suggestion.outward *= -1;  // pressed downwards
+    }
+  std::vector<std::string> others;
+  for (const auto& [name, facets] : parts)
+    if (name != suggestion.wearing) others.push_back(name);
+  suggestion.held = part_away_from(body, others, suggestion.outward);
   return suggestion;
-}
-
-/// As a user would write it: without rounding errors.
-template <int dim>
-std::string coordinates(const Vector<dim>& vector) {
-  const double largest = vector.template lpNorm<Eigen::Infinity>();
-  std::vector<std::string> numbers;
-  for (double x : vector) {
-    std::string number = fmt::format("{:.6g}", std::abs(x) <= 1e-9 * largest ? 0.0 : x);
-    if (number.find_first_of(".e") == std::string::npos) number += ".0";
-    numbers.push_back(std::move(number));
-  }
-  return fmt::format("[{}]", fmt::join(numbers, ", "));
-}
-
-/// A direction along the plane.
-template <int dim>
-Vector<dim> sliding_direction(const Vector<dim>& outward) {
-  if constexpr (dim == 2) return {-outward[1], outward[0]};
-  const Vector<dim> across = Vector<dim>::Unit(std::abs(outward[0]) < 0.9 ? 0 : 1);
-  return (across - across.dot(outward) * outward).normalized();
 }
 
 /// A plane, or a shaft in a bore, and how it moves.
@@ -152,39 +96,17 @@ std::string counter_shape(const Suggestion<dim>& s) {
 template <int dim>
 std::string new_scene(const std::filesystem::path& mesh, std::optional<double> size,
                       const ImportedBody<dim>& body) {
-  std::vector<std::string> names;
-  for (const auto& [name, facets] : body.mesh.boundary) names.push_back(name);
   const Suggestion<dim> s = suggest(body);
-  const std::string file = mesh.filename().string();
-  std::string text = fmt::format(
-      "# A part from {}. One consistent set of units: mm, N, MPa, s.\n"
-      "# All keys: gnomon help scene worn_body\n\nproblem = \"worn_body\"\n\n"
-      "[mesh]\nfile = \"{}\"  # parts: {}\n",
-      file, file,
-      names.empty() ? "none: name some in Gmsh" : fmt::format("{}", fmt::join(names, ", ")));
-  std::vector<std::string> points;
-  for (const auto& [name, nodes] : body.point_groups) points.push_back(name);
-  if (!points.empty())
-    text += fmt::format("# groups of points, for supports: {}\n", fmt::join(points, ", "));
-  if (size) text += fmt::format("size = {}  # mm, longest edge of an element\n", *size);
-  if (dim == 2)
-    text += "\n[model]\nplane = \"strain\"  # or \"axisymmetric\", in coordinates (r, z)\n";
-  text += "\n[body]\nyoung_modulus = 210e3  # MPa\npoisson_ratio = 0.3\n";
-  text += fmt::format("\n[[support]]  # may be several\non = \"{}\"\ndirections = [{}]\n", s.held,
-                      dim == 2 ? "\"x\", \"y\"" : "\"x\", \"y\", \"z\"");
+  std::string text = scene_head("A part from " + mesh.filename().string(), mesh, size, body);
+  text += fmt::format("\n[body]\n{}", material_text);
+  text += support_text(s.held, every_direction<dim>(), "may be several");
   text +=
       "\n# [[load]]  # may be several\n# on = \"...\"\n# force = [...]  # or traction, pressure\n";
   text += fmt::format(
       "\n[counter_body]  # plane, ball, cylinder, cone, torus, profile: docs/counter_bodies.md\n{}"
       "press = {{ direction = {}, force = 100.0 }}  # {}\n",
-      counter_shape(s), coordinates<dim>(s.bore ? s.outward : -s.outward),
-      dim == 2 ? "N per mm of thickness; axisymmetric: N" : "N");
-  text += fmt::format(
-      "\n[wear]\non = [\"{}\"]\ncoefficient = 1e-8  # 1/MPa  k\nrate = \"k * p * v\"\n"
-      "\n[friction]\ncoefficient = 0.0\n"
-      "\n[time]\nend = 1000.0  # s\n"
-      "\n[integrator]\nname = \"esdirk-3\"\nrtol = 1e-4  # of the worn surface, per step\n",
-      s.wearing);
+      counter_shape(s), coordinates<dim>(-s.outward), unit_of_force(dim));
+  text += scene_tail({s.wearing});
   return text;
 }
 

@@ -49,6 +49,23 @@ Physical Surface("bush") = {1};
   EXPECT_EQ(run.exit_code, 0) << run.err;
 }
 
+// The shaft is where the centre of the half circle is, and is pressed into it.
+TEST_F(NewScene, OfHalfABushHasAShaftInItsBore) {
+  const std::string text = scene(R"(Point(1) = {0, 0, 0};
+Point(2) = {5, 0, 0}; Point(3) = {-5, 0, 0}; Point(4) = {0, -5, 0};
+Point(5) = {8, 0, 0}; Point(6) = {-8, 0, 0}; Point(7) = {0, -8, 0};
+Circle(1) = {3, 1, 4}; Circle(2) = {4, 1, 2}; Line(3) = {2, 5}; Circle(4) = {5, 1, 7};
+Circle(5) = {7, 1, 6}; Line(6) = {6, 3};
+Curve Loop(1) = {1, 2, 3, 4, 5, 6}; Plane Surface(1) = {1};
+Mesh.MeshSizeMax = 1;
+Physical Curve("zone 1") = {4, 5}; Physical Curve("bore") = {1, 2};
+)");
+  EXPECT_THAT(text, HasSubstr("shape = \"cylinder\"\ncenter = [0.0, 0.0]  # mm\nradius = 4.995"));
+  EXPECT_THAT(text, HasSubstr("press = { direction = [0.0, -1.0]"));
+  const Outcome check = gnomon({"check", "part.toml"});
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+}
+
 // The side that looks away from the sole is not the one whose name says that it is held.
 TEST_F(NewScene, GuessesByNames) {
   const std::string block = R"(Point(1) = {0, 0, 0, 1}; Point(2) = {4, 0, 0, 1};
