@@ -18,6 +18,7 @@
 #include <gnomon/terms/solid.hpp>
 
 #include "app/commands.hpp"
+#include "app/new_pair_scene.hpp"
 #include "app/new_scene.hpp"
 #include "app/plotting_script.hpp"
 #include "app/text_table.hpp"
@@ -198,11 +199,16 @@ void new_command(const fs::path& file, std::optional<double> size, fs::path scen
   if (is_taken(scene))
     throw InputError(scene.string() + " exists; give another name with --output");
   ImportedMesh mesh = read(file, size);
+  const std::vector<std::string> bodies = bodies_that_meet(mesh);
+  const auto text_of = [&]<int dim>(const ImportedBody<dim>& body) {
+    return bodies.empty() ? new_scene(file, size, body) : new_pair_scene(file, size, body, bodies);
+  };
   const std::string text = mesh.dimension == 2
-                               ? new_scene(file, size, check_mesh<2>(std::move(mesh)))
-                               : new_scene(file, size, check_mesh<3>(std::move(mesh)));
+                               ? text_of(check_mesh<2>(std::move(mesh), {}, 0, bodies))
+                               : text_of(check_mesh<3>(std::move(mesh), {}, 0, bodies));
   write_file(scene, text, Earlier::refused);
-  fmt::print("{}: fill in loads, counter-body and wear, then: gnomon check {}\n", scene.string(),
+  fmt::print("{}: fill in {}, then: gnomon check {}\n", scene.string(),
+             bodies.empty() ? "loads, counter-body and wear" : "materials, loads, motion and wear",
              scene.string());
 }
 

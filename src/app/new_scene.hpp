@@ -1,4 +1,4 @@
-// The scene that `gnomon new` writes for a mesh.
+// The scene that `gnomon new` writes for a mesh of one body.
 #pragma once
 
 #include <filesystem>
