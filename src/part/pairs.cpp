@@ -220,12 +220,14 @@ template <int dim>
 void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Magnitudes& expected,
                     AssemblyParts<dim>& parts) {
   // Contact grows to where the gap at first touch is what wear and deformation close.
-  const double reach = 3 * (expected.deepest + expected.scales.displacement);
+  const double closed = 3 * (expected.deepest + expected.scales.displacement);
   const std::vector<Vector<dim>> touching = touching_nodes(parts);
   std::set<typename Mesh<dim>::Facet> wearing;  // by sorted nodes
   for (const Surface<dim>& surface : wearing_surfaces(scene, part))
     for (const auto& facet : surface.facets) wearing.insert(sorted(facet));
   for (MortarPair<dim>& pair : parts.pairs) {
+    // Facets of a shaft and its bore have gaps of their own.
+    const double reach = closed + mean_size<dim>(pair.slave, touching) / 2;
     pair.reach = reach;
     keep_facing<dim>(touching, parts.section(), pair);
     const std::string reason = choose_slave<dim>(touching, parts.section(), parts.bodies, pair);
