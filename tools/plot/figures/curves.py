@@ -21,10 +21,19 @@ class Curve:
 
 def of(result):
     if result.dim == 2:
-        return [Curve(result, "x", "", lambda table: in_order(table, "x"), result.axes[0])]
+        return [Curve(result, "x", "", lambda table: in_order(of_one_body(result, table), "x"),
+                      result.axes[0])]
     edges = edges_of(space.contact_faces(result))
     return [Curve(result, "x", "$y$ = 0", lambda table: cut(table, edges, "y", "x")),
             Curve(result, "y", "$x$ = 0", lambda table: cut(table, edges, "x", "y"))]
+
+
+def of_one_body(result, table):
+    """Of two bodies that meet, one: the pressures of the other are the same."""
+    if not result.has_pairs:
+        return table
+    bodies = result.bodies[table["node"]]
+    return table[bodies == bodies[0]]
 
 
 def in_order(table, axis):

@@ -203,6 +203,22 @@ class Result:
         self._check_nodes("mesh/cells", cells)
         return cells
 
+    @property
+    def has_pairs(self):
+        return "\n[pair." in self._scene
+
+    @cached_property
+    def bodies(self):
+        """By node: the first node of the connected body that it belongs to."""
+        first = numpy.arange(self.cells.max() + 1)
+        while True:
+            least = first[self.cells].min(axis=1)
+            now = first.copy()
+            numpy.minimum.at(now, self.cells, least[:, None])
+            if (now == first).all():
+                return first
+            first = now
+
     def _check_nodes(self, where, nodes):
         """Refuses negative numbers too, because Python would count them from the end."""
         count = len(self.points)
