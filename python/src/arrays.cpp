@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/imported_body.hpp>
+#include <gnomon/part/part_scene.hpp>
 #include <map>
 #include <span>
 
@@ -118,7 +119,8 @@ using Assembled = std::pair<std::shared_ptr<SharedModel>, std::vector<std::strin
 /// The model, and what was repaired in the mesh.
 template <int dim>
 Assembled assembled(const Scene& scene, ImportedMesh mesh, const Groups& facets) {
-  const ImportedBody<dim> body = check_mesh<dim>(std::move(mesh), scene.texts("wear.on"));
+  const ImportedBody<dim> body =
+      check_mesh<dim>(std::move(mesh), scene.texts("wear.on"), 0, separate_bodies(scene));
   for (const auto& [name, unused] : facets) boundary_part(body, name);
   return {std::make_shared<SharedModel>(set_up_again(scene, grid_of(body))), body.remarks};
 }

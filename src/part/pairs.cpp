@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/mistakes.hpp>
+#include <gnomon/part/part_scene.hpp>
 #include <gnomon/shapes/counter_surface.hpp>
 #include <set>
 
@@ -33,13 +34,6 @@ std::vector<Key> pair_keys() {
 
 bool has_pairs(const Scene& scene) {
   return !scene.chosen_names("pair.#.bodies").empty();
-}
-
-std::vector<std::string> bodies_of_pairs(const Scene& scene) {
-  std::set<std::string> names;
-  for (const std::string& pair : scene.chosen_names("pair.#.bodies"))
-    for (const std::string& name : scene.texts("pair." + pair + ".bodies")) names.insert(name);
-  return {names.begin(), names.end()};
 }
 
 namespace {
@@ -267,3 +261,14 @@ template void keep_normals_to_supports(AssemblyParts<2>&);
 template void keep_normals_to_supports(AssemblyParts<3>&);
 
 }  // namespace gnomon::part
+
+namespace gnomon {
+
+std::vector<std::string> separate_bodies(const Scene& scene) {
+  std::set<std::string> names;
+  for (const std::string& pair : scene.chosen_names("pair.#.bodies"))
+    for (const std::string& name : scene.texts("pair." + pair + ".bodies")) names.insert(name);
+  return {names.begin(), names.end()};
+}
+
+}  // namespace gnomon

@@ -16,8 +16,6 @@ std::vector<Key> pair_keys();
 
 /// Whether the bodies meet each other, and no counter-body.
 bool has_pairs(const Scene& scene);
-/// Names of all bodies of pairs.
-std::vector<std::string> bodies_of_pairs(const Scene& scene);
 
 /// What is wrong in [[pair]] whatever the mesh is.
 void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes);

@@ -294,7 +294,7 @@ template <int dim>
 std::unique_ptr<Model> model_of_file(const Scene& scene, ImportedMesh mesh) {
   return model_of<dim>(scene, check_mesh<dim>(std::move(mesh), scene.texts("wear.on"),
                                               static_cast<int>(scene.integer("mesh.split")),
-                                              bodies_of_pairs(scene)));
+                                              separate_bodies(scene)));
 }
 
 /// 2 or 3 by the numbers of the counter-body's vectors; 0 if it has none.
@@ -339,7 +339,7 @@ void find_mistakes_of_groups(const Scene& scene, Mistakes& mistakes) {
   find_conflicts(scene, mistakes);
   mistakes.collect([&] {
     ImportedMesh mesh = read_mesh(scene);
-    const std::vector<std::string> separate = bodies_of_pairs(scene);
+    const std::vector<std::string> separate = separate_bodies(scene);
     if (mesh.dimension == 2)
       find_unknown_groups(scene, check_mesh<2>(std::move(mesh), {}, 0, separate), mistakes);
     else

@@ -16,6 +16,9 @@ namespace gnomon {
 /// length here.
 std::vector<Key> part_keys();
 
+/// The groups of cells that are bodies of their own, by [[pair]].
+std::vector<std::string> separate_bodies(const Scene& scene);
+
 /// What the scene says of this mesh. Throws InputError, or InputErrors with all mistakes that can
 /// be found without solving anything.
 template <int dim>
