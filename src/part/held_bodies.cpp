@@ -1,0 +1,204 @@
+// Whether supports, springs and contact hold every body.
+#include <fmt/format.h>
+
+#include <functional>
+#include <gnomon/base/error.hpp>
+#include <iterator>
+#include <set>
+
+#include "base/spectrum.hpp"
+#include "model/bring_together.hpp"
+#include "part/histories.hpp"
+#include "part/supports.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+/// Rigid motions of a point: translations, then rotations.
+template <int dim>
+Eigen::Matrix<double, dim, dim == 2 ? 3 : 6> rigid_motions(const Vector<dim>& x) {
+  Eigen::Matrix<double, dim, dim == 2 ? 3 : 6> modes;
+  modes.setZero();
+  modes.template leftCols<dim>().setIdentity();
+  if constexpr (dim == 2)
+    modes.col(2) << -x[1], x[0];
+  else
+    for (int axis = 0; axis < 3; ++axis) modes.col(3 + axis) = Vector<3>::Unit(axis).cross(x);
+  return modes;
+}
+
+/// "along x", "about z", or both.
+template <int dim>
+std::string describe(const Eigen::VectorXd& mode, const std::vector<std::string>& names) {
+  Eigen::Index largest = 0;
+  mode.cwiseAbs().maxCoeff(&largest);
+  if (largest < dim) return "move along " + names[static_cast<std::size_t>(largest)];
+  return dim == 2 ? "turn in its plane"
+                  : "turn about " + names[static_cast<std::size_t>(largest - 3)];
+}
+
+/// A rigid motion, by the displacement of a point.
+template <int dim>
+using RigidMotionOfPoints = std::function<Vector<dim>(const Vector<dim>&)>;
+
+/// Nodes of a part of the mesh that is connected: 1 by node.
+using NodesOfPart = std::vector<char>;
+
+/// Work of a load on a part at factor one.
+template <int dim>
+double work_of(const Load<dim>& load, const AssemblyParts<dim>& parts, const NodesOfPart& part,
+               const RigidMotionOfPoints<dim>& motion) {
+  double work = 0;
+  for (std::size_t node = 0; node < static_cast<std::size_t>(load.forces.rows()); ++node)
+    if (part[node])
+      work += load.forces.row(static_cast<Eigen::Index>(node)).dot(motion(parts.mesh.nodes[node]));
+  for (const auto& patch : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()))
+    if (part[patch.node])
+      work -= load.pressure * patch.initial_area *
+              patch.initial_normal.dot(motion(patch.initial_position));
+  return work;
+}
+
+/// "the part", or what the bodies of this part are called.
+template <int dim>
+std::string name_of(const AssemblyParts<dim>& parts, const NodesOfPart& part) {
+  if (parts.pairs.empty()) return "the part";
+  for (const Body& body : parts.bodies)
+    for (const int cell : body.cells)
+      if (part[parts.mesh.cells[cell][0]]) return "\"" + body.name + "\"";
+  return "each body";
+}
+
+/// Contact alone resists this motion, and to one side: loads have to drive the bodies there.
+template <int dim>
+void require_pressing_loads(const Scene& scene, const AssemblyParts<dim>& parts,
+                            const NodesOfPart& part, const RigidMotionOfPoints<dim>& motion) {
+  constexpr double oblique = 1e-3;
+  double away = 0, back = 0;
+  for (const ContactPatch<dim>& patch : contact_nodes_of(parts)) {
+    if (!part[patch.node]) continue;
+    const double work =
+        patch.initial_area * patch.initial_normal.dot(motion(patch.initial_position));
+    (work > 0 ? away : back) += std::abs(work);
+  }
+  if (std::min(away, back) > oblique * std::max(away, back)) return;
+  const double side = away > back ? 1 : -1, end = scene.real("time.end");
+  std::set<double> times = {0, end};
+  std::vector<double> works;
+  double whole = 0;
+  for (const Load<dim>& load : parts.loads) {
+    times.insert(load.history.times().begin(), load.history.times().end());
+    works.push_back(side * work_of(load, parts, part, motion));
+    whole += std::abs(works.back());
+  }
+  for (const Phase<dim>& phase : parts.instants())
+    for (auto t = times.begin(); *t < end; ++t)
+      for (const double at : {*t, *std::next(t)}) {  // the ends of a straight line
+        double pressing = 0;
+        for (std::size_t k = 0; k < works.size(); ++k)
+          pressing += phase.load * parts.loads[k].history.factor(at, *t) * works[k];
+        if (pressing <= 0)
+          throw InputError(fmt::format(
+              "{}: [[load]]: expected loads that press {} at any time, since nothing else holds "
+              "them there, got {:.3g} of the loads at t = {:g} s{}",
+              scene.path().string(),
+              parts.pairs.empty() ? "the bodies on the counter-body"
+                                  : name_of(parts, part) + " and what it touches on each other",
+              whole > 0 ? pressing / whole : 0, at,
+              parts.cycle ? fmt::format(", tau = {:.3g} of the cycle", phase.position) : ""));
+      }
+}
+
+}  // namespace
+
+namespace {
+
+/// What holds a part by contact: its partner, in the direction in which this comes, or other
+/// bodies, across the surfaces.
+template <int dim, class Hold>
+void hold_by_contact(const AssemblyParts<dim>& parts, const NodesOfPart& part, const Hold& holds) {
+  if (!parts.pairs.empty()) {
+    for (const ContactPatch<dim>& patch : contact_nodes_of(parts))
+      if (part[patch.node]) holds(patch.node, patch.initial_normal);
+    return;
+  }
+  if (parts.interface.force) return;
+  for (const Surface<dim>& surface : parts.interface.surfaces)
+    for (const auto& facet : surface.facets)
+      for (int node : facet) holds(node, parts.interface.partner.approach);
+}
+
+template <int dim>
+void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
+                       const NodesOfPart& part) {
+  constexpr int modes = dim == 2 ? 3 : 6;
+  const std::vector<Vector<dim>>& nodes = parts.mesh.nodes;
+  Vector<dim> centre = Vector<dim>::Zero();
+  const auto count = static_cast<double>(std::ranges::count(part, 1));
+  for (std::size_t node = 0; node < nodes.size(); ++node)
+    if (part[node]) centre += nodes[node] / count;
+  double size = 0;
+  for (std::size_t node = 0; node < nodes.size(); ++node)
+    if (part[node]) size = std::max(size, (nodes[node] - centre).norm());
+  Eigen::Matrix<double, modes, modes> held;
+  held.setZero();
+  if (dim == 2 && parts.section() == Section::meridian)  // it moves along the axis alone
+    held(0, 0) = held(modes - 1, modes - 1) = 1;
+  const auto holds = [&](int node, const Vector<dim>& direction) {
+    const Eigen::Matrix<double, modes, 1> row =
+        rigid_motions<dim>((nodes[node] - centre) / size).transpose() * direction;
+    held += row * row.transpose();
+  };
+  const NodalFlags<dim>& fixed = parts.supports.held;
+  for (Eigen::Index node = 0; node < fixed.rows(); ++node)
+    for (int i = 0; i < dim; ++i)
+      if (part[node] && fixed(node, i)) holds(static_cast<int>(node), Vector<dim>::Unit(i));
+  for (const SpringSupport<dim>& springs : parts.supports.springs)
+    for (const auto& facet : springs.facets)
+      for (int node : facet)
+        for (int i = 0; i < dim; ++i)
+          if (part[node] && springs.stiffness[i] > 0) holds(node, Vector<dim>::Unit(i));
+  constexpr double nothing = 1e-9;
+  const Spectrum without_contact = spectrum_of(held);
+  const auto loose = [](const Eigen::VectorXd& values) {
+    return (values.array() <= nothing * values[modes - 1]).count();
+  };
+  // The contact holds in one direction; without friction it does not hold along the surface.
+  hold_by_contact(parts, part, holds);
+  const auto [values, vectors] = spectrum_of(held);
+  const auto free = loose(values);
+  if (free == 0) {
+    // Several motions may be resisted together, as by a prism in a groove.
+    if (!parts.interface.force && loose(without_contact.values) == 1)
+      require_pressing_loads<dim>(scene, parts, part, [&](const Vector<dim>& X) -> Vector<dim> {
+        return rigid_motions<dim>((X - centre) / size) * without_contact.vectors.col(0);
+      });
+    return;
+  }
+  throw InputError(
+      fmt::format("{}: expected supports that hold {}, but it can still move as a rigid body "
+                  "in {} {}, for "
+                  "example it can {}; name what is held in [[support]], with directions",
+                  scene.path().string(), name_of(parts, part), free, free == 1 ? "way" : "ways",
+                  describe<dim>(vectors.col(0), direction_names<dim>(scene))));
+}
+
+}  // namespace
+
+template <int dim>
+void require_held(const Scene& scene, const AssemblyParts<dim>& parts) {
+  const std::vector<int> number = connected_parts(parts.mesh);
+  Mistakes mistakes;
+  for (const int part : std::set<int>(number.begin(), number.end())) {
+    NodesOfPart nodes;
+    for (const int each : number) nodes.push_back(each == part);
+    mistakes.collect([&] { require_part_held(scene, parts, nodes); });
+  }
+  mistakes.require_none();
+}
+
+template void require_held(const Scene&, const AssemblyParts<2>&);
+template void require_held(const Scene&, const AssemblyParts<3>&);
+
+}  // namespace gnomon::part

@@ -1,0 +1,194 @@
+// What the surfaces of pairs have at a state: positions, sums over facets, pressures and wear.
+#include <algorithm>
+#include <gnomon/terms/mortar_term.hpp>
+
+namespace gnomon {
+
+template <int dim>
+Vector<dim> MortarTerm<dim>::undeformed(const Evaluation<dim>& at, int node) const {
+  return state_.mesh.nodes[static_cast<std::size_t>(node)] +
+         at.values.vector(state_.d).row(node).transpose();
+}
+
+template <int dim>
+Vector<dim> MortarTerm<dim>::current(const Evaluation<dim>& at, int node) const {
+  return undeformed(at, node) + at.values.vector(state_.u).row(node).transpose();
+}
+
+template <int dim>
+PatchNodal<dim> MortarTerm<dim>::positions(const Evaluation<dim>& at,
+                                           const ContactPatch<dim>& patch, bool deformed) const {
+  PatchNodal<dim> result(static_cast<Eigen::Index>(patch.nodes.size()), dim);
+  for (Eigen::Index p = 0; p < result.rows(); ++p)
+    result.row(p) =
+        (deformed ? current(at, patch.nodes[p]) : undeformed(at, patch.nodes[p])).transpose();
+  return result;
+}
+
+template <int dim>
+void MortarTerm<dim>::add_facets(const Evaluation<dim>& at, bool with_tangents,
+                                 Surfaces& result) const {
+  for (const SlaveFacet& facet : facets_) {
+    const MortarPair<dim>& pair = state_.pairs[facet.pair];
+    FacetPair<dim> slave;
+    slave.y.setZero();  // of each master in turn
+    for (int a = 0; a < corners; ++a) {
+      const int node = patch(sides_[facet.sides[a]]).node;
+      slave.X.row(a) = undeformed(at, node).transpose();
+      slave.x.row(a) = current(at, node).transpose();
+      slave.n.row(a) = result.sides[facet.sides[a]].normal->value.transpose();
+    }
+    std::vector<FacetNodal<dim>> masters(facet.masters.size());
+    for (std::size_t k = 0; k < masters.size(); ++k)
+      for (int b = 0; b < corners; ++b)
+        masters[k].row(b) = current(at, pair.master[facet.masters[k]][b]).transpose();
+    if (with_tangents) {
+      result.tangents.emplace_back(slave, masters, facet.masters, state_.section, pair.reach);
+      result.facets.push_back(result.tangents.back().facet);
+    } else {
+      result.facets.emplace_back(slave, masters, facet.masters, state_.section, pair.reach);
+    }
+    for (int a = 0; a < corners; ++a) {
+      result.sides[facet.sides[a]].area += result.facets.back().D[a];
+      result.sides[facet.sides[a]].gap += result.facets.back().gap[a];
+    }
+  }
+}
+
+/// What the slaves press on the masters.
+template <int dim>
+void MortarTerm<dim>::add_masters(Surfaces& result) const {
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    const MortarPair<dim>& pair = state_.pairs[facets_[f].pair];
+    for (const auto& covering : result.facets[f].masters)
+      for (int b = 0; b < corners; ++b) {
+        SideState& master = result.sides[side_of(facets_[f].pair, pair.master[covering.facet][b])];
+        for (int a = 0; a < corners; ++a) {
+          const SideState& slave = result.sides[facets_[f].sides[a]];
+          master.area += covering.W(a, b);
+          if (!slave.active) continue;
+          master.load -= slave.lambda * covering.W(a, b);
+          master.power -= slave.lambda * slave.traction->speed * covering.W(a, b);
+          master.force -= covering.M(a, b) * slave.lambda * slave.traction->direction;
+        }
+      }
+  }
+}
+
+template <int dim>
+void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
+                                SideState& state) const {
+  const ContactPatch<dim>& own = patch(side);
+  if (!state.active) return;
+  const PatchNodal<dim> X = positions(at, own, false);
+  const double friction = pair(side).friction, speed = state.speed();
+  const double p = state.pressure();
+  const double depth = (own.initial_position - X.row(0).transpose()).dot(own.initial_normal);
+  const WearMoment moment{.time = at.t, .slid = state_.nominal_speed * at.t, .within = at.within};
+  state.rate =
+      law(side).rate(wear_input(own, Vector<4>(p, speed, depth, friction * p * speed), moment),
+                     law_branch(at, side));
+  state.rate_by_pressure = state.rate.by_pressure + friction * speed * state.rate.by_friction_power;
+  state.rate_by_speed = state.rate.by_speed + friction * p * state.rate.by_friction_power;
+  if (!own.may_move()) return;
+  state.direction.emplace(own, X, state_.normal_rule);
+  if (state.rate.value != 0) require_direction(own, state.direction->value);
+}
+
+template <int dim>
+typename MortarTerm<dim>::Surfaces MortarTerm<dim>::surfaces(const Evaluation<dim>& at,
+                                                             bool with_tangents) const {
+  Surfaces result;
+  result.sides.resize(sides_.size());
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    const Side& side = sides_[s];
+    if (!side.slave) continue;
+    SideState& state = result.sides[s];
+    const PatchNodal<dim> x = positions(at, patch(side), true);
+    const auto along = pair(side).along.find(patch(side).node);
+    state.normal.emplace(
+        patch(side), x,
+        along == pair(side).along.end() ? Tensor<dim>(Tensor<dim>::Identity()) : along->second);
+    state.traction.emplace(patch(side), state.normal->value, x.row(0).transpose(),
+                           pair(side).motion, pair(side).friction);
+  }
+  add_facets(at, with_tangents, result);
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    if (!sides_[s].slave) continue;
+    SideState& state = result.sides[s];
+    const double lambda = at.values.scalar(state_.lambda)[sides_[s].node];
+    state.active = at.branch.empty()
+                       ? state.area > 0 && lambda * state.area + state_.rho * state.gap <= 0
+                       : at.branch[sides_[s].first_switch] != 0;
+    state.lambda = state.active ? lambda : 0;
+    state.load = -state.lambda * state.area;
+    state.power = state.load * state.traction->speed;
+    state.force = state.area * state.lambda * state.traction->direction;
+  }
+  add_masters(result);
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    if (!sides_[s].slave) result.sides[s].active = result.sides[s].load > 0;
+    find_wear(at, sides_[s], result.sides[s]);
+  }
+  return result;
+}
+
+template <int dim>
+void MortarTerm<dim>::switching(const Evaluation<dim>& at, std::span<double> values) const {
+  const Surfaces result = surfaces(at, false);
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    const Side& side = sides_[s];
+    const SideState& state = result.sides[s];
+    std::span<double> own = values.subspan(side.first_switch, side.slave + law(side).kinks());
+    if (side.slave) {
+      const double gap = state.area > 0 ? state.gap / state.area : pair(side).reach;
+      own[0] = at.values.scalar(state_.lambda)[side.node] + state_.rho * gap;
+    }
+    if (law(side).kinks() == 0) continue;
+    const double p = state.pressure(), v = state.speed();
+    const double depth = (patch(side).initial_position - undeformed(at, patch(side).node))
+                             .dot(patch(side).initial_normal);
+    law(side).switching(
+        wear_input(patch(side), Vector<4>(p, v, depth, pair(side).friction * p * v),
+                   {.time = at.t, .slid = state_.nominal_speed * at.t, .within = at.within}),
+        own.subspan(side.slave), law_branch(at, side));
+  }
+}
+
+template <int dim>
+std::vector<ContactNode<dim>> MortarTerm<dim>::nodes(const Evaluation<dim>& at) const {
+  const Surfaces result = surfaces(at, false);
+  std::vector<ContactNode<dim>> nodes(state_.patches.size());
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    const SideState& state = result.sides[s];
+    ContactNode<dim>& node = nodes[sides_[s].node];
+    // A node that the partner hardly covers has a pressure of no meaning.
+    const double least = state.load > 0 ? 0.1 * patch(sides_[s]).initial_area : 0;
+    const double area = node.area + std::max(state.area, least);
+    const double flux = node.area * node.wear_rate, load = node.area * node.traction;
+    node.active = node.active || state.active;
+    node.force += state.force;
+    if (state.normal) node.normal = -state.normal->value;
+    if (state.direction)
+      node.velocity -= weight(sides_[s]) * state.rate.value * state.area * state.direction->value;
+    if (sides_[s].slave) node.gap = state.area > 0 ? state.gap / state.area : pair(sides_[s]).reach;
+    if (!(area > 0)) continue;
+    node.traction = (load - state.load) / area;
+    node.wear_rate = (flux + state.area * state.rate.value) / area;
+    node.area = area;
+  }
+  return nodes;
+}
+
+template Vector<2> MortarTerm<2>::undeformed(const Evaluation<2>&, int) const;
+template Vector<2> MortarTerm<2>::current(const Evaluation<2>&, int) const;
+template MortarTerm<2>::Surfaces MortarTerm<2>::surfaces(const Evaluation<2>&, bool) const;
+template void MortarTerm<2>::switching(const Evaluation<2>&, std::span<double>) const;
+template std::vector<ContactNode<2>> MortarTerm<2>::nodes(const Evaluation<2>&) const;
+template Vector<3> MortarTerm<3>::undeformed(const Evaluation<3>&, int) const;
+template Vector<3> MortarTerm<3>::current(const Evaluation<3>&, int) const;
+template MortarTerm<3>::Surfaces MortarTerm<3>::surfaces(const Evaluation<3>&, bool) const;
+template void MortarTerm<3>::switching(const Evaluation<3>&, std::span<double>) const;
+template std::vector<ContactNode<3>> MortarTerm<3>::nodes(const Evaluation<3>&) const;
+
+}  // namespace gnomon
