@@ -16,7 +16,8 @@ double norm(const std::array<double, 3>& v) {
 
 double largest_force(const Examination& facts) {
   double largest = 0;
-  for (const ResultantForce& each : facts.forces) largest = std::max(largest, norm(each.force));
+  for (const auto* forces : {&facts.forces, &facts.reactions})
+    for (const ResultantForce& each : *forces) largest = std::max(largest, norm(each.force));
   return largest;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/linear/inner_solver.hpp>
 #include <gnomon/linear/jacobian_block.hpp>
@@ -62,11 +63,18 @@ public:
     for (double& value : values_) value /= static_cast<double>(owners());
     return values_;
   }
-  /// Sets up the solver. Returns how many factorizations were made. Throws RecoverableError, which
-  /// names the block by `what`, where it is singular.
+  /// Sets up the solver. Where the matrix has no factors, as of bodies that contact alone holds,
+  /// with a larger diagonal: it only preconditions. Returns how many factorizations were made.
+  /// Throws RecoverableError, which names the block by `what`, where that is singular, too.
   int set_up(const char* what) {
     if (empty()) return 0;
-    if (!solver_->set_up(values_)) throw RecoverableError(std::string(what) + " is singular");
+    bool done = solver_->set_up(values_);
+    for (const double shift : {1e-2, 1e-1, 1.0}) {
+      if (done) break;
+      enlarge_diagonal(shift);
+      done = solver_->set_up(values_);
+    }
+    if (!done) throw RecoverableError(std::string(what) + " is singular");
     is_set_up_ = true;
     return solver_->factorizations();
   }
@@ -85,6 +93,18 @@ public:
   }
 
 private:
+  /// By a part of its mean magnitude, and to positive values.
+  void enlarge_diagonal(double part_of_mean) {
+    const SparsePattern& lower = part().lower();
+    std::vector<double*> diagonal;
+    double mean = 0;
+    for (int column = 0; column < lower.size(); ++column)
+      if (const int at = lower.find(column, column); at >= 0) {
+        diagonal.push_back(&values_[static_cast<std::size_t>(at)]);
+        mean += std::abs(*diagonal.back()) / lower.size();
+      }
+    for (double* value : diagonal) *value = std::abs(*value) + part_of_mean * mean;
+  }
   static std::vector<std::vector<int>> by_owner(const Structure& structure, Role role) {
     std::map<int, std::vector<int>> owned;
     for (int i : unknowns_of(structure, {role})) owned[structure.block_of(i).owner].push_back(i);

@@ -20,20 +20,28 @@
 
 namespace gnomon::part {
 
+namespace {
+
+std::vector<Key> keys_of_pairs() {
+  return {texts_key("pair.#.bodies", absent("needed in every [[pair]]"),
+                    "two bodies, by their names, that touch each other"),
+          texts_key("pair.#.surfaces", absent("all boundary that faces the other body"),
+                    "groups of the mesh to which their contact is restricted"),
+          real_key("pair.#.friction", "", absent("friction.coefficient"), {.min = 0, .max = 1e30},
+                   "Coulomb's coefficient of friction of the pair, in gross sliding")};
+}
+
+}  // namespace
+
 std::vector<Key> pair_keys() {
-  std::vector<Key> keys = {
-      texts_key("pair.#.bodies", absent("needed in every [[pair]]"),
-                "two bodies, by their names, that touch each other"),
-      texts_key("pair.#.surfaces", absent("all boundary that faces the other body"),
-                "groups of the mesh to which their contact is restricted"),
-      real_key("pair.#.friction", "", absent("friction.coefficient"), {.min = 0, .max = 1e30},
-               "Coulomb's coefficient of friction of the pair, in gross sliding")};
+  std::vector<Key> keys = keys_of_pairs();
   for (Key& key : motion_keys_of_bodies()) keys.push_back(std::move(key));
   return keys;
 }
 
 bool has_pairs(const Scene& scene) {
-  return !scene.chosen_names("pair.#.bodies").empty();
+  return std::ranges::any_of(pair_keys(),
+                             [&](const Key& key) { return !scene.chosen_names(key.name).empty(); });
 }
 
 namespace {
@@ -63,7 +71,10 @@ void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes) {
   if (!has_pairs(scene)) return;
   std::set<std::set<std::string>> seen;
   mistakes.collect([&] {
-    for (const std::string& pair : entries_of(scene, "pair", pair_keys(), {"bodies"}))
+    if (scene.chosen_names("pair.#.bodies").empty())
+      throw InputError(scene.path().string() +
+                       ": expected a [[pair]] with the bodies that touch each other");
+    for (const std::string& pair : entries_of(scene, "pair", keys_of_pairs(), {"bodies"}))
       mistakes.collect([&] {
         require_two_bodies(scene, pair);
         const std::vector<std::string>& names = scene.texts(pair + ".bodies");
@@ -174,12 +185,38 @@ double speed_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& parts) {
 
 }  // namespace
 
+/// A body that moves slides on another one.
+void require_moving_pairs(const Scene& scene) {
+  const std::vector<std::string> names = separate_bodies(scene);
+  for (const std::string& motion : scene.chosen_names("motion.#.body")) {
+    const std::string key = "motion." + motion + ".body";
+    if (std::ranges::find(names, scene.text(key)) == names.end())
+      throw InputError(fmt::format("{}: expected a body of a [[pair]], \"{}\", got \"{}\"",
+                                   scene.where(key), fmt::join(names, "\", \""), scene.text(key)));
+  }
+}
+
+/// Where a pair does not slide, or moves towards each other.
+template <int dim>
+std::vector<std::string> remarks_on_sliding(const MortarPair<dim>& pair, double speed) {
+  constexpr double along = 1e-3;
+  const Vector<dim>& v = pair.motion.velocity;
+  const std::string names = fmt::format("\"{}\" and \"{}\"", pair.bodies[0], pair.bodies[1]);
+  if (speed == 0) return {names + " do not slide on each other ([[motion]]): nothing wears there"};
+  const Vector<dim> across = v - v.dot(pair.approach) * pair.approach;
+  if (pair.motion.spin.isZero(0) && pair.motion.across == 0 && pair.motion.across_by_x.isZero(0) &&
+      across.norm() < along * v.norm())
+    return {names + " move towards each other, and hardly slide ([[motion]])"};
+  return {};
+}
+
 template <int dim>
 void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts<dim>& parts) {
   const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
+  require_moving_pairs(scene);
   const std::map<std::string, RigidMotion<dim>> motions =
       read_motions_of_bodies<dim>(scene, parts.bodies, parts.section());
-  for (const std::string& table : entries_of(scene, "pair", pair_keys(), {"bodies"})) {
+  for (const std::string& table : entries_of(scene, "pair", keys_of_pairs(), {"bodies"})) {
     const std::array<int, 2> bodies = bodies_of_pair(scene, table, parts.bodies);
     const std::array<std::string, 2> names = {parts.bodies[bodies[0]].name,
                                               parts.bodies[bodies[1]].name};
@@ -206,7 +243,12 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
   parts.interface.friction = parts.pairs.front().friction;
   parts.interface.surfaces = surfaces_of(scene, part, parts.pairs);
   double speed = 0;
-  for (const MortarPair<dim>& pair : parts.pairs) speed = std::max(speed, speed_of(pair, parts));
+  for (const MortarPair<dim>& pair : parts.pairs) {
+    const double own = speed_of(pair, parts);
+    for (std::string& remark : remarks_on_sliding(pair, own))
+      parts.remarks.push_back(std::move(remark));
+    speed = std::max(speed, own);
+  }
   parts.interface.speed = scene.real_if("wear.velocity").value_or(speed);
 }
 

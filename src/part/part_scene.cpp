@@ -130,8 +130,9 @@ void require_partner(const Scene& scene) {
           ": missing key `counter_body.shape`, or [[pair]] where bodies meet each other");
     return;
   }
-  if (scene.given("counter_body.shape"))
-    throw InputError(scene.where("counter_body.shape") + ": expected none beside [[pair]]");
+  for (const Key& key : counter_body_keys())
+    if (scene.given(key.name))
+      throw InputError(scene.where(key.name) + ": expected none beside [[pair]]");
   if (!has_bodies(scene))
     throw InputError(scene.path().string() + ": [[pair]]: expected also a [[body]] for each body");
   if (!cycle_expressions(scene).empty())

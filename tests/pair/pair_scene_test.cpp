@@ -61,7 +61,7 @@ TEST(PairScene, MistakesAreNamed) {
   EXPECT_THAT(refusal({R"(pair.1.bodies=["plate", "disc"])"}),
               HasSubstr("expected names of [[body]], \"cylinder\", \"plate\", got \"disc\""));
   EXPECT_THAT(refusal({R"(pair.1.surfaces=["round"])"}), HasSubstr("surfaces of both bodies"));
-  EXPECT_THAT(refusal({"motion.1.body=disc"}), HasSubstr("the name of a [[body]]"));
+  EXPECT_THAT(refusal({"motion.1.body=disc"}), HasSubstr("a body of a [[pair]]"));
   EXPECT_THAT(refusal({"motion.1.rotation=1.0"}), HasSubstr("also motion.1.center"));
   EXPECT_THAT(refusal({"load.1.force=[0.0, 50.0]"}), HasSubstr("expected loads that press"));
   EXPECT_THAT(refusal({R"(wear.on=["base"])"}), HasSubstr("touch another body"));
