@@ -5,6 +5,7 @@
 #include <gnomon/part/part_scene.hpp>
 
 #include "part/bodies.hpp"
+#include "part/body_meshes.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
 #include "part/pairs.hpp"
@@ -25,13 +26,14 @@ std::string idle_beside_bodies(const Scene& scene) {
 
 /// Of a geometry; a mesh is what it is.
 std::optional<Scene> with_scaled_edges(const Scene& scene, double factor) {
-  if (!scene.has("mesh.file") || !is_geometry(scene.text("mesh.file"))) return {};
+  if (!has_geometry(scene)) return {};
   return scene.with("mesh.factor", factor * scene.real("mesh.factor"));
 }
 
 std::optional<Scene> with_scaled_split(const Scene& scene, double factor) {
   const long splits = scene.integer("mesh.split") - std::lround(std::log2(factor));
-  if (!scene.has("mesh.file") || splits < 0 || splits > most_splits) return {};
+  const bool has_mesh = scene.has("mesh.file") || !scene.chosen_names("body.#.mesh").empty();
+  if (!has_mesh || splits < 0 || splits > most_splits) return {};
   return scene.with("mesh.split", splits);
 }
 
@@ -105,8 +107,9 @@ std::vector<Key> shared_keys() {
 
 std::vector<Key> part_keys() {
   std::vector<Key> keys = mesh_keys();
-  for (const auto& more : {own_keys(), support_keys(), load_keys(), pair_keys(), cycle_keys(),
-                           shared_keys(), body_table_keys(), shape_support_keys()})
+  for (const auto& more :
+       {own_keys(), support_keys(), load_keys(), pair_keys(), cycle_keys(), shared_keys(),
+        body_table_keys(), body_mesh_keys(), shape_support_keys()})
     keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }

@@ -12,6 +12,7 @@
 #include <gnomon/shapes/counter_body_scene.hpp>
 
 #include "part/bodies.hpp"
+#include "part/body_meshes.hpp"
 #include "part/groups.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
@@ -28,24 +29,6 @@ namespace gnomon {
 namespace {
 
 using namespace part;
-
-/// The file that a key names: beside the scene, unless its path is absolute.
-std::filesystem::path file_of(const Scene& scene, const std::string& key) {
-  return scene.path().parent_path() / scene.text(key);
-}
-
-ImportedMesh read_mesh(const Scene& scene) {
-  const std::string key = "mesh.file";
-  if (!scene.has(key))
-    throw InputError(scene.path().string() +
-                     ": section [mesh]: expected `file`, a mesh, or a geometry, which Gmsh meshes");
-  try {
-    return read_mesh_file(file_of(scene, key), {.size = scene.real_if("mesh.size").value_or(0),
-                                                .factor = scene.real("mesh.factor")});
-  } catch (const InputError& error) {
-    throw InputError(scene.where(key) + ": " + error.what());
-  }
-}
 
 /// The counter-body and what presses it. Where the scene gives no direction, it is met along the
 /// mean normal of the contact surface.
