@@ -69,14 +69,16 @@ public:
   int set_up(const char* what) {
     if (empty()) return 0;
     bool done = solver_->set_up(values_);
+    int made = solver_->factorizations();
     for (const double shift : {1e-2, 1e-1, 1.0}) {
       if (done) break;
       enlarge_diagonal(shift);
       done = solver_->set_up(values_);
+      made += solver_->factorizations();
     }
     if (!done) throw RecoverableError(std::string(what) + " is singular");
     is_set_up_ = true;
-    return solver_->factorizations();
+    return made;
   }
   /// x = approximately K^-1 s, the columns of all owners one after the other.
   std::span<double> solve(std::span<const double> s) {

@@ -179,8 +179,9 @@ std::optional<Succession> WearModel<dim>::succeed_pairs(const State& state) cons
   if (!have_moved(x, 0.5)) return {};
   AssemblyParts<dim> parts = assembly();
   parts.near = std::move(x);
-  return Succession{std::make_shared<WearModel>(std::make_shared<const Assembly<dim>>(parts)),
-                    state, true};
+  return Succession{
+      std::make_shared<WearModel>(std::make_shared<const Assembly<dim>>(std::move(parts))), state,
+      true};
 }
 
 template class OtherBoundary<2>;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/mistakes.hpp>
 #include <gnomon/part/part_scene.hpp>
@@ -136,6 +137,11 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
       for (const Load<dim>& each : parts.loads)
         if (each.forces.size() > 0) load[side] += each.forces.row(row).transpose();
     }
+  for (const Load<dim>& each : parts.loads)
+    for (const auto& patch : contact_patches<dim>(parts.mesh, each.facets, {}, parts.section()))
+      for (std::size_t side = 0; each.forces.size() == 0 && side < 2; ++side)
+        if (body_of[patch.node] == bodies[side])
+          load[side] -= each.pressure * patch.initial_area * patch.initial_normal;
   for (std::size_t side = 0; side < 2; ++side) {
     // A load along directions that supports hold does not press.
     const Vector<dim> free = (held[side].array() == 0).select(load[side], 0.0);
@@ -210,6 +216,23 @@ std::vector<std::string> remarks_on_sliding(const MortarPair<dim>& pair, double 
   return {};
 }
 
+/// Bodies that share nodes are bonded.
+template <int dim>
+void require_separate(const Scene& scene, const std::string& table, const AssemblyParts<dim>& parts,
+                      const std::array<int, 2>& bodies) {
+  const std::vector<int> part = connected_parts(parts.mesh);
+  const auto first = [&](int body) {
+    return part[static_cast<std::size_t>(
+        parts.mesh.cells[static_cast<std::size_t>(parts.bodies[body].cells.front())][0])];
+  };
+  if (first(bodies[0]) == first(bodies[1]))
+    throw InputError(
+        fmt::format("{}: expected bodies that share no node, but \"{}\" and \"{}\" are "
+                    "bonded: mesh each by itself, without fragments or coherence",
+                    scene.where(table + ".bodies"), parts.bodies[bodies[0]].name,
+                    parts.bodies[bodies[1]].name));
+}
+
 template <int dim>
 void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts<dim>& parts) {
   const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
@@ -218,6 +241,7 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
       read_motions_of_bodies<dim>(scene, parts.bodies, parts.section());
   for (const std::string& table : entries_of(scene, "pair", keys_of_pairs(), {"bodies"})) {
     const std::array<int, 2> bodies = bodies_of_pair(scene, table, parts.bodies);
+    require_separate(scene, table, parts, bodies);
     const std::array<std::string, 2> names = {parts.bodies[bodies[0]].name,
                                               parts.bodies[bodies[1]].name};
     MortarPair<dim> pair{.slave = boundary_of(scene, table, part, body_of, bodies[0]),
@@ -252,6 +276,38 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
   parts.interface.speed = scene.real_if("wear.velocity").value_or(speed);
 }
 
+/// How far the bodies are apart where nothing but supports moves them.
+template <int dim>
+double gap_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x) {
+  const double travel = travel_to_touch<dim>(pair, x);
+  return std::isfinite(travel) ? std::max(0.0, travel) : 0;
+}
+
+template <int dim>
+std::set<int> slave_nodes(const MortarPair<dim>& pair) {
+  std::set<int> nodes;
+  for (const auto& facet : pair.slave) nodes.insert(facet.begin(), facet.end());
+  return nodes;
+}
+
+/// A node carries one multiplier: it is a slave in one pair.
+template <int dim>
+void tell_slaves_apart(const Scene& scene, std::vector<MortarPair<dim>>& pairs) {
+  std::set<int> taken;
+  const auto is_free = [&](const MortarPair<dim>& pair) {
+    return std::ranges::none_of(slave_nodes(pair), [&](int node) { return taken.contains(node); });
+  };
+  for (MortarPair<dim>& pair : pairs) {
+    if (!is_free(pair)) reverse(pair);
+    if (!is_free(pair))
+      throw InputError(fmt::format(
+          "{}: [[pair]]: expected pairs whose contacts do not meet, but that of \"{}\" and \"{}\" "
+          "meets those of others on both bodies; pair.#.surfaces restricts them",
+          scene.path().string(), pair.bodies[0], pair.bodies[1]));
+    taken.merge(slave_nodes(pair));
+  }
+}
+
 template <int dim>
 void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Magnitudes& expected,
                     AssemblyParts<dim>& parts) {
@@ -263,17 +319,26 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
     for (const auto& facet : surface.facets) wearing.insert(sorted(facet));
   for (MortarPair<dim>& pair : parts.pairs) {
     // Facets of a shaft and its bore have gaps of their own.
-    const double reach = closed + mean_size<dim>(pair.slave, touching) / 2;
+    const double gap = gap_of(pair, touching);
+    const double reach = closed + gap + mean_size<dim>(pair.slave, touching) / 2;
     pair.reach = reach;
     keep_facing<dim>(touching, parts.section(), pair);
+    if (pair.slave.empty())
+      throw InputError(fmt::format(
+          "{}: [[pair]]: expected bodies that meet, but \"{}\" and \"{}\" are {:.3g} mm apart, and "
+          "loads and supports bring them nearer by about {:.3g} mm",
+          scene.path().string(), pair.bodies[0], pair.bodies[1], gap, closed / 3));
     const std::string reason = choose_slave<dim>(touching, parts.section(), parts.bodies, pair);
+    // Surfaces of several pairs go on to where the other one begins: each has what is near.
+    const bool alone = parts.pairs.size() == 1;
     join_beside<dim>(touching, pair,
-                     [&](const auto& facet) { return wearing.contains(sorted(facet)); });
+                     [&](const auto& facet) { return alone && wearing.contains(sorted(facet)); });
     pair.reach = 2 * (reach + mean_size<dim>(pair.slave, touching));
     parts.remarks.push_back(
         fmt::format("\"{}\" may touch \"{}\" with {} facets, which carry the pressures since {}",
                     pair.bodies[0], pair.bodies[1], pair.slave.size(), reason));
   }
+  tell_slaves_apart(scene, parts.pairs);
   parts.interface.partner.approach = parts.pairs.front().approach;
   std::vector<Surface<dim>> surfaces = surfaces_of(scene, part, parts.pairs);
   for (Surface<dim>& surface : surfaces)
@@ -284,12 +349,16 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
 
 template <int dim>
 void keep_normals_to_supports(AssemblyParts<dim>& parts) {
+  constexpr double nearly = 0.9;
   for (MortarPair<dim>& pair : parts.pairs)
     for (const auto& facet : pair.slave)
       for (const int node : facet) {
         const auto held = parts.supports.held.row(node);
         if (held.maxCoeff() == 0 || held.minCoeff() != 0) continue;
-        pair.along[node] = (1 - held.template cast<double>().array()).matrix().asDiagonal();
+        const Tensor<dim> free = (1 - held.template cast<double>().array()).matrix().asDiagonal();
+        // Else it is no symmetry.
+        if ((free * facet_normal<dim>(facet, parts.mesh.nodes)).norm() > nearly)
+          pair.along[node] = free;
       }
 }
 

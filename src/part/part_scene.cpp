@@ -122,6 +122,9 @@ void require_partner(const Scene& scene) {
     throw InputError(scene.path().string() + ": [[pair]]: expected no cycle");
   if (scene.text("shape.motion") == "gap")
     throw InputError(scene.where("shape.motion") + ": expected \"mesh\" beside [[pair]]");
+  if (scene.real("contact.initial_gap") != 0)
+    throw InputError(scene.where("contact.initial_gap") +
+                     ": expected none beside [[pair]]: the meshes say where the bodies are");
 }
 
 /// All parts but the scales and where the shape is held, or all mistakes in them.

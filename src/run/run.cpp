@@ -116,6 +116,7 @@ private:
   Status integrate() {
     if (damping_) damping_->require_damping_in_wider_contact(state(), observed_);
     ProgressWatch progress(state().t, counters_, settings_.end);
+    if (model().overdue && model().overdue(state())) begin_epoch();
     while (state().t < settings_.end && !ends_early()) {
       if (hooks_.interrupted()) {
         write_last_checkpoint();

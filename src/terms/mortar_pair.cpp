@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <gnomon/terms/mortar_pair.hpp>
+#include <limits>
 
 namespace gnomon {
 
@@ -36,19 +37,25 @@ template <int dim>
 bool is_within_margin(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& near,
                       const std::vector<Vector<dim>>& x, double part) {
   Vector<dim> common = Vector<dim>::Zero();
-  double largest = 0;
+  double smallest = std::numeric_limits<double>::infinity();
   for (const auto& facet : pair.slave) {
-    largest = std::max(largest, Ball<dim>(facet, near).radius);
+    smallest = std::min(smallest, Ball<dim>(facet, near).radius);
     for (const int node : facet)
       common += (x[node] - near[node]) / double(facet.size() * pair.slave.size());
   }
+  // Along the surfaces: across them the reach allows for it.
   const auto strays = [&](const auto& facets) {
     double most = 0;
-    for (const auto& facet : facets)
-      for (const int node : facet) most = std::max(most, (x[node] - near[node] - common).norm());
+    for (const auto& facet : facets) {
+      const Vector<dim> n = facet_normal<dim>(facet, near);
+      for (const int node : facet) {
+        const Vector<dim> moved = x[node] - near[node] - common;
+        most = std::max(most, (moved - n * n.dot(moved)).norm());
+      }
+    }
     return most;
   };
-  return strays(pair.slave) + strays(pair.master) <= part * margin * largest;
+  return strays(pair.slave) + strays(pair.master) <= part * margin * smallest;
 }
 
 template <int dim>

@@ -26,28 +26,30 @@ PatchNodal<dim> MortarTerm<dim>::positions(const Evaluation<dim>& at,
 }
 
 template <int dim>
-void MortarTerm<dim>::add_facets(const Evaluation<dim>& at, bool with_tangents,
-                                 Surfaces& result) const {
+std::pair<FacetPair<dim>, std::vector<FacetNodal<dim>>> MortarTerm<dim>::places_of(
+    const SlaveFacet& facet, const Evaluation<dim>& at, const Surfaces& result) const {
+  FacetPair<dim> slave;
+  slave.y.setZero();  // of each master in turn
+  for (int a = 0; a < corners; ++a) {
+    const int node = patch(sides_[facet.sides[a]]).node;
+    slave.X.row(a) = undeformed(at, node).transpose();
+    slave.x.row(a) = current(at, node).transpose();
+    slave.n.row(a) = result.sides[facet.sides[a]].normal->value.transpose();
+  }
+  std::vector<FacetNodal<dim>> masters(facet.masters.size());
+  for (std::size_t k = 0; k < masters.size(); ++k)
+    for (int b = 0; b < corners; ++b)
+      masters[k].row(b) =
+          current(at, state_.pairs[facet.pair].master[facet.masters[k]][b]).transpose();
+  return {slave, std::move(masters)};
+}
+
+template <int dim>
+void MortarTerm<dim>::add_facets(const Evaluation<dim>& at, Surfaces& result) const {
   for (const SlaveFacet& facet : facets_) {
-    const MortarPair<dim>& pair = state_.pairs[facet.pair];
-    FacetPair<dim> slave;
-    slave.y.setZero();  // of each master in turn
-    for (int a = 0; a < corners; ++a) {
-      const int node = patch(sides_[facet.sides[a]]).node;
-      slave.X.row(a) = undeformed(at, node).transpose();
-      slave.x.row(a) = current(at, node).transpose();
-      slave.n.row(a) = result.sides[facet.sides[a]].normal->value.transpose();
-    }
-    std::vector<FacetNodal<dim>> masters(facet.masters.size());
-    for (std::size_t k = 0; k < masters.size(); ++k)
-      for (int b = 0; b < corners; ++b)
-        masters[k].row(b) = current(at, pair.master[facet.masters[k]][b]).transpose();
-    if (with_tangents) {
-      result.tangents.emplace_back(slave, masters, facet.masters, state_.section, pair.reach);
-      result.facets.push_back(result.tangents.back().facet);
-    } else {
-      result.facets.emplace_back(slave, masters, facet.masters, state_.section, pair.reach);
-    }
+    const auto [slave, masters] = places_of(facet, at, result);
+    result.facets.emplace_back(slave, masters, facet.masters, state_.section,
+                               state_.pairs[facet.pair].reach);
     for (int a = 0; a < corners; ++a) {
       result.sides[facet.sides[a]].area += result.facets.back().D[a];
       result.sides[facet.sides[a]].gap += result.facets.back().gap[a];
@@ -96,8 +98,7 @@ void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
 }
 
 template <int dim>
-typename MortarTerm<dim>::Surfaces MortarTerm<dim>::surfaces(const Evaluation<dim>& at,
-                                                             bool with_tangents) const {
+typename MortarTerm<dim>::Surfaces MortarTerm<dim>::surfaces(const Evaluation<dim>& at) const {
   Surfaces result;
   result.sides.resize(sides_.size());
   for (std::size_t s = 0; s < sides_.size(); ++s) {
@@ -112,7 +113,7 @@ typename MortarTerm<dim>::Surfaces MortarTerm<dim>::surfaces(const Evaluation<di
     state.traction.emplace(patch(side), state.normal->value, x.row(0).transpose(),
                            pair(side).motion, pair(side).friction);
   }
-  add_facets(at, with_tangents, result);
+  add_facets(at, result);
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     if (!sides_[s].slave) continue;
     SideState& state = result.sides[s];
@@ -135,7 +136,7 @@ typename MortarTerm<dim>::Surfaces MortarTerm<dim>::surfaces(const Evaluation<di
 
 template <int dim>
 void MortarTerm<dim>::switching(const Evaluation<dim>& at, std::span<double> values) const {
-  const Surfaces result = surfaces(at, false);
+  const Surfaces result = surfaces(at);
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     const Side& side = sides_[s];
     const SideState& state = result.sides[s];
@@ -157,7 +158,7 @@ void MortarTerm<dim>::switching(const Evaluation<dim>& at, std::span<double> val
 
 template <int dim>
 std::vector<ContactNode<dim>> MortarTerm<dim>::nodes(const Evaluation<dim>& at) const {
-  const Surfaces result = surfaces(at, false);
+  const Surfaces result = surfaces(at);
   std::vector<ContactNode<dim>> nodes(state_.patches.size());
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     const SideState& state = result.sides[s];
@@ -182,12 +183,16 @@ std::vector<ContactNode<dim>> MortarTerm<dim>::nodes(const Evaluation<dim>& at) 
 
 template Vector<2> MortarTerm<2>::undeformed(const Evaluation<2>&, int) const;
 template Vector<2> MortarTerm<2>::current(const Evaluation<2>&, int) const;
-template MortarTerm<2>::Surfaces MortarTerm<2>::surfaces(const Evaluation<2>&, bool) const;
+template std::pair<FacetPair<2>, std::vector<FacetNodal<2>>> MortarTerm<2>::places_of(
+    const SlaveFacet&, const Evaluation<2>&, const Surfaces&) const;
+template MortarTerm<2>::Surfaces MortarTerm<2>::surfaces(const Evaluation<2>&) const;
 template void MortarTerm<2>::switching(const Evaluation<2>&, std::span<double>) const;
 template std::vector<ContactNode<2>> MortarTerm<2>::nodes(const Evaluation<2>&) const;
 template Vector<3> MortarTerm<3>::undeformed(const Evaluation<3>&, int) const;
 template Vector<3> MortarTerm<3>::current(const Evaluation<3>&, int) const;
-template MortarTerm<3>::Surfaces MortarTerm<3>::surfaces(const Evaluation<3>&, bool) const;
+template std::pair<FacetPair<3>, std::vector<FacetNodal<3>>> MortarTerm<3>::places_of(
+    const SlaveFacet&, const Evaluation<3>&, const Surfaces&) const;
+template MortarTerm<3>::Surfaces MortarTerm<3>::surfaces(const Evaluation<3>&) const;
 template void MortarTerm<3>::switching(const Evaluation<3>&, std::span<double>) const;
 template std::vector<ContactNode<3>> MortarTerm<3>::nodes(const Evaluation<3>&) const;
 

@@ -127,7 +127,7 @@ void MortarTerm<dim>::map_to(const SparsePattern& pattern) {
 
 template <int dim>
 void MortarTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double> F) const {
-  const Surfaces result = surfaces(at, false);
+  const Surfaces result = surfaces(at);
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     const Side& side = sides_[s];
     const SideState& state = result.sides[s];
@@ -139,8 +139,8 @@ void MortarTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double> 
     }
     if (!side.slave) continue;
     if (const int row = lambda_numbers_[side.node]; row >= 0)
-      F[row] += state.active ? state.gap / own.initial_area
-                             : -at.values.scalar(state_.lambda)[side.node] / state_.rho;
+      F[row] += holds_gap(state) ? state.gap / own.initial_area
+                                 : -at.values.scalar(state_.lambda)[side.node] / state_.rho;
   }
 }
 
@@ -157,7 +157,7 @@ template <int dim>
 void MortarTerm<dim>::add_side(const Side& side, const SideState& state,
                                std::span<double> values) const {
   const ContactPatch<dim>& own = patch(side);
-  if (side.slave && !state.active) {
+  if (side.slave && !holds_gap(state)) {
     const int number = lambda_numbers_[side.node];
     add({number}, {number}, Eigen::MatrixXd::Constant(1, 1, -1 / state_.rho), values);
   }
@@ -228,11 +228,16 @@ void MortarTerm<dim>::add_master(const SlaveFacet& facet, const Surfaces& at, in
 template <int dim>
 void MortarTerm<dim>::add_jacobian(const Evaluation<dim>& at, double,
                                    std::span<double> values) const {
-  const Surfaces result = surfaces(at, true);
+  const Surfaces result = surfaces(at);
   for (std::size_t s = 0; s < sides_.size(); ++s) add_side(sides_[s], result.sides[s], values);
-  for (std::size_t f = 0; f < facets_.size(); ++f)
-    if (!result.facets[f].masters.empty())
-      add_facet(facets_[f], result.tangents[f], result, values);
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    if (result.facets[f].masters.empty()) continue;
+    // One after the other: in space each is large.
+    const auto [slave, masters] = places_of(facets_[f], at, result);
+    const MortarFacetTangent<dim> tangent(slave, masters, facets_[f].masters, state_.section,
+                                          state_.pairs[facets_[f].pair].reach);
+    add_facet(facets_[f], tangent, result, values);
+  }
 }
 
 template class MortarTerm<2>;

@@ -65,9 +65,6 @@ inline const auto degree_8 =
 /// polynomials of degree 5 but for that. Errors are near 1e-8 of the area of a facet up to 0.1, and
 /// 3e-6 at the quadrilaterals that a triangle is cut into.
 inline std::span<const TrianglePoint> triangle_rule(double irregularity) {
-#ifdef RULE
-  return RULE;
-#endif
   if (irregularity < 1e-12) return degree_5;
   if (irregularity < 0.1) return degree_6;
   return degree_8;

@@ -61,7 +61,7 @@ def result(width=1.0, surface=None, stress=None):
     zero = np.zeros_like(points)
     fields = {"shape": zero, "displacement": zero,
               "equivalent_stress": np.arange(len(cells)) if stress is None else stress}
-    return types.SimpleNamespace(has_pairs=False, 
+    return types.SimpleNamespace(has_pairs=False,
         points=points, cells=cells, dim=2, times=np.array([0.0, 100.0]), axes=("x", "y"),
         clock=Clock("s", 1.0),
         some_steps=lambda most: [1], contact=lambda _: table(width),

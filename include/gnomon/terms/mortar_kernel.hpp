@@ -10,9 +10,9 @@
 //   gap_a       = int phi_a (x^2 - x^1) . n dS
 //   shared_ab   = int I(phi_a N_b) dS
 //
-// I interpolates linearly between the ends of the covered part in 2D, and is the identity in 3D. The
-// row sums of `shared` are those of `coupling`, on flat interfaces the column sums, too; between
-// equal meshes it is diagonal, like the nodal quadrature of contact with a rigid body
+// I interpolates linearly between the ends of the covered part in 2D, and is the identity in 3D.
+// The row sums of `shared` are those of `coupling`, on flat interfaces the column sums, too;
+// between equal meshes it is diagonal, like the nodal quadrature of contact with a rigid body
 // (docs/two_bodies.md).
 //
 // The dual basis of the covered part of the slave facet, psi_a = sum_c A_ac phi_c with

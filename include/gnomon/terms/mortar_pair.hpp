@@ -30,8 +30,7 @@ struct MortarPair {
 
 /// The outward normal at the centre of a facet, unit, nodes at `x`.
 template <int dim>
-Vector<dim> facet_normal(const typename Mesh<dim>::Facet& facet,
-                         const std::vector<Vector<dim>>& x);
+Vector<dim> facet_normal(const typename Mesh<dim>::Facet& facet, const std::vector<Vector<dim>>& x);
 
 /// By slave facet of a pair: the masters that may cover it, by their positions in `master`; those
 /// near to it where the nodes are at `x`, with a margin of a facet around.

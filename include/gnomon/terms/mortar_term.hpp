@@ -97,7 +97,6 @@ private:
   struct Surfaces {
     std::vector<SideState> sides;
     std::vector<MortarFacet<dim>> facets;
-    std::vector<MortarFacetTangent<dim>> tangents;  ///< where they were asked for
   };
   void find_sides();
   void find_facets();
@@ -105,8 +104,12 @@ private:
   Vector<dim> current(const Evaluation<dim>& at, int node) const;
   PatchNodal<dim> positions(const Evaluation<dim>& at, const ContactPatch<dim>& patch,
                             bool deformed) const;
-  Surfaces surfaces(const Evaluation<dim>& at, bool with_tangents) const;
-  void add_facets(const Evaluation<dim>& at, bool with_tangents, Surfaces& result) const;
+  Surfaces surfaces(const Evaluation<dim>& at) const;
+  /// Of a facet, and current ones of its candidates.
+  std::pair<FacetPair<dim>, std::vector<FacetNodal<dim>>> places_of(const SlaveFacet& facet,
+                                                                    const Evaluation<dim>& at,
+                                                                    const Surfaces& result) const;
+  void add_facets(const Evaluation<dim>& at, Surfaces& result) const;
   void add_masters(Surfaces& result) const;
   void find_wear(const Evaluation<dim>& at, const Side& side, SideState& state) const;
   void add_side(const Side& side, const SideState& state, std::span<double> values) const;
@@ -118,6 +121,8 @@ private:
   std::vector<int> rows_of(const SlaveFacet& facet, const FacetNodes<dim>& nodes) const;
   std::vector<int> columns_of(const SlaveFacet& facet, const FacetNodes<dim>& nodes) const;
 
+  /// Whether the row of lambda is that of the gap: a node that nothing covers has none.
+  static bool holds_gap(const SideState& state) { return state.active && state.area > 0; }
   const ContactPatch<dim>& patch(const Side& side) const { return state_.patches[side.node]; }
   const MortarPair<dim>& pair(const Side& side) const { return state_.pairs[side.pair]; }
   const WearLaw& law(const Side& side) const { return state_.laws[state_.surface_of[side.node]]; }
