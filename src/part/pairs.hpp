@@ -25,7 +25,14 @@ void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes);
 template <int dim>
 void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts<dim>& parts);
 
-/// Leaves what can touch in a run that is expected to have these magnitudes, and chooses slaves.
+/// What touches, as surfaces: those that wear by name, and the rest. Throws InputError where one
+/// that wears faces no other body.
+template <int dim>
+std::vector<Surface<dim>> surfaces_of(const Scene& scene, const ImportedBody<dim>& part,
+                                      const std::vector<MortarPair<dim>>& pairs);
+
+/// (pair_contact.cpp) Leaves what can touch in a run that is expected to have these magnitudes, and
+/// chooses slaves.
 template <int dim>
 void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Magnitudes& expected,
                     AssemblyParts<dim>& parts);

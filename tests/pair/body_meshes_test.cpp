@@ -75,6 +75,33 @@ TEST_F(BodyMeshes, AreJoinedMovedAndBroughtTogether) {
   EXPECT_NEAR(observed(*pair, start, "wear_flux_upper"), 1e-6 * 20 * 10, 1e-10);
 }
 
+// Two contacts, of which each has its slave.
+TEST_F(BodyMeshes, ABodyMayLieBetweenTwoOthers) {
+  folder_.write("middle.geo", square(5));
+  std::string stack = text();
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    const auto at = stack.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    stack.replace(at, from.size(), to);
+  };
+  replace("shift = [0.0, -2.1]", "shift = [0.0, -4.2]");
+  replace("[[pair]]\nbodies = [\"upper\", \"lower\"]",
+          "[[body]]\nname = \"middle\"\nmesh = \"middle.geo\"\nshift = [0.0, -2.1]\n"
+          "young_modulus = 500.0\npoisson_ratio = 0.3\n"
+          "[[pair]]\nbodies = [\"upper\", \"middle\"]\n[[pair]]\nbodies = [\"middle\", \"lower\"]");
+  replace("[wear]\non = [",
+          "[[support]]\non = \"middle.sides\"\ndirections = [\"x\"]\n[wear]\non = "
+          "[\"middle.bottom\", ");
+  const auto model = this->model(stack);
+  Counters counters;
+  const State start = model->start(counters);
+  EXPECT_NEAR(observed(*model, start, "max_pressure"), 10, 1e-6);
+  EXPECT_NEAR(observed(*model, start, "contact_force"), 40, 1e-6);
+  EXPECT_NEAR(observed(*model, start, "wear_flux_middle"), 1e-6 * 20 * 10, 1e-10);
+  EXPECT_NEAR(observed(*model, start, "wear_flux_lower"), 1e-6 * 20 * 10, 1e-10);
+  EXPECT_NEAR(observed(*model, start, "wear_flux_upper"), 0, 1e-10);  // it does not slide
+}
+
 TEST_F(BodyMeshes, MistakesAreNamed) {
   EXPECT_THAT(refusal(text("[mesh]\nfile = \"upper.geo\"\n")),
               HasSubstr("expected none beside body.#.mesh"));

@@ -111,11 +111,12 @@ struct ContactNode {
   Vector<dim, Scalar> force = Vector<dim, Scalar>::Zero();
   Scalar constraint{0};
   Vector<dim, Scalar> velocity = Vector<dim, Scalar>::Zero();
-  PartnerMotion<Scalar> partner{};  ///< force on the partner in the rows of q
-  Scalar wear_rate{0};              ///< Wdot [length / time]
-  Scalar traction{0};               ///< lambda_eff [stress]
-  Scalar area{0};                   ///< A; of a pair of bodies, that which the partner covers
-  Scalar gap{0};                    ///< g [length]
+  PartnerMotion<Scalar> partner{};           ///< force on the partner in the rows of q
+  Scalar wear_rate{0};                       ///< Wdot [length / time]
+  Scalar traction{0};                        ///< lambda_eff [stress]
+  Scalar area{0};                            ///< A; of a pair of bodies, that which the partner
+                                             ///< covers, a tenth at least where it carries force
+  Scalar gap{0};                             ///< g [length]
   Vector<dim> normal = Vector<dim>::Zero();  ///< n of the partner
   bool active = false;
 

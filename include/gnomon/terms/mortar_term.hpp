@@ -9,7 +9,8 @@
 //   d, master   Wdot(p_j) C_j P N_j / A_j,   C_j = sum_i W_ij, p_j = sum_i p_i W_ij / C_j
 //
 // The speed v_i of sliding is that of the slave; a master has v_j = sum_i p_i v_i W_ij / (p_j C_j).
-// So the forces on both bodies are equal, and the volumes that they lose where their laws are.
+// So the forces on both bodies are equal, and the volumes that they lose where their laws are
+// and are proportional to p v.
 #pragma once
 
 #include <gnomon/terms/contact_nodes.hpp>

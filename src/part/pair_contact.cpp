@@ -1,0 +1,141 @@
+// What of the boundary of pairs can touch in a run, and which of the bodies are slaves.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <map>
+#include <set>
+
+#include "mesh/facet_table.hpp"
+#include "model/bring_together.hpp"
+#include "part/facing_facets.hpp"
+#include "part/pairs.hpp"
+#include "part/surfaces.hpp"
+
+namespace gnomon::part {
+
+template <int dim>
+std::vector<Surface<dim>> surfaces_of(const Scene& scene, const ImportedBody<dim>& part,
+                                      const std::vector<MortarPair<dim>>& pairs) {
+  std::map<typename Mesh<dim>::Facet, typename Mesh<dim>::Facet> touching;  // by sorted nodes
+  for (const MortarPair<dim>& pair : pairs)
+    for (const auto* side : {&pair.slave, &pair.master})
+      for (const auto& facet : *side) touching.try_emplace(sorted(facet), facet);
+  std::vector<Surface<dim>> surfaces = wearing_surfaces(scene, part);
+  for (Surface<dim>& surface : surfaces) {
+    std::erase_if(surface.facets,
+                  [&](const auto& facet) { return touching.erase(sorted(facet)) == 0; });
+    if (surface.facets.empty())
+      throw InputError(
+          fmt::format("{}: expected surfaces that touch another body, \"{}\" faces none",
+                      scene.where("wear.on"), surface.name));
+  }
+  Surface<dim> others{.name = "", .facets = {}, .wear = {}, .wears = false};
+  for (const auto& [nodes, facet] : touching) others.facets.push_back(facet);
+  if (!others.facets.empty()) surfaces.push_back(std::move(others));
+  return surfaces;
+}
+
+namespace {
+
+/// How far the bodies are apart where nothing but supports moves them.
+template <int dim>
+double gap_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x) {
+  const double travel = travel_to_touch<dim>(pair, x);
+  return std::isfinite(travel) ? std::max(0.0, travel) : 0;
+}
+
+template <int dim>
+std::set<int> slave_nodes(const MortarPair<dim>& pair) {
+  std::set<int> nodes;
+  for (const auto& facet : pair.slave) nodes.insert(facet.begin(), facet.end());
+  return nodes;
+}
+
+/// A node carries one multiplier: it is a slave in one pair.
+template <int dim>
+void tell_slaves_apart(const Scene& scene, std::vector<MortarPair<dim>>& pairs) {
+  std::set<int> taken;
+  const auto is_free = [&](const MortarPair<dim>& pair) {
+    return std::ranges::none_of(slave_nodes(pair), [&](int node) { return taken.contains(node); });
+  };
+  for (MortarPair<dim>& pair : pairs) {
+    if (!is_free(pair)) reverse(pair);
+    if (!is_free(pair))
+      throw InputError(fmt::format(
+          "{}: [[pair]]: expected pairs whose contacts do not meet, but that of \"{}\" and \"{}\" "
+          "meets those of others on both bodies; pair.#.surfaces restricts them",
+          scene.path().string(), pair.bodies[0], pair.bodies[1]));
+    taken.merge(slave_nodes(pair));
+  }
+}
+
+}  // namespace
+
+template <int dim>
+void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Magnitudes& expected,
+                    AssemblyParts<dim>& parts) {
+  // Contact grows to where the gap at first touch is what wear and deformation close.
+  const double closed = 3 * (expected.deepest + expected.scales.displacement);
+  const std::vector<Vector<dim>> touching = touching_nodes(parts);
+  std::set<typename Mesh<dim>::Facet> wearing;  // by sorted nodes
+  for (const Surface<dim>& surface : wearing_surfaces(scene, part))
+    for (const auto& facet : surface.facets) wearing.insert(sorted(facet));
+  for (MortarPair<dim>& pair : parts.pairs) {
+    // Facets of a shaft and its bore have gaps of their own.
+    const double gap = gap_of(pair, touching);
+    const double reach = closed + gap + mean_size<dim>(pair.slave, touching) / 2;
+    pair.reach = reach;
+    keep_facing<dim>(touching, parts.section(), pair);
+    if (pair.slave.empty())
+      throw InputError(fmt::format(
+          "{}: [[pair]]: expected bodies that meet, but \"{}\" and \"{}\" are {:.3g} mm apart, and "
+          "loads and supports bring them nearer by about {:.3g} mm",
+          scene.path().string(), pair.bodies[0], pair.bodies[1], gap, closed / 3));
+    const std::string reason = choose_slave<dim>(touching, parts.section(), parts.bodies, pair);
+    // Surfaces of several pairs go on to where the other one begins: each has what is near.
+    const bool alone = parts.pairs.size() == 1;
+    join_beside<dim>(touching, pair,
+                     [&](const auto& facet) { return alone && wearing.contains(sorted(facet)); });
+    pair.reach = 2 * (reach + mean_size<dim>(pair.slave, touching));
+    parts.remarks.push_back(
+        fmt::format("\"{}\" may touch \"{}\" with {} facets, which carry the pressures since {}",
+                    pair.bodies[0], pair.bodies[1], pair.slave.size(), reason));
+  }
+  tell_slaves_apart(scene, parts.pairs);
+  parts.interface.partner.approach = parts.pairs.front().approach;
+  std::vector<Surface<dim>> surfaces = surfaces_of(scene, part, parts.pairs);
+  for (Surface<dim>& surface : surfaces)
+    for (const Surface<dim>& before : parts.interface.surfaces)
+      if (before.wears && before.name == surface.name) surface.wear = before.wear;
+  parts.interface.surfaces = std::move(surfaces);
+}
+
+template <int dim>
+void keep_normals_to_supports(AssemblyParts<dim>& parts) {
+  constexpr double nearly = 0.9;
+  for (MortarPair<dim>& pair : parts.pairs)
+    for (const auto& facet : pair.slave)
+      for (const int node : facet) {
+        const auto held = parts.supports.held.row(node);
+        if (held.maxCoeff() == 0 || held.minCoeff() != 0) continue;
+        const Tensor<dim> free = (1 - held.template cast<double>().array()).matrix().asDiagonal();
+        // Else it is no symmetry.
+        if ((free * facet_normal<dim>(facet, parts.mesh.nodes)).norm() > nearly)
+          pair.along[node] = free;
+      }
+}
+
+template std::vector<Surface<2>> surfaces_of(const Scene&, const ImportedBody<2>&,
+                                             const std::vector<MortarPair<2>>&);
+template std::vector<Surface<3>> surfaces_of(const Scene&, const ImportedBody<3>&,
+                                             const std::vector<MortarPair<3>>&);
+template void restrict_pairs(const Scene&, const ImportedBody<2>&, const Magnitudes&,
+                             AssemblyParts<2>&);
+template void restrict_pairs(const Scene&, const ImportedBody<3>&, const Magnitudes&,
+                             AssemblyParts<3>&);
+template void keep_normals_to_supports(AssemblyParts<2>&);
+template void keep_normals_to_supports(AssemblyParts<3>&);
+
+}  // namespace gnomon::part
