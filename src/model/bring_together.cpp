@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <optional>
+
+#include "mesh/connected_nodes.hpp"
 
 namespace gnomon {
 
@@ -71,23 +72,26 @@ std::map<int, double> travels(const std::vector<typename Mesh<dim>::Facet>& from
 
 template <int dim>
 std::vector<int> connected_parts(const Mesh<dim>& mesh) {
-  std::vector<int> root(mesh.nodes.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&root](int node) {
-    while (root[node] != node) node = root[node] = root[root[node]];
-    return node;
-  };
-  for (const auto& cell : mesh.cells)
-    for (const int node : cell) root[find(node)] = find(cell[0]);
-  for (std::size_t node = 0; node < root.size(); ++node) root[node] = find(static_cast<int>(node));
-  return root;
+  const std::size_t corners = Mesh<dim>::cell_nodes;
+  return connected_nodes(
+      mesh.nodes.size(),
+      {mesh.cells.empty() ? nullptr : mesh.cells.front().data(), corners * mesh.cells.size()},
+      corners);
+}
+
+template <int dim>
+std::vector<int> body_of_nodes(const Mesh<dim>& mesh, const std::vector<int>& body_of_cells) {
+  std::vector<int> body(mesh.nodes.size(), -1);
+  for (std::size_t cell = 0; cell < body_of_cells.size(); ++cell)
+    for (const int node : mesh.cells[cell]) body[node] = body_of_cells[cell];
+  return body;
 }
 
 namespace {
 
-/// By node: whether the part that it belongs to is held along e, or has been `moved` into place.
+/// By part: whether it is held along e, or, as `held` says, is in its place.
 template <int dim>
-std::vector<char> held_nodes(const AssemblyParts<dim>& parts, const std::vector<int>& part,
+std::vector<char> held_parts(const AssemblyParts<dim>& parts, const std::vector<int>& part,
                              const Vector<dim>& e, std::vector<char> held) {
   constexpr double across = 1e-6;
   for (std::size_t node = 0; node < part.size(); ++node)
@@ -97,7 +101,6 @@ std::vector<char> held_nodes(const AssemblyParts<dim>& parts, const std::vector<
   for (const auto& springs : parts.supports.springs)
     for (const auto& facet : springs.facets)
       if (springs.stiffness.cwiseProduct(e).norm() > 0) held[part[facet[0]]] = 1;
-  for (std::size_t node = 0; node < part.size(); ++node) held[node] = held[part[node]];
   return held;
 }
 
@@ -128,17 +131,17 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts)
   for (bool moved = true; moved;) {
     moved = false;
     for (const MortarPair<dim>& pair : parts.pairs) {
-      const int slave = pair.slave.front()[0], master = pair.master.front()[0];
+      const int slave = part[pair.slave.front()[0]], master = part[pair.master.front()[0]];
       const Vector<dim>& e = pair.approach;
-      const std::vector<char> held = held_nodes<dim>(parts, part, e, placed);
+      const std::vector<char> held = held_parts<dim>(parts, part, e, placed);
       if (held[slave] == held[master]) continue;
       const double travel = travel_to_touch<dim>(pair, x);
       if (!std::isfinite(travel)) continue;
       const int floating = held[slave] ? master : slave;
+      placed[floating] = 1;
       const Vector<dim> along = held[slave] ? e : Vector<dim>(-e);
       for (std::size_t node = 0; node < part.size(); ++node) {
-        if (part[node] != part[floating]) continue;
-        placed[node] = 1;
+        if (part[node] != floating) continue;
         x[node] += travel * along;
         const auto row = static_cast<Eigen::Index>(node);
         for (int i = 0; i < dim; ++i)
@@ -163,6 +166,8 @@ std::vector<Vector<dim>> touching_nodes(const AssemblyParts<dim>& parts) {
 
 template std::vector<int> connected_parts(const Mesh<2>&);
 template std::vector<int> connected_parts(const Mesh<3>&);
+template std::vector<int> body_of_nodes(const Mesh<2>&, const std::vector<int>&);
+template std::vector<int> body_of_nodes(const Mesh<3>&, const std::vector<int>&);
 template double travel_to_touch(const MortarPair<2>&, const std::vector<Vector<2>>&);
 template double travel_to_touch(const MortarPair<3>&, const std::vector<Vector<3>>&);
 template std::map<int, double> travels_of_slave(const MortarPair<2>&,

@@ -9,6 +9,10 @@ namespace gnomon {
 template <int dim>
 std::vector<int> connected_parts(const Mesh<dim>& mesh);
 
+/// By node: the last of the bodies that have it, by those of the cells.
+template <int dim>
+std::vector<int> body_of_nodes(const Mesh<dim>& mesh, const std::vector<int>& body_of_cells);
+
 /// How far the master of a pair goes along its approach to touch the slave, where the nodes are at
 /// `x`: negative where they overlap, infinite where it passes by [length].
 template <int dim>

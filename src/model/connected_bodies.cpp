@@ -1,29 +1,12 @@
 #include <algorithm>
 #include <gnomon/model/model.hpp>
-#include <numeric>
+
+#include "mesh/connected_nodes.hpp"
 
 namespace gnomon {
 
 std::vector<int> connected_bodies(const Grid& grid) {
-  std::vector<int> root(grid.points.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&root](int node) {
-    while (root[node] != node) node = root[node] = root[root[node]];
-    return node;
-  };
-  const std::size_t corners = grid.corners();
-  for (std::size_t k = 0; k < grid.cells.size(); ++k) {
-    const int one = find(grid.cells[k]), other = find(grid.cells[k - k % corners]);
-    root[std::max(one, other)] = std::min(one, other);
-  }
-  std::vector<int> number(root.size(), -1), body;
-  int bodies = 0;
-  for (std::size_t node = 0; node < root.size(); ++node) {
-    int& own = number[find(static_cast<int>(node))];
-    if (own < 0) own = bodies++;
-    body.push_back(own);
-  }
-  return body;
+  return connected_nodes(grid.points.size(), grid.cells, grid.corners());
 }
 
 void find_bodies(const Grid& grid, ContactSurface& surface) {

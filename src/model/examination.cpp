@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 
+#include "model/bring_together.hpp"
 #include "model/resultants.hpp"
 
 namespace gnomon {
@@ -163,9 +164,7 @@ double find_wedging(const std::vector<Phase<dim>>& phases,
 template <int dim>
 double find_lost_wear(const Assembly<dim>& assembly,
                       const std::vector<PhaseContact<dim>>& contacts) {
-  std::vector<int> body_of(assembly.mesh.nodes.size(), 0);
-  for (std::size_t cell = 0; cell < assembly.mesh.cells.size(); ++cell)
-    for (const int node : assembly.mesh.cells[cell]) body_of[node] = assembly.body_of[cell];
+  const std::vector<int> body_of = body_of_nodes(assembly.mesh, assembly.body_of);
   std::vector<double> all(assembly.bodies.size(), 0), lost = all;
   for (const auto& [weight, nodes] : contacts)
     for (std::size_t c = 0; c < nodes.size(); ++c) {

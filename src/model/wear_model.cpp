@@ -6,6 +6,7 @@
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/terms/meridian_point.hpp>
 
+#include "model/bring_together.hpp"
 #include "model/resultants.hpp"
 
 namespace gnomon {
@@ -143,10 +144,9 @@ void observe_bodies(const Assembly<dim>& body, const NodalField<dim>& d,
                     const std::vector<PhaseContact<dim>>& phases, int units,
                     Observation& observed) {
   std::vector<double> worn(body.bodies.size(), 0), flux = worn;
-  std::vector<int> owner(body.mesh.nodes.size(), 0);
+  const std::vector<int> owner = body_of_nodes(body.mesh, body.body_of);
   for (std::size_t c = 0; c < body.mesh.cells.size(); ++c) {
     const auto& cell = body.mesh.cells[c];
-    for (const int node : cell) owner[node] = body.body_of[c];
     const CellNodal<dim> initial = body.mesh.positions(cell);
     worn[body.body_of[c]] +=
         body.copies * (cell_volume<dim>(initial, body.section()) -

@@ -1,7 +1,6 @@
 #include "part/body_motions.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
@@ -84,17 +83,10 @@ RigidMotion<dim> read_motion(const Scene& scene, const std::string& table, Secti
 
 template <int dim>
 std::map<std::string, RigidMotion<dim>> read_motions_of_bodies(const Scene& scene,
-                                                               const std::vector<Body>& bodies,
                                                                Section section) {
   std::map<std::string, RigidMotion<dim>> motions;
   for (const std::string& table : entries_of(scene, "motion", motion_keys_of_bodies(), {"body"})) {
     const std::string key = table + ".body", name = scene.text(key);
-    std::vector<std::string> names;
-    for (const Body& body : bodies) names.push_back(body.name);
-    if (std::ranges::find(names, name) == names.end())
-      refuse(scene, key,
-             fmt::format("the name of a [[body]], \"{}\", got \"{}\"", fmt::join(names, "\", \""),
-                         name));
     if (!motions.try_emplace(name, read_motion<dim>(scene, table, section)).second)
       refuse(scene, key, fmt::format("one [[motion]] for each body, got two for \"{}\"", name));
   }
@@ -117,12 +109,8 @@ RigidMotion<dim> difference_of(const std::map<std::string, RigidMotion<dim>>& mo
   return result;
 }
 
-template std::map<std::string, RigidMotion<2>> read_motions_of_bodies(const Scene&,
-                                                                      const std::vector<Body>&,
-                                                                      Section);
-template std::map<std::string, RigidMotion<3>> read_motions_of_bodies(const Scene&,
-                                                                      const std::vector<Body>&,
-                                                                      Section);
+template std::map<std::string, RigidMotion<2>> read_motions_of_bodies(const Scene&, Section);
+template std::map<std::string, RigidMotion<3>> read_motions_of_bodies(const Scene&, Section);
 template RigidMotion<2> difference_of(const std::map<std::string, RigidMotion<2>>&,
                                       const std::array<std::string, 2>&);
 template RigidMotion<3> difference_of(const std::map<std::string, RigidMotion<3>>&,

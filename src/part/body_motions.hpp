@@ -14,9 +14,7 @@ std::vector<Key> motion_keys_of_bodies();
 
 /// By name of the body that moves. Throws InputError.
 template <int dim>
-std::map<std::string, RigidMotion<dim>> read_motions_of_bodies(const Scene& scene,
-                                                               const std::vector<Body>& bodies,
-                                                               Section section);
+std::map<std::string, RigidMotion<dim>> read_motions_of_bodies(const Scene& scene, Section section);
 
 /// That of the second body relative to the first; bodies without a motion are at rest.
 template <int dim>

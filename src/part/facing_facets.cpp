@@ -30,15 +30,6 @@ int BodyOfFacets<dim>::operator()(const typename Mesh<dim>::Facet& facet) const 
   return found == body_.end() ? -1 : found->second;
 }
 
-template <int dim>
-std::vector<int> body_of_nodes(const AssemblyParts<dim>& parts) {
-  const std::vector<int> body_of = body_of_cells(parts.bodies, parts.mesh.cells.size());
-  std::vector<int> result(parts.mesh.nodes.size(), -1);
-  for (std::size_t cell = 0; cell < body_of.size(); ++cell)
-    for (const int node : parts.mesh.cells[cell]) result[node] = body_of[cell];
-  return result;
-}
-
 namespace {
 
 /// Flat, where it is now.
@@ -214,8 +205,6 @@ std::string choose_slave(const std::vector<Vector<dim>>& x, Section section,
 
 template class BodyOfFacets<2>;
 template class BodyOfFacets<3>;
-template std::vector<int> body_of_nodes(const AssemblyParts<2>&);
-template std::vector<int> body_of_nodes(const AssemblyParts<3>&);
 template void keep_facing(const std::vector<Vector<2>>&, Section, MortarPair<2>&);
 template void keep_facing(const std::vector<Vector<3>>&, Section, MortarPair<3>&);
 template void join_beside(const std::vector<Vector<2>>&, MortarPair<2>&,

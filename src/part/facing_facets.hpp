@@ -20,10 +20,6 @@ private:
   std::map<typename Mesh<dim>::Facet, int> body_;  // by sorted nodes
 };
 
-/// By node: the last of the bodies that have it.
-template <int dim>
-std::vector<int> body_of_nodes(const AssemblyParts<dim>& parts);
-
 /// Leaves the facets that meet one of the other side along their normals, nodes at `x`, within the
 /// reach of the pair.
 template <int dim>

@@ -126,7 +126,8 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
   Vector<dim> outward = Vector<dim>::Zero();
   for (const auto& patch : contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section()))
     outward += patch.initial_area * patch.initial_normal;
-  const std::vector<int> body_of = body_of_nodes(parts);
+  const std::vector<int> body_of =
+      body_of_nodes(parts.mesh, body_of_cells(parts.bodies, parts.mesh.cells.size()));
   std::array<Vector<dim>, 2> load = {Vector<dim>::Zero(), Vector<dim>::Zero()};
   std::array<Vector<dim>, 2> held = load;
   for (std::size_t node = 0; node < body_of.size(); ++node)
@@ -215,7 +216,7 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
   const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
   require_moving_pairs(scene);
   const std::map<std::string, RigidMotion<dim>> motions =
-      read_motions_of_bodies<dim>(scene, parts.bodies, parts.section());
+      read_motions_of_bodies<dim>(scene, parts.section());
   for (const std::string& table : entries_of(scene, "pair", keys_of_pairs(), {"bodies"})) {
     const std::array<int, 2> bodies = bodies_of_pair(scene, table, parts.bodies);
     require_separate(scene, table, parts, bodies);
