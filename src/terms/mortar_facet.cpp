@@ -25,29 +25,45 @@ Square dual_coefficients(const Square& mass) {
   return mass.rowwise().sum().asDiagonal() * mass.inverse();
 }
 
+/// Sums over the parts that cover a facet.
+template <int dim>
+struct Cover {
+  typename MortarFacet<dim>::Square mass = MortarFacet<dim>::Square::Zero();
+  typename MortarFacet<dim>::Nodal raw = MortarFacet<dim>::Nodal::Zero();  // gap by phi
+
+  /// Whether the part covers anything.
+  bool add(const CoveredPart<dim>& part, int number, MortarFacet<dim>& to) {
+    if (part.mass.sum() == 0) return false;
+    mass += part.mass;
+    raw += part.gap;
+    to.masters.push_back({number, part.coupling, part.shared});
+    return true;
+  }
+  /// Whether enough is covered; then by the dual basis.
+  bool finish(const FacetNodal<dim>& X, Section section, MortarFacet<dim>& to) const {
+    if (!(mass.sum() > least_cover * size_of<dim>(X, section))) {
+      to.masters.clear();
+      return false;
+    }
+    const typename MortarFacet<dim>::Square A = dual_coefficients(mass);
+    to.D = mass.rowwise().sum();
+    to.gap = A * raw;
+    for (auto& master : to.masters) master.M = A * master.M;
+    return true;
+  }
+};
+
 }  // namespace
 
 template <int dim>
 MortarFacet<dim>::MortarFacet(FacetPair<dim> pair, const std::vector<FacetNodal<dim>>& y,
                               const std::vector<int>& facets, Section section, double reach) {
-  Square mass = Square::Zero();
-  Nodal raw = Nodal::Zero();
+  Cover<dim> cover;
   for (std::size_t k = 0; k < y.size(); ++k) {
     pair.y = y[k];
-    const CoveredPart<dim> part = covered_part<dim>(pair, section, reach);
-    if (part.mass.sum() == 0) continue;
-    mass += part.mass;
-    raw += part.gap;
-    masters.push_back({facets[k], part.coupling, part.shared});
+    cover.add(covered_part<dim>(pair, section, reach), facets[k], *this);
   }
-  if (!(mass.sum() > least_cover * size_of<dim>(pair.X, section))) {
-    masters.clear();
-    return;
-  }
-  const Square A = dual_coefficients(mass);
-  D = mass.rowwise().sum();
-  gap = A * raw;
-  for (Master& master : masters) master.M = A * master.M;
+  cover.finish(pair.X, section, *this);
 }
 
 template <int dim>
@@ -57,27 +73,18 @@ MortarFacetTangent<dim>::MortarFacetTangent(FacetPair<dim> pair,
                                             double reach)
     : facet(pair, {}, {}, section, reach) {
   std::vector<CoveredPartTangent<dim>> parts;
-  Square mass = Square::Zero();
-  typename MortarFacet<dim>::Nodal raw = MortarFacet<dim>::Nodal::Zero();
+  Cover<dim> cover;
   for (std::size_t k = 0; k < y.size(); ++k) {
     pair.y = y[k];
     CoveredPartTangent<dim> part = covered_part_tangent<dim>(pair, section, reach);
-    if (part.part.mass.sum() == 0) continue;
-    mass += part.part.mass;
-    raw += part.part.gap;
-    facet.masters.push_back({facets[k], part.part.coupling, part.part.shared});
-    parts.push_back(std::move(part));
+    if (cover.add(part.part, facets[k], facet)) parts.push_back(std::move(part));
   }
-  if (!(mass.sum() > least_cover * size_of<dim>(pair.X, section))) {
-    facet.masters.clear();
+  if (!cover.finish(pair.X, section, facet)) {
     by_input.resize(row_of_masters, own);
     by_input.setZero();
     return;
   }
-  const Square A = dual_coefficients(mass), inverse = mass.inverse();
-  facet.D = mass.rowwise().sum();
-  facet.gap = A * raw;
-  for (auto& master : facet.masters) master.M = A * master.M;
+  const Square A = dual_coefficients(cover.mass), inverse = cover.mass.inverse();
   const auto count = static_cast<int>(parts.size());
   by_input.resize(row_of_masters + count * rows_of_master, own + count * each);
   by_input.setZero();
@@ -97,7 +104,7 @@ MortarFacetTangent<dim>::MortarFacetTangent(FacetPair<dim> pair,
     }
     const Square dA = (Square(dm.rowwise().sum().asDiagonal()) - A * dm) * inverse;
     by_input.col(column).template segment<n>(0) = dm.rowwise().sum();
-    by_input.col(column).template segment<n>(row_of_gap) = dA * raw + A * dr;
+    by_input.col(column).template segment<n>(row_of_gap) = dA * cover.raw + A * dr;
     for (int k = 0; k < count; ++k) {
       Square dW = Square::Zero(), dR = dW;
       if (const int at = column_of(k); at >= 0) {
