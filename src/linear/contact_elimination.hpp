@@ -9,9 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "linear/contact_entries.hpp"
+#include "linear/contact_spring.hpp"
 #include "linear/factored_block.hpp"
-#include "linear/low_rank_update.hpp"
 
 namespace gnomon {
 
@@ -35,6 +34,9 @@ namespace gnomon {
 /// The caller solves (u') between condense(), which makes its right side, and recover(), which
 /// gives dl and dc. A closed contact node is thus a spring on its displacements. Its compliance D
 /// is the wear that its pressure makes within the step. An open node has B = 0 or C = 0, no spring.
+///
+/// In contact with another deformable body l also presses nodes of that: B and C are vectors over
+/// the node itself and these, and the spring joins the bodies.
 ///
 /// Springs are added to K as s n n^T with n = C / |C| and s = C.B / D, which keeps K symmetric: B
 /// is parallel to C but for friction. Where nothing wears, D = 0 (a rigid constraint); |D| is kept
@@ -65,13 +67,16 @@ public:
         wear_block_(structure, {Role::evolution}),
         work_(contact_.size()) {}
 
+  /// Entries of K that springs need, as ContactEntries::joined().
+  std::vector<std::vector<int>> joined() const { return entries_.joined(); }
+
   /// Takes the values of J; the span must outlive their use.
   void update(std::span<const double> J) {
     J_ = J;
     entries_.update(J);
     for (std::size_t c = 0; c < contact_.size(); ++c) update_contact(c);
     share_surfaces();
-    for (ContactNode& node : contact_) update_spring(node);
+    for (ContactSpring& node : contact_) node.set_spring();
     for (SurfaceNode& node : surface_) update_gamma(node);
     find_moved_springs();
     wear_block_.factorize(J);
@@ -80,18 +85,17 @@ public:
   /// Set-up: adds the springs of the diagonal of D to `values` of K, and remembers them.
   void add_springs(const SymmetricPart& part, std::vector<double>& values) {
     moved_.clear();
-    for (std::size_t c = 0; c < contact_.size(); ++c) {
-      ContactNode& node = contact_[c];
+    for (ContactSpring& node : contact_) {
       node.spring_at_setup = node.spring;
       node.has_moved = false;
       if (node.spring == 0) continue;
-      node.direction_at_setup = node.C.normalized();
-      const NodeUnknowns& u = entries_.nodes()[c].u;
-      for (int k = 0; k < most_components; ++k)
-        for (int m = 0; m <= k; ++m)
-          if (u[k] >= 0 && u[m] >= 0)
-            values[part.find(u[k], u[m])] +=
-                node.spring * node.direction_at_setup[k] * node.direction_at_setup[m];
+      node.shares_at_setup = node.shares;
+      const SparseVector n = node.direction_at_setup(part);
+      for (std::size_t k = 0; k < n.index.size(); ++k)
+        for (std::size_t m = 0; m < n.index.size(); ++m)
+          if (n.index[k] >= n.index[m])
+            values[part.lower().find(n.index[k], n.index[m])] +=
+                node.spring * n.value[k] * n.value[m];
     }
   }
 
@@ -112,21 +116,21 @@ public:
     for (std::size_t i = 0; i < contact_.size(); ++i) {
       double& right = s[entries_.nodes()[i].multiplier];
       right -= entries_.shape_part(contact_[i].on, s);
+      for (const auto& other : contact_[i].on_partners) right -= entries_.shape_part(other, s);
       work_[i] = right;
     }
     solve_D(work_);
-    for (std::size_t i = 0; i < contact_.size(); ++i) {
-      const NodeUnknowns& u = entries_.nodes()[i].u;
-      for (int k = 0; k < most_components; ++k)
-        if (u[k] >= 0) s[u[k]] += contact_[i].B[k] * work_[i];
-    }
+    for (std::size_t i = 0; i < contact_.size(); ++i)
+      for (const auto& [u, B, C] : contact_[i].shares)
+        for (int k = 0; k < most_components; ++k)
+          if (u[k] >= 0) s[u[k]] += B[k] * work_[i];
   }
 
   /// z_l and z_c from z_u. `s` must be as condense() left it; it is changed.
   void recover(std::span<double> s, std::span<double> z) {
     for (std::size_t i = 0; i < contact_.size(); ++i) {
-      const ContactEntries::Node& at = entries_.nodes()[i];
-      work_[i] = contact_[i].C.dot(values_at(at.u, z)) - s[at.multiplier];
+      work_[i] = -s[entries_.nodes()[i].multiplier];
+      for (const auto& [u, B, C] : contact_[i].shares) work_[i] += C.dot(values_at(u, z));
     }
     solve_D(work_);
     for (std::size_t i = 0; i < contact_.size(); ++i) z[entries_.nodes()[i].multiplier] = work_[i];
@@ -135,53 +139,36 @@ public:
   }
 
 private:
-  static void append(SparseVector& vector, const SymmetricPart& part, const NodeUnknowns& unknowns,
-                     const NodeValues& values) {
-    for (int k = 0; k < most_components; ++k)
-      if (unknowns[k] >= 0) {
-        vector.index.push_back(part.number(unknowns[k]));
-        vector.value.push_back(values[k]);
-      }
-  }
-  using Values = NodeValues;
   struct SurfaceNode {
     std::vector<int> closed;  ///< contact nodes upon it, in contact_
     double gamma = 0;         ///< as above
   };
-  struct ContactNode {
-    ContactEntries::OnSurface on;
-    Values B = Values::Zero(), C = Values::Zero();
-    double CB = 0;               ///< C.B; zero: open
-    double D = 1;                ///< of D_0
-    double a_m = 0, e_m = 0;     ///< of a shared surface node, else zero
-    double own_stiffness = 0;    ///< of K at the node alone, along C
-    double spring = 0;           ///< s of the J that is current
-    double spring_at_setup = 0;  ///< s and n that add_springs() has added
-    Values direction_at_setup = Values::Zero();
-    bool has_moved = false;  ///< since then, so far that low_rank_terms() makes up for it
-  };
-
   void update_contact(std::size_t c) {
-    ContactNode& node = contact_[c];
+    ContactSpring& node = contact_[c];
     const ContactEntries::Node& at = entries_.nodes()[c];
-    const int l = at.multiplier;
-    NodeSquare K;
-    for (int k = 0; k < most_components; ++k) {
-      node.B[k] = entries_.at(at.u[k], l);
-      node.C[k] = entries_.at(l, at.u[k]);
-      for (int m = 0; m < most_components; ++m) K(k, m) = entries_.at(at.u[k], at.u[m]);
-    }
-    node.D = -entries_.at(l, l);  // share_surfaces() adds a J_cl
+    node.shares = entries_.shares(at);
+    node.D = -entries_.at(at.multiplier, at.multiplier);  // share_surfaces() adds a J_cl
     node.a_m = node.e_m = 0;
     node.on = entries_.on_surface(at);
+    node.on_partners = entries_.on_partners(at);
+    for (const auto& other : node.on_partners) node.D += other.a.dot(other.e);
     if (node.on.surface >= 0) {
       const NodeUnknowns& surface = entries_.surfaces()[node.on.surface];
       for (int k = 0; k < most_components; ++k)
         for (int m = 0; m < most_components; ++m)
-          node.C[m] -= node.on.a[k] * entries_.at(surface[k], at.u[m]);
+          node.shares[0].C[m] -= node.on.a[k] * entries_.at(surface[k], at.u[m]);
     }
-    node.CB = node.C.dot(node.B);
-    node.own_stiffness = node.CB == 0 ? 0 : node.C.dot(K * node.C) / node.C.squaredNorm();
+    node.CB = node.CC = 0;
+    for (const auto& [u, B, C] : node.shares) node.CB += C.dot(B), node.CC += C.squaredNorm();
+    node.own_stiffness = node.CB == 0 ? 0 : own_stiffness(node);
+  }
+
+  double own_stiffness(const ContactSpring& node) const {
+    double sum = 0;
+    for (const auto& [u, B, C] : node.shares)
+      for (int k = 0; k < most_components; ++k)
+        for (int m = 0; m < most_components; ++m) sum += C[k] * entries_.at(u[k], u[m]) * C[m];
+    return sum / node.CC;
   }
 
   /// Completes D_0. A node that is alone on its surface node has its wear in D_0; closed nodes that
@@ -196,31 +183,16 @@ private:
         for (int c : surface.closed) contact_[c].D += contact_[c].on.a.dot(contact_[c].on.e);
         continue;
       }
-      Values sum = Values::Zero();
+      NodeValues sum = NodeValues::Zero();
       for (int c : surface.closed) sum += contact_[c].on.e;
-      if (sum == Values::Zero()) continue;  // nothing wears
-      const Values m = sum.stableNormalized();
+      if (sum == NodeValues::Zero()) continue;  // nothing wears
+      const NodeValues m = sum.stableNormalized();
       for (int c : surface.closed) {
-        ContactNode& node = contact_[c];
+        ContactSpring& node = contact_[c];
         node.a_m = node.on.a.dot(m);
         node.e_m = node.on.e.dot(m);
       }
     }
-  }
-
-  void update_spring(ContactNode& node) const {
-    // Instead of a rigid constraint: a spring ten times as stiff as the node itself leaves the
-    // preconditioned multipliers' spectrum within 10 % of one.
-    constexpr double stiff = 10;
-    node.spring = 0;
-    if (node.CB == 0) {  // open
-      if (node.D == 0) node.D = 1;
-      return;
-    }
-    const double least = std::abs(node.CB) / (stiff * std::abs(node.own_stiffness));
-    // Of the sign of C.B, so that the spring is positive and K with springs stays definite.
-    node.D = std::copysign(std::max(std::copysign(1.0, node.CB) * node.D, least), node.CB);
-    node.spring = node.CB / node.D;
   }
 
   void update_gamma(SurfaceNode& surface) const {
@@ -234,12 +206,12 @@ private:
   void find_moved_springs() {
     if (!follows_springs_) return;
     for (std::size_t c = 0; c < contact_.size(); ++c) {
-      ContactNode& node = contact_[c];
+      ContactSpring& node = contact_[c];
       const double change = std::abs(node.spring - node.spring_at_setup);
       if (node.has_moved || change <= 0.5 * std::max(node.spring, node.spring_at_setup) ||
           change <= 0.3 * node.own_stiffness)
         continue;
-      if (node.spring_at_setup == 0) node.direction_at_setup = node.C.normalized();
+      if (node.spring_at_setup == 0) node.shares_at_setup = node.shares;
       node.has_moved = true;
       moved_.push_back(static_cast<int>(c));
     }
@@ -247,11 +219,9 @@ private:
 
   /// (s - s at the set-up) n n^T.
   RankOneTerm moved_spring(int c, const SymmetricPart& part) const {
-    const ContactNode& node = contact_[c];
-    RankOneTerm term{c, node.spring - node.spring_at_setup, {}, {}};
-    append(term.u, part, entries_.nodes()[c].u, node.direction_at_setup);
-    term.v = term.u;
-    return term;
+    const ContactSpring& node = contact_[c];
+    const SparseVector n = node.direction_at_setup(part);
+    return {c, node.spring - node.spring_at_setup, n, n};
   }
 
   /// -gamma (B D_0^-1 a_m) (e_m^T D_0^-1 C) of a surface node, with B along C as in the springs.
@@ -260,11 +230,10 @@ private:
   RankOneTerm common_wear(int s, const SymmetricPart& part) const {
     RankOneTerm term{static_cast<int>(contact_.size()) + s, -surface_[s].gamma, {}, {}};
     for (int c : surface_[s].closed) {
-      const ContactNode& node = contact_[c];
-      const double B_by_C = node.CB / node.C.squaredNorm();
-      const NodeUnknowns& u = entries_.nodes()[c].u;
-      append(term.u, part, u, node.C * (B_by_C * node.a_m / node.D));
-      append(term.v, part, u, node.C * (node.e_m / node.D));
+      const ContactSpring& node = contact_[c];
+      const double B_by_C = node.CB / node.CC;
+      ContactSpring::append_C(term.u, part, node.shares, B_by_C * node.a_m / node.D);
+      ContactSpring::append_C(term.v, part, node.shares, node.e_m / node.D);
     }
     const double length = std::sqrt(
         std::inner_product(term.u.value.begin(), term.u.value.end(), term.u.value.begin(), 0.0));
@@ -288,8 +257,8 @@ private:
   std::span<const double> J_;
   ContactEntries entries_;
   std::vector<SurfaceNode> surface_;
-  std::vector<ContactNode> contact_;  // by node of entries_
-  std::vector<int> moved_;            // in contact_
+  std::vector<ContactSpring> contact_;  // by node of entries_
+  std::vector<int> moved_;              // in contact_
   JacobianBlock wear_row_;
   FactoredBlock wear_block_;
   std::vector<double> work_;  // of contact_

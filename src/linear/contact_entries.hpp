@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <gnomon/linear/jacobian_block.hpp>
 #include <gnomon/system/system.hpp>
@@ -30,11 +31,21 @@ inline NodeValues values_at(const NodeUnknowns& unknowns, std::span<const double
 /// groove).
 class ContactEntries {
 public:
+  struct Partner {
+    NodeUnknowns u{-1, -1, -1};
+    int surface = -1;  ///< among surfaces(); -1: none
+  };
   struct Node {
-    int multiplier = 0;          ///< number of l in J
-    int state = 0;               ///< the contact state (Structure::blocks, owner)
-    int number = 0;              ///< among the nodes of its state
-    NodeUnknowns u{-1, -1, -1};  ///< the node's own displacements
+    int multiplier = 0;               ///< number of l in J
+    int state = 0;                    ///< the contact state (Structure::blocks, owner)
+    int number = 0;                   ///< among the nodes of its state
+    NodeUnknowns u{-1, -1, -1};       ///< the node's own displacements
+    std::vector<Partner> partners{};  ///< nodes of another body that l may press
+  };
+  /// B and C of a contact node at one of the nodes that it moves.
+  struct Share {
+    NodeUnknowns u;
+    NodeValues B, C;
   };
   /// The surface node that the gap of a contact node contains.
   struct OnSurface {
@@ -48,13 +59,19 @@ public:
     std::vector<int> surface_of_group;
     find_surfaces(surface_of_group);
     find_nodes(surface_of_group);
+    find_partners(surface_of_group);
     inverses_.resize(surfaces_.size());
+    pressed_.resize(surfaces_.size());
   }
 
   /// Takes the values of J; the span must outlive their use.
   void update(std::span<const double> J) {
     J_ = J;
     for (std::size_t s = 0; s < surfaces_.size(); ++s) inverses_[s] = inverse_at(surfaces_[s]);
+    std::ranges::fill(pressed_, NodeValues::Zero());
+    for (const Node& node : nodes_)
+      for (const Partner& partner : node.partners)
+        if (partner.surface >= 0) pressed_[partner.surface] += wear_at(partner.surface, node);
   }
 
   /// Of J; 0 where the pattern has none, and for numbers below 0.
@@ -67,22 +84,56 @@ public:
   /// Shape unknowns of all surface nodes.
   const std::vector<NodeUnknowns>& surfaces() const { return surfaces_; }
   OnSurface on_surface(const Node& node) const {
-    // The pattern of the row has the shape of all nodes around; the gap contains that of one, which
-    // has nonzero entries.
+    // The pattern of the row has the shape of all nodes around; of this body, the gap contains that
+    // of one, which has nonzero entries.
     OnSurface result;
     double largest = 0;
-    NodeValues row;
     for (int candidate : candidates_[node.number]) {
-      for (int k = 0; k < most_components; ++k)
-        row[k] = at(node.multiplier, surfaces_[candidate][k]);
+      if (std::ranges::find(node.partners, candidate, &Partner::surface) != node.partners.end())
+        continue;
+      const NodeValues row = gap_by(candidate, node);
       if (row.norm() <= largest) continue;
       largest = row.norm();
       result.surface = candidate;
       result.a = inverses_[candidate].transpose() * row;
     }
-    if (result.surface < 0) return result;
-    for (int k = 0; k < most_components; ++k)
-      result.e[k] = at(surfaces_[result.surface][k], node.multiplier);
+    if (result.surface >= 0) result.e = wear_at(result.surface, node);
+    return result;
+  }
+  /// The same of the nodes of another body. They wear by the pressures of several contact nodes,
+  /// which are taken for equal: e is their sum.
+  std::vector<OnSurface> on_partners(const Node& node) const {
+    std::vector<OnSurface> result;
+    for (const Partner& partner : node.partners) {
+      if (partner.surface < 0) continue;
+      const NodeValues row = gap_by(partner.surface, node);
+      if (!row.isZero(0))
+        result.push_back({partner.surface, inverses_[partner.surface].transpose() * row,
+                          pressed_[partner.surface]});
+    }
+    return result;
+  }
+  /// Of the node itself first, then of the nodes of another body.
+  std::vector<Share> shares(const Node& node) const {
+    std::vector<Share> result = {share(node, node.u)};
+    for (const Partner& partner : node.partners)
+      if (const Share at = share(node, partner.u); !at.B.isZero(0) || !at.C.isZero(0))
+        result.push_back(at);
+    return result;
+  }
+  /// The displacements that springs may join, of each contact node that has partners.
+  std::vector<std::vector<int>> joined() const {
+    std::vector<std::vector<int>> result;
+    const auto add = [&](const NodeUnknowns& u) {
+      for (int k = 0; k < most_components; ++k)
+        if (u[k] >= 0) result.back().push_back(u[k]);
+    };
+    for (const Node& node : nodes_) {
+      if (node.partners.empty()) continue;
+      result.emplace_back();
+      add(node.u);
+      for (const Partner& partner : node.partners) add(partner.u);
+    }
     return result;
   }
 
@@ -92,6 +143,26 @@ public:
   }
 
 private:
+  NodeValues gap_by(int surface, const Node& node) const {
+    NodeValues row;
+    for (int k = 0; k < most_components; ++k) row[k] = at(node.multiplier, surfaces_[surface][k]);
+    return row;
+  }
+  NodeValues wear_at(int surface, const Node& node) const {
+    NodeValues column;
+    for (int k = 0; k < most_components; ++k)
+      column[k] = at(surfaces_[surface][k], node.multiplier);
+    return column;
+  }
+  Share share(const Node& node, const NodeUnknowns& u) const {
+    Share result{.u = u, .B = {}, .C = {}};
+    for (int k = 0; k < most_components; ++k) {
+      result.B[k] = at(u[k], node.multiplier);
+      result.C[k] = at(node.multiplier, u[k]);
+    }
+    return result;
+  }
+
   NodeSquare inverse_at(const NodeUnknowns& surface) const {
     NodeSquare block = NodeSquare::Identity();
     for (int k = 0; k < most_components; ++k)
@@ -139,11 +210,32 @@ private:
       }
   }
 
+  /// The force of l acts upon the node itself, and upon what it presses.
+  void find_partners(const std::vector<int>& surface_of_group) {
+    const SparsePattern& pattern = structure_.pattern;
+    for (Node& node : nodes_) {
+      int last = structure_.group[node.multiplier];
+      for (int k = pattern.column_start[node.multiplier];
+           k < pattern.column_start[node.multiplier + 1]; ++k) {
+        const int row = pattern.row_index[k], group = structure_.group[row];
+        if (structure_.block_of(row).role != Role::stiffness ||
+            group == structure_.group[node.multiplier])
+          continue;
+        if (group != last) node.partners.emplace_back();  // unknowns are numbered node by node
+        last = group;
+        node.partners.back().u[structure_.component[row]] = row;
+        if (static_cast<std::size_t>(group) < surface_of_group.size())
+          node.partners.back().surface = surface_of_group[group];
+      }
+    }
+  }
+
   const Structure& structure_;
   std::span<const double> J_;
   std::vector<Node> nodes_;
   std::vector<NodeUnknowns> surfaces_;
   std::vector<NodeSquare> inverses_;  // J_cc^-1, by surface node
+  std::vector<NodeValues> pressed_;   // by surface node, the sum of J_cl where it is a partner's
   // Surface nodes that the row of l may contain, by number of the contact node in its state.
   std::vector<std::vector<int>> candidates_;
 };

@@ -37,28 +37,39 @@ void JacobianBlock::subtract(std::span<const double> J, std::span<const double> 
   for (const Entry& entry : entries_) y[entry.row] -= J[entry.position] * x[entry.column];
 }
 
-SymmetricPart::SymmetricPart(const SparsePattern& pattern, const std::vector<int>& unknowns)
+SymmetricPart::SymmetricPart(const SparsePattern& pattern, const std::vector<int>& unknowns,
+                             const std::vector<std::vector<int>>& joined)
     : number_(pattern.size(), -1) {
   for (std::size_t k = 0; k < unknowns.size(); ++k) number_[unknowns[k]] = static_cast<int>(k);
-  std::vector<std::vector<int>> rows(unknowns.size());
+  PatternBuilder lower(static_cast<int>(unknowns.size()));
+  const auto add = [&](int column, std::span<const int> rows) {
+    std::vector<int> below, above;
+    for (const int row : rows)
+      if (number_[row] >= 0)
+        (number_[row] >= number_[column] ? below : above).push_back(number_[row]);
+    lower.add(below, {number_[column]});
+    lower.add({number_[column]}, above);
+  };
+  const std::span<const int> rows = pattern.row_index;
   for (int j : unknowns)
-    for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k) {
-      const int row = number_[pattern.row_index[k]], column = number_[j];
-      if (row >= 0) rows[std::min(row, column)].push_back(std::max(row, column));
+    add(j, rows.subspan(pattern.column_start[j],
+                        pattern.column_start[j + 1] - pattern.column_start[j]));
+  for (const std::vector<int>& clique : joined)
+    for (int j : clique) add(j, clique);
+  lower_ = lower.build();
+  // Unknowns ascend, so that each column of J is met in the order of its rows.
+  std::vector<int> next = pattern.column_start;
+  const auto position = [&](int row, int column) {
+    int& k = next[column];
+    while (k < pattern.column_start[column + 1] && rows[k] < row) ++k;
+    return k < pattern.column_start[column + 1] && rows[k] == row ? k : -1;
+  };
+  for (int column = 0; column < lower_.size(); ++column)
+    for (int k = lower_.column_start[column]; k < lower_.column_start[column + 1]; ++k) {
+      const int i = unknowns[lower_.row_index[k]], j = unknowns[column];
+      entry_.push_back(position(i, j));
+      transposed_.push_back(position(j, i));
     }
-  lower_.column_start.push_back(0);
-  for (std::size_t column = 0; column < rows.size(); ++column) {
-    std::vector<int>& list = rows[column];
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    for (int row : list) {
-      lower_.row_index.push_back(row);
-      entry_.push_back(pattern.find(unknowns[row], unknowns[column]));
-      transposed_.push_back(pattern.find(unknowns[column], unknowns[row]));
-    }
-    lower_.column_start.push_back(static_cast<int>(lower_.row_index.size()));
-    std::vector<int>().swap(list);
-  }
 }
 
 int SymmetricPart::find(int row, int column) const {

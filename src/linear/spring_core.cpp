@@ -18,8 +18,8 @@ class SpringCore : public CoreSolver {
 public:
   SpringCore(const Structure& s, const InnerSolverMaker& inner)
       : column_cost_(inner.column_cost),
-        stiffness_(s, Role::stiffness, inner),
         contact_(s, follows_springs()),
+        stiffness_(s, Role::stiffness, inner, contact_.joined()),
         rigid_row_(s, {Role::rigid}, core_roles),
         rigid_block_(s, {Role::rigid}, {Role::rigid}),
         rigid_column_(s, core_roles, {Role::rigid}),
@@ -108,8 +108,8 @@ private:
 
   std::span<const double> J_;
   const double column_cost_;
-  StiffnessBlock stiffness_;
   ContactElimination contact_;
+  StiffnessBlock stiffness_;
   LowRankUpdate change_;            // of the stiffness
   std::vector<RankOneTerm> terms_;  // of which the change has to consist
   JacobianBlock rigid_row_, rigid_block_, rigid_column_;

@@ -19,12 +19,14 @@ namespace gnomon {
 /// unknowns it solves nothing. Vectors have the system's size.
 class StiffnessBlock {
 public:
-  /// Throws InputError where multigrid is chosen and not built in; Error where the blocks of two
-  /// owners are not alike.
-  StiffnessBlock(const Structure& structure, Role role, const InnerSolverMaker& inner)
+  /// `joined`: unknowns that the matrix may couple beside those that J does. Throws InputError
+  /// where multigrid is chosen and not built in; Error where the blocks of two owners are not
+  /// alike.
+  StiffnessBlock(const Structure& structure, Role role, const InnerSolverMaker& inner,
+                 const std::vector<std::vector<int>>& joined = {})
       : unknowns_(by_owner(structure, role)) {
     for (const std::vector<int>& unknowns : unknowns_) {
-      parts_.emplace_back(structure.pattern, unknowns);
+      parts_.emplace_back(structure.pattern, unknowns, joined);
       if (parts_.back().lower().row_index != part().lower().row_index)
         throw Error("the stiffness blocks of two contact states are not alike");
     }

@@ -1,6 +1,6 @@
 // Two bodies made without a scene: blocks on each other, in the plane, of revolution or in space.
-// The upper one is the slave; its top is loaded, the bottom of the lower one is held, and so are
-// the sides across them.
+// The upper one is the slave if nothing else is said; its top is loaded, the bottom of the lower
+// one is held, and so are the sides across them.
 #pragma once
 
 #include <cmath>
@@ -33,6 +33,7 @@ struct TwoBodies {
   Kinematics kinematics = Kinematics::finite;
   Section section = Section::plane;
   NormalRule normal = NormalRule::conservative;
+  bool lower_is_slave = false;
 };
 
 /// A place of a block, from coordinates in the unit square; `upper`: the surface is its bottom.
@@ -142,6 +143,11 @@ MortarPair<dim> contact_of(const TwoBodies& pair, const Mesh<dim>& mesh,
     contact.motion.across = pair.speed;
   else
     contact.motion.velocity = pair.speed * Vector<dim>::Unit(0);
+  if (pair.lower_is_slave) {
+    std::swap(contact.slave, contact.master);
+    contact.motion.velocity *= -1;
+    contact.approach *= -1;
+  }
   for (const auto& facet : contact.slave)
     for (const int node : facet)
       if (held.row(node).maxCoeff() != 0)

@@ -32,7 +32,9 @@ private:
 /// The symmetric part of a diagonal block, numbered 0, 1, ... in ascending order of its unknowns.
 class SymmetricPart {
 public:
-  SymmetricPart(const SparsePattern& pattern, const std::vector<int>& unknowns);
+  /// `joined`: unknowns of the block that have entries with each other, beside those of `pattern`.
+  SymmetricPart(const SparsePattern& pattern, const std::vector<int>& unknowns,
+                const std::vector<std::vector<int>>& joined = {});
 
   const SparsePattern& lower() const { return lower_; }
   /// Number in the block of one of its unknowns.
