@@ -80,8 +80,35 @@ std::vector<std::vector<int>> mortar_candidates(const MortarPair<dim>& pair,
   return result;
 }
 
+template <int dim>
+std::vector<std::vector<int>> masters_beside(const MortarPair<dim>& pair,
+                                             const typename Mesh<dim>::Facet& slave,
+                                             const std::vector<int>& masters,
+                                             const std::vector<Vector<dim>>& x) {
+  constexpr double strained = 1.25;
+  const Ball<dim> own(slave, x);
+  const Vector<dim> n = facet_normal<dim>(slave, x);
+  std::vector<Ball<dim>> balls;
+  for (const int master : masters) balls.emplace_back(pair.master[master], x);
+  std::vector<std::vector<int>> result(masters.size());
+  for (std::size_t k = 0; k < balls.size(); ++k)
+    for (std::size_t l = 0; l < balls.size(); ++l) {
+      const Vector<dim> to = balls[l].centre - balls[k].centre;
+      if ((to - n * n.dot(to)).norm() <=
+          strained * (balls[k].radius + 2 * own.radius + balls[l].radius))
+        result[k].push_back(masters[l]);
+    }
+  return result;
+}
+
 template Vector<2> facet_normal<2>(const Mesh<2>::Facet&, const std::vector<Vector<2>>&);
 template Vector<3> facet_normal<3>(const Mesh<3>::Facet&, const std::vector<Vector<3>>&);
+template std::vector<std::vector<int>> masters_beside(const MortarPair<2>&, const Mesh<2>::Facet&,
+                                                      const std::vector<int>&,
+                                                      const std::vector<Vector<2>>&);
+template std::vector<std::vector<int>> masters_beside(const MortarPair<3>&, const Mesh<3>::Facet&,
+                                                      const std::vector<int>&,
+                                                      const std::vector<Vector<3>>&);
 template bool is_within_margin(const MortarPair<2>&, const std::vector<Vector<2>>&,
                                const std::vector<Vector<2>>&, double);
 template bool is_within_margin(const MortarPair<3>&, const std::vector<Vector<3>>&,

@@ -96,12 +96,54 @@ std::vector<int> MortarTerm<dim>::columns_of(const SlaveFacet& facet,
   return columns;
 }
 
+/// What the multipliers of a facet touch, and to `nodes` the couplings of mesh nodes: rows of its
+/// corners and masters. Masters that are too far apart to cover it at a time have none.
+template <int dim>
+void MortarTerm<dim>::declare_facet(const SlaveFacet& facet, PatternBuilder& pattern,
+                                    PatternBuilder& nodes) const {
+  const FacetNodes<dim> joined = nodes_of(facet, facet.masters);
+  const auto masters_end = joined.all.begin() + std::ptrdiff_t(joined.rows);
+  typename Mesh<dim>::Facet slave;
+  std::copy_n(joined.all.begin(), corners, slave.begin());
+  const std::vector<int> own(slave.begin(), slave.end());
+  const std::vector<int> masters(joined.all.begin() + corners, masters_end);
+  std::vector<int> lambdas;
+  for (int a = 0; a < corners; ++a) {
+    lambdas.push_back(lambda_numbers_[sides_[facet.sides[a]].node]);
+    pattern.add(numbers_of({slave[a]}, true), {lambdas.back()});
+  }
+  pattern.add(lambdas, numbers_of(joined.all, false));
+  pattern.add(numbers_of(masters, true), lambdas);
+  nodes.add(own, joined.all);
+  nodes.add(masters, own);
+  nodes.add(masters, {masters_end, joined.all.end()});
+  const MortarPair<dim>& pair = state_.pairs[facet.pair];
+  const auto beside = masters_beside(pair, slave, facet.masters, state_.near);
+  for (std::size_t k = 0; k < beside.size(); ++k) {
+    const auto& master = pair.master[facet.masters[k]];
+    for (const int other : beside[k])
+      nodes.add({master.begin(), master.end()},
+                {pair.master[other].begin(), pair.master[other].end()});
+  }
+}
+
+template <int dim>
+void MortarTerm<dim>::declare_facets(PatternBuilder& pattern) const {
+  PatternBuilder nodes(static_cast<int>(state_.mesh.nodes.size()));
+  for (const SlaveFacet& facet : facets_) declare_facet(facet, pattern, nodes);
+  const SparsePattern joined = nodes.build();
+  for (int node = 0; node < joined.size(); ++node) {
+    if (joined.column_start[node + 1] - joined.column_start[node] < 2) continue;  // not in contact
+    const auto rows = joined.row_index.begin();
+    pattern.add(
+        numbers_of({rows + joined.column_start[node], rows + joined.column_start[node + 1]}, true),
+        numbers_of({node}, false));
+  }
+}
+
 template <int dim>
 void MortarTerm<dim>::declare(TermStructure& structure) const {
-  for (const SlaveFacet& facet : facets_) {
-    const FacetNodes<dim> nodes = nodes_of(facet, facet.masters);
-    structure.pattern.add(rows_of(facet, nodes), columns_of(facet, nodes));
-  }
+  declare_facets(structure.pattern);
   for (const Side& side : sides_) {
     const std::vector<int> rows = numbers_of({patch(side).node}, true);
     structure.pattern.add(rows, numbers_of(patch(side).nodes, false));
@@ -147,9 +189,12 @@ void MortarTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double> 
 template <int dim>
 void MortarTerm<dim>::add(const std::vector<int>& rows, const std::vector<int>& columns,
                           const Eigen::MatrixXd& K, std::span<double> values) const {
-  const std::vector<int> at = pattern_->positions(rows, columns);
-  for (std::size_t k = 0; k < at.size(); ++k)
-    if (at[k] >= 0) values[at[k]] += K.data()[k];
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    for (std::size_t i = 0; columns[j] >= 0 && i < rows.size(); ++i) {
+      const double value = K(Eigen::Index(i), Eigen::Index(j));
+      if (rows[i] < 0 || value == 0) continue;  // corners that are open have many
+      if (const int at = pattern_->find(rows[i], columns[j]); at >= 0) values[at] += value;
+    }
 }
 
 /// What does not depend on the sums of single facets.

@@ -37,6 +37,13 @@ Vector<dim> facet_normal(const typename Mesh<dim>::Facet& facet, const std::vect
 template <int dim>
 std::vector<std::vector<int>> mortar_candidates(const MortarPair<dim>& pair,
                                                 const std::vector<Vector<dim>>& x);
+/// By master facet of a pair, of those given, which of them may cover a slave facet at the same
+/// time.
+template <int dim>
+std::vector<std::vector<int>> masters_beside(const MortarPair<dim>& pair,
+                                             const typename Mesh<dim>::Facet& slave,
+                                             const std::vector<int>& masters,
+                                             const std::vector<Vector<dim>>& x);
 /// Whether the surfaces have moved relative to each other, from `near` to `x`, by no more than this
 /// part of the margin of candidates.
 template <int dim>

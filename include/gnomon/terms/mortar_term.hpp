@@ -101,6 +101,8 @@ private:
   };
   void find_sides();
   void find_facets();
+  void declare_facets(PatternBuilder& pattern) const;
+  void declare_facet(const SlaveFacet& facet, PatternBuilder& pattern, PatternBuilder& nodes) const;
   Vector<dim> undeformed(const Evaluation<dim>& at, int node) const;
   Vector<dim> current(const Evaluation<dim>& at, int node) const;
   PatchNodal<dim> positions(const Evaluation<dim>& at, const ContactPatch<dim>& patch,
