@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "mesh/connected_nodes.hpp"
+#include "mesh/facet_bins.hpp"
 
 namespace gnomon {
 
@@ -49,6 +50,8 @@ std::vector<typename Mesh<dim>::Facet> facing_along(
   return result;
 }
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// By node of facets that face along e: the least travel along it to facets that face it.
 template <int dim>
 std::map<int, double> travels(const std::vector<typename Mesh<dim>::Facet>& from,
@@ -56,12 +59,13 @@ std::map<int, double> travels(const std::vector<typename Mesh<dim>::Facet>& from
                               const Vector<dim>& e, const std::vector<Vector<dim>>& x) {
   std::map<int, double> travel;
   const auto targets = facing_along<dim>(-e, to, x);
+  const FacetBins<dim> bins(targets, x);
   for (const auto& facet : facing_along<dim>(e, from, x))
     for (const int node : facet) {
-      const auto [at, is_new] = travel.try_emplace(node, std::numeric_limits<double>::infinity());
+      const auto [at, is_new] = travel.try_emplace(node, infinity);
       if (!is_new) continue;
-      for (const auto& target : targets)
-        for (const auto& simplex : simplices<dim>(target))
+      for (const int target : bins.near_line(x[node], e, infinity, 0))
+        for (const auto& simplex : simplices<dim>(targets[target]))
           if (const auto s = distance_along<dim>(x[node], e, simplex, x))
             at->second = std::min(at->second, *s);
     }
@@ -108,7 +112,7 @@ std::vector<char> held_parts(const AssemblyParts<dim>& parts, const std::vector<
 
 template <int dim>
 double travel_to_touch(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (const auto& travel : {travels<dim>(pair.slave, pair.master, -pair.approach, x),
                              travels<dim>(pair.master, pair.slave, pair.approach, x)})
     for (const auto& [node, s] : travel) least = std::min(least, s);

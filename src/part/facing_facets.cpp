@@ -10,6 +10,7 @@
 #include <numeric>
 #include <set>
 
+#include "mesh/facet_bins.hpp"
 #include "mesh/facet_table.hpp"
 
 namespace gnomon::part {
@@ -111,9 +112,12 @@ std::array<std::vector<double>, 2> gaps_of(const MortarPair<dim>& pair,
                                              std::vector<double>(pair.master.size(), far)};
   std::vector<Vector<dim>> normals;
   for (const auto& facet : pair.master) normals.push_back(facet_normal<dim>(facet, x));
+  const FacetBins<dim> bins(pair.master, x);
   for (std::size_t s = 0; s < pair.slave.size(); ++s) {
-    const Vector<dim> n = facet_normal<dim>(pair.slave[s], x);
-    for (std::size_t m = 0; m < pair.master.size(); ++m) {
+    const Vector<dim> n = facet_normal<dim>(pair.slave[s], x), &corner = x[pair.slave[s][0]];
+    double size = 0;
+    for (const int node : pair.slave[s]) size = std::max(size, (x[node] - corner).norm());
+    for (const int m : bins.near_line(corner, n, pair.reach + size, size)) {
       if (n.dot(normals[m]) > opposite) continue;
       const CoveredPart<dim> part =
           covered_part<dim>(pair_of<dim>(pair.slave[s], pair.master[m], x), section, pair.reach);

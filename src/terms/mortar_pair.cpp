@@ -2,6 +2,8 @@
 #include <gnomon/terms/mortar_pair.hpp>
 #include <limits>
 
+#include "mesh/facet_bins.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -64,17 +66,21 @@ std::vector<std::vector<int>> mortar_candidates(const MortarPair<dim>& pair,
   std::vector<Ball<dim>> masters;
   for (const auto& facet : pair.master) masters.emplace_back(facet, x);
   std::vector<std::vector<int>> result;
+  const FacetBins<dim> bins(pair.master, x);
+  double largest = 0;
+  for (const Ball<dim>& ball : masters) largest = std::max(largest, ball.radius);
+  const auto around_of = [](double a, double b) { return a + b + margin * std::max(a, b); };
   for (const auto& facet : pair.slave) {
     const Ball<dim> own(facet, x);
     const Vector<dim> n = facet_normal<dim>(facet, x);
     std::vector<int>& near = result.emplace_back();
-    for (std::size_t k = 0; k < masters.size(); ++k) {
-      const double around =
-          own.radius + masters[k].radius + margin * std::max(own.radius, masters[k].radius);
+    const double farthest = around_of(own.radius, largest);
+    for (const int k : bins.near_line(own.centre, n, farthest + pair.reach, farthest)) {
+      const double around = around_of(own.radius, masters[k].radius);
       const Vector<dim> to = masters[k].centre - own.centre;
       const double ahead = n.dot(to);
       if ((to - ahead * n).norm() <= around && std::abs(ahead) <= around + pair.reach)
-        near.push_back(static_cast<int>(k));
+        near.push_back(k);
     }
   }
   return result;
