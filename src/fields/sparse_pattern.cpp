@@ -20,8 +20,11 @@ std::vector<int> SparsePattern::positions(const std::vector<int>& rows,
 
 namespace {
 
+/// Mostly rows are added to a list that is sorted, and often ascending ones.
 void sort_unique(std::vector<int>& rows) {
-  std::sort(rows.begin(), rows.end());
+  const auto added = std::is_sorted_until(rows.begin(), rows.end());
+  if (!std::is_sorted(added, rows.end())) std::sort(added, rows.end());
+  std::inplace_merge(rows.begin(), added, rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
 }
 
