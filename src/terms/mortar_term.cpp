@@ -3,6 +3,7 @@
 #include <gnomon/terms/mortar_term.hpp>
 #include <set>
 
+#include "mesh/facet_table.hpp"
 #include "terms/mortar_facet_matrix.hpp"
 
 namespace gnomon {
@@ -121,9 +122,11 @@ void MortarTerm<dim>::declare_facet(const SlaveFacet& facet, PatternBuilder& pat
   const auto beside = masters_beside(pair, slave, facet.masters, state_.near);
   for (std::size_t k = 0; k < beside.size(); ++k) {
     const auto& master = pair.master[facet.masters[k]];
+    std::vector<int> together;
     for (const int other : beside[k])
-      nodes.add({master.begin(), master.end()},
-                {pair.master[other].begin(), pair.master[other].end()});
+      together.insert(together.end(), pair.master[other].begin(), pair.master[other].end());
+    sort_once(together);
+    nodes.add({master.begin(), master.end()}, together);
   }
 }
 
@@ -134,10 +137,11 @@ void MortarTerm<dim>::declare_facets(PatternBuilder& pattern) const {
   const SparsePattern joined = nodes.build();
   for (int node = 0; node < joined.size(); ++node) {
     if (joined.column_start[node + 1] - joined.column_start[node] < 2) continue;  // not in contact
-    const auto rows = joined.row_index.begin();
-    pattern.add(
-        numbers_of({rows + joined.column_start[node], rows + joined.column_start[node + 1]}, true),
-        numbers_of({node}, false));
+    const auto first = joined.row_index.begin();
+    std::vector<int> rows = numbers_of(
+        {first + joined.column_start[node], first + joined.column_start[node + 1]}, true);
+    std::ranges::sort(rows);  // once, not in every column
+    pattern.add(rows, numbers_of({node}, false));
   }
 }
 
