@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
@@ -13,14 +14,6 @@ namespace gnomon {
 namespace {
 
 constexpr double most_phases = 4096;
-
-Key function_key(const std::string& name, const std::string& unit, const std::string& help) {
-  return {.name = name,
-          .kind = KeyKind::text,
-          .unit = unit,
-          .absent_meaning = "does not change over the cycle",
-          .help = help};
-}
 
 /// Where the scene gives their number, or no phases at all.
 std::optional<Scene> with_scaled_phases(const Scene& scene, double factor) {
@@ -36,34 +29,40 @@ std::optional<Scene> with_scaled_phases(const Scene& scene, double factor) {
 
 std::vector<Key> make_keys() {
   const std::string how = ": an expression of tau in [0, 1), or a file (.csv) of tau and values";
-  return {real_key("cycle.period", "s", absent("no cycle"), positive_quantity,
-                   "duration of a cycle of motion and load, over which wear is averaged"),
-          resumable(real_key("time.cycles", "", absent("time.end is given"), positive_quantity,
-                             "end of the run in cycles, instead of time.end")),
-          {.name = "cycle.phases",
-           .kind = KeyKind::reals,
-           .absent_meaning = "needed by cycle.period; chosen where accuracy.within is given",
-           .range = {.min = 0, .max = most_phases},
-           .or_single = Range{.min = 1, .max = most_phases},
-           .or_text = "auto",
-           .help = "phases of a cycle: their number, their positions in [0, 1), ascending, or "
-                   "\"auto\": a number that fits integrator.rtol",
-           .controls = ErrorControl{ErrorSource::phases, with_scaled_phases}},
-          function_key("cycle.x", "mm", "displacement of the counter-body along x" + how),
-          function_key("cycle.y", "mm", "along y"),
-          function_key("cycle.z", "mm",
-                       "along z; in plane strain out of the plane, axisymmetric along the axis"),
-          function_key("cycle.rotation", "rad",
-                       "rotation of the counter-body about counter_body.motion.center (in 3D about "
-                       ".axis) from its place"),
-          function_key("cycle.force", "N",
-                       "force along counter_body.press.direction, instead of .force; above zero"),
-          function_key("cycle.load", "", "factor of all [[load]]")};
+  return {
+      real_key("cycle.period", "s", absent("no cycle"), positive_quantity,
+               "duration of a cycle of motion and load, over which wear is averaged"),
+      resumable(real_key("time.cycles", "", absent("time.end is given"), positive_quantity,
+                         "end of the run in cycles, instead of time.end")),
+      {.name = "cycle.phases",
+       .kind = KeyKind::reals,
+       .absent_meaning = "needed by cycle.period; chosen where accuracy.within is given",
+       .range = {.min = 0, .max = most_phases},
+       .or_single = Range{.min = 1, .max = most_phases},
+       .or_text = "auto",
+       .help = "phases of a cycle: their number, their positions in [0, 1), ascending, or "
+               "\"auto\": a number that fits integrator.rtol",
+       .controls = ErrorControl{ErrorSource::phases, with_scaled_phases}},
+      cycle_function_key("cycle.x", "mm", "displacement of the counter-body along x" + how),
+      cycle_function_key("cycle.y", "mm", "along y"),
+      cycle_function_key("cycle.z", "mm",
+                         "along z; in plane strain out of the plane, axisymmetric along the axis"),
+      cycle_function_key(
+          "cycle.rotation", "rad",
+          "rotation of the counter-body about counter_body.motion.center (in 3D about "
+          ".axis) from its place"),
+      cycle_function_key("cycle.force", "N",
+                         "force along counter_body.press.direction, instead of .force; above zero"),
+      cycle_function_key("cycle.load", "", "factor of all [[load]]")};
 }
 
-const std::vector<std::string>& function_names() {
-  static const std::vector<std::string> names = {"cycle.x",        "cycle.y",     "cycle.z",
-                                                 "cycle.rotation", "cycle.force", "cycle.load"};
+/// Of the counter-body, and of bodies that the scene moves.
+std::vector<std::string> function_names(const Scene& scene) {
+  std::vector<std::string> names = {"cycle.x",        "cycle.y",     "cycle.z",
+                                    "cycle.rotation", "cycle.force", "cycle.load"};
+  for (const std::string of : {"x", "y", "z", "rotation"})
+    for (const std::string& entry : scene.chosen_names("motion.#.cycle." + of))
+      names.push_back("motion." + entry + ".cycle." + of);
   return names;
 }
 
@@ -97,7 +96,9 @@ ExpressionNames names_of(const Scene& scene) {
 
 /// The name of the table of a function in the scene of a result.
 std::string file_table(const std::string& key) {
-  return "file_" + key.substr(key.find('.') + 1);
+  std::string name = "file_" + (key.starts_with("cycle.") ? key.substr(6) : key);
+  std::ranges::replace(name, '.', '_');
+  return name;
 }
 
 /// The key of its arguments (x) or values (y).
@@ -142,6 +143,18 @@ void require_nothing_else(const Scene& scene) {
 
 }  // namespace
 
+Key cycle_function_key(const std::string& name, const std::string& unit, const std::string& help) {
+  return {.name = name,
+          .kind = KeyKind::text,
+          .unit = unit,
+          .absent_meaning = "does not change over the cycle",
+          .help = help};
+}
+
+std::optional<CycleFunction> read_cycle_function(const Scene& scene, const std::string& key) {
+  return read_function(scene, key, names_of(scene));
+}
+
 const std::vector<Key>& cycle_keys() {
   static const std::vector<Key> keys = make_keys();
   return keys;
@@ -169,7 +182,7 @@ std::optional<Cycle> read_cycle(const Scene& scene) {
 
 std::vector<std::string> cycle_expressions(const Scene& scene) {
   std::vector<std::string> texts;
-  for (const std::string& key : function_names())
+  for (const std::string& key : function_names(scene))
     if (scene.given(key) && !is_file(scene.text(key))) texts.push_back(scene.text(key));
   return texts;
 }
@@ -212,7 +225,7 @@ double phase_tolerance(const Scene& scene) {
 Scene with_cycle_tables(const Scene& scene) {
   if (!scene.knows("cycle.period")) return scene;
   Scene result = scene;
-  for (const std::string& key : function_names()) {
+  for (const std::string& key : function_names(scene)) {
     if (!scene.given(key) || !is_file(scene.text(key))) continue;
     const Points points = points_of_file(scene, key);
     const std::string name = file_table(key);

@@ -143,7 +143,9 @@ Assembly<dim>::Assembly(AssemblyParts<dim> parts) : AssemblyParts<dim>(std::move
   for (const MortarPair<dim>& pair : this->pairs)
     for (const auto& facet : pair.slave)
       for (const int node : facet) carries[static_cast<std::size_t>(contact_node(node))] = 1;
-  if (!this->pairs.empty() && this->near.empty()) this->near = touching_nodes(*this);
+  if (!this->pairs.empty() && this->near.empty())
+    for (const Phase<dim>& phase : this->instants())
+      this->near.push_back(touching_nodes(*this, phase.places));
   if (this->condensed) {
     std::vector<int> nodes;
     for (const ContactPatch<dim>& patch : contact_nodes) nodes.push_back(patch.node);

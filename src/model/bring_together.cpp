@@ -126,27 +126,33 @@ std::map<int, double> travels_of_slave(const MortarPair<dim>& pair,
 }
 
 template <int dim>
-Touching<dim>::Touching(const AssemblyParts<dim>& parts)
+Touching<dim>::Touching(const AssemblyParts<dim>& parts, const std::vector<BodyPlace<dim>>& places)
     : displacement(NodalField<dim>::Zero(static_cast<Eigen::Index>(parts.mesh.nodes.size()), dim)),
       direction(displacement) {
   const std::vector<int> part = connected_parts(parts.mesh);
   std::vector<char> placed(part.size(), 0);
-  std::vector<Vector<dim>> x = parts.mesh.nodes;
+  std::vector<Vector<dim>> x = in_space(parts.pairs, places, parts.mesh.nodes);
   for (bool moved = true; moved;) {
     moved = false;
     for (const MortarPair<dim>& pair : parts.pairs) {
       const int slave = part[pair.slave.front()[0]], master = part[pair.master.front()[0]];
       const Vector<dim>& e = pair.approach;
-      const std::vector<char> held = held_parts<dim>(parts, part, e, placed);
+      const PairPlaces<dim> place(pair, places);
+      std::vector<char> held = placed;
+      for (const std::size_t side : {0, 1}) {
+        const int own = side == 0 ? slave : master;
+        held[own] = held_parts<dim>(parts, part, place.of[side].turn.transpose() * e, placed)[own];
+      }
       if (held[slave] == held[master]) continue;
       const double travel = travel_to_touch<dim>(pair, x);
       if (!std::isfinite(travel)) continue;
       const int floating = held[slave] ? master : slave;
       placed[floating] = 1;
-      const Vector<dim> along = held[slave] ? e : Vector<dim>(-e);
+      const Vector<dim> in_space = held[slave] ? e : Vector<dim>(-e);
+      const Vector<dim> along = place.of[held[slave]].turn.transpose() * in_space;
       for (std::size_t node = 0; node < part.size(); ++node) {
         if (part[node] != floating) continue;
-        x[node] += travel * along;
+        x[node] += travel * in_space;
         const auto row = static_cast<Eigen::Index>(node);
         for (int i = 0; i < dim; ++i)
           if (!parts.supports.held(row, i)) {
@@ -160,8 +166,9 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts)
 }
 
 template <int dim>
-std::vector<Vector<dim>> touching_nodes(const AssemblyParts<dim>& parts) {
-  const Touching<dim> moved(parts);
+std::vector<Vector<dim>> touching_nodes(const AssemblyParts<dim>& parts,
+                                        const std::vector<BodyPlace<dim>>& places) {
+  const Touching<dim> moved(parts, places);
   std::vector<Vector<dim>> x = parts.mesh.nodes;
   for (std::size_t node = 0; node < x.size(); ++node)
     x[node] += moved.displacement.row(static_cast<Eigen::Index>(node)).transpose();
@@ -178,8 +185,10 @@ template std::map<int, double> travels_of_slave(const MortarPair<2>&,
                                                 const std::vector<Vector<2>>&);
 template std::map<int, double> travels_of_slave(const MortarPair<3>&,
                                                 const std::vector<Vector<3>>&);
-template std::vector<Vector<2>> touching_nodes(const AssemblyParts<2>&);
-template std::vector<Vector<3>> touching_nodes(const AssemblyParts<3>&);
+template std::vector<Vector<2>> touching_nodes(const AssemblyParts<2>&,
+                                               const std::vector<BodyPlace<2>>&);
+template std::vector<Vector<3>> touching_nodes(const AssemblyParts<3>&,
+                                               const std::vector<BodyPlace<3>>&);
 template struct Touching<2>;
 template struct Touching<3>;
 

@@ -23,16 +23,18 @@ std::map<int, double> travels_of_slave(const MortarPair<dim>& pair,
                                        const std::vector<Vector<dim>>& x);
 
 /// Displacements of bodies that no support holds along the approach of a pair, nodes x dim: to
-/// where the pairs touch [length], and of the length one in the same direction.
+/// where the pairs touch [length], and of the length one in the same direction, both in the frames
+/// of the bodies, whose places these are.
 template <int dim>
 struct Touching {
   NodalField<dim> displacement, direction;
 
-  Touching(const AssemblyParts<dim>& parts);
+  Touching(const AssemblyParts<dim>& parts, const std::vector<BodyPlace<dim>>& places);
 };
 
-/// Where the nodes are then.
+/// Where the nodes are then, in the frames of the bodies.
 template <int dim>
-std::vector<Vector<dim>> touching_nodes(const AssemblyParts<dim>& parts);
+std::vector<Vector<dim>> touching_nodes(const AssemblyParts<dim>& parts,
+                                        const std::vector<BodyPlace<dim>>& places);
 
 }  // namespace gnomon

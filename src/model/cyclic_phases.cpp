@@ -41,27 +41,48 @@ void stand_for(const std::vector<Phase<dim>>& interval, Phase<dim>& phase) {
   add<dim>(chord > 0 ? path / (chord * time) : 1 / time, sum, Vector<dim>::Zero(), motion);
   if (phase.force) phase.force = force / path;
   phase.load = load / path;
+  // Bodies of pairs move as at the fastest instant, as fast as the path is long.
+  const double most = sliding_velocity(fastest).norm();
+  for (std::size_t b = 0; b < phase.places.size(); ++b) {
+    RigidMotion<dim> whole{};
+    add<dim>(most > 0 ? path / (time * most) : 1, fastest.places[b].motion, Vector<dim>::Zero(),
+             whole);
+    phase.places[b].motion = whole;
+  }
 }
 
-/// Where a motion reverses, its direction would be that of a rounding error.
-template <int dim>
-void bring_to_rest(std::vector<Phase<dim>>& phases) {
+/// Where a motion reverses, its direction would be that of a rounding error. `of`: the motion of a
+/// phase.
+template <int dim, class Of>
+void bring_to_rest(std::vector<Phase<dim>>& phases, const Of& of) {
   constexpr double rounding = 1e-9;
   double velocity = 0, spin = 0, across = 0, across_by_x = 0;
-  for (const Phase<dim>& phase : phases) {
-    const RigidMotion<dim>& motion = phase.counter_body.motion;
+  for (Phase<dim>& phase : phases) {
+    const RigidMotion<dim>& motion = of(phase);
     velocity = std::max(velocity, motion.velocity.norm());
     spin = std::max(spin, motion.spin.norm());
     across = std::max(across, std::abs(motion.across));
     across_by_x = std::max(across_by_x, motion.across_by_x.norm());
   }
   for (Phase<dim>& phase : phases) {
-    RigidMotion<dim>& motion = phase.counter_body.motion;
+    RigidMotion<dim>& motion = of(phase);
     if (motion.velocity.norm() <= rounding * velocity) motion.velocity.setZero();
     if (motion.spin.norm() <= rounding * spin) motion.spin.setZero();
     if (std::abs(motion.across) <= rounding * across) motion.across = 0;
     if (motion.across_by_x.norm() <= rounding * across_by_x) motion.across_by_x.setZero();
   }
+}
+
+/// How the pair slides at its point, in space.
+template <int dim>
+RigidMotion<dim> sliding_of(const CyclicMotion<dim>& motion,
+                            const std::vector<BodyPlace<dim>>& places) {
+  const BodyPlace<dim>& own = places[static_cast<std::size_t>(motion.sliding[0])];
+  RigidMotion<dim> result =
+      relative_motion(own.motion, places[static_cast<std::size_t>(motion.sliding[1])].motion);
+  result.reference = own.of(motion.point);
+  result.normal = own.turn * motion.normal;
+  return result;
 }
 
 }  // namespace
@@ -73,8 +94,11 @@ Phase<dim> phase_at(const CyclePoint& point, const CyclicMotion<dim>& motion,
   Phase<dim> phase{.position = tau,
                    .weight = point.weight,
                    .counter_body = counter_body_at<dim>(rest, motion.cycle, motion.axis, tau),
-                   .force = force};
+                   .force = force,
+                   .places = {}};
   phase.counter_body.motion.reference += rest.position - phase.counter_body.position;
+  for (const BodyCycle<dim>& body : motion.bodies) phase.places.push_back(body.at(tau));
+  if (!phase.places.empty()) phase.counter_body.motion = sliding_of(motion, phase.places);
   if (motion.cycle.load) phase.load = motion.cycle.load->value(tau);
   if (motion.cycle.force) phase.force = motion.cycle.force->value(tau);
   return phase;
@@ -87,7 +111,12 @@ std::vector<Phase<dim>> phases_of(const CyclicContact<dim>& cycle, const Counter
       cycle.quadrature, set,
       [&](const CyclePoint& point) { return phase_at(point, cycle.motion, rest, force); },
       stand_for<dim>);
-  if (set.kind != PhaseSet::Kind::fine) bring_to_rest(phases);
+  if (set.kind == PhaseSet::Kind::fine) return phases;
+  bring_to_rest<dim>(
+      phases, [](Phase<dim> & phase) -> auto& { return phase.counter_body.motion; });
+  for (std::size_t b = 0; b < cycle.motion.bodies.size(); ++b)
+    bring_to_rest<dim>(
+        phases, [b](Phase<dim> & phase) -> auto& { return phase.places[b].motion; });
   return phases;
 }
 

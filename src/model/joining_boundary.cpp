@@ -153,29 +153,37 @@ std::optional<Succession> WearModel<dim>::succeed(const State& state) const {
 }
 
 template <int dim>
-std::vector<Vector<dim>> WearModel<dim>::positions(const State& state) const {
+std::vector<std::vector<Vector<dim>>> WearModel<dim>::positions(const State& state) const {
   const FieldValues<dim> values = this->values(state);
-  std::vector<Vector<dim>> x = assembly().mesh.nodes;
-  for (std::size_t node = 0; node < x.size(); ++node) {
-    const auto row = static_cast<Eigen::Index>(node);
-    x[node] += (values.vector(equations_.fields().d).row(row) +
-                values.vector(equations_.fields().u).row(row))
-                   .transpose();
+  const NodalField<dim>& d = values.vector(equations_.fields().d);
+  std::vector<std::vector<Vector<dim>>> all;
+  for (std::size_t p = 0; p < equations_.phases().size(); ++p) {
+    const NodalField<dim>& u = values.vector(equations_.fields(p).u);
+    std::vector<Vector<dim>>& x = all.emplace_back(assembly().mesh.nodes);
+    for (std::size_t node = 0; node < x.size(); ++node) {
+      const auto row = static_cast<Eigen::Index>(node);
+      x[node] += (d.row(row) + u.row(row)).transpose();
+    }
   }
-  return x;
+  return all;
 }
 
 template <int dim>
-bool WearModel<dim>::have_moved(const std::vector<Vector<dim>>& x, double part) const {
-  return !std::ranges::all_of(assembly().pairs, [&](const MortarPair<dim>& pair) {
-    return is_within_margin(pair, assembly().near, x, part);
-  });
+bool WearModel<dim>::have_moved(const std::vector<std::vector<Vector<dim>>>& x, double part) const {
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    const auto& places = equations_.phases()[p].places;
+    const auto before = in_space(assembly().pairs, places, assembly().near[p]),
+               now = in_space(assembly().pairs, places, x[p]);
+    for (const MortarPair<dim>& pair : assembly().pairs)
+      if (!is_within_margin(pair, before, now, part)) return true;
+  }
+  return false;
 }
 
 /// New candidates before facets leave the margin in which they were found.
 template <int dim>
 std::optional<Succession> WearModel<dim>::succeed_pairs(const State& state) const {
-  std::vector<Vector<dim>> x = positions(state);
+  std::vector<std::vector<Vector<dim>>> x = positions(state);
   if (!have_moved(x, 0.5)) return {};
   AssemblyParts<dim> parts = assembly();
   parts.near = std::move(x);
@@ -190,10 +198,10 @@ template bool WearModel<2>::overdue(const State&) const;
 template bool WearModel<3>::overdue(const State&) const;
 template std::optional<Succession> WearModel<2>::succeed(const State&) const;
 template std::optional<Succession> WearModel<2>::succeed_pairs(const State&) const;
-template std::vector<Vector<2>> WearModel<2>::positions(const State&) const;
-template std::vector<Vector<3>> WearModel<3>::positions(const State&) const;
-template bool WearModel<2>::have_moved(const std::vector<Vector<2>>&, double) const;
-template bool WearModel<3>::have_moved(const std::vector<Vector<3>>&, double) const;
+template std::vector<std::vector<Vector<2>>> WearModel<2>::positions(const State&) const;
+template std::vector<std::vector<Vector<3>>> WearModel<3>::positions(const State&) const;
+template bool WearModel<2>::have_moved(const std::vector<std::vector<Vector<2>>>&, double) const;
+template bool WearModel<3>::have_moved(const std::vector<std::vector<Vector<3>>>&, double) const;
 template std::optional<Succession> WearModel<3>::succeed_pairs(const State&) const;
 template std::optional<Succession> WearModel<3>::succeed(const State&) const;
 

@@ -108,20 +108,28 @@ std::vector<double> travels(const Phase<dim>& phase, const Mesh<dim>& mesh,
   return result;
 }
 
-/// How far the masters come to each node of the slaves, from the first touch.
+/// How far the masters come to each node of the slaves, from the first touch; the least of all
+/// phases.
 template <int dim>
 GapProfile gaps_of_pairs(const AssemblyParts<dim>& parts, const Patches<dim>& patches) {
-  std::vector<double> gaps, areas;
-  for (const MortarPair<dim>& pair : parts.pairs) {
-    const std::map<int, double> travel = travels_of_slave<dim>(pair, parts.mesh.nodes);
-    const double first = travel_to_touch<dim>(pair, parts.mesh.nodes);
-    for (const ContactPatch<dim>& patch : patches) {
-      const auto at = travel.find(patch.node);
-      if (at == travel.end() || !std::isfinite(at->second)) continue;
-      gaps.push_back(at->second - first);
-      areas.push_back(patch.initial_area);
+  std::map<int, double> least;  // by node
+  for (const Phase<dim>& phase : parts.instants()) {
+    const auto x = in_space(parts.pairs, phase.places, parts.mesh.nodes);
+    for (const MortarPair<dim>& pair : parts.pairs) {
+      const double first = travel_to_touch<dim>(pair, x);
+      for (const auto& [node, travel] : travels_of_slave<dim>(pair, x)) {
+        if (!std::isfinite(travel)) continue;
+        const auto at = least.try_emplace(node, travel - first).first;
+        at->second = std::min(at->second, travel - first);
+      }
     }
   }
+  std::vector<double> gaps, areas;
+  for (const ContactPatch<dim>& patch : patches)
+    if (const auto at = least.find(patch.node); at != least.end()) {
+      gaps.push_back(at->second);
+      areas.push_back(patch.initial_area);
+    }
   return {gaps, areas};
 }
 
@@ -184,9 +192,14 @@ double given_overlap(const AssemblyParts<dim>& parts) {
     for (const double value : springs.displacement) take(springs.history, value);
   for (const Guide<dim>& guide : parts.interface.partner.guides)
     if (guide.travel) take(*guide.travel, 1);
-  for (const MortarPair<dim>& pair : parts.pairs)
-    most = std::max(most, -travel_to_touch<dim>(pair, parts.mesh.nodes));
-  if (!parts.pairs.empty()) return most;
+  if (!parts.pairs.empty()) {
+    for (const Phase<dim>& phase : parts.instants()) {
+      const auto x = in_space(parts.pairs, phase.places, parts.mesh.nodes);
+      for (const MortarPair<dim>& pair : parts.pairs)
+        most = std::max(most, -travel_to_touch<dim>(pair, x));
+    }
+    return most;
+  }
   return std::max(most, overlap_at_rest(contact_nodes_of(parts), parts.interface.partner));
 }
 

@@ -90,7 +90,7 @@ template <int dim>
 void close_gap_of_pairs(const WornBodyEquations<dim>& equations, const ComposedSystem<dim>& contact,
                         std::size_t phase, FieldValues<dim>& values) {
   const Assembly<dim>& body = equations.assembly();
-  const Touching<dim> touching(body);
+  const Touching<dim> touching(body, equations.phases()[phase].places);
   NodalField<dim>& u = values.vector(equations.fields(phase).u);
   u += touching.displacement;
   const auto nodes = equations.contact_nodes(contact, values, {}, phase);

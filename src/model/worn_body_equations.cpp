@@ -13,6 +13,8 @@
 #include <gnomon/terms/shape_multiplier.hpp>
 #include <gnomon/terms/springs.hpp>
 
+#include "model/bring_together.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -128,12 +130,14 @@ MortarState<dim> mortar_state(const Assembly<dim>& body, const Phase<dim>& phase
                          .mesh = body.mesh,
                          .patches = body.contact_nodes,
                          .pairs = body.pairs,
-                         .near = body.near,
+                         .candidates = {},
+                         .coupled = {},
                          .surface_of = body.surface_of,
                          .wear_weight = body.wear_weight,
                          .normal_rule = body.interface.normal_rule,
                          .section = body.section(),
                          .rho = body.interface.rho,
+                         .places = phase.places,
                          .part = phase.weight,
                          .nominal_speed = nominal_speed};
   for (const Surface<dim>& surface : body.interface.surfaces) state.laws.push_back(surface.wear);
@@ -141,6 +145,20 @@ MortarState<dim> mortar_state(const Assembly<dim>& body, const Phase<dim>& phase
 }
 
 }  // namespace
+
+void CandidatesOfPhases::join(const std::vector<MortarCandidates>& more) {
+  of_all.resize(more.size());
+  for (std::size_t pair = 0; pair < more.size(); ++pair) {
+    of_all[pair].resize(more[pair].size());
+    for (std::size_t facet = 0; facet < more[pair].size(); ++facet) {
+      const std::vector<int> before = std::move(of_all[pair][facet]);
+      std::vector<int> sorted = more[pair][facet], all;
+      std::ranges::sort(sorted);
+      std::ranges::set_union(before, sorted, std::back_inserter(all));
+      of_all[pair][facet] = std::move(all);
+    }
+  }
+}
 
 template <int dim>
 WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const Assembly<dim>> assembly,
@@ -175,6 +193,26 @@ void WornBodyEquations<dim>::add(std::vector<TermFactory<dim>>& terms, TermKind 
   terms.push_back(std::move(make));
 }
 
+/// Of pairs: where facets that may meet in a phase are found. Phases that are not those of the
+/// assembly have their own.
+template <int dim>
+CandidatesOfPhases WornBodyEquations<dim>::find_candidates() const {
+  CandidatesOfPhases result;
+  const std::vector<MortarPair<dim>>& pairs = assembly_->pairs;
+  if (pairs.empty()) return result;
+  const std::vector<Phase<dim>> own = assembly_->instants();
+  for (std::size_t p = 0; p < phases_.size(); ++p) {
+    const auto& places = phases_[p].places;
+    const bool known = p < own.size() && own[p].position == phases_[p].position;
+    const auto x =
+        in_space(pairs, places, known ? assembly_->near[p] : touching_nodes(*assembly_, places));
+    auto& of_phase = result.of_phase.emplace_back();
+    for (const MortarPair<dim>& pair : pairs) of_phase.push_back(mortar_candidates(pair, x));
+    result.join(of_phase);
+  }
+  return result;
+}
+
 /// Factories share the ownership of the assembly, so that terms may refer to it.
 template <int dim>
 void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
@@ -193,13 +231,18 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
                                                         of->contact_nodes, numbering, f.d, f.mu);
         });
   const double speed = assembly_->nominal_speed();
+  const auto candidates = std::make_shared<const CandidatesOfPhases>(find_candidates());
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     contact_terms_.push_back(terms.size());
     add(terms, TermKind::contact, p,
-        [of = assembly_, phase = phases_[p], f = fields_[p],
-         speed](const Numbering& numbering) -> std::unique_ptr<Term<dim>> {
-          if (!of->pairs.empty())
-            return std::make_unique<MortarTerm<dim>>(mortar_state(*of, phase, f, speed), numbering);
+        [of = assembly_, phase = phases_[p], f = fields_[p], speed, candidates,
+         p](const Numbering& numbering) -> std::unique_ptr<Term<dim>> {
+          if (!of->pairs.empty()) {
+            MortarState<dim> state = mortar_state(*of, phase, f, speed);
+            state.candidates = candidates->of_phase[p];
+            state.coupled = candidates->of_all;
+            return std::make_unique<MortarTerm<dim>>(state, numbering);
+          }
           return std::make_unique<ContactTerm<dim>>(contact_state(*of, phase, f, speed), f.d,
                                                     numbering);
         });

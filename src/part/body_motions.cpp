@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/scene/keys.hpp>
 #include <gnomon/shapes/shape_keys.hpp>
 
@@ -12,6 +13,7 @@
 namespace gnomon::part {
 
 std::vector<Key> motion_keys_of_bodies() {
+  const std::string how = ": an expression of tau in [0, 1), or a file (.csv) of tau and values";
   return {text_key("motion.#.body", absent("needed in every [[motion]]"),
                    "body of a [[pair]] whose material moves, while its shape stays where it is"),
           reals_key("motion.#.velocity", "mm/s", absent("none"), {},
@@ -22,7 +24,16 @@ std::vector<Key> motion_keys_of_bodies() {
           reals_key("motion.#.center", "mm", absent("no rotation"), {},
                     "point of the axis of rotation"),
           reals_key("motion.#.axis", "", absent("no rotation in space"), {},
-                    "in space: direction of the axis of rotation, of any length")};
+                    "in space: direction of the axis of rotation, of any length"),
+          cycle_function_key("motion.#.cycle.x", "mm",
+                             "displacement of the body along x over a cycle" + how),
+          cycle_function_key("motion.#.cycle.y", "mm", "along y"),
+          cycle_function_key("motion.#.cycle.z", "mm",
+                             "along z; in plane strain out of the plane, axisymmetric along the "
+                             "axis"),
+          cycle_function_key("motion.#.cycle.rotation", "rad",
+                             "angle by which the body has turned about motion.#.center (in space "
+                             "about .axis)")};
 }
 
 namespace {
@@ -45,46 +56,74 @@ RigidMotion<dim> read_velocity(const Scene& scene, const std::string& key) {
   return motion;
 }
 
+/// The spin of the rate one about the axis of a motion, and a point of the axis.
 template <int dim>
-RigidMotion<dim> read_motion(const Scene& scene, const std::string& table, Section section) {
-  const std::string velocity = table + ".velocity", rotation = table + ".rotation",
-                    center = table + ".center", axis = table + ".axis";
-  if (!scene.given(velocity) && !scene.given(rotation))
-    throw InputError(fmt::format("{}: [[motion]]: expected {} or {}", scene.path().string(),
-                                 velocity, rotation));
-  RigidMotion<dim> motion = read_velocity<dim>(scene, velocity);
-  const double rate = scene.given(rotation) ? scene.real(rotation) : 0;
+CycleAxis<dim> read_axis(const Scene& scene, const std::string& table, const std::string& rotation,
+                         Section section) {
+  const std::string center = table + ".center", axis = table + ".axis";
   if (dim == 2 && scene.given(axis)) refuse(scene, axis, "none in the plane");
-  if constexpr (dim == 2)
-    if (section == Section::meridian) {
-      if (motion.velocity[0] != 0)
-        refuse(scene, velocity, "none along r: an axisymmetric body would widen");
-      if (scene.given(center))
-        refuse(scene, center, "none: an axisymmetric body turns about r = 0");
-      motion.across_by_x[0] = rate;
-      return motion;
-    }
-  if (rate == 0) return motion;
+  CycleAxis<dim> result;
+  if (section == Section::meridian) {
+    if (scene.given(center)) refuse(scene, center, "none: an axisymmetric body turns about r = 0");
+    result.meridian = true;
+    return result;
+  }
   if (!scene.given(center)) refuse(scene, rotation, "also " + center + ", a point of the axis");
-  Tensor<dim> spin;
+  result.centre = read_point<dim>(scene, center);
   if constexpr (dim == 2) {
-    spin = spin_in_plane(rate);
+    result.spin = spin_in_plane(1);
   } else {
     if (!scene.given(axis)) refuse(scene, rotation, "also " + axis + ", the direction of the axis");
-    spin = spin_about(read_direction<3>(scene, axis), rate);
+    result.spin = spin_about(read_direction<3>(scene, axis), 1);
+  }
+  return result;
+}
+
+template <int dim>
+RigidMotion<dim> read_steady_motion(const Scene& scene, const std::string& table, Section section) {
+  const std::string velocity = table + ".velocity", rotation = table + ".rotation";
+  RigidMotion<dim> motion = read_velocity<dim>(scene, velocity);
+  if (section == Section::meridian && motion.velocity[0] != 0)
+    refuse(scene, velocity, "none along r: an axisymmetric body would widen");
+  const double rate = scene.given(rotation) ? scene.real(rotation) : 0;
+  if (rate == 0) return motion;
+  const CycleAxis<dim> axis = read_axis<dim>(scene, table, rotation, section);
+  if (axis.meridian) {
+    motion.across_by_x[0] = rate;
+    return motion;
   }
   const double across = motion.across;
-  motion = rigid_motion<dim>(motion.velocity, spin, read_point<dim>(scene, center));
+  motion = rigid_motion<dim>(motion.velocity, Tensor<dim>(rate * axis.spin), axis.centre);
   motion.across = across;
   return motion;
+}
+
+template <int dim>
+BodyCycle<dim> read_motion(const Scene& scene, const std::string& table, Section section) {
+  BodyCycle<dim> body{.motion = read_steady_motion<dim>(scene, table, section)};
+  const std::string cycle = table + ".cycle.", rotation = cycle + "rotation";
+  body.cycle.displacement = {read_cycle_function(scene, cycle + "x"),
+                             read_cycle_function(scene, cycle + "y"),
+                             read_cycle_function(scene, cycle + "z")};
+  body.cycle.rotation = read_cycle_function(scene, rotation);
+  if (body.cycle.rotation) body.axis = read_axis<dim>(scene, table, rotation, section);
+  if (section == Section::meridian) {
+    for (const char* of : {"x", "y"})
+      if (scene.given(cycle + of))
+        refuse(scene, cycle + of, "only " + cycle + "z, along the axis, in an axisymmetric scene");
+    std::swap(body.cycle.displacement[1], body.cycle.displacement[2]);  // coordinates (r, z)
+  }
+  if (!body.moves() && !scene.given(table + ".velocity") && !scene.given(table + ".rotation"))
+    throw InputError(fmt::format("{}: [[motion]]: expected {}.velocity, .rotation or .cycle",
+                                 scene.path().string(), table));
+  return body;
 }
 
 }  // namespace
 
 template <int dim>
-std::map<std::string, RigidMotion<dim>> read_motions_of_bodies(const Scene& scene,
-                                                               Section section) {
-  std::map<std::string, RigidMotion<dim>> motions;
+std::map<std::string, BodyCycle<dim>> read_motions_of_bodies(const Scene& scene, Section section) {
+  std::map<std::string, BodyCycle<dim>> motions;
   for (const std::string& table : entries_of(scene, "motion", motion_keys_of_bodies(), {"body"})) {
     const std::string key = table + ".body", name = scene.text(key);
     if (!motions.try_emplace(name, read_motion<dim>(scene, table, section)).second)
@@ -93,27 +132,7 @@ std::map<std::string, RigidMotion<dim>> read_motions_of_bodies(const Scene& scen
   return motions;
 }
 
-template <int dim>
-RigidMotion<dim> difference_of(const std::map<std::string, RigidMotion<dim>>& motions,
-                               const std::array<std::string, 2>& bodies) {
-  RigidMotion<dim> result;
-  for (const int side : {0, 1}) {
-    const auto found = motions.find(bodies[static_cast<std::size_t>(side)]);
-    if (found == motions.end()) continue;
-    const double sign = side == 1 ? 1 : -1;
-    result.velocity += sign * found->second.velocity;
-    result.spin += sign * found->second.spin;
-    result.across += sign * found->second.across;
-    result.across_by_x += sign * found->second.across_by_x;
-  }
-  return result;
-}
-
-template std::map<std::string, RigidMotion<2>> read_motions_of_bodies(const Scene&, Section);
-template std::map<std::string, RigidMotion<3>> read_motions_of_bodies(const Scene&, Section);
-template RigidMotion<2> difference_of(const std::map<std::string, RigidMotion<2>>&,
-                                      const std::array<std::string, 2>&);
-template RigidMotion<3> difference_of(const std::map<std::string, RigidMotion<3>>&,
-                                      const std::array<std::string, 2>&);
+template std::map<std::string, BodyCycle<2>> read_motions_of_bodies(const Scene&, Section);
+template std::map<std::string, BodyCycle<3>> read_motions_of_bodies(const Scene&, Section);
 
 }  // namespace gnomon::part

@@ -1,7 +1,7 @@
-// How the material of bodies moves as a whole through a steady state: [[motion]].
+// How bodies move as a whole: their material through a steady state, and their places over a cycle:
+// [[motion]].
 #pragma once
 
-#include <array>
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/scene/scene.hpp>
 #include <map>
@@ -14,11 +14,6 @@ std::vector<Key> motion_keys_of_bodies();
 
 /// By name of the body that moves. Throws InputError.
 template <int dim>
-std::map<std::string, RigidMotion<dim>> read_motions_of_bodies(const Scene& scene, Section section);
-
-/// That of the second body relative to the first; bodies without a motion are at rest.
-template <int dim>
-RigidMotion<dim> difference_of(const std::map<std::string, RigidMotion<dim>>& motions,
-                               const std::array<std::string, 2>& bodies);
+std::map<std::string, BodyCycle<dim>> read_motions_of_bodies(const Scene& scene, Section section);
 
 }  // namespace gnomon::part

@@ -159,6 +159,20 @@ void keep_facing(const std::vector<Vector<dim>>& x, Section section, MortarPair<
 }
 
 template <int dim>
+void keep_facing_at(const std::vector<std::vector<Vector<dim>>>& x, Section section,
+                    MortarPair<dim>& pair) {
+  std::array<std::set<typename Mesh<dim>::Facet>, 2> kept;
+  for (const auto& at : x) {
+    MortarPair<dim> there = pair;
+    keep_facing<dim>(at, section, there);
+    kept[0].insert(there.slave.begin(), there.slave.end());
+    kept[1].insert(there.master.begin(), there.master.end());
+  }
+  std::erase_if(pair.slave, [&](const auto& facet) { return !kept[0].contains(facet); });
+  std::erase_if(pair.master, [&](const auto& facet) { return !kept[1].contains(facet); });
+}
+
+template <int dim>
 void join_beside(const std::vector<Vector<dim>>& x, MortarPair<dim>& pair,
                  const std::function<bool(const typename Mesh<dim>::Facet&)>& wears) {
   for (const std::size_t side : {0u, 1u}) {
@@ -181,11 +195,9 @@ void reverse(MortarPair<dim>& pair) {
   std::swap(pair.slave, pair.master);
   std::swap(pair.boundary[0], pair.boundary[1]);
   std::swap(pair.bodies[0], pair.bodies[1]);
+  std::swap(pair.numbers[0], pair.numbers[1]);
   pair.approach *= -1;
-  pair.motion.velocity *= -1;
-  pair.motion.spin *= -1;
-  pair.motion.across *= -1;
-  pair.motion.across_by_x *= -1;
+  pair.motion = relative_motion(pair.motion, {});
 }
 
 template <int dim>
@@ -211,6 +223,8 @@ template class BodyOfFacets<2>;
 template class BodyOfFacets<3>;
 template void keep_facing(const std::vector<Vector<2>>&, Section, MortarPair<2>&);
 template void keep_facing(const std::vector<Vector<3>>&, Section, MortarPair<3>&);
+template void keep_facing_at(const std::vector<std::vector<Vector<2>>>&, Section, MortarPair<2>&);
+template void keep_facing_at(const std::vector<std::vector<Vector<3>>>&, Section, MortarPair<3>&);
 template void join_beside(const std::vector<Vector<2>>&, MortarPair<2>&,
                           const std::function<bool(const Mesh<2>::Facet&)>&);
 template void join_beside(const std::vector<Vector<3>>&, MortarPair<3>&,

@@ -25,6 +25,11 @@ private:
 template <int dim>
 void keep_facing(const std::vector<Vector<dim>>& x, Section section, MortarPair<dim>& pair);
 
+/// The same for bodies in several places, nodes at each of `x`: those that meet one at any of them.
+template <int dim>
+void keep_facing_at(const std::vector<std::vector<Vector<dim>>>& x, Section section,
+                    MortarPair<dim>& pair);
+
 /// Adds facets of the boundary beside them that face about the same way: one at each end, and all
 /// that wear and go on from there.
 template <int dim>

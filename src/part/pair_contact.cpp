@@ -10,6 +10,7 @@
 #include "mesh/facet_table.hpp"
 #include "model/bring_together.hpp"
 #include "part/facing_facets.hpp"
+#include "part/pair_cycle.hpp"
 #include "part/pairs.hpp"
 #include "part/surfaces.hpp"
 
@@ -78,27 +79,32 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
                     AssemblyParts<dim>& parts) {
   // Contact grows to where the gap at first touch is what wear and deformation close.
   const double closed = 3 * (expected.deepest + expected.scales.displacement);
-  const std::vector<Vector<dim>> touching = touching_nodes(parts);
+  const auto instants = places_over_cycle(parts);
+  std::vector<std::vector<Vector<dim>>> touching;  // in space
+  for (const auto& places : instants)
+    touching.push_back(in_space(parts.pairs, places, touching_nodes(parts, places)));
   std::set<typename Mesh<dim>::Facet> wearing;  // by sorted nodes
   for (const Surface<dim>& surface : wearing_surfaces(scene, part))
     for (const auto& facet : surface.facets) wearing.insert(sorted(facet));
   for (MortarPair<dim>& pair : parts.pairs) {
     // Facets of a shaft and its bore have gaps of their own.
-    const double gap = gap_of(pair, touching);
-    const double reach = closed + gap + mean_size<dim>(pair.slave, touching) / 2;
+    const auto& nearest =
+        *std::ranges::min_element(touching, {}, [&](const auto& x) { return gap_of(pair, x); });
+    const double gap = gap_of(pair, nearest);
+    const double reach = closed + gap + mean_size<dim>(pair.slave, nearest) / 2;
     pair.reach = reach;
-    keep_facing<dim>(touching, parts.section(), pair);
+    keep_facing_at<dim>(touching, parts.section(), pair);
     if (pair.slave.empty())
       throw InputError(fmt::format(
           "{}: [[pair]]: expected bodies that meet, but \"{}\" and \"{}\" are {:.3g} mm apart, and "
           "loads and supports bring them nearer by about {:.3g} mm",
           scene.path().string(), pair.bodies[0], pair.bodies[1], gap, closed / 3));
-    const std::string reason = choose_slave<dim>(touching, parts.section(), parts.bodies, pair);
+    const std::string reason = choose_slave<dim>(nearest, parts.section(), parts.bodies, pair);
     // Surfaces of several pairs go on to where the other one begins: each has what is near.
     const bool alone = parts.pairs.size() == 1;
-    join_beside<dim>(touching, pair,
+    join_beside<dim>(nearest, pair,
                      [&](const auto& facet) { return alone && wearing.contains(sorted(facet)); });
-    pair.reach = 2 * (reach + mean_size<dim>(pair.slave, touching));
+    pair.reach = 2 * (reach + mean_size<dim>(pair.slave, nearest));
     parts.remarks.push_back(
         fmt::format("\"{}\" may touch \"{}\" with {} facets, which carry the pressures since {}",
                     pair.bodies[0], pair.bodies[1], pair.slave.size(), reason));

@@ -17,6 +17,7 @@
 #include "part/facing_facets.hpp"
 #include "part/groups.hpp"
 #include "part/histories.hpp"
+#include "part/pair_cycle.hpp"
 #include "part/surfaces.hpp"
 
 namespace gnomon::part {
@@ -153,17 +154,17 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
   return outward.norm() > 0 ? Vector<dim>(-outward.normalized()) : Vector<dim>::Unit(dim - 1);
 }
 
-/// Mean tangential speed over the slave.
+/// Mean tangential speed over the slave, and over a cycle.
 template <int dim>
 double speed_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& parts) {
   double sum = 0, area = 0;
-  for (const auto& patch : contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section())) {
-    RigidMotion<dim> motion = pair.motion;
-    motion.reference = patch.initial_position;
-    motion.normal = patch.initial_normal.normalized();
-    sum += patch.initial_area * motion.nominal_speed(Vector<dim>::Zero());
-    area += patch.initial_area;
-  }
+  for (RigidMotion<dim>& motion : motions_over_cycle(parts, pair))
+    for (const auto& patch : contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section())) {
+      motion.reference = patch.initial_position;
+      motion.normal = patch.initial_normal.normalized();
+      sum += patch.initial_area * motion.nominal_speed(Vector<dim>::Zero());
+      area += patch.initial_area;
+    }
   return area > 0 ? sum / area : 0;
 }
 
@@ -180,6 +181,17 @@ void require_moving_pairs(const Scene& scene) {
   }
 }
 
+/// That of the second body relative to the first; bodies without a motion are at rest.
+template <int dim>
+RigidMotion<dim> difference_of(const std::map<std::string, BodyCycle<dim>>& motions,
+                               const std::array<std::string, 2>& bodies) {
+  const auto motion = [&](const std::string& name) {
+    const auto found = motions.find(name);
+    return found == motions.end() ? RigidMotion<dim>{} : found->second.motion;
+  };
+  return relative_motion(motion(bodies[0]), motion(bodies[1]));
+}
+
 /// Where a pair does not slide, or moves towards each other.
 template <int dim>
 std::vector<std::string> remarks_on_sliding(const MortarPair<dim>& pair, double speed) {
@@ -189,7 +201,7 @@ std::vector<std::string> remarks_on_sliding(const MortarPair<dim>& pair, double 
   if (speed == 0) return {names + " do not slide on each other ([[motion]]): nothing wears there"};
   const Vector<dim> across = v - v.dot(pair.approach) * pair.approach;
   if (pair.motion.spin.isZero(0) && pair.motion.across == 0 && pair.motion.across_by_x.isZero(0) &&
-      across.norm() < along * v.norm())
+      v.norm() > 0 && across.norm() < along * v.norm())
     return {names + " move towards each other, and hardly slide ([[motion]])"};
   return {};
 }
@@ -215,8 +227,10 @@ template <int dim>
 void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts<dim>& parts) {
   const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
   require_moving_pairs(scene);
-  const std::map<std::string, RigidMotion<dim>> motions =
+  const std::map<std::string, BodyCycle<dim>> motions =
       read_motions_of_bodies<dim>(scene, parts.section());
+  read_cycle_of_bodies(scene, motions, parts);
+  const auto instants = places_over_cycle(parts);
   for (const std::string& table : entries_of(scene, "pair", keys_of_pairs(), {"bodies"})) {
     const std::array<int, 2> bodies = bodies_of_pair(scene, table, parts.bodies);
     require_separate(scene, table, parts, bodies);
@@ -228,11 +242,15 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
                          .friction = scene.given(table + ".friction")
                                          ? scene.real(table + ".friction")
                                          : scene.real("friction.coefficient"),
-                         .bodies = names};
+                         .bodies = names,
+                         .numbers = bodies};
     pair.reach =
         (Box<dim>::around(parts.mesh.nodes).high - Box<dim>::around(parts.mesh.nodes).low).norm();
     pair.boundary = {pair.slave, pair.master};
-    keep_facing<dim>(parts.mesh.nodes, parts.section(), pair);
+    std::vector<std::vector<Vector<dim>>> x;
+    for (const auto& places : instants)
+      x.push_back(in_space<dim>({pair}, places, parts.mesh.nodes));
+    keep_facing_at<dim>(x, parts.section(), pair);
     if (pair.slave.empty())
       throw InputError(
           fmt::format("{}: expected bodies that face each other, but no boundary of "
@@ -244,6 +262,8 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
   parts.interface.partner.approach = parts.pairs.front().approach;
   parts.interface.friction = parts.pairs.front().friction;
   parts.interface.surfaces = surfaces_of(scene, part, parts.pairs);
+  parts.interface.speed = scene.real_if("wear.velocity");
+  read_phases_of_pairs(scene, parts);
   double speed = 0;
   for (const MortarPair<dim>& pair : parts.pairs) {
     const double own = speed_of(pair, parts);
@@ -251,7 +271,7 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
       parts.remarks.push_back(std::move(remark));
     speed = std::max(speed, own);
   }
-  parts.interface.speed = scene.real_if("wear.velocity").value_or(speed);
+  if (!parts.interface.speed) parts.interface.speed = speed;
 }
 
 template void read_pairs(const Scene&, const ImportedBody<2>&, AssemblyParts<2>&);

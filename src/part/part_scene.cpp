@@ -118,8 +118,6 @@ void require_partner(const Scene& scene) {
       throw InputError(scene.where(key.name) + ": expected none beside [[pair]]");
   if (!has_bodies(scene))
     throw InputError(scene.path().string() + ": [[pair]]: expected also a [[body]] for each body");
-  if (!cycle_expressions(scene).empty())
-    throw InputError(scene.path().string() + ": [[pair]]: expected no cycle");
   if (scene.text("shape.motion") == "gap")
     throw InputError(scene.where("shape.motion") + ": expected \"mesh\" beside [[pair]]");
   if (scene.real("contact.initial_gap") != 0)

@@ -43,7 +43,10 @@ std::vector<double> reversals(const CyclicMotion<dim>& motion, const CounterBody
 /// Of the mean over the cycle: corners of the functions, and reversals.
 template <int dim>
 std::vector<double> kinks_of(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest) {
-  return merged_kinks(motion.cycle.kinks(), reversals(motion, rest));
+  std::vector<double> kinks = motion.cycle.kinks();
+  for (const BodyCycle<dim>& body : motion.bodies)
+    kinks = merged_kinks(std::move(kinks), body.cycle.kinks());
+  return merged_kinks(std::move(kinks), reversals(motion, rest));
 }
 
 /// Under a force a lift of the counter-body only shifts the w that it finds, which its velocity
@@ -84,6 +87,8 @@ ReadPhases<dim> read_phases(const Scene& scene, const CyclicMotion<dim>& motion,
                             const CounterBody<dim>& rest, std::optional<double> force) {
   const CyclicContact<dim> contact{motion, read_cycle_quadrature(scene, kinks_of(motion, rest))};
   ReadPhases<dim> result{contact, phases_of(contact, rest, force), motion.cycle.remarks()};
+  for (const BodyCycle<dim>& body : motion.bodies)
+    for (std::string& remark : body.cycle.remarks()) result.remarks.push_back(std::move(remark));
   if (motion.cycle.force)
     for (const Phase<dim>& phase : result.phases) require_force(scene, phase, *force);
   const double error =

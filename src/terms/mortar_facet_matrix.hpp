@@ -51,8 +51,11 @@ class FacetMatrix {
   using Wide = Eigen::Matrix<double, dim, Eigen::Dynamic>;
 
 public:
-  FacetMatrix(const FacetNodes<dim>& nodes, const Tangent& tangent)
-      : nodes_(nodes), tangent_(tangent), columns_(dim * static_cast<int>(nodes.all.size())) {
+  FacetMatrix(const FacetNodes<dim>& nodes, const Tangent& tangent, const PairPlaces<dim>& places)
+      : nodes_(nodes),
+        tangent_(tangent),
+        turn_({places.of[0].turn, places.of[1].turn}),
+        columns_(dim * static_cast<int>(nodes.all.size())) {
     const auto rows = static_cast<int>(nodes.rows);
     K_ = Eigen::MatrixXd::Zero(corners + 2 * dim * rows, corners + 2 * columns_);
     // A change of d moves the undeformed position and, with it, the current one.
@@ -60,55 +63,60 @@ public:
     constexpr int X = 0, x = corners * dim, y = Tangent::own;
     for (int a = 0; a < corners; ++a) {
       G_.middleCols(columns_ + dim * a, dim) += tangent.by_input.middleCols(X + dim * a, dim);
-      move(a, tangent.by_input.middleCols(x + dim * a, dim));
+      move(a, tangent.by_input.middleCols(x + dim * a, dim) * turn_[0]);
     }
     for (std::size_t k = 0; k < nodes.masters.size(); ++k)
       for (int b = 0; b < corners; ++b)
         move(nodes.masters[k][b],
-             tangent.by_input.middleCols(y + static_cast<int>(k) * Tangent::each + dim * b, dim));
+             tangent.by_input.middleCols(y + static_cast<int>(k) * Tangent::each + dim * b, dim) *
+                 turn_[1]);
   }
 
   /// The normal of a corner as a function of positions; of all corners, before anything is added.
   void set_normal(int a, const ContactPatch<dim>& patch, const NodeNormal<dim>& normal,
                   const SlidingTraction<dim>& traction) {
     constexpr int n = 2 * corners * dim;
-    Wide& by = traction_by_[a];
+    Wide& traction_by = traction_by_[a];
     Eigen::RowVectorXd& speed_by = speed_by_[a];
-    by = Wide::Zero(dim, 2 * columns_);
+    traction_by = Wide::Zero(dim, 2 * columns_);
     speed_by = Eigen::RowVectorXd::Zero(2 * columns_);
     const auto add = [&](int position, const Tensor<dim>& change,
                          const Eigen::Matrix<double, 1, dim>& faster) {
       for (const int first : {dim * position, columns_ + dim * position}) {
-        by.middleCols(first, dim) += change;
+        traction_by.middleCols(first, dim) += change;
         speed_by.segment(first, dim) += faster;
       }
     };
     for (std::size_t p = 0; p < patch.nodes.size(); ++p) {
       if (normal.by_x[p].isZero(0)) continue;
       const int position = nodes_.position(patch.nodes[p]);
-      move(position, tangent_.by_input.middleCols(n + dim * a, dim) * normal.by_x[p]);
-      add(position, traction.direction_by.template leftCols<dim>() * normal.by_x[p],
-          traction.speed_by.template head<dim>() * normal.by_x[p]);
+      const Tensor<dim> by = normal.by_x[p] * turn_[0];
+      move(position, tangent_.by_input.middleCols(n + dim * a, dim) * by);
+      add(position, traction.direction_by.template leftCols<dim>() * by,
+          traction.speed_by.template head<dim>() * by);
     }
-    add(a, traction.direction_by.template rightCols<dim>(), traction.speed_by.template tail<dim>());
+    add(a, traction.direction_by.template rightCols<dim>() * turn_[0],
+        traction.speed_by.template tail<dim>() * turn_[0]);
     traction_[a] = traction.direction;
   }
 
   /// The contact of a closed corner with multiplier lambda.
   void add_slave(int a, double lambda, double initial_area) {
     const double D = tangent_.facet.D[a];
+    const Tensor<dim> back = lambda * turn_[0].transpose();
     K_.block(u_row(a), corners, dim, 2 * columns_) +=
-        lambda * (traction_[a] * G_.row(a) + D * traction_by_[a]);
-    K_.block(u_row(a), a, dim, 1) += D * traction_[a];
+        back * (traction_[a] * G_.row(a) + D * traction_by_[a]);
+    K_.block(u_row(a), a, dim, 1) += D * turn_[0].transpose() * traction_[a];
     K_.row(a).tail(2 * columns_) += G_.row(Tangent::row_of_gap + a) / initial_area;
   }
   /// Its force on corner b of a covering master.
   void add_pressing(int a, double lambda, int master, int b) {
     const double M = tangent_.facet.masters[master].M(a, b);
     const int row = u_row(nodes_.masters[master][b]);
+    const Tensor<dim> back = lambda * turn_[1].transpose();
     K_.block(row, corners, dim, 2 * columns_) -=
-        lambda * (traction_[a] * G_.row(row_of(master, a, b)) + M * traction_by_[a]);
-    K_.block(row, a, dim, 1) -= M * traction_[a];
+        back * (traction_[a] * G_.row(row_of(master, a, b)) + M * traction_by_[a]);
+    K_.block(row, a, dim, 1) -= M * turn_[1].transpose() * traction_[a];
   }
   /// Its wear along a direction per volume, with the rate and its derivatives by the pressure
   /// -lambda and the speed.
@@ -151,6 +159,7 @@ private:
 
   const FacetNodes<dim>& nodes_;
   const Tangent& tangent_;
+  std::array<Tensor<dim>, 2> turn_;  // of slave and master
   int columns_;
   Eigen::MatrixXd G_, K_;  // G: derivatives of the facet's sums by u and d of all nodes
   std::array<Vector<dim>, corners> traction_;

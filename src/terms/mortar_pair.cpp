@@ -25,6 +25,30 @@ constexpr double margin = 2;
 }  // namespace
 
 template <int dim>
+PairPlaces<dim>::PairPlaces(const MortarPair<dim>& pair, const std::vector<BodyPlace<dim>>& bodies)
+    : motion(pair.motion) {
+  if (bodies.empty()) return;
+  for (const std::size_t side : {0, 1})
+    of[side] = bodies[static_cast<std::size_t>(pair.numbers[side])];
+  motion = relative_motion(of[0].motion, of[1].motion);
+}
+
+template <int dim>
+std::vector<Vector<dim>> in_space(const std::vector<MortarPair<dim>>& pairs,
+                                  const std::vector<BodyPlace<dim>>& places,
+                                  std::vector<Vector<dim>> x) {
+  if (places.empty()) return x;
+  std::map<int, int> body;  // of nodes
+  for (const MortarPair<dim>& pair : pairs)
+    for (const std::size_t side : {0, 1})
+      for (const auto& facet : pair.boundary[side])
+        for (const int node : facet) body[node] = pair.numbers[side];
+  for (const auto& [node, number] : body)
+    x[node] = places[static_cast<std::size_t>(number)].of(x[node]);
+  return x;
+}
+
+template <int dim>
 Vector<dim> facet_normal(const typename Mesh<dim>::Facet& facet,
                          const std::vector<Vector<dim>>& x) {
   if constexpr (dim == 2) {
@@ -91,22 +115,25 @@ std::vector<std::vector<int>> masters_beside(const MortarPair<dim>& pair,
                                              const typename Mesh<dim>::Facet& slave,
                                              const std::vector<int>& masters,
                                              const std::vector<Vector<dim>>& x) {
-  constexpr double strained = 1.25;
+  constexpr double strained = 1.5;  // and seen obliquely
   const Ball<dim> own(slave, x);
-  const Vector<dim> n = facet_normal<dim>(slave, x);
   std::vector<Ball<dim>> balls;
   for (const int master : masters) balls.emplace_back(pair.master[master], x);
   std::vector<std::vector<int>> result(masters.size());
   for (std::size_t k = 0; k < balls.size(); ++k)
-    for (std::size_t l = 0; l < balls.size(); ++l) {
-      const Vector<dim> to = balls[l].centre - balls[k].centre;
-      if ((to - n * n.dot(to)).norm() <=
+    for (std::size_t l = 0; l < balls.size(); ++l)
+      if ((balls[l].centre - balls[k].centre).norm() <=
           strained * (balls[k].radius + 2 * own.radius + balls[l].radius))
         result[k].push_back(masters[l]);
-    }
   return result;
 }
 
+template struct PairPlaces<2>;
+template struct PairPlaces<3>;
+template std::vector<Vector<2>> in_space(const std::vector<MortarPair<2>>&,
+                                         const std::vector<BodyPlace<2>>&, std::vector<Vector<2>>);
+template std::vector<Vector<3>> in_space(const std::vector<MortarPair<3>>&,
+                                         const std::vector<BodyPlace<3>>&, std::vector<Vector<3>>);
 template Vector<2> facet_normal<2>(const Mesh<2>::Facet&, const std::vector<Vector<2>>&);
 template Vector<3> facet_normal<3>(const Mesh<3>::Facet&, const std::vector<Vector<3>>&);
 template std::vector<std::vector<int>> masters_beside(const MortarPair<2>&, const Mesh<2>::Facet&,

@@ -11,17 +11,19 @@ Vector<dim> MortarTerm<dim>::undeformed(const Evaluation<dim>& at, int node) con
 }
 
 template <int dim>
-Vector<dim> MortarTerm<dim>::current(const Evaluation<dim>& at, int node) const {
-  return undeformed(at, node) + at.values.vector(state_.u).row(node).transpose();
+Vector<dim> MortarTerm<dim>::current(const Evaluation<dim>& at, int node,
+                                     const BodyPlace<dim>& place) const {
+  return place.of(undeformed(at, node) + at.values.vector(state_.u).row(node).transpose());
 }
 
 template <int dim>
 PatchNodal<dim> MortarTerm<dim>::positions(const Evaluation<dim>& at,
-                                           const ContactPatch<dim>& patch, bool deformed) const {
+                                           const ContactPatch<dim>& patch,
+                                           const BodyPlace<dim>* place) const {
   PatchNodal<dim> result(static_cast<Eigen::Index>(patch.nodes.size()), dim);
   for (Eigen::Index p = 0; p < result.rows(); ++p)
     result.row(p) =
-        (deformed ? current(at, patch.nodes[p]) : undeformed(at, patch.nodes[p])).transpose();
+        (place ? current(at, patch.nodes[p], *place) : undeformed(at, patch.nodes[p])).transpose();
   return result;
 }
 
@@ -33,14 +35,15 @@ std::pair<FacetPair<dim>, std::vector<FacetNodal<dim>>> MortarTerm<dim>::places_
   for (int a = 0; a < corners; ++a) {
     const int node = patch(sides_[facet.sides[a]]).node;
     slave.X.row(a) = undeformed(at, node).transpose();
-    slave.x.row(a) = current(at, node).transpose();
+    slave.x.row(a) = current(at, node, places_[facet.pair].of[0]).transpose();
     slave.n.row(a) = result.sides[facet.sides[a]].normal->value.transpose();
   }
   std::vector<FacetNodal<dim>> masters(facet.masters.size());
   for (std::size_t k = 0; k < masters.size(); ++k)
     for (int b = 0; b < corners; ++b)
-      masters[k].row(b) =
-          current(at, state_.pairs[facet.pair].master[facet.masters[k]][b]).transpose();
+      masters[k].row(b) = current(at, state_.pairs[facet.pair].master[facet.masters[k]][b],
+                                  places_[facet.pair].of[1])
+                              .transpose();
   return {slave, std::move(masters)};
 }
 
@@ -82,7 +85,7 @@ void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
                                 SideState& state) const {
   const ContactPatch<dim>& own = patch(side);
   if (!state.active) return;
-  const PatchNodal<dim> X = positions(at, own, false);
+  const PatchNodal<dim> X = positions(at, own, nullptr);
   const double friction = pair(side).friction, speed = state.speed();
   const double p = state.pressure();
   const double depth = (own.initial_position - X.row(0).transpose()).dot(own.initial_normal);
@@ -105,13 +108,15 @@ typename MortarTerm<dim>::Surfaces MortarTerm<dim>::surfaces(const Evaluation<di
     const Side& side = sides_[s];
     if (!side.slave) continue;
     SideState& state = result.sides[s];
-    const PatchNodal<dim> x = positions(at, patch(side), true);
+    const PatchNodal<dim> x = positions(at, patch(side), &place(side));
     const auto along = pair(side).along.find(patch(side).node);
-    state.normal.emplace(
-        patch(side), x,
-        along == pair(side).along.end() ? Tensor<dim>(Tensor<dim>::Identity()) : along->second);
+    const Tensor<dim>& turn = place(side).turn;
+    state.normal.emplace(patch(side), x,
+                         along == pair(side).along.end()
+                             ? Tensor<dim>(Tensor<dim>::Identity())
+                             : Tensor<dim>(turn * along->second * turn.transpose()));
     state.traction.emplace(patch(side), state.normal->value, x.row(0).transpose(),
-                           pair(side).motion, pair(side).friction);
+                           places_[side.pair].motion, pair(side).friction);
   }
   add_facets(at, result);
   for (std::size_t s = 0; s < sides_.size(); ++s) {
@@ -168,8 +173,9 @@ std::vector<ContactNode<dim>> MortarTerm<dim>::nodes(const Evaluation<dim>& at) 
     const double area = node.area + std::max(state.area, least);
     const double flux = node.area * node.wear_rate, load = node.area * node.traction;
     node.active = node.active || state.active;
-    node.force += state.force;
-    if (state.normal) node.normal = -state.normal->value;
+    const Tensor<dim>& turn = place(sides_[s]).turn;
+    node.force += turn.transpose() * state.force;
+    if (state.normal) node.normal = -turn.transpose() * state.normal->value;
     if (state.direction)
       node.velocity -= weight(sides_[s]) * state.rate.value * state.area * state.direction->value;
     if (sides_[s].slave) node.gap = state.area > 0 ? state.gap / state.area : pair(sides_[s]).reach;
@@ -182,14 +188,14 @@ std::vector<ContactNode<dim>> MortarTerm<dim>::nodes(const Evaluation<dim>& at) 
 }
 
 template Vector<2> MortarTerm<2>::undeformed(const Evaluation<2>&, int) const;
-template Vector<2> MortarTerm<2>::current(const Evaluation<2>&, int) const;
+template Vector<2> MortarTerm<2>::current(const Evaluation<2>&, int, const BodyPlace<2>&) const;
 template std::pair<FacetPair<2>, std::vector<FacetNodal<2>>> MortarTerm<2>::places_of(
     const SlaveFacet&, const Evaluation<2>&, const Surfaces&) const;
 template MortarTerm<2>::Surfaces MortarTerm<2>::surfaces(const Evaluation<2>&) const;
 template void MortarTerm<2>::switching(const Evaluation<2>&, std::span<double>) const;
 template std::vector<ContactNode<2>> MortarTerm<2>::nodes(const Evaluation<2>&) const;
 template Vector<3> MortarTerm<3>::undeformed(const Evaluation<3>&, int) const;
-template Vector<3> MortarTerm<3>::current(const Evaluation<3>&, int) const;
+template Vector<3> MortarTerm<3>::current(const Evaluation<3>&, int, const BodyPlace<3>&) const;
 template std::pair<FacetPair<3>, std::vector<FacetNodal<3>>> MortarTerm<3>::places_of(
     const SlaveFacet&, const Evaluation<3>&, const Surfaces&) const;
 template MortarTerm<3>::Surfaces MortarTerm<3>::surfaces(const Evaluation<3>&) const;

@@ -18,6 +18,7 @@ MortarTerm<dim>::MortarTerm(const MortarState<dim>& state, const Numbering& numb
     contact_of_[static_cast<std::size_t>(state.patches[c].node)] = c;
     lambda_numbers_.push_back(numbering.number(state.lambda, c));
   }
+  for (const MortarPair<dim>& pair : state.pairs) places_.emplace_back(pair, state.places);
   find_sides();
   find_facets();
 }
@@ -42,9 +43,11 @@ template <int dim>
 void MortarTerm<dim>::find_facets() {
   for (int p = 0; p < static_cast<int>(state_.pairs.size()); ++p) {
     const MortarPair<dim>& pair = state_.pairs[p];
-    const auto candidates = mortar_candidates(pair, state_.near);
     for (std::size_t f = 0; f < pair.slave.size(); ++f) {
-      SlaveFacet facet{.pair = p, .masters = candidates[f], .around = {}};
+      SlaveFacet facet{.pair = p,
+                       .masters = state_.candidates[p][f],
+                       .coupled = state_.coupled[p][f],
+                       .around = {}};
       std::set<int> around;
       for (int a = 0; a < corners; ++a) {
         const int node = pair.slave[f][a];
@@ -102,7 +105,7 @@ std::vector<int> MortarTerm<dim>::columns_of(const SlaveFacet& facet,
 template <int dim>
 void MortarTerm<dim>::declare_facet(const SlaveFacet& facet, PatternBuilder& pattern,
                                     PatternBuilder& nodes) const {
-  const FacetNodes<dim> joined = nodes_of(facet, facet.masters);
+  const FacetNodes<dim> joined = nodes_of(facet, facet.coupled);
   const auto masters_end = joined.all.begin() + std::ptrdiff_t(joined.rows);
   typename Mesh<dim>::Facet slave;
   std::copy_n(joined.all.begin(), corners, slave.begin());
@@ -119,9 +122,9 @@ void MortarTerm<dim>::declare_facet(const SlaveFacet& facet, PatternBuilder& pat
   nodes.add(masters, own);
   nodes.add(masters, {masters_end, joined.all.end()});
   const MortarPair<dim>& pair = state_.pairs[facet.pair];
-  const auto beside = masters_beside(pair, slave, facet.masters, state_.near);
+  const auto beside = masters_beside(pair, slave, facet.coupled, state_.mesh.nodes);
   for (std::size_t k = 0; k < beside.size(); ++k) {
-    const auto& master = pair.master[facet.masters[k]];
+    const auto& master = pair.master[facet.coupled[k]];
     std::vector<int> together;
     for (const int other : beside[k])
       together.insert(together.end(), pair.master[other].begin(), pair.master[other].end());
@@ -178,8 +181,9 @@ void MortarTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double> 
     const Side& side = sides_[s];
     const SideState& state = result.sides[s];
     const ContactPatch<dim>& own = patch(side);
+    const Vector<dim> force = place(side).turn.transpose() * state.force;
     for (int i = 0; i < dim; ++i) {
-      if (const int row = u_numbers_(own.node, i); row >= 0) F[row] += state.force[i];
+      if (const int row = u_numbers_(own.node, i); row >= 0) F[row] += force[i];
       if (const int row = d_numbers_(own.node, i); row >= 0 && state.direction)
         F[row] += weight(side) * state.rate.value * state.area * state.direction->value[i];
     }
@@ -232,7 +236,7 @@ void MortarTerm<dim>::add_facet(const SlaveFacet& facet, const MortarFacetTangen
   std::vector<int> covering;
   for (const auto& master : tangent.facet.masters) covering.push_back(master.facet);
   const FacetNodes<dim> nodes = nodes_of(facet, covering);
-  FacetMatrix<dim> matrix(nodes, tangent);
+  FacetMatrix<dim> matrix(nodes, tangent, places_[facet.pair]);
   for (int a = 0; a < corners; ++a) {
     const SideState& slave = at.sides[facet.sides[a]];
     matrix.set_normal(a, patch(sides_[facet.sides[a]]), *slave.normal, *slave.traction);

@@ -16,6 +16,11 @@ const std::vector<Key>& cycle_keys();
 /// InputError for an expression or a file that cannot be read, and for keys without a period.
 std::optional<Cycle> read_cycle(const Scene& scene);
 
+/// A key of such a function.
+Key cycle_function_key(const std::string& name, const std::string& unit, const std::string& help);
+/// The function of such a key; nothing where the scene does not give it.
+std::optional<CycleFunction> read_cycle_function(const Scene& scene, const std::string& key);
+
 /// The expressions of tau that the scene gives.
 std::vector<std::string> cycle_expressions(const Scene& scene);
 

@@ -145,9 +145,9 @@ struct AssemblyParts {
   /// Contact of the bodies with each other: then they have no rigid partner, of which the approach
   /// alone is read, and the facets of the pairs are those of the interface's surfaces.
   std::vector<MortarPair<dim>> pairs{};
-  /// Of pairs: positions of the nodes where facets that may meet are found [length]; empty: where
-  /// the bodies first touch each other.
-  std::vector<Vector<dim>> near{};
+  /// Of pairs, by phase: positions of the nodes where facets that may meet are found, in the frames
+  /// of the bodies [length]; empty: where the bodies first touch each other.
+  std::vector<std::vector<Vector<dim>>> near{};
   ShapeMotion<dim> shape;
   std::optional<CyclicContact<dim>> cycle{};
   std::vector<Phase<dim>> phases{};             ///< of the cycle; empty: one steady state
@@ -167,7 +167,7 @@ struct AssemblyParts {
   /// The contact states: the phases of the cycle, or the steady state.
   std::vector<Phase<dim>> instants() const {
     if (!phases.empty()) return phases;
-    return {{.counter_body = interface.partner, .force = interface.force}};
+    return {{.counter_body = interface.partner, .force = interface.force, .places = {}}};
   }
   /// With which the sliding distance is counted, s = speed t: the given one, or that of the motion,
   /// its mean over the phases [length / time].

@@ -1,6 +1,7 @@
 // The contact states of an assembly: the phases of a cycle, or the only one.
 #pragma once
 
+#include <gnomon/cycles/body_cycle.hpp>
 #include <gnomon/cycles/cycle.hpp>
 #include <gnomon/cycles/cycle_quadrature.hpp>
 #include <gnomon/cycles/phase_mean.hpp>
@@ -12,13 +13,16 @@ namespace gnomon {
 /// A contact state: one of the phases of a cycle, or the only one.
 template <int dim>
 struct Phase {
-  double position = 0;              ///< tau, in the cycle
-  double weight = 1;                ///< omega, part of the mean over the cycle
-  CounterBody<dim> counter_body{};  ///< where it is in this phase, and how it moves
+  double position = 0;  ///< tau, in the cycle
+  double weight = 1;    ///< omega, part of the mean over the cycle
+  /// Where it is in this phase, and how it moves; of pairs: how the first one slides where
+  /// CyclicMotion says.
+  CounterBody<dim> counter_body{};
   /// The force that presses the counter-body along the first of its guides, at factor one of the
   /// history; without it the counter-body does not move there.
   std::optional<double> force{};
-  double load = 1;  ///< factor of the loads on the bodies
+  double load = 1;                     ///< factor of the loads on the bodies
+  std::vector<BodyPlace<dim>> places;  ///< of the bodies of pairs; empty: they are at rest
 
   /// The force along each guide at factor one; nothing where the counter-body is not free.
   std::vector<std::optional<double>> forces() const {
@@ -37,6 +41,11 @@ template <int dim>
 struct CyclicMotion {
   Cycle cycle;
   CycleAxis<dim> axis;
+  std::vector<BodyCycle<dim>> bodies{};  ///< all of them, where they meet each other in pairs
+  /// Of pairs: a point of the first of these bodies, in its frame, where the other slides on it,
+  /// and the normal of its surface there, unit.
+  std::array<int, 2> sliding{};
+  Vector<dim> point = Vector<dim>::Zero(), normal = Vector<dim>::Zero();
 };
 
 /// The cycle, and the positions at which the deformation is taken.

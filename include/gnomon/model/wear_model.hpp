@@ -54,9 +54,9 @@ private:
   std::optional<Succession> succeed(const State& state) const;
   std::optional<Succession> succeed_pairs(const State& state) const;
   /// Of the nodes of the mesh, deformed [length].
-  std::vector<Vector<dim>> positions(const State& state) const;
+  std::vector<std::vector<Vector<dim>>> positions(const State& state) const;
   /// Whether surfaces of pairs have by this part of the margin of their candidates.
-  bool have_moved(const std::vector<Vector<dim>>& x, double part) const;
+  bool have_moved(const std::vector<std::vector<Vector<dim>>>& x, double part) const;
   /// Boundary that would join lies inside of the counter-body.
   bool overdue(const State& state) const;
   /// Within the box of the initial body, widened by a quarter of its longest side.

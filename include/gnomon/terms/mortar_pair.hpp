@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gnomon/mesh/mesh.hpp>
-#include <gnomon/shapes/counter_body.hpp>
+#include <gnomon/shapes/body_place.hpp>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,27 +18,46 @@ struct MortarPair {
   std::array<std::vector<Facet>, 2> boundary{};
   /// The direction in which the master comes near to the slave: unit.
   Vector<dim> approach = Vector<dim>::Unit(dim - 1);
-  /// Of the master's material relative to the slave's, v^2 - F V of eq. (6).
+  /// Of the master's material relative to the slave's, v^2 - F V of eq. (6), where the bodies are
+  /// at rest; those that have a place in a phase of a cycle have their motion there.
   RigidMotion<dim> motion{};
   double friction = 0;
   double reach = 0;                     ///< facets that are farther apart do not meet [length]
   std::array<std::string, 2> bodies{};  ///< names of the slave and of the master
+  std::array<int, 2> numbers{};         ///< of them among the bodies
   /// By node of the slave: the projector on the directions in which its normal may point, where
   /// supports, as of a symmetry, leave it fewer than all.
   std::map<int, Tensor<dim>> along{};
 };
 
+/// Of the slave and of the master of a pair, in a phase.
+template <int dim>
+struct PairPlaces {
+  std::array<BodyPlace<dim>, 2> of{};
+  RigidMotion<dim> motion{};  ///< of the master's material relative to the slave's
+
+  /// `bodies`: the places of all bodies; empty: they are at rest.
+  PairPlaces(const MortarPair<dim>& pair, const std::vector<BodyPlace<dim>>& bodies);
+};
+
+/// Moves nodes of the pairs' boundaries to where they are in a phase; `x`: in the frames of the
+/// bodies.
+template <int dim>
+std::vector<Vector<dim>> in_space(const std::vector<MortarPair<dim>>& pairs,
+                                  const std::vector<BodyPlace<dim>>& places,
+                                  std::vector<Vector<dim>> x);
+
 /// The outward normal at the centre of a facet, unit, nodes at `x`.
 template <int dim>
 Vector<dim> facet_normal(const typename Mesh<dim>::Facet& facet, const std::vector<Vector<dim>>& x);
 
-/// By slave facet of a pair: the masters that may cover it, by their positions in `master`; those
-/// near to it where the nodes are at `x`, with a margin of a facet around.
+/// By slave facet of a pair: the masters that may cover it, by their positions in `master`.
+using MortarCandidates = std::vector<std::vector<int>>;
+/// Those near to it where the nodes are at `x`, with a margin of a facet around.
 template <int dim>
-std::vector<std::vector<int>> mortar_candidates(const MortarPair<dim>& pair,
-                                                const std::vector<Vector<dim>>& x);
+MortarCandidates mortar_candidates(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x);
 /// By master facet of a pair, of those given, which of them may cover a slave facet at the same
-/// time.
+/// time, wherever the bodies are; nodes at `x` in the frames of the bodies.
 template <int dim>
 std::vector<std::vector<int>> masters_beside(const MortarPair<dim>& pair,
                                              const typename Mesh<dim>::Facet& slave,

@@ -8,6 +8,9 @@
 //   d, slave    Wdot(p_i) D_i P N_i / A_i,   p_i = -lambda_i         eq. (14)
 //   d, master   Wdot(p_j) C_j P N_j / A_j,   C_j = sum_i W_ij, p_j = sum_i p_i W_ij / C_j
 //
+// In a phase of a cycle the bodies have places, x = R (X + d + u) + c: sums and tractions are those
+// in space, and forces in the rows of u are turned back, R^T f.
+//
 // The speed v_i of sliding is that of the slave; a master has v_j = sum_i p_i v_i W_ij / (p_j C_j).
 // So the forces on both bodies are equal, and the volumes that they lose where their laws are
 // and are proportional to p v.
@@ -30,15 +33,18 @@ struct MortarState {
   const Mesh<dim>& mesh;
   const std::vector<ContactPatch<dim>>& patches;  ///< of slaves and masters, ascending nodes
   const std::vector<MortarPair<dim>>& pairs;
-  const std::vector<Vector<dim>>& near;  ///< nodes of the mesh, where candidates are found
-  const std::vector<int>& surface_of;    ///< each contact node: whose law wears it
-  std::vector<WearLaw> laws{};           ///< of the surfaces
-  std::vector<double> wear_weight{};     ///< of each contact node, in its wear; empty: 1
+  std::vector<MortarCandidates> candidates;  ///< by pair
+  /// Those of all phases: the stiffnesses of phases have one pattern.
+  std::vector<MortarCandidates> coupled;
+  const std::vector<int>& surface_of;  ///< each contact node: whose law wears it
+  std::vector<WearLaw> laws{};         ///< of the surfaces
+  std::vector<double> wear_weight{};   ///< of each contact node, in its wear; empty: 1
   NormalRule normal_rule = NormalRule::conservative;
   Section section = Section::plane;
-  double rho = 1;            ///< [stress / length]
-  double part = 1;           ///< of the mean over a cycle: the weight of its phase
-  double nominal_speed = 0;  ///< at which the bodies slide [length / time]
+  double rho = 1;                        ///< [stress / length]
+  std::vector<BodyPlace<dim>> places{};  ///< of the bodies; empty: at rest
+  double part = 1;                       ///< of the mean over a cycle: the weight of its phase
+  double nominal_speed = 0;              ///< at which the bodies slide [length / time]
 };
 
 template <int dim>
@@ -74,6 +80,7 @@ private:
     int pair = 0;
     std::array<int, corners> sides = {};
     std::vector<int> masters;  ///< candidates: positions among the pair's
+    std::vector<int> coupled;  ///< of all phases
     std::vector<int> around;   ///< mesh nodes on which the normals of its corners depend
   };
   /// What a side has at a state.
@@ -84,7 +91,7 @@ private:
     double load = 0;    ///< force by pressure: D p, or sum_i p_i W_ij
     double power = 0;   ///< load times speed of sliding
     bool active = false;
-    Vector<dim> force = Vector<dim>::Zero();         ///< in the rows of u
+    Vector<dim> force = Vector<dim>::Zero();         ///< in space
     std::optional<NodeNormal<dim>> normal{};         ///< of a slave
     std::optional<SlidingTraction<dim>> traction{};  ///< of a slave
     std::optional<WearDirection<dim>> direction{};
@@ -104,9 +111,10 @@ private:
   void declare_facets(PatternBuilder& pattern) const;
   void declare_facet(const SlaveFacet& facet, PatternBuilder& pattern, PatternBuilder& nodes) const;
   Vector<dim> undeformed(const Evaluation<dim>& at, int node) const;
-  Vector<dim> current(const Evaluation<dim>& at, int node) const;
+  Vector<dim> current(const Evaluation<dim>& at, int node, const BodyPlace<dim>& place) const;
+  /// Undeformed ones, or where the nodes are in space.
   PatchNodal<dim> positions(const Evaluation<dim>& at, const ContactPatch<dim>& patch,
-                            bool deformed) const;
+                            const BodyPlace<dim>* place) const;
   Surfaces surfaces(const Evaluation<dim>& at) const;
   /// Of a facet, and current ones of its candidates.
   std::pair<FacetPair<dim>, std::vector<FacetNodal<dim>>> places_of(const SlaveFacet& facet,
@@ -128,6 +136,7 @@ private:
   static bool holds_gap(const SideState& state) { return state.active && state.area > 0; }
   const ContactPatch<dim>& patch(const Side& side) const { return state_.patches[side.node]; }
   const MortarPair<dim>& pair(const Side& side) const { return state_.pairs[side.pair]; }
+  const BodyPlace<dim>& place(const Side& side) const { return places_[side.pair].of[!side.slave]; }
   const WearLaw& law(const Side& side) const { return state_.laws[state_.surface_of[side.node]]; }
   double weight(const Side& side) const {
     return state_.part * (state_.wear_weight.empty() ? 1 : state_.wear_weight[side.node]);
@@ -143,6 +152,7 @@ private:
            std::span<double> values) const;
 
   MortarState<dim> state_;
+  std::vector<PairPlaces<dim>> places_;  // by pair
   NodalNumbers<dim> u_numbers_, d_numbers_;
   std::vector<int> lambda_numbers_;          // of each contact node; masters: -1
   std::vector<int> contact_of_;              // by mesh node; -1: none

@@ -1,0 +1,160 @@
+#include "part/pair_cycle.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
+#include <set>
+
+#include "model/bring_together.hpp"
+#include "part/phases.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+/// What belongs to a counter-body.
+void require_cycle_of_bodies(const Scene& scene) {
+  for (const char* key : {"cycle.x", "cycle.y", "cycle.z", "cycle.rotation"})
+    if (scene.given(key))
+      throw InputError(fmt::format("{}: expected motion.#.cycle.{} of a body beside [[pair]]",
+                                   scene.where(key), std::string(key).substr(6)));
+  if (scene.given("cycle.force"))
+    throw InputError(scene.where("cycle.force") + ": expected cycle.load beside [[pair]]");
+}
+
+/// Bodies that share nodes have one place.
+template <int dim>
+void require_common_places(const Scene& scene, const std::map<std::string, BodyCycle<dim>>& motions,
+                           const AssemblyParts<dim>& parts) {
+  const std::vector<int> part = connected_parts(parts.mesh);
+  const auto part_of = [&](const Body& body) {
+    return part[static_cast<std::size_t>(
+        parts.mesh.cells[static_cast<std::size_t>(body.cells.front())][0])];
+  };
+  for (const Body& body : parts.bodies) {
+    const auto motion = motions.find(body.name);
+    if (motion == motions.end() || !motion->second.moves()) continue;
+    for (const Body& other : parts.bodies)
+      if (other.name != body.name && part_of(other) == part_of(body))
+        throw InputError(fmt::format(
+            "{}: [[motion]]: expected no cycle of \"{}\", which is bonded to \"{}\": the places of "
+            "bonded bodies are not built yet",
+            scene.path().string(), body.name, other.name));
+  }
+}
+
+constexpr int samples_of_places = 64;
+
+}  // namespace
+
+template <int dim>
+void read_cycle_of_bodies(const Scene& scene, const std::map<std::string, BodyCycle<dim>>& motions,
+                          AssemblyParts<dim>& parts) {
+  require_cycle_of_bodies(scene);
+  const std::optional<Cycle> cycle = read_cycle(scene);
+  for (const auto& [name, motion] : motions)
+    if (motion.moves() && !cycle)
+      throw InputError(
+          fmt::format("{}: [[motion]]: expected also [cycle] period for the cycle of "
+                      "\"{}\"",
+                      scene.path().string(), name));
+  if (!cycle) return;
+  require_common_places(scene, motions, parts);
+  CyclicMotion<dim> motion{.cycle = *cycle, .axis = {}};
+  for (const Body& body : parts.bodies) {
+    const auto found = motions.find(body.name);
+    motion.bodies.push_back(found == motions.end() ? BodyCycle<dim>{} : found->second);
+    motion.bodies.back().cycle.period = cycle->period;
+  }
+  parts.cycle = CyclicContact<dim>{motion, {1, {}}};
+}
+
+template <int dim>
+std::vector<std::vector<BodyPlace<dim>>> places_over_cycle(const AssemblyParts<dim>& parts) {
+  if (!parts.cycle) return {{}};
+  std::vector<std::vector<BodyPlace<dim>>> all;
+  for (const Phase<dim>& phase : parts.phases) all.push_back(phase.places);
+  for (int k = 0; k < samples_of_places; ++k) {
+    std::vector<BodyPlace<dim>>& places = all.emplace_back();
+    for (const BodyCycle<dim>& body : parts.cycle->motion.bodies)
+      places.push_back(body.at((k + 0.5) / samples_of_places));
+  }
+  return all;
+}
+
+template <int dim>
+std::vector<RigidMotion<dim>> motions_over_cycle(const AssemblyParts<dim>& parts,
+                                                 const MortarPair<dim>& pair) {
+  std::vector<RigidMotion<dim>> motions;
+  for (const auto& places : places_over_cycle(parts)) {
+    const PairPlaces<dim> at(pair, places);
+    RigidMotion<dim>& motion = motions.emplace_back(at.motion);
+    // In the frame of the slave.
+    const Tensor<dim>& turn = at.of[0].turn;
+    motion.velocity = turn.transpose() * at.motion.at(at.of[0].shift);
+    motion.spin = turn.transpose() * at.motion.spin * turn;
+    motion.across = at.motion.across_at(at.of[0].shift);
+    motion.across_by_x = turn.transpose() * at.motion.across_by_x;
+  }
+  return motions;
+}
+
+namespace {
+
+/// The point of a slave whose speed, in the mean over the cycle, is nearest to that of all.
+template <int dim>
+void choose_sliding_point(const AssemblyParts<dim>& parts, CyclicMotion<dim>& motion) {
+  const MortarPair<dim>& pair = parts.pairs.front();
+  const std::vector<RigidMotion<dim>> motions = motions_over_cycle(parts, pair);
+  const auto patches = contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section());
+  std::vector<double> speeds;
+  double mean = 0;
+  for (const auto& patch : patches) {
+    double& speed = speeds.emplace_back(0);
+    for (RigidMotion<dim> at : motions) {
+      at.reference = patch.initial_position;
+      at.normal = patch.initial_normal.normalized();
+      speed += at.nominal_speed(Vector<dim>::Zero()) / static_cast<double>(motions.size());
+    }
+    mean += speed / static_cast<double>(patches.size());
+  }
+  const auto chosen = static_cast<std::size_t>(
+      std::ranges::min_element(speeds, {}, [&](double speed) { return std::abs(speed - mean); }) -
+      speeds.begin());
+  motion.sliding = pair.numbers;
+  motion.point = patches[chosen].initial_position;
+  motion.normal = patches[chosen].initial_normal.normalized();
+}
+
+}  // namespace
+
+template <int dim>
+void read_phases_of_pairs(const Scene& scene, AssemblyParts<dim>& parts) {
+  if (!parts.cycle) return;
+  CyclicMotion<dim> motion = parts.cycle->motion;
+  choose_sliding_point(parts, motion);
+  ReadPhases<dim> read = read_phases<dim>(scene, motion, parts.interface.partner, {});
+  parts.cycle = read.contact;
+  parts.phases = std::move(read.phases);
+  parts.remarks.insert(parts.remarks.end(), read.remarks.begin(), read.remarks.end());
+  if (!parts.interface.speed)
+    parts.interface.speed = mean_speed<dim>(motion, parts.interface.partner);
+}
+
+template void read_cycle_of_bodies(const Scene&, const std::map<std::string, BodyCycle<2>>&,
+                                   AssemblyParts<2>&);
+template void read_cycle_of_bodies(const Scene&, const std::map<std::string, BodyCycle<3>>&,
+                                   AssemblyParts<3>&);
+template void read_phases_of_pairs(const Scene&, AssemblyParts<2>&);
+template void read_phases_of_pairs(const Scene&, AssemblyParts<3>&);
+template std::vector<std::vector<BodyPlace<2>>> places_over_cycle(const AssemblyParts<2>&);
+template std::vector<std::vector<BodyPlace<3>>> places_over_cycle(const AssemblyParts<3>&);
+template std::vector<RigidMotion<2>> motions_over_cycle(const AssemblyParts<2>&,
+                                                        const MortarPair<2>&);
+template std::vector<RigidMotion<3>> motions_over_cycle(const AssemblyParts<3>&,
+                                                        const MortarPair<3>&);
+
+}  // namespace gnomon::part

@@ -1,0 +1,33 @@
+// Bodies of pairs that have places over a cycle: [cycle] and motion.#.cycle.
+#pragma once
+
+#include <gnomon/model/assembly.hpp>
+#include <gnomon/scene/scene.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace gnomon::part {
+
+/// Gives the parts, whose pairs are known but for their facets, the motions of their bodies over
+/// the cycle of the scene, if it has one. Throws InputError, also where bodies that share nodes
+/// move apart.
+template <int dim>
+void read_cycle_of_bodies(const Scene& scene, const std::map<std::string, BodyCycle<dim>>& motions,
+                          AssemblyParts<dim>& parts);
+
+/// The phases of that cycle, judged by how the first pair slides.
+template <int dim>
+void read_phases_of_pairs(const Scene& scene, AssemblyParts<dim>& parts);
+
+/// Where the bodies are: at the phases, if they are known, and at many positions between them; once
+/// at rest without a cycle.
+template <int dim>
+std::vector<std::vector<BodyPlace<dim>>> places_over_cycle(const AssemblyParts<dim>& parts);
+
+/// The motion of a pair at each of these places.
+template <int dim>
+std::vector<RigidMotion<dim>> motions_over_cycle(const AssemblyParts<dim>& parts,
+                                                 const MortarPair<dim>& pair);
+
+}  // namespace gnomon::part
