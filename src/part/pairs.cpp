@@ -125,8 +125,11 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
                         const std::array<int, 2>& bodies) {
   constexpr double away = 0.1;  // cosine
   Vector<dim> outward = Vector<dim>::Zero();
-  for (const auto& patch : contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section()))
+  double area = 0;  // a surface all around has no direction of its own
+  for (const auto& patch : contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section())) {
     outward += patch.initial_area * patch.initial_normal;
+    area += patch.initial_area;
+  }
   const std::vector<int> body_of =
       body_of_nodes(parts.mesh, body_of_cells(parts.bodies, parts.mesh.cells.size()));
   std::array<Vector<dim>, 2> load = {Vector<dim>::Zero(), Vector<dim>::Zero()};
@@ -148,7 +151,7 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
     // A load along directions that supports hold does not press.
     const Vector<dim> free = (held[side].array() == 0).select(load[side], 0.0);
     const Vector<dim> presses = side == 0 ? Vector<dim>(-free) : free;
-    if (presses.norm() > 0 && presses.dot(outward) <= away * presses.norm() * outward.norm())
+    if (presses.norm() > 0 && presses.dot(outward) <= away * presses.norm() * area)
       return presses.normalized();
   }
   return outward.norm() > 0 ? Vector<dim>(-outward.normalized()) : Vector<dim>::Unit(dim - 1);

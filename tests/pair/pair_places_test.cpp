@@ -1,0 +1,121 @@
+// Bodies of pairs that have places over a cycle: derivatives, independence of the frame, volumes.
+
+#include <cmath>
+#include <random>
+
+#include "support/problem_run.hpp"
+#include "support/two_bodies.hpp"
+
+namespace gnomon::pair_places_test {
+namespace {
+
+using namespace testing;
+using ::testing::HasSubstr;
+
+template <int dim>
+Tensor<dim> rotation(double angle) {
+  if constexpr (dim == 2)
+    return Eigen::Rotation2Dd(angle).toRotationMatrix();
+  else
+    return Eigen::AngleAxisd(angle, Vector<3>(1, 2, 3).normalized()).toRotationMatrix();
+}
+
+/// One phase with these places; of the master's material a velocity in the frame of the slave.
+template <int dim>
+AssemblyParts<dim> placed(const TwoBodies& pair, const BodyPlace<dim>& slave,
+                          const BodyPlace<dim>& master) {
+  AssemblyParts<dim> parts = two_bodies<dim>(pair);
+  parts.pairs.front().numbers = {0, 1};
+  parts.pairs.front().boundary = {parts.mesh.boundary.at("bottom"),
+                                  parts.mesh.boundary.at("lower top")};
+  Phase<dim> phase{.places = {slave, master}};
+  phase.places[1].motion.velocity = slave.turn * parts.pairs.front().motion.velocity;
+  parts.phases = {phase};
+  return parts;
+}
+
+template <int dim>
+void check_turned_jacobian(const TwoBodies& pair) {
+  const BodyPlace<dim> slave{.turn = rotation<dim>(0.7), .shift = Vector<dim>::Constant(0.3)};
+  // A little further than the slave, about the same point.
+  const Tensor<dim> more = rotation<dim>(0.02);
+  const WearModel<dim> model(
+      placed<dim>(pair, slave, {.turn = more * slave.turn, .shift = slave.shift}));
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(-0.02, 0.02);
+  std::vector<double> y(static_cast<std::size_t>(model.system().structure().size));
+  for (double& value : y) value = uniform(generator);
+  const Numbering& numbering = model.system().numbering();
+  for (int c = 0; c < static_cast<int>(model.assembly().contact_nodes.size()); ++c)
+    if (const int at = numbering.number(model.equations().fields().lambda, c); at >= 0)
+      y[at] = c % 3 ? -2000 : 3000;
+  check_jacobian(model.system(), 0, y, 0.2, nullptr, 1e-6);
+}
+
+TEST(PairPlaces, JacobianEqualsCentralDifferences) {
+  for (const double friction : {0.0, 0.3}) {
+    TwoBodies pair{.upper = {.along = 5, .high = 2, .wear = 1e-3},
+                   .lower = {.along = 7, .high = 2, .from = 0.1, .wear = 2e-3},
+                   .friction = friction};
+    check_turned_jacobian<2>(pair);
+    pair.upper.along = 2, pair.upper.high = pair.lower.high = 1, pair.upper.across = 2;
+    pair.lower.along = 3, pair.lower.across = 1;
+    check_turned_jacobian<3>(pair);
+  }
+}
+
+/// The largest difference of the states at the start and their rates, of those at rest.
+template <int dim>
+double difference_in_a_turned_frame(const TwoBodies& pair) {
+  BodyPlace<dim> place{.turn = rotation<dim>(2.1)};
+  place.shift = 5 * Vector<dim>::Unit(0);
+  const WearModel<dim> rest(two_bodies<dim>(pair)), turned(placed<dim>(pair, place, place));
+  Counters counters;
+  const State one = rest.start(counters), other = turned.start(counters);
+  double most = 0, size = 0;
+  for (std::size_t k = 0; k < one.y.size(); ++k) {
+    most = std::max({most, std::abs(one.y[k] - other.y[k]), std::abs(one.ydot[k] - other.ydot[k])});
+    size = std::max({size, std::abs(one.y[k]), std::abs(one.ydot[k])});
+  }
+  return most / size;
+}
+
+TEST(PairPlaces, WhatTurnsTogetherIsAsAtRest) {
+  TwoBodies pair{.upper = {.along = 4, .high = 3, .wear = 1e-5},
+                 .lower = {.along = 6, .high = 3, .wear = 2e-5},
+                 .friction = 0.3};
+  pair.lower.surface = [](double x) { return -0.02 * x * x; };
+  EXPECT_LT(difference_in_a_turned_frame<2>(pair), 1e-9);
+  pair.upper.along = pair.upper.high = pair.upper.across = 2;
+  pair.lower.along = 3, pair.lower.high = 2, pair.lower.across = 2;
+  EXPECT_LT(difference_in_a_turned_frame<3>(pair), 1e-9);
+}
+
+constexpr const char* cam = "worn_body/cam_and_follower.toml";
+
+// On a flat follower a disc of radius R slides by 2 pi R in a turn, about any centre.
+TEST(PairPlaces, AnEccentricCamWearsAsItsPathSays) {
+  const auto model = model_of(cam, {});
+  const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 100);
+  const double path = 2 * M_PI * 10 * 1000, force = 50;
+  EXPECT_NEAR(observed(*model, run.last(), "worn_volume_cam") / (1e-9 * force * path), 1, 2e-5);
+  EXPECT_NEAR(observed(*model, run.last(), "worn_volume_follower") / (2e-9 * force * path), 1,
+              2e-5);
+}
+
+std::string refusal(const Overrides& overrides) {
+  try {
+    model_of(cam, overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(PairPlaces, MistakesAreNamed) {
+  EXPECT_THAT(refusal({R"(cycle.x="0.1*tau")"}), HasSubstr("expected motion.#.cycle.x"));
+  EXPECT_THAT(refusal({R"(cycle.force="10")"}), HasSubstr("expected cycle.load beside [[pair]]"));
+}
+
+}  // namespace
+}  // namespace gnomon::pair_places_test
