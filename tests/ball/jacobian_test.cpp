@@ -1,10 +1,8 @@
 // The coupled Jacobian in three dimensions: friction, streaming, the rigid motion, the shape of a
 // cross-section.
 
-#include <gnomon/model/wear_model.hpp>
-#include <random>
-
 #include "ball/coarse.hpp"
+#include "support/rough_state.hpp"
 
 namespace gnomon::jacobian_test {
 namespace {
@@ -14,15 +12,8 @@ using namespace testing;
 /// A rough state with closed and open contact nodes in turn; lengths of the order of `size`.
 std::vector<double> rough_state(const Model& model, double size) {
   const auto& wear = dynamic_cast<const WearModel<3>&>(model);
-  const Structure& structure = wear.system().structure();
-  std::mt19937 generator(7);
-  std::uniform_real_distribution<double> uniform(-size, size);
-  std::vector<double> y(structure.size);
-  for (double& value : y) value = uniform(generator);
   const double stress = 30 * wear.assembly().interface.rho * size;
-  const auto& lambda = wear.system().numbering().numbers(wear.equations().fields().lambda);
-  for (Eigen::Index c = 0; c < lambda.size(); ++c) y[lambda(c)] = c % 2 ? -4 * stress : stress;
-  return y;
+  return testing::rough_state(wear, {.size = size, .closed = -4 * stress, .open = stress});
 }
 
 void check(const std::string& scene, const Overrides& overrides, double size) {

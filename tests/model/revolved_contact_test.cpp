@@ -5,10 +5,10 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/laws/hertz.hpp>
 #include <limits>
-#include <random>
 
 #include "support/problem_run.hpp"
 #include "support/revolved_ball.hpp"
+#include "support/rough_state.hpp"
 
 namespace gnomon::revolved_contact_test {
 namespace {
@@ -16,18 +16,6 @@ namespace {
 using namespace testing;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
-
-/// Small displacements and shapes at random, contact nodes closed and open in turn.
-std::vector<double> rough_state(const WearModel<2>& model) {
-  std::mt19937 generator(7);
-  std::uniform_real_distribution<double> uniform(-0.02, 0.02);
-  std::vector<double> y(static_cast<std::size_t>(model.system().structure().size));
-  for (double& value : y) value = uniform(generator);
-  const Numbering& numbering = model.system().numbering();
-  for (int c = 0; c < static_cast<int>(model.assembly().contact_nodes.size()); ++c)
-    y[numbering.number(model.equations().fields().lambda, c)] = c % 2 ? -200 : 300;
-  return y;
-}
 
 TEST(RevolvedContact, JacobianEqualsCentralDifferences) {
   for (const auto technology :
@@ -44,7 +32,7 @@ TEST(RevolvedContact, JacobianEqualsCentralDifferences) {
           body.interface.friction = 0.2;
           body.shape.constraint = form;
           const WearModel<2> model(body);
-          const std::vector<double> y = rough_state(model);
+          const std::vector<double> y = rough_state(model, {.closed = -200, .open = 300});
           check_jacobian(model.system(), 0, y, 0.2, nullptr, 1e-6);
         }
 }

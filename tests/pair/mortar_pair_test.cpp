@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <random>
 
 #include "newton/krylov.hpp"
 #include "support/problem_run.hpp"
+#include "support/rough_state.hpp"
 #include "support/two_bodies.hpp"
 
 namespace gnomon::mortar_pair_test {
@@ -14,19 +14,8 @@ namespace {
 
 using namespace testing;
 
-/// Small displacements and shapes at random, slave nodes closed and open in turn.
-template <int dim>
-std::vector<double> rough_state(const WearModel<dim>& model, double size = 0.02) {
-  std::mt19937 generator(7);
-  std::uniform_real_distribution<double> uniform(-size, size);
-  std::vector<double> y(static_cast<std::size_t>(model.system().structure().size));
-  for (double& value : y) value = uniform(generator);
-  const Numbering& numbering = model.system().numbering();
-  for (int c = 0; c < static_cast<int>(model.assembly().contact_nodes.size()); ++c)
-    if (const int at = numbering.number(model.equations().fields().lambda, c); at >= 0)
-      y[at] = c % 3 ? -2000 : 3000;
-  return y;
-}
+/// Every third slave node is open.
+constexpr RoughState rough{.every = 3};
 
 TEST(MortarPair, JacobianEqualsCentralDifferences) {
   for (const NormalRule normal :
@@ -42,7 +31,7 @@ TEST(MortarPair, JacobianEqualsCentralDifferences) {
         pair.lower.from = section == Section::meridian ? 0 : 0.1;
         pair.lower.surface = [](double x) { return 0.05 * std::sin(2 * x); };
         const WearModel<2> model(two_bodies<2>(pair));
-        check_jacobian(model.system(), 0, rough_state(model), 0.2, nullptr, 1e-6);
+        check_jacobian(model.system(), 0, rough_state(model, rough), 0.2, nullptr, 1e-6);
       }
 }
 
@@ -52,7 +41,7 @@ TEST(MortarPair, JacobianEqualsCentralDifferencesInSpace) {
                    .lower = {.along = 3, .high = 1, .across = 1, .from = 0.1, .wear = 2e-3},
                    .friction = friction};
     const WearModel<3> model(two_bodies<3>(pair));
-    check_jacobian(model.system(), 0, rough_state(model), 0.2, nullptr, 1e-6);
+    check_jacobian(model.system(), 0, rough_state(model, rough), 0.2, nullptr, 1e-6);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/controlled_settings.hpp>
 #include <gnomon/model/problem.hpp>
@@ -22,6 +23,16 @@ inline std::unique_ptr<Model> model_of(const std::string& scene, const Overrides
   const Scene loaded =
       load_scene(std::string(GNOMON_SOURCE_DIR "/problems/") + scene, overrides, key_table);
   return Problems::find(loaded.text("problem"), "problem").make(loaded);
+}
+
+/// What is wrong in a scene, or "accepted".
+inline std::string refusal(const std::string& scene, const Overrides& overrides) {
+  try {
+    model_of(scene, overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
 }
 
 inline double observed(const Model& model, const State& state, const std::string& name) {

@@ -138,13 +138,17 @@ MortarPair<dim> contact_of(const TwoBodies& pair, const Mesh<dim>& mesh,
   MortarPair<dim> contact{.slave = mesh.boundary.at("bottom"),
                           .master = mesh.boundary.at("lower top"),
                           .friction = pair.friction,
-                          .reach = pair.upper.size};
+                          .reach = pair.upper.size,
+                          .numbers = {0, 1}};
+  contact.boundary = {contact.slave, contact.master};
   if (dim == 2 && pair.section == Section::meridian)
     contact.motion.across = pair.speed;
   else
     contact.motion.velocity = pair.speed * Vector<dim>::Unit(0);
   if (pair.lower_is_slave) {
     std::swap(contact.slave, contact.master);
+    std::swap(contact.boundary[0], contact.boundary[1]);
+    std::swap(contact.numbers[0], contact.numbers[1]);
     contact.motion.velocity *= -1;
     contact.approach *= -1;
   }

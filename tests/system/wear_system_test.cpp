@@ -1,7 +1,6 @@
-#include <gnomon/model/wear_model.hpp>
-
 #include "support/derivatives.hpp"
 #include "support/pin.hpp"
+#include "support/rough_state.hpp"
 
 namespace gnomon::wear_system_test {
 namespace {
@@ -16,14 +15,8 @@ int number(const Model& model, FieldId WornBodyFields::*field, int entity, int c
 
 /// A rough state with closed and open contact nodes in turn.
 std::vector<double> rough_state(const Model& model) {
-  std::mt19937 generator(7);
-  std::uniform_real_distribution<double> uniform(-0.05, 0.05);
-  const Structure& structure = model.system().structure();
-  std::vector<double> y(structure.size);
-  for (double& value : y) value = uniform(generator);
-  for (int c = 0; c < static_cast<int>(structure.switch_node.size()); ++c)
-    y[number(model, &WornBodyFields::lambda, c)] = c % 2 ? -2000 : 300;
-  return y;
+  return testing::rough_state(dynamic_cast<const WearModel<2>&>(model),
+                              {.size = 0.05, .closed = -2000, .open = 300});
 }
 
 TEST(WearSystem, JacobianEqualsCentralDifferences) {
