@@ -87,47 +87,46 @@ std::vector<std::string> Cycle::remarks() const {
   return found;
 }
 
-namespace {
-
-/// Adds the displacement and its velocity.
 template <int dim>
-void displace(const Cycle& cycle, double tau, CounterBody<dim>& body) {
-  for (int i = 0; i < 3; ++i) {
-    if (!cycle.displacement[i]) continue;
-    const double speed = cycle.displacement[i]->slope(tau) / cycle.period;
-    if (i < dim) {
-      body.position[i] += cycle.displacement[i]->value(tau);
-      body.motion.velocity[i] += speed;
-    } else {
-      body.motion.across += speed;
-    }
-  }
+Vector<dim> displacement_at(const Cycle& cycle, double tau) {
+  Vector<dim> displaced = Vector<dim>::Zero();
+  for (int i = 0; i < dim; ++i)
+    if (cycle.displacement[i]) displaced[i] = cycle.displacement[i]->value(tau);
+  return displaced;
 }
 
 template <int dim>
-void turn(const Cycle& cycle, const CycleAxis<dim>& axis, double tau, CounterBody<dim>& body) {
+void add_velocity(const Cycle& cycle, const CycleAxis<dim>& axis, double tau,
+                  RigidMotion<dim>& motion) {
+  for (int i = 0; i < 3; ++i)
+    if (cycle.displacement[i])
+      (i < dim ? motion.velocity[i] : motion.across) +=
+          cycle.displacement[i]->slope(tau) / cycle.period;
+  if (!cycle.rotation) return;
   const double rate = cycle.rotation->slope(tau) / cycle.period;
   if (axis.meridian) {
-    body.motion.across_by_x[0] += rate;
+    motion.across_by_x[0] += rate;
     return;
   }
-  body.motion.spin += rate * axis.spin;
-  body.motion.velocity -= rate * axis.spin * axis.centre;
-  if (axis.turns_shape)
-    body.turning = Turning<dim>{axis.spin, axis.centre, 0, cycle.rotation->value(tau)};
+  motion.spin += rate * axis.spin;
+  motion.velocity -= rate * axis.spin * axis.centre;
 }
-
-}  // namespace
 
 template <int dim>
 CounterBody<dim> counter_body_at(const CounterBody<dim>& body, const Cycle& cycle,
                                  const CycleAxis<dim>& axis, double tau) {
   CounterBody<dim> result = body;
-  displace(cycle, tau, result);
-  if (cycle.rotation) turn(cycle, axis, tau, result);
+  result.position += displacement_at<dim>(cycle, tau);
+  add_velocity(cycle, axis, tau, result.motion);
+  if (cycle.rotation && axis.turns_shape)
+    result.turning = Turning<dim>{axis.spin, axis.centre, 0, cycle.rotation->value(tau)};
   return result;
 }
 
+template Vector<2> displacement_at(const Cycle&, double);
+template Vector<3> displacement_at(const Cycle&, double);
+template void add_velocity(const Cycle&, const CycleAxis<2>&, double, RigidMotion<2>&);
+template void add_velocity(const Cycle&, const CycleAxis<3>&, double, RigidMotion<3>&);
 template CounterBody<2> counter_body_at(const CounterBody<2>&, const Cycle&, const CycleAxis<2>&,
                                         double);
 template CounterBody<3> counter_body_at(const CounterBody<3>&, const Cycle&, const CycleAxis<3>&,

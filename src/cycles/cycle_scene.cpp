@@ -28,7 +28,6 @@ std::optional<Scene> with_scaled_phases(const Scene& scene, double factor) {
 }
 
 std::vector<Key> make_keys() {
-  const std::string how = ": an expression of tau in [0, 1), or a file (.csv) of tau and values";
   return {
       real_key("cycle.period", "s", absent("no cycle"), positive_quantity,
                "duration of a cycle of motion and load, over which wear is averaged"),
@@ -43,7 +42,9 @@ std::vector<Key> make_keys() {
        .help = "phases of a cycle: their number, their positions in [0, 1), ascending, or "
                "\"auto\": a number that fits integrator.rtol",
        .controls = ErrorControl{ErrorSource::phases, with_scaled_phases}},
-      cycle_function_key("cycle.x", "mm", "displacement of the counter-body along x" + how),
+      cycle_function_key(
+          "cycle.x", "mm",
+          std::string("displacement of the counter-body along x") + cycle_function_form),
       cycle_function_key("cycle.y", "mm", "along y"),
       cycle_function_key("cycle.z", "mm",
                          "along z; in plane strain out of the plane, axisymmetric along the axis"),

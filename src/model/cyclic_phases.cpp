@@ -6,16 +6,6 @@ namespace gnomon {
 
 namespace {
 
-/// Both in the coordinates of the shape, whose origin has moved by `moved` from one to the other.
-template <int dim>
-void add(double factor, const RigidMotion<dim>& motion, const Vector<dim>& moved,
-         RigidMotion<dim>& sum) {
-  sum.velocity += factor * motion.at(moved);
-  sum.spin += factor * motion.spin;
-  sum.across += factor * motion.across_at(moved);
-  sum.across_by_x += factor * motion.across_by_x;
-}
-
 /// What a phase stands for, from instants of its interval: the whole path at the reference, in the
 /// direction of the fastest; and the force and load with which it was made, so that their products
 /// with the path are exact. What moves against this direction counts with its path, too; where the
@@ -30,23 +20,23 @@ void stand_for(const std::vector<Phase<dim>>& interval, Phase<dim>& phase) {
   double time = 0, path = 0, force = 0, load = 0;
   for (const Phase<dim>& at : interval) {
     const auto v = sliding_velocity(at);
-    add<dim>(v.dot(direction) < 0 ? -at.weight : at.weight, at.counter_body.motion,
-             phase.counter_body.position - at.counter_body.position, sum);
+    add_motion<dim>(v.dot(direction) < 0 ? -at.weight : at.weight, at.counter_body.motion,
+                    at.counter_body.position - phase.counter_body.position, sum);
     const double part = direction.isZero(0) ? at.weight : at.weight * v.norm();
     time += at.weight, path += part;
     force += part * at.force.value_or(0), load += part * at.load;
   }
   motion = {.reference = motion.reference, .normal = motion.normal};
   const double chord = sum.nominal_speed(Vector<dim>::Zero());
-  add<dim>(chord > 0 ? path / (chord * time) : 1 / time, sum, Vector<dim>::Zero(), motion);
+  add_motion<dim>(chord > 0 ? path / (chord * time) : 1 / time, sum, Vector<dim>::Zero(), motion);
   if (phase.force) phase.force = force / path;
   phase.load = load / path;
   // Bodies of pairs move as at the fastest instant, as fast as the path is long.
   const double most = sliding_velocity(fastest).norm();
   for (std::size_t b = 0; b < phase.places.size(); ++b) {
     RigidMotion<dim> whole{};
-    add<dim>(most > 0 ? path / (time * most) : 1, fastest.places[b].motion, Vector<dim>::Zero(),
-             whole);
+    add_motion<dim>(most > 0 ? path / (time * most) : 1, fastest.places[b].motion,
+                    Vector<dim>::Zero(), whole);
     phase.places[b].motion = whole;
   }
 }

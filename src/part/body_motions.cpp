@@ -13,7 +13,6 @@
 namespace gnomon::part {
 
 std::vector<Key> motion_keys_of_bodies() {
-  const std::string how = ": an expression of tau in [0, 1), or a file (.csv) of tau and values";
   return {text_key("motion.#.body", absent("needed in every [[motion]]"),
                    "body of a [[pair]] whose material moves, while its shape stays where it is"),
           reals_key("motion.#.velocity", "mm/s", absent("none"), {},
@@ -25,8 +24,9 @@ std::vector<Key> motion_keys_of_bodies() {
                     "point of the axis of rotation"),
           reals_key("motion.#.axis", "", absent("no rotation in space"), {},
                     "in space: direction of the axis of rotation, of any length"),
-          cycle_function_key("motion.#.cycle.x", "mm",
-                             "displacement of the body along x over a cycle" + how),
+          cycle_function_key(
+              "motion.#.cycle.x", "mm",
+              std::string("displacement of the body along x over a cycle") + cycle_function_form),
           cycle_function_key("motion.#.cycle.y", "mm", "along y"),
           cycle_function_key("motion.#.cycle.z", "mm",
                              "along z; in plane strain out of the plane, axisymmetric along the "

@@ -57,6 +57,15 @@ struct CycleAxis {
   bool meridian = false;
 };
 
+/// The displacement at a position of the cycle; in the plane without the component out of it.
+template <int dim>
+Vector<dim> displacement_at(const Cycle& cycle, double tau);
+/// Adds the velocity of displacement and rotation, in coordinates that are displaced with it. The
+/// derivative at a breakpoint is that of what follows.
+template <int dim>
+void add_velocity(const Cycle& cycle, const CycleAxis<dim>& axis, double tau,
+                  RigidMotion<dim>& motion);
+
 /// The counter-body at a position of the cycle: displaced and turned from `body`, and its surface
 /// moves with the velocity of both, beside that of `body.motion`. In the plane the third component
 /// of the displacement is out of the plane.

@@ -16,6 +16,9 @@ const std::vector<Key>& cycle_keys();
 /// InputError for an expression or a file that cannot be read, and for keys without a period.
 std::optional<Cycle> read_cycle(const Scene& scene);
 
+/// What such a function is, for the help of a key.
+inline constexpr const char* cycle_function_form =
+    ": an expression of tau in [0, 1), or a file (.csv) of tau and values";
 /// A key of such a function.
 Key cycle_function_key(const std::string& name, const std::string& unit, const std::string& help);
 /// The function of such a key; nothing where the scene does not give it.
