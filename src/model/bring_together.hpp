@@ -9,6 +9,10 @@ namespace gnomon {
 template <int dim>
 std::vector<int> connected_parts(const Mesh<dim>& mesh);
 
+/// By body: that of its cells.
+template <int dim>
+std::vector<int> connected_parts(const Mesh<dim>& mesh, const std::vector<Body>& bodies);
+
 /// By node: the last of the bodies that have it, by those of the cells.
 template <int dim>
 std::vector<int> body_of_nodes(const Mesh<dim>& mesh, const std::vector<int>& body_of_cells);

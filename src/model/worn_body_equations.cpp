@@ -123,15 +123,17 @@ ContactState<dim> contact_state(const Assembly<dim>& body, const Phase<dim>& pha
 
 template <int dim>
 MortarState<dim> mortar_state(const Assembly<dim>& body, const Phase<dim>& phase,
-                              const WornBodyFields& fields, double nominal_speed) {
+                              const WornBodyFields& fields, double nominal_speed,
+                              const std::vector<MortarCandidates>& candidates,
+                              const std::vector<MortarCandidates>& coupled) {
   MortarState<dim> state{.u = fields.u,
                          .lambda = fields.lambda,
                          .d = fields.d,
                          .mesh = body.mesh,
                          .patches = body.contact_nodes,
                          .pairs = body.pairs,
-                         .candidates = {},
-                         .coupled = {},
+                         .candidates = candidates,
+                         .coupled = coupled,
                          .surface_of = body.surface_of,
                          .wear_weight = body.wear_weight,
                          .normal_rule = body.interface.normal_rule,
@@ -237,12 +239,10 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
     add(terms, TermKind::contact, p,
         [of = assembly_, phase = phases_[p], f = fields_[p], speed, candidates,
          p](const Numbering& numbering) -> std::unique_ptr<Term<dim>> {
-          if (!of->pairs.empty()) {
-            MortarState<dim> state = mortar_state(*of, phase, f, speed);
-            state.candidates = candidates->of_phase[p];
-            state.coupled = candidates->of_all;
-            return std::make_unique<MortarTerm<dim>>(state, numbering);
-          }
+          if (!of->pairs.empty())
+            return std::make_unique<MortarTerm<dim>>(
+                mortar_state(*of, phase, f, speed, candidates->of_phase[p], candidates->of_all),
+                numbering);
           return std::make_unique<ContactTerm<dim>>(contact_state(*of, phase, f, speed), f.d,
                                                     numbering);
         });

@@ -88,9 +88,11 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
     for (const auto& facet : surface.facets) wearing.insert(sorted(facet));
   for (MortarPair<dim>& pair : parts.pairs) {
     // Facets of a shaft and its bore have gaps of their own.
-    const auto& nearest =
-        *std::ranges::min_element(touching, {}, [&](const auto& x) { return gap_of(pair, x); });
-    const double gap = gap_of(pair, nearest);
+    std::vector<double> gaps;
+    for (const auto& x : touching) gaps.push_back(gap_of(pair, x));
+    const auto least = std::ranges::min_element(gaps);
+    const double gap = *least;
+    const auto& nearest = touching[static_cast<std::size_t>(least - gaps.begin())];
     const double reach = closed + gap + mean_size<dim>(pair.slave, nearest) / 2;
     pair.reach = reach;
     keep_facing_at<dim>(touching, parts.section(), pair);

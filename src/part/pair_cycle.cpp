@@ -6,9 +6,9 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
-#include <set>
 
 #include "model/bring_together.hpp"
+#include "part/part_cycle.hpp"
 #include "part/phases.hpp"
 
 namespace gnomon::part {
@@ -29,24 +29,18 @@ void require_cycle_of_bodies(const Scene& scene) {
 template <int dim>
 void require_common_places(const Scene& scene, const std::map<std::string, BodyCycle<dim>>& motions,
                            const AssemblyParts<dim>& parts) {
-  const std::vector<int> part = connected_parts(parts.mesh);
-  const auto part_of = [&](const Body& body) {
-    return part[static_cast<std::size_t>(
-        parts.mesh.cells[static_cast<std::size_t>(body.cells.front())][0])];
-  };
-  for (const Body& body : parts.bodies) {
-    const auto motion = motions.find(body.name);
+  const std::vector<int> part = connected_parts(parts.mesh, parts.bodies);
+  for (std::size_t b = 0; b < part.size(); ++b) {
+    const auto motion = motions.find(parts.bodies[b].name);
     if (motion == motions.end() || !motion->second.moves()) continue;
-    for (const Body& other : parts.bodies)
-      if (other.name != body.name && part_of(other) == part_of(body))
+    for (std::size_t other = 0; other < part.size(); ++other)
+      if (other != b && part[other] == part[b])
         throw InputError(fmt::format(
             "{}: [[motion]]: expected no cycle of \"{}\", which is bonded to \"{}\": the places of "
             "bonded bodies are not built yet",
-            scene.path().string(), body.name, other.name));
+            scene.path().string(), parts.bodies[b].name, parts.bodies[other].name));
   }
 }
-
-constexpr int samples_of_places = 64;
 
 }  // namespace
 
@@ -77,10 +71,10 @@ std::vector<std::vector<BodyPlace<dim>>> places_over_cycle(const AssemblyParts<d
   if (!parts.cycle) return {{}};
   std::vector<std::vector<BodyPlace<dim>>> all;
   for (const Phase<dim>& phase : parts.phases) all.push_back(phase.places);
-  for (int k = 0; k < samples_of_places; ++k) {
+  for (int k = 0; k < samples; ++k) {
     std::vector<BodyPlace<dim>>& places = all.emplace_back();
     for (const BodyCycle<dim>& body : parts.cycle->motion.bodies)
-      places.push_back(body.at((k + 0.5) / samples_of_places));
+      places.push_back(body.at((k + 0.5) / samples));
   }
   return all;
 }
@@ -102,6 +96,18 @@ std::vector<RigidMotion<dim>> motions_over_cycle(const AssemblyParts<dim>& parts
   return motions;
 }
 
+template <int dim>
+double mean_sliding_speed(const std::vector<RigidMotion<dim>>& motions,
+                          const ContactPatch<dim>& patch) {
+  double speed = 0;
+  for (RigidMotion<dim> at : motions) {
+    at.reference = patch.initial_position;
+    at.normal = patch.initial_normal.normalized();
+    speed += at.nominal_speed(Vector<dim>::Zero()) / static_cast<double>(motions.size());
+  }
+  return speed;
+}
+
 namespace {
 
 /// The point of a slave whose speed, in the mean over the cycle, is nearest to that of all.
@@ -113,13 +119,8 @@ void choose_sliding_point(const AssemblyParts<dim>& parts, CyclicMotion<dim>& mo
   std::vector<double> speeds;
   double mean = 0;
   for (const auto& patch : patches) {
-    double& speed = speeds.emplace_back(0);
-    for (RigidMotion<dim> at : motions) {
-      at.reference = patch.initial_position;
-      at.normal = patch.initial_normal.normalized();
-      speed += at.nominal_speed(Vector<dim>::Zero()) / static_cast<double>(motions.size());
-    }
-    mean += speed / static_cast<double>(patches.size());
+    speeds.push_back(mean_sliding_speed(motions, patch));
+    mean += speeds.back() / static_cast<double>(patches.size());
   }
   const auto chosen = static_cast<std::size_t>(
       std::ranges::min_element(speeds, {}, [&](double speed) { return std::abs(speed - mean); }) -
@@ -152,6 +153,8 @@ template void read_phases_of_pairs(const Scene&, AssemblyParts<2>&);
 template void read_phases_of_pairs(const Scene&, AssemblyParts<3>&);
 template std::vector<std::vector<BodyPlace<2>>> places_over_cycle(const AssemblyParts<2>&);
 template std::vector<std::vector<BodyPlace<3>>> places_over_cycle(const AssemblyParts<3>&);
+template double mean_sliding_speed(const std::vector<RigidMotion<2>>&, const ContactPatch<2>&);
+template double mean_sliding_speed(const std::vector<RigidMotion<3>>&, const ContactPatch<3>&);
 template std::vector<RigidMotion<2>> motions_over_cycle(const AssemblyParts<2>&,
                                                         const MortarPair<2>&);
 template std::vector<RigidMotion<3>> motions_over_cycle(const AssemblyParts<3>&,

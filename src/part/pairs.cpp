@@ -161,13 +161,11 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
 template <int dim>
 double speed_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& parts) {
   double sum = 0, area = 0;
-  for (RigidMotion<dim>& motion : motions_over_cycle(parts, pair))
-    for (const auto& patch : contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section())) {
-      motion.reference = patch.initial_position;
-      motion.normal = patch.initial_normal.normalized();
-      sum += patch.initial_area * motion.nominal_speed(Vector<dim>::Zero());
-      area += patch.initial_area;
-    }
+  const std::vector<RigidMotion<dim>> motions = motions_over_cycle(parts, pair);
+  for (const auto& patch : contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section())) {
+    sum += patch.initial_area * mean_sliding_speed(motions, patch);
+    area += patch.initial_area;
+  }
   return area > 0 ? sum / area : 0;
 }
 
@@ -213,12 +211,8 @@ std::vector<std::string> remarks_on_sliding(const MortarPair<dim>& pair, double 
 template <int dim>
 void require_separate(const Scene& scene, const std::string& table, const AssemblyParts<dim>& parts,
                       const std::array<int, 2>& bodies) {
-  const std::vector<int> part = connected_parts(parts.mesh);
-  const auto first = [&](int body) {
-    return part[static_cast<std::size_t>(
-        parts.mesh.cells[static_cast<std::size_t>(parts.bodies[body].cells.front())][0])];
-  };
-  if (first(bodies[0]) == first(bodies[1]))
+  const std::vector<int> part = connected_parts(parts.mesh, parts.bodies);
+  if (part[bodies[0]] == part[bodies[1]])
     throw InputError(
         fmt::format("{}: expected bodies that share no node, but \"{}\" and \"{}\" are "
                     "bonded: mesh each by itself, without fragments or coherence",

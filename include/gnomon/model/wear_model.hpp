@@ -53,7 +53,7 @@ private:
   /// Boundary that the counter-body comes near to joins the contact (Interface::reach).
   std::optional<Succession> succeed(const State& state) const;
   std::optional<Succession> succeed_pairs(const State& state) const;
-  /// Of the nodes of the mesh, deformed [length].
+  /// By phase, of the nodes of the mesh, deformed, in the frames of the bodies [length].
   std::vector<std::vector<Vector<dim>>> positions(const State& state) const;
   /// Whether surfaces of pairs have by this part of the margin of their candidates.
   bool have_moved(const std::vector<std::vector<Vector<dim>>>& x, double part) const;
