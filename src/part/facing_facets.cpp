@@ -100,10 +100,11 @@ namespace {
 constexpr double far = std::numeric_limits<double>::infinity();
 
 /// By facet of either side: the smallest mean gap to one of the other that it meets along the
-/// slave's normal.
+/// slave's normal; `covered`: the area of all that meets is added to it.
 template <int dim>
 std::array<std::vector<double>, 2> gaps_of(const MortarPair<dim>& pair,
-                                           const std::vector<Vector<dim>>& x, Section section) {
+                                           const std::vector<Vector<dim>>& x, Section section,
+                                           double* covered = nullptr) {
   constexpr double opposite = -0.2;  // cosine
   // Facets that face away from each other are far behind each other.
   const Box<dim> box = Box<dim>::around(x);
@@ -124,6 +125,7 @@ std::array<std::vector<double>, 2> gaps_of(const MortarPair<dim>& pair,
       if (!(part.mass.sum() > 0)) continue;
       const double gap = part.gap.sum() / part.mass.sum();
       if (gap < -deepest) continue;
+      if (covered) *covered += part.mass.sum();
       gaps[0][s] = std::min(gaps[0][s], gap);
       gaps[1][m] = std::min(gaps[1][m], gap);
     }
@@ -200,11 +202,39 @@ void reverse(MortarPair<dim>& pair) {
   pair.motion = relative_motion(pair.motion, {});
 }
 
+namespace {
+
+double area_of(const std::vector<Mesh<3>::Facet>& facets, const std::vector<Vector<3>>& x) {
+  double area = 0;
+  for (const auto& facet : facets)
+    area += (x[facet[2]] - x[facet[0]]).cross(x[facet[3]] - x[facet[1]]).norm() / 2;
+  return area;
+}
+
+/// In space, the side that lies within the other one, past whose edges this goes on; -1: none does.
+/// A facet of the slave that is covered in part has multipliers that are hardly determined.
+int side_within(const MortarPair<3>& pair, const std::vector<Vector<3>>& x, double covered) {
+  constexpr double all = 0.98, part = 0.9;
+  const double slave = covered / area_of(pair.slave, x), master = covered / area_of(pair.master, x);
+  if (std::max(slave, master) < all || std::min(slave, master) > part) return -1;
+  return slave > master ? 0 : 1;
+}
+int side_within(const MortarPair<2>&, const std::vector<Vector<2>>&, double) {
+  return -1;
+}
+
+}  // namespace
+
 template <int dim>
 std::string choose_slave(const std::vector<Vector<dim>>& x, Section section,
                          const std::vector<Body>& bodies, MortarPair<dim>& pair) {
   constexpr double equal = 1.1;
-  const auto gaps = gaps_of(pair, x, section);
+  double covered = 0;
+  const auto gaps = gaps_of(pair, x, section, &covered);
+  if (const int within = side_within(pair, x, covered); within >= 0) {
+    if (within == 1) reverse(pair);
+    return "it lies within the other surface";
+  }
   const double slave = size_near_touch<dim>(pair.slave, gaps[0], x),
                master = size_near_touch<dim>(pair.master, gaps[1], x);
   const auto modulus = [&](int side) {

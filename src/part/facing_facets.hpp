@@ -46,7 +46,8 @@ template <int dim>
 void reverse(MortarPair<dim>& pair);
 
 /// The slave is the side of the coarser mesh where they first touch, or where they are equal, of
-/// the stiffer body: a fine slave would feel the facets of the master. Reverses the pair where it
+/// the stiffer body: a fine slave would feel the facets of the master; but in space the side that
+/// lies within the other one. Reverses the pair where it
 /// has to be, and says why it is so.
 template <int dim>
 std::string choose_slave(const std::vector<Vector<dim>>& x, Section section,
