@@ -5,7 +5,7 @@
 #include <gnomon/model/assembly.hpp>
 #include <map>
 
-#include "model/bring_together.hpp"
+#include "model/rigid_balance.hpp"
 
 namespace gnomon {
 
@@ -145,7 +145,7 @@ Assembly<dim>::Assembly(AssemblyParts<dim> parts) : AssemblyParts<dim>(std::move
       for (const int node : facet) carries[static_cast<std::size_t>(contact_node(node))] = 1;
   if (!this->pairs.empty() && this->near.empty())
     for (const Phase<dim>& phase : this->instants())
-      this->near.push_back(touching_nodes(*this, phase.places));
+      this->near.push_back(RigidBalance<dim>(*this, phase.places).x);
   if (this->condensed) {
     std::vector<int> nodes;
     for (const ContactPatch<dim>& patch : contact_nodes) nodes.push_back(patch.node);

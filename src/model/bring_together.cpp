@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 #include "mesh/connected_nodes.hpp"
 #include "mesh/facet_bins.hpp"
 
 namespace gnomon {
 
-namespace {
-
-/// The simplices of a facet: itself, or two triangles.
 template <int dim>
 std::vector<std::array<int, dim>> simplices(const typename Mesh<dim>::Facet& facet) {
   if constexpr (dim == 2)
@@ -20,23 +16,19 @@ std::vector<std::array<int, dim>> simplices(const typename Mesh<dim>::Facet& fac
     return {{facet[0], facet[1], facet[2]}, {facet[0], facet[2], facet[3]}};
 }
 
-/// The distance along e from a point to a simplex; nothing where the line passes by.
 template <int dim>
-std::optional<double> distance_along(const Vector<dim>& point, const Vector<dim>& e,
-                                     const std::array<int, dim>& simplex,
-                                     const std::vector<Vector<dim>>& x) {
-  constexpr double rounding = 1e-9;
+Crossing<dim>::Crossing(const Vector<dim>& point, const Vector<dim>& e,
+                        const std::array<int, dim>& simplex, const std::vector<Vector<dim>>& x) {
   Tensor<dim> A;  // point + s e = x_0 + sum_k c_k (x_k - x_0)
   A.col(0) = -e;
   for (int k = 1; k < dim; ++k) A.col(k) = x[simplex[k]] - x[simplex[0]];
   const Vector<dim> solution = A.fullPivLu().solve(point - x[simplex[0]]);
-  double first = 1;
-  for (int k = 1; k < dim; ++k) {
-    if (!(solution[k] >= -rounding)) return {};
-    first -= solution[k];
-  }
-  return first >= -rounding ? std::optional(solution[0]) : std::nullopt;
+  distance = solution[0];
+  shares = solution;
+  shares[0] = 1 - solution.template tail<dim - 1>().sum();
 }
+
+namespace {
 
 /// The facets that face along e.
 template <int dim>
@@ -57,6 +49,7 @@ template <int dim>
 std::map<int, double> travels(const std::vector<typename Mesh<dim>::Facet>& from,
                               const std::vector<typename Mesh<dim>::Facet>& to,
                               const Vector<dim>& e, const std::vector<Vector<dim>>& x) {
+  constexpr double rounding = 1e-9;
   std::map<int, double> travel;
   const auto targets = facing_along<dim>(-e, to, x);
   const FacetBins<dim> bins(targets, x);
@@ -65,9 +58,11 @@ std::map<int, double> travels(const std::vector<typename Mesh<dim>::Facet>& from
       const auto [at, is_new] = travel.try_emplace(node, infinity);
       if (!is_new) continue;
       for (const int target : bins.near_line(x[node], e, infinity, 0))
-        for (const auto& simplex : simplices<dim>(targets[target]))
-          if (const auto s = distance_along<dim>(x[node], e, simplex, x))
-            at->second = std::min(at->second, *s);
+        for (const auto& simplex : simplices<dim>(targets[target])) {
+          const Crossing<dim> crossing(x[node], e, simplex, x);
+          if (crossing.shares.minCoeff() >= -rounding)
+            at->second = std::min(at->second, crossing.distance);
+        }
     }
   return travel;
 }
@@ -175,16 +170,10 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts, const std::vector<BodyP
   }
 }
 
-template <int dim>
-std::vector<Vector<dim>> touching_nodes(const AssemblyParts<dim>& parts,
-                                        const std::vector<BodyPlace<dim>>& places) {
-  const Touching<dim> moved(parts, places);
-  std::vector<Vector<dim>> x = parts.mesh.nodes;
-  for (std::size_t node = 0; node < x.size(); ++node)
-    x[node] += moved.displacement.row(static_cast<Eigen::Index>(node)).transpose();
-  return x;
-}
-
+template std::vector<std::array<int, 2>> simplices<2>(const Mesh<2>::Facet&);
+template std::vector<std::array<int, 3>> simplices<3>(const Mesh<3>::Facet&);
+template struct Crossing<2>;
+template struct Crossing<3>;
 template std::vector<int> connected_parts(const Mesh<2>&);
 template std::vector<int> connected_parts(const Mesh<3>&);
 template std::vector<int> connected_parts(const Mesh<2>&, const std::vector<Body>&);
@@ -197,10 +186,6 @@ template std::map<int, double> travels_of_slave(const MortarPair<2>&,
                                                 const std::vector<Vector<2>>&);
 template std::map<int, double> travels_of_slave(const MortarPair<3>&,
                                                 const std::vector<Vector<3>>&);
-template std::vector<Vector<2>> touching_nodes(const AssemblyParts<2>&,
-                                               const std::vector<BodyPlace<2>>&);
-template std::vector<Vector<3>> touching_nodes(const AssemblyParts<3>&,
-                                               const std::vector<BodyPlace<3>>&);
 template struct Touching<2>;
 template struct Touching<3>;
 

@@ -17,6 +17,20 @@ std::vector<int> connected_parts(const Mesh<dim>& mesh, const std::vector<Body>&
 template <int dim>
 std::vector<int> body_of_nodes(const Mesh<dim>& mesh, const std::vector<int>& body_of_cells);
 
+/// The simplices of a facet: itself, or two triangles.
+template <int dim>
+std::vector<std::array<int, dim>> simplices(const typename Mesh<dim>::Facet& facet);
+
+/// Where the line from a point along e meets the plane of a simplex.
+template <int dim>
+struct Crossing {
+  double distance;     ///< negative behind the point [length]
+  Vector<dim> shares;  ///< of the corners, of sum 1; negative ones: it passes by
+
+  Crossing(const Vector<dim>& point, const Vector<dim>& e, const std::array<int, dim>& simplex,
+           const std::vector<Vector<dim>>& x);
+};
+
 /// How far the master of a pair goes along its approach to touch the slave, where the nodes are at
 /// `x`: negative where they overlap, infinite where it passes by [length].
 template <int dim>
@@ -35,10 +49,5 @@ struct Touching {
 
   Touching(const AssemblyParts<dim>& parts, const std::vector<BodyPlace<dim>>& places);
 };
-
-/// Where the nodes are then, in the frames of the bodies.
-template <int dim>
-std::vector<Vector<dim>> touching_nodes(const AssemblyParts<dim>& parts,
-                                        const std::vector<BodyPlace<dim>>& places);
 
 }  // namespace gnomon

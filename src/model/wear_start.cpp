@@ -14,7 +14,7 @@
 #include <optional>
 
 #include "base/spectrum.hpp"
-#include "model/bring_together.hpp"
+#include "model/rigid_balance.hpp"
 
 namespace gnomon {
 
@@ -84,15 +84,16 @@ double indentation(const Assembly<dim>& body, double fraction) {
   return body.scales.displacement * std::cbrt(fraction * fraction);
 }
 
-/// Moves bodies of pairs that no support holds so far that a node of the slave is in contact: the
-/// mean gap over its share of the surface is larger than that where bodies touch.
+/// Moves bodies of pairs that no support holds to where they rest, and so far that a node of the
+/// slave is in contact: the mean gap over its share of the surface is larger than that where bodies
+/// touch.
 template <int dim>
 void close_gap_of_pairs(const WornBodyEquations<dim>& equations, const ComposedSystem<dim>& contact,
                         std::size_t phase, FieldValues<dim>& values) {
   const Assembly<dim>& body = equations.assembly();
-  const Touching<dim> touching(body, equations.phases()[phase].places);
+  const RigidBalance<dim> balance(body, equations.phases()[phase].places);
   NodalField<dim>& u = values.vector(equations.fields(phase).u);
-  u += touching.displacement;
+  u += balance.displacement;
   const auto nodes = equations.contact_nodes(contact, values, {}, phase);
   double overlap = 0;
   for (const MortarPair<dim>& pair : body.pairs) {
@@ -103,7 +104,7 @@ void close_gap_of_pairs(const WornBodyEquations<dim>& equations, const ComposedS
           least = std::min(least, at.gap);
     if (std::isfinite(least)) overlap = std::max(overlap, least);
   }
-  u += (overlap + indentation(body, 1)) * touching.direction;
+  u += (overlap + indentation(body, 1)) * balance.direction;
 }
 
 /// Moves body and counter-body together, or apart, until they touch at a point, so that the first

@@ -13,7 +13,7 @@
 #include <gnomon/terms/shape_multiplier.hpp>
 #include <gnomon/terms/springs.hpp>
 
-#include "model/bring_together.hpp"
+#include "model/rigid_balance.hpp"
 
 namespace gnomon {
 
@@ -206,8 +206,8 @@ CandidatesOfPhases WornBodyEquations<dim>::find_candidates() const {
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     const auto& places = phases_[p].places;
     const bool known = p < own.size() && own[p].position == phases_[p].position;
-    const auto x =
-        in_space(pairs, places, known ? assembly_->near[p] : touching_nodes(*assembly_, places));
+    const auto x = in_space(pairs, places,
+                            known ? assembly_->near[p] : RigidBalance<dim>(*assembly_, places).x);
     auto& of_phase = result.of_phase.emplace_back();
     for (const MortarPair<dim>& pair : pairs) of_phase.push_back(mortar_candidates(pair, x));
     result.join(of_phase);

@@ -7,8 +7,9 @@
 #include <set>
 
 #include "base/spectrum.hpp"
-#include "model/bring_together.hpp"
+#include "model/rigid_balance.hpp"
 #include "part/histories.hpp"
+#include "part/pair_cycle.hpp"
 #include "part/supports.hpp"
 
 namespace gnomon::part {
@@ -196,6 +197,18 @@ void require_held(const Scene& scene, const AssemblyParts<dim>& parts) {
     mistakes.collect([&] { require_part_held(scene, parts, nodes); });
   }
   mistakes.require_none();
+  std::set<double> times;
+  for (const Load<dim>& load : parts.loads)
+    for (const double t : load.history.times())
+      if (t > 0 && t <= scene.real("time.end")) times.insert(t);
+  const RigidBalance<dim> balance(parts, places_over_cycle(parts).front(),
+                                  {times.begin(), times.end()});
+  if (!balance.doubt.empty())
+    throw InputError(
+        fmt::format("{}: expected supports and contact that determine where each body rests under "
+                    "its loads, but {}; hold it there in [[support]], or direct [[load]] into the "
+                    "contact",
+                    scene.path().string(), balance.doubt));
 }
 
 template void require_held(const Scene&, const AssemblyParts<2>&);

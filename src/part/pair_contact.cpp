@@ -9,6 +9,7 @@
 
 #include "mesh/facet_table.hpp"
 #include "model/bring_together.hpp"
+#include "model/rigid_balance.hpp"
 #include "part/facing_facets.hpp"
 #include "part/pair_cycle.hpp"
 #include "part/pairs.hpp"
@@ -82,7 +83,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
   const auto instants = places_over_cycle(parts);
   std::vector<std::vector<Vector<dim>>> touching;  // in space
   for (const auto& places : instants)
-    touching.push_back(in_space(parts.pairs, places, touching_nodes(parts, places)));
+    touching.push_back(in_space(parts.pairs, places, RigidBalance<dim>(parts, places).x));
   std::set<typename Mesh<dim>::Facet> wearing;  // by sorted nodes
   for (const Surface<dim>& surface : wearing_surfaces(scene, part))
     for (const auto& facet : surface.facets) wearing.insert(sorted(facet));

@@ -11,6 +11,7 @@
 #include <gnomon/part/part_scene.hpp>
 #include <gnomon/shapes/counter_body_scene.hpp>
 
+#include "model/rigid_balance.hpp"
 #include "part/bodies.hpp"
 #include "part/body_meshes.hpp"
 #include "part/groups.hpp"
@@ -234,8 +235,15 @@ std::vector<Surface<dim>> wearing(std::vector<Surface<dim>> surfaces) {
 template <int dim>
 AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) {
   AssemblyParts<dim> parts = read_all_but_shape(scene, part);
-  const Magnitudes magnitudes = find_magnitudes(scene, parts);
+  Magnitudes magnitudes = find_magnitudes(scene, parts);
   parts.scales = magnitudes.scales;
+  // Gaps are those of bodies at rest.
+  if (const RigidBalance<dim> balance(parts, places_over_cycle(parts).front()); balance.settled) {
+    AssemblyParts<dim> resting = parts;
+    resting.mesh.nodes = balance.x;
+    magnitudes = find_magnitudes(scene, resting);
+    parts.scales = magnitudes.scales;
+  }
   if (parts.pairs.empty())
     join_reachable_boundary(magnitudes, parts);
   else

@@ -1,0 +1,182 @@
+#include "model/foundation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/terms/mortar_node.hpp>
+#include <limits>
+
+namespace gnomon {
+
+double FoundationLaw::pressure(double overlap) const {
+  const double at = overlap / smooth;
+  return stiffness * smooth * (at > 0 ? at + std::log1p(std::exp(-at)) : std::log1p(std::exp(at)));
+}
+
+template <int dim>
+Foundation<dim>::Foundation(const AssemblyParts<dim>& parts,
+                            const std::vector<RigidPart<dim>>& rigid, std::vector<Vector<dim>> x)
+    : parts_(parts), rigid_(rigid), x_(std::move(x)), now_(x_), part_of_(x_.size(), 0) {
+  constexpr double part_of_size = 0.05;
+  touches_.assign(rigid.size(), 0);
+  margin_ = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < rigid.size(); ++k) {
+    for (const int node : rigid[k].nodes) part_of_[node] = k;
+    margin_ = std::min(margin_, part_of_size * rigid[k].size);
+  }
+  double sum = 0, facets = 0;
+  for (const MortarPair<dim>& pair : parts.pairs)
+    for (const bool slave : {true, false}) {
+      const auto& own = slave ? pair.slave : pair.master;
+      const auto& other = slave ? pair.master : pair.slave;
+      if (own.empty() || other.empty()) continue;
+      const std::size_t part = part_of_[own.front()[0]];
+      touches_[part] = 1;
+      for (const auto& facet : own) sum += (x_[facet[1]] - x_[facet[0]]).norm();
+      facets += static_cast<double>(own.size());
+      sides_.push_back({.part = part,
+                        .other = part_of_[other.front()[0]],
+                        .patches = contact_patches<dim>(parts.mesh, own, {}, parts.section()),
+                        .targets = other,
+                        .normals = {},
+                        .near = {},
+                        .pair = &pair,
+                        .slave = slave});
+      for (const auto& patch : contact_patches<dim>(parts.mesh, other, {}, parts.section()))
+        sides_.back().normals[patch.node] = patch.initial_normal;
+    }
+  facet_size_ = facets > 0 ? sum / facets : 0;
+  for (const Load<dim>& load : parts.loads)
+    pressed_.push_back(load.forces.size() > 0
+                           ? std::vector<ContactPatch<dim>>()
+                           : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()));
+}
+
+template <int dim>
+void Foundation<dim>::add_force(std::size_t part, const Vector<dim>& x, const Vector<dim>& force,
+                                std::vector<Twist<dim>>& forces) const {
+  forces[part] +=
+      rigid_velocities<dim>(x, rigid_[part].centre, rigid_[part].size).transpose() * force;
+}
+
+template <int dim>
+std::vector<Twist<dim>> Foundation<dim>::loads(const std::vector<Pose<dim>>& poses,
+                                               double t) const {
+  std::vector<Twist<dim>> forces(rigid_.size(), Twist<dim>::Zero());
+  for (std::size_t k = 0; k < parts_.loads.size(); ++k) {
+    const Load<dim>& load = parts_.loads[k];
+    const double factor = load.history.factor(t);
+    for (Eigen::Index node = 0; node < load.forces.rows(); ++node)
+      if (!load.forces.row(node).isZero(0)) {
+        const std::size_t part = part_of_[static_cast<std::size_t>(node)];
+        add_force(part, poses[part] * x_[static_cast<std::size_t>(node)],
+                  factor * load.forces.row(node).transpose(), forces);
+      }
+    for (const ContactPatch<dim>& patch : pressed_[k]) {
+      const std::size_t part = part_of_[patch.node];
+      add_force(part, poses[part] * x_[patch.node],
+                poses[part].linear() * patch.initial_normal *
+                    (-factor * load.pressure * patch.initial_area),
+                forces);
+    }
+  }
+  return forces;
+}
+
+template <int dim>
+bool Foundation<dim>::has_moved(const std::vector<Pose<dim>>& poses) const {
+  if (found_at_.empty()) return true;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const Vector<dim> shift = poses[k] * rigid_[k].centre - found_at_[k] * rigid_[k].centre;
+    const double turn = (poses[k].linear() - found_at_[k].linear()).norm();
+    if (shift.norm() + turn * rigid_[k].size > margin_) return true;
+  }
+  return false;
+}
+
+template <int dim>
+void Foundation<dim>::find_near(const std::vector<Pose<dim>>& poses) {
+  constexpr double wide = 4;  // times the margin
+  for (Side& side : sides_) {
+    side.near.assign(side.patches.size(), {});
+    std::vector<Vector<dim>> centres;
+    std::vector<double> radii;
+    for (const auto& facet : side.targets) {
+      Vector<dim> centre = Vector<dim>::Zero();
+      for (const int node : facet) centre += now_[node] / double(facet.size());
+      double radius = 0;
+      for (const int node : facet) radius = std::max(radius, (now_[node] - centre).norm());
+      centres.push_back(centre);
+      radii.push_back(radius);
+    }
+    for (std::size_t p = 0; p < side.patches.size(); ++p) {
+      const Vector<dim> n = poses[side.part].linear() * side.patches[p].initial_normal;
+      const Vector<dim>& x = now_[side.patches[p].node];
+      for (std::size_t f = 0; f < centres.size(); ++f) {
+        const Vector<dim> to = centres[f] - x;
+        if ((to - to.dot(n) * n).norm() <= radii[f] + wide * margin_)
+          side.near[p].push_back(static_cast<int>(f));
+      }
+    }
+  }
+  found_at_ = poses;
+}
+
+template <int dim>
+typename Foundation<dim>::Opposite Foundation<dim>::opposite(const Side& side, std::size_t p,
+                                                             const Vector<dim>& n,
+                                                             const Tensor<dim>& rotation) const {
+  constexpr double facing = -0.2;  // cosine
+  const double deepest = std::min(rigid_[side.part].size, rigid_[side.other].size) / 2;
+  Opposite best;
+  for (const int f : side.near[p]) {
+    const auto& facet = side.targets[f];
+    for (const auto& simplex : simplices<dim>(facet)) {
+      const Crossing<dim> at(now_[side.patches[p].node], n, simplex, now_);
+      const double weight = 1 - 2 * std::max(0.0, -at.shares.minCoeff());
+      if (!(weight > 0) || at.distance < -deepest || weight < best.weight) continue;
+      if (weight == best.weight && std::abs(at.distance) >= std::abs(best.distance)) continue;
+      if (facet_normal<dim>(facet, now_).dot(n) > facing) continue;
+      Vector<dim> normal = Vector<dim>::Zero();
+      for (int k = 0; k < dim; ++k) normal += at.shares[k] * side.normals.at(simplex[k]);
+      best = {weight, at.distance, rotation * normal};
+    }
+  }
+  return best;
+}
+
+template <int dim>
+void Foundation<dim>::add_side(const Side& side, const std::vector<Pose<dim>>& poses,
+                               const FoundationLaw& law, std::vector<Twist<dim>>& forces) {
+  for (std::size_t p = 0; p < side.patches.size(); ++p) {
+    const ContactPatch<dim>& patch = side.patches[p];
+    const Vector<dim> n = poses[side.part].linear() * patch.initial_normal;
+    const Opposite at = opposite(side, p, n, poses[side.other].linear());
+    if (at.weight == 0) continue;
+    deepest_ = std::max(deepest_, -at.distance);
+    // Each of two surfaces carries half of the pressure, between the normals of both.
+    const double force = at.weight * law.pressure(-at.distance) * patch.initial_area / 2;
+    const Vector<dim> out = side.slave ? Vector<dim>(n - at.normal) : Vector<dim>(at.normal - n);
+    const Vector<dim> place = now_[patch.node] + at.distance / 2 * n;
+    const Vector<dim> on_slave =
+        force *
+        SlidingTraction<dim>(patch, out.normalized(), place, side.pair->motion, side.pair->friction)
+            .direction;
+    add_force(side.slave ? side.part : side.other, place, on_slave, forces);
+    add_force(side.slave ? side.other : side.part, place, -on_slave, forces);
+  }
+}
+
+template <int dim>
+void Foundation<dim>::add_contact(const std::vector<Pose<dim>>& poses, const FoundationLaw& law,
+                                  std::vector<Twist<dim>>& forces) {
+  for (std::size_t node = 0; node < x_.size(); ++node)
+    now_[node] = poses[part_of_[node]] * x_[node];
+  if (has_moved(poses)) find_near(poses);
+  deepest_ = 0;
+  for (const Side& side : sides_) add_side(side, poses, law, forces);
+}
+
+template class Foundation<2>;
+template class Foundation<3>;
+
+}  // namespace gnomon

@@ -1,0 +1,271 @@
+#include "model/rigid_balance.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "model/foundation.hpp"
+
+namespace gnomon {
+
+namespace {
+
+/// Rigid bodies move as in a viscous fluid, so that they come to rest where they are stable.
+template <int dim>
+class Settling {
+public:
+  Settling(const AssemblyParts<dim>& parts, const std::vector<Vector<dim>>& x)
+      : parts_(parts), rigid_(rigid_parts(parts, x)), foundation_(parts, rigid_, x) {
+    for (std::size_t k = 0; k < rigid_.size(); ++k) {
+      if (!foundation_.touches(k)) rigid_[k].loose.resize(rigid_motions_of(dim), 0);
+      unknowns_ += rigid_[k].loose.cols();
+      if (rigid_[k].loose.cols() > 0) size_ = std::max(size_, rigid_[k].size);
+    }
+    poses_.assign(rigid_.size(), Pose<dim>::Identity());
+  }
+
+  bool is_free() const { return unknowns_ > 0; }
+  double size() const { return size_; }
+  double facet_size() const { return foundation_.facet_size(); }
+  void begin_again() {
+    poses_.assign(rigid_.size(), Pose<dim>::Identity());
+    turn_directions();
+  }
+  /// Along what is free.
+  double load(double t) const { return along_free(foundation_.loads(poses_, t)).norm(); }
+  Vector<dim> place(std::size_t part, int node) const {
+    return poses_[part] * foundation_.place(node);
+  }
+  const std::vector<RigidPart<dim>>& rigid() const { return rigid_; }
+
+  /// Rests with about this overlap. Returns false where the bodies do not come to rest.
+  bool settle(double depth, double pressure, double t) {
+    constexpr int most_changes = 8;
+    constexpr double stiffer = 10, change = 4;  // pressures are uneven; deep edges fall over
+    stiffness_ = stiffer * pressure / depth;
+    if (!rest(depth, t)) return false;
+    for (int k = 0; k < most_changes; ++k) {
+      const double ratio = foundation_.deepest() / depth;
+      if (ratio > 0.5 && ratio < 2) break;
+      const std::vector<Pose<dim>> here = poses_;
+      const double stiffness = stiffness_;
+      stiffness_ *= std::clamp(ratio, 1 / change, change);
+      if (rest(depth, t)) continue;
+      poses_ = here;
+      stiffness_ = stiffness;
+      turn_directions();
+      break;
+    }
+    return true;
+  }
+
+  /// Where the stiffness is that of a load on a pendulum far longer than the bodies: the motion.
+  std::string neutral(double depth, double t) {
+    constexpr double nearly = 0.03;
+    const FoundationLaw law{stiffness_, smoothing * depth};
+    const Eigen::MatrixXd K = stiffness(resultant(law, t), law, depth, t);
+    const Eigen::EigenSolver<Eigen::MatrixXd> modes(K);  // friction: it is not symmetric
+    Eigen::Index least = 0;
+    modes.eigenvalues().real().minCoeff(&least);
+    if (modes.eigenvalues()[least].real() > nearly * load(t) / size_) return {};
+    return described(twists(modes.eigenvectors().col(least).real()));
+  }
+  /// The last motion of bodies that did not come to rest.
+  std::string last_motion() const { return described(last_); }
+
+private:
+  static constexpr double smoothing = 0.25;  // of the depth
+
+  Eigen::VectorXd along_free(const std::vector<Twist<dim>>& forces) const {
+    Eigen::VectorXd result(unknowns_);
+    Eigen::Index first = 0;
+    for (std::size_t k = 0; k < rigid_.size(); ++k) {
+      const Eigen::Index count = rigid_[k].loose.cols();
+      result.segment(first, count) = rigid_[k].loose.transpose() * forces[k];
+      first += count;
+    }
+    return result;
+  }
+
+  Eigen::VectorXd resultant(const FoundationLaw& law, double t) {
+    std::vector<Twist<dim>> forces = foundation_.loads(poses_, t);
+    foundation_.add_contact(poses_, law, forces);
+    return along_free(forces);
+  }
+
+  /// Of all parts.
+  std::vector<Twist<dim>> twists(const Eigen::VectorXd& by) const {
+    std::vector<Twist<dim>> result;
+    Eigen::Index first = 0;
+    for (const RigidPart<dim>& part : rigid_) {
+      result.push_back(part.loose * by.segment(first, part.loose.cols()));
+      first += part.loose.cols();
+    }
+    return result;
+  }
+
+  void move(const Eigen::VectorXd& by) {
+    const std::vector<Twist<dim>> twist = twists(by);
+    for (std::size_t k = 0; k < rigid_.size(); ++k)
+      if (rigid_[k].loose.cols() > 0)
+        poses_[k] = moved_by<dim>(twist[k], rigid_[k].centre, rigid_[k].size) * poses_[k];
+  }
+
+  /// -dR/dz, by central differences.
+  Eigen::MatrixXd stiffness(const Eigen::VectorXd& R, const FoundationLaw& law, double depth,
+                            double t) {
+    const double h = 1e-3 * depth;
+    Eigen::MatrixXd K(R.size(), R.size());
+    const std::vector<Pose<dim>> here = poses_;
+    for (Eigen::Index k = 0; k < R.size(); ++k) {
+      move(h * Eigen::VectorXd::Unit(R.size(), k));
+      const Eigen::VectorXd ahead = resultant(law, t);
+      poses_ = here;
+      move(-h * Eigen::VectorXd::Unit(R.size(), k));
+      K.col(k) = (resultant(law, t) - ahead) / (2 * h);
+      poses_ = here;
+    }
+    return K;
+  }
+
+  /// What supports leave free at another place turns with it: a pivot stays where it is held.
+  void turn_directions() {
+    std::vector<Vector<dim>> now(parts_.mesh.nodes.size());
+    for (std::size_t k = 0; k < rigid_.size(); ++k)
+      for (const int node : rigid_[k].nodes) now[static_cast<std::size_t>(node)] = place(k, node);
+    for (RigidPart<dim>& part : rigid_)
+      if (const Eigen::Index count = part.loose.cols(); count > 0)
+        part.loose = loose_twists(parts_, part, now, count);
+  }
+
+  bool rest(double depth, double t) {
+    constexpr int most_steps = 300;
+    constexpr double at_rest = 5e-3, largest_step = 0.05, farthest = 4, described_path = 0.3;
+    const FoundationLaw law{stiffness_, smoothing * depth};
+    const double force = load(t);
+    double time = 1, path = 0;  // time: in that of a path of one depth under the whole load
+    Eigen::VectorXd R = resultant(law, t);
+    for (int step = 0; step < most_steps && path < farthest * size_; ++step) {
+      if (R.norm() <= at_rest * force) return true;
+      Eigen::MatrixXd K = stiffness(R, law, depth, t);
+      K.diagonal().array() += force / depth / time;
+      Eigen::VectorXd by = K.partialPivLu().solve(R);
+      if (!by.allFinite()) by = R;
+      if (path <= described_path * size_) last_ = twists(by);
+      by *= std::min(1.0, largest_step * size_ / by.norm());
+      const std::vector<Pose<dim>> here = poses_;
+      move(by);
+      const Eigen::VectorXd next = resultant(law, t);
+      if (next.dot(R) < 0 && next.norm() > 0.5 * R.norm() &&
+          time > 1e-3) {  // it went through a stop
+        poses_ = here;
+        time /= 8;
+        continue;
+      }
+      time *= next.norm() < R.norm() ? 4 : 1.5;
+      path += by.norm();
+      turn_directions();
+      R = resultant(law, t);
+    }
+    return false;
+  }
+
+  std::string described(const std::vector<Twist<dim>>& motion) const {
+    const auto most = static_cast<std::size_t>(
+        std::ranges::max_element(motion, {}, [](const auto& twist) { return twist.norm(); }) -
+        motion.begin());
+    const std::vector<int> body_of =
+        body_of_nodes(parts_.mesh, body_of_cells(parts_.bodies, parts_.mesh.cells.size()));
+    const int body = body_of[static_cast<std::size_t>(rigid_[most].nodes.front())];
+    return fmt::format("\"{}\" can {}", parts_.bodies[static_cast<std::size_t>(body)].name,
+                       description_of<dim>(motion[most], rigid_[most], parts_.section()));
+  }
+
+  const AssemblyParts<dim>& parts_;
+  std::vector<RigidPart<dim>> rigid_;
+  Foundation<dim> foundation_;
+  std::vector<Pose<dim>> poses_;
+  Eigen::Index unknowns_ = 0;
+  std::vector<Twist<dim>> last_;
+  double size_ = 0, stiffness_ = 1;
+};
+
+/// Bodies that supports press into each other are where these have moved them, which is not known
+/// here.
+template <int dim>
+bool supports_press(const AssemblyParts<dim>& parts) {
+  return !parts.supports.moved.empty() ||
+         std::ranges::any_of(parts.supports.springs,
+                             [](const auto& each) { return !each.displacement.isZero(0); });
+}
+
+/// Brings bodies to rest at the start, on softer foundations first: deep contact is wide on any
+/// mesh, and says what rolls, but what stands on an edge may fall over. Returns the motion that
+/// nothing determines, or nothing, and the depth of the softest foundation.
+template <int dim>
+std::pair<std::string, double> start(Settling<dim>& settling, const Scales& scales) {
+  const double size = settling.size(), mesh = settling.facet_size();
+  double depth = std::max(scales.displacement,
+                          std::min(0.1 * size, std::max(0.02 * size, 8 * mesh * mesh / size)));
+  for (double softest = 0;; depth = std::max(scales.displacement, depth / 4)) {
+    const bool last = depth <= scales.displacement;
+    if (!settling.settle(depth, scales.stress, 0)) {
+      if (softest > 0 || last) return {settling.last_motion(), softest};
+      settling.begin_again();
+      continue;
+    }
+    if (softest == 0) {
+      softest = depth;
+      if (const std::string motion = settling.neutral(depth, 0); !motion.empty())
+        return {motion, softest};
+    }
+    if (last) return {"", softest};
+  }
+}
+
+}  // namespace
+
+template <int dim>
+RigidBalance<dim>::RigidBalance(const AssemblyParts<dim>& parts,
+                                const std::vector<BodyPlace<dim>>& places,
+                                const std::vector<double>& times)
+    : x(parts.mesh.nodes) {
+  const Touching<dim> touching(parts, places);
+  displacement = touching.displacement;
+  direction = touching.direction;
+  for (std::size_t node = 0; node < x.size(); ++node)
+    x[node] += displacement.row(static_cast<Eigen::Index>(node)).transpose();
+  if (parts.pairs.empty() || !places.empty()) return;
+  Settling<dim> settling(parts, x);
+  if (!settling.is_free() || settling.load(0) == 0 || supports_press(parts)) return;
+  double softest = 0;
+  std::tie(doubt, softest) = start(settling, parts.scales);
+  if (!doubt.empty()) return;
+  const std::vector<RigidPart<dim>>& rigid = settling.rigid();
+  settled =
+      std::ranges::any_of(rigid, [](const RigidPart<dim>& part) { return part.loose.cols() > 1; });
+  for (std::size_t k = 0; k < rigid.size(); ++k)
+    for (const int node : rigid[k].nodes) {
+      if (rigid[k].loose.cols() == 0) continue;
+      const Vector<dim> moved = settling.place(k, node);
+      for (int i = 0; i < dim; ++i)
+        if (!parts.supports.held(node, i)) {
+          x[node][i] = moved[i];
+          displacement(node, i) = moved[i] - parts.mesh.nodes[node][i];
+        }
+    }
+  for (const double t : times)
+    if (!settling.settle(softest, parts.scales.stress, t)) {
+      doubt = fmt::format("at t = {:g} s {}", t, settling.last_motion());
+      return;
+    }
+}
+
+template struct RigidBalance<2>;
+template struct RigidBalance<3>;
+
+}  // namespace gnomon

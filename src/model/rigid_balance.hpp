@@ -1,0 +1,27 @@
+// Where bodies that contact holds are in balance as rigid bodies, before a run starts.
+#pragma once
+
+#include "model/rigid_parts.hpp"
+
+namespace gnomon {
+
+/// The bodies that supports leave free to move, brought to where pairs touch and then along their
+/// loads, on elastic foundations, to where they rest. Elastic bodies start from there with contact
+/// that holds them.
+template <int dim>
+struct RigidBalance {
+  NodalField<dim> displacement;  ///< nodes x dim, zero where supports hold it [length]
+  NodalField<dim> direction;     ///< of those that supports leave free along the approach, unit
+  std::vector<Vector<dim>> x;    ///< where the nodes are then [length]
+  bool settled = false;          ///< bodies that may turn or move in several ways have come to rest
+  /// Which motion nothing determines: "\"shoe\" can turn about (1, 2)"; empty: none.
+  std::string doubt;
+
+  /// The depth of contact is that of the scales of the parts. `places`: of the bodies in a phase of
+  /// a cycle; bodies that have one are brought to where they touch only. `times`: when the bodies,
+  /// unworn, have to be in balance, too.
+  RigidBalance(const AssemblyParts<dim>& parts, const std::vector<BodyPlace<dim>>& places,
+               const std::vector<double>& times = {});
+};
+
+}  // namespace gnomon

@@ -1,0 +1,158 @@
+#include "model/rigid_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/spectrum.hpp"
+
+namespace gnomon {
+
+template <int dim>
+Eigen::Matrix<double, dim, rigid_motions_of(dim)> rigid_velocities(const Vector<dim>& x,
+                                                                   const Vector<dim>& centre,
+                                                                   double size) {
+  Eigen::Matrix<double, dim, rigid_motions_of(dim)> velocities;
+  velocities.setZero();
+  velocities.template leftCols<dim>().setIdentity();
+  const Vector<dim> arm = (x - centre) / size;
+  if constexpr (dim == 2)
+    velocities.col(2) << -arm[1], arm[0];
+  else
+    for (int axis = 0; axis < 3; ++axis)
+      velocities.col(3 + axis) = Vector<3>::Unit(axis).cross(arm);
+  return velocities;
+}
+
+template <int dim>
+Eigen::Transform<double, dim, Eigen::Affine> moved_by(const Twist<dim>& twist,
+                                                      const Vector<dim>& centre, double size) {
+  // The exponential of the twist, by squares: a body that turns about a held point keeps it.
+  constexpr int halvings = 12;
+  const double share = std::ldexp(1.0, -halvings);
+  Eigen::Matrix<double, dim + 1, dim + 1> A = Eigen::Matrix<double, dim + 1, dim + 1>::Zero();
+  const Vector<dim> origin = rigid_velocities<dim>(Vector<dim>::Zero(), centre, size) * twist;
+  for (int i = 0; i < dim; ++i)
+    A.col(i).template head<dim>() =
+        rigid_velocities<dim>(Vector<dim>::Unit(i), centre, size) * twist - origin;
+  A.col(dim).template head<dim>() = origin;
+  A *= share;
+  Eigen::Matrix<double, dim + 1, dim + 1> T =
+      Eigen::Matrix<double, dim + 1, dim + 1>::Identity() + A + A * A / 2 + A * A * A / 6;
+  for (int k = 0; k < halvings; ++k) T = (T * T).eval();
+  Eigen::Transform<double, dim, Eigen::Affine> moved;
+  moved.matrix() = T;
+  return moved;
+}
+
+namespace {
+
+/// What supports, and springs, resist of the twists of a part.
+template <int dim>
+Eigen::MatrixXd resisted(const AssemblyParts<dim>& parts, const RigidPart<dim>& part,
+                         const std::vector<Vector<dim>>& x) {
+  constexpr int motions = rigid_motions_of(dim);
+  Eigen::MatrixXd held = Eigen::MatrixXd::Zero(motions, motions);
+  if (dim == 2 && parts.section() == Section::meridian)  // it moves along the axis alone
+    held(0, 0) = held(motions - 1, motions - 1) = 1;
+  const auto hold = [&](int node, int i) {
+    const Eigen::VectorXd row =
+        rigid_velocities<dim>(x[node], part.centre, part.size).row(i).transpose();
+    held += row * row.transpose();
+  };
+  std::vector<char> own(x.size(), 0);
+  for (const int node : part.nodes) {
+    own[node] = 1;
+    for (int i = 0; i < dim; ++i)
+      if (parts.supports.held(node, i)) hold(node, i);
+  }
+  for (const SpringSupport<dim>& springs : parts.supports.springs)
+    for (const auto& facet : springs.facets)
+      for (const int node : facet)
+        for (int i = 0; i < dim; ++i)
+          if (own[node] && springs.stiffness[i] > 0) hold(node, i);
+  return held;
+}
+
+}  // namespace
+
+template <int dim>
+Eigen::MatrixXd loose_twists(const AssemblyParts<dim>& parts, const RigidPart<dim>& part,
+                             const std::vector<Vector<dim>>& x, Eigen::Index count) {
+  return spectrum_of(resisted(parts, part, x)).vectors.leftCols(count);
+}
+
+template <int dim>
+std::vector<RigidPart<dim>> rigid_parts(const AssemblyParts<dim>& parts,
+                                        const std::vector<Vector<dim>>& x) {
+  constexpr double nothing = 1e-9;
+  const std::vector<int> number = connected_parts(parts.mesh);
+  std::vector<RigidPart<dim>> result;
+  for (std::size_t node = 0; node < number.size(); ++node) {
+    auto at = std::ranges::find(result, number[node], &RigidPart<dim>::number);
+    if (at == result.end()) {
+      at = result.emplace(result.end());
+      at->number = number[node];
+    }
+    at->nodes.push_back(static_cast<int>(node));
+  }
+  for (RigidPart<dim>& part : result) {
+    part.centre.setZero();
+    for (const int node : part.nodes)
+      part.centre += x[node] / static_cast<double>(part.nodes.size());
+    for (const int node : part.nodes)
+      part.size = std::max(part.size, (x[node] - part.centre).norm());
+    const Spectrum spectrum = spectrum_of(resisted(parts, part, x));
+    const double most = std::max(1.0, spectrum.values.maxCoeff());
+    part.loose = spectrum.vectors.leftCols((spectrum.values.array() <= nothing * most).count());
+  }
+  return result;
+}
+
+template <int dim>
+std::string description_of(const Twist<dim>& twist, const RigidPart<dim>& part, Section section) {
+  constexpr double far = 3;  // in sizes: a rotation about a point farther away moves the body
+  const Vector<dim> along = twist.template head<dim>();
+  if (dim == 2 && section == Section::meridian) return "move along z";
+  const auto direction = [](const Vector<dim>& e) {
+    constexpr double oblique = 0.02;
+    for (int i = 0; i < dim; ++i)
+      if (std::abs(e[i]) > (1 - oblique * oblique) * e.norm()) return std::string(1, "xyz"[i]);
+    const Vector<dim> unit = e.normalized();
+    return dim == 2 ? fmt::format("({:.2f}, {:.2f})", unit[0], unit[1])
+                    : fmt::format("({:.2f}, {:.2f}, {:.2f})", unit[0], unit[1], unit[dim - 1]);
+  };
+  if constexpr (dim == 2) {
+    const double rotation = twist[2] / part.size;
+    if (std::abs(twist[2]) * far < along.norm()) return "move along " + direction(along);
+    const Vector<2> point = part.centre + Vector<2>(-along[1], along[0]) / rotation;
+    return fmt::format("turn about ({:.3g}, {:.3g})", point[0], point[1]);
+  } else {
+    const Vector<3> rotation = twist.template tail<3>() / part.size;
+    if (rotation.norm() * part.size * far < along.norm()) return "move along " + direction(along);
+    const Vector<3> point = part.centre + rotation.cross(along) / rotation.squaredNorm();
+    return fmt::format("turn about {} through ({:.3g}, {:.3g}, {:.3g})", direction(rotation),
+                       point[0], point[1], point[2]);
+  }
+}
+
+template Eigen::Matrix<double, 2, 3> rigid_velocities<2>(const Vector<2>&, const Vector<2>&,
+                                                         double);
+template Eigen::Matrix<double, 3, 6> rigid_velocities<3>(const Vector<3>&, const Vector<3>&,
+                                                         double);
+template Eigen::Transform<double, 2, Eigen::Affine> moved_by<2>(const Twist<2>&, const Vector<2>&,
+                                                                double);
+template Eigen::Transform<double, 3, Eigen::Affine> moved_by<3>(const Twist<3>&, const Vector<3>&,
+                                                                double);
+template Eigen::MatrixXd loose_twists(const AssemblyParts<2>&, const RigidPart<2>&,
+                                      const std::vector<Vector<2>>&, Eigen::Index);
+template Eigen::MatrixXd loose_twists(const AssemblyParts<3>&, const RigidPart<3>&,
+                                      const std::vector<Vector<3>>&, Eigen::Index);
+template std::vector<RigidPart<2>> rigid_parts(const AssemblyParts<2>&,
+                                               const std::vector<Vector<2>>&);
+template std::vector<RigidPart<3>> rigid_parts(const AssemblyParts<3>&,
+                                               const std::vector<Vector<3>>&);
+template std::string description_of(const Twist<2>&, const RigidPart<2>&, Section);
+template std::string description_of(const Twist<3>&, const RigidPart<3>&, Section);
+
+}  // namespace gnomon
