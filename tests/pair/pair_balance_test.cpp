@@ -1,0 +1,231 @@
+// Bodies that contact holds: where they rest, and what is refused since nothing determines it.
+
+#include <cmath>
+
+#include "part/part_scene.hpp"
+
+namespace gnomon::pair_balance_test {
+namespace {
+
+using namespace testing;
+using ::testing::HasSubstr;
+
+constexpr double height = 4;  // of the pivot above the sole
+
+/// A block with a pivot in the middle of its top, turned by `tilt`, on a plate.
+std::string shoe(double tilt) {
+  return "tilt = " + std::to_string(tilt) + R"(;
+Point(1) = {-5, 0, 0, 0.8}; Point(2) = {5, 0, 0, 0.8}; Point(3) = {5, 4, 0, 0.8};
+Point(4) = {-5, 4, 0, 0.8}; Point(5) = {-0.5, 4, 0, 0.8}; Point(6) = {0, 4, 0, 0.8};
+Point(7) = {0.5, 4, 0, 0.8};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 7}; Line(4) = {7, 6}; Line(5) = {6, 5};
+Line(6) = {5, 4}; Line(7) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4, 5, 6, 7}; Plane Surface(1) = {1};
+Rotate {{0, 0, 1}, {0, 4, 0}, tilt} { Surface{1}; }
+Point(11) = {-8, 0, 0, 0.8}; Point(12) = {8, 0, 0, 0.8}; Point(13) = {8, -4, 0, 2};
+Point(14) = {-8, -4, 0, 2};
+Line(11) = {11, 14}; Line(12) = {14, 13}; Line(13) = {13, 12}; Line(14) = {12, 11};
+Curve Loop(11) = {11, 12, 13, 14}; Plane Surface(11) = {11};
+Physical Surface("shoe") = {1}; Physical Surface("plate") = {11};
+Physical Curve("sole") = {1}; Physical Curve("top") = {4, 5}; Physical Point("pivot") = {6};
+Physical Curve("face") = {14}; Physical Curve("base") = {12};
+)";
+}
+
+constexpr const char* shoe_scene = R"(
+problem = "worn_body"
+[mesh]
+file = "shoe.geo"
+[[body]]
+name = "shoe"
+young_modulus = 1e5
+poisson_ratio = 0.3
+[[body]]
+name = "plate"
+young_modulus = 2e5
+poisson_ratio = 0.3
+[[pair]]
+bodies = ["shoe", "plate"]
+friction = 0.3
+[[motion]]
+body = "plate"
+velocity = [100.0, 0.0]
+[[support]]
+on = "base"
+[[support]]
+on = "pivot"
+directions = ["x"]
+[[load]]
+on = "top"
+force = [0.0, -100.0]
+[shape]
+hold = ["top"]
+[wear]
+on = ["sole", "face"]
+coefficient = 1e-9
+[time]
+end = 100.0
+)";
+
+/// By the torque of a support about the origin, which the forces on the plate have, too.
+double centre_of_pressure(const Model& model, const State& state) {
+  for (const auto& force : model.examine(state).reactions)
+    if (force.name == "support_1") return force.torque[2] / force.force[1];
+  ADD_FAILURE() << "no reaction of the base";
+  return 0;
+}
+
+class PairBalance : public PartScenes {};
+
+// The resultant of pressure and friction goes through the pivot, before and after wear.
+TEST_F(PairBalance, AShoeTurnsUntilItsForcesMeetThePivot) {
+  for (const double tilt : {0.0, 0.05}) {
+    folder_.write("shoe.geo", shoe(tilt));
+    for (const char* solver : {"direct", "block"})
+      for (const double friction : {0.0, 0.3, 1.0}) {
+        SCOPED_TRACE(::testing::Message() << tilt << " " << solver << " " << friction);
+        const auto model = this->model(shoe_scene, {"pair.1.friction=" + std::to_string(friction),
+                                                    "solver.method=" + std::string(solver)});
+        const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 100);
+        for (const State& state : {run.states.front(), run.last()}) {
+          EXPECT_NEAR(observed(*model, state, "contact_force"), 100, 0.2);
+          EXPECT_NEAR(centre_of_pressure(*model, state), -friction * height, 0.03);
+        }
+      }
+  }
+}
+
+// Friction above half of the length by the height turns it over.
+TEST_F(PairBalance, WhatNothingDeterminesIsRefused) {
+  folder_.write("shoe.geo", shoe(0));
+  EXPECT_THAT(refusal(shoe_scene, {"pair.1.friction=1.3"}), HasSubstr("\"shoe\" can turn about"));
+  EXPECT_THAT(refusal(shoe_scene, {"load.1.force=[0.0, 100.0]"}),
+              HasSubstr("\"shoe\" can move along y"));
+  EXPECT_THAT(refusal(shoe_scene, {"load.1.times=[0.0, 50.0]", "load.1.factors=[1.0, -1.0]"}),
+              HasSubstr("at t = 50 s \"shoe\" can"));
+}
+
+std::string disc() {
+  return R"(
+Point(1) = {0, 0, 0, 0.6}; Point(2) = {5, 0, 0, 0.6}; Point(3) = {0, 5, 0, 0.6};
+Point(4) = {-5, 0, 0, 0.6}; Point(5) = {0, -5, 0, 0.6};
+Circle(1) = {2, 1, 3}; Circle(2) = {3, 1, 4}; Circle(3) = {4, 1, 5}; Circle(4) = {5, 1, 2};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Physical Surface("disc") = {1}; Physical Curve("round") = {1, 2, 3, 4};
+Physical Curve("upper") = {1, 2}; Physical Point("top") = {3};
+)";
+}
+
+/// A block whose face touches a circle of radius 5 in the direction of an angle.
+std::string wall(double degrees) {
+  return "c = Cos(" + std::to_string(degrees) + " * Pi / 180); s = Sin(" + std::to_string(degrees) +
+         R"( * Pi / 180);
+Point(1) = {5*c + 3*s, 5*s - 3*c, 0, 0.75}; Point(2) = {5*c - 3*s, 5*s + 3*c, 0, 0.75};
+Point(3) = {9*c - 3*s, 9*s + 3*c, 0, 1}; Point(4) = {9*c + 3*s, 9*s - 3*c, 0, 1};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Physical Surface("wall") = {1}; Physical Curve("face") = {1}; Physical Curve("base") = {3};
+)";
+}
+
+std::string body(const std::string& name, const std::string& more) {
+  return "[[body]]\nname = \"" + name + "\"\nmesh = \"" + name +
+         ".geo\"\nyoung_modulus = 2e4\npoisson_ratio = 0.3\n" + more;
+}
+
+constexpr const char* disc_and_right = R"(
+[[pair]]
+bodies = ["disc", "right"]
+[[motion]]
+body = "disc"
+rotation = 20.0
+center = [0.0, 0.0]
+[[load]]
+on = "upper"
+force = [0.0, -10.0]
+[time]
+end = 10.0
+)";
+
+// By statics, with the supports of the walls, whose forces go along the normals of their faces.
+TEST_F(PairBalance, ADiscLiesInAGroove) {
+  folder_.write("disc.geo", disc());
+  folder_.write("right.geo", wall(-30));
+  folder_.write("left.geo", wall(200));
+  const std::string scene = "problem = \"worn_body\"\n" + body("disc", "shift = [0.3, 0.2]\n") +
+                            body("right", "") + body("left", "") + disc_and_right + R"(
+[[pair]]
+bodies = ["disc", "left"]
+[[support]]
+on = "right.base"
+[[support]]
+on = "left.base"
+[wear]
+on = ["right.face", "left.face"]
+coefficient = 1e-8
+)";
+  const auto model = this->model(scene + "[[support]]\non = \"top\"\ndirections = [\"x\"]\n");
+  Counters counters;
+  const State start = model->start(counters);
+  for (const auto& force : model->examine(start).reactions) {
+    const double angle = std::atan2(force.force[1], force.force[0]) * 180 / M_PI;
+    if (force.name == "support_3") continue;
+    EXPECT_NEAR(angle, force.name == "support_1" ? 150 : 20, 0.5);
+  }
+  EXPECT_THAT(refusal(scene), HasSubstr("\"disc\" can turn about"));
+}
+
+// Its load above it would roll it away, and it spins without any resistance.
+TEST_F(PairBalance, ADiscRollsOnAPlate) {
+  folder_.write("disc.geo", disc());
+  folder_.write("right.geo", wall(-90));
+  const std::string scene = "problem = \"worn_body\"\n" + body("disc", "") + body("right", "") +
+                            disc_and_right +
+                            "[[support]]\non = \"base\"\n[wear]\non = [\"face\"]\ncoefficient = "
+                            "1e-8\n[[support]]\non = \"top\"\n";
+  EXPECT_THAT(refusal(scene + "directions = [\"x\"]\n"), HasSubstr("\"disc\" can turn about"));
+}
+
+// In space, with a pivot that is free to move down and to turn.
+TEST_F(PairBalance, AShoeInSpaceTurnsToo) {
+  folder_.write("shoe.geo", R"(
+Point(1) = {-3, -2, 0}; Point(2) = {0, -2, 0}; Point(3) = {3, -2, 0};
+Point(4) = {3, 2, 0}; Point(5) = {0, 2, 0}; Point(6) = {-3, 2, 0};
+Line(1) = {1, 2}; Line(2) = {2, 5}; Line(3) = {5, 6}; Line(4) = {6, 1};
+Line(5) = {2, 3}; Line(6) = {3, 4}; Line(7) = {4, 5};
+Transfinite Curve {1, 2, 3, 4, 5, 6, 7} = 4;
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Curve Loop(2) = {5, 6, 7, -2}; Plane Surface(2) = {2};
+Transfinite Surface {1, 2}; Recombine Surface {1, 2};
+Point(11) = {-4, -3, 0}; Point(12) = {4, -3, 0}; Point(13) = {4, 3, 0}; Point(14) = {-4, 3, 0};
+Line(51) = {11, 12}; Line(52) = {12, 13}; Line(53) = {13, 14}; Line(54) = {14, 11};
+Transfinite Curve {51, 53} = 8; Transfinite Curve {52, 54} = 6;
+Curve Loop(51) = {51, 52, 53, 54}; Plane Surface(51) = {51};
+Transfinite Surface {51}; Recombine Surface {51};
+a[] = Extrude {0, 0, 2} { Surface{1, 2}; Layers{2}; Recombine; };
+b[] = Extrude {0, 0, -2} { Surface{51}; Layers{2}; Recombine; };
+Physical Volume("shoe") = {a[1], a[7]}; Physical Volume("plate") = {b[1]};
+Physical Surface("sole") = {1, 2}; Physical Surface("top") = {a[0], a[6]};
+Physical Surface("face") = {51}; Physical Surface("base") = {b[0]};
+)");
+  std::string scene = shoe_scene;
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    scene.replace(scene.find(from), from.size(), to);
+  };
+  replace("on = \"pivot\"\ndirections = [\"x\"]", "on = \"top\"\ndirections = [\"x\", \"y\"]");
+  replace("[100.0, 0.0]", "[100.0, 0.0, 0.0]");
+  replace("[0.0, -100.0]", "[0.0, 0.0, -100.0]");
+  const auto model = this->model(scene);
+  Counters counters;
+  const State start = model->start(counters);
+  for (const auto& force : model->examine(start).reactions)
+    if (force.name == "support_1") {
+      EXPECT_NEAR(force.force[2], 100, 0.1);
+      EXPECT_NEAR(-force.torque[1] / force.force[2], -0.3 * 2, 0.02);
+      EXPECT_NEAR(force.torque[0] / force.force[2], 0, 0.02);
+    }
+  EXPECT_THAT(refusal(scene, {"pair.1.friction=1.7"}), HasSubstr("\"shoe\" can turn about"));
+}
+
+}  // namespace
+}  // namespace gnomon::pair_balance_test
