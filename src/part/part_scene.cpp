@@ -18,6 +18,7 @@
 #include "part/histories.hpp"
 #include "part/loads.hpp"
 #include "part/nominal_speed.hpp"
+#include "part/pair_cycle.hpp"
 #include "part/pairs.hpp"
 #include "part/phases.hpp"
 #include "part/shape_support.hpp"
