@@ -16,19 +16,6 @@ namespace gnomon::part {
 
 namespace {
 
-/// Rigid motions of a point: translations, then rotations.
-template <int dim>
-Eigen::Matrix<double, dim, dim == 2 ? 3 : 6> rigid_motions(const Vector<dim>& x) {
-  Eigen::Matrix<double, dim, dim == 2 ? 3 : 6> modes;
-  modes.setZero();
-  modes.template leftCols<dim>().setIdentity();
-  if constexpr (dim == 2)
-    modes.col(2) << -x[1], x[0];
-  else
-    for (int axis = 0; axis < 3; ++axis) modes.col(3 + axis) = Vector<3>::Unit(axis).cross(x);
-  return modes;
-}
-
 /// "along x", "about z", or both.
 template <int dim>
 std::string describe(const Eigen::VectorXd& mode, const std::vector<std::string>& names) {
@@ -133,7 +120,7 @@ void hold_by_contact(const AssemblyParts<dim>& parts, const NodesOfPart& part, c
 template <int dim>
 void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
                        const NodesOfPart& part) {
-  constexpr int modes = dim == 2 ? 3 : 6;
+  constexpr int modes = rigid_motions_of(dim);
   const std::vector<Vector<dim>>& nodes = parts.mesh.nodes;
   Vector<dim> centre = Vector<dim>::Zero();
   const auto count = static_cast<double>(std::ranges::count(part, 1));
@@ -148,7 +135,7 @@ void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
     held(0, 0) = held(modes - 1, modes - 1) = 1;
   const auto holds = [&](int node, const Vector<dim>& direction) {
     const Eigen::Matrix<double, modes, 1> row =
-        rigid_motions<dim>((nodes[node] - centre) / size).transpose() * direction;
+        rigid_velocities<dim>(nodes[node], centre, size).transpose() * direction;
     held += row * row.transpose();
   };
   const NodalFlags<dim>& fixed = parts.supports.held;
@@ -173,7 +160,7 @@ void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
     // Several motions may be resisted together, as by a prism in a groove.
     if (!parts.interface.force && loose(without_contact.values) == 1)
       require_pressing_loads<dim>(scene, parts, part, [&](const Vector<dim>& X) -> Vector<dim> {
-        return rigid_motions<dim>((X - centre) / size) * without_contact.vectors.col(0);
+        return rigid_velocities<dim>(X, centre, size) * without_contact.vectors.col(0);
       });
     return;
   }
