@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unsupported/Eigen/MatrixFunctions>
 
 #include "base/spectrum.hpp"
 
@@ -27,21 +28,15 @@ Eigen::Matrix<double, dim, rigid_motions_of(dim)> rigid_velocities(const Vector<
 template <int dim>
 Eigen::Transform<double, dim, Eigen::Affine> moved_by(const Twist<dim>& twist,
                                                       const Vector<dim>& centre, double size) {
-  // The exponential of the twist, by squares: a body that turns about a held point keeps it.
-  constexpr int halvings = 12;
-  const double share = std::ldexp(1.0, -halvings);
+  // The exponential of the twist: a body that turns about a held point keeps it.
   Eigen::Matrix<double, dim + 1, dim + 1> A = Eigen::Matrix<double, dim + 1, dim + 1>::Zero();
   const Vector<dim> origin = rigid_velocities<dim>(Vector<dim>::Zero(), centre, size) * twist;
   for (int i = 0; i < dim; ++i)
     A.col(i).template head<dim>() =
         rigid_velocities<dim>(Vector<dim>::Unit(i), centre, size) * twist - origin;
   A.col(dim).template head<dim>() = origin;
-  A *= share;
-  Eigen::Matrix<double, dim + 1, dim + 1> T =
-      Eigen::Matrix<double, dim + 1, dim + 1>::Identity() + A + A * A / 2 + A * A * A / 6;
-  for (int k = 0; k < halvings; ++k) T = (T * T).eval();
   Eigen::Transform<double, dim, Eigen::Affine> moved;
-  moved.matrix() = T;
+  moved.matrix() = A.exp();
   return moved;
 }
 
