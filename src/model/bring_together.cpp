@@ -22,7 +22,11 @@ Crossing<dim>::Crossing(const Vector<dim>& point, const Vector<dim>& e,
   Tensor<dim> A;  // point + s e = x_0 + sum_k c_k (x_k - x_0)
   A.col(0) = -e;
   for (int k = 1; k < dim; ++k) A.col(k) = x[simplex[k]] - x[simplex[0]];
-  const Vector<dim> solution = A.fullPivLu().solve(point - x[simplex[0]]);
+  Tensor<dim> inverse;
+  bool crosses = false;
+  A.computeInverseWithCheck(inverse, crosses, 0);
+  if (!crosses) return;
+  const Vector<dim> solution = inverse * (point - x[simplex[0]]);
   distance = solution[0];
   shares = solution;
   shares[0] = 1 - solution.template tail<dim - 1>().sum();

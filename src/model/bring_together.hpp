@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gnomon/model/assembly.hpp>
+#include <limits>
 
 namespace gnomon {
 
@@ -24,8 +25,10 @@ std::vector<std::array<int, dim>> simplices(const typename Mesh<dim>::Facet& fac
 /// Where the line from a point along e meets the plane of a simplex.
 template <int dim>
 struct Crossing {
-  double distance;     ///< negative behind the point [length]
-  Vector<dim> shares;  ///< of the corners, of sum 1; negative ones: it passes by
+  double distance =
+      std::numeric_limits<double>::infinity();  ///< negative behind the point [length]
+  /// Of the corners, of sum 1; negative ones: it passes by.
+  Vector<dim> shares = Vector<dim>::Constant(-1);
 
   Crossing(const Vector<dim>& point, const Vector<dim>& e, const std::array<int, dim>& simplex,
            const std::vector<Vector<dim>>& x);
