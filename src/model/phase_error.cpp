@@ -25,8 +25,7 @@ constexpr NewtonOptions rough_newton{
     .tolerance = 1e-6, .acceptable = 1e-5, .max_iterations = 60, .keep_factors = true};
 
 /// The deformation of a body in any phases of its cycle, at a fixed shape and time. What is known
-/// of some phases gives the first guesses for others. At most as many phases as the body has, or
-/// some, are solved at a time, for they take memory.
+/// of some phases gives the first guesses for others.
 template <int dim>
 class FixedShape {
 public:
@@ -44,16 +43,8 @@ public:
 
   /// Mean wear rate over the phases at every contact node [length / time]. Throws SolutionError.
   std::vector<double> mean_rate(const std::vector<Phase<dim>>& phases) {
-    std::vector<Phase<dim>> unknown;
     for (const Phase<dim>& phase : phases)
-      if (!is_known(phase.position)) unknown.push_back(phase);
-    constexpr std::size_t cheap = 16;
-    const std::size_t at_a_time = std::max(body_->phases.size(), cheap);
-    for (std::size_t first = 0; first < unknown.size(); first += at_a_time) {
-      const std::size_t count = std::min(at_a_time, unknown.size() - first);
-      const auto begin = unknown.begin() + static_cast<std::ptrdiff_t>(first);
-      solve({begin, begin + static_cast<std::ptrdiff_t>(count)});
-    }
+      if (!is_known(phase.position)) solve(phase);
     std::vector<double> mean(body_->contact_nodes.size(), 0.0);
     for (const Phase<dim>& phase : phases) {
       const Known& known = nearest(phase.position);
@@ -73,15 +64,15 @@ private:
     Eigen::VectorXd w;
     std::vector<double> rate;  // of wear, at every contact node
   };
-  void solve(const std::vector<Phase<dim>>& phases) {
-    const WornBodyEquations<dim> equations(body_, phases);
+  void solve(const Phase<dim>& phase) {
+    const WornBodyEquations<dim> equations(body_, {phase});
+    const WornBodyFields& fields = equations.fields();
     ComposedSystem<dim> deformation(equations.composition(), equations.deformation());
     FieldValues<dim> values(*equations.composition()->fields);
-    values.vector(equations.fields().d) = d_;
+    values.vector(fields.d) = d_;
     deformation.freeze(values, t_);
-    for (std::size_t p = 0; p < phases.size() && !known_.empty(); ++p) {
-      const Known& guess = nearest(phases[p].position);
-      const WornBodyFields& fields = equations.fields(p);
+    if (!known_.empty()) {
+      const Known& guess = nearest(phase.position);
       values.vector(fields.u) = guess.u;
       values.scalar(fields.lambda) = guess.lambda;
       if (fields.w != FieldId::none) values.scalar(fields.w) = guess.w;
@@ -90,9 +81,7 @@ private:
     deformation.numbering().gather(values, y);
     find_deformation(equations, deformation, y);
     values = deformation.values(t_, y);
-    for (std::size_t p = 0; p < phases.size(); ++p)
-      keep(phases[p], equations.fields(p), values,
-           equations.contact_nodes(deformation, values, {.t = t_, .y = y}, p));
+    keep(phase, fields, values, equations.contact_nodes(deformation, values, {.t = t_, .y = y}));
   }
 
   /// From the guess, or by a load ramp where that fails.

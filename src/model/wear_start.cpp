@@ -224,11 +224,20 @@ std::string failure_of(const RampReport& ramp, const Element& element) {
 
 template <int dim>
 State WearModel<dim>::start(Counters& counters) const {
-  ComposedSystem<dim> contact(equations_.composition(), equations_.deformation());
   FieldValues<dim> values(*equations_.composition()->fields);
-  const RampReport ramp =
-      find_equilibrium(equations_, contact, ramp_options(assembly()), values, counters);
-  if (ramp.reached < 1) throw SolutionError(failure_of(ramp, assembly().bodies.front().element));
+  // At a fixed shape no phase of a cycle knows of another.
+  for (std::size_t p = 0; p < equations_.phases().size(); ++p) {
+    const WornBodyEquations<dim> alone(equations_.shared_assembly(), {equations_.phases()[p]});
+    ComposedSystem<dim> contact(alone.composition(), alone.deformation());
+    FieldValues<dim> of_phase(*alone.composition()->fields);
+    const RampReport ramp =
+        find_equilibrium(alone, contact, ramp_options(assembly()), of_phase, counters);
+    if (ramp.reached < 1) throw SolutionError(failure_of(ramp, assembly().bodies.front().element));
+    const WornBodyFields &from = alone.fields(), &to = equations_.fields(p);
+    values.vector(to.u) = of_phase.vector(from.u);
+    values.scalar(to.lambda) = of_phase.scalar(from.lambda);
+    if (to.w != FieldId::none) values.scalar(to.w) = of_phase.scalar(from.w);
+  }
   State state;
   state.y.resize(system().structure().size);
   system().numbering().gather(values, state.y);

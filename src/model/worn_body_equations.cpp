@@ -203,11 +203,13 @@ CandidatesOfPhases WornBodyEquations<dim>::find_candidates() const {
   const std::vector<MortarPair<dim>>& pairs = assembly_->pairs;
   if (pairs.empty()) return result;
   const std::vector<Phase<dim>> own = assembly_->instants();
-  for (std::size_t p = 0; p < phases_.size(); ++p) {
-    const auto& places = phases_[p].places;
-    const bool known = p < own.size() && own[p].position == phases_[p].position;
-    const auto x = in_space(pairs, places,
-                            known ? assembly_->near[p] : RigidBalance<dim>(*assembly_, places).x);
+  for (const Phase<dim>& phase : phases_) {
+    const auto& places = phase.places;
+    const auto known = std::ranges::find(own, phase.position, &Phase<dim>::position);
+    const auto x =
+        in_space(pairs, places,
+                 known != own.end() ? assembly_->near[static_cast<std::size_t>(known - own.begin())]
+                                    : RigidBalance<dim>(*assembly_, places).x);
     auto& of_phase = result.of_phase.emplace_back();
     for (const MortarPair<dim>& pair : pairs) of_phase.push_back(mortar_candidates(pair, x));
     result.join(of_phase);
