@@ -29,12 +29,14 @@ public:
   virtual void solve(std::span<double> s, std::span<double> z) = 0;
 };
 
-/// For one contact state: closed nodes are springs in the matrix that is set up
-/// (contact_elimination.hpp). References must outlive the solver; throws as StiffnessBlock.
+/// Closed nodes are springs in the matrix that is set up (contact_elimination.hpp): for one contact
+/// state, and for bodies that touch each other. References must outlive the solver; throws as
+/// StiffnessBlock.
 std::unique_ptr<CoreSolver> make_spring_core(const Structure& structure,
                                              const InnerSolverMaker& inner);
 
-/// For several contact states, which share one stiffness without springs (compliance_core.cpp).
+/// For several contact states of one body, which share one stiffness without springs
+/// (compliance_core.cpp).
 std::unique_ptr<CoreSolver> make_compliance_core(const Structure& structure,
                                                  const InnerSolverMaker& inner);
 

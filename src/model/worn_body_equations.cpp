@@ -124,8 +124,7 @@ ContactState<dim> contact_state(const Assembly<dim>& body, const Phase<dim>& pha
 template <int dim>
 MortarState<dim> mortar_state(const Assembly<dim>& body, const Phase<dim>& phase,
                               const WornBodyFields& fields, double nominal_speed,
-                              const std::vector<MortarCandidates>& candidates,
-                              const std::vector<MortarCandidates>& coupled) {
+                              const std::vector<MortarCandidates>& candidates) {
   MortarState<dim> state{.u = fields.u,
                          .lambda = fields.lambda,
                          .d = fields.d,
@@ -133,7 +132,6 @@ MortarState<dim> mortar_state(const Assembly<dim>& body, const Phase<dim>& phase
                          .patches = body.contact_nodes,
                          .pairs = body.pairs,
                          .candidates = candidates,
-                         .coupled = coupled,
                          .surface_of = body.surface_of,
                          .wear_weight = body.wear_weight,
                          .normal_rule = body.interface.normal_rule,
@@ -147,20 +145,6 @@ MortarState<dim> mortar_state(const Assembly<dim>& body, const Phase<dim>& phase
 }
 
 }  // namespace
-
-void CandidatesOfPhases::join(const std::vector<MortarCandidates>& more) {
-  of_all.resize(more.size());
-  for (std::size_t pair = 0; pair < more.size(); ++pair) {
-    of_all[pair].resize(more[pair].size());
-    for (std::size_t facet = 0; facet < more[pair].size(); ++facet) {
-      const std::vector<int> before = std::move(of_all[pair][facet]);
-      std::vector<int> sorted = more[pair][facet], all;
-      std::ranges::sort(sorted);
-      std::ranges::set_union(before, sorted, std::back_inserter(all));
-      of_all[pair][facet] = std::move(all);
-    }
-  }
-}
 
 template <int dim>
 WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const Assembly<dim>> assembly,
@@ -195,29 +179,22 @@ void WornBodyEquations<dim>::add(std::vector<TermFactory<dim>>& terms, TermKind 
   terms.push_back(std::move(make));
 }
 
-/// Of pairs: where facets that may meet in a phase are found. Phases that are not those of the
-/// assembly have their own.
+/// Of pairs: facets that may meet in a phase, which need not be one of the assembly's.
 template <int dim>
-CandidatesOfPhases WornBodyEquations<dim>::find_candidates() const {
-  CandidatesOfPhases result;
+std::vector<MortarCandidates> WornBodyEquations<dim>::candidates_in(const Phase<dim>& phase) const {
+  std::vector<MortarCandidates> result;
   const std::vector<MortarPair<dim>>& pairs = assembly_->pairs;
   if (pairs.empty()) return result;
   const std::vector<Phase<dim>> own = assembly_->instants();
-  for (const Phase<dim>& phase : phases_) {
-    const auto& places = phase.places;
-    const auto known = std::ranges::find(own, phase.position, &Phase<dim>::position);
-    const auto x =
-        in_space(pairs, places,
-                 known != own.end() ? assembly_->near[static_cast<std::size_t>(known - own.begin())]
-                                    : RigidBalance<dim>(*assembly_, places).x);
-    auto& of_phase = result.of_phase.emplace_back();
-    for (const MortarPair<dim>& pair : pairs) of_phase.push_back(mortar_candidates(pair, x));
-    result.join(of_phase);
-  }
+  const auto known = std::ranges::find(own, phase.position, &Phase<dim>::position);
+  const auto x =
+      in_space(pairs, phase.places,
+               known != own.end() ? assembly_->near[static_cast<std::size_t>(known - own.begin())]
+                                  : RigidBalance<dim>(*assembly_, phase.places).x);
+  for (const MortarPair<dim>& pair : pairs) result.push_back(mortar_candidates(pair, x));
   return result;
 }
 
-/// Factories share the ownership of the assembly, so that terms may refer to it.
 template <int dim>
 void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   for (std::size_t p = 0; p < phases_.size(); ++p) add_equilibrium(p, terms);
@@ -235,16 +212,15 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
                                                         of->contact_nodes, numbering, f.d, f.mu);
         });
   const double speed = assembly_->nominal_speed();
-  const auto candidates = std::make_shared<const CandidatesOfPhases>(find_candidates());
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     contact_terms_.push_back(terms.size());
     add(terms, TermKind::contact, p,
-        [of = assembly_, phase = phases_[p], f = fields_[p], speed, candidates,
-         p](const Numbering& numbering) -> std::unique_ptr<Term<dim>> {
+        [of = assembly_, phase = phases_[p], f = fields_[p], speed,
+         candidates =
+             candidates_in(phases_[p])](const Numbering& numbering) -> std::unique_ptr<Term<dim>> {
           if (!of->pairs.empty())
-            return std::make_unique<MortarTerm<dim>>(
-                mortar_state(*of, phase, f, speed, candidates->of_phase[p], candidates->of_all),
-                numbering);
+            return std::make_unique<MortarTerm<dim>>(mortar_state(*of, phase, f, speed, candidates),
+                                                     numbering);
           return std::make_unique<ContactTerm<dim>>(contact_state(*of, phase, f, speed), f.d,
                                                     numbering);
         });

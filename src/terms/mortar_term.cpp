@@ -44,10 +44,7 @@ void MortarTerm<dim>::find_facets() {
   for (int p = 0; p < static_cast<int>(state_.pairs.size()); ++p) {
     const MortarPair<dim>& pair = state_.pairs[p];
     for (std::size_t f = 0; f < pair.slave.size(); ++f) {
-      SlaveFacet facet{.pair = p,
-                       .masters = state_.candidates[p][f],
-                       .coupled = state_.coupled[p][f],
-                       .around = {}};
+      SlaveFacet facet{.pair = p, .masters = state_.candidates[p][f], .around = {}};
       std::set<int> around;
       for (int a = 0; a < corners; ++a) {
         const int node = pair.slave[f][a];
@@ -105,7 +102,7 @@ std::vector<int> MortarTerm<dim>::columns_of(const SlaveFacet& facet,
 template <int dim>
 void MortarTerm<dim>::declare_facet(const SlaveFacet& facet, PatternBuilder& pattern,
                                     PatternBuilder& nodes) const {
-  const FacetNodes<dim> joined = nodes_of(facet, facet.coupled);
+  const FacetNodes<dim> joined = nodes_of(facet, facet.masters);
   const auto masters_end = joined.all.begin() + std::ptrdiff_t(joined.rows);
   typename Mesh<dim>::Facet slave;
   std::copy_n(joined.all.begin(), corners, slave.begin());
@@ -122,9 +119,9 @@ void MortarTerm<dim>::declare_facet(const SlaveFacet& facet, PatternBuilder& pat
   nodes.add(masters, own);
   nodes.add(masters, {masters_end, joined.all.end()});
   const MortarPair<dim>& pair = state_.pairs[facet.pair];
-  const auto beside = masters_beside(pair, slave, facet.coupled, state_.mesh.nodes);
+  const auto beside = masters_beside(pair, slave, facet.masters, state_.mesh.nodes);
   for (std::size_t k = 0; k < beside.size(); ++k) {
-    const auto& master = pair.master[facet.coupled[k]];
+    const auto& master = pair.master[facet.masters[k]];
     std::vector<int> together;
     for (const int other : beside[k])
       together.insert(together.end(), pair.master[other].begin(), pair.master[other].end());

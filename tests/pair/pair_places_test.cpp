@@ -90,6 +90,9 @@ TEST(PairPlaces, AnEccentricCamWearsAsItsPathSays) {
   EXPECT_NEAR(observed(*model, run.last(), "worn_volume_cam") / (1e-9 * force * path), 1, 2e-5);
   EXPECT_NEAR(observed(*model, run.last(), "worn_volume_follower") / (2e-9 * force * path), 1,
               2e-5);
+  // The block solver takes about as many iterations as without a cycle.
+  EXPECT_GT(run.counters.krylov_iterations, 0);
+  EXPECT_LT(double(run.counters.krylov_iterations), 10.0 * double(run.counters.linear_solves));
 }
 
 TEST(PairPlaces, MistakesAreNamed) {

@@ -9,14 +9,6 @@
 
 namespace gnomon {
 
-/// Of pairs: facets that may meet, by phase and pair, and by pair those of all phases, ascending.
-struct CandidatesOfPhases {
-  std::vector<std::vector<MortarCandidates>> of_phase;
-  std::vector<MortarCandidates> of_all;
-
-  void join(const std::vector<MortarCandidates>& more);
-};
-
 /// The positions of the fields in their FieldSet. Of a cycle each phase has its own u, lambda and
 /// w; d and mu are those of all.
 struct WornBodyFields {
@@ -99,7 +91,7 @@ public:
 
 private:
   FieldSet make_fields();
-  CandidatesOfPhases find_candidates() const;
+  std::vector<MortarCandidates> candidates_in(const Phase<dim>& phase) const;
   void add_terms(std::vector<TermFactory<dim>>& terms);
   void add(std::vector<TermFactory<dim>>& terms, TermKind kind, std::size_t phase,
            TermFactory<dim> make);

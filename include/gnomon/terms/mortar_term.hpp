@@ -34,8 +34,6 @@ struct MortarState {
   const std::vector<ContactPatch<dim>>& patches;  ///< of slaves and masters, ascending nodes
   const std::vector<MortarPair<dim>>& pairs;
   std::vector<MortarCandidates> candidates;  ///< by pair
-  /// Those of all phases: the stiffnesses of phases have one pattern.
-  std::vector<MortarCandidates> coupled;
   const std::vector<int>& surface_of;  ///< each contact node: whose law wears it
   std::vector<WearLaw> laws{};         ///< of the surfaces
   std::vector<double> wear_weight{};   ///< of each contact node, in its wear; empty: 1
@@ -80,7 +78,6 @@ private:
     int pair = 0;
     std::array<int, corners> sides = {};
     std::vector<int> masters;  ///< candidates: positions among the pair's
-    std::vector<int> coupled;  ///< of all phases
     std::vector<int> around;   ///< mesh nodes on which the normals of its corners depend
   };
   /// What a side has at a state.
