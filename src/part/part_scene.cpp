@@ -93,10 +93,11 @@ Magnitudes find_magnitudes(const Scene& scene, const AssemblyParts<dim>& parts) 
   const double duration = scene.real("time.end");
   const Pressing press = pressing_of(parts, duration);
   if (press.force == 0 && press.overlap == 0)
-    throw InputError(scene.path().string() +
-                     ": expected something that presses the bodies on each other: "
-                     "counter_body.press.force or .approach, a [[load]] against the counter-body, "
-                     "or a [[support]] with value");
+    throw InputError(fmt::format(
+        "{}: expected something that presses the bodies on each other: {}a [[load]] "
+        "against the {}, or a [[support]] with value",
+        scene.path().string(), parts.pairs.empty() ? "counter_body.press.force or .approach, " : "",
+        parts.pairs.empty() ? "counter-body" : "other body"));
   return magnitudes_of(parts, duration);
 } catch (const RecoverableError& error) {
   throw unsound_law(scene, error);

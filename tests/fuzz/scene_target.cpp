@@ -28,7 +28,9 @@ void expect_resolved(const Scene& scene) {
 
 void scene(std::string_view bytes) {
   const std::string text(bytes);
-  const Scene scene = parse_scene(text, "scene.toml", overrides_in(text), key_table);
+  // Meshes that scenes name lie beside it.
+  const Scene scene = parse_scene(text, GNOMON_SOURCE_DIR "/tests/fuzz/scenes/scene.toml",
+                                  overrides_in(text), key_table);
   expect_resolved(scene);
   check_run(scene);
   if (!is_small(scene)) return;

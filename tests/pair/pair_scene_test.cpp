@@ -45,23 +45,5 @@ TEST(PairScene, ABodyThatOnlyContactHoldsIsBroughtToItsPartner) {
   EXPECT_NEAR(observed(*model, start, "contact_force"), 50, 0.1);
 }
 
-TEST(PairScene, MistakesAreNamed) {
-  EXPECT_THAT(refusal(scene, {R"(pair.1.bodies=["plate"])"}), HasSubstr("the names of two bodies"));
-  EXPECT_THAT(refusal(scene, {R"(pair.1.bodies=["plate", "plate"])"}),
-              HasSubstr("the names of two bodies"));
-  EXPECT_THAT(refusal(scene, {R"(pair.1.bodies=["plate", "disc"])"}),
-              HasSubstr("expected names of [[body]], \"cylinder\", \"plate\", got \"disc\""));
-  EXPECT_THAT(refusal(scene, {R"(pair.1.surfaces=["round"])"}),
-              HasSubstr("surfaces of both bodies"));
-  EXPECT_THAT(refusal(scene, {"motion.1.body=disc"}), HasSubstr("a body of a [[pair]]"));
-  EXPECT_THAT(refusal(scene, {"motion.1.rotation=1.0"}), HasSubstr("also motion.1.center"));
-  EXPECT_THAT(refusal(scene, {"load.1.force=[0.0, 50.0]"}), HasSubstr("expected loads that press"));
-  EXPECT_THAT(refusal(scene, {R"(wear.on=["base"])"}), HasSubstr("touch another body"));
-  EXPECT_THAT(refusal(scene, {"counter_body.shape=plane"}),
-              HasSubstr("expected none beside [[pair]]"));
-  EXPECT_THAT(refusal(scene, {"shape.motion=gap"}), HasSubstr("expected \"mesh\" beside [[pair]]"));
-  EXPECT_THAT(refusal(scene, {R"(support.1.directions=["x"])"}), HasSubstr("\"plate\""));
-}
-
 }  // namespace
 }  // namespace gnomon::pair_scene_test
