@@ -78,6 +78,7 @@ void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes) {
                        ": expected a [[pair]] with the bodies that touch each other");
     for (const std::string& pair : entries_of(scene, "pair", keys_of_pairs(), {"bodies"}))
       mistakes.collect([&] {
+        if (!scene.has(pair + ".bodies")) return;  // a value of another sort is told already
         require_two_bodies(scene, pair);
         const std::vector<std::string>& names = scene.texts(pair + ".bodies");
         if (!seen.insert({names[0], names[1]}).second)
@@ -281,7 +282,8 @@ namespace gnomon {
 std::vector<std::string> separate_bodies(const Scene& scene) {
   std::set<std::string> names;
   for (const std::string& pair : scene.chosen_names("pair.#.bodies"))
-    for (const std::string& name : scene.texts("pair." + pair + ".bodies")) names.insert(name);
+    if (const std::string key = "pair." + pair + ".bodies"; scene.has(key))
+      for (const std::string& name : scene.texts(key)) names.insert(name);
   return {names.begin(), names.end()};
 }
 

@@ -65,6 +65,7 @@ TEST(PairMistakes, OfPairs) {
       text("none", "bodies = [\"cylinder\", \"plate\"]\n", "",
            "expected a [[pair]] with the bodies that touch each other"),
       key("one body", R"(pair.1.bodies=["plate"])", "the names of two bodies"),
+      key("numbers", "pair.1.bodies=[0.0, 0.0]", "expected a text or an array of texts"),
       key("a body with itself", R"(pair.1.bodies=["plate", "plate"])", "the names of two bodies"),
       key("three bodies", R"(pair.1.bodies=["plate", "cylinder", "plate"])",
           "the names of two bodies"),
