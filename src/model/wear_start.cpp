@@ -86,25 +86,32 @@ double indentation(const Assembly<dim>& body, double fraction) {
 
 /// Moves bodies of pairs that no support holds to where they rest, and so far that a node of the
 /// slave is in contact: the mean gap over its share of the surface is larger than that where bodies
-/// touch.
+/// touch, and closes slowly where the surface is steep.
 template <int dim>
 void close_gap_of_pairs(const WornBodyEquations<dim>& equations, const ComposedSystem<dim>& contact,
                         std::size_t phase, FieldValues<dim>& values) {
+  constexpr double flattest = 1e-3;  // change of gap by motion
   const Assembly<dim>& body = equations.assembly();
   const RigidBalance<dim> balance(body, equations.phases()[phase].places);
   NodalField<dim>& u = values.vector(equations.fields(phase).u);
   u += balance.displacement;
-  const auto nodes = equations.contact_nodes(contact, values, {}, phase);
-  double overlap = 0;
+  const auto before = equations.contact_nodes(contact, values, {}, phase);
+  const double motion = indentation(body, 1);
+  u += motion * balance.direction;
+  const auto after = equations.contact_nodes(contact, values, {}, phase);
+  double farther = 0;
   for (const MortarPair<dim>& pair : body.pairs) {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& facet : pair.slave)
-      for (const int node : facet)
-        if (const auto& at = nodes[static_cast<std::size_t>(body.contact_node(node))]; at.area > 0)
-          least = std::min(least, at.gap);
-    if (std::isfinite(least)) overlap = std::max(overlap, least);
+      for (const int node : facet) {
+        const auto at = static_cast<std::size_t>(body.contact_node(node));
+        const double closed = before[at].gap - after[at].gap;
+        if (before[at].area > 0 && after[at].area > 0 && closed > flattest * motion)
+          least = std::min(least, before[at].gap / closed * motion);
+      }
+    if (std::isfinite(least)) farther = std::max(farther, least);
   }
-  u += (overlap + indentation(body, 1)) * balance.direction;
+  u += farther * balance.direction;
 }
 
 /// Moves body and counter-body together, or apart, until they touch at a point, so that the first
