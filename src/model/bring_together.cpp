@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "mesh/connected_nodes.hpp"
 #include "mesh/facet_bins.hpp"
@@ -102,28 +103,27 @@ std::vector<int> body_of_nodes(const Mesh<dim>& mesh, const std::vector<int>& bo
 
 namespace {
 
-/// By part: whether it is held along e, or, as `held` says, is in its place.
+/// The part of e along which supports let a connected part of the mesh move.
 template <int dim>
-std::vector<char> held_parts(const AssemblyParts<dim>& parts, const std::vector<int>& part,
-                             const Vector<dim>& e, std::vector<char> held) {
-  constexpr double across = 1e-6;
+Vector<dim> free_part(const AssemblyParts<dim>& parts, const std::vector<int>& part, int own,
+                      Vector<dim> e) {
   for (std::size_t node = 0; node < part.size(); ++node)
-    for (int i = 0; i < dim; ++i)
-      if (parts.supports.held(static_cast<Eigen::Index>(node), i) && std::abs(e[i]) > across)
-        held[part[node]] = 1;
+    for (int i = 0; i < dim && part[node] == own; ++i)
+      if (parts.supports.held(static_cast<Eigen::Index>(node), i)) e[i] = 0;
   for (const auto& springs : parts.supports.springs)
     for (const auto& facet : springs.facets)
-      if (springs.stiffness.cwiseProduct(e).norm() > 0) held[part[facet[0]]] = 1;
-  return held;
+      if (part[facet[0]] == own) e = (springs.stiffness.array() > 0).select(0, e);
+  return e;
 }
 
 }  // namespace
 
 template <int dim>
-double travel_to_touch(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x) {
+double travel_to_touch(const MortarPair<dim>& pair, const Vector<dim>& e,
+                       const std::vector<Vector<dim>>& x) {
   double least = infinity;
-  for (const auto& travel : {travels<dim>(pair.slave, pair.master, -pair.approach, x),
-                             travels<dim>(pair.master, pair.slave, pair.approach, x)})
+  for (const auto& travel :
+       {travels<dim>(pair.slave, pair.master, -e, x), travels<dim>(pair.master, pair.slave, e, x)})
     for (const auto& [node, s] : travel) least = std::min(least, s);
   return least;
 }
@@ -138,36 +138,38 @@ template <int dim>
 Touching<dim>::Touching(const AssemblyParts<dim>& parts, const std::vector<BodyPlace<dim>>& places)
     : displacement(NodalField<dim>::Zero(static_cast<Eigen::Index>(parts.mesh.nodes.size()), dim)),
       direction(displacement) {
+  constexpr double slanted = 0.5;  // cosine
   const std::vector<int> part = connected_parts(parts.mesh);
-  std::vector<char> placed(part.size(), 0);
+  std::set<int> placed;
   std::vector<Vector<dim>> x = in_space(parts.pairs, places, parts.mesh.nodes);
   for (bool moved = true; moved;) {
     moved = false;
     for (const MortarPair<dim>& pair : parts.pairs) {
-      const int slave = part[pair.slave.front()[0]], master = part[pair.master.front()[0]];
-      const Vector<dim>& e = pair.approach;
       const PairPlaces<dim> place(pair, places);
-      std::vector<char> held = placed;
+      const std::array<int, 2> numbers = {part[pair.slave.front()[0]],
+                                          part[pair.master.front()[0]]};
+      std::array<Vector<dim>, 2> along;  // of each side, in its frame, towards the other
       for (const std::size_t side : {0, 1}) {
-        const int own = side == 0 ? slave : master;
-        held[own] = held_parts<dim>(parts, part, place.of[side].turn.transpose() * e, placed)[own];
+        const Vector<dim> e = place.of[side].turn.transpose() * pair.approach;
+        along[side] = free_part<dim>(parts, part, numbers[side], side == 0 ? Vector<dim>(-e) : e);
       }
-      if (held[slave] == held[master]) continue;
-      const double travel = travel_to_touch<dim>(pair, x);
+      const auto stays = [&](std::size_t side) {
+        return placed.contains(numbers[side]) || along[side].norm() < slanted;
+      };
+      if (stays(0) == stays(1)) continue;
+      const std::size_t side = stays(0);
+      along[side].normalize();
+      const Vector<dim> in_space = place.of[side].turn * along[side];
+      const double travel =
+          travel_to_touch<dim>(pair, side == 0 ? Vector<dim>(-in_space) : in_space, x);
       if (!std::isfinite(travel)) continue;
-      const int floating = held[slave] ? master : slave;
-      placed[floating] = 1;
-      const Vector<dim> in_space = held[slave] ? e : Vector<dim>(-e);
-      const Vector<dim> along = place.of[held[slave]].turn.transpose() * in_space;
+      placed.insert(numbers[side]);
       for (std::size_t node = 0; node < part.size(); ++node) {
-        if (part[node] != floating) continue;
+        if (part[node] != numbers[side]) continue;
         x[node] += travel * in_space;
         const auto row = static_cast<Eigen::Index>(node);
-        for (int i = 0; i < dim; ++i)
-          if (!parts.supports.held(row, i)) {
-            displacement(row, i) = travel * along[i];
-            direction(row, i) = along[i];
-          }
+        displacement.row(row) = travel * along[side].transpose();
+        direction.row(row) = along[side].transpose();
       }
       moved = true;
     }
@@ -184,8 +186,10 @@ template std::vector<int> connected_parts(const Mesh<2>&, const std::vector<Body
 template std::vector<int> connected_parts(const Mesh<3>&, const std::vector<Body>&);
 template std::vector<int> body_of_nodes(const Mesh<2>&, const std::vector<int>&);
 template std::vector<int> body_of_nodes(const Mesh<3>&, const std::vector<int>&);
-template double travel_to_touch(const MortarPair<2>&, const std::vector<Vector<2>>&);
-template double travel_to_touch(const MortarPair<3>&, const std::vector<Vector<3>>&);
+template double travel_to_touch(const MortarPair<2>&, const Vector<2>&,
+                                const std::vector<Vector<2>>&);
+template double travel_to_touch(const MortarPair<3>&, const Vector<3>&,
+                                const std::vector<Vector<3>>&);
 template std::map<int, double> travels_of_slave(const MortarPair<2>&,
                                                 const std::vector<Vector<2>>&);
 template std::map<int, double> travels_of_slave(const MortarPair<3>&,

@@ -116,7 +116,7 @@ GapProfile gaps_of_pairs(const AssemblyParts<dim>& parts, const Patches<dim>& pa
   for (const Phase<dim>& phase : parts.instants()) {
     const auto x = in_space(parts.pairs, phase.places, parts.mesh.nodes);
     for (const MortarPair<dim>& pair : parts.pairs) {
-      const double first = travel_to_touch<dim>(pair, x);
+      const double first = travel_to_touch<dim>(pair, pair.approach, x);
       for (const auto& [node, travel] : travels_of_slave<dim>(pair, x)) {
         if (!std::isfinite(travel)) continue;
         const auto at = least.try_emplace(node, travel - first).first;
@@ -196,7 +196,7 @@ double given_overlap(const AssemblyParts<dim>& parts) {
     for (const Phase<dim>& phase : parts.instants()) {
       const auto x = in_space(parts.pairs, phase.places, parts.mesh.nodes);
       for (const MortarPair<dim>& pair : parts.pairs)
-        most = std::max(most, -travel_to_touch<dim>(pair, x));
+        most = std::max(most, -travel_to_touch<dim>(pair, pair.approach, x));
     }
     return most;
   }

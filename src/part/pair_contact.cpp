@@ -44,7 +44,7 @@ namespace {
 /// How far the bodies are apart where nothing but supports moves them.
 template <int dim>
 double gap_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x) {
-  const double travel = travel_to_touch<dim>(pair, x);
+  const double travel = travel_to_touch<dim>(pair, pair.approach, x);
   return std::isfinite(travel) ? std::max(0.0, travel) : 0;
 }
 
