@@ -95,6 +95,23 @@ TEST(PairPlaces, AnEccentricCamWearsAsItsPathSays) {
   EXPECT_LT(double(run.counters.krylov_iterations), 10.0 * double(run.counters.linear_solves));
 }
 
+// A tooth slides on the other one by the distance from the pitch point times the sum of the speeds
+// of rotation; force and path are those of the line of action.
+TEST(PairPlaces, GearTeethWearAsTheySlide) {
+  constexpr double base = 40 * 0.9396926, pressure_angle = 20 * M_PI / 180, half = 0.157;
+  constexpr int pieces = 1000;
+  double work = 0;  // of a unit of friction, over a mesh
+  for (int k = 0; k < pieces; ++k) {
+    const double angle = half * (2 * (k + 0.5) / pieces - 1);
+    work += 30 / std::cos(pressure_angle + angle / 2) * 1.5 * base * std::abs(angle) * 2 * half /
+            pieces;
+  }
+  const auto model = model_of("worn_body/gear_teeth.toml", {"mesh.factor=1.5", "time.cycles=3e4"});
+  const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 300);
+  EXPECT_NEAR(observed(*model, run.last(), "worn_volume_driven") / (1e-8 * work * 3e4), 1, 3e-3);
+  EXPECT_NEAR(observed(*model, run.last(), "worn_volume_driver") / (1e-10 * work * 3e4), 1, 3e-3);
+}
+
 TEST(PairPlaces, MistakesAreNamed) {
   EXPECT_THAT(refusal(cam, {R"(cycle.x="0.1*tau")"}), HasSubstr("expected motion.#.cycle.x"));
   EXPECT_THAT(refusal(cam, {R"(cycle.force="10")"}),

@@ -45,6 +45,8 @@ Overrides coarse(const std::string& scene) {
     return {"mesh.factor=3", "cycle.phases=6", "time.end=1000", "output.times=[]"};
   if (scene == "worn_body/ball_joint.toml")  // a single layer of elements
     return {"mesh.factor=4", "cycle.phases=4", "time.end=3e5", "output.times=[]"};
+  if (scene == "worn_body/gear_teeth.toml")
+    return {"mesh.factor=2", "cycle.phases=4", "time.end=100"};
   if (scene == "worn_body/hip.toml")
     return {"mesh.factor=1.5", "cycle.phases=1", "time.end=1e5"};
   if (scene == "worn_body/cylinder_worn.toml")
