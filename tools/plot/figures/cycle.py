@@ -14,17 +14,21 @@ MOST_TIMES = 3
 def draw(result):
     borders = parts_of_cycle(result.phases)
     line = curves.of(result)[0]
+    named = result.has_pairs and goes_back(result)
     steps = [0, *result.some_steps(MOST_TIMES)]
     maps = [map_of(result, line, step) for step in steps]
     figure = style.figure(width=style.DOUBLE, height=0.8 * style.SINGLE)
     panels = figure.subplots(1, len(steps), sharex=True, sharey=True, squeeze=False)[0]
     for axes, step, (where, values) in zip(panels, steps, maps):
         paint(figure, axes, where, borders, values)
-        axes.set_title("$t$ = " + result.clock.text(result.times[step]))
+        axes.set_title("$t$ = " + result.clock.text(result.times[step]), pad=12 if named else None)
         axes.set_xlabel(name_of(result, line))
     panels[0].set_ylabel("position in the cycle")
     panels[0].set_ylim(0, 1)
     panels[0].set_xlim(range_of(maps))
+    if named:
+        for axes in panels:
+            shape.name_bodies(axes, result, result.contact(0))
     return figure
 
 

@@ -219,6 +219,20 @@ class Result:
                 return first
             first = now
 
+    @cached_property
+    def names_of_bodies(self):
+        """Of bodies that are groups of cells, by the first node of the connected body."""
+        stored = self._read("mesh/parts")
+        names = {}
+        if stored is None:
+            return names
+        of_parts = zip(stored.attributes["names"], stored.attributes["kinds"])
+        for part, (name, kind) in enumerate(of_parts):
+            if _text(kind) == "cells":
+                cell = self._array(f"mesh/parts/{part}", "a part is not stored")[0]
+                names.setdefault(self.bodies[self.cells[cell, 0]], _text(name))
+        return names
+
     def _check_nodes(self, where, nodes):
         """Refuses negative numbers too, because Python would count them from the end."""
         count = len(self.points)

@@ -38,6 +38,8 @@ def draw(result):
         frame_depths(panel, along(first), last)
         panel.set_xlabel("length along the initial surface [mm]")
         panel.set_ylabel("wear depth [mm]")
+        if result.has_pairs:
+            name_bodies(panel, result, first)
     columns = min(4, style.legend_columns(handles, 0.9 * style.SINGLE))
     heights = [ratio] + [DEPTHS] * len(below)
     axes.get_gridspec().set_height_ratios(heights)
@@ -76,6 +78,20 @@ def along(table):
     """The length along the initial surface up to each row; from one surface to the next, straight."""
     steps = numpy.hypot(numpy.diff(table["X0"]), numpy.diff(table["Y0"]))
     return numpy.concatenate([[0], numpy.cumsum(steps)])
+
+
+def name_bodies(axes, result, table):
+    """Of two bodies that meet: whose surfaces follow each other along the axis, above it."""
+    length, bodies = along(table), result.bodies[table["node"]]
+    left, right = axes.get_xlim()
+    starts = numpy.flatnonzero(numpy.diff(bodies, prepend=-1))
+    for start, end in zip(starts, [*starts[1:], len(bodies)]):
+        low, high = max(length[start], left), min(length[end - 1], right)
+        if low < high:
+            axes.annotate(result.names_of_bodies.get(bodies[start], ""), ((low + high) / 2, 1),
+                          xycoords=("data", "axes fraction"), xytext=(0, 2),
+                          textcoords="offset points", ha="center", fontsize=7,
+                          annotation_clip=False)
 
 
 def frame_depths(axes, length, table):
