@@ -6,6 +6,7 @@
 #include <map>
 
 #include "model/rigid_balance.hpp"
+#include "model/tracks.hpp"
 
 namespace gnomon {
 
@@ -79,27 +80,6 @@ std::vector<int> surfaces_of_nodes(const std::vector<ContactPatch<dim>>& patches
   return result;
 }
 
-/// By contact node: the length of its part of a line along x, divided by that of the path.
-template <int dim>
-std::vector<double> weights_on_path(const std::vector<ContactPatch<dim>>& patches,
-                                    const Mesh<dim>& mesh, const CrossSection& section) {
-  std::map<int, std::vector<double>> lines;  // by section node, of those with contact: x
-  for (const ContactPatch<dim>& patch : patches) lines[section.of[patch.node]];
-  for (std::size_t node = 0; node < section.of.size(); ++node)
-    if (const auto line = lines.find(section.of[node]); line != lines.end())
-      line->second.push_back(mesh.nodes[node][0]);
-  for (auto& [node, x] : lines) std::ranges::sort(x);
-  std::vector<double> weights;
-  for (const ContactPatch<dim>& patch : patches) {
-    const std::vector<double>& x = lines.at(section.of[patch.node]);
-    const auto at = std::ranges::lower_bound(x, mesh.nodes[patch.node][0]);
-    const double before = at != x.begin() ? *at - *std::prev(at) : 0;
-    const double behind = std::next(at) != x.end() ? *std::next(at) - *at : 0;
-    weights.push_back((before + behind) / 2 / section.path);
-  }
-  return weights;
-}
-
 }  // namespace
 
 template <int dim>
@@ -151,8 +131,9 @@ Assembly<dim>::Assembly(AssemblyParts<dim> parts) : AssemblyParts<dim>(std::move
     for (const ContactPatch<dim>& patch : contact_nodes) nodes.push_back(patch.node);
     condensation = std::make_shared<const Condensation<dim>>(*this, nodes);
   }
-  if (this->cross_section)
-    wear_weight = weights_on_path(contact_nodes, this->mesh, *this->cross_section);
+  SharedShape shared = shared_shape(*this, contact_nodes);
+  carrier = std::move(shared.carrier);
+  wear_weight = std::move(shared.weight);
 }
 
 NodalFlags<2> held_on_axis(const Mesh<2>& mesh) {

@@ -236,6 +236,23 @@ Pressing pressing_of(const AssemblyParts<dim>& parts, double duration) {
   return {force, force * interface.history.integral(duration), given_overlap(parts)};
 }
 
+namespace {
+
+/// `rate`: of the volume, by force and length of the path. In the plane it is that of the depth; in
+/// space a groove gets wider.
+template <int dim>
+double depth_of_tracks(double rate, const Pressing& press, const Indentation& start,
+                       const GapProfile& gaps, double duration) {
+  if (rate == 0) return 0;
+  if (press.force == 0) return std::min(rate * start.force * duration, press.overlap);
+  const double section = rate * press.impulse;
+  if (dim == 2) return section;
+  const double width = width_of(start.area, true);
+  return std::min(section / width, gaps.depth_of(section * width));
+}
+
+}  // namespace
+
 template <int dim>
 Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   const Pressing press = pressing_of(parts, duration);
@@ -252,12 +269,17 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   scales.displacement =
       std::max(start.depth, start.force / (modulus * width_of(start.area, solid)));
   double k_v = 0, second = 0;  // of the surfaces that wear most; of pairs both recede
+  double by_track = 0;         // of those that wear by the mean along a track
   for (const Surface<dim>& surface : parts.interface.surfaces) {
     if (!surface.wears) continue;
     const double own = wear_by_pressure(surface.wear, {.pressure = start.force / start.area,
                                                        .friction = parts.interface.friction,
                                                        .speed = parts.nominal_speed(),
                                                        .duration = duration});
+    if (surface.track) {
+      by_track += own / surface.track->path;
+      continue;
+    }
     second = std::max(second, std::min(own, k_v));
     k_v = std::max(k_v, own);
   }
@@ -266,10 +288,13 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   const double worn = press.force > 0
                           ? k_v * press.impulse
                           : std::min(k_v * start.force * duration, gaps.volume(press.overlap));
-  result.deepest = worn > 0 ? gaps.depth_of(worn) : 0;
-  const double worn_area = std::max(gaps.area(result.deepest), start.area);
+  const double local = worn > 0 ? gaps.depth_of(worn) : 0,
+               track = depth_of_tracks<dim>(by_track, press, start, gaps, duration);
+  result.deepest = local + track;
+  // In the plane a track recedes as a whole, and does not widen the contact.
+  const double worn_area = std::max(gaps.area(dim == 2 ? local : result.deepest), start.area);
   scales.stress = start.force / worn_area;
-  scales.wear_depth = worn > 0 ? worn / worn_area : scales.displacement;
+  scales.wear_depth = result.deepest > 0 ? worn / worn_area + track : scales.displacement;
   const double half_width = solid ? std::sqrt(worn_area / M_PI) : worn_area / 2;
   result.slope = 2 * result.deepest / half_width;
   const auto [low, high] = Box<dim>::around(parts.mesh.nodes);

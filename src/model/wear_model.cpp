@@ -8,6 +8,7 @@
 
 #include "model/bring_together.hpp"
 #include "model/resultants.hpp"
+#include "model/tracks.hpp"
 
 namespace gnomon {
 
@@ -128,6 +129,7 @@ void observe_cells(const Assembly<dim>& body, const NodalField<dim>& d, double w
     if (!body.shape.gap) least = std::min(least, after / before);
     quality = std::min(quality, scaled_jacobian<dim>(body.shape.gap ? initial : X));
   }
+  for (const double beyond : worn_beyond_mesh(body, d)) worn += beyond;
   worn = sum_over_processes(worn) * body.copies;
   const auto& groove = body.cross_section;
   const double volume = groove ? worn * groove->path / groove->length : worn;
@@ -138,12 +140,14 @@ void observe_cells(const Assembly<dim>& body, const NodalField<dim>& d, double w
   if (groove) observed.push_back(common("groove_section", worn / groove->length));
 }
 
-/// What each body of pairs has lost, and loses: "worn_volume_pin", "wear_flux_pin".
+/// What each body of pairs has lost, and loses, with the whole of its tracks: "worn_volume_pin",
+/// "wear_flux_pin".
 template <int dim>
 void observe_bodies(const Assembly<dim>& body, const NodalField<dim>& d,
                     const std::vector<PhaseContact<dim>>& phases, int units,
                     Observation& observed) {
-  std::vector<double> worn(body.bodies.size(), 0), flux = worn;
+  std::vector<double> worn = worn_beyond_mesh(body, d), flux(body.bodies.size(), 0);
+  for (double& beyond : worn) beyond *= body.copies;
   const std::vector<int> owner = body_of_nodes(body.mesh, body.body_of);
   for (std::size_t c = 0; c < body.mesh.cells.size(); ++c) {
     const auto& cell = body.mesh.cells[c];

@@ -58,8 +58,7 @@ Field shape_field(const Assembly<dim>& body, const Scales& scales, int interior,
       d.row_scale(node, i) = scales.wear_depth / scales.duration;
     }
   }
-  if (body.cross_section)
-    for (int node : d.node) d.carrier.push_back(body.shape_node(node));
+  d.carrier = body.carrier;
   return d;
 }
 

@@ -117,7 +117,8 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
   std::vector<Surface<dim>> surfaces = surfaces_of(scene, part, parts.pairs);
   for (Surface<dim>& surface : surfaces)
     for (const Surface<dim>& before : parts.interface.surfaces)
-      if (before.wears && before.name == surface.name) surface.wear = before.wear;
+      if (before.wears && before.name == surface.name)
+        surface.wear = before.wear, surface.track = before.track;
   parts.interface.surfaces = std::move(surfaces);
 }
 

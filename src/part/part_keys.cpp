@@ -70,6 +70,11 @@ std::vector<Key> own_keys() {
       real_key("wear.surfaces.\"*\".coefficient", "1/MPa", absent("wear.coefficient"),
                {.min = 0, .max = positive_quantity.max},
                "wear coefficient of one of wear.on by its name, as wear.coefficient"),
+      real_key("wear.surfaces.\"*\".path", "mm", absent("it wears where it is in contact"),
+               positive_quantity,
+               "length of the track of one of wear.on whose material passes the contact of a "
+               "[[pair]] once in each turn, as that of a disc under a pin: it wears by the mean "
+               "along it"),
       {.name = "wear.surfaces.\"*\".rate",
        .kind = KeyKind::text,
        .unit = "mm/s",

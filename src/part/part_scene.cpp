@@ -25,6 +25,7 @@
 #include "part/stored_part.hpp"
 #include "part/supports.hpp"
 #include "part/surfaces.hpp"
+#include "part/tracks.hpp"
 
 namespace gnomon {
 
@@ -157,8 +158,10 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
   if (wears)
     mistakes.collect([&] {
       require_surface_names(scene);
-      for (Surface<dim>& surface : surfaces)
+      for (Surface<dim>& surface : surfaces) {
         surface.wear = read_surface_law(scene, surface.name, motion.speed);
+        refuse_track(scene, surface.name);
+      }
     });
   mistakes.require_none();
   AssemblyParts<dim> parts{.mesh = part.mesh,
@@ -181,8 +184,10 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
     require_free_contact(scene, part);
     require_surface_names(scene);
     for (Surface<dim>& surface : parts.interface.surfaces)
-      if (surface.wears)
+      if (surface.wears) {
         surface.wear = read_surface_law(scene, surface.name, *parts.interface.speed);
+        surface.track = read_track(scene, surface, parts);
+      }
   }
   if (!motion.phases) return parts;
   parts.cycle = motion.phases->contact;
@@ -253,10 +258,13 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   const std::optional<CyclicMotion<dim>> cycle =
       parts.cycle ? std::optional(parts.cycle->motion) : std::nullopt;
   if (cycle) require_gross_sliding(scene, *cycle, parts);
+  require_lines(scene, part, parts);
   const ShapeSupport<dim> support =
-      read_shape_support(scene, part, facets_of(wearing(parts.interface.surfaces)),
+      read_shape_support(scene, part, wearing(parts.interface.surfaces),
                          bonded_facets(parts.mesh, parts.bodies), magnitudes.deepest);
   parts.shape = read_shape_motion<dim>(scene, support.held, support.along);
+  require_receding_tracks(scene, parts);
+  append(parts.remarks, remarks_on_tracks(magnitudes, parts));
   if (std::isfinite(support.reach))
     parts.remarks.push_back(fmt::format(
         "the mesh moves within {:.3g} mm of the wearing surfaces (shape.reach)", support.reach));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/mesh/surface_lines.hpp>
 #include <limits>
 #include <map>
 
@@ -40,17 +41,31 @@ void hold(const typename Mesh<dim>::Facet& facet, const Held<dim>& held, HeldNod
   for (int node : facet) nodes.try_emplace(node, Held<dim>::Zero()).first->second += held;
 }
 
+/// What holds one node of a line of a track, holds all; and they do not move along it.
+template <int dim>
+void hold_lines(const Mesh<dim>& mesh, const Surface<dim>& surface, HeldNodes<dim>& nodes) {
+  const Vector<dim>& along = surface.track->along;
+  for (const auto& line : lines_of_surface(mesh, surface.facets, along).nodes) {
+    Held<dim> held = along * along.transpose();
+    for (const int node : line)
+      if (const auto own = nodes.find(node); own != nodes.end()) held += own->second;
+    for (const int node : line) nodes[node] = held;
+  }
+}
+
 template <int dim>
 HeldNodes<dim> held_nodes(const Scene& scene, const ImportedBody<dim>& part,
-                          const Facets<dim>& wearing, const Facets<dim>& bonded) {
+                          const std::vector<Surface<dim>>& wearing, const Facets<dim>& bonded) {
   HeldNodes<dim> nodes;
-  for (const auto& [facet, held] : held_by_sides<dim>(scene, part, wearing))
+  for (const auto& [facet, held] : held_by_sides<dim>(scene, part, facets_of(wearing)))
     hold<dim>(facet, held, nodes);
   for (const auto& [facet, held] : held_by_bonds<dim>(part.mesh, bonded))
     hold<dim>(facet, held, nodes);
   for (const std::string& name : scene.texts("shape.hold"))
     for (const auto& facet : group_facets(scene, "shape.hold", name, part))
       hold<dim>(facet, altogether<dim>(), nodes);
+  for (const Surface<dim>& surface : wearing)
+    if (surface.track) hold_lines(part.mesh, surface, nodes);
   return nodes;
 }
 
@@ -144,8 +159,8 @@ double default_reach(const Mesh<dim>& mesh, const Facets<dim>& wearing, double e
 
 template <int dim>
 ShapeSupport<dim> read_shape_support(const Scene& scene, const ImportedBody<dim>& part,
-                                     const Facets<dim>& wearing, const Facets<dim>& bonded,
-                                     double expected_depth) {
+                                     const std::vector<Surface<dim>>& wearing,
+                                     const Facets<dim>& bonded, double expected_depth) {
   const auto nodes = static_cast<Eigen::Index>(part.mesh.nodes.size());
   ShapeSupport<dim> support{.held = NodalFlags<dim>::Zero(nodes, dim)};
   if constexpr (dim == 2)
@@ -153,10 +168,11 @@ ShapeSupport<dim> read_shape_support(const Scene& scene, const ImportedBody<dim>
   for (const auto& [node, held] : held_nodes<dim>(scene, part, wearing, bonded))
     hold<dim>(node, held, support);
   support.reach =
-      scene.real_if("shape.reach").value_or(default_reach(part.mesh, wearing, expected_depth));
+      scene.real_if("shape.reach")
+          .value_or(default_reach(part.mesh, facets_of(wearing), expected_depth));
   if (!std::isfinite(support.reach)) return support;
   std::vector<char> worn(part.mesh.nodes.size());
-  for (const auto& facet : wearing)
+  for (const auto& facet : facets_of(wearing))
     for (int node : facet) worn[node] = 1;
   const NearNodes<dim> near(part.mesh, worn, support.reach);
   for (Eigen::Index node = 0; node < nodes; ++node)
@@ -164,9 +180,11 @@ ShapeSupport<dim> read_shape_support(const Scene& scene, const ImportedBody<dim>
   return support;
 }
 
-template ShapeSupport<2> read_shape_support(const Scene&, const ImportedBody<2>&, const Facets<2>&,
-                                            const Facets<2>&, double);
-template ShapeSupport<3> read_shape_support(const Scene&, const ImportedBody<3>&, const Facets<3>&,
-                                            const Facets<3>&, double);
+template ShapeSupport<2> read_shape_support(const Scene&, const ImportedBody<2>&,
+                                            const std::vector<Surface<2>>&, const Facets<2>&,
+                                            double);
+template ShapeSupport<3> read_shape_support(const Scene&, const ImportedBody<3>&,
+                                            const std::vector<Surface<3>>&, const Facets<3>&,
+                                            double);
 
 }  // namespace gnomon::part

@@ -57,7 +57,7 @@ WearLaw read_surface_law(const Scene& scene, const std::string& surface, double 
 
 void require_surface_names(const Scene& scene) {
   const std::vector<std::string>& surfaces = scene.texts("wear.on");
-  for (const char* key : {".rate", ".coefficient"})
+  for (const char* key : {".rate", ".coefficient", ".path"})
     for (const std::string& name : scene.chosen_names("wear.surfaces.\"*\"" + std::string(key)))
       if (std::ranges::find(surfaces, name, toml_key) == surfaces.end())
         throw InputError(fmt::format("{}: expected one of wear.on, \"{}\", in the place of {}",

@@ -79,6 +79,14 @@ struct Load {
   bool presses = false;  ///< it alone keeps the bodies together, so that it may not vanish
 };
 
+/// Where the material of a surface passes its partner once in a turn: each of its lines along the
+/// track wears by the mean along it, and recedes as a whole (sec. 4.3).
+template <int dim>
+struct Track {
+  Vector<dim> along;  ///< in which the material moves: unit
+  double path = 0;    ///< L, of which the mesh is a part [length]
+};
+
 /// A part of the boundary that can touch the counter-body.
 template <int dim>
 struct Surface {
@@ -86,6 +94,7 @@ struct Surface {
   std::vector<typename Mesh<dim>::Facet> facets;
   WearLaw wear;
   bool wears = true;  ///< else its shape follows the mesh motion, like that of the other boundary
+  std::optional<Track<dim>> track{};
 };
 
 /// Contact of the bodies with a rigid partner.
@@ -183,8 +192,9 @@ struct AssemblyParts {
 template <int dim>
 struct Assembly : AssemblyParts<dim> {
   /// Throws InputError where the parts do not fit: bodies that are not all cells, flags that are
-  /// not for all nodes, a surface without facets, elements that are too long, a load too small to
-  /// strain the bodies; what Condensation throws.
+  /// not for all nodes, a surface without facets, a track whose nodes lie on no lines or are not
+  /// held alike, elements that are too long, a load too small to strain the bodies; what
+  /// Condensation throws.
   explicit Assembly(AssemblyParts<dim> parts);
 
   std::vector<ContactPatch<dim>> contact_nodes;  ///< of all surfaces
@@ -200,18 +210,15 @@ struct Assembly : AssemblyParts<dim> {
   /// By contact node: whether it carries a multiplier. Sums over the contact are taken over these:
   /// the nodes of masters meet the same pressures a second time.
   std::vector<char> carries;
-  /// By contact node: its part in the wear rate of its shape unknowns; empty: 1. With a
-  /// cross-section, the length that it represents divided by the length of the path.
+  /// By node: that which carries its shape unknowns. Of a cross-section, and of tracks; empty: each
+  /// has its own.
+  std::vector<int> carrier;
+  /// By contact node: its part in the wear rate of its shape unknowns; empty: 1. Where it shares
+  /// them, the length that it represents divided by the length of the path.
   std::vector<double> wear_weight;
   std::vector<int> body_of;  ///< by cell
   /// Of a `condensed` assembly; null: none.
   std::shared_ptr<const Condensation<dim>> condensation;
-
-  /// The node that carries the shape unknowns of `node`.
-  int shape_node(int node) const {
-    const auto& uniform = this->cross_section;
-    return uniform ? uniform->node[uniform->of[node]] : node;
-  }
 };
 
 /// The force k A^ u^ of the moved ends of springs, at factor one, nodes x dim [force].

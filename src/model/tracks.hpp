@@ -1,0 +1,24 @@
+// Surfaces that are uniform along a line, as a groove along its track: nodes on a line share their
+// shape.
+#pragma once
+
+#include <gnomon/model/assembly.hpp>
+
+namespace gnomon {
+
+struct SharedShape {
+  std::vector<int> carrier;    ///< Assembly::carrier
+  std::vector<double> weight;  ///< Assembly::wear_weight
+};
+
+/// Of the cross-section, or of surfaces with a track; both are empty where there is neither. Throws
+/// InputError where the nodes of a line are not held alike.
+template <int dim>
+SharedShape shared_shape(const AssemblyParts<dim>& parts,
+                         const std::vector<ContactPatch<dim>>& patches);
+
+/// By body: what the rest of their tracks, of which the mesh is a part, has lost [volume].
+template <int dim>
+std::vector<double> worn_beyond_mesh(const Assembly<dim>& assembly, const NodalField<dim>& d);
+
+}  // namespace gnomon

@@ -1,0 +1,175 @@
+#include "part/tracks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/mesh/surface_lines.hpp>
+#include <gnomon/scene/toml_key.hpp>
+#include <set>
+
+#include "part/body_motions.hpp"
+#include "part/facing_facets.hpp"
+#include "part/groups.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+std::string path_key(const std::string& surface) {
+  return "wear.surfaces." + toml_key(surface) + ".path";
+}
+
+InputError unfit_track(const Scene& scene, const std::string& surface, const std::string& expected) {
+  return InputError(scene.where(path_key(surface)) + ": " + expected);
+}
+
+/// The body whose surface it is.
+template <int dim>
+const Body& body_of_track(const Scene& scene, const Surface<dim>& surface,
+                          const AssemblyParts<dim>& parts) {
+  const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
+  const int body = body_of(surface.facets.front());
+  for (const auto& facet : surface.facets)
+    if (body_of(facet) != body)
+      throw unfit_track(scene, surface.name, "expected a surface of one body");
+  return parts.bodies[static_cast<std::size_t>(body)];
+}
+
+/// Of what moves without turning, in the plane not across it.
+template <int dim>
+bool is_straight(const RigidMotion<dim>& motion) {
+  return motion.velocity.norm() > 0 && motion.spin.isZero(0) && motion.across == 0 &&
+         motion.across_by_x.isZero(0);
+}
+
+template <int dim>
+std::set<int> nodes_of_surface(const Surface<dim>& surface) {
+  std::set<int> nodes;
+  for (const auto& facet : surface.facets) nodes.insert(facet.begin(), facet.end());
+  return nodes;
+}
+
+/// A node wears by one law, and by the mean along a track or not.
+template <int dim>
+void require_own_nodes(const Scene& scene, const Surface<dim>& surface,
+                       const AssemblyParts<dim>& parts) {
+  const std::set<int> own = nodes_of_surface(surface);
+  for (const Surface<dim>& other : parts.interface.surfaces) {
+    if (&other == &surface || !other.wears) continue;
+    for (const int node : nodes_of_surface(other))
+      if (own.contains(node))
+        throw unfit_track(
+            scene, surface.name,
+            fmt::format("expected a surface that shares no node with another one that wears, but "
+                        "\"{}\" does",
+                        other.name));
+  }
+}
+
+}  // namespace
+
+void refuse_track(const Scene& scene, const std::string& surface) {
+  if (scene.given(path_key(surface)))
+    throw unfit_track(scene, surface,
+                      "expected none without [[pair]]; a groove under a rigid ball is problem = "
+                      "\"ball_on_half_space\"");
+}
+
+template <int dim>
+std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& surface,
+                                     const AssemblyParts<dim>& parts) {
+  const std::string key = path_key(surface.name);
+  if (!scene.given(key)) return {};
+  if (parts.section() == Section::meridian)
+    throw unfit_track(scene, surface.name,
+                      "expected none of a body of revolution: it wears alike all around");
+  if (!parts.phases.empty())
+    throw unfit_track(scene, surface.name, "expected none beside a cycle: a steady motion");
+  if (parts.shape.constraint == ConstraintForm::multiplier)
+    throw unfit_track(scene, surface.name, "expected shape.constraint = \"eliminated\"");
+  const std::string& body = body_of_track(scene, surface, parts).name;
+  const auto motions = read_motions_of_bodies<dim>(scene, parts.section());
+  const auto motion = motions.find(body);
+  if (motion == motions.end() || !is_straight(motion->second.motion))
+    throw unfit_track(
+        scene, surface.name,
+        fmt::format("expected a [[motion]] of \"{}\" with a velocity{} and without rotation: its "
+                    "material passes the contact along a straight line",
+                    body, dim == 2 ? " in the plane" : ""));
+  return Track<dim>{motion->second.motion.velocity.normalized(), scene.real(key)};
+}
+
+template <int dim>
+void require_lines(const Scene& scene, const ImportedBody<dim>& part,
+                   const AssemblyParts<dim>& parts) {
+  for (const Surface<dim>& surface : parts.interface.surfaces) {
+    if (!surface.track) continue;
+    const auto refuse = [&](const std::string& expected) {
+      return unfit_track(scene, surface.name, expected);
+    };
+    const auto& group = group_facets(scene, "wear.on", surface.name, part);
+    if (group.size() != surface.facets.size())
+      throw refuse(fmt::format("expected a surface that takes part in the contact as a whole, {} "
+                               "facets, got {} of them",
+                               group.size(), surface.facets.size()));
+    require_own_nodes(scene, surface, parts);
+    double length = 0;
+    try {
+      length = lines_of_surface(parts.mesh, surface.facets, surface.track->along).length;
+    } catch (const InputError& error) {
+      throw refuse(error.what());
+    }
+    constexpr double rounding = 1e-6;
+    if (surface.track->path < (1 - rounding) * length)
+      throw refuse(fmt::format("expected at least the length of its mesh along the track, {:.6g} "
+                               "mm, got {:g} mm",
+                               length, surface.track->path));
+  }
+}
+
+template <int dim>
+void require_receding_tracks(const Scene& scene, const AssemblyParts<dim>& parts) {
+  constexpr double freely = 0.1;  // part of the normal
+  for (const Surface<dim>& surface : parts.interface.surfaces) {
+    if (!surface.track) continue;
+    for (const auto& patch : contact_patches<dim>(parts.mesh, surface.facets))
+      if ((parts.shape.free(patch.node) * patch.initial_normal).norm() < freely)
+        throw unfit_track(
+            scene, surface.name,
+            "expected a surface that recedes as a whole, but a line of it is held: sides at both "
+            "ends of the track have to be planes across it, and those beside it planes along it");
+  }
+}
+
+template <int dim>
+std::vector<std::string> remarks_on_tracks(const Magnitudes& expected,
+                                           const AssemblyParts<dim>& parts) {
+  std::vector<std::string> remarks;
+  const double area = expected.scales.force / expected.scales.stress,
+               contact = dim == 2 ? area : std::sqrt(area);
+  for (const Surface<dim>& surface : parts.interface.surfaces) {
+    if (!surface.track) continue;
+    const auto& [along, path] = *surface.track;
+    remarks.push_back(fmt::format(
+        "\"{}\" wears by the mean along its track of {:g} mm: its mesh is {:.3g} mm of it, and "
+        "contact covers about {:.2g} %",
+        surface.name, path, lines_of_surface(parts.mesh, surface.facets, along).length,
+        100 * std::min(1.0, contact / path)));
+  }
+  return remarks;
+}
+
+template std::optional<Track<2>> read_track(const Scene&, const Surface<2>&,
+                                            const AssemblyParts<2>&);
+template std::optional<Track<3>> read_track(const Scene&, const Surface<3>&,
+                                            const AssemblyParts<3>&);
+template void require_lines(const Scene&, const ImportedBody<2>&, const AssemblyParts<2>&);
+template void require_lines(const Scene&, const ImportedBody<3>&, const AssemblyParts<3>&);
+template void require_receding_tracks(const Scene&, const AssemblyParts<2>&);
+template void require_receding_tracks(const Scene&, const AssemblyParts<3>&);
+template std::vector<std::string> remarks_on_tracks(const Magnitudes&, const AssemblyParts<2>&);
+template std::vector<std::string> remarks_on_tracks(const Magnitudes&, const AssemblyParts<3>&);
+
+}  // namespace gnomon::part

@@ -1,0 +1,38 @@
+// Surfaces that wear by the mean along a track: wear.surfaces.NAME.path.
+#pragma once
+
+#include <gnomon/mesh/imported_body.hpp>
+#include <gnomon/model/assembly.hpp>
+#include <gnomon/model/magnitudes.hpp>
+#include <gnomon/scene/scene.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gnomon::part {
+
+/// Without pairs: throws InputError where the scene gives the surface a path.
+void refuse_track(const Scene& scene, const std::string& surface);
+
+/// That of a surface of `parts`, which have pairs; none: it wears where it is in contact. Throws
+/// InputError where its material does not pass the contact along a straight line.
+template <int dim>
+std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& surface,
+                                     const AssemblyParts<dim>& parts);
+
+/// Throws InputError where the nodes of a track do not lie on lines along it, the mesh is longer
+/// than the path, or a part of the surface does not take part in the contact.
+template <int dim>
+void require_lines(const Scene& scene, const ImportedBody<dim>& part,
+                   const AssemblyParts<dim>& parts);
+
+/// Throws InputError where sides hold the shape of a line across the surface.
+template <int dim>
+void require_receding_tracks(const Scene& scene, const AssemblyParts<dim>& parts);
+
+/// How long the path is, the mesh and the contact.
+template <int dim>
+std::vector<std::string> remarks_on_tracks(const Magnitudes& expected,
+                                           const AssemblyParts<dim>& parts);
+
+}  // namespace gnomon::part

@@ -1,0 +1,167 @@
+// A surface that wears by the mean along its track: what it loses, on either side of a pair, in the
+// plane and in space.
+
+#include <cmath>
+
+#include "support/problem_run.hpp"
+#include "support/rough_state.hpp"
+#include "support/two_bodies.hpp"
+
+namespace gnomon::track_test {
+namespace {
+
+using namespace testing;
+
+/// The surface wears by the mean along a path, with the sliding along x.
+template <int dim>
+AssemblyParts<dim> with_track(AssemblyParts<dim> parts, const std::string& name, double path) {
+  for (Surface<dim>& surface : parts.interface.surfaces) {
+    if (surface.name != name) continue;
+    surface.track = Track<dim>{Vector<dim>::Unit(0), path};
+    for (const auto& facet : surface.facets)
+      for (const int node : facet) parts.shape.held(node, 0) = 1;
+  }
+  return parts;
+}
+
+/// A round pin, smaller than the flat block below, whose surface is the track; stiff, so that forces
+/// are those on the undeformed bodies to six digits.
+TwoBodies pin_on_track(bool track_is_slave) {
+  TwoBodies pair{.upper = {.along = 8, .high = 4, .from = 0.5, .to = 1.5, .young_modulus = 1e6},
+                 .lower = {.along = 12, .high = 4, .young_modulus = 1e6},
+                 .force = 20,
+                 .friction = 0.2,
+                 .lower_is_slave = track_is_slave};
+  pair.upper.surface = [](double x) { return 0.01 * (x - 1) * (x - 1); };
+  pair.upper.wear = 1e-6, pair.lower.wear = 4e-6;
+  return pair;
+}
+
+/// The least and the largest depth on a side of the pair.
+template <int dim>
+std::pair<double, double> depths(const WearModel<dim>& model, const State& state, bool slave) {
+  const ContactSurface surface = model.contact(state).value();
+  double low = 1e9, high = 0;
+  for (std::size_t c = 0; c < surface.node.size(); ++c)
+    if (bool(model.assembly().carries[c]) == slave)
+      low = std::min(low, surface.wear_depth[c]), high = std::max(high, surface.wear_depth[c]);
+  return {low, high};
+}
+
+TEST(Track, JacobianEqualsCentralDifferences) {
+  for (const bool track_is_slave : {false, true})
+    for (const NormalRule normal : {NormalRule::averaged, NormalRule::conservative}) {
+      SCOPED_TRACE(::testing::Message() << track_is_slave << int(normal));
+      TwoBodies pair{.upper = {.along = 4, .high = 2, .wear = 1e-3},
+                     .lower = {.along = 5, .high = 2, .wear = 2e-3},
+                     .friction = 0.3,
+                     .normal = normal,
+                     .lower_is_slave = track_is_slave};
+      const WearModel<2> model(std::make_shared<const Assembly<2>>(
+          with_track(two_bodies<2>(pair), "lower top", 5)));
+      check_jacobian(model.system(), 0, rough_state(model, {.every = 3}), 0.2, nullptr, 1e-6);
+    }
+}
+
+TEST(Track, JacobianEqualsCentralDifferencesInSpace) {
+  for (const bool track_is_slave : {false, true}) {
+    SCOPED_TRACE(track_is_slave);
+    TwoBodies pair{.upper = {.along = 2, .high = 1, .across = 2, .wear = 1e-3},
+                   .lower = {.along = 3, .high = 1, .across = 1, .from = 0.1, .wear = 2e-3},
+                   .friction = 0.3,
+                   .lower_is_slave = track_is_slave};
+    const WearModel<3> model(std::make_shared<const Assembly<3>>(
+        with_track(two_bodies<3>(pair), "lower top", 5)));
+    check_jacobian(model.system(), 0, rough_state(model, {.every = 3}), 0.2, nullptr, 1e-6);
+  }
+}
+
+/// What both bodies of a pair have lost, with the whole of the track of the lower one, by k F v t.
+template <int dim>
+void expect_volumes(const WearModel<dim>& model, const State& end, const TwoBodies& pair,
+                    double tolerance) {
+  const Observation observed = model.observe(end);
+  const double slid = pair.force * pair.speed * pair.duration;
+  EXPECT_NEAR(*value_of(observed, "worn_volume_upper") / (pair.upper.wear * slid), 1, tolerance);
+  EXPECT_NEAR(*value_of(observed, "worn_volume_lower") / (pair.lower.wear * slid), 1, tolerance);
+  EXPECT_NEAR(*value_of(observed, "wear_flux_lower") * pair.duration / (pair.lower.wear * slid), 1,
+              tolerance);
+  EXPECT_NEAR(*value_of(observed, "worn_volume") /
+                  (*value_of(observed, "worn_volume_upper") +
+                   *value_of(observed, "worn_volume_lower")),
+              1, 1e-12);
+}
+
+TEST(Track, RecedesUniformlyByTheMean) {
+  constexpr double path = 20;
+  for (const bool track_is_slave : {false, true}) {
+    SCOPED_TRACE(track_is_slave);
+    const TwoBodies pair = pin_on_track(track_is_slave);
+    const WearModel<2> model(std::make_shared<const Assembly<2>>(
+        with_track(two_bodies<2>(pair), "lower top", path)));
+    const State end = run_model(model, "esdirk-4", 0, 1e-6, pair.duration).last();
+    expect_volumes(model, end, pair, 2e-6);
+    const auto [low, high] = depths(model, end, track_is_slave);
+    EXPECT_NEAR(high / low, 1, 1e-12);
+    const double worn = pair.lower.wear * pair.force * pair.speed * pair.duration;
+    EXPECT_NEAR(high * path / worn, 1, 2e-6);
+  }
+}
+
+/// The end of the pin is also round across the track.
+AssemblyParts<3> round_pin_on_track(const TwoBodies& pair, double path) {
+  AssemblyParts<3> parts = two_bodies<3>(pair);
+  for (const int node : parts.mesh.boundary_nodes("bottom")) {
+    const double y = parts.mesh.nodes[static_cast<std::size_t>(node)][1];
+    parts.mesh.nodes[static_cast<std::size_t>(node)][2] += 0.02 * y * y;
+  }
+  return with_track(std::move(parts), "lower top", path);
+}
+
+// A groove, uniform along its lines and deepest where the pin is round.
+TEST(Track, HasAProfileAcrossInSpace) {
+  constexpr double path = 20;
+  for (const bool track_is_slave : {false, true}) {
+    SCOPED_TRACE(track_is_slave);
+    TwoBodies pair = pin_on_track(track_is_slave);
+    pair.upper.along = 3, pair.upper.high = 2, pair.upper.across = 4;
+    pair.lower.along = 5, pair.lower.high = 2, pair.lower.across = 3;
+    pair.lower.wear = 2e-4;
+    const WearModel<3> model(
+        std::make_shared<const Assembly<3>>(round_pin_on_track(pair, path)));
+    const State end = run_model(model, "esdirk-3", 0, 1e-5, pair.duration).last();
+    expect_volumes(model, end, pair, 2e-5);
+    const auto depth_at = [&](int along, int across) {
+      const NodalField<3> d = model.system().values(end.t, end.y).vector(
+          model.equations().fields().d);
+      for (std::size_t node = 0; node < model.assembly().mesh.nodes.size(); ++node)
+        if ((model.assembly().mesh.nodes[node] -
+             Vector<3>(2.0 * along / pair.lower.along, double(across) / pair.lower.across, 0))
+                .norm() < 1e-9 && model.assembly().body_of.size() > node)
+          return d.row(static_cast<Eigen::Index>(node)).norm();
+      return -1.0;
+    };
+    std::printf("%g %g %g\n", depth_at(0,0), depth_at(0,1), depth_at(0,3));
+  }
+}
+
+// Where all of the mesh is in contact, and the path is no longer, the mean is what each node wears.
+TEST(Track, OfUniformPressureWearsAsWithoutOne) {
+  for (const bool track_is_slave : {false, true}) {
+    TwoBodies pair{.upper = {.along = 3, .high = 2, .across = 2, .wear = 1e-5},
+                   .lower = {.along = 2, .high = 2, .across = 3, .wear = 2e-5},
+                   .lower_is_slave = track_is_slave};
+    const WearModel<3> mean(std::make_shared<const Assembly<3>>(
+        with_track(two_bodies<3>(pair), "lower top", 2)));
+    const WearModel<3> each(two_bodies<3>(pair));
+    const State end = run_model(mean, "sdirk-2", 25, 0, pair.duration).last(),
+                expected = run_model(each, "sdirk-2", 25, 0, pair.duration).last();
+    EXPECT_NEAR(depths(mean, end, track_is_slave).second,
+                depths(each, expected, track_is_slave).second, 1e-12);
+    EXPECT_NEAR(*value_of(mean.observe(end), "worn_volume_lower"),
+                *value_of(each.observe(expected), "worn_volume_lower"), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace gnomon::track_test
