@@ -84,6 +84,9 @@ void expect_volumes(const WearModel<dim>& model, const State& end, const TwoBodi
   const double slid = pair.force * pair.speed * pair.duration;
   EXPECT_NEAR(*value_of(observed, "worn_volume_upper") / (pair.upper.wear * slid), 1, tolerance);
   EXPECT_NEAR(*value_of(observed, "worn_volume_lower") / (pair.lower.wear * slid), 1, tolerance);
+  EXPECT_NEAR(*value_of(observed, "worn_volume_lower") / pair.lower.wear /
+                  (*value_of(observed, "worn_volume_upper") / pair.upper.wear),
+              1, 2e-6);
   EXPECT_NEAR(*value_of(observed, "wear_flux_lower") * pair.duration / (pair.lower.wear * slid), 1,
               tolerance);
   EXPECT_NEAR(*value_of(observed, "worn_volume") /
@@ -113,35 +116,45 @@ AssemblyParts<3> round_pin_on_track(const TwoBodies& pair, double path) {
   AssemblyParts<3> parts = two_bodies<3>(pair);
   for (const int node : parts.mesh.boundary_nodes("bottom")) {
     const double y = parts.mesh.nodes[static_cast<std::size_t>(node)][1];
-    parts.mesh.nodes[static_cast<std::size_t>(node)][2] += 0.02 * y * y;
+    parts.mesh.nodes[static_cast<std::size_t>(node)][2] += 0.002 * y * y;
   }
   return with_track(std::move(parts), "lower top", path);
 }
 
-// A groove, uniform along its lines and deepest where the pin is round.
+/// -1: there is no node.
+double depth_at(const WearModel<3>& model, const State& state, const Vector<3>& place) {
+  const std::vector<Vector<3>>& nodes = model.assembly().mesh.nodes;
+  const auto at = std::ranges::find_if(
+      nodes, [&](const Vector<3>& node) { return (node - place).norm() < 1e-9; });
+  if (at == nodes.end()) return -1;
+  return model.system()
+      .values(state.t, state.y)
+      .vector(model.equations().fields().d)
+      .row(at - nodes.begin())
+      .norm();
+}
+
+// A groove, uniform along its lines, and deepest under the middle of the pin.
 TEST(Track, HasAProfileAcrossInSpace) {
-  constexpr double path = 20;
   for (const bool track_is_slave : {false, true}) {
     SCOPED_TRACE(track_is_slave);
     TwoBodies pair = pin_on_track(track_is_slave);
     pair.upper.along = 3, pair.upper.high = 2, pair.upper.across = 4;
     pair.lower.along = 5, pair.lower.high = 2, pair.lower.across = 3;
-    pair.lower.wear = 2e-4;
-    const WearModel<3> model(
-        std::make_shared<const Assembly<3>>(round_pin_on_track(pair, path)));
-    const State end = run_model(model, "esdirk-3", 0, 1e-5, pair.duration).last();
-    expect_volumes(model, end, pair, 2e-5);
-    const auto depth_at = [&](int along, int across) {
-      const NodalField<3> d = model.system().values(end.t, end.y).vector(
-          model.equations().fields().d);
-      for (std::size_t node = 0; node < model.assembly().mesh.nodes.size(); ++node)
-        if ((model.assembly().mesh.nodes[node] -
-             Vector<3>(2.0 * along / pair.lower.along, double(across) / pair.lower.across, 0))
-                .norm() < 1e-9 && model.assembly().body_of.size() > node)
-          return d.row(static_cast<Eigen::Index>(node)).norm();
-      return -1.0;
-    };
-    std::printf("%g %g %g\n", depth_at(0,0), depth_at(0,1), depth_at(0,3));
+    pair.upper.young_modulus = pair.lower.young_modulus = 5e4;
+    pair.lower.wear = 2e-5;
+    const WearModel<3> model(std::make_shared<const Assembly<3>>(round_pin_on_track(pair, 20)));
+    const State end = run_model(model, "sdirk-2", 20, 0, pair.duration).last();
+    expect_volumes(model, end, pair, 5e-5);
+    double before = 1;
+    for (const double y : {0.0, 1.0 / 3, 2.0 / 3, 1.0}) {
+      const double depth = depth_at(model, end, {0, y, 0});
+      for (const double x : {0.4, 0.8, 1.2, 1.6, 2.0})
+        EXPECT_NEAR(depth_at(model, end, {x, y, 0}), depth, 1e-12 * depth);
+      EXPECT_LT(depth, before);
+      before = depth;
+    }
+    EXPECT_GT(before, 0);
   }
 }
 
