@@ -38,3 +38,4 @@ Physical Curve("tip") = {1, 2};
 Physical Curve("top") = {4};
 Physical Curve("track") = {11, 15};
 Physical Curve("base") = {13};
+Physical Curve("ends") = {12, 14};

@@ -11,6 +11,8 @@ namespace gnomon::track_test {
 namespace {
 
 using namespace testing;
+using ::testing::Contains;
+using ::testing::HasSubstr;
 
 /// The surface wears by the mean along a path, with the sliding along x.
 template <int dim>
@@ -174,6 +176,52 @@ TEST(Track, OfUniformPressureWearsAsWithoutOne) {
     EXPECT_NEAR(*value_of(mean.observe(end), "worn_volume_lower"),
                 *value_of(each.observe(expected), "worn_volume_lower"), 1e-12);
   }
+}
+
+constexpr const char* scene = "worn_body/pin_on_track.toml";
+
+TEST(TrackScene, ThePinAndTheDiscLoseWhatTheirLawsSay) {
+  const auto model = model_of(scene, {"mesh.factor=3"});
+  const State end = run_model(*model, "esdirk-3", 0, 1e-3, 2000).last();
+  const double slid = 100.0 * 100 * 2000;
+  EXPECT_NEAR(observed(*model, end, "worn_volume_pin") / (1e-8 * slid), 1, 3e-4);
+  EXPECT_NEAR(observed(*model, end, "worn_volume_disc") / (1e-7 * slid), 1, 3e-4);
+  EXPECT_LT(model->examine(end).lost_wear, 1e-12);
+  EXPECT_THAT(model->remarks,
+              Contains(HasSubstr("\"track\" wears by the mean along its track of 251.3 mm: its "
+                                 "mesh is 8 mm of it, and contact covers about 1")));
+}
+
+/// Overrides of the scene.
+std::string mistake(const Overrides& overrides) {
+  return refusal(scene, overrides);
+}
+
+TEST(TrackScene, MistakesAreNamed) {
+  const std::string key = "key `wear.surfaces.track.path`: expected ";
+  EXPECT_THAT(mistake({"wear.surfaces.track.path=7.0"}),
+              HasSubstr(key + "at least the length of its mesh along the track, 8 mm, got 7 mm"));
+  EXPECT_THAT(mistake({"motion.1.velocity=[100.0, 1.0]"}),
+              HasSubstr(key + "a surface whose nodes lie on lines along (0.99995, 0.0099995)"));
+  for (const char* motion : {"motion.1.body=pin", "motion.1.velocity=[100.0, 0.0, 1.0]",
+                             "motion.1.velocity=[0.0, 0.0, 100.0]"})
+    EXPECT_THAT(mistake({motion}), HasSubstr(key + "a [[motion]] of \"disc\" with a velocity in "));
+  EXPECT_THAT(mistake({"motion.1.rotation=1.0", "motion.1.center=[0.0, -4.0]"}),
+              HasSubstr("without rotation"));
+  EXPECT_THAT(mistake({R"(motion.1.cycle.x="0.1*sin(2*pi*tau)")", "cycle.period=1.0"}),
+              HasSubstr(key + "none beside a cycle"));
+  EXPECT_THAT(mistake({"shape.constraint=multiplier"}), HasSubstr(key));
+  EXPECT_THAT(mistake({R"(shape.hold=["base", "ends"])"}),
+              HasSubstr(key + "a surface that recedes as a whole"));
+  EXPECT_THAT(mistake({"wear.surfaces.trak.path=300.0"}),
+              HasSubstr("expected one of wear.on, \"tip\", \"track\""));
+  EXPECT_THAT(mistake({"wear.surfaces.tip.path=300.0"}),
+              HasSubstr("`wear.surfaces.tip.path`: expected a [[motion]] of \"pin\""));
+}
+
+TEST(TrackScene, IsOneOfAPair) {
+  EXPECT_THAT(refusal("worn_body/pin.toml", {"wear.surfaces.surface.path=300.0"}),
+              HasSubstr("expected none without [[pair]]"));
 }
 
 }  // namespace
