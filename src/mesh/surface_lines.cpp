@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/surface_lines.hpp>
 #include <set>
@@ -8,6 +9,75 @@
 namespace gnomon {
 
 namespace {
+
+/// Along and across the lines of a surface, all of them lengths.
+template <int dim>
+class LineCoordinates {
+public:
+  LineCoordinates(const Streamlines<dim>& lines, const std::vector<Vector<dim>>& points)
+      : lines_(lines), first_(points.front()) {
+    if (!lines.centre) return;
+    double least = radial(first_).norm(), most = least;
+    for (const Vector<dim>& x : points) {
+      least = std::min(least, radial(x).norm());
+      most = std::max(most, radial(x).norm());
+    }
+    radius_ = (least + most) / 2;
+  }
+  /// On circles, whose places begin here.
+  void begin_at(const Vector<dim>& x) { first_ = x; }
+
+  /// On circles the angle times their mean radius.
+  double place(const Vector<dim>& x) const {
+    if constexpr (dim == 3)
+      if (lines_.centre) {
+        constexpr double rounding = 1e-3;  // what is this little before the beginning is there
+        const Vector<3> from = radial(first_), to = radial(x);
+        const double angle = std::atan2(lines_.along.dot(from.cross(to)), from.dot(to));
+        return radius_ * (angle < -rounding ? angle + 2 * M_PI : angle);
+      }
+    return x.dot(lines_.along);
+  }
+  /// The same for all points of a line.
+  Vector<dim> across(const Vector<dim>& x) const {
+    if (!lines_.centre) return x - x.dot(lines_.along) * lines_.along;
+    return radial(x).norm() * Vector<dim>::Unit(0) +
+           (x - *lines_.centre).dot(lines_.along) * Vector<dim>::Unit(1);
+  }
+  double whole_circle() const { return 2 * M_PI * radius_; }
+
+private:
+  Vector<dim> radial(const Vector<dim>& x) const {
+    const Vector<dim> r = x - *lines_.centre;
+    return r - r.dot(lines_.along) * lines_.along;
+  }
+  const Streamlines<dim>& lines_;
+  Vector<dim> first_;
+  double radius_ = 0;
+};
+
+/// Nodes of one facet.
+template <int dim>
+class Neighbours {
+public:
+  explicit Neighbours(const std::vector<typename Mesh<dim>::Facet>& facets) {
+    for (const auto& facet : facets)
+      for (const int a : facet)
+        for (const int b : facet) pairs_.insert({a, b});
+  }
+  /// The first of the nodes of a circle, in its order, that no facet joins with that before it; -1:
+  /// the circle is closed.
+  int beginning(const std::vector<int>& circle) const {
+    for (std::size_t k = 0; k < circle.size(); ++k)
+      if (const int before = circle[(k + circle.size() - 1) % circle.size()];
+          circle.size() < 3 || !pairs_.contains({before, circle[k]}))
+        return circle[k];
+    return -1;
+  }
+
+private:
+  std::set<std::pair<int, int>> pairs_;
+};
 
 using Groups = std::vector<std::vector<int>>;
 
@@ -38,37 +108,53 @@ std::string point_text(const Vector<dim>& x) {
 template <int dim>
 SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
                               const std::vector<typename Mesh<dim>::Facet>& facets,
-                              const Vector<dim>& along) {
+                              const Streamlines<dim>& along) {
   constexpr double rounding = 1e-6;  // of the size of the surface: files have so many digits
-  std::set<int> nodes;
-  for (const auto& facet : facets) nodes.insert(facet.begin(), facet.end());
   const auto at = [&](int node) { return mesh.nodes[static_cast<std::size_t>(node)]; };
+  std::set<int> nodes;
+  std::vector<Vector<dim>> points;
   double size = 0;
-  for (const int node : nodes) size = std::max(size, (at(node) - at(*nodes.begin())).norm());
-  const double tolerance = rounding * size;
-  const auto place = [&](int node) { return at(node).dot(along); };
-  Groups lines = {{nodes.begin(), nodes.end()}};
+  for (const auto& facet : facets) nodes.insert(facet.begin(), facet.end());
+  for (const int node : nodes) {
+    points.push_back(at(node));
+    size = std::max(size, (points.back() - points.front()).norm());
+  }
+  LineCoordinates<dim> coordinates(along, points);
+  const auto place = [&](int node) { return coordinates.place(at(node)); };
+  SurfaceLines lines{.nodes = {{nodes.begin(), nodes.end()}}};
   for (int i = 0; i < dim; ++i)
-    lines = divided(lines, tolerance,
-                    [&](int node) { return at(node)[i] - place(node) * along[i]; });
+    lines.nodes = divided(lines.nodes, rounding * size,
+                          [&](int node) { return coordinates.across(at(node))[i]; });
+  const auto sort = [&](std::vector<int>& line) { std::ranges::sort(line, {}, place); };
+  const Neighbours<dim> neighbours(facets);
+  bool closed = false;
+  if (along.centre) {
+    sort(lines.nodes.front());
+    const int first = neighbours.beginning(lines.nodes.front());
+    closed = first < 0;
+    if (!closed) coordinates.begin_at(at(first));
+  }
+  std::ranges::for_each(lines.nodes, sort);
   const auto [first, last] = std::ranges::minmax_element(nodes, {}, place);
   const double low = place(*first), high = place(*last);
-  for (std::vector<int>& line : lines) {
-    std::ranges::sort(line, {}, place);
+  lines.length = closed ? coordinates.whole_circle() : high - low;
+  for (const std::vector<int>& line : lines.nodes) {
     const double from = place(line.front()), to = place(line.back());
-    if (from - low > tolerance || high - to > tolerance)
-      throw InputError(fmt::format(
-          "expected a surface whose nodes lie on lines along {}, each {:.6g} mm long from one end "
-          "of the surface to the other, but that through {} goes on for {:.6g} mm",
-          point_text<dim>(along), high - low,
-          point_text<dim>(at(line.front())), to - from));
+    if (closed ? neighbours.beginning(line) < 0
+               : std::max(from - low, high - to) <= rounding * size)
+      continue;
+    throw InputError(fmt::format(
+        "expected a surface whose nodes lie on {} {}, each {:.6g} mm long from one end of the "
+        "surface to the other, but that through {} goes on for {:.6g} mm",
+        along.centre ? "circles about" : "lines along", point_text<dim>(along.along), lines.length,
+        point_text<dim>(at(line.front())), to - from));
   }
-  return {std::move(lines), high - low};
+  return lines;
 }
 
 template SurfaceLines lines_of_surface(const Mesh<2>&, const std::vector<Mesh<2>::Facet>&,
-                                       const Vector<2>&);
+                                       const Streamlines<2>&);
 template SurfaceLines lines_of_surface(const Mesh<3>&, const std::vector<Mesh<3>::Facet>&,
-                                       const Vector<3>&);
+                                       const Streamlines<3>&);
 
 }  // namespace gnomon

@@ -134,6 +134,7 @@ Assembly<dim>::Assembly(AssemblyParts<dim> parts) : AssemblyParts<dim>(std::move
   SharedShape shared = shared_shape(*this, contact_nodes);
   carrier = std::move(shared.carrier);
   wear_weight = std::move(shared.weight);
+  track_length = std::move(shared.length);
 }
 
 NodalFlags<2> held_on_axis(const Mesh<2>& mesh) {

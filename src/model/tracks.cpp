@@ -1,7 +1,6 @@
 #include "model/tracks.hpp"
 
 #include <gnomon/base/error.hpp>
-#include <gnomon/mesh/surface_lines.hpp>
 #include <numeric>
 
 #include "model/bring_together.hpp"
@@ -18,7 +17,8 @@ struct UniformLine {
 
 std::vector<UniformLine> lines_of(const CrossSection& section) {
   std::vector<UniformLine> lines;
-  for (const int carrier : section.node) lines.push_back({{carrier}, section.length / section.path});
+  for (const int carrier : section.node)
+    lines.push_back({{carrier}, section.length / section.path});
   for (std::size_t node = 0; node < section.of.size(); ++node)
     if (UniformLine& line = lines[section.of[node]]; line.nodes.front() != static_cast<int>(node))
       line.nodes.push_back(static_cast<int>(node));
@@ -32,16 +32,21 @@ void require_alike(const UniformLine& line, const ShapeMotion<dim>& shape) {
   const Tensor<dim> first = shape.free(line.nodes.front());
   for (const int node : line.nodes)
     if (!(shape.free(node) - first).isZero(rounding))
-      throw InputError("an assembly: expected nodes of a line of a track whose shape is held alike");
+      throw InputError(
+          "an assembly: expected nodes of a line of a track whose shape is held alike");
 }
 
+/// `length`: of each surface's; 0: it has no track.
 template <int dim>
-std::vector<UniformLine> uniform_lines(const AssemblyParts<dim>& parts) {
+std::vector<UniformLine> uniform_lines(const AssemblyParts<dim>& parts,
+                                       std::vector<double>& length) {
   if (parts.cross_section) return lines_of(*parts.cross_section);
   std::vector<UniformLine> result;
   for (const Surface<dim>& surface : parts.interface.surfaces) {
+    length.push_back(0);
     if (!surface.track) continue;
     SurfaceLines lines = lines_of_surface(parts.mesh, surface.facets, surface.track->along);
+    length.back() = lines.length;
     for (std::vector<int>& nodes : lines.nodes) {
       result.push_back({std::move(nodes), lines.length / surface.track->path});
       require_alike(result.back(), parts.shape);
@@ -58,9 +63,9 @@ std::vector<UniformLine> uniform_lines(const AssemblyParts<dim>& parts) {
 template <int dim>
 SharedShape shared_shape(const AssemblyParts<dim>& parts,
                          const std::vector<ContactPatch<dim>>& patches) {
-  const std::vector<UniformLine> lines = uniform_lines(parts);
-  if (lines.empty()) return {};
   SharedShape result;
+  const std::vector<UniformLine> lines = uniform_lines(parts, result.length);
+  if (lines.empty()) return {};
   result.carrier.resize(parts.mesh.nodes.size());
   std::iota(result.carrier.begin(), result.carrier.end(), 0);
   std::vector<double> area(parts.mesh.nodes.size(), 0), weight(parts.mesh.nodes.size(), 1);
@@ -100,13 +105,12 @@ template <int dim>
 std::vector<double> worn_beyond_mesh(const Assembly<dim>& assembly, const NodalField<dim>& d) {
   std::vector<double> result(assembly.bodies.size(), 0);
   const std::vector<int> owner = body_of_nodes(assembly.mesh, assembly.body_of);
-  for (const Surface<dim>& surface : assembly.interface.surfaces) {
+  for (std::size_t s = 0; s < assembly.interface.surfaces.size(); ++s) {
+    const Surface<dim>& surface = assembly.interface.surfaces[s];
     if (!surface.track) continue;
-    const auto& [along, path] = *surface.track;
-    const double length = lines_of_surface(assembly.mesh, surface.facets, along).length;
+    const double beyond = surface.track->path / assembly.track_length[s] - 1;
     for (const auto& facet : surface.facets)
-      result[owner[facet.front()]] +=
-          (path / length - 1) * volume_behind<dim>(assembly.mesh, facet, d);
+      result[owner[facet.front()]] += beyond * volume_behind<dim>(assembly.mesh, facet, d);
   }
   return result;
 }

@@ -9,6 +9,7 @@ namespace gnomon {
 struct SharedShape {
   std::vector<int> carrier;    ///< Assembly::carrier
   std::vector<double> weight;  ///< Assembly::wear_weight
+  std::vector<double> length;  ///< Assembly::track_length
 };
 
 /// Of the cross-section, or of surfaces with a track; both are empty where there is neither. Throws

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <gnomon/mesh/surface_lines.hpp>
 #include <limits>
 #include <map>
 
@@ -41,12 +40,11 @@ void hold(const typename Mesh<dim>::Facet& facet, const Held<dim>& held, HeldNod
   for (int node : facet) nodes.try_emplace(node, Held<dim>::Zero()).first->second += held;
 }
 
-/// What holds one node of a line of a track, holds all; and they do not move along it.
+/// What holds one node of a line of a track, holds all.
 template <int dim>
 void hold_lines(const Mesh<dim>& mesh, const Surface<dim>& surface, HeldNodes<dim>& nodes) {
-  const Vector<dim>& along = surface.track->along;
-  for (const auto& line : lines_of_surface(mesh, surface.facets, along).nodes) {
-    Held<dim> held = along * along.transpose();
+  for (const auto& line : lines_of_surface(mesh, surface.facets, surface.track->along).nodes) {
+    Held<dim> held = surface.track->along.held();
     for (const int node : line)
       if (const auto own = nodes.find(node); own != nodes.end()) held += own->second;
     for (const int node : line) nodes[node] = held;
@@ -167,9 +165,8 @@ ShapeSupport<dim> read_shape_support(const Scene& scene, const ImportedBody<dim>
     if (section_of(scene) == Section::meridian) support.held = held_on_axis(part.mesh);
   for (const auto& [node, held] : held_nodes<dim>(scene, part, wearing, bonded))
     hold<dim>(node, held, support);
-  support.reach =
-      scene.real_if("shape.reach")
-          .value_or(default_reach(part.mesh, facets_of(wearing), expected_depth));
+  support.reach = scene.real_if("shape.reach")
+                      .value_or(default_reach(part.mesh, facets_of(wearing), expected_depth));
   if (!std::isfinite(support.reach)) return support;
   std::vector<char> worn(part.mesh.nodes.size());
   for (const auto& facet : facets_of(wearing))

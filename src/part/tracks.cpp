@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
-#include <gnomon/mesh/surface_lines.hpp>
 #include <gnomon/scene/toml_key.hpp>
 #include <set>
 
@@ -21,7 +20,8 @@ std::string path_key(const std::string& surface) {
   return "wear.surfaces." + toml_key(surface) + ".path";
 }
 
-InputError unfit_track(const Scene& scene, const std::string& surface, const std::string& expected) {
+InputError unfit_track(const Scene& scene, const std::string& surface,
+                       const std::string& expected) {
   return InputError(scene.where(path_key(surface)) + ": " + expected);
 }
 
@@ -37,11 +37,22 @@ const Body& body_of_track(const Scene& scene, const Surface<dim>& surface,
   return parts.bodies[static_cast<std::size_t>(body)];
 }
 
-/// Of what moves without turning, in the plane not across it.
+/// Straight lines, or in space circles; none of what moves otherwise, or across the plane.
 template <int dim>
-bool is_straight(const RigidMotion<dim>& motion) {
-  return motion.velocity.norm() > 0 && motion.spin.isZero(0) && motion.across == 0 &&
-         motion.across_by_x.isZero(0);
+std::optional<Streamlines<dim>> streamlines_of(const RigidMotion<dim>& motion) {
+  constexpr double rounding = 1e-12;
+  if (motion.across != 0 || !motion.across_by_x.isZero(0)) return {};
+  if (motion.spin.isZero(0)) {
+    if (motion.velocity.norm() == 0) return {};
+    return Streamlines<dim>{motion.velocity.normalized()};
+  }
+  if constexpr (dim == 3) {
+    const Vector<3> spin(motion.spin(2, 1), motion.spin(0, 2), motion.spin(1, 0)),
+        v = motion.velocity;
+    if (std::abs(v.dot(spin)) <= rounding * v.norm() * spin.norm())
+      return Streamlines<3>{spin.normalized(), Vector<3>(spin.cross(v) / spin.squaredNorm())};
+  }
+  return {};
 }
 
 template <int dim>
@@ -92,13 +103,16 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
   const std::string& body = body_of_track(scene, surface, parts).name;
   const auto motions = read_motions_of_bodies<dim>(scene, parts.section());
   const auto motion = motions.find(body);
-  if (motion == motions.end() || !is_straight(motion->second.motion))
+  const auto along = motion == motions.end() ? std::nullopt : streamlines_of(motion->second.motion);
+  if (!along)
     throw unfit_track(
         scene, surface.name,
-        fmt::format("expected a [[motion]] of \"{}\" with a velocity{} and without rotation: its "
-                    "material passes the contact along a straight line",
-                    body, dim == 2 ? " in the plane" : ""));
-  return Track<dim>{motion->second.motion.velocity.normalized(), scene.real(key)};
+        fmt::format(
+            "expected a [[motion]] of \"{}\" with {}: its material passes the "
+            "contact",
+            body,
+            dim == 2 ? "a velocity in the plane, and no rotation" : "a velocity, or a rotation"));
+  return Track<dim>{*along, scene.real(key)};
 }
 
 template <int dim>
@@ -111,9 +125,10 @@ void require_lines(const Scene& scene, const ImportedBody<dim>& part,
     };
     const auto& group = group_facets(scene, "wear.on", surface.name, part);
     if (group.size() != surface.facets.size())
-      throw refuse(fmt::format("expected a surface that takes part in the contact as a whole, {} "
-                               "facets, got {} of them",
-                               group.size(), surface.facets.size()));
+      throw refuse(
+          fmt::format("expected a surface that takes part in the contact as a whole, {} "
+                      "facets, got {} of them",
+                      group.size(), surface.facets.size()));
     require_own_nodes(scene, surface, parts);
     double length = 0;
     try {
@@ -123,9 +138,10 @@ void require_lines(const Scene& scene, const ImportedBody<dim>& part,
     }
     constexpr double rounding = 1e-6;
     if (surface.track->path < (1 - rounding) * length)
-      throw refuse(fmt::format("expected at least the length of its mesh along the track, {:.6g} "
-                               "mm, got {:g} mm",
-                               length, surface.track->path));
+      throw refuse(
+          fmt::format("expected at least the length of its mesh along the track, {:.6g} "
+                      "mm, got {:g} mm",
+                      length, surface.track->path));
   }
 }
 
@@ -138,8 +154,14 @@ void require_receding_tracks(const Scene& scene, const AssemblyParts<dim>& parts
       if ((parts.shape.free(patch.node) * patch.initial_normal).norm() < freely)
         throw unfit_track(
             scene, surface.name,
-            "expected a surface that recedes as a whole, but a line of it is held: sides at both "
-            "ends of the track have to be planes across it, and those beside it planes along it");
+            surface.track->along.centre
+                ? "expected a surface that recedes along the axis of rotation, but a circle of it "
+                  "is held: sides at both ends of the track have to be planes through the axis, "
+                  "and "
+                  "those beside it round"
+                : "expected a surface that recedes as a whole, but a line of it is held: sides at "
+                  "both ends of the track have to be planes across it, and those beside it planes "
+                  "along it");
   }
 }
 

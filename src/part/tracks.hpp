@@ -15,7 +15,7 @@ namespace gnomon::part {
 void refuse_track(const Scene& scene, const std::string& surface);
 
 /// That of a surface of `parts`, which have pairs; none: it wears where it is in contact. Throws
-/// InputError where its material does not pass the contact along a straight line.
+/// InputError where its material does not pass the contact along straight lines or circles.
 template <int dim>
 std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& surface,
                                      const AssemblyParts<dim>& parts);

@@ -19,15 +19,15 @@ template <int dim>
 AssemblyParts<dim> with_track(AssemblyParts<dim> parts, const std::string& name, double path) {
   for (Surface<dim>& surface : parts.interface.surfaces) {
     if (surface.name != name) continue;
-    surface.track = Track<dim>{Vector<dim>::Unit(0), path};
+    surface.track = Track<dim>{{Vector<dim>::Unit(0)}, path};
     for (const auto& facet : surface.facets)
       for (const int node : facet) parts.shape.held(node, 0) = 1;
   }
   return parts;
 }
 
-/// A round pin, smaller than the flat block below, whose surface is the track; stiff, so that forces
-/// are those on the undeformed bodies to six digits.
+/// A round pin, smaller than the flat block below, whose surface is the track; stiff, so that
+/// forces are those on the undeformed bodies to six digits.
 TwoBodies pin_on_track(bool track_is_slave) {
   TwoBodies pair{.upper = {.along = 8, .high = 4, .from = 0.5, .to = 1.5, .young_modulus = 1e6},
                  .lower = {.along = 12, .high = 4, .young_modulus = 1e6},
@@ -59,8 +59,8 @@ TEST(Track, JacobianEqualsCentralDifferences) {
                      .friction = 0.3,
                      .normal = normal,
                      .lower_is_slave = track_is_slave};
-      const WearModel<2> model(std::make_shared<const Assembly<2>>(
-          with_track(two_bodies<2>(pair), "lower top", 5)));
+      const WearModel<2> model(
+          std::make_shared<const Assembly<2>>(with_track(two_bodies<2>(pair), "lower top", 5)));
       check_jacobian(model.system(), 0, rough_state(model, {.every = 3}), 0.2, nullptr, 1e-6);
     }
 }
@@ -72,8 +72,8 @@ TEST(Track, JacobianEqualsCentralDifferencesInSpace) {
                    .lower = {.along = 3, .high = 1, .across = 1, .from = 0.1, .wear = 2e-3},
                    .friction = 0.3,
                    .lower_is_slave = track_is_slave};
-    const WearModel<3> model(std::make_shared<const Assembly<3>>(
-        with_track(two_bodies<3>(pair), "lower top", 5)));
+    const WearModel<3> model(
+        std::make_shared<const Assembly<3>>(with_track(two_bodies<3>(pair), "lower top", 5)));
     check_jacobian(model.system(), 0, rough_state(model, {.every = 3}), 0.2, nullptr, 1e-6);
   }
 }
@@ -91,9 +91,8 @@ void expect_volumes(const WearModel<dim>& model, const State& end, const TwoBodi
               1, 2e-6);
   EXPECT_NEAR(*value_of(observed, "wear_flux_lower") * pair.duration / (pair.lower.wear * slid), 1,
               tolerance);
-  EXPECT_NEAR(*value_of(observed, "worn_volume") /
-                  (*value_of(observed, "worn_volume_upper") +
-                   *value_of(observed, "worn_volume_lower")),
+  EXPECT_NEAR(*value_of(observed, "worn_volume") / (*value_of(observed, "worn_volume_upper") +
+                                                    *value_of(observed, "worn_volume_lower")),
               1, 1e-12);
 }
 
@@ -102,8 +101,8 @@ TEST(Track, RecedesUniformlyByTheMean) {
   for (const bool track_is_slave : {false, true}) {
     SCOPED_TRACE(track_is_slave);
     const TwoBodies pair = pin_on_track(track_is_slave);
-    const WearModel<2> model(std::make_shared<const Assembly<2>>(
-        with_track(two_bodies<2>(pair), "lower top", path)));
+    const WearModel<2> model(
+        std::make_shared<const Assembly<2>>(with_track(two_bodies<2>(pair), "lower top", path)));
     const State end = run_model(model, "esdirk-4", 0, 1e-6, pair.duration).last();
     expect_volumes(model, end, pair, 2e-6);
     const auto [low, high] = depths(model, end, track_is_slave);
@@ -160,14 +159,55 @@ TEST(Track, HasAProfileAcrossInSpace) {
   }
 }
 
+/// The pair bent about the z axis: the shape moves along that alone.
+AssemblyParts<3> ring_of(const TwoBodies& pair, double path) {
+  constexpr double radius = 2, angle = 0.3;
+  AssemblyParts<3> parts = two_bodies<3>(pair);
+  for (Vector<3>& x : parts.mesh.nodes) {
+    const double r = radius + x[1], turn = angle * (x[0] - 1);
+    x = Vector<3>(r * std::sin(turn), r * std::cos(turn), x[2]);
+  }
+  parts.shape.held.leftCols<2>().setOnes();
+  const double rate = pair.lower_is_slave ? 1 : -1;  // of the master; the lower one turns along x
+  parts.pairs.front().motion =
+      rigid_motion<3>(Vector<3>::Zero(), spin_about(Vector<3>::UnitZ(), rate), Vector<3>::Zero());
+  parts.interface.surfaces.back().track = Track<3>{{Vector<3>::UnitZ(), Vector<3>::Zero()}, path};
+  return parts;
+}
+
+// Each circle has a path of its own, in proportion to its radius.
+TEST(Track, MayBeRound) {
+  constexpr double part = 0.05;  // of the circles in the mesh, 0.6 rad
+  for (const bool track_is_slave : {false, true}) {
+    SCOPED_TRACE(track_is_slave);
+    TwoBodies pair{.upper = {.along = 2, .high = 1, .across = 3, .from = 0.5, .to = 1.5},
+                   .lower = {.along = 3, .high = 2, .across = 2},
+                   .friction = 0.2,
+                   .lower_is_slave = track_is_slave};
+    pair.upper.wear = 1e-5, pair.lower.wear = 8e-5;
+    const WearModel<3> model(std::make_shared<const Assembly<3>>(ring_of(pair, 0.6 * 2.5 / part)));
+    check_jacobian(model.system(), 0, rough_state(model, {.every = 3}), 0.2, nullptr, 1e-6);
+    const State end = run_model(model, "sdirk-2", 20, 0, pair.duration).last();
+    const Observation observed = model.observe(end);
+    EXPECT_NEAR(*value_of(observed, "worn_volume_lower") / *value_of(observed, "worn_volume_upper"),
+                8, 1e-6);
+    for (const double r : {2.0, 2.5, 3.0}) {
+      const double depth = depth_at(model, end, {-r * std::sin(0.3), r * std::cos(0.3), 0});
+      EXPECT_NEAR(depth_at(model, end, {r * std::sin(0.3), r * std::cos(0.3), 0}), depth,
+                  1e-12 * depth);
+      EXPECT_GT(depth, 0);
+    }
+  }
+}
+
 // Where all of the mesh is in contact, and the path is no longer, the mean is what each node wears.
 TEST(Track, OfUniformPressureWearsAsWithoutOne) {
   for (const bool track_is_slave : {false, true}) {
     TwoBodies pair{.upper = {.along = 3, .high = 2, .across = 2, .wear = 1e-5},
                    .lower = {.along = 2, .high = 2, .across = 3, .wear = 2e-5},
                    .lower_is_slave = track_is_slave};
-    const WearModel<3> mean(std::make_shared<const Assembly<3>>(
-        with_track(two_bodies<3>(pair), "lower top", 2)));
+    const WearModel<3> mean(
+        std::make_shared<const Assembly<3>>(with_track(two_bodies<3>(pair), "lower top", 2)));
     const WearModel<3> each(two_bodies<3>(pair));
     const State end = run_model(mean, "sdirk-2", 25, 0, pair.duration).last(),
                 expected = run_model(each, "sdirk-2", 25, 0, pair.duration).last();
@@ -198,25 +238,26 @@ std::string mistake(const Overrides& overrides) {
 }
 
 TEST(TrackScene, MistakesAreNamed) {
-  const std::string key = "key `wear.surfaces.track.path`: expected ";
+  const std::string key = "wear.surfaces.track.path`: expected ";
   EXPECT_THAT(mistake({"wear.surfaces.track.path=7.0"}),
-              HasSubstr(key + "at least the length of its mesh along the track, 8 mm, got 7 mm"));
+              HasSubstr("at least the length of its mesh along the track, 8 mm, got 7 mm"));
   EXPECT_THAT(mistake({"motion.1.velocity=[100.0, 1.0]"}),
               HasSubstr(key + "a surface whose nodes lie on lines along (0.99995, 0.0099995)"));
   for (const char* motion : {"motion.1.body=pin", "motion.1.velocity=[100.0, 0.0, 1.0]",
                              "motion.1.velocity=[0.0, 0.0, 100.0]"})
     EXPECT_THAT(mistake({motion}), HasSubstr(key + "a [[motion]] of \"disc\" with a velocity in "));
   EXPECT_THAT(mistake({"motion.1.rotation=1.0", "motion.1.center=[0.0, -4.0]"}),
-              HasSubstr("without rotation"));
-  EXPECT_THAT(mistake({R"(motion.1.cycle.x="0.1*sin(2*pi*tau)")", "cycle.period=1.0"}),
+              HasSubstr("and no rotation"));
+  const std::string cycle = R"(motion.1.cycle.x="0.1*tau")",
+                    held = R"(shape.hold=["base", "ends"])";
+  EXPECT_THAT(mistake({cycle, "cycle.period=1.0", "cycle.phases=4"}),
               HasSubstr(key + "none beside a cycle"));
   EXPECT_THAT(mistake({"shape.constraint=multiplier"}), HasSubstr(key));
-  EXPECT_THAT(mistake({R"(shape.hold=["base", "ends"])"}),
-              HasSubstr(key + "a surface that recedes as a whole"));
+  EXPECT_THAT(mistake({held}), HasSubstr(key + "a surface that recedes as a whole"));
   EXPECT_THAT(mistake({"wear.surfaces.trak.path=300.0"}),
               HasSubstr("expected one of wear.on, \"tip\", \"track\""));
   EXPECT_THAT(mistake({"wear.surfaces.tip.path=300.0"}),
-              HasSubstr("`wear.surfaces.tip.path`: expected a [[motion]] of \"pin\""));
+              HasSubstr("wear.surfaces.tip.path: expected a [[motion]] of \"pin\""));
 }
 
 TEST(TrackScene, IsOneOfAPair) {

@@ -6,6 +6,7 @@
 #include <gnomon/fields/nodal.hpp>
 #include <gnomon/laws/load_history.hpp>
 #include <gnomon/mesh/extrusion.hpp>
+#include <gnomon/mesh/surface_lines.hpp>
 #include <gnomon/model/condensation.hpp>
 #include <gnomon/model/cyclic_phases.hpp>
 #include <gnomon/system/linear_solver.hpp>
@@ -83,8 +84,8 @@ struct Load {
 /// track wears by the mean along it, and recedes as a whole (sec. 4.3).
 template <int dim>
 struct Track {
-  Vector<dim> along;  ///< in which the material moves: unit
-  double path = 0;    ///< L, of which the mesh is a part [length]
+  Streamlines<dim> along;
+  double path = 0;  ///< L, of which the mesh is a part; on circles of their mean radius [length]
 };
 
 /// A part of the boundary that can touch the counter-body.
@@ -216,6 +217,8 @@ struct Assembly : AssemblyParts<dim> {
   /// By contact node: its part in the wear rate of its shape unknowns; empty: 1. Where it shares
   /// them, the length that it represents divided by the length of the path.
   std::vector<double> wear_weight;
+  std::vector<double>
+      track_length;          ///< by surface: of the mesh of its track; empty: none has one [length]
   std::vector<int> body_of;  ///< by cell
   /// Of a `condensed` assembly; null: none.
   std::shared_ptr<const Condensation<dim>> condensation;

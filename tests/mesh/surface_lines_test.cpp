@@ -1,0 +1,72 @@
+// The lines of a surface that is uniform along straight lines or circles.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/mesh/surface_lines.hpp>
+
+#include "support/structured_hexahedra.hpp"
+
+namespace gnomon::surface_lines_test {
+namespace {
+
+using namespace testing;
+
+/// Of the top of a block, 4 by 3 elements, that is bent by an angle about z at a radius of 1 to 2.
+SurfaceLines lines_of_ring(double angle, const Streamlines<3>& along) {
+  const Mesh<3> mesh = structured_hexahedra(4, 3, 1, [&](double s, double t, double z) {
+    const double turn = angle * (1 - s * s);
+    return Vector<3>((1 + t) * std::cos(turn), (1 + t) * std::sin(turn), z);
+  });
+  return lines_of_surface<3>(mesh, mesh.boundary.at("top"), along);
+}
+
+TEST(SurfaceLines, AreCircles) {
+  const Streamlines<3> about_z{-Vector<3>::UnitZ(), Vector<3>(0, 0, 5)};
+  for (const double angle : {0.5, 3.0, 6.0}) {
+    const SurfaceLines lines = lines_of_ring(angle, about_z);
+    EXPECT_NEAR(lines.length, 1.5 * angle, 1e-12);
+    ASSERT_EQ(lines.nodes.size(), 4u);
+    for (const std::vector<int>& line : lines.nodes) EXPECT_EQ(line.size(), 5u);
+  }
+  EXPECT_THROW(lines_of_ring(3, {Vector<3>::UnitZ(), Vector<3>(0, 0.1, 0)}), InputError);
+  EXPECT_THROW(lines_of_ring(3, {Vector<3>::UnitX()}), InputError);
+}
+
+TEST(SurfaceLines, MayBeClosed) {
+  Mesh<3> mesh;
+  constexpr int around = 8;
+  for (const double radius : {1.0, 3.0})
+    for (int k = 0; k < around; ++k)
+      mesh.nodes.emplace_back(radius * std::cos(2 * M_PI * k / around),
+                              radius * std::sin(2 * M_PI * k / around), 0);
+  std::vector<Mesh<3>::Facet> facets;
+  for (int k = 0; k < around; ++k) {
+    const int next = (k + 1) % around;
+    facets.push_back({k, around + k, around + next, next});
+  }
+  const SurfaceLines lines =
+      lines_of_surface<3>(mesh, facets, {Vector<3>::UnitZ(), Vector<3>::Zero()});
+  EXPECT_NEAR(lines.length, 4 * M_PI, 1e-12);
+  EXPECT_EQ(lines.nodes.size(), 2u);
+  facets.pop_back();
+  EXPECT_NEAR(lines_of_surface<3>(mesh, facets, {Vector<3>::UnitZ(), Vector<3>::Zero()}).length,
+              3.5 * M_PI, 1e-12);
+}
+
+TEST(SurfaceLines, AreStraight) {
+  const Vector<2> along = Vector<2>(3, 4) / 5, normal(-along[1], along[0]);
+  const Mesh<2> mesh = structured_quadrilaterals(
+      5, 1, [&](double s, double t) { return Vector<2>(2 * s * s * along + t * normal); });
+  const SurfaceLines lines = lines_of_surface<2>(mesh, mesh.boundary.at("top"), {along});
+  ASSERT_EQ(lines.nodes.size(), 1u);
+  EXPECT_EQ(lines.nodes.front().size(), 6u);
+  EXPECT_NEAR(lines.length, 2, 1e-12);
+  EXPECT_THROW(lines_of_surface<2>(mesh, mesh.boundary.at("top"), {Vector<2>(0.6, 0.8001)}),
+               InputError);
+}
+
+}  // namespace
+}  // namespace gnomon::surface_lines_test
