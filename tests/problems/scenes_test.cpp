@@ -45,6 +45,15 @@ Overrides coarse(const std::string& scene) {
     return {"mesh.factor=3", "cycle.phases=6", "time.end=1000", "output.times=[]"};
   if (scene == "worn_body/ball_joint.toml")  // a single layer of elements
     return {"mesh.factor=4", "cycle.phases=4", "time.end=3e5", "output.times=[]"};
+  if (scene == "worn_body/block_on_elastic_ring.toml")
+    return {"mesh.factor=2.5", "time.end=720", "output.times=[]"};
+  if (scene == "worn_body/cylinder_and_flat.toml")
+    return {"mesh.factor=3", "cycle.phases=2", "time.end=400", "output.times=[]"};
+  if (scene == "worn_body/half_round_ring_on_steel.toml")
+    return {"mesh.factor=2", "time.end=0.3", "output.times=[]"};
+  if (scene == "worn_body/sphere_on_disc.toml")
+    return {"mesh.factor=2", "time.end=64", "output.times=[]"};
+  if (scene == "worn_body/pin_on_track.toml") return {"mesh.factor=2", "time.end=200"};
   if (scene == "worn_body/gear_teeth.toml")
     return {"mesh.factor=2", "cycle.phases=4", "time.end=100"};
   if (scene == "worn_body/hip.toml")
