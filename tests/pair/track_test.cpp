@@ -112,6 +112,19 @@ TEST(Track, RecedesUniformlyByTheMean) {
   }
 }
 
+// As of two discs that slide on each other: both stay flat.
+TEST(Track, MayBeOnBothBodies) {
+  TwoBodies pair = pin_on_track(false);
+  pair.upper.surface = [](double) { return 0.0; };
+  const WearModel<2> model(std::make_shared<const Assembly<2>>(
+      with_track(with_track(two_bodies<2>(pair), "lower top", 20), "bottom", 6)));
+  const State end = run_model(model, "esdirk-3", 0, 1e-6, pair.duration).last();
+  expect_volumes(model, end, pair, 2e-6);
+  const double slid = pair.force * pair.speed * pair.duration;
+  EXPECT_NEAR(depths(model, end, true).second / (pair.upper.wear * slid / 6), 1, 2e-6);
+  EXPECT_NEAR(depths(model, end, false).second / (pair.lower.wear * slid / 20), 1, 2e-6);
+}
+
 /// The end of the pin is also round across the track.
 AssemblyParts<3> round_pin_on_track(const TwoBodies& pair, double path) {
   AssemblyParts<3> parts = two_bodies<3>(pair);
