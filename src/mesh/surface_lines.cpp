@@ -5,6 +5,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/surface_lines.hpp>
 #include <set>
+#include <utility>
 
 namespace gnomon {
 
@@ -103,6 +104,16 @@ std::string point_text(const Vector<dim>& x) {
   return "(" + text + ")";
 }
 
+template <int dim>
+InputError broken_line(const Streamlines<dim>& along, double whole, const Vector<dim>& start,
+                       double length) {
+  return InputError(fmt::format(
+      "expected a surface whose nodes lie on {} {}, each {:.6g} mm long from one end of the "
+      "surface to the other, but that through {} goes on for {:.6g} mm",
+      along.centre ? "circles about" : "lines along", point_text<dim>(along.along), whole,
+      point_text<dim>(start), length));
+}
+
 }  // namespace
 
 template <int dim>
@@ -112,19 +123,17 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
   constexpr double rounding = 1e-6;  // of the size of the surface: files have so many digits
   const auto at = [&](int node) { return mesh.nodes[static_cast<std::size_t>(node)]; };
   std::set<int> nodes;
-  std::vector<Vector<dim>> points;
-  double size = 0;
   for (const auto& facet : facets) nodes.insert(facet.begin(), facet.end());
-  for (const int node : nodes) {
-    points.push_back(at(node));
-    size = std::max(size, (points.back() - points.front()).norm());
-  }
+  std::vector<Vector<dim>> points;
+  for (const int node : nodes) points.push_back(at(node));
+  double size = 0;
+  for (const Vector<dim>& x : points) size = std::max(size, (x - points.front()).norm());
   LineCoordinates<dim> coordinates(along, points);
-  const auto place = [&](int node) { return coordinates.place(at(node)); };
   SurfaceLines lines{.nodes = {{nodes.begin(), nodes.end()}}};
   for (int i = 0; i < dim; ++i)
     lines.nodes = divided(lines.nodes, rounding * size,
                           [&](int node) { return coordinates.across(at(node))[i]; });
+  const auto place = [&](int node) { return coordinates.place(at(node)); };
   const auto sort = [&](std::vector<int>& line) { std::ranges::sort(line, {}, place); };
   const Neighbours<dim> neighbours(facets);
   bool closed = false;
@@ -140,14 +149,9 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
   lines.length = closed ? coordinates.whole_circle() : high - low;
   for (const std::vector<int>& line : lines.nodes) {
     const double from = place(line.front()), to = place(line.back());
-    if (closed ? neighbours.beginning(line) < 0
-               : std::max(from - low, high - to) <= rounding * size)
-      continue;
-    throw InputError(fmt::format(
-        "expected a surface whose nodes lie on {} {}, each {:.6g} mm long from one end of the "
-        "surface to the other, but that through {} goes on for {:.6g} mm",
-        along.centre ? "circles about" : "lines along", point_text<dim>(along.along), lines.length,
-        point_text<dim>(at(line.front())), to - from));
+    if (closed ? neighbours.beginning(line) >= 0
+               : std::max(from - low, high - to) > rounding * size)
+      throw broken_line<dim>(along, lines.length, at(line.front()), to - from);
   }
   return lines;
 }

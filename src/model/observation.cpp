@@ -50,7 +50,8 @@ std::string meaning_of(std::string_view name) {
   if (name.starts_with("force_") || name.starts_with("torque_"))
     return "what loads, supports or contact exert on the bodies";
   const auto of_body = [name](std::string_view quantity) { return name.starts_with(quantity); };
-  if (of_body("worn_volume_")) return "volume that this body has lost, from its geometry; of a track along all of its path";
+  if (of_body("worn_volume_"))
+    return "volume that this body has lost, from its geometry; of a track along all of its path";
   if (of_body("wear_flux_")) return "sum of area times wear rate of this body";
   const auto quantity = std::ranges::find(table, name, &Quantity::name);
   return quantity == table.end() ? std::string() : std::string(quantity->meaning);
