@@ -24,7 +24,8 @@ def gnomon(*words):
 
 def rows_of(text):
     rows = csv.DictReader(text.splitlines())
-    return [{key.split(" [")[0]: float(value) for key, value in row.items()} for row in rows]
+    return [{key.split(" [")[0]: value if key == "surface" else float(value)
+             for key, value in row.items()} for row in rows]
 
 
 @dataclasses.dataclass
