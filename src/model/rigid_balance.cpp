@@ -28,7 +28,10 @@ public:
     poses_.assign(rigid_.size(), Pose<dim>::Identity());
   }
 
-  bool is_free() const { return unknowns_ > 0; }
+  /// Bodies that may move in a single way are where they touch.
+  bool is_free() const {
+    return std::ranges::any_of(rigid_, [](const auto& part) { return part.loose.cols() > 1; });
+  }
   double size() const { return size_; }
   double facet_size() const { return foundation_.facet_size(); }
   void begin_again() {
@@ -209,10 +212,12 @@ bool supports_press(const AssemblyParts<dim>& parts) {
 template <int dim>
 std::pair<std::string, double> start(Settling<dim>& settling, const Scales& scales) {
   const double size = settling.size(), mesh = settling.facet_size();
-  double depth = std::max(scales.displacement,
-                          std::min(0.1 * size, std::max(0.02 * size, 8 * mesh * mesh / size)));
-  for (double softest = 0;; depth = std::max(scales.displacement, depth / 4)) {
-    const bool last = depth <= scales.displacement;
+  // Facets that are deep in each other do not face each other.
+  const double least = std::min(scales.displacement, 2e-3 * size);
+  double depth =
+      std::max(least, std::min(0.1 * size, std::max(0.02 * size, 8 * mesh * mesh / size)));
+  for (double softest = 0;; depth = std::max(least, depth / 4)) {
+    const bool last = depth <= least;
     if (!settling.settle(depth, scales.stress, 0)) {
       if (softest > 0 || last) return {settling.last_motion(), softest};
       settling.begin_again();
@@ -246,8 +251,7 @@ RigidBalance<dim>::RigidBalance(const AssemblyParts<dim>& parts,
   std::tie(doubt, softest) = start(settling, parts.scales);
   if (!doubt.empty()) return;
   const std::vector<RigidPart<dim>>& rigid = settling.rigid();
-  settled =
-      std::ranges::any_of(rigid, [](const RigidPart<dim>& part) { return part.loose.cols() > 1; });
+  settled = true;
   for (std::size_t k = 0; k < rigid.size(); ++k)
     for (const int node : rigid[k].nodes) {
       if (rigid[k].loose.cols() == 0) continue;

@@ -17,9 +17,9 @@ struct RigidBalance {
   /// Which motion nothing determines: "\"shoe\" can turn about (1, 2)"; empty: none.
   std::string doubt;
 
-  /// The depth of contact is that of the scales of the parts. `places`: of the bodies in a phase of
-  /// a cycle; bodies that have one are brought to where they touch only. `times`: when the bodies,
-  /// unworn, have to be in balance, too.
+  /// Contact is as deep as the scales of the parts say, or less. `places`: of the bodies in a phase
+  /// of a cycle; bodies that have one are brought to where they touch only. `times`: when the
+  /// bodies, unworn, have to be in balance, too.
   RigidBalance(const AssemblyParts<dim>& parts, const std::vector<BodyPlace<dim>>& places,
                const std::vector<double>& times = {});
 };

@@ -1,6 +1,8 @@
 // Scenes of two bodies: what wears, who is the slave, what is refused.
 
+#include <fstream>
 #include <gnomon/base/error.hpp>
+#include <iterator>
 
 #include "support/problem_run.hpp"
 
@@ -43,6 +45,30 @@ TEST(PairScene, ABodyThatOnlyContactHoldsIsBroughtToItsPartner) {
   Counters counters;
   const State start = model->start(counters);
   EXPECT_NEAR(observed(*model, start, "contact_force"), 50, 0.1);
+}
+
+// Bodies that heavy loads press deep into each other keep the facets in the middle.
+TEST(PairScene, AHeavyLoadLeavesNoHole) {
+  const std::string folder = GNOMON_SOURCE_DIR "/problems/";
+  std::ifstream stream(folder + scene);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::string both = "on = [\"round\", \"face\"]\n\n[wear.surfaces.round]";
+  ASSERT_NE(text.find(both), std::string::npos);
+  text.replace(text.find(both), both.size(), "on = [\"face\"]");  // and its coefficient
+  const auto model =
+      Problems::find("worn_body", "problem")
+          .make(parse_scene(text, folder + scene,
+                            {"body.plate.material=linear", "body.cylinder.material=linear",
+                             "load.1.force=[0.0, -16000.0]", "mesh.factor=2"},
+                            key_table));
+  Counters counters;
+  const ContactSurface surface = model->contact(model->start(counters)).value();
+  double inner = 0, outer = 0;  // largest pressures
+  for (std::size_t c = 0; c < surface.node.size(); ++c) {
+    double& largest = surface.initial[c][0] < 0.3 ? inner : outer;
+    largest = std::max(largest, surface.pressure[c]);
+  }
+  EXPECT_GT(inner, 0.9 * outer);
 }
 
 }  // namespace
