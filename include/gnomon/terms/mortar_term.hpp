@@ -34,9 +34,9 @@ struct MortarState {
   const std::vector<ContactPatch<dim>>& patches;  ///< of slaves and masters, ascending nodes
   const std::vector<MortarPair<dim>>& pairs;
   std::vector<MortarCandidates> candidates;  ///< by pair
-  const std::vector<int>& surface_of;  ///< each contact node: whose law wears it
-  std::vector<WearLaw> laws{};         ///< of the surfaces
-  std::vector<double> wear_weight{};   ///< of each contact node, in its wear; empty: 1
+  const std::vector<int>& surface_of;        ///< each contact node: whose law wears it
+  std::vector<WearLaw> laws{};               ///< of the surfaces
+  std::vector<double> wear_weight{};         ///< of each contact node, in its wear; empty: 1
   NormalRule normal_rule = NormalRule::conservative;
   Section section = Section::plane;
   double rho = 1;                        ///< [stress / length]
