@@ -182,7 +182,7 @@ def bore(depth, half=1.5):
                "wear_depth": deep}
     made = np.rec.fromarrays(list(columns.values()), names=list(columns))
     return types.SimpleNamespace(cells=ring[np.arange(40) != 5], dim=2, times=np.array([0.0, 9.0]),
-                                 axes=("x", "y"), clock=Clock("s", 1.0), some_steps=lambda most: [1],
+                                 has_pairs=False, axes=("x", "y"), clock=Clock("s", 1.0), some_steps=lambda most: [1],
                                  contact=lambda step: made)
 
 
@@ -193,6 +193,14 @@ length = lower_panel.lines[0].get_xdata()
 assert np.isclose(np.nanmax(length), 30, rtol=1e-3), "an arc of 3 rad with a radius of 10"
 assert np.isclose(length[np.nanargmax(lower_panel.lines[0].get_ydata())], 15, rtol=1e-3)
 assert len(shape.draw(bore(2.0)).axes) == 1, "deep wear is seen by itself"
+
+# Surfaces of two bodies follow each other, each below its name.
+two = bore(0.01)
+two.has_pairs, two.bodies = True, np.repeat([0, 20], [20, 21])
+two.names_of_bodies = {0: "ring", 20: "block"}
+names = shape.draw(two).axes[1].texts
+assert [name.get_text() for name in names] == ["ring", "block"]
+assert names[0].xy[0] < 15 < names[1].xy[0]
 
 # The difference: of the same nodes, though they have moved; else between them.
 first, second = (table(1.0) for _ in range(2))
