@@ -28,9 +28,13 @@ public:
     poses_.assign(rigid_.size(), Pose<dim>::Identity());
   }
 
-  /// Bodies that may move in a single way are where they touch.
+  /// Bodies that may only be shifted in one direction are where they touch.
   bool is_free() const {
-    return std::ranges::any_of(rigid_, [](const auto& part) { return part.loose.cols() > 1; });
+    constexpr double rounding = 1e-6;
+    return std::ranges::any_of(rigid_, [](const RigidPart<dim>& part) {
+      const auto rotations = part.loose.bottomRows(rigid_motions_of(dim) - dim);
+      return part.loose.cols() > 1 || rotations.norm() > rounding;
+    });
   }
   double size() const { return size_; }
   double facet_size() const { return foundation_.facet_size(); }
