@@ -244,11 +244,12 @@ template <int dim>
 double depth_of_tracks(double rate, const Pressing& press, const Indentation& start,
                        const GapProfile& gaps, double duration) {
   if (rate == 0) return 0;
-  if (press.force == 0) return std::min(rate * start.force * duration, press.overlap);
-  const double section = rate * press.impulse;
-  if (dim == 2) return section;
+  const bool loaded = press.force > 0;
+  const double section = rate * (loaded ? press.impulse : start.force * duration),
+               most = loaded ? std::numeric_limits<double>::infinity() : press.overlap;
+  if (dim == 2) return std::min(section, most);
   const double width = width_of(start.area, true);
-  return std::min(section / width, gaps.depth_of(section * width));
+  return std::min({section / width, gaps.depth_of(section * width), most});
 }
 
 }  // namespace
