@@ -40,9 +40,6 @@ Eigen::Transform<double, dim, Eigen::Affine> moved_by(const Twist<dim>& twist,
   return moved;
 }
 
-namespace {
-
-/// What supports, and springs, resist of the twists of a part.
 template <int dim>
 Eigen::MatrixXd resisted(const AssemblyParts<dim>& parts, const RigidPart<dim>& part,
                          const std::vector<Vector<dim>>& x) {
@@ -68,8 +65,6 @@ Eigen::MatrixXd resisted(const AssemblyParts<dim>& parts, const RigidPart<dim>& 
           if (own[node] && springs.stiffness[i] > 0) hold(node, i);
   return held;
 }
-
-}  // namespace
 
 template <int dim>
 Eigen::MatrixXd loose_twists(const AssemblyParts<dim>& parts, const RigidPart<dim>& part,
@@ -139,6 +134,10 @@ template Eigen::Transform<double, 2, Eigen::Affine> moved_by<2>(const Twist<2>&,
                                                                 double);
 template Eigen::Transform<double, 3, Eigen::Affine> moved_by<3>(const Twist<3>&, const Vector<3>&,
                                                                 double);
+template Eigen::MatrixXd resisted(const AssemblyParts<2>&, const RigidPart<2>&,
+                                  const std::vector<Vector<2>>&);
+template Eigen::MatrixXd resisted(const AssemblyParts<3>&, const RigidPart<3>&,
+                                  const std::vector<Vector<3>>&);
 template Eigen::MatrixXd loose_twists(const AssemblyParts<2>&, const RigidPart<2>&,
                                       const std::vector<Vector<2>>&, Eigen::Index);
 template Eigen::MatrixXd loose_twists(const AssemblyParts<3>&, const RigidPart<3>&,

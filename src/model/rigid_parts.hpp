@@ -40,8 +40,12 @@ struct RigidPart {
 template <int dim>
 std::vector<RigidPart<dim>> rigid_parts(const AssemblyParts<dim>& parts,
                                         const std::vector<Vector<dim>>& x);
-/// The twists in which supports resist least, as many as `loose` has columns, where the nodes have
-/// moved.
+/// What supports, and springs, resist of the twists of a part, of which each held direction of a
+/// node adds one: symmetric, positive.
+template <int dim>
+Eigen::MatrixXd resisted(const AssemblyParts<dim>& parts, const RigidPart<dim>& part,
+                         const std::vector<Vector<dim>>& x);
+/// The `count` twists in which supports resist least, where the nodes have moved.
 template <int dim>
 Eigen::MatrixXd loose_twists(const AssemblyParts<dim>& parts, const RigidPart<dim>& part,
                              const std::vector<Vector<dim>>& x, Eigen::Index count);

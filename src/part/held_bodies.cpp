@@ -98,10 +98,6 @@ void require_pressing_loads(const Scene& scene, const AssemblyParts<dim>& parts,
       }
 }
 
-}  // namespace
-
-namespace {
-
 /// What holds a part by contact: its partner, in the direction in which this comes, or other
 /// bodies, across the surfaces.
 template <int dim, class Hold>
@@ -119,48 +115,31 @@ void hold_by_contact(const AssemblyParts<dim>& parts, const NodesOfPart& part, c
 
 template <int dim>
 void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
-                       const NodesOfPart& part) {
+                       const RigidPart<dim>& rigid) {
   constexpr int modes = rigid_motions_of(dim);
-  const std::vector<Vector<dim>>& nodes = parts.mesh.nodes;
-  Vector<dim> centre = Vector<dim>::Zero();
-  const auto count = static_cast<double>(std::ranges::count(part, 1));
-  for (std::size_t node = 0; node < nodes.size(); ++node)
-    if (part[node]) centre += nodes[node] / count;
-  double size = 0;
-  for (std::size_t node = 0; node < nodes.size(); ++node)
-    if (part[node]) size = std::max(size, (nodes[node] - centre).norm());
-  Eigen::Matrix<double, modes, modes> held;
-  held.setZero();
-  if (dim == 2 && parts.section() == Section::meridian)  // it moves along the axis alone
-    held(0, 0) = held(modes - 1, modes - 1) = 1;
-  const auto holds = [&](int node, const Vector<dim>& direction) {
-    const Eigen::Matrix<double, modes, 1> row =
-        rigid_velocities<dim>(nodes[node], centre, size).transpose() * direction;
-    held += row * row.transpose();
+  NodesOfPart part(parts.mesh.nodes.size(), 0);
+  for (const int node : rigid.nodes) part[node] = 1;
+  const auto velocities = [&](const Vector<dim>& X) {
+    return rigid_velocities<dim>(X, rigid.centre, rigid.size);
   };
-  const NodalFlags<dim>& fixed = parts.supports.held;
-  for (Eigen::Index node = 0; node < fixed.rows(); ++node)
-    for (int i = 0; i < dim; ++i)
-      if (part[node] && fixed(node, i)) holds(static_cast<int>(node), Vector<dim>::Unit(i));
-  for (const SpringSupport<dim>& springs : parts.supports.springs)
-    for (const auto& facet : springs.facets)
-      for (int node : facet)
-        for (int i = 0; i < dim; ++i)
-          if (part[node] && springs.stiffness[i] > 0) holds(node, Vector<dim>::Unit(i));
+  Eigen::MatrixXd held = resisted(parts, rigid, parts.mesh.nodes);
   constexpr double nothing = 1e-9;
   const Spectrum without_contact = spectrum_of(held);
   const auto loose = [](const Eigen::VectorXd& values) {
     return (values.array() <= nothing * values[modes - 1]).count();
   };
   // The contact holds in one direction; without friction it does not hold along the surface.
-  hold_by_contact(parts, part, holds);
+  hold_by_contact(parts, part, [&](int node, const Vector<dim>& direction) {
+    const Eigen::VectorXd row = velocities(parts.mesh.nodes[node]).transpose() * direction;
+    held += row * row.transpose();
+  });
   const auto [values, vectors] = spectrum_of(held);
   const auto free = loose(values);
   if (free == 0) {
     // Several motions may be resisted together, as by a prism in a groove.
     if (!parts.interface.force && loose(without_contact.values) == 1)
       require_pressing_loads<dim>(scene, parts, part, [&](const Vector<dim>& X) -> Vector<dim> {
-        return rigid_velocities<dim>(X, centre, size) * without_contact.vectors.col(0);
+        return velocities(X) * without_contact.vectors.col(0);
       });
     return;
   }
@@ -176,13 +155,9 @@ void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
 
 template <int dim>
 void require_held(const Scene& scene, const AssemblyParts<dim>& parts) {
-  const std::vector<int> number = connected_parts(parts.mesh);
   Mistakes mistakes;
-  for (const int part : std::set<int>(number.begin(), number.end())) {
-    NodesOfPart nodes;
-    for (const int each : number) nodes.push_back(each == part);
-    mistakes.collect([&] { require_part_held(scene, parts, nodes); });
-  }
+  for (const RigidPart<dim>& part : rigid_parts(parts, parts.mesh.nodes))
+    mistakes.collect([&] { require_part_held(scene, parts, part); });
   mistakes.require_none();
   std::set<double> times;
   for (const Load<dim>& load : parts.loads)
