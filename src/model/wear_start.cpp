@@ -234,7 +234,10 @@ State WearModel<dim>::start(Counters& counters) const {
   FieldValues<dim> values(*equations_.composition()->fields);
   // At a fixed shape no phase of a cycle knows of another.
   for (std::size_t p = 0; p < equations_.phases().size(); ++p) {
-    const WornBodyEquations<dim> alone(equations_.shared_assembly(), {equations_.phases()[p]});
+    const bool only = equations_.phases().size() == 1;
+    const WornBodyEquations<dim> alone =
+        only ? equations_
+             : WornBodyEquations<dim>(equations_.shared_assembly(), {equations_.phases()[p]});
     ComposedSystem<dim> contact(alone.composition(), alone.deformation());
     FieldValues<dim> of_phase(*alone.composition()->fields);
     const RampReport ramp =
