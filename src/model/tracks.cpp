@@ -104,6 +104,7 @@ double volume_behind(const Mesh<dim>& mesh, const typename Mesh<dim>::Facet& fac
 template <int dim>
 std::vector<double> worn_beyond_mesh(const Assembly<dim>& assembly, const NodalField<dim>& d) {
   std::vector<double> result(assembly.bodies.size(), 0);
+  if (assembly.track_length.empty()) return result;
   const std::vector<int> owner = body_of_nodes(assembly.mesh, assembly.body_of);
   for (std::size_t s = 0; s < assembly.interface.surfaces.size(); ++s) {
     const Surface<dim>& surface = assembly.interface.surfaces[s];

@@ -12,7 +12,8 @@ struct SharedShape {
   std::vector<double> length;  ///< Assembly::track_length
 };
 
-/// Of the cross-section, or of surfaces with a track; both are empty where there is neither. Throws
+/// Of the cross-section, or of surfaces with a track, which alone have lengths; all are empty
+/// where there is neither. Throws
 /// InputError where the nodes of a line are not held alike.
 template <int dim>
 SharedShape shared_shape(const AssemblyParts<dim>& parts,
