@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <gnomon/mesh/mesh.hpp>
+#include <set>
 #include <span>
 
 namespace gnomon {
@@ -12,6 +13,14 @@ template <class Facet>
 Facet sorted(Facet facet) {
   std::sort(facet.begin(), facet.end());
   return facet;
+}
+
+/// The nodes that facets have, ascending.
+template <class Facets>
+std::set<int> nodes_of_facets(const Facets& facets) {
+  std::set<int> nodes;
+  for (const auto& facet : facets) nodes.insert(facet.begin(), facet.end());
+  return nodes;
 }
 
 /// Sorts, and leaves one of equal entries.

@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "mesh/facet_table.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -122,8 +124,7 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
                               const Streamlines<dim>& along) {
   constexpr double rounding = 1e-6;  // of the size of the surface: files have so many digits
   const auto at = [&](int node) { return mesh.nodes[static_cast<std::size_t>(node)]; };
-  std::set<int> nodes;
-  for (const auto& facet : facets) nodes.insert(facet.begin(), facet.end());
+  const std::set<int> nodes = nodes_of_facets(facets);
   std::vector<Vector<dim>> points;
   for (const int node : nodes) points.push_back(at(node));
   double size = 0;

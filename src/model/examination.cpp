@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 
+#include "mesh/facet_table.hpp"
 #include "model/bring_together.hpp"
 #include "model/resultants.hpp"
 
@@ -45,8 +46,7 @@ std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equati
   // Part of a facet by which a smooth counter-body that its nodes resolve lies between them.
   constexpr double resolved = 0.02;
   const Assembly<dim>& assembly = equations.assembly();
-  std::set<int> nodes;
-  for (const auto& facet : assembly.interface.boundary) nodes.insert(facet.begin(), facet.end());
+  std::set<int> nodes = nodes_of_facets(assembly.interface.boundary);
   for (const ContactPatch<dim>& patch : assembly.contact_nodes) nodes.erase(patch.node);
   std::optional<BoundaryPoint> deepest;
   for (std::size_t p = 0; p < equations.phases().size(); ++p) {

@@ -13,6 +13,8 @@
 #include <gnomon/terms/material_law.hpp>
 #include <set>
 
+#include "mesh/facet_table.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -90,9 +92,7 @@ bool read_condensed(const Scene& scene, const AssemblyParts<dim>& parts) {
       throw InputError(scene.where("solver.reduce") + ": expected " + reason);
     return condensed;
   }
-  std::set<int> nodes;
-  for (const auto& facet : facets_of(parts.interface.surfaces))
-    nodes.insert(facet.begin(), facet.end());
+  const std::set<int> nodes = nodes_of_facets(facets_of(parts.interface.surfaces));
   const double rows = dim * static_cast<double>(nodes.size());
   const double row_of_stiffness = dim * std::pow(3, dim);  // entries
   return reason.empty() &&

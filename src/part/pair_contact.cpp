@@ -48,19 +48,13 @@ double gap_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x) {
   return std::isfinite(travel) ? std::max(0.0, travel) : 0;
 }
 
-template <int dim>
-std::set<int> slave_nodes(const MortarPair<dim>& pair) {
-  std::set<int> nodes;
-  for (const auto& facet : pair.slave) nodes.insert(facet.begin(), facet.end());
-  return nodes;
-}
-
 /// A node carries one multiplier: it is a slave in one pair.
 template <int dim>
 void tell_slaves_apart(const Scene& scene, std::vector<MortarPair<dim>>& pairs) {
   std::set<int> taken;
   const auto is_free = [&](const MortarPair<dim>& pair) {
-    return std::ranges::none_of(slave_nodes(pair), [&](int node) { return taken.contains(node); });
+    return std::ranges::none_of(nodes_of_facets(pair.slave),
+                                [&](int node) { return taken.contains(node); });
   };
   for (MortarPair<dim>& pair : pairs) {
     if (!is_free(pair)) reverse(pair);
@@ -69,7 +63,7 @@ void tell_slaves_apart(const Scene& scene, std::vector<MortarPair<dim>>& pairs) 
           "{}: [[pair]]: expected pairs whose contacts do not meet, but that of \"{}\" and \"{}\" "
           "meets those of others on both bodies; pair.#.surfaces restricts them",
           scene.path().string(), pair.bodies[0], pair.bodies[1]));
-    taken.merge(slave_nodes(pair));
+    taken.merge(nodes_of_facets(pair.slave));
   }
 }
 

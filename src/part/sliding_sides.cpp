@@ -33,8 +33,7 @@ Held<dim> held_across(Vector<dim> normal, double tolerance) {
 /// part of it. By the circle with the least squares of the algebraic distances.
 template <int dim>
 bool is_round(const Mesh<dim>& mesh, const Facets<dim>& facets, int axis, double tolerance) {
-  std::set<int> nodes;
-  for (const auto& facet : facets) nodes.insert(facet.begin(), facet.end());
+  const std::set<int> nodes = nodes_of_facets(facets);
   const auto across = [&](int node) {
     const Vector<dim>& X = mesh.nodes[node];
     return Vector<2>(X[(axis + 1) % dim], X[(axis + 2) % dim]);

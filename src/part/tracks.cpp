@@ -8,6 +8,7 @@
 #include <gnomon/scene/toml_key.hpp>
 #include <set>
 
+#include "mesh/facet_table.hpp"
 #include "part/body_motions.hpp"
 #include "part/facing_facets.hpp"
 #include "part/groups.hpp"
@@ -55,21 +56,14 @@ std::optional<Streamlines<dim>> streamlines_of(const RigidMotion<dim>& motion) {
   return {};
 }
 
-template <int dim>
-std::set<int> nodes_of_surface(const Surface<dim>& surface) {
-  std::set<int> nodes;
-  for (const auto& facet : surface.facets) nodes.insert(facet.begin(), facet.end());
-  return nodes;
-}
-
 /// A node wears by one law, and by the mean along a track or not.
 template <int dim>
 void require_own_nodes(const Scene& scene, const Surface<dim>& surface,
                        const AssemblyParts<dim>& parts) {
-  const std::set<int> own = nodes_of_surface(surface);
+  const std::set<int> own = nodes_of_facets(surface.facets);
   for (const Surface<dim>& other : parts.interface.surfaces) {
     if (&other == &surface || !other.wears) continue;
-    for (const int node : nodes_of_surface(other))
+    for (const int node : nodes_of_facets(other.facets))
       if (own.contains(node))
         throw unfit_track(
             scene, surface.name,
