@@ -1,4 +1,4 @@
-// Several contact states of one body at one shape: phases of a cycle.
+// Several contact states at one shape: phases of a cycle.
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/threads.hpp"
+#include "linear/contact_compliance.hpp"
 #include "linear/core_solver.hpp"
 #include "linear/factored_block.hpp"
 #include "linear/phase_contact.hpp"
@@ -19,7 +20,7 @@ namespace gnomon {
 namespace {
 
 /// Solves J z = r in the unknowns u_p (displacements), l_p (contact multipliers of closed nodes)
-/// and w_p (rigid motions) of the phases p, and c (shape of the worn surface), which alone couples
+/// and w_p (rigid motions) of the phases p, and c (shape of the worn surfaces), which alone couples
 /// them. Indices of J are rows and columns; J_uc is neglected, J_wc too, and of J_cc only the block
 /// of each surface node counts but where c is recovered. K is the mean stiffness of the phases, the
 /// same for all with small strains, and the only matrix that is factorized.
@@ -33,7 +34,7 @@ namespace {
 ///   x_p = K^-1 r_u,p,     du_p = x_p - K^-1 (J_ul, J_uw) y_p
 ///
 /// Put into the rows of l and w, with a = J_lc J_cc^-1, this leaves a small dense system per phase,
-/// to which K contributes only its compliance at the closed nodes (ContactCompliance):
+/// to which K contributes only its compliance at the nodes that touch (ContactCompliance):
 ///
 ///   A_p y_p - (a.m) zeta = f_p,   f_l = r_l - a r_c - J_lu x_p,   f_w = r_w - J_wu x_p
 ///   A_p = J_yy - J_yu K^-1 J_uy
@@ -41,6 +42,10 @@ namespace {
 ///
 /// and one for what is worn: (1 - sum_p V_p A_p^-1 (a.m)) zeta = sum_p V_p A_p^-1 f_p + q. Two
 /// solves with K, all phases as columns, thus make an application, whatever nodes touch.
+///
+/// Where bodies meet each other, l also presses and wears the nodes of another body. A body that
+/// contact alone holds has a singular stiffness: soft springs hold each node, which A_p, where
+/// contact is closed, does not feel.
 class ComplianceCore : public CoreSolver {
 public:
   /// `structure` must outlive the object; throws as StiffnessBlock.
@@ -49,8 +54,9 @@ public:
         column_cost_(inner.column_cost),
         stiffness_(structure, Role::stiffness, inner),
         contacts_(structure, stiffness_.owners()),
-        compliance_(numbers_in_block(contacts_.phases().front(), stiffness_.part())),
+        compliance_(numbers_in_block(contacts_.phases(), stiffness_)),
         systems_(stiffness_.owners()),
+        may_float_(!contacts_.entries().joined().empty()),
         contact_columns_(structure, {Role::stiffness, Role::evolution, Role::rigid},
                          {Role::multiplier, Role::rigid}),
         wear_by_displacement_(structure, {Role::evolution}, {Role::stiffness}),
@@ -63,20 +69,17 @@ public:
     wear_block_.factorize(J);
   }
   double update_cost() const override {
-    const auto missing = static_cast<double>(compliance_.missing(contacts_.touching()));
+    const auto missing = static_cast<double>(compliance_.missing(contacts_.touched()));
     return in_applications(column_cost_ * missing);
   }
 
   void update() override {
-    compliance_.solve(contacts_.touching(), stiffness_);
+    compliance_.solve(contacts_.touched(), stiffness_);
     divide_among_threads(static_cast<long>(systems_.size()), [this](long p) { make_system(p); });
     Eigen::MatrixXd wear = Eigen::MatrixXd::Identity(contacts_.worn(), contacts_.worn());
-    for (std::size_t p = 0; p < systems_.size(); ++p) {  // V_p A_p^-1 (a.m)
-      const std::vector<ClosedNode>& closed = contacts_.phases()[p].closed;
-      for (std::size_t k = 0; k < closed.size(); ++k)
-        for (std::size_t l = 0; l < closed.size(); ++l)
-          if (const int i = closed[k].worn, j = closed[l].worn; i >= 0 && j >= 0)
-            wear(i, j) -= systems_[p].fed_back(k, l);
+    for (std::size_t p = 0; p < systems_.size(); ++p) {
+      const std::vector<int>& worn = contacts_.phases()[p].worn;
+      wear(worn, worn) -= systems_[p].fed_back;
     }
     if (wear.size() > 0) wear_.compute(wear);
     right_of_wear_.resize(wear.rows());
@@ -84,6 +87,7 @@ public:
 
   int set_up(bool) override {
     stiffness_.gather(J_);
+    if (may_float_) stiffness_.add_soft_springs(soft);
     const int factorizations = stiffness_.set_up("the stiffness of the body");
     compliance_.clear();
     update();
@@ -108,19 +112,26 @@ public:
   }
 
 private:
-  static std::vector<NodeUnknowns> numbers_in_block(const PhaseContact& phase,
-                                                    const SymmetricPart& part) {
-    std::vector<NodeUnknowns> numbers;
-    for (const ContactEntries::Node& node : phase.nodes) {
-      NodeUnknowns& of_node = numbers.emplace_back(node.u);
-      for (int& number : of_node)
-        if (number >= 0) number = part.number(number);
-    }
+  /// Beside the diagonal of K. The compliance of a body of 1e4 nodes grows by 1e5, which leaves
+  /// ten digits of what differs in it.
+  static constexpr double soft = 1e-7;
+
+  /// A point belongs to the phases in which a contact node may move it.
+  static std::vector<NodeUnknowns> numbers_in_block(const std::vector<PhaseContact>& phases,
+                                                    const StiffnessBlock& stiffness) {
+    std::vector<NodeUnknowns> numbers(phases.front().u.size(), {-1, -1, -1});
+    for (std::size_t p = 0; p < phases.size(); ++p)
+      for (std::size_t k = 0; k < numbers.size(); ++k)
+        for (int i = 0; i < most_components; ++i)
+          if (const int u = phases[p].u[k][i]; u >= 0) {
+            const std::vector<int>& block = stiffness.unknowns(p);
+            numbers[k][i] = static_cast<int>(std::ranges::lower_bound(block, u) - block.begin());
+          }
     return numbers;
   }
   struct PhaseSystem {
     Eigen::PartialPivLU<Eigen::MatrixXd> A;
-    Eigen::MatrixXd wear;      ///< V, a row per closed node
+    Eigen::MatrixXd wear;      ///< V
     Eigen::MatrixXd fed_back;  ///< V A^-1 (a.m)
     Eigen::VectorXd right;     ///< f
   };
@@ -132,16 +143,14 @@ private:
     const PhaseContact& phase = contacts_.phases()[p];
     PhaseSystem& system = systems_[p];
     if (phase.y.empty()) return;
-    const Eigen::MatrixXd moved = compliance_.among(phase.closed) * phase.u_by_y;
+    const Eigen::MatrixXd moved = compliance_.among(phase.touched) * phase.u_by_y;
     system.wear = phase.worn_by_y - phase.worn_by_u * moved;
     Eigen::MatrixXd A = phase.y_by_y - phase.y_by_u * moved;
     // Nothing carries the force: the outer iteration will fail.
     for (Eigen::Index w = std::ssize(phase.closed); w < A.cols(); ++w)
       if (A.col(w).isZero(0)) A(w, w) = 1;
     system.A.compute(A);
-    Eigen::MatrixXd driven = Eigen::MatrixXd::Zero(A.rows(), phase.a_m.size());
-    driven.diagonal() = phase.a_m;
-    system.fed_back = system.wear * system.A.solve(driven);
+    system.fed_back = system.wear * system.A.solve(phase.y_by_worn);
   }
 
   /// Open nodes have a row of their own.
@@ -170,30 +179,24 @@ private:
       Eigen::VectorXd& f = systems_[p].right = -(phase.y_by_u * x);
       for (std::size_t k = 0; k < phase.y.size(); ++k) f[k] += s[phase.y[k]];
       for (std::size_t k = 0; k < phase.closed.size(); ++k)
-        f[k] -= contacts_.entries().shape_part(phase.closed[k].on, s);
-      add_worn(phase, phase.worn_by_u * x);
+        for (const ContactEntries::OnSurface& on : phase.closed[k].on)
+          f[k] -= contacts_.entries().shape_part(on, s);
+      right_of_wear_(phase.worn) += phase.worn_by_u * x;
     }
-  }
-  /// Adds what closed nodes wear to the right side of zeta.
-  void add_worn(const PhaseContact& phase, const Eigen::VectorXd& worn) {
-    for (std::size_t k = 0; k < phase.closed.size(); ++k)
-      if (const int i = phase.closed[k].worn; i >= 0) right_of_wear_[i] += worn[k];
   }
 
   /// The multipliers of closed nodes and the rigid motions, into contact_.
   void solve_contact() {
     for (std::size_t p = 0; p < systems_.size(); ++p)
       if (const PhaseSystem& system = systems_[p]; system.right.size() > 0)
-        add_worn(contacts_.phases()[p], system.wear * system.A.solve(system.right));
+        right_of_wear_(contacts_.phases()[p].worn) += system.wear * system.A.solve(system.right);
     if (right_of_wear_.size() > 0) right_of_wear_ = wear_.solve(right_of_wear_).eval();
     std::fill(contact_.begin(), contact_.end(), 0.0);
     for (std::size_t p = 0; p < systems_.size(); ++p) {
       PhaseSystem& system = systems_[p];
       const PhaseContact& phase = contacts_.phases()[p];
       if (system.right.size() == 0) continue;
-      for (std::size_t k = 0; k < phase.closed.size(); ++k)
-        if (const int i = phase.closed[k].worn; i >= 0)
-          system.right[k] += phase.a_m[k] * right_of_wear_[i];
+      system.right += phase.y_by_worn * right_of_wear_(phase.worn);
       const Eigen::VectorXd y = system.A.solve(system.right);
       for (std::size_t k = 0; k < phase.y.size(); ++k) contact_[phase.y[k]] = y[k];
     }
@@ -206,6 +209,7 @@ private:
   PhaseContacts contacts_;
   ContactCompliance compliance_;
   std::vector<PhaseSystem> systems_;           // by phase
+  const bool may_float_;                       // contact may be what holds a body
   Eigen::PartialPivLU<Eigen::MatrixXd> wear_;  // of zeta
   Eigen::VectorXd right_of_wear_;              // then zeta
   JacobianBlock contact_columns_, wear_by_displacement_;

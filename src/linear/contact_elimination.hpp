@@ -121,7 +121,7 @@ public:
     }
     solve_D(work_);
     for (std::size_t i = 0; i < contact_.size(); ++i)
-      for (const auto& [u, B, C] : contact_[i].shares)
+      for (const auto& [group, u, B, C] : contact_[i].shares)
         for (int k = 0; k < most_components; ++k)
           if (u[k] >= 0) s[u[k]] += B[k] * work_[i];
   }
@@ -130,7 +130,7 @@ public:
   void recover(std::span<double> s, std::span<double> z) {
     for (std::size_t i = 0; i < contact_.size(); ++i) {
       work_[i] = -s[entries_.nodes()[i].multiplier];
-      for (const auto& [u, B, C] : contact_[i].shares) work_[i] += C.dot(values_at(u, z));
+      for (const auto& [group, u, B, C] : contact_[i].shares) work_[i] += C.dot(values_at(u, z));
     }
     solve_D(work_);
     for (std::size_t i = 0; i < contact_.size(); ++i) z[entries_.nodes()[i].multiplier] = work_[i];
@@ -159,13 +159,14 @@ private:
           node.shares[0].C[m] -= node.on.a[k] * entries_.at(surface[k], at.u[m]);
     }
     node.CB = node.CC = 0;
-    for (const auto& [u, B, C] : node.shares) node.CB += C.dot(B), node.CC += C.squaredNorm();
+    for (const auto& [group, u, B, C] : node.shares)
+      node.CB += C.dot(B), node.CC += C.squaredNorm();
     node.own_stiffness = node.CB == 0 ? 0 : own_stiffness(node);
   }
 
   double own_stiffness(const ContactSpring& node) const {
     double sum = 0;
-    for (const auto& [u, B, C] : node.shares)
+    for (const auto& [group, u, B, C] : node.shares)
       for (int k = 0; k < most_components; ++k)
         for (int m = 0; m < most_components; ++m) sum += C[k] * entries_.at(u[k], u[m]) * C[m];
     return sum / node.CC;

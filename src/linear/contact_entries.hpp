@@ -32,29 +32,32 @@ inline NodeValues values_at(const NodeUnknowns& unknowns, std::span<const double
 class ContactEntries {
 public:
   struct Partner {
+    int group = 0;  ///< Structure::group
     NodeUnknowns u{-1, -1, -1};
     int surface = -1;  ///< among surfaces(); -1: none
   };
   struct Node {
     int multiplier = 0;               ///< number of l in J
+    int group = 0;                    ///< Structure::group
     int state = 0;                    ///< the contact state (Structure::blocks, owner)
-    int number = 0;                   ///< among the nodes of its state
     NodeUnknowns u{-1, -1, -1};       ///< the node's own displacements
     std::vector<Partner> partners{};  ///< nodes of another body that l may press
+    std::vector<int> surfaces{};      ///< that its row may contain, among surfaces()
   };
   /// B and C of a contact node at one of the nodes that it moves.
   struct Share {
+    int group;  ///< of that node
     NodeUnknowns u;
     NodeValues B, C;
   };
-  /// The surface node that the gap of a contact node contains.
+  /// A surface node that the gap of a contact node contains.
   struct OnSurface {
     int surface = -1;                   ///< -1: none, as in a system without a shape
     NodeValues a = NodeValues::Zero();  ///< J_lc J_cc^-1, with the block of this surface node alone
     NodeValues e = NodeValues::Zero();  ///< J_cl
   };
 
-  /// `structure` must outlive the object. All contact states have the same nodes in the same order.
+  /// `structure` must outlive the object.
   explicit ContactEntries(const Structure& structure) : structure_(structure) {
     std::vector<int> surface_of_group;
     find_surfaces(surface_of_group);
@@ -88,7 +91,7 @@ public:
     // of one, which has nonzero entries.
     OnSurface result;
     double largest = 0;
-    for (int candidate : candidates_[node.number]) {
+    for (int candidate : node.surfaces) {
       if (std::ranges::find(node.partners, candidate, &Partner::surface) != node.partners.end())
         continue;
       const NodeValues row = gap_by(candidate, node);
@@ -98,6 +101,16 @@ public:
       result.a = inverses_[candidate].transpose() * row;
     }
     if (result.surface >= 0) result.e = wear_at(result.surface, node);
+    return result;
+  }
+  /// All surface nodes, of any body, whose shape the gap contains or that the pressure wears.
+  std::vector<OnSurface> on_surfaces(const Node& node) const {
+    std::vector<OnSurface> result;
+    for (int candidate : node.surfaces) {
+      const NodeValues row = gap_by(candidate, node), worn = wear_at(candidate, node);
+      if (!row.isZero(0) || !worn.isZero(0))
+        result.push_back({candidate, inverses_[candidate].transpose() * row, worn});
+    }
     return result;
   }
   /// The same of the nodes of another body. They wear by the pressures of several contact nodes,
@@ -115,9 +128,10 @@ public:
   }
   /// Of the node itself first, then of the nodes of another body.
   std::vector<Share> shares(const Node& node) const {
-    std::vector<Share> result = {share(node, node.u)};
+    std::vector<Share> result = {share(node, node.group, node.u)};
     for (const Partner& partner : node.partners)
-      if (const Share at = share(node, partner.u); !at.B.isZero(0) || !at.C.isZero(0))
+      if (const Share at = share(node, partner.group, partner.u);
+          !at.B.isZero(0) || !at.C.isZero(0))
         result.push_back(at);
     return result;
   }
@@ -154,8 +168,8 @@ private:
       column[k] = at(surfaces_[surface][k], node.multiplier);
     return column;
   }
-  Share share(const Node& node, const NodeUnknowns& u) const {
-    Share result{.u = u, .B = {}, .C = {}};
+  Share share(const Node& node, int group, const NodeUnknowns& u) const {
+    Share result{.group = group, .u = u, .B = {}, .C = {}};
     for (int k = 0; k < most_components; ++k) {
       result.B[k] = at(u[k], node.multiplier);
       result.C[k] = at(node.multiplier, u[k]);
@@ -185,14 +199,12 @@ private:
 
   void find_nodes(const std::vector<int>& surface_of_group) {
     const SparsePattern& pattern = structure_.pattern;
-    std::vector<int> node_of(structure_.size, -1), count;  // nodes, by contact state
+    std::vector<int> node_of(structure_.size, -1);
     for (int i : unknowns_of(structure_, {Role::multiplier})) {
-      const int state = structure_.block_of(i).owner;
-      if (count.size() <= static_cast<std::size_t>(state)) count.resize(state + 1, 0);
       node_of[i] = static_cast<int>(nodes_.size());
-      nodes_.push_back({.multiplier = i, .state = state, .number = count[state]++});
+      nodes_.push_back(
+          {.multiplier = i, .group = structure_.group[i], .state = structure_.block_of(i).owner});
     }
-    if (!count.empty()) candidates_.resize(count.front());
     for (int j = 0; j < pattern.size(); ++j)
       for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k) {
         const int row = pattern.row_index[k];
@@ -202,11 +214,10 @@ private:
         if (structure_.block_of(j).role == Role::stiffness &&
             structure_.group[j] == structure_.group[row])
           node.u[structure_.component[j]] = j;
-        if (structure_.block_of(j).role != Role::evolution || node.state != nodes_.front().state)
-          continue;
-        std::vector<int>& candidates = candidates_[node.number];
+        if (structure_.block_of(j).role != Role::evolution) continue;
         const int surface = surface_of_group[structure_.group[j]];
-        if (candidates.empty() || candidates.back() != surface) candidates.push_back(surface);
+        if (node.surfaces.empty() || node.surfaces.back() != surface)
+          node.surfaces.push_back(surface);
       }
   }
 
@@ -214,14 +225,13 @@ private:
   void find_partners(const std::vector<int>& surface_of_group) {
     const SparsePattern& pattern = structure_.pattern;
     for (Node& node : nodes_) {
-      int last = structure_.group[node.multiplier];
+      int last = node.group;
       for (int k = pattern.column_start[node.multiplier];
            k < pattern.column_start[node.multiplier + 1]; ++k) {
         const int row = pattern.row_index[k], group = structure_.group[row];
-        if (structure_.block_of(row).role != Role::stiffness ||
-            group == structure_.group[node.multiplier])
-          continue;
-        if (group != last) node.partners.emplace_back();  // unknowns are numbered node by node
+        if (structure_.block_of(row).role != Role::stiffness || group == node.group) continue;
+        if (group != last)  // unknowns are numbered node by node
+          node.partners.push_back({.group = group});
         last = group;
         node.partners.back().u[structure_.component[row]] = row;
         if (static_cast<std::size_t>(group) < surface_of_group.size())
@@ -236,8 +246,6 @@ private:
   std::vector<NodeUnknowns> surfaces_;
   std::vector<NodeSquare> inverses_;  // J_cc^-1, by surface node
   std::vector<NodeValues> pressed_;   // by surface node, the sum of J_cl where it is a partner's
-  // Surface nodes that the row of l may contain, by number of the contact node in its state.
-  std::vector<std::vector<int>> candidates_;
 };
 
 }  // namespace gnomon

@@ -45,7 +45,7 @@ struct ContactSpring {
   /// n of add_springs(), numbered as the block.
   SparseVector direction_at_setup(const SymmetricPart& part) const {
     double square = 0;
-    for (const auto& [u, B, C] : shares_at_setup) square += C.squaredNorm();
+    for (const auto& [group, u, B, C] : shares_at_setup) square += C.squaredNorm();
     SparseVector n;
     append_C(n, part, shares_at_setup, 1 / std::sqrt(square));
     return n;
@@ -54,7 +54,7 @@ struct ContactSpring {
   /// To a vector of the block: C times a factor.
   static void append_C(SparseVector& vector, const SymmetricPart& part,
                        const std::vector<ContactEntries::Share>& shares, double factor) {
-    for (const auto& [u, B, C] : shares)
+    for (const auto& [group, u, B, C] : shares)
       for (int k = 0; k < most_components; ++k)
         if (u[k] >= 0) {
           vector.index.push_back(part.number(u[k]));

@@ -30,12 +30,11 @@ public:
 };
 
 /// Closed nodes are springs in the matrix that is set up (contact_elimination.hpp): for one contact
-/// state, and for bodies that touch each other. References must outlive the solver; throws as
-/// StiffnessBlock.
+/// state. References must outlive the solver; throws as StiffnessBlock.
 std::unique_ptr<CoreSolver> make_spring_core(const Structure& structure,
                                              const InnerSolverMaker& inner);
 
-/// For several contact states of one body, which share one stiffness without springs
+/// For several contact states of the same bodies, which share one stiffness without springs
 /// (compliance_core.cpp).
 std::unique_ptr<CoreSolver> make_compliance_core(const Structure& structure,
                                                  const InnerSolverMaker& inner);

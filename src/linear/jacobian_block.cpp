@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <gnomon/linear/jacobian_block.hpp>
+#include <utility>
 
 namespace gnomon {
 
@@ -75,6 +76,24 @@ SymmetricPart::SymmetricPart(const SparsePattern& pattern, const std::vector<int
 int SymmetricPart::find(int row, int column) const {
   const int i = number_[row], j = number_[column];
   return lower_.find(std::max(i, j), std::min(i, j));
+}
+
+void SymmetricPart::keep_common(const SparsePattern& lower) {
+  if (lower.row_index == lower_.row_index && lower.column_start == lower_.column_start) return;
+  SparsePattern common{.column_start = {0}, .row_index = {}};
+  std::vector<int> entry, transposed;
+  for (int column = 0; column < lower_.size(); ++column) {
+    for (int k = lower_.column_start[column]; k < lower_.column_start[column + 1]; ++k) {
+      if (lower.find(lower_.row_index[k], column) < 0) continue;
+      common.row_index.push_back(lower_.row_index[k]);
+      entry.push_back(entry_[k]);
+      transposed.push_back(transposed_[k]);
+    }
+    common.column_start.push_back(static_cast<int>(common.row_index.size()));
+  }
+  lower_ = std::move(common);
+  entry_ = std::move(entry);
+  transposed_ = std::move(transposed);
 }
 
 void SymmetricPart::gather(std::span<const double> J, std::vector<double>& values) const {

@@ -1,5 +1,5 @@
 // The entries of a coupled Jacobian that belong to the closed contact nodes of several contact
-// states at one shape, and the displacements of the contact nodes under unit forces at them.
+// states at one shape.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,48 +7,52 @@
 #include <algorithm>
 #include <gnomon/linear/jacobian_block.hpp>
 #include <gnomon/system/system.hpp>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "linear/contact_entries.hpp"
-#include "linear/stiffness_block.hpp"
 
 namespace gnomon {
 
 /// A contact node that is closed in a state.
 struct ClosedNode {
-  int node = 0;                       ///< contact node
-  ContactEntries::OnSurface on = {};  ///< a and J_cl of its surface node
-  int worn = -1;                      ///< number of that among all that wear, -1: nothing wears
+  int node = 0;                                    ///< contact node
+  std::vector<ContactEntries::Share> shares = {};  ///< J_ul and J_lu at the nodes that it moves
+  std::vector<ContactEntries::OnSurface> on = {};  ///< a and J_cl of surface nodes
 };
 
-/// A contact state. Indices of J are rows and columns: u the displacements of the closed nodes,
-/// three each; y their multipliers l, then the rigid motions w; c the shape unknowns of the surface
-/// nodes that they lie upon. What the pressure wears has one direction m at a surface node, in all
-/// phases.
+/// A contact state. Indices of J are rows and columns: u the displacements of the nodes that closed
+/// contact nodes move, three each; y the multipliers l of these, then the rigid motions w; c the
+/// shape unknowns of surface nodes. What pressures wear has one direction m at a surface node, in
+/// all phases.
 struct PhaseContact {
   std::vector<ContactEntries::Node> nodes;
-  std::vector<int> rigid;  ///< numbers of w
+  std::vector<int> rigid;       ///< numbers of w
+  std::vector<NodeUnknowns> u;  ///< displacements of all points
   // Of the current J:
   std::vector<ClosedNode> closed;
+  std::vector<int> touched;                    ///< points that closed nodes move
   std::vector<int> y;                          ///< numbers of y
+  std::vector<int> worn;                       ///< surface nodes, numbered among all that wear
   Eigen::SparseMatrix<double> u_by_y, y_by_u;  ///< J_uy, J_yu; of each node its own alone
   Eigen::MatrixXd y_by_y;                      ///< J_yy
-  Eigen::MatrixXd worn_by_y;                   ///< m.J_cy, a row per closed node
-  Eigen::SparseMatrix<double, Eigen::RowMajor> worn_by_u;  ///< m.J_cu
-  Eigen::VectorXd a_m;                                     ///< a.m, by closed node
+  Eigen::MatrixXd y_by_worn;                   ///< a.m
+  Eigen::MatrixXd worn_by_y;                   ///< m.J_cy
+  Eigen::SparseMatrix<double> worn_by_u;       ///< m.J_cu
 
-  /// Displacements of the closed nodes.
+  /// Displacements of the points that closed nodes move.
   Eigen::VectorXd displacements(std::span<const double> x) const {
-    Eigen::VectorXd result(most_components * std::ssize(closed));
-    for (std::size_t k = 0; k < closed.size(); ++k)
+    Eigen::VectorXd result(most_components * std::ssize(touched));
+    for (std::size_t k = 0; k < touched.size(); ++k)
       result.segment<most_components>(most_components * static_cast<Eigen::Index>(k)) =
-          values_at(nodes[closed[k].node].u, x);
+          values_at(u[touched[k]], x);
     return result;
   }
 };
 
+/// The points are the nodes that contact nodes may move: their own, and those of other bodies.
 class PhaseContacts {
 public:
   /// `structure` must outlive the object.
@@ -56,177 +60,167 @@ public:
       : entries_(structure), phases_(phases) {
     for (int i : unknowns_of(structure, {Role::rigid}))
       phases_[structure.block_of(i).owner].rigid.push_back(i);
-    for (const ContactEntries::Node& node : entries_.nodes())
+    for (const ContactEntries::Node& node : entries_.nodes()) {
+      add_point(node.state, node.group, node.u);
+      for (const ContactEntries::Partner& partner : node.partners)
+        add_point(node.state, partner.group, partner.u);
       phases_[node.state].nodes.push_back(node);
+    }
   }
 
   void update(std::span<const double> J) {
     entries_.update(J);
-    std::vector<char> touches(phases_.front().nodes.size(), 0);
-    std::vector<int> worn(entries_.surfaces().size(), -1);
-    std::vector<NodeValues> direction(worn.size(), NodeValues::Zero());  // m, by surface node
+    std::vector<NodeValues> direction(entries_.surfaces().size(), NodeValues::Zero());
+    for (PhaseContact& phase : phases_) find_closed(phase, direction);
+    std::vector<int> worn(direction.size(), -1);
     worn_ = 0;
+    for (std::size_t s = 0; s < direction.size(); ++s)
+      if (NodeValues& m = direction[s]; !m.isZero(0)) m.stableNormalize(), worn[s] = worn_++;
+    touched_.clear();
     for (PhaseContact& phase : phases_) {
-      phase.closed.clear();
-      for (std::size_t c = 0; c < phase.nodes.size(); ++c) {
-        if (!is_closed(phase.nodes[c])) continue;
-        ClosedNode closed{.node = static_cast<int>(c), .on = entries_.on_surface(phase.nodes[c])};
-        touches[c] = 1;
-        if (const int surface = closed.on.surface; surface >= 0) {
-          if (worn[surface] < 0) worn[surface] = worn_++;
-          closed.worn = worn[surface];
-          direction[surface] += closed.on.e;
-        }
-        phase.closed.push_back(closed);
-      }
+      PhaseEntries(*this, phase, direction, worn).fill();
+      touched_.insert(touched_.end(), phase.touched.begin(), phase.touched.end());
     }
-    touching_.clear();
-    for (std::size_t c = 0; c < touches.size(); ++c)
-      if (touches[c]) touching_.push_back(static_cast<int>(c));
-    for (NodeValues& m : direction)
-      if (!m.isZero(0)) m.stableNormalize();
-    for (PhaseContact& phase : phases_) fill(phase, direction);
+    std::ranges::sort(touched_);
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   }
 
   const std::vector<PhaseContact>& phases() const { return phases_; }
-  /// Contact nodes that are closed in a phase, ascending.
-  const std::vector<int>& touching() const { return touching_; }
+  /// Points that closed nodes move in a phase, ascending.
+  const std::vector<int>& touched() const { return touched_; }
   /// Number of surface nodes that wear.
   int worn() const { return worn_; }
   const ContactEntries& entries() const { return entries_; }
 
 private:
-  bool is_closed(const ContactEntries::Node& node) const {
-    bool force = false, gap = false;
-    for (int u : node.u) {
-      force |= entries_.at(u, node.multiplier) != 0;
-      gap |= entries_.at(node.multiplier, u) != 0;
+  void add_point(int phase, int group, const NodeUnknowns& u) {
+    const auto [at, is_new] = points_.try_emplace(group, static_cast<int>(points_.size()));
+    if (is_new)
+      for (PhaseContact& other : phases_) other.u.push_back({-1, -1, -1});
+    phases_[phase].u[at->second] = u;
+  }
+
+  void find_closed(PhaseContact& phase, std::vector<NodeValues>& direction) const {
+    phase.closed.clear();
+    for (std::size_t c = 0; c < phase.nodes.size(); ++c) {
+      ClosedNode node{static_cast<int>(c), entries_.shares(phase.nodes[c])};
+      if (node.shares.front().B.isZero(0) || node.shares.front().C.isZero(0)) continue;  // open
+      node.on = entries_.on_surfaces(phase.nodes[c]);
+      for (const ContactEntries::OnSurface& on : node.on) direction[on.surface] += on.e;
+      phase.closed.push_back(std::move(node));
     }
-    return force && gap;
   }
 
-  /// The entries of J.
-  void fill(PhaseContact& phase, const std::vector<NodeValues>& direction) const {
-    const auto count = static_cast<int>(phase.closed.size());
-    phase.y.clear();
-    for (const ClosedNode& node : phase.closed)
-      phase.y.push_back(phase.nodes[node.node].multiplier);
-    phase.y.insert(phase.y.end(), phase.rigid.begin(), phase.rigid.end());
-    const auto size = static_cast<int>(phase.y.size());
-    std::vector<Eigen::Triplet<double>> u_by_y, y_by_u, worn_by_u;
-    phase.y_by_y.setZero(size, size);
-    phase.worn_by_y.setZero(count, size);
-    phase.a_m.setZero(count);
-    for (int k = 0; k < size; ++k)
-      for (int j = 0; j < size; ++j)
-        if (k == j || k >= count || j >= count)
-          phase.y_by_y(k, j) = entries_.at(phase.y[k], phase.y[j]);
-    for (int k = 0; k < count; ++k) {
-      const ClosedNode& node = phase.closed[k];
-      const NodeUnknowns& u = phase.nodes[node.node].u;
-      for (int j = k; j < size; j = std::max(j + 1, count))  // its own multiplier, and w
-        for (int i = 0; i < most_components; ++i) {
-          const int row = most_components * k + i;
-          u_by_y.emplace_back(row, j, entries_.at(u[i], phase.y[j]));
-          y_by_u.emplace_back(j, row, entries_.at(phase.y[j], u[i]));
-        }
-      if (node.on.surface < 0) continue;
-      const NodeUnknowns& surface = entries_.surfaces()[node.on.surface];
-      const NodeValues& m = direction[node.on.surface];
-      phase.a_m[k] = node.on.a.dot(m);
-      phase.worn_by_y(k, k) = node.on.e.dot(m);
-      for (int c = 0; c < most_components; ++c) {
-        for (int j = count; j < size; ++j)
-          phase.worn_by_y(k, j) += m[c] * entries_.at(surface[c], phase.y[j]);
-        for (int i = 0; i < most_components; ++i)
-          worn_by_u.emplace_back(k, most_components * k + i, m[c] * entries_.at(surface[c], u[i]));
-      }
+  /// The entries of J that a phase has.
+  class PhaseEntries {
+  public:
+    PhaseEntries(const PhaseContacts& contacts, PhaseContact& phase,
+                 const std::vector<NodeValues>& direction, const std::vector<int>& worn)
+        : entries_(contacts.entries_),
+          points_(contacts.points_),
+          phase_(phase),
+          direction_(direction),
+          worn_(worn),
+          point_(phase.u.size(), -1),
+          row_(worn.size(), -1) {}
+
+    void fill() {
+      number();
+      const auto y = std::ssize(phase_.y), worn = std::ssize(phase_.worn),
+                 u = most_components * std::ssize(phase_.touched);
+      phase_.y_by_y.setZero(y, y);
+      phase_.y_by_worn.setZero(y, worn);
+      phase_.worn_by_y.setZero(worn, y);
+      for (int k = 0; k < y; ++k)
+        for (int j = 0; j < y; ++j)
+          if (k == j || k >= closed() || j >= closed())
+            phase_.y_by_y(k, j) = entries_.at(phase_.y[k], phase_.y[j]);
+      for (int k = 0; k < closed(); ++k) add_closed(k);
+      make(phase_.u_by_y, u, y, u_by_y_);
+      make(phase_.y_by_u, y, u, y_by_u_);
+      make(phase_.worn_by_u, worn, u, worn_by_u_);
     }
-    const auto make = [](auto& matrix, int rows, int columns, const auto& entries) {
-      matrix.resize(rows, columns);
-      matrix.setFromTriplets(entries.begin(), entries.end());
-    };
-    make(phase.u_by_y, most_components * count, size, u_by_y);
-    make(phase.y_by_u, size, most_components * count, y_by_u);
-    make(phase.worn_by_u, count, most_components * count, worn_by_u);
-  }
 
-  ContactEntries entries_;
-  std::vector<PhaseContact> phases_;
-  std::vector<int> touching_;
-  int worn_ = 0;
-};
+  private:
+    using Entries = std::vector<Eigen::Triplet<double>>;
+    int closed() const { return static_cast<int>(phase_.closed.size()); }
 
-/// G = the part of K^-1 in rows and columns of the contact nodes' displacements, of which columns
-/// are solved for when they are first needed, and kept until K is set up again.
-class ContactCompliance {
-public:
-  /// `nodes`: of every contact node the numbers of its displacements in the block.
-  explicit ContactCompliance(std::vector<NodeUnknowns> nodes) : nodes_(std::move(nodes)) {
-    clear();
-  }
-
-  void clear() {
-    first_column_.assign(nodes_.size(), -1);
-    G_.resize(most_components * static_cast<long>(nodes_.size()), 0);
-  }
-  /// How many columns solve() would have to solve for.
-  long missing(const std::vector<int>& nodes) const {
-    return most_components *
-           std::ranges::count_if(nodes, [this](int node) { return first_column_[node] < 0; });
-  }
-
-  /// Makes the columns of these nodes available.
-  void solve(const std::vector<int>& nodes, StiffnessBlock& stiffness) {
-    constexpr long together = 20;  // nodes per solve
-    std::vector<int> fresh;
-    std::ranges::copy_if(nodes, std::back_inserter(fresh),
-                         [this](int node) { return first_column_[node] < 0; });
-    if (fresh.empty()) return;
-    long column = G_.cols();
-    G_.conservativeResize(Eigen::NoChange,
-                          column + most_components * static_cast<long>(fresh.size()));
-    Eigen::MatrixXd forces, moved;
-    for (std::size_t start = 0; start < fresh.size(); start += together) {
-      const long count = std::min<long>(together, static_cast<long>(fresh.size() - start));
-      forces.setZero(stiffness.size(), most_components * count);
-      moved.resizeLike(forces);
-      for (long k = 0; k < count; ++k)
-        for (int i = 0; i < most_components; ++i)
-          if (const int number = nodes_[fresh[start + k]][i]; number >= 0)
-            forces(number, most_components * k + i) = 1;
-      const auto entries = static_cast<std::size_t>(forces.size());
-      stiffness.solver().apply({forces.data(), entries}, {moved.data(), entries});
-      for (long k = 0; k < count; ++k, column += most_components) {
-        first_column_[fresh[start + k]] = static_cast<int>(column);
-        for (std::size_t node = 0; node < nodes_.size(); ++node)
-          for (int i = 0; i < most_components; ++i) {
-            const int number = nodes_[node][i];
-            for (int j = 0; j < most_components; ++j)
-              G_(most_components * static_cast<long>(node) + i, column + j) =
-                  number < 0 ? 0 : moved(number, most_components * k + j);
+    /// What of points, surface nodes and unknowns the phase has.
+    void number() {
+      phase_.touched.clear();
+      phase_.worn.clear();
+      phase_.y.clear();
+      for (const ClosedNode& node : phase_.closed) {
+        phase_.y.push_back(phase_.nodes[node.node].multiplier);
+        for (const ContactEntries::Share& share : node.shares)
+          if (int& at = point_[points_.at(share.group)]; at < 0) {
+            at = static_cast<int>(phase_.touched.size());
+            phase_.touched.push_back(points_.at(share.group));
+          }
+        for (const ContactEntries::OnSurface& on : node.on)
+          if (int& at = row_[on.surface]; at < 0 && worn_[on.surface] >= 0) {
+            at = static_cast<int>(phase_.worn.size());
+            phase_.worn.push_back(worn_[on.surface]);
           }
       }
+      phase_.y.insert(phase_.y.end(), phase_.rigid.begin(), phase_.rigid.end());
     }
-  }
 
-  /// G of these nodes, whose columns are available.
-  Eigen::MatrixXd among(const std::vector<ClosedNode>& nodes) const {
-    const auto count = static_cast<Eigen::Index>(nodes.size());
-    Eigen::MatrixXd result(most_components * count, most_components * count);
-    for (Eigen::Index l = 0; l < count; ++l)
-      for (Eigen::Index k = 0; k < count; ++k)
-        result.block<most_components, most_components>(most_components * k, most_components * l) =
-            G_.block<most_components, most_components>(most_components * long(nodes[k].node),
-                                                       first_column_[nodes[l].node]);
-    return result;
-  }
-  long columns() const { return G_.cols(); }
+    void add_closed(int k) {
+      const ClosedNode& node = phase_.closed[k];
+      for (const ContactEntries::Share& share : node.shares) add_share(k, share);
+      for (const ContactEntries::OnSurface& on : node.on) {
+        const int row = row_[on.surface];
+        if (row < 0) continue;
+        phase_.y_by_worn(k, row) = on.a.dot(direction_[on.surface]);
+        phase_.worn_by_y(row, k) = on.e.dot(direction_[on.surface]);
+        for (std::size_t j = phase_.closed.size(); j < phase_.y.size(); ++j)
+          phase_.worn_by_y(row, static_cast<int>(j)) = wear(on.surface, phase_.y[j]);
+      }
+    }
+    void add_share(int k, const ContactEntries::Share& share) {
+      for (int i = 0; i < most_components; ++i) {
+        const int column = most_components * point_[points_.at(share.group)] + i;
+        u_by_y_.emplace_back(column, k, share.B[i]);
+        y_by_u_.emplace_back(k, column, share.C[i]);
+        for (std::size_t j = phase_.closed.size(); j < phase_.y.size(); ++j) {
+          const int w = phase_.y[j];
+          u_by_y_.emplace_back(column, static_cast<int>(j), entries_.at(share.u[i], w));
+          y_by_u_.emplace_back(static_cast<int>(j), column, entries_.at(w, share.u[i]));
+        }
+        for (const ContactEntries::OnSurface& on : phase_.closed[k].on)
+          if (const int row = row_[on.surface]; row >= 0)
+            worn_by_u_.emplace_back(row, column, wear(on.surface, share.u[i]));
+      }
+    }
+    /// m.J_c of a column.
+    double wear(int surface, int column) const {
+      double sum = 0;
+      for (int c = 0; c < most_components; ++c)
+        sum += direction_[surface][c] * entries_.at(entries_.surfaces()[surface][c], column);
+      return sum;
+    }
+    /// Contact nodes may share points and surface nodes: what several of them have is the same.
+    static void make(Eigen::SparseMatrix<double>& matrix, long rows, long columns,
+                     const Entries& entries) {
+      matrix.resize(rows, columns);
+      matrix.setFromTriplets(entries.begin(), entries.end(), [](double, double b) { return b; });
+    }
 
-private:
-  std::vector<NodeUnknowns> nodes_;
-  std::vector<int> first_column_;  // in G_, of every node; -1: not available
-  Eigen::MatrixXd G_;              // a row per component of every node
+    const ContactEntries& entries_;
+    const std::map<int, int>& points_;
+    PhaseContact& phase_;
+    const std::vector<NodeValues>& direction_;  // m, by surface node
+    const std::vector<int>& worn_;              // number among all that wear, by surface node
+    std::vector<int> point_, row_;  // in `touched`, by point; in `worn`, by surface node
+    Entries u_by_y_, y_by_u_, worn_by_u_;
+  };
+
+  ContactEntries entries_;
+  std::map<int, int> points_;  // by Structure::group
+  std::vector<PhaseContact> phases_;
+  std::vector<int> touched_;
+  int worn_ = 0;
 };
 
 }  // namespace gnomon

@@ -19,7 +19,7 @@ public:
   SpringCore(const Structure& s, const InnerSolverMaker& inner)
       : column_cost_(inner.column_cost),
         contact_(s, follows_springs()),
-        stiffness_(s, Role::stiffness, inner, StiffnessBlock::Owners::apart, contact_.joined()),
+        stiffness_(s, Role::stiffness, inner, contact_.joined()),
         rigid_row_(s, {Role::rigid}, core_roles),
         rigid_block_(s, {Role::rigid}, {Role::rigid}),
         rigid_column_(s, core_roles, {Role::rigid}),

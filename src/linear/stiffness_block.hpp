@@ -14,25 +14,25 @@
 
 namespace gnomon {
 
-/// The blocks of one role, of each owner one. Without owners or unknowns it solves nothing. Vectors
-/// have the system's size.
+/// The blocks of one role, of each owner one. They share one solver, that of the mean of their
+/// matrices, which differ little: phases of a cycle deform the same bodies. Without owners or
+/// unknowns it solves nothing. Vectors have the system's size.
 class StiffnessBlock {
 public:
-  /// Owners that are alike share one solver, that of the mean of their matrices, which differ
-  /// little: phases of a cycle deform one body. Apart, they are blocks of one matrix.
-  enum class Owners { alike, apart };
-
   /// `joined`: unknowns that the matrix may couple beside those that J does. Throws InputError
   /// where multigrid is chosen and not built in; Error where the blocks of two owners are not
   /// alike.
   StiffnessBlock(const Structure& structure, Role role, const InnerSolverMaker& inner,
-                 Owners owners = Owners::alike, const std::vector<std::vector<int>>& joined = {})
-      : unknowns_(by_owner(structure, role, owners)) {
+                 const std::vector<std::vector<int>>& joined = {})
+      : unknowns_(by_owner(structure, role)) {
     for (const std::vector<int>& unknowns : unknowns_) {
-      parts_.emplace_back(structure.pattern, unknowns, joined);
-      if (parts_.back().lower().row_index != part().lower().row_index)
+      if (unknowns.size() != unknowns_.front().size())
         throw Error("the stiffness blocks of two contact states are not alike");
+      parts_.emplace_back(structure.pattern, unknowns, joined);
     }
+    // Each phase may couple other nodes of two bodies by the turning of their normals.
+    for (SymmetricPart& other : parts_) parts_.front().keep_common(other.lower());
+    for (SymmetricPart& other : parts_) other.keep_common(part().lower());
     b_.resize(unknowns_.size() * unknowns().size());
     x_.resize(b_.size());
     if (unknowns().empty()) return;
@@ -62,6 +62,12 @@ public:
     }
     for (double& value : values_) value /= static_cast<double>(owners());
     return values_;
+  }
+  /// Adds a spring to each unknown, as a part of its own stiffness.
+  void add_soft_springs(double part_of_own) {
+    for (int k = 0; k < part().lower().size(); ++k)
+      if (const int at = part().lower().find(k, k); at >= 0)
+        values_[static_cast<std::size_t>(at)] *= 1 + part_of_own;
   }
   /// Sets up the solver. Where the matrix has no factors, as of bodies that contact alone holds,
   /// with a larger diagonal: it only preconditions. Returns how many factorizations were made.
@@ -95,19 +101,13 @@ public:
   }
 
 private:
-  /// Each owner in the matrix has nodes of its own.
   void lay_out(const Structure& structure) {
-    std::map<int, int> first_node;  // by owner
+    layout_.position = structure.position;
+    layout_.coarsening = structure.coarsening;
     for (int i : unknowns()) {
-      const auto [at, is_new] = first_node.try_emplace(structure.block_of(i).owner,
-                                                       static_cast<int>(layout_.position.size()));
-      if (is_new)
-        layout_.position.insert(layout_.position.end(), structure.position.begin(),
-                                structure.position.end());
-      layout_.group.push_back(at->second + structure.group[i]);
+      layout_.group.push_back(structure.group[i]);
       layout_.component.push_back(structure.component[i]);
     }
-    if (first_node.size() == 1) layout_.coarsening = structure.coarsening;
   }
   /// By a part of its mean magnitude, and to positive values.
   void enlarge_diagonal(double part_of_mean) {
@@ -121,11 +121,9 @@ private:
       }
     for (double* value : diagonal) *value = std::abs(*value) + part_of_mean * mean;
   }
-  static std::vector<std::vector<int>> by_owner(const Structure& structure, Role role,
-                                                Owners owners) {
+  static std::vector<std::vector<int>> by_owner(const Structure& structure, Role role) {
     std::map<int, std::vector<int>> owned;
-    for (int i : unknowns_of(structure, {role}))
-      owned[owners == Owners::alike ? structure.block_of(i).owner : 0].push_back(i);
+    for (int i : unknowns_of(structure, {role})) owned[structure.block_of(i).owner].push_back(i);
     std::vector<std::vector<int>> result;
     for (auto& [owner, unknowns] : owned) result.push_back(std::move(unknowns));
     if (result.empty()) result.emplace_back();

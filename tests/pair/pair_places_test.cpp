@@ -1,7 +1,9 @@
 // Bodies of pairs that have places over a cycle: derivatives, independence of the frame, volumes.
 
 #include <cmath>
+#include <gnomon/linear/inner_solver.hpp>
 
+#include "linear/block_preconditioner.hpp"
 #include "support/problem_run.hpp"
 #include "support/rough_state.hpp"
 #include "support/two_bodies.hpp"
@@ -110,6 +112,46 @@ TEST(PairPlaces, GearTeethWearAsTheySlide) {
   const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 300);
   EXPECT_NEAR(observed(*model, run.last(), "worn_volume_driven") / (1e-8 * work * 3e4), 1, 3e-3);
   EXPECT_NEAR(observed(*model, run.last(), "worn_volume_driver") / (1e-10 * work * 3e4), 1, 3e-3);
+}
+
+// Phases of a stroke press and wear other nodes of the master. What pressures do is inverted
+// exactly, so that only derivatives of equilibrium by the shape are left to the iterations.
+TEST(PairPlaces, TheBlockSolverInvertsWhatPressuresOfAllPhasesDo) {
+  TwoBodies pair{.upper = {.along = 4, .high = 3, .wear = 1e-4},
+                 .lower = {.along = 9, .high = 3, .from = -1, .to = 2, .wear = 2e-4}};
+  AssemblyParts<2> parts = two_bodies<2>(pair);
+  for (const double shift : {-0.4, 0.0, 0.5}) {
+    Phase<2> phase;
+    phase.weight = 1.0 / 3;
+    phase.places.resize(2);
+    phase.places[1].shift = shift * Vector<2>::UnitX();
+    parts.phases.push_back(phase);
+  }
+  const WearModel<2> model(std::make_shared<const Assembly<2>>(std::move(parts)));
+  Counters counters;
+  const State start = model.start(counters);
+  const System& system = model.system();
+  const Structure& structure = system.structure();
+  const ActiveSet branch = active_set(system, 0, start.y);
+  std::vector<double> J(structure.pattern.nonzeros()), rest(start.y.size(), 0.0);
+  system.jacobian({0, start.y, rest, &branch}, 1e-2, J);
+  BlockPreconditioner preconditioner(structure, factor_solvers());
+  preconditioner.refresh(J);
+  preconditioner.set_up(true);
+  std::vector<double> r(start.y.size()), z(start.y.size());
+  int pressures = 0;
+  for (int l : unknowns_of(structure, {Role::multiplier})) {
+    std::vector<double> unit(start.y.size(), 0.0);
+    unit[l] = structure.unknown_scale[l];
+    multiply(structure.pattern, J, unit, r);
+    preconditioner.apply(r, z);
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      if (structure.block_of(static_cast<int>(i)).role == Role::extension) continue;
+      ASSERT_NEAR(z[i], unit[i], 1e-8 * structure.unknown_scale[i]) << l << " " << i;
+    }
+    ++pressures;
+  }
+  EXPECT_EQ(pressures, 15);
 }
 
 TEST(PairPlaces, MistakesAreNamed) {

@@ -37,6 +37,8 @@ public:
                 const std::vector<std::vector<int>>& joined = {});
 
   const SparsePattern& lower() const { return lower_; }
+  /// Drops the entries that another matrix of the same size lacks.
+  void keep_common(const SparsePattern& lower);
   /// Number in the block of one of its unknowns.
   int number(int unknown) const { return number_[unknown]; }
   /// Position in `lower` of an entry in the system's numbers, or -1.
