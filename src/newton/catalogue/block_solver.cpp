@@ -16,13 +16,17 @@ namespace gnomon {
 namespace {
 
 /// Factors solve a system with which the blocks fail, as where the stiffness is not positive
-/// definite. For where they are affordable.
+/// definite. Where they are not affordable, what the blocks reach is taken.
 class BlocksOrFactors : public LinearSolver {
 public:
-  BlocksOrFactors(const Structure& structure, Counters& counters, const InnerSolverMaker& inner)
-      : blocks_(structure, counters, inner), factors_(make_direct_solver(structure, counters)) {}
+  BlocksOrFactors(const Structure& structure, Counters& counters, const InnerSolverMaker& inner,
+                  bool affordable)
+      : blocks_(structure, counters, inner) {
+    if (affordable) factors_ = make_direct_solver(structure, counters);
+  }
 
   void set_up(std::span<const double> J) override {
+    if (!factors_) return blocks_.set_up(J);
     J_ = J;
     by_factors_ = rest_ > 0;
     if (by_factors_) {
@@ -33,17 +37,20 @@ public:
   }
 
   void solve(std::span<const double> b, std::span<double> x, double reduction) override {
+    if (!factors_) return blocks_.solve(b, x, std::min(reduction, loosest), useful);
     if (!by_factors_ && rest_ > 0) factorize();  // the last solve has given the blocks up
     if (!by_factors_) try_blocks([&] { solve_by_blocks(b, x, reduction); });
     if (by_factors_) factors_->solve(b, x, reduction);
   }
 
 private:
+  // An iteration of GMRES costs next to nothing, and a solve that stays behind is not accepted.
+  // With 1e-4 a light load on a stiff, nearly incompressible pin takes 306 instead of 82 Newton
+  // iterations.
+  static constexpr double loosest = 1e-8;
+  static constexpr double useful = 0.3;  // to Newton's method, where nothing better is affordable
+
   void solve_by_blocks(std::span<const double> b, std::span<double> x, double reduction) {
-    // An iteration of GMRES costs next to nothing, and a solve that stays behind is not accepted.
-    // With 1e-4 a light load on a stiff, nearly incompressible pin takes 306 instead of 82 Newton
-    // iterations.
-    constexpr double loosest = 1e-8;
     // More iterations than this, with a fresh preconditioner, cost more than factors.
     constexpr int most_worth = 40;
     blocks_.solve(b, x, std::min(reduction, loosest), loosest);
@@ -97,19 +104,24 @@ bool is_algebraic(const Structure& structure) {
   return std::ranges::count(structure.differential, 1) == 0;
 }
 
+/// Displacements of all phases. Their common shape fills the factors: with 50,000 they take a
+/// minute and several gigabytes.
+constexpr double most_for_factors = 30'000;
+
 /// In the plane factors solve the algebraic stages in less time; those of several phases are large.
 LinearSolverMaker make(const Scene& scene, const MeshSize& mesh) {
   const bool multigrid = by_multigrid(scene, mesh), plane = mesh.dim == 2,
-             direct_stages = plane && mesh.phases == 1 && !multigrid;
-  return {
-      .make = [inner = multigrid ? multigrid_solvers() : factor_solvers(), plane, direct_stages](
-                  const Structure& s, Counters& counters) -> std::unique_ptr<LinearSolver> {
-        if (direct_stages && is_algebraic(s)) return make_direct_solver(s, counters);
-        if (plane) return std::make_unique<BlocksOrFactors>(s, counters, inner);
-        return std::make_unique<sundials::BlockSolver>(s, counters, inner);
-      },
-      .keys = {{preconditioner, multigrid ? "multigrid" : "factor"}},
-      .coarsens = multigrid};
+             direct_stages = plane && mesh.phases == 1 && !multigrid,
+             affordable = mesh.phases * 2 * mesh.nodes < most_for_factors || mesh.phases == 1;
+  return {.make = [inner = multigrid ? multigrid_solvers() : factor_solvers(), plane, direct_stages,
+                   affordable](const Structure& s,
+                               Counters& counters) -> std::unique_ptr<LinearSolver> {
+            if (direct_stages && is_algebraic(s)) return make_direct_solver(s, counters);
+            if (plane) return std::make_unique<BlocksOrFactors>(s, counters, inner, affordable);
+            return std::make_unique<sundials::BlockSolver>(s, counters, inner);
+          },
+          .keys = {{preconditioner, multigrid ? "multigrid" : "factor"}},
+          .coarsens = multigrid};
 }
 
 /// Without PETSc, multigrid is not offered as what needs less.
