@@ -177,8 +177,10 @@ std::unique_ptr<Model> make_wear_model(const Scene& scene, double facet, Assembl
 
 template <int dim>
 WearCircumstances wear_circumstances(const AssemblyParts<dim>& parts) {
+  double friction = parts.pairs.empty() ? parts.interface.friction : 0;
+  for (const MortarPair<dim>& pair : parts.pairs) friction = std::max(friction, pair.friction);
   WearCircumstances at{.pressure = parts.scales.stress,
-                       .friction = parts.interface.friction,
+                       .friction = friction,
                        .speed = parts.nominal_speed(),
                        .duration = parts.scales.duration,
                        .depth = parts.scales.wear_depth,

@@ -28,6 +28,18 @@ TEST(PairScene, BothBodiesLoseWhatTheirLawsSay) {
   EXPECT_LT(sum.norm(), 1e-5 * 50);
 }
 
+// In a law, f is the friction of the pair: f p v and q are the same.
+TEST(PairScene, LawsReadTheFrictionOfTheirPair) {
+  const auto rate = [](const char* law) {
+    const auto model = model_of(scene, {"mesh.factor=2", "pair.1.friction=0.3",
+                                        std::string("wear.rate=\"k * ") + law + "\""});
+    Counters counters;
+    return observed(*model, model->start(counters), "wear_flux_cylinder");
+  };
+  EXPECT_NEAR(rate("f * p * v") / rate("q"), 1, 1e-9);
+  EXPECT_NEAR(rate("f * p * v") / (0.3 * 1e-8 * 50 * 100), 1, 1e-3);
+}
+
 TEST(PairScene, TheOrderOfTheBodiesDoesNotMatter) {
   const auto one = model_of(scene, {"mesh.factor=2"}),
              other = model_of(scene, {"mesh.factor=2", R"(pair.1.bodies=["plate", "cylinder"])"});

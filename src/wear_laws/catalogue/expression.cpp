@@ -5,6 +5,8 @@
 #include <gnomon/expressions/sign_changes.hpp>
 #include <gnomon/wear_laws/wear_law_kind.hpp>
 #include <memory>
+#include <optional>
+#include <set>
 
 #include "expressions/expression_tables.hpp"
 #include "expressions/expression_text.hpp"
@@ -141,9 +143,17 @@ WearLaw expression_wear_law(const Expression& rate, double end, double nominal_s
 
 namespace {
 
-/// Springs have no friction.
-double friction_of(const Scene& scene) {
-  return scene.knows("friction.coefficient") ? scene.real("friction.coefficient") : 0;
+/// Springs have no friction, and pairs may each have their own: none where these differ.
+std::optional<double> friction_of(const Scene& scene) {
+  if (!scene.knows("friction.coefficient")) return 0;
+  std::set<double> found;
+  for (const std::string& pair : scene.chosen_names("pair.#.bodies")) {
+    const std::string own = "pair." + pair + ".friction";
+    found.insert(scene.real(scene.given(own) ? own : "friction.coefficient"));
+  }
+  if (found.empty()) return scene.real("friction.coefficient");
+  if (found.size() > 1) return std::nullopt;
+  return *found.begin();
 }
 
 /// k, f, the constants and the tables of the scene.
@@ -151,7 +161,7 @@ ExpressionNames read_names(const Scene& scene) {
   ExpressionNames names;
   names.variables = wear_law_variables();
   if (scene.has("wear.coefficient")) names.constants["k"] = scene.real("wear.coefficient");
-  names.constants["f"] = friction_of(scene);
+  if (const auto friction = friction_of(scene)) names.constants["f"] = *friction;
   for (const std::string& name : scene.chosen_names("wear.constants.*")) {
     const std::string key = "wear.constants." + name;
     if (name == "k" || name == "f")
@@ -162,6 +172,14 @@ ExpressionNames read_names(const Scene& scene) {
   }
   add_tables(scene, names);
   return names;
+}
+
+void require_one_friction(const Scene& scene, const std::string& key) {
+  if (tokens_in(scene.text(key)).contains("f") && !friction_of(scene))
+    throw InputError(
+        scene.where(key) +
+        ": f is not one number, pair.#.friction differs: expected q, which is f p v of "
+        "each pair");
 }
 
 /// Of p, v, h, q or a position, each point is a switching function of every contact node; of t or
@@ -181,6 +199,7 @@ void require_few_points(const Scene& scene, const std::string& rate) {
 
 WearLaw expression_wear_law(const Scene& scene, const std::string& key, double nominal_speed) {
   const ExpressionNames names = read_names(scene);
+  require_one_friction(scene, key);
   try {
     const Expression rate(scene.text(key), names);
     require_few_points(scene, rate.text());
