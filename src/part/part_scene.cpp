@@ -277,6 +277,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
     append(parts.remarks, remarks_on_speeds(scene, patches, parts.interface.partner, cycle));
   keep_normals_to_supports(parts);
   complete_surface_laws(scene, parts);
+  append(parts.remarks, remarks_on_passing_material(scene, parts));
   parts = completed(scene, magnitudes.facet, std::move(parts));
   judge_gap(magnitudes, parts);
   require_moving_shape(scene, patches, parts.shape);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/scene/toml_key.hpp>
 #include <set>
 
@@ -177,6 +178,31 @@ std::vector<std::string> remarks_on_tracks(const Magnitudes& expected,
   return remarks;
 }
 
+template <int dim>
+std::vector<std::string> remarks_on_passing_material(const Scene& scene,
+                                                     const AssemblyParts<dim>& parts) {
+  if (parts.pairs.empty() || !parts.phases.empty() || parts.section() == Section::meridian)
+    return {};
+  std::vector<std::string> remarks;
+  const auto motions = read_motions_of_bodies<dim>(scene, parts.section());
+  const WearCircumstances at = wear_circumstances(parts);
+  for (const Surface<dim>& surface : parts.interface.surfaces) {
+    if (surface.track || !surface.wears || wear_by_pressure(surface.wear, at) == 0) continue;
+    const int body = BodyOfFacets<dim>(parts.mesh, parts.bodies)(surface.facets.front());
+    const auto motion = motions.find(parts.bodies[static_cast<std::size_t>(body)].name);
+    if (motion == motions.end()) continue;
+    const RigidMotion<dim>& moves = motion->second.motion;
+    if (moves.velocity.norm() == 0 && moves.spin.isZero(0)) continue;
+    remarks.push_back(fmt::format(
+        "material of \"{0}\" passes the contact, but wears as if the same stayed in it{1}",
+        surface.name,
+        streamlines_of(moves)
+            ? fmt::format(": wear.surfaces.{}.path is for how long its track is", surface.name)
+            : ", by a depth that is too large by the circumference over the width of the contact"));
+  }
+  return remarks;
+}
+
 template std::optional<Track<2>> read_track(const Scene&, const Surface<2>&,
                                             const AssemblyParts<2>&);
 template std::optional<Track<3>> read_track(const Scene&, const Surface<3>&,
@@ -187,5 +213,9 @@ template void require_receding_tracks(const Scene&, const AssemblyParts<2>&);
 template void require_receding_tracks(const Scene&, const AssemblyParts<3>&);
 template std::vector<std::string> remarks_on_tracks(const Magnitudes&, const AssemblyParts<2>&);
 template std::vector<std::string> remarks_on_tracks(const Magnitudes&, const AssemblyParts<3>&);
+template std::vector<std::string> remarks_on_passing_material(const Scene&,
+                                                              const AssemblyParts<2>&);
+template std::vector<std::string> remarks_on_passing_material(const Scene&,
+                                                              const AssemblyParts<3>&);
 
 }  // namespace gnomon::part

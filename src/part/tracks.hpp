@@ -35,4 +35,9 @@ template <int dim>
 std::vector<std::string> remarks_on_tracks(const Magnitudes& expected,
                                            const AssemblyParts<dim>& parts);
 
+/// Of pairs in steady motion: surfaces whose material moves on, but that have no track.
+template <int dim>
+std::vector<std::string> remarks_on_passing_material(const Scene& scene,
+                                                     const AssemblyParts<dim>& parts);
+
 }  // namespace gnomon::part
