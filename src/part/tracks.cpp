@@ -197,7 +197,7 @@ std::vector<std::string> remarks_on_passing_material(const Scene& scene,
         "material of \"{0}\" passes the contact, but wears as if the same stayed in it{1}",
         surface.name,
         streamlines_of(moves)
-            ? fmt::format(": wear.surfaces.{}.path is for how long its track is", surface.name)
+            ? fmt::format(": wear.surfaces.{}.path gives the length of its track", surface.name)
             : ", by a depth that is too large by the circumference over the width of the contact"));
   }
   return remarks;
