@@ -1,6 +1,7 @@
 // Bodies that contact holds: where they rest, and what is refused since nothing determines it.
 
 #include <cmath>
+#include <map>
 
 #include "part/part_scene.hpp"
 
@@ -67,12 +68,17 @@ coefficient = 1e-9
 end = 100.0
 )";
 
+ResultantForce reaction_of(const Model& model, const State& state, const std::string& support) {
+  for (const ResultantForce& force : model.examine(state).reactions)
+    if (force.name == support) return force;
+  ADD_FAILURE() << "no reaction of " << support;
+  return {};
+}
+
 /// By the torque of a support about the origin, which the forces on the plate have, too.
 double centre_of_pressure(const Model& model, const State& state) {
-  for (const auto& force : model.examine(state).reactions)
-    if (force.name == "support_1") return force.torque[2] / force.force[1];
-  ADD_FAILURE() << "no reaction of the base";
-  return 0;
+  const ResultantForce base = reaction_of(model, state, "support_1");
+  return base.torque[2] / base.force[1];
 }
 
 class PairBalance : public PartScenes {};
@@ -167,10 +173,10 @@ coefficient = 1e-8
   const auto model = this->model(scene + "[[support]]\non = \"top\"\ndirections = [\"x\"]\n");
   Counters counters;
   const State start = model->start(counters);
-  for (const auto& force : model->examine(start).reactions) {
-    const double angle = std::atan2(force.force[1], force.force[0]) * 180 / M_PI;
-    if (force.name == "support_3") continue;
-    EXPECT_NEAR(angle, force.name == "support_1" ? 150 : 20, 0.5);
+  for (const auto& [name, degrees] :
+       std::map<std::string, double>{{"support_1", 150}, {"support_2", 20}}) {
+    const ResultantForce reaction = reaction_of(*model, start, name);
+    EXPECT_NEAR(std::atan2(reaction.force[1], reaction.force[0]) * 180 / M_PI, degrees, 0.5);
   }
   EXPECT_THAT(refusal(scene), HasSubstr("\"disc\" can turn about"));
 }
@@ -218,12 +224,10 @@ Physical Surface("face") = {51}; Physical Surface("base") = {b[0]};
   const auto model = this->model(scene);
   Counters counters;
   const State start = model->start(counters);
-  for (const auto& force : model->examine(start).reactions)
-    if (force.name == "support_1") {
-      EXPECT_NEAR(force.force[2], 100, 0.1);
-      EXPECT_NEAR(-force.torque[1] / force.force[2], -0.3 * 2, 0.02);
-      EXPECT_NEAR(force.torque[0] / force.force[2], 0, 0.02);
-    }
+  const ResultantForce base = reaction_of(*model, start, "support_1");
+  EXPECT_NEAR(base.force[2], 100, 0.1);
+  EXPECT_NEAR(-base.torque[1] / base.force[2], -0.3 * 2, 0.02);
+  EXPECT_NEAR(base.torque[0] / base.force[2], 0, 0.02);
   EXPECT_THAT(refusal(scene, {"pair.1.friction=1.7"}), HasSubstr("\"shoe\" can turn about"));
 }
 
