@@ -102,7 +102,7 @@ Groups divided(const Groups& groups, double tolerance, const Value& value) {
 template <int dim>
 std::string point_text(const Vector<dim>& x) {
   std::string text;
-  for (int i = 0; i < dim; ++i) text += fmt::format("{}{:.6g}", i ? ", " : "", x[i]);
+  for (int i = 0; i < dim; ++i) text += fmt::format("{}{:.4g}", i ? ", " : "", x[i]);
   return "(" + text + ")";
 }
 

@@ -1,8 +1,10 @@
 #include "model/rigid_parts.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "base/spectrum.hpp"
@@ -99,6 +101,20 @@ std::vector<RigidPart<dim>> rigid_parts(const AssemblyParts<dim>& parts,
   return result;
 }
 
+namespace {
+
+/// A point to four digits, and not finer than a thousandth of the part.
+template <int dim>
+std::string rounded(const Vector<dim>& point, double size) {
+  const double unit = std::pow(10, std::floor(std::log10(size)) - 3);
+  std::vector<std::string> numbers;
+  for (const double x : point)
+    numbers.push_back(fmt::format("{:.4g}", std::round(x / unit) * unit + 0.0));
+  return fmt::format("({})", fmt::join(numbers, ", "));
+}
+
+}  // namespace
+
 template <int dim>
 std::string description_of(const Twist<dim>& twist, const RigidPart<dim>& part, Section section) {
   constexpr double far = 3;  // in sizes: a rotation about a point farther away moves the body
@@ -116,13 +132,12 @@ std::string description_of(const Twist<dim>& twist, const RigidPart<dim>& part, 
     const double rotation = twist[2] / part.size;
     if (std::abs(twist[2]) * far < along.norm()) return "move along " + direction(along);
     const Vector<2> point = part.centre + Vector<2>(-along[1], along[0]) / rotation;
-    return fmt::format("turn about ({:.3g}, {:.3g})", point[0], point[1]);
+    return "turn about " + rounded(point, part.size);
   } else {
     const Vector<3> rotation = twist.template tail<3>() / part.size;
     if (rotation.norm() * part.size * far < along.norm()) return "move along " + direction(along);
     const Vector<3> point = part.centre + rotation.cross(along) / rotation.squaredNorm();
-    return fmt::format("turn about {} through ({:.3g}, {:.3g}, {:.3g})", direction(rotation),
-                       point[0], point[1], point[2]);
+    return fmt::format("turn about {} through {}", direction(rotation), rounded(point, part.size));
   }
 }
 
