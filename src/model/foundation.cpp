@@ -49,6 +49,13 @@ Foundation<dim>::Foundation(const AssemblyParts<dim>& parts,
     pressed_.push_back(load.forces.size() > 0
                            ? std::vector<ContactPatch<dim>>()
                            : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()));
+  for (std::size_t k = 0; k < parts.loads.size(); ++k) {
+    const Load<dim>& load = parts.loads[k];
+    double whole = load.forces.size() > 0 ? load.forces.rowwise().norm().sum() : 0;
+    for (const ContactPatch<dim>& patch : pressed_[k])
+      whole += std::abs(load.pressure) * patch.initial_area;
+    largest_load_ += load.history.largest() * whole;
+  }
 }
 
 template <int dim>
@@ -60,11 +67,11 @@ void Foundation<dim>::add_force(std::size_t part, const Vector<dim>& x, const Ve
 
 template <int dim>
 std::vector<Twist<dim>> Foundation<dim>::loads(const std::vector<Pose<dim>>& poses,
-                                               double t) const {
+                                               LoadTime at) const {
   std::vector<Twist<dim>> forces(rigid_.size(), Twist<dim>::Zero());
   for (std::size_t k = 0; k < parts_.loads.size(); ++k) {
     const Load<dim>& load = parts_.loads[k];
-    const double factor = load.history.factor(t);
+    const double factor = load.history.factor(at.t, at.within);
     for (Eigen::Index node = 0; node < load.forces.rows(); ++node)
       if (!load.forces.row(node).isZero(0)) {
         const std::size_t part = part_of_[static_cast<std::size_t>(node)];

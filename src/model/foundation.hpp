@@ -10,6 +10,12 @@ namespace gnomon {
 template <int dim>
 using Pose = Eigen::Transform<double, dim, Eigen::Affine>;
 
+/// A time of load histories, on the straight lines that are valid immediately after `within`: just
+/// before a jump, for example.
+struct LoadTime {
+  double t = 0, within = 0;
+};
+
 /// pressure = stiffness smooth log(1 + exp(overlap / smooth)), twice differentiable.
 struct FoundationLaw {
   double stiffness = 1;  ///< [stress / length]
@@ -26,10 +32,12 @@ public:
              std::vector<Vector<dim>> x);
 
   /// Of the loads at a time, on each part.
-  std::vector<Twist<dim>> loads(const std::vector<Pose<dim>>& poses, double t) const;
+  std::vector<Twist<dim>> loads(const std::vector<Pose<dim>>& poses, LoadTime at) const;
   /// Adds what contact does to it. Finds again which facets may meet where parts have moved.
   void add_contact(const std::vector<Pose<dim>>& poses, const FoundationLaw& law,
                    std::vector<Twist<dim>>& forces);
+  /// All loads at their largest factors, without regard to their directions [force].
+  double largest_load() const { return largest_load_; }
   /// The largest overlap that the last call of it met [length].
   double deepest() const { return deepest_; }
   /// Of the facets that may touch [length].
@@ -73,7 +81,7 @@ private:
   std::vector<char> touches_;
   std::vector<std::vector<ContactPatch<dim>>> pressed_;  // by load: patches of its pressure
   std::vector<Pose<dim>> found_at_;
-  double margin_ = 0, deepest_ = 0, facet_size_ = 0;
+  double margin_ = 0, deepest_ = 0, facet_size_ = 0, largest_load_ = 0;
 };
 
 }  // namespace gnomon

@@ -36,6 +36,8 @@ public:
       return part.loose.cols() > 1 || rotations.norm() > rounding;
     });
   }
+  /// Whether loads act along what is free, beyond rounding errors.
+  bool is_driven() const { return load({}) > rounding_of_loads * foundation_.largest_load(); }
   double size() const { return size_; }
   double facet_size() const { return foundation_.facet_size(); }
   void begin_again() {
@@ -43,25 +45,38 @@ public:
     turn_directions();
   }
   /// Along what is free.
-  double load(double t) const { return along_free(foundation_.loads(poses_, t)).norm(); }
+  double load(LoadTime at) const { return along_free(foundation_.loads(poses_, at)).norm(); }
   Vector<dim> place(std::size_t part, int node) const {
     return poses_[part] * foundation_.place(node);
   }
   const std::vector<RigidPart<dim>>& rigid() const { return rigid_; }
 
+  /// Whether bodies without loads stay in each other, as a ring that was pressed on a shaft.
+  bool is_wedged() {
+    constexpr double kept = 0.3;  // at rest forces are small, which go with the cube of the depth
+    resultant({}, {});
+    const double depth = foundation_.deepest();
+    if (!(depth > 0)) return false;
+    stiffness_ = 1;
+    const FoundationLaw law{stiffness_, smoothing * depth};
+    rest(depth, {}, resultant(law, {}).norm());
+    resultant(law, {});
+    return foundation_.deepest() > kept * depth;
+  }
+
   /// Rests with about this overlap. Returns false where the bodies do not come to rest.
-  bool settle(double depth, double pressure, double t) {
+  bool settle(double depth, double pressure, LoadTime at) {
     constexpr int most_changes = 8;
     constexpr double stiffer = 10, change = 4;  // pressures are uneven; deep edges fall over
     stiffness_ = stiffer * pressure / depth;
-    if (!rest(depth, t)) return false;
+    if (!rest(depth, at, load(at))) return false;
     for (int k = 0; k < most_changes; ++k) {
       const double ratio = foundation_.deepest() / depth;
       if (ratio > 0.5 && ratio < 2) break;
       const std::vector<Pose<dim>> here = poses_;
       const double stiffness = stiffness_;
       stiffness_ *= std::clamp(ratio, 1 / change, change);
-      if (rest(depth, t)) continue;
+      if (rest(depth, at, load(at))) continue;
       poses_ = here;
       stiffness_ = stiffness;
       turn_directions();
@@ -71,14 +86,14 @@ public:
   }
 
   /// Where the stiffness is that of a load on a pendulum far longer than the bodies: the motion.
-  std::string neutral(double depth, double t) {
+  std::string neutral(double depth, LoadTime at) {
     constexpr double nearly = 0.03;
     const FoundationLaw law{stiffness_, smoothing * depth};
-    const Eigen::MatrixXd K = stiffness(resultant(law, t), law, depth, t);
+    const Eigen::MatrixXd K = stiffness(resultant(law, at), law, depth, at);
     const Eigen::EigenSolver<Eigen::MatrixXd> modes(K);  // friction: it is not symmetric
     Eigen::Index least = 0;
     modes.eigenvalues().real().minCoeff(&least);
-    if (modes.eigenvalues()[least].real() > nearly * load(t) / size_) return {};
+    if (modes.eigenvalues()[least].real() > nearly * load(at) / size_) return {};
     return described(twists(modes.eigenvectors().col(least).real()));
   }
   /// The last motion of bodies that did not come to rest.
@@ -98,8 +113,8 @@ private:
     return result;
   }
 
-  Eigen::VectorXd resultant(const FoundationLaw& law, double t) {
-    std::vector<Twist<dim>> forces = foundation_.loads(poses_, t);
+  Eigen::VectorXd resultant(const FoundationLaw& law, LoadTime at) {
+    std::vector<Twist<dim>> forces = foundation_.loads(poses_, at);
     foundation_.add_contact(poses_, law, forces);
     return along_free(forces);
   }
@@ -124,16 +139,16 @@ private:
 
   /// -dR/dz, by central differences.
   Eigen::MatrixXd stiffness(const Eigen::VectorXd& R, const FoundationLaw& law, double depth,
-                            double t) {
+                            LoadTime at) {
     const double h = 1e-3 * depth;
     Eigen::MatrixXd K(R.size(), R.size());
     const std::vector<Pose<dim>> here = poses_;
     for (Eigen::Index k = 0; k < R.size(); ++k) {
       move(h * Eigen::VectorXd::Unit(R.size(), k));
-      const Eigen::VectorXd ahead = resultant(law, t);
+      const Eigen::VectorXd ahead = resultant(law, at);
       poses_ = here;
       move(-h * Eigen::VectorXd::Unit(R.size(), k));
-      K.col(k) = (resultant(law, t) - ahead) / (2 * h);
+      K.col(k) = (resultant(law, at) - ahead) / (2 * h);
       poses_ = here;
     }
     return K;
@@ -149,16 +164,15 @@ private:
         part.loose = loose_twists(parts_, part, now, count);
   }
 
-  bool rest(double depth, double t) {
+  bool rest(double depth, LoadTime at, double force) {
     constexpr int most_steps = 300;
     constexpr double at_rest = 5e-3, largest_step = 0.05, farthest = 4, described_path = 0.3;
     const FoundationLaw law{stiffness_, smoothing * depth};
-    const double force = load(t);
     double time = 1, path = 0;  // time: in that of a path of one depth under the whole load
-    Eigen::VectorXd R = resultant(law, t);
+    Eigen::VectorXd R = resultant(law, at);
     for (int step = 0; step < most_steps && path < farthest * size_; ++step) {
       if (R.norm() <= at_rest * force) return true;
-      Eigen::MatrixXd K = stiffness(R, law, depth, t);
+      Eigen::MatrixXd K = stiffness(R, law, depth, at);
       K.diagonal().array() += force / depth / time;
       Eigen::VectorXd by = K.partialPivLu().solve(R);
       if (!by.allFinite()) by = R;
@@ -166,7 +180,7 @@ private:
       by *= std::min(1.0, largest_step * size_ / by.norm());
       const std::vector<Pose<dim>> here = poses_;
       move(by);
-      const Eigen::VectorXd next = resultant(law, t);
+      const Eigen::VectorXd next = resultant(law, at);
       if (next.dot(R) < 0 && next.norm() > 0.5 * R.norm() &&
           time > 1e-3) {  // it went through a stop
         poses_ = here;
@@ -176,7 +190,7 @@ private:
       time *= next.norm() < R.norm() ? 4 : 1.5;
       path += by.norm();
       turn_directions();
-      R = resultant(law, t);
+      R = resultant(law, at);
     }
     return false;
   }
@@ -185,10 +199,7 @@ private:
     const auto most = static_cast<std::size_t>(
         std::ranges::max_element(motion, {}, [](const auto& twist) { return twist.norm(); }) -
         motion.begin());
-    const std::vector<int> body_of =
-        body_of_nodes(parts_.mesh, body_of_cells(parts_.bodies, parts_.mesh.cells.size()));
-    const int body = body_of[static_cast<std::size_t>(rigid_[most].nodes.front())];
-    return fmt::format("\"{}\" can {}", parts_.bodies[static_cast<std::size_t>(body)].name,
+    return fmt::format("\"{}\" can {}", body_of_part(parts_, rigid_[most]).name,
                        description_of<dim>(motion[most], rigid_[most], parts_.section()));
   }
 
@@ -201,14 +212,24 @@ private:
   double size_ = 0, stiffness_ = 1;
 };
 
-/// Bodies that supports press into each other are where these have moved them, which is not known
-/// here.
+}  // namespace
+
 template <int dim>
 bool supports_press(const AssemblyParts<dim>& parts) {
   return !parts.supports.moved.empty() ||
          std::ranges::any_of(parts.supports.springs,
                              [](const auto& each) { return !each.displacement.isZero(0); });
 }
+
+template <int dim>
+bool wedged(const AssemblyParts<dim>& parts) {
+  AssemblyParts<dim> left_alone = parts;  // friction would drag them
+  left_alone.loads.clear();
+  for (MortarPair<dim>& pair : left_alone.pairs) pair.friction = 0;
+  return Settling<dim>(left_alone, parts.mesh.nodes).is_wedged();
+}
+
+namespace {
 
 /// Brings bodies to rest at the start, on softer foundations first: deep contact is wide on any
 /// mesh, and says what rolls, but what stands on an edge may fall over. Returns the motion that
@@ -222,14 +243,14 @@ std::pair<std::string, double> start(Settling<dim>& settling, const Scales& scal
       std::max(least, std::min(0.1 * size, std::max(0.02 * size, 8 * mesh * mesh / size)));
   for (double softest = 0;; depth = std::max(least, depth / 4)) {
     const bool last = depth <= least;
-    if (!settling.settle(depth, scales.stress, 0)) {
+    if (!settling.settle(depth, scales.stress, {})) {
       if (softest > 0 || last) return {settling.last_motion(), softest};
       settling.begin_again();
       continue;
     }
     if (softest == 0) {
       softest = depth;
-      if (const std::string motion = settling.neutral(depth, 0); !motion.empty())
+      if (const std::string motion = settling.neutral(depth, {}); !motion.empty())
         return {motion, softest};
     }
     if (last) return {"", softest};
@@ -241,7 +262,7 @@ std::pair<std::string, double> start(Settling<dim>& settling, const Scales& scal
 template <int dim>
 RigidBalance<dim>::RigidBalance(const AssemblyParts<dim>& parts,
                                 const std::vector<BodyPlace<dim>>& places,
-                                const std::vector<double>& times)
+                                const std::vector<LoadTime>& times)
     : x(parts.mesh.nodes) {
   const Touching<dim> touching(parts, places);
   displacement = touching.displacement;
@@ -250,7 +271,7 @@ RigidBalance<dim>::RigidBalance(const AssemblyParts<dim>& parts,
     x[node] += displacement.row(static_cast<Eigen::Index>(node)).transpose();
   if (parts.pairs.empty() || !places.empty()) return;
   Settling<dim> settling(parts, x);
-  if (!settling.is_free() || settling.load(0) == 0 || supports_press(parts)) return;
+  if (!settling.is_free() || !settling.is_driven() || supports_press(parts)) return;
   double softest = 0;
   std::tie(doubt, softest) = start(settling, parts.scales);
   if (!doubt.empty()) return;
@@ -266,13 +287,17 @@ RigidBalance<dim>::RigidBalance(const AssemblyParts<dim>& parts,
           displacement(node, i) = moved[i] - parts.mesh.nodes[node][i];
         }
     }
-  for (const double t : times)
-    if (!settling.settle(softest, parts.scales.stress, t)) {
-      doubt = fmt::format("at t = {:g} s {}", t, settling.last_motion());
+  for (const LoadTime& at : times)
+    if (!settling.settle(softest, parts.scales.stress, at)) {
+      doubt = fmt::format("at t = {:g} s {}", at.t, settling.last_motion());
       return;
     }
 }
 
+template bool supports_press(const AssemblyParts<2>&);
+template bool supports_press(const AssemblyParts<3>&);
+template bool wedged(const AssemblyParts<2>&);
+template bool wedged(const AssemblyParts<3>&);
 template struct RigidBalance<2>;
 template struct RigidBalance<3>;
 

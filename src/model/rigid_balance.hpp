@@ -1,9 +1,22 @@
 // Where bodies that contact holds are in balance as rigid bodies, before a run starts.
 #pragma once
 
-#include "model/rigid_parts.hpp"
+#include "model/foundation.hpp"
 
 namespace gnomon {
+
+/// Loads along free motions that are smaller, relative to all loads, are rounding errors.
+inline constexpr double rounding_of_loads = 1e-6;
+
+/// Bodies that supports press into each other are where these have moved them, which rigid bodies
+/// do not tell.
+template <int dim>
+bool supports_press(const AssemblyParts<dim>& parts);
+
+/// Whether bodies without loads and friction stay in each other, as a ring that was pressed on a
+/// shaft.
+template <int dim>
+bool wedged(const AssemblyParts<dim>& parts);
 
 /// The bodies that supports leave free to move, brought to where pairs touch and then along their
 /// loads, on elastic foundations, to where they rest. Elastic bodies start from there with contact
@@ -21,7 +34,7 @@ struct RigidBalance {
   /// of a cycle; bodies that have one are brought to where they touch only. `times`: when the
   /// bodies, unworn, have to be in balance, too.
   RigidBalance(const AssemblyParts<dim>& parts, const std::vector<BodyPlace<dim>>& places,
-               const std::vector<double>& times = {});
+               const std::vector<LoadTime>& times = {});
 };
 
 }  // namespace gnomon

@@ -101,6 +101,14 @@ std::vector<RigidPart<dim>> rigid_parts(const AssemblyParts<dim>& parts,
   return result;
 }
 
+template <int dim>
+const Body& body_of_part(const AssemblyParts<dim>& parts, const RigidPart<dim>& part) {
+  const std::vector<int> body_of =
+      body_of_nodes(parts.mesh, body_of_cells(parts.bodies, parts.mesh.cells.size()));
+  const int body = body_of[static_cast<std::size_t>(part.nodes.front())];
+  return parts.bodies[static_cast<std::size_t>(body)];
+}
+
 namespace {
 
 /// A point to four digits, and not finer than a thousandth of the part.
@@ -141,6 +149,26 @@ std::string description_of(const Twist<dim>& twist, const RigidPart<dim>& part, 
   }
 }
 
+template <int dim>
+std::string free_motions_of(const RigidPart<dim>& part, Section section) {
+  constexpr double rounding = 1e-6;
+  std::vector<std::string> directions;
+  for (int i = 0; i < dim; ++i) {
+    const Twist<dim> along = Twist<dim>::Unit(i);
+    if ((part.loose * (part.loose.transpose() * along) - along).norm() < rounding)
+      directions.emplace_back(1, dim == 2 && section == Section::meridian ? "rz"[i] : "xyz"[i]);
+  }
+  const auto moves = static_cast<Eigen::Index>(directions.size());
+  if (moves == 0) return description_of<dim>(part.loose.col(0), part, section);
+  // About any point where translations are free.
+  return fmt::format("move along {}{}", fmt::join(directions, ", "),
+                     part.loose.cols() > moves ? " and turn" : "");
+}
+
+template const Body& body_of_part(const AssemblyParts<2>&, const RigidPart<2>&);
+template const Body& body_of_part(const AssemblyParts<3>&, const RigidPart<3>&);
+template std::string free_motions_of(const RigidPart<2>&, Section);
+template std::string free_motions_of(const RigidPart<3>&, Section);
 template Eigen::Matrix<double, 2, 3> rigid_velocities<2>(const Vector<2>&, const Vector<2>&,
                                                          double);
 template Eigen::Matrix<double, 3, 6> rigid_velocities<3>(const Vector<3>&, const Vector<3>&,

@@ -50,8 +50,15 @@ template <int dim>
 Eigen::MatrixXd loose_twists(const AssemblyParts<dim>& parts, const RigidPart<dim>& part,
                              const std::vector<Vector<dim>>& x, Eigen::Index count);
 
+/// A body that has cells in the part.
+template <int dim>
+const Body& body_of_part(const AssemblyParts<dim>& parts, const RigidPart<dim>& part);
+
 /// "move along x", or "turn about (1, 2)".
 template <int dim>
 std::string description_of(const Twist<dim>& twist, const RigidPart<dim>& part, Section section);
+/// All that is free, "move along x and turn".
+template <int dim>
+std::string free_motions_of(const RigidPart<dim>& part, Section section);
 
 }  // namespace gnomon

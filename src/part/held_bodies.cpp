@@ -1,10 +1,9 @@
 // Whether supports, springs and contact hold every body.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <gnomon/base/error.hpp>
-#include <iterator>
-#include <set>
 
 #include "base/spectrum.hpp"
 #include "model/rigid_balance.hpp"
@@ -71,31 +70,25 @@ void require_pressing_loads(const Scene& scene, const AssemblyParts<dim>& parts,
     (work > 0 ? away : back) += std::abs(work);
   }
   if (std::min(away, back) > oblique * std::max(away, back)) return;
-  const double side = away > back ? 1 : -1, end = scene.real("time.end");
-  std::set<double> times = {0, end};
+  const double side = away > back ? 1 : -1;
   std::vector<double> works;
-  double whole = 0;
-  for (const Load<dim>& load : parts.loads) {
-    times.insert(load.history.times().begin(), load.history.times().end());
+  for (const Load<dim>& load : parts.loads)
     works.push_back(side * work_of(load, parts, part, motion));
-    whole += std::abs(works.back());
-  }
   for (const Phase<dim>& phase : parts.instants())
-    for (auto t = times.begin(); *t < end; ++t)
-      for (const double at : {*t, *std::next(t)}) {  // the ends of a straight line
-        double pressing = 0;
-        for (std::size_t k = 0; k < works.size(); ++k)
-          pressing += phase.load * parts.loads[k].history.factor(at, *t) * works[k];
-        if (pressing <= 0)
-          throw InputError(fmt::format(
-              "{}: [[load]]: expected loads that press {} at any time, since nothing else holds "
-              "them there, got {:.3g} of the loads at t = {:g} s{}",
-              scene.path().string(),
-              parts.pairs.empty() ? "the bodies on the counter-body"
-                                  : name_of(parts, part) + " and what it touches on each other",
-              whole > 0 ? pressing / whole : 0, at,
-              parts.cycle ? fmt::format(", tau = {:.3g} of the cycle", phase.position) : ""));
-      }
+    for (const LoadTime& at : load_times(scene, parts.loads)) {
+      double pressing = 0;
+      for (std::size_t k = 0; k < works.size(); ++k)
+        pressing += phase.load * parts.loads[k].history.factor(at.t, at.within) * works[k];
+      if (pressing <= 0)
+        throw InputError(fmt::format(
+            "{}: [[load]]: expected loads that press {} at any time, since nothing else holds them "
+            "there, but {} at t = {:g} s{}",
+            scene.path().string(),
+            parts.pairs.empty() ? "the bodies on the counter-body"
+                                : name_of(parts, part) + " and what it touches on each other",
+            pressing < 0 ? "they pull them apart" : "none presses them", at.t,
+            parts.cycle ? fmt::format(", tau = {:.3g} of the cycle", phase.position) : ""));
+    }
 }
 
 /// What holds a part by contact: its partner, in the direction in which this comes, or other
@@ -159,12 +152,11 @@ void require_held(const Scene& scene, const AssemblyParts<dim>& parts) {
   for (const RigidPart<dim>& part : rigid_parts(parts, parts.mesh.nodes))
     mistakes.collect([&] { require_part_held(scene, parts, part); });
   mistakes.require_none();
-  std::set<double> times;
-  for (const Load<dim>& load : parts.loads)
-    for (const double t : load.history.times())
-      if (t > 0 && t <= scene.real("time.end")) times.insert(t);
-  const RigidBalance<dim> balance(parts, places_over_cycle(parts).front(),
-                                  {times.begin(), times.end()});
+  const bool changes = std::ranges::any_of(
+      parts.loads, [](const auto& load) { return load.history.times().size() > 1; });
+  const RigidBalance<dim> balance(
+      parts, places_over_cycle(parts).front(),
+      changes ? load_times(scene, parts.loads) : std::vector<LoadTime>());
   if (!balance.doubt.empty())
     throw InputError(
         fmt::format("{}: expected supports and contact that determine where each body rests under "

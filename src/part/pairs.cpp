@@ -125,6 +125,7 @@ template <int dim>
 Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& parts,
                         const std::array<int, 2>& bodies) {
   constexpr double away = 0.1;  // cosine
+  constexpr double rounding = 1e-9;
   Vector<dim> outward = Vector<dim>::Zero();
   double area = 0;  // a surface all around has no direction of its own
   for (const auto& patch : contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section())) {
@@ -152,7 +153,8 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
     // A load along directions that supports hold does not press.
     const Vector<dim> free = (held[side].array() == 0).select(load[side], 0.0);
     const Vector<dim> presses = side == 0 ? Vector<dim>(-free) : free;
-    if (presses.norm() > 0 && presses.dot(outward) <= away * presses.norm() * area)
+    if (presses.norm() > rounding * load[side].norm() &&
+        presses.dot(outward) <= away * presses.norm() * area)
       return presses.normalized();
   }
   return outward.norm() > 0 ? Vector<dim>(-outward.normalized()) : Vector<dim>::Unit(dim - 1);

@@ -242,6 +242,7 @@ std::vector<Surface<dim>> wearing(std::vector<Surface<dim>> surfaces) {
 template <int dim>
 AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) {
   AssemblyParts<dim> parts = read_all_but_shape(scene, part);
+  require_pressed_pairs(scene, parts);
   Magnitudes magnitudes = find_magnitudes(scene, parts);
   parts.scales = magnitudes.scales;
   // Gaps are those of bodies at rest.

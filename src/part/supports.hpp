@@ -6,6 +6,8 @@
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/scene/scene.hpp>
 
+#include "model/foundation.hpp"
+
 namespace gnomon::part {
 
 /// Keys of `[[support]]`.
@@ -21,6 +23,15 @@ void find_mistakes_of_supports(const Scene& scene, Mistakes& mistakes);
 /// Also what the axis of a body of revolution holds. Throws InputError.
 template <int dim>
 Supports<dim> read_supports(const Scene& scene, const ImportedBody<dim>& part);
+
+/// Throws InputError where bodies of pairs that contact alone holds in some way have no load along
+/// it, or loads that pull them off what they touch, at any time and in any phase.
+template <int dim>
+void require_pressed_pairs(const Scene& scene, const AssemblyParts<dim>& parts);
+
+/// The ends of the straight lines of all load histories.
+template <int dim>
+std::vector<LoadTime> load_times(const Scene& scene, const std::vector<Load<dim>>& loads);
 
 /// Throws InputError where supports, springs and the contact leave the bodies free to move as a
 /// whole, and says how.

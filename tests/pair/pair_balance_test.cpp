@@ -111,6 +111,20 @@ TEST_F(PairBalance, WhatNothingDeterminesIsRefused) {
               HasSubstr("at t = 50 s \"shoe\" can"));
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+// Its load goes through the pivot.
+TEST_F(PairBalance, APivotThatSlidesIsRefused) {
+  folder_.write("shoe.geo", shoe(0.05));
+  EXPECT_THAT(refusal(replaced(shoe_scene, "[\"x\"]", "[\"y\"]")),
+              HasSubstr("\"shoe\" can move along x and turn, and no load acts on it in this way"));
+  EXPECT_THAT(refusal(shoe_scene, {"load.1.on=base"}), HasSubstr("no load acts on it in this way"));
+}
+
 std::string disc() {
   return R"(
 Point(1) = {0, 0, 0, 0.6}; Point(2) = {5, 0, 0, 0.6}; Point(3) = {0, 5, 0, 0.6};

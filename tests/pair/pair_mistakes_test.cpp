@@ -26,6 +26,13 @@ Mistake text(const char* kind, const char* from, const char* to, const char* mes
 Mistake key(const char* kind, const char* value, const char* message) {
   return {kind, "", "", {value}, message};
 }
+Mistake history(const char* kind, const char* times, const char* factors, const char* message) {
+  return {kind,
+          "",
+          "",
+          {std::string("load.1.times=") + times, std::string("load.1.factors=") + factors},
+          message};
+}
 
 const std::string folder = GNOMON_SOURCE_DIR "/problems/worn_body/";
 
@@ -143,7 +150,17 @@ TEST(PairMistakes, OfWhatHoldsAndPressesThem) {
       text("the cylinder may turn over",
            "[[support]]\non = \"cylinder_axis\"\ndirections = [\"x\"]\n", "",
            "\"cylinder\" can turn"),
-      key("a load that pulls", "load.1.force=[0.0, 50.0]", "expected loads that press"),
+      key("a load that pulls", "load.1.force=[0.0, 50.0]",
+          "\"cylinder\" can move along y, and its loads pull it off there"),
+      history("a load that ends", "[0.0, 1000.0]", "[1.0, 0.0]",
+              "at t = 1000 s \"cylinder\" can move along y, and no load acts on it in this way"),
+      history("a load that begins", "[0.0, 1000.0]", "[0.0, 1.0]",
+              "at t = 0 s \"cylinder\" can move along y, and no load acts on it in this way"),
+      history("a load that pulls before a jump", "[0.0, 500.0, 500.0]", "[1.0, -1.0, 1.0]",
+              "at t = 500 s \"cylinder\" can move along y, and its loads pull it off there"),
+      text("a load that pulls in a cycle", "[time]",
+           "[cycle]\nperiod = 1.0\nphases = 4\nload = \"1 + 1.5*cos(2*pi*tau)\"\n[time]",
+           "of the cycle \"cylinder\" can move along y, and its loads pull it off there"),
       key("no load", "load.1.force=[0.0, 0.0]", "a [[load]] against the other body"),
       key("a load on what is held", R"(load.1.on="base")", "expected loads that press"),
       key("a load on a body", R"(load.1.on="cylinder")",

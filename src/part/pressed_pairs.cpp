@@ -1,0 +1,127 @@
+// Whether loads press bodies of pairs on what they touch.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <iterator>
+#include <set>
+
+#include "model/rigid_balance.hpp"
+#include "part/supports.hpp"
+
+namespace gnomon::part {
+
+template <int dim>
+std::vector<LoadTime> load_times(const Scene& scene, const std::vector<Load<dim>>& loads) {
+  const double end = scene.real("time.end");
+  std::set<double> times = {0, end};
+  for (const Load<dim>& load : loads)
+    for (const double t : load.history.times())
+      if (t > 0 && t < end) times.insert(t);
+  std::vector<LoadTime> ends;
+  for (auto t = times.begin(); *t < end; ++t) {
+    ends.push_back({*t, *t});
+    ends.push_back({*std::next(t), *t});
+  }
+  return ends;
+}
+
+namespace {
+
+/// In some phase, by a part of the size of the bodies.
+template <int dim>
+bool overlap(const AssemblyParts<dim>& parts) {
+  constexpr double deep = 1e-3;  // of the size; less is that of round bodies as polygons
+  const Box<dim> box = Box<dim>::around(parts.mesh.nodes);
+  for (const Phase<dim>& phase : parts.instants()) {
+    const auto x = in_space(parts.pairs, phase.places, parts.mesh.nodes);
+    for (const MortarPair<dim>& pair : parts.pairs)
+      if (travel_to_touch<dim>(pair, pair.approach, x) < -deep * (box.high - box.low).norm())
+        return true;
+  }
+  return false;
+}
+
+/// What is free of a part, in a moment, along its loads.
+template <int dim>
+struct Driven {
+  const RigidPart<dim>& part;
+  Twist<dim> along;
+};
+
+/// Whether a motion opens the contact of a part everywhere.
+template <int dim>
+bool opens(const AssemblyParts<dim>& parts, const Driven<dim>& driven) {
+  constexpr double oblique = 1e-3;
+  std::vector<char> own(parts.mesh.nodes.size(), 0);
+  for (const int node : driven.part.nodes) own[static_cast<std::size_t>(node)] = 1;
+  double away = 0, back = 0;
+  for (const ContactPatch<dim>& patch : contact_nodes_of(parts)) {
+    if (!own[static_cast<std::size_t>(patch.node)]) continue;
+    const Vector<dim> velocity =
+        rigid_velocities<dim>(patch.initial_position, driven.part.centre, driven.part.size) *
+        driven.along;
+    const double closes = patch.initial_area * patch.initial_normal.dot(velocity);
+    (closes > 0 ? back : away) += std::abs(closes);
+  }
+  return away > 0 && back <= oblique * away;
+}
+
+template <int dim>
+InputError unpressed(const Scene& scene, const AssemblyParts<dim>& parts,
+                     const RigidPart<dim>& part, const std::string& when, const std::string& motion,
+                     const std::string& why) {
+  const std::string& name = body_of_part(parts, part).name;
+  return InputError(fmt::format(
+      "{}: [[load]]: expected loads that press \"{}\" and what it touches on each other at any "
+      "time, but {}\"{}\" can {}, and {}; hold it there in [[support]], or direct [[load]] into "
+      "the contact",
+      scene.path().string(), name, when, name, motion, why));
+}
+
+}  // namespace
+
+template <int dim>
+void require_pressed_pairs(const Scene& scene, const AssemblyParts<dim>& parts) {
+  const std::vector<RigidPart<dim>> rigid = rigid_parts(parts, parts.mesh.nodes);
+  const auto free =
+      std::ranges::find_if(rigid, [](const RigidPart<dim>& part) { return part.loose.cols() > 0; });
+  if (parts.pairs.empty() || free == rigid.end() || supports_press(parts)) return;
+  const Foundation<dim> foundation(parts, rigid, parts.mesh.nodes);
+  const double least = rounding_of_loads * foundation.largest_load();
+  const bool overlaps = overlap(parts);
+  if (least == 0 && !overlaps) return;  // find_magnitudes() tells more
+  const std::vector<Pose<dim>> at_first(rigid.size(), Pose<dim>::Identity());
+  const std::vector<LoadTime> times = load_times(scene, parts.loads);
+  const bool changes = std::ranges::any_of(
+      parts.loads, [](const auto& load) { return load.history.times().size() > 1; });
+  for (const Phase<dim>& phase : parts.instants())
+    for (const LoadTime& at : times) {
+      const std::string when = fmt::format(
+          "{}{}", changes ? fmt::format("at t = {:g} s ", at.t) : "",
+          parts.cycle ? fmt::format("at tau = {:.3g} of the cycle ", phase.position) : "");
+      const std::vector<Twist<dim>> loads = foundation.loads(at_first, at);
+      bool driven = false;
+      for (std::size_t k = 0; k < rigid.size(); ++k) {
+        const Twist<dim> along =
+            phase.load * (rigid[k].loose * (rigid[k].loose.transpose() * loads[k]));
+        if (along.norm() <= least) continue;
+        driven = true;
+        if (opens<dim>(parts, {rigid[k], along}))
+          throw unpressed(scene, parts, rigid[k], when,
+                          description_of<dim>(along, rigid[k], parts.section()),
+                          "its loads pull it off there");
+      }
+      if (!driven && !(overlaps && (parts.cycle || wedged(parts))))
+        throw unpressed(scene, parts, *free, when, free_motions_of(*free, parts.section()),
+                        "no load acts on it in this way");
+    }
+}
+
+template std::vector<LoadTime> load_times(const Scene&, const std::vector<Load<2>>&);
+template std::vector<LoadTime> load_times(const Scene&, const std::vector<Load<3>>&);
+template void require_pressed_pairs(const Scene&, const AssemblyParts<2>&);
+template void require_pressed_pairs(const Scene&, const AssemblyParts<3>&);
+
+}  // namespace gnomon::part
