@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "model/bring_together.hpp"
+#include "model/rigid_parts.hpp"
 
 namespace gnomon {
 
@@ -179,6 +180,21 @@ double load_along_approach(const AssemblyParts<dim>& parts) {
   return most;
 }
 
+/// All loads, without regard to their directions, of pairs with a body that may turn: those across
+/// the approach press by their torques. Their levers are not known here.
+template <int dim>
+double load_on_levers(const AssemblyParts<dim>& parts) {
+  constexpr double rounding = 1e-6;
+  if (parts.pairs.empty()) return 0;
+  const bool turns =
+      std::ranges::any_of(rigid_parts(parts, parts.mesh.nodes), [](const RigidPart<dim>& part) {
+        return part.loose.bottomRows(rigid_motions_of(dim) - dim).norm() > rounding;
+      });
+  double whole = 0;
+  for (const Load<dim>& load : parts.loads) whole += resultant(load, parts).norm();
+  return turns ? whole : 0;
+}
+
 /// How far the bodies are brought into each other where no force presses them.
 template <int dim>
 double given_overlap(const AssemblyParts<dim>& parts) {
@@ -229,11 +245,15 @@ double overlap_at_rest(const std::vector<ContactPatch<dim>>& nodes, const Counte
 template <int dim>
 Pressing pressing_of(const AssemblyParts<dim>& parts, double duration) {
   const Interface<dim>& interface = parts.interface;
+  constexpr double across = 0.1;
   double most_load = 0;
   for (const Phase<dim>& phase : parts.instants()) most_load = std::max(most_load, phase.load);
-  const double force = interface.force ? *interface.force / interface.partner.guides.front().share
-                                       : most_load * load_along_approach(parts);
-  return {force, force * interface.history.integral(duration), given_overlap(parts)};
+  double force = interface.force ? *interface.force / interface.partner.guides.front().share
+                                 : most_load * load_along_approach(parts);
+  const double overlap = given_overlap(parts);
+  if (const double levers = most_load * load_on_levers(parts); force < across * levers)
+    force = levers;
+  return {force, force * interface.history.integral(duration), overlap};
 }
 
 namespace {
