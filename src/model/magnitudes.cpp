@@ -323,6 +323,7 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   double area = 0, count = 0;
   for (const auto& patch : patches) area += patch.initial_area, ++count;
   result.facet = width_of(area / count, solid);
+  result.strain = start.force / (start.area * modulus);
   result.contact_nodes = std::max(gaps.count(start.depth), gaps.count(0));
   scales.auxiliary_force =
       parts.shape.law.material.young_modulus * scales.wear_depth * (dim == 2 ? 1 : result.facet);

@@ -147,7 +147,7 @@ void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
 }  // namespace
 
 template <int dim>
-void require_held(const Scene& scene, const AssemblyParts<dim>& parts) {
+void require_held(const Scene& scene, const AssemblyParts<dim>& parts, const std::string& hint) {
   Mistakes mistakes;
   for (const RigidPart<dim>& part : rigid_parts(parts, parts.mesh.nodes))
     mistakes.collect([&] { require_part_held(scene, parts, part); });
@@ -161,11 +161,11 @@ void require_held(const Scene& scene, const AssemblyParts<dim>& parts) {
     throw InputError(
         fmt::format("{}: expected supports and contact that determine where each body rests under "
                     "its loads, but {}; hold it there in [[support]], or direct [[load]] into the "
-                    "contact",
-                    scene.path().string(), balance.doubt));
+                    "contact{}",
+                    scene.path().string(), balance.doubt, hint.empty() ? "" : "; " + hint));
 }
 
-template void require_held(const Scene&, const AssemblyParts<2>&);
-template void require_held(const Scene&, const AssemblyParts<3>&);
+template void require_held(const Scene&, const AssemblyParts<2>&, const std::string&);
+template void require_held(const Scene&, const AssemblyParts<3>&, const std::string&);
 
 }  // namespace gnomon::part

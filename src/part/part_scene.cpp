@@ -88,6 +88,19 @@ void warn_of_coarse_contact(const Magnitudes& magnitudes, std::vector<std::strin
                     std::max(1.0, width), width < 1.5 ? "node" : "nodes"));
 }
 
+/// Where bodies of pairs would be pressed so deep into each other that a unit may be wrong; or
+/// nothing.
+std::string doubt_about_units(const Magnitudes& magnitudes, bool pairs) {
+  constexpr double most = 0.1;
+  if (!pairs || magnitudes.strain <= most) return {};
+  return fmt::format(
+      "the loads press the bodies into each other by about {:.3g} mm, and their elements there are "
+      "{:.3g} mm: the mean pressure is {:.2g} times the modulus; are moduli given in MPa, and "
+      "loads "
+      "in N?",
+      magnitudes.scales.displacement, magnitudes.facet, magnitudes.strain);
+}
+
 /// Throws where nothing presses the bodies on each other.
 template <int dim>
 Magnitudes find_magnitudes(const Scene& scene, const AssemblyParts<dim>& parts) try {
@@ -270,6 +283,8 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
     parts.remarks.push_back(fmt::format(
         "the mesh moves within {:.3g} mm of the wearing surfaces (shape.reach)", support.reach));
   warn_of_coarse_contact<dim>(magnitudes, parts.remarks);
+  const std::string units = doubt_about_units(magnitudes, !parts.pairs.empty());
+  if (!units.empty()) parts.remarks.push_back(units);
   append(parts.remarks, remarks_on_bodies(scene, part));
   append(parts.remarks, doubts(parts.bodies));
   append(parts.remarks, remarks_on_loads(scene));
@@ -282,7 +297,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   parts = completed(scene, magnitudes.facet, std::move(parts));
   judge_gap(magnitudes, parts);
   require_moving_shape(scene, patches, parts.shape);
-  require_held(scene, parts);
+  require_held(scene, parts, units);
   return parts;
 }
 

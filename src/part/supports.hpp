@@ -34,8 +34,8 @@ template <int dim>
 std::vector<LoadTime> load_times(const Scene& scene, const std::vector<Load<dim>>& loads);
 
 /// Throws InputError where supports, springs and the contact leave the bodies free to move as a
-/// whole, and says how.
+/// whole, and says how. `hint`: what else may be wrong then, or nothing.
 template <int dim>
-void require_held(const Scene& scene, const AssemblyParts<dim>& parts);
+void require_held(const Scene& scene, const AssemblyParts<dim>& parts, const std::string& hint);
 
 }  // namespace gnomon::part

@@ -23,6 +23,7 @@ struct Magnitudes {
   double facet = 1;          ///< typical length of a contact facet
   double deepest = 0;        ///< expected wear depth at the end, at most [length]
   double contact_nodes = 0;  ///< expected in contact at the start
+  double strain = 0;         ///< mean pressure at the start, by the modulus of the contact
   double slope = 0;          ///< of the worn surface at the end, about, if it is a parabola
   double thinning = 0;       ///< `deepest` by the size of the bodies along the approach
 };
