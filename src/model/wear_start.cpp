@@ -214,17 +214,23 @@ namespace {
 
 /// A part of the load has an equilibrium, so that the body is sound and the load too large for it;
 /// or none has.
-std::string failure_of(const RampReport& ramp, const Element& element) {
+template <int dim>
+std::string failure_of(const RampReport& ramp, const Assembly<dim>& assembly,
+                       const Phase<dim>& phase) {
+  const Element& element = assembly.bodies.front().element;
+  const std::string when =
+      assembly.cycle ? fmt::format("at the start, at tau = {:.4g} of the cycle,", phase.position)
+                     : "at the start";
   const char* technology = technology_names[static_cast<std::size_t>(element.technology)];
   if (ramp.reached == 0)
     return fmt::format(
-        "no equilibrium was found at the start, not even of a small part of the load "
-        "(element {}): {}",
-        technology, ramp.reason);
+        "no equilibrium was found {}{} not even of a small part of the load (element {}): {}", when,
+        assembly.cycle ? "" : ",", technology, ramp.reason);
   return fmt::format(
-      "the load or approach at the start is more than this body carries: the load ramp "
-      "found equilibria up to load fraction {:.4g}, and none beyond (element {}): {}",
-      ramp.reached, technology, ramp.reason);
+      "the load or approach {} is more than {}: the load ramp found equilibria up to load fraction "
+      "{:.4g}, and none beyond (element {}): {}",
+      when, assembly.pairs.empty() ? "this body carries" : "these bodies carry", ramp.reached,
+      technology, ramp.reason);
 }
 
 }  // namespace
@@ -242,7 +248,7 @@ State WearModel<dim>::start(Counters& counters) const {
     FieldValues<dim> of_phase(*alone.composition()->fields);
     const RampReport ramp =
         find_equilibrium(alone, contact, ramp_options(assembly()), of_phase, counters);
-    if (ramp.reached < 1) throw SolutionError(failure_of(ramp, assembly().bodies.front().element));
+    if (ramp.reached < 1) throw SolutionError(failure_of(ramp, assembly(), equations_.phases()[p]));
     const WornBodyFields &from = alone.fields(), &to = equations_.fields(p);
     values.vector(to.u) = of_phase.vector(from.u);
     values.scalar(to.lambda) = of_phase.scalar(from.lambda);

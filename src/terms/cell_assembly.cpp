@@ -20,7 +20,7 @@ CellAssembly<dim>::CellAssembly(const Mesh<dim>& mesh, const std::vector<Body>& 
       along_(along) {
   if (bodies.size() > 1) body_of_ = body_of_cells(bodies, mesh.cells.size());
   for (const Body& body : bodies)
-    bodies_.push_back({body.material.moduli, body.material.kernel<dim>(body.element)});
+    bodies_.push_back({body.material.moduli, body.material.kernel<dim>(body.element), body.name});
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell)
     for (int node : mesh.cells[cell])
       if (rows_.row(node).maxCoeff() >= 0) {
@@ -105,7 +105,9 @@ void CellAssembly<dim>::throw_inverted(int cell, const NodalField<dim>* shape) c
   }
   std::string place = fmt::format("({:.4g}, {:.4g}", centre[0], centre[1]);
   if constexpr (dim == 3) place += fmt::format(", {:.4g}", centre[2]);
-  throw RecoverableError(fmt::format("inverted element {} at {})", cell, place));
+  const std::string& name = elastic(cell).name;
+  throw RecoverableError(fmt::format("inverted element {}{} at {})", cell,
+                                     name.empty() ? "" : " of \"" + name + "\"", place));
 }
 
 namespace {

@@ -125,6 +125,20 @@ TEST_F(PairBalance, APivotThatSlidesIsRefused) {
   EXPECT_THAT(refusal(shoe_scene, {"load.1.on=base"}), HasSubstr("no load acts on it in this way"));
 }
 
+// Of moduli in the wrong unit.
+TEST_F(PairBalance, AFailureNamesTheBodyAndThePhase) {
+  folder_.write("shoe.geo", shoe(0));
+  const std::string cycle = "[cycle]\nperiod = 1.0\nphases = 2\nload = \"1 + 0.5*cos(2*pi*tau)\"\n";
+  Counters counters;
+  for (const auto& [scene, message] :
+       {std::pair<std::string, std::string>{shoe_scene, " of \"shoe\" at ("},
+        {shoe_scene + cycle, "at the start, at tau = 0 of the cycle, is more than these bodies"}}) {
+    const auto model = this->model(scene, {"body.shoe.young_modulus=1.0"});
+    EXPECT_THAT([&] { model->start(counters); },
+                ::testing::ThrowsMessage<SolutionError>(HasSubstr(message)));
+  }
+}
+
 std::string disc() {
   return R"(
 Point(1) = {0, 0, 0, 0.6}; Point(2) = {5, 0, 0, 0.6}; Point(3) = {0, 5, 0, 0.6};

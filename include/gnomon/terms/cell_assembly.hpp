@@ -9,6 +9,7 @@
 #include <gnomon/mesh/mesh.hpp>
 #include <gnomon/terms/material.hpp>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace gnomon {
@@ -47,6 +48,7 @@ private:
   struct Elastic {  // what a body is made of
     ElasticModuli moduli;
     CellKernel<dim> kernel;
+    std::string name;  // for messages; empty: the only body
   };
   const Elastic& elastic(int cell) const { return bodies_[body_of_.empty() ? 0 : body_of_[cell]]; }
   ElasticModuli moduli_of(int cell) const;
