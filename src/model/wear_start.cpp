@@ -235,6 +235,23 @@ std::string failure_of(const RampReport& ramp, const Assembly<dim>& assembly,
 
 }  // namespace
 
+namespace {
+
+/// Without contact a body that supports leave free has no place: Newton's method has pushed it past
+/// what holds it.
+template <int dim>
+void require_touch(const Assembly<dim>& assembly, const Eigen::VectorXd& multipliers) {
+  if (assembly.pairs.empty() || !multipliers.isZero(0)) return;
+  for (const RigidPart<dim>& part : rigid_parts(assembly, assembly.mesh.nodes))
+    if (part.loose.cols() > 0)
+      throw SolutionError(fmt::format(
+          "the bodies do not touch at the start, and contact alone holds \"{0}\": its loads have "
+          "pushed \"{0}\" past what it touches; are moduli given in MPa, and loads in N?",
+          body_of_part(assembly, part).name));
+}
+
+}  // namespace
+
 template <int dim>
 State WearModel<dim>::start(Counters& counters) const {
   FieldValues<dim> values(*equations_.composition()->fields);
@@ -250,6 +267,7 @@ State WearModel<dim>::start(Counters& counters) const {
         find_equilibrium(alone, contact, ramp_options(assembly()), of_phase, counters);
     if (ramp.reached < 1) throw SolutionError(failure_of(ramp, assembly(), equations_.phases()[p]));
     const WornBodyFields &from = alone.fields(), &to = equations_.fields(p);
+    require_touch<dim>(assembly(), of_phase.scalar(from.lambda));
     values.vector(to.u) = of_phase.vector(from.u);
     values.scalar(to.lambda) = of_phase.scalar(from.lambda);
     if (to.w != FieldId::none) values.scalar(to.w) = of_phase.scalar(from.w);
