@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "model/bring_together.hpp"
 #include "part/histories.hpp"
 #include "part/supports.hpp"
 
@@ -110,6 +111,29 @@ std::vector<std::string> remarks_on_loads(const Scene& scene) {
                       fmt::join(numbers, ", "), group));
   return remarks;
 }
+
+template <int dim>
+std::vector<std::string> remarks_on_pivots(const Scene& scene, const ImportedBody<dim>& part) {
+  std::vector<std::string> remarks;
+  const std::vector<int> connected = connected_parts(part.mesh);
+  for (const std::string& number : scene.chosen_names("support.#.on")) {
+    const std::string name = scene.text("support." + number + ".on");
+    const auto group = part.point_groups.find(name);
+    if (group == part.point_groups.end()) continue;
+    std::map<int, int> points;  // by connected part
+    for (const int node : group->second) ++points[connected[static_cast<std::size_t>(node)]];
+    for (const auto& [own, count] : points)
+      if (count > 1)
+        remarks.push_back(fmt::format(
+            "[[support]] number {} holds each of the {} points of \"{}\": together they "
+            "may resist rotation, where a pivot is one point",
+            number, count, name));
+  }
+  return remarks;
+}
+
+template std::vector<std::string> remarks_on_pivots(const Scene&, const ImportedBody<2>&);
+template std::vector<std::string> remarks_on_pivots(const Scene&, const ImportedBody<3>&);
 
 template <int dim>
 void require_free_contact(const Scene& scene, const ImportedBody<dim>& part) {

@@ -37,6 +37,10 @@ void find_conflicts(const Scene& scene, Mistakes& mistakes);
 /// wearing surface.
 std::vector<std::string> remarks_on_loads(const Scene& scene);
 
+/// Remarks where a support holds several points of one body, for a pivot is one.
+template <int dim>
+std::vector<std::string> remarks_on_pivots(const Scene& scene, const ImportedBody<dim>& part);
+
 /// Throws InputError for a rigid support on a wearing surface along its normal: it would carry the
 /// contact pressure there.
 template <int dim>

@@ -288,6 +288,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   append(parts.remarks, remarks_on_bodies(scene, part));
   append(parts.remarks, doubts(parts.bodies));
   append(parts.remarks, remarks_on_loads(scene));
+  if (!parts.pairs.empty()) append(parts.remarks, remarks_on_pivots(scene, part));
   const std::vector<ContactPatch<dim>> patches = contact_nodes_of(parts);
   if (parts.pairs.empty())
     append(parts.remarks, remarks_on_speeds(scene, patches, parts.interface.partner, cycle));

@@ -125,6 +125,12 @@ TEST_F(PairBalance, APivotThatSlidesIsRefused) {
   EXPECT_THAT(refusal(shoe_scene, {"load.1.on=base"}), HasSubstr("no load acts on it in this way"));
 }
 
+TEST_F(PairBalance, SeveralPointsAreNoPivot) {
+  folder_.write("shoe.geo", replaced(shoe(0), "(\"pivot\") = {6}", "(\"pivot\") = {5, 6}"));
+  EXPECT_THAT(this->model(shoe_scene)->remarks,
+              ::testing::Contains(HasSubstr("number 2 holds each of the 2 points of \"pivot\"")));
+}
+
 // Of moduli in the wrong unit.
 TEST_F(PairBalance, AFailureNamesTheBodyAndThePhase) {
   folder_.write("shoe.geo", shoe(0));
