@@ -9,6 +9,7 @@
 #include <gnomon/base/mistakes.hpp>
 #include <gnomon/part/part_scene.hpp>
 #include <gnomon/shapes/counter_surface.hpp>
+#include <limits>
 #include <set>
 
 #include "mesh/facet_table.hpp"
@@ -223,6 +224,19 @@ void require_separate(const Scene& scene, const std::string& table, const Assemb
                     parts.bodies[bodies[1]].name));
 }
 
+/// How far the nearest way out is for bodies that overlap, along one of the directions; 0: in one
+/// of them they are apart [length].
+template <int dim>
+double overlap_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < dim; ++i)
+    for (const double sign : {1.0, -1.0}) {
+      const double travel = travel_to_touch<dim>(pair, sign * Vector<dim>::Unit(i), x);
+      if (std::isfinite(travel)) least = std::min(least, -travel);
+    }
+  return std::isfinite(least) ? std::max(0.0, least) : 0;
+}
+
 template <int dim>
 void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts<dim>& parts) {
   const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
@@ -250,12 +264,17 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
     std::vector<std::vector<Vector<dim>>> x;
     for (const auto& places : instants)
       x.push_back(in_space<dim>({pair}, places, parts.mesh.nodes));
+    const bool whole = !scene.given(table + ".surfaces");
+    const double overlap = whole ? overlap_of<dim>(pair, x.front()) : 0;
     keep_facing_at<dim>(x, parts.section(), pair);
     if (pair.slave.empty())
-      throw InputError(
-          fmt::format("{}: expected bodies that face each other, but no boundary of "
-                      "\"{}\" faces \"{}\"",
-                      scene.where(table + ".bodies"), pair.bodies[0], pair.bodies[1]));
+      throw InputError(fmt::format(
+          "{}: expected bodies that face each other, but {}", scene.where(table + ".bodies"),
+          overlap > 0
+              ? fmt::format("\"{}\" and \"{}\" overlap by about {:.3g} mm: their meshes, or "
+                            "body.#.shift, have to set them apart",
+                            pair.bodies[0], pair.bodies[1], overlap)
+              : fmt::format("no boundary of \"{}\" faces \"{}\"", pair.bodies[0], pair.bodies[1])));
     pair.approach = approach_of(pair, parts, bodies);
     parts.pairs.push_back(std::move(pair));
   }

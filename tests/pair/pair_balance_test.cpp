@@ -131,6 +131,12 @@ TEST_F(PairBalance, SeveralPointsAreNoPivot) {
               ::testing::Contains(HasSubstr("number 2 holds each of the 2 points of \"pivot\"")));
 }
 
+TEST_F(PairBalance, HowFarBodiesOverlapIsTold) {
+  folder_.write("shoe.geo", replaced(replaced(shoe(0), "{-8, 0, 0, 0.8}", "{-8, 1, 0, 0.8}"),
+                                     "{8, 0, 0, 0.8}", "{8, 1, 0, 0.8}"));
+  EXPECT_THAT(refusal(shoe_scene), HasSubstr("\"shoe\" and \"plate\" overlap by about 1 mm"));
+}
+
 // Of moduli in the wrong unit.
 TEST_F(PairBalance, AFailureNamesTheBodyAndThePhase) {
   folder_.write("shoe.geo", shoe(0));
