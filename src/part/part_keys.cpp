@@ -71,7 +71,7 @@ std::vector<Key> own_keys() {
                {.min = 0, .max = positive_quantity.max},
                "wear coefficient of one of wear.on by its name, as wear.coefficient"),
       real_key("wear.surfaces.\"*\".path", "mm", absent("it wears where it is in contact"),
-               positive_quantity,
+               any_quantity,
                "length of the track of one of wear.on whose material passes the contact of a "
                "[[pair]] once in each turn, as that of a disc under a pin: it wears by the mean "
                "along it"),

@@ -57,6 +57,23 @@ std::optional<Streamlines<dim>> streamlines_of(const RigidMotion<dim>& motion) {
   return {};
 }
 
+/// Straight lines along the surface, not into it.
+template <int dim>
+void require_motion_along(const Scene& scene, const Surface<dim>& surface, const Mesh<dim>& mesh,
+                          const Streamlines<dim>& lines) {
+  constexpr double steep = 0.7;  // cosine
+  if (lines.centre) return;
+  double across = 0, area = 0;
+  for (const auto& patch : contact_patches<dim>(mesh, surface.facets)) {
+    across += patch.initial_area * std::abs(patch.initial_normal.normalized().dot(lines.along));
+    area += patch.initial_area;
+  }
+  if (across > steep * area)
+    throw unfit_track(scene, surface.name,
+                      "expected a [[motion]] along the surface, but the velocity of its body goes "
+                      "across it");
+}
+
 /// A node wears by one law, and by the mean along a track or not.
 template <int dim>
 void require_own_nodes(const Scene& scene, const Surface<dim>& surface,
@@ -79,7 +96,8 @@ void require_own_nodes(const Scene& scene, const Surface<dim>& surface,
 void refuse_track(const Scene& scene, const std::string& surface) {
   if (scene.given(path_key(surface)))
     throw unfit_track(scene, surface,
-                      "expected none without [[pair]]; a groove under a rigid ball is problem = "
+                      "expected none beside a rigid counter-body: a track is worn by a body of a "
+                      "[[pair]]; a groove under a rigid ball is problem = "
                       "\"ball_on_half_space\"");
 }
 
@@ -88,6 +106,12 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
                                      const AssemblyParts<dim>& parts) {
   const std::string key = path_key(surface.name);
   if (!scene.given(key)) return {};
+  if (!(scene.real(key) > 0))
+    throw unfit_track(scene, surface.name,
+                      fmt::format("expected the length of the whole track, of which the mesh is a "
+                                  "part, got {:g} mm; without it the surface wears where it is in "
+                                  "contact",
+                                  scene.real(key)));
   if (parts.section() == Section::meridian)
     throw unfit_track(scene, surface.name,
                       "expected none of a body of revolution: it wears alike all around");
@@ -98,7 +122,13 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
   const std::string& body = body_of_track(scene, surface, parts).name;
   const auto motions = read_motions_of_bodies<dim>(scene, parts.section());
   const auto motion = motions.find(body);
-  const auto along = motion == motions.end() ? std::nullopt : streamlines_of(motion->second.motion);
+  if (motion == motions.end())
+    throw unfit_track(scene, surface.name,
+                      fmt::format("expected a [[motion]] with body = \"{}\", which has none: along "
+                                  "a track its material passes the contact",
+                                  body));
+  const auto along = streamlines_of(motion->second.motion);
+  if (along) require_motion_along(scene, surface, parts.mesh, *along);
   if (!along)
     throw unfit_track(
         scene, surface.name,

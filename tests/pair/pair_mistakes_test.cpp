@@ -181,6 +181,16 @@ TEST(PairMistakes, OfWear) {
       key("a negative coefficient", "wear.surfaces.round.coefficient=-1e-8",
           "expected a number in [0, 1e+30]"),
       text("no coefficient", "coefficient = 1e-8", "rate = \"k*p*v\"", "wear.coefficient"),
+      key("no track", "wear.surfaces.face.path=0.0",
+          "expected the length of the whole track, of which the mesh is a part, got 0 mm"),
+      key("a negative track", "wear.surfaces.face.path=-5.0", "of the whole track"),
+      key("a track of a body at rest", "wear.surfaces.round.path=100.0",
+          "expected a [[motion]] with body = \"cylinder\", which has none"),
+      {"a track across the motion",
+       "",
+       "",
+       {"wear.surfaces.face.path=100.0", "motion.1.velocity=[0.0, 100.0]"},
+       "expected a [[motion]] along the surface"},
   });
 }
 

@@ -256,8 +256,10 @@ TEST(TrackScene, MistakesAreNamed) {
               HasSubstr("at least the length of its mesh along the track, 8 mm, got 7 mm"));
   EXPECT_THAT(mistake({"motion.1.velocity=[100.0, 1.0]"}),
               HasSubstr(key + "a surface whose nodes lie on lines along (1, 0.01)"));
-  for (const char* motion : {"motion.1.body=pin", "motion.1.velocity=[100.0, 0.0, 1.0]",
-                             "motion.1.velocity=[0.0, 0.0, 100.0]"})
+  EXPECT_THAT(mistake({"motion.1.body=pin"}),
+              HasSubstr(key + "a [[motion]] with body = \"disc\", which has none"));
+  for (const char* motion :
+       {"motion.1.velocity=[100.0, 0.0, 1.0]", "motion.1.velocity=[0.0, 0.0, 100.0]"})
     EXPECT_THAT(mistake({motion}), HasSubstr(key + "a [[motion]] of \"disc\" with a velocity in "));
   EXPECT_THAT(mistake({"motion.1.rotation=1.0", "motion.1.center=[0.0, -4.0]"}),
               HasSubstr("and no rotation"));
@@ -270,12 +272,12 @@ TEST(TrackScene, MistakesAreNamed) {
   EXPECT_THAT(mistake({"wear.surfaces.trak.path=300.0"}),
               HasSubstr("expected one of wear.on, \"tip\", \"track\""));
   EXPECT_THAT(mistake({"wear.surfaces.tip.path=300.0"}),
-              HasSubstr("wear.surfaces.tip.path: expected a [[motion]] of \"pin\""));
+              HasSubstr("wear.surfaces.tip.path: expected a [[motion]] with body = \"pin\""));
 }
 
 TEST(TrackScene, IsOneOfAPair) {
   EXPECT_THAT(refusal("worn_body/pin.toml", {"wear.surfaces.surface.path=300.0"}),
-              HasSubstr("expected none without [[pair]]"));
+              HasSubstr("expected none beside a rigid counter-body"));
 }
 
 }  // namespace
