@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -166,22 +167,30 @@ std::set<std::string, std::less<>> names_in_rates(const Scene& scene) {
 
 namespace {
 
-/// Whether each wearing surface has a coefficient of its own.
-bool have_own_coefficients(const Scene& scene) {
-  if (!scene.given("wear.on") || scene.texts("wear.on").empty()) return false;
-  return std::ranges::all_of(scene.texts("wear.on"), [&](const std::string& name) {
+/// The wearing surfaces without a coefficient of their own.
+std::vector<std::string> without_coefficient(const Scene& scene) {
+  if (!scene.given("wear.on")) return {};
+  std::vector<std::string> names = scene.texts("wear.on");
+  std::erase_if(names, [&](const std::string& name) {
     return scene.given("wear.surfaces." + toml_key(name) + ".coefficient");
   });
+  return names;
 }
 
 }  // namespace
 
 void require_coefficient(const Scene& scene) {
-  if (!scene.knows("wear.rate") || scene.has("wear.coefficient") || !reads_in_rates(scene, "k") ||
-      have_own_coefficients(scene))
+  if (!scene.knows("wear.rate") || scene.has("wear.coefficient") || !reads_in_rates(scene, "k"))
     return;
+  const std::vector<std::string> names = without_coefficient(scene);
+  const bool by_surface = scene.given("wear.on") && !scene.texts("wear.on").empty();
+  if (by_surface && names.empty()) return;
   throw InputError(scene.where("wear.coefficient") +
-                   ": missing, expected a number [1/MPa]: the wear law reads it, as k");
+                   ": missing, expected a number [1/MPa]: the wear law reads it, as k" +
+                   (by_surface ? fmt::format(", of \"{}\"; wear.surfaces.{}.coefficient gives it "
+                                             "for one surface",
+                                             fmt::join(names, "\", \""), toml_key(names.front()))
+                               : ""));
 }
 
 bool asks_for_wear(const Scene& scene) {

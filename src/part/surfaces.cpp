@@ -49,10 +49,18 @@ std::vector<Surface<dim>> wearing_surfaces(const Scene& scene, const ImportedBod
   return surfaces;
 }
 
-WearLaw read_surface_law(const Scene& scene, const std::string& surface, double speed) {
+namespace {
+
+/// With the coefficient of the surface, if it has one.
+Scene scene_of(const Scene& scene, const std::string& surface) {
   const std::string own = "wear.surfaces." + toml_key(surface) + ".coefficient";
-  return read_wear_law(scene.given(own) ? scene.with("wear.coefficient", scene.real(own)) : scene,
-                       speed, rate_key(scene, surface));
+  return scene.given(own) ? scene.with("wear.coefficient", scene.real(own)) : scene;
+}
+
+}  // namespace
+
+WearLaw read_surface_law(const Scene& scene, const std::string& surface, double speed) {
+  return read_wear_law(scene_of(scene, surface), speed, rate_key(scene, surface));
 }
 
 void require_surface_names(const Scene& scene) {
@@ -73,8 +81,9 @@ void complete_surface_laws(const Scene& scene, AssemblyParts<dim>& parts) {
     if (!surface.wears) continue;
     std::vector<std::string> remarks;
     const std::string key = rate_key(scene, surface.name);
-    surface.wear = required_law(scene, surface.wear, at, remarks, key);
-    if (key == "wear.rate")
+    // That it does not wear is no doubt where its coefficient is zero.
+    surface.wear = required_law(scene_of(scene, surface.name), surface.wear, at, remarks, key);
+    if (key == "wear.rate" && !remarks.empty())
       common = std::move(remarks);
     else
       for (const std::string& remark : remarks)

@@ -11,6 +11,7 @@ namespace {
 
 using namespace testing;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A change of the scene of a cylinder on a plate: a text for another one, or a key.
 struct Mistake {
@@ -180,7 +181,9 @@ TEST(PairMistakes, OfWear) {
       key("a law of no surface", "wear.surfaces.base.coefficient=1e-8", "expected one of wear.on"),
       key("a negative coefficient", "wear.surfaces.round.coefficient=-1e-8",
           "expected a number in [0, 1e+30]"),
-      text("no coefficient", "coefficient = 1e-8", "rate = \"k*p*v\"", "wear.coefficient"),
+      text("no coefficient", "coefficient = 1e-8", "rate = \"k*p*v\"",
+           "key `wear.coefficient`: missing, expected a number [1/MPa]: the wear law reads it, as "
+           "k, of \"round\"; wear.surfaces.round.coefficient"),
       key("no track", "wear.surfaces.face.path=0.0",
           "expected the length of the whole track, of which the mesh is a part, got 0 mm"),
       key("a negative track", "wear.surfaces.face.path=-5.0", "of the whole track"),
@@ -192,6 +195,9 @@ TEST(PairMistakes, OfWear) {
        {"wear.surfaces.face.path=100.0", "motion.1.velocity=[0.0, 100.0]"},
        "expected a [[motion]] along the surface"},
   });
+  // It is meant.
+  EXPECT_THAT(said(key("zero", "wear.surfaces.face.coefficient=0.0", "")),
+              Not(HasSubstr("the wear law is 0")));
 }
 
 }  // namespace
