@@ -88,7 +88,8 @@ ReadPhases<dim> read_phases(const Scene& scene, const CyclicMotion<dim>& motion,
   const CyclicContact<dim> contact{motion, read_cycle_quadrature(scene, kinks_of(motion, rest))};
   ReadPhases<dim> result{contact, phases_of(contact, rest, force), motion.cycle.remarks()};
   for (const BodyCycle<dim>& body : motion.bodies)
-    for (std::string& remark : body.cycle.remarks()) result.remarks.push_back(std::move(remark));
+    for (const std::string& remark : body.cycle.remarks())
+      result.remarks.push_back(fmt::format("[[motion]] of \"{}\": {}", body.name, remark));
   if (motion.cycle.force)
     for (const Phase<dim>& phase : result.phases) require_force(scene, phase, *force);
   const double error =

@@ -123,7 +123,7 @@ TEST(PairMistakes, OfMotions) {
            "expected cycle.load beside [[pair]]"),
       text("a path that ends elsewhere", motion,
            "cycle = { x = \"0.01*tau\" }\n[cycle]\nperiod = 1.0\nphases = 2",
-           "cycle.x ends 0.01 mm from where it begins"),
+           "[[motion]] of \"plate\": cycle.x ends 0.01 mm from where it begins"),
   });
 }
 

@@ -13,6 +13,7 @@ struct BodyCycle {
   Cycle cycle{};            ///< displacement and rotation alone
   CycleAxis<dim> axis{};    ///< its centre: where it is before it is displaced
   RigidMotion<dim> motion;  ///< steady, of its material: beside that of the cycle
+  std::string name{};       ///< of the body
 
   /// At a position of the cycle. The derivative at a breakpoint is that of what follows.
   BodyPlace<dim> at(double tau) const;
