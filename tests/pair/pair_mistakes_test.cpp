@@ -124,6 +124,8 @@ TEST(PairMistakes, OfMotions) {
       text("a path that ends elsewhere", motion,
            "cycle = { x = \"0.01*tau\" }\n[cycle]\nperiod = 1.0\nphases = 2",
            "[[motion]] of \"plate\": cycle.x ends 0.01 mm from where it begins"),
+      text("a cycle of nothing", "[time]", "[cycle]\nperiod = 1.0\nphases = 2\n[time]",
+           "key `cycle.period`: expected what changes over the cycle: motion.#.cycle of a body"),
   });
 }
 
