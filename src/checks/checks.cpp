@@ -153,6 +153,7 @@ std::string balance_text(const Examination& facts, int dim) {
   const bool turned = std::ranges::any_of(
       facts.forces, [&](const ResultantForce& each) { return norm(each.torque) > 0; });
   return line("forces on the bodies", facts.forces, &ResultantForce::force, 0, dim) +
+         line("forces between the bodies", facts.pairs, &ResultantForce::force, 0, dim) +
          line("reactions", facts.reactions, &ResultantForce::force, 0, dim) +
          (turned ? line("torques about the origin", facts.forces, torque, first, 3) +
                        line("reacting torques", facts.reactions, torque, first, 3)

@@ -189,6 +189,7 @@ Examination WearModel<dim>::examine(const State& state) const {
   ForceBalance balance = resultants_->balance(values, state.t, contacts);
   Examination facts{.forces = std::move(balance.forces),
                     .reactions = std::move(balance.reactions),
+                    .pairs = std::move(balance.pairs),
                     .idle_load = balance.idle_load};
   if (assembly().pairs.empty())
     facts.intrusion = find_intrusion(equations_, values, state.t, contacts);

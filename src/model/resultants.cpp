@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <gnomon/base/processes.hpp>
+#include <set>
+
+#include "mesh/facet_table.hpp"
 
 namespace gnomon {
 
@@ -73,6 +76,30 @@ private:
 
 }  // namespace
 
+namespace {
+
+/// By contact node: the pair whose slave it belongs to alone, or -1.
+template <int dim>
+std::vector<int> pair_of_slaves(const Assembly<dim>& assembly) {
+  std::vector<int> pair_of(assembly.contact_nodes.size(), -1);
+  const std::size_t count = assembly.pairs.size();
+  std::vector<std::set<int>> masters;
+  for (const MortarPair<dim>& pair : assembly.pairs)
+    masters.push_back(nodes_of_facets(pair.master));
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::set<int> slaves = nodes_of_facets(assembly.pairs[k].slave);
+    const bool alone = std::ranges::none_of(masters, [&](const std::set<int>& others) {
+      return std::ranges::any_of(slaves, [&](int node) { return others.contains(node); });
+    });
+    for (const int node : slaves)
+      if (alone)
+        pair_of[static_cast<std::size_t>(assembly.contact_node(node))] = static_cast<int>(k);
+  }
+  return pair_of;
+}
+
+}  // namespace
+
 template <int dim>
 Resultants<dim>::Resultants(WornBodyEquations<dim> equations)
     : equations_(std::move(equations)),
@@ -114,6 +141,10 @@ ForceBalance Resultants<dim>::balance(const FieldValues<dim>& values, double t,
   ForceBalance balance;
   for (const NamedSupport& each : held.named) balance.reactions.push_back({each.name});
   for (const SpringSupport<dim>& each : held.springs) balance.reactions.push_back({each.name});
+  std::vector<ResultantForce> pairs;
+  for (const MortarPair<dim>& pair : assembly.pairs)
+    pairs.push_back({fmt::format("\"{}\" on \"{}\"", pair.bodies[0], pair.bodies[1])});
+  const std::vector<int> pair_of = pair_of_slaves(assembly);
   double idle = 0, all = 0;
   for (std::size_t p = 0; p < equations_.phases().size(); ++p) {
     const double weight = assembly.copies * equations_.phases()[p].weight;
@@ -133,10 +164,12 @@ ForceBalance Resultants<dim>::balance(const FieldValues<dim>& values, double t,
       const Vector<dim> place = places.row(node).transpose(), force = -contact.force,
                         along = contact.normal * contact.normal.dot(force);
       others.row(node) += force.transpose();
-      // Of pairs, forces of all nodes cancel each other, but not their parts.
-      const Vector<dim> normal = assembly.pairs.empty() ? along : force;
-      sum.add(pressed, weight, place, normal);
-      sum.add(rubbed, weight, place, force - normal);
+      if (assembly.pairs.empty()) {
+        sum.add(pressed, weight, place, along);
+        sum.add(rubbed, weight, place, force - along);
+      } else if (pair_of[c] >= 0) {
+        sum.add(pairs[static_cast<std::size_t>(pair_of[c])], weight, place, -force);
+      }
     }
     const NodalField<dim> carried =
         -(others.array() * held.held.template cast<double>().array()).matrix();
@@ -148,7 +181,11 @@ ForceBalance Resultants<dim>::balance(const FieldValues<dim>& values, double t,
     all += weight * load.cwiseAbs().sum();
     idle += weight * (load.array().abs() * held.held.template cast<double>().array()).sum();
   }
-  balance.forces = {loads, supports, springs, pressed, rubbed};
+  balance.forces = {loads, supports, springs};
+  if (assembly.pairs.empty()) balance.forces.insert(balance.forces.end(), {pressed, rubbed});
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if (std::ranges::find(pair_of, static_cast<int>(k)) != pair_of.end())
+      balance.pairs.push_back(pairs[k]);
   balance.idle_load = all > 0 ? idle / all : 0;
   return balance;
 }
@@ -170,9 +207,7 @@ std::vector<Scalar> force_columns(const Assembly<dim>& assembly, const ForceBala
   const auto has = [&](const std::string& name) {
     if (name == "loads") return !assembly.loads.empty();
     if (name == "supports") return assembly.supports.named.empty();
-    // Those of a pair act on one body as on the other.
-    if (name == "friction") return assembly.interface.friction != 0 && assembly.pairs.empty();
-    return name == "contact" && assembly.pairs.empty();
+    return name == "contact" || (name == "friction" && assembly.interface.friction != 0);
   };
   for (const ResultantForce& each : balance.forces)
     if (has(each.name)) add(each);

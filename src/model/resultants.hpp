@@ -12,6 +12,7 @@ namespace gnomon {
 struct ForceBalance {
   std::vector<ResultantForce> forces;     ///< Examination::forces
   std::vector<ResultantForce> reactions;  ///< Examination::reactions
+  std::vector<ResultantForce> pairs{};    ///< Examination::pairs
   double idle_load = 0;                   ///< Examination::idle_load
 };
 

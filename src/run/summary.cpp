@@ -27,6 +27,8 @@ void add_balance(Json& json, const Examination& examination) {
     json["forces"][each.name] = each.force;
     json["torques"][each.name] = each.torque;
   }
+  for (const ResultantForce& each : examination.pairs)
+    json["pairs"][each.name] = {{"force", each.force}, {"torque", each.torque}};
   for (const ResultantForce& each : examination.reactions)
     json["reactions"][each.name] = {{"force", each.force}, {"torque", each.torque}};
 }

@@ -137,6 +137,17 @@ TEST_F(PairBalance, HowFarBodiesOverlapIsTold) {
   EXPECT_THAT(refusal(shoe_scene), HasSubstr("\"shoe\" and \"plate\" overlap by about 1 mm"));
 }
 
+TEST_F(PairBalance, WhatOneBodyExertsOnTheOther) {
+  folder_.write("shoe.geo", shoe(0));
+  const auto model = this->model(shoe_scene);
+  Counters counters;
+  const std::vector<ResultantForce> pairs = model->examine(model->start(counters)).pairs;
+  ASSERT_EQ(pairs.size(), 1u);
+  const double side = pairs[0].name == "\"plate\" on \"shoe\"" ? 1 : -1;
+  EXPECT_NEAR(side * pairs[0].force[0], 30, 0.1);  // it drags the shoe along
+  EXPECT_NEAR(side * pairs[0].force[1], 100, 0.1);
+}
+
 // Of moduli in the wrong unit.
 TEST_F(PairBalance, AFailureNamesTheBodyAndThePhase) {
   folder_.write("shoe.geo", shoe(0));

@@ -53,6 +53,9 @@ struct Examination {
   std::vector<ResultantForce> forces;
   /// Of each support that has a name, "support_1": parts of "supports" and "springs".
   std::vector<ResultantForce> reactions{};
+  /// Of pairs, instead of "contact" and "friction" in `forces`: all that one body exerts on the
+  /// other, by name "\"pad\" on \"rail\"". Not of bodies whose contact is also that of other pairs.
+  std::vector<ResultantForce> pairs{};
   /// The part of the loads that acts on nodes that supports hold, in the directions that they hold:
   /// it does nothing; as a part of all loads.
   double idle_load = 0;
