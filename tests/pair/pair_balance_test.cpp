@@ -123,6 +123,36 @@ TEST_F(PairBalance, APivotThatSlidesIsRefused) {
   EXPECT_THAT(refusal(replaced(shoe_scene, "[\"x\"]", "[\"y\"]")),
               HasSubstr("\"shoe\" can move along x and turn, and no load acts on it in this way"));
   EXPECT_THAT(refusal(shoe_scene, {"load.1.on=base"}), HasSubstr("no load acts on it in this way"));
+  // Turned, it lies in the plate at first.
+  EXPECT_THAT(refusal(shoe_scene, {"load.1.force=[0.0, 0.0]"}),
+              HasSubstr("\"shoe\" can move along y and turn, and no load acts on it in this way"));
+}
+
+/// A bush around a shaft of radius 5.
+std::string bush(double bore) {
+  return "r[] = {2, 5, " + std::to_string(bore) + R"(, 7};
+Point(1) = {0, 0, 0};
+For k In {0:3}
+  Point(10*k+11) = {r[k], 0, 0, 1}; Point(10*k+12) = {0, r[k], 0, 1};
+  Point(10*k+13) = {-r[k], 0, 0, 1}; Point(10*k+14) = {0, -r[k], 0, 1};
+  Circle(10*k+11) = {10*k+11, 1, 10*k+12}; Circle(10*k+12) = {10*k+12, 1, 10*k+13};
+  Circle(10*k+13) = {10*k+13, 1, 10*k+14}; Circle(10*k+14) = {10*k+14, 1, 10*k+11};
+  Curve Loop(k+1) = {10*k+11, 10*k+12, 10*k+13, 10*k+14};
+EndFor
+Plane Surface(1) = {2, 1}; Plane Surface(2) = {4, 3};
+Physical Surface("plate") = {1}; Physical Surface("shoe") = {2};
+Physical Curve("base") = {11:14}; Physical Curve("face") = {21:24};
+Physical Curve("sole") = {31:34}; Physical Curve("top") = {41}; Physical Point("pivot") = {42};
+)";
+}
+
+// As pressed on, it needs none.
+TEST_F(PairBalance, ABushWithPlayNeedsALoad) {
+  const Overrides on_the_shaft = {"load.1.on=base", "friction.coefficient=0.1"};
+  folder_.write("shoe.geo", bush(4.95));
+  EXPECT_NO_THROW(this->model(shoe_scene, on_the_shaft));
+  folder_.write("shoe.geo", bush(5.1));
+  EXPECT_THAT(refusal(shoe_scene, on_the_shaft), HasSubstr("no load acts on it in this way"));
 }
 
 TEST_F(PairBalance, SeveralPointsAreNoPivot) {
