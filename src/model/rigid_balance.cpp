@@ -50,6 +50,18 @@ public:
     return poses_[part] * foundation_.place(node);
   }
   const std::vector<RigidPart<dim>>& rigid() const { return rigid_; }
+  /// How the loads at the start press the nodes of a part further, the fastest with 1.
+  NodalField<dim> pressing(std::size_t k) const {
+    const Twist<dim> twist = twists(along_free(foundation_.loads(poses_, {})))[k];
+    const RigidPart<dim>& part = rigid_[k];
+    NodalField<dim> result = NodalField<dim>::Zero(std::ssize(part.nodes), dim);
+    Eigen::Index row = 0;
+    for (const int node : part.nodes)
+      result.row(row++) =
+          (rigid_velocities<dim>(place(k, node), part.centre, part.size) * twist).transpose();
+    const double fastest = std::sqrt(result.rowwise().squaredNorm().maxCoeff());
+    return fastest > 0 ? NodalField<dim>(result / fastest) : result;
+  }
 
   /// Whether bodies without loads stay in each other, as a ring that was pressed on a shaft.
   bool is_wedged() {
@@ -277,16 +289,20 @@ RigidBalance<dim>::RigidBalance(const AssemblyParts<dim>& parts,
   if (!doubt.empty()) return;
   const std::vector<RigidPart<dim>>& rigid = settling.rigid();
   settled = true;
-  for (std::size_t k = 0; k < rigid.size(); ++k)
-    for (const int node : rigid[k].nodes) {
-      if (rigid[k].loose.cols() == 0) continue;
+  for (std::size_t k = 0; k < rigid.size(); ++k) {
+    if (rigid[k].loose.cols() == 0) continue;
+    const NodalField<dim> pressing = settling.pressing(k);
+    for (std::size_t n = 0; n < rigid[k].nodes.size(); ++n) {
+      const int node = rigid[k].nodes[n];
       const Vector<dim> moved = settling.place(k, node);
       for (int i = 0; i < dim; ++i)
         if (!parts.supports.held(node, i)) {
           x[node][i] = moved[i];
           displacement(node, i) = moved[i] - parts.mesh.nodes[node][i];
+          direction(node, i) = pressing(static_cast<Eigen::Index>(n), i);
         }
     }
+  }
   for (const LoadTime& at : times)
     if (!settling.settle(softest, parts.scales.stress, at)) {
       doubt = fmt::format("at t = {:g} s {}", at.t, settling.last_motion());

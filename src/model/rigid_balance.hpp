@@ -24,9 +24,10 @@ bool wedged(const AssemblyParts<dim>& parts);
 template <int dim>
 struct RigidBalance {
   NodalField<dim> displacement;  ///< nodes x dim, zero where supports hold it [length]
-  NodalField<dim> direction;     ///< of those that supports leave free along the approach, unit
-  std::vector<Vector<dim>> x;    ///< where the nodes are then [length]
-  bool settled = false;          ///< bodies that may turn or move in several ways have come to rest
+  NodalField<dim>
+      direction;  ///< in which those that nothing but contact holds are pressed; 1 at most
+  std::vector<Vector<dim>> x;  ///< where the nodes are then [length]
+  bool settled = false;        ///< bodies that may turn or move in several ways have come to rest
   /// Which motion nothing determines: "\"shoe\" can turn about (1, 2)"; empty: none.
   std::string doubt;
 
