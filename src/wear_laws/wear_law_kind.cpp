@@ -96,7 +96,7 @@ std::string remark_on_idle_law(const WearLaw& law, const WearRange& range) {
       for (const double depth : {0.0, 0.3}) {
         const WearRate found = rate(pressure, depth, time);
         if (range.friction == 0 && found.by_friction_power != 0)
-          return "the wear law reads q = f p v, which is 0: friction is 0";
+          return "the wear law reads q = f p v, which is 0: friction.coefficient is 0";
         wears |= found.value > 0;
       }
     if (wears) break;

@@ -101,6 +101,71 @@ TEST_F(PairBalance, AShoeTurnsUntilItsForcesMeetThePivot) {
   }
 }
 
+/// A lever on a pivot at (-60, 62), a load at its other end, with a block on a drum of radius 50.
+constexpr const char* lever = R"(
+Point(1) = {0, 49.8, 0}; Point(2) = {-8, 49.36, 0, 0.7}; Point(3) = {8, 49.36, 0, 0.7};
+Point(4) = {8, 58, 0, 2}; Point(5) = {60, 58, 0, 2}; Point(6) = {60, 66, 0, 2};
+Point(7) = {50, 66, 0, 2}; Point(8) = {-60, 66, 0, 2}; Point(9) = {-60, 62, 0, 2};
+Point(10) = {-60, 58, 0, 2}; Point(11) = {-8, 58, 0, 2};
+Line(1) = {2, 3}; Line(2) = {3, 4}; Line(3) = {4, 5}; Line(4) = {5, 6}; Line(5) = {6, 7};
+Line(6) = {7, 8}; Line(7) = {8, 9}; Line(8) = {9, 10}; Line(9) = {10, 11}; Line(10) = {11, 2};
+Curve Loop(1) = {1 : 10}; Plane Surface(1) = {1};
+Point(20) = {0, 0, 0}; Point(21) = {-20, 45.83, 0, 1}; Point(22) = {20, 45.83, 0, 1};
+Point(23) = {16, 34.6, 0, 3}; Point(24) = {-16, 34.6, 0, 3};
+Circle(21) = {21, 20, 22}; Line(22) = {22, 23}; Line(23) = {23, 24}; Line(24) = {24, 21};
+Curve Loop(2) = {21 : 24}; Plane Surface(2) = {2};
+Physical Surface("lever") = {1}; Physical Surface("drum") = {2};
+Physical Curve("sole") = {1}; Physical Curve("rim") = {21}; Physical Curve("hub") = {23};
+Physical Curve("handle") = {5}; Physical Point("pivot") = {9};
+)";
+
+constexpr const char* lever_scene = R"(
+problem = "worn_body"
+[mesh]
+file = "lever.geo"
+[[body]]
+name = "lever"
+young_modulus = 70e3
+poisson_ratio = 0.33
+[[body]]
+name = "drum"
+young_modulus = 120e3
+poisson_ratio = 0.27
+[[pair]]
+bodies = ["lever", "drum"]
+friction = 0.4
+[[motion]]
+body = "drum"
+rotation = -20.0
+center = [0.0, 0.0]
+[[support]]
+on = "hub"
+[[support]]
+on = "pivot"
+[[load]]
+on = "handle"
+force = [0.0, -20.0]
+[wear]
+on = ["sole"]
+coefficient = 1e-8
+[time]
+end = 10.0
+)";
+
+// The mesh of the curved drum leaves a gap that only a rotation closes. Forces on the lever have no
+// torque about its pivot.
+TEST_F(PairBalance, ALeverIsTurnedUntilItTouches) {
+  folder_.write("lever.geo", lever);
+  for (const char* factor : {"0.8", "1", "1.4", "2"}) {
+    SCOPED_TRACE(factor);
+    const auto model = this->model(lever_scene, {std::string("mesh.factor=") + factor});
+    Counters counters;
+    const ResultantForce hub = reaction_of(*model, model->start(counters), "support_1");
+    const double torque = hub.torque[2] - (-60 * hub.force[1] - 62 * hub.force[0]);
+    EXPECT_NEAR(torque / (20 * (60 + 55)), 1, 3e-3);
+  }
+}
+
 // Friction above half of the length by the height turns it over.
 TEST_F(PairBalance, WhatNothingDeterminesIsRefused) {
   folder_.write("shoe.geo", shoe(0));
