@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <gnomon/model/wear_model.hpp>
+#include <optional>
 
 namespace gnomon {
 
@@ -8,6 +9,7 @@ namespace {
 
 struct SurfacePoint {
   double s, pressure, gap;  // position along the plane
+  double covered;           // by the partner: a part of its share of the surface
   bool active;
   std::array<int, 2> next;  // neighbours along the surface, after and before; -1: its end
 };
@@ -40,9 +42,28 @@ private:
   bool ends_ = false;
 };
 
+/// Where the partner ends within the shares of active points, counted from the last one that it
+/// covers; none where it covers the outermost.
+std::optional<double> uncovered_edge(const Walk& walk, int outwards) {
+  constexpr double whole = 0.9;
+  double beyond = 0;
+  for (int k = 0;; --k) {
+    const SurfacePoint *at = walk.at(k), *outer = walk.at(k + 1), *inner = walk.at(k - 1);
+    if (!at || !at->active || !inner) return {};
+    const double outside = outer ? std::abs(outer->s - at->s) / 2 : 0,
+                 inside = std::abs(at->s - inner->s) / 2;
+    if (at->covered >= whole) {
+      if (k == 0) return {};
+      return at->s + outwards * (outside + beyond);
+    }
+    beyond += at->covered * (inside + outside);
+  }
+}
+
 /// Edge beyond the outermost active point in a direction along the plane (+1 or -1).
 double edge(const std::vector<SurfacePoint>& points, int last, int outwards) {
   const Walk walk(points, last, outwards);
+  if (const auto end = uncovered_edge(walk, outwards)) return *end;
   const SurfacePoint& in = points[last];
   const SurfacePoint* inner = walk.at(-1);
   const SurfacePoint* open = walk.at(1);
@@ -92,7 +113,9 @@ double contact_half_width(const Assembly<2>& body, const WornBodyFields& fields,
         body.mesh.nodes[node] +
         (values.vector(fields.d).row(node) + values.vector(fields.u).row(node)).transpose();
     const ContactNode<2>& contact = nodes[c];
-    points.push_back({along.dot(x), -contact.traction, contact.gap,
+    const double covered =
+        body.pairs.empty() ? 1 : contact.area / body.contact_nodes[c].initial_area;
+    points.push_back({along.dot(x), -contact.traction, contact.gap, covered,
                       body.carries[c] && contact.active && contact.traction < 0,
                       neighbours(body.contact_nodes, body.contact_nodes[c])});
     if (!points.back().active) continue;

@@ -79,6 +79,25 @@ TEST(PairExtremes, MeshesOneToTen) {
   }
 }
 
+// Contact spreads from the middle to the edge of the lower body, which the upper one overhangs.
+TEST(PairExtremes, ContactMovesToTheEdge) {
+  for (const bool lower_is_slave : {false, true})
+    for (const int along : {8, 12, 19}) {
+      SCOPED_TRACE(::testing::Message() << lower_is_slave << " " << along);
+      TwoBodies pair = wave();
+      pair.upper.surface = [](double x) { return 0.05 * x * x; };
+      pair.duration = 500;
+      pair.lower.to = 1.5;
+      pair.lower.along = along;
+      pair.lower_is_slave = lower_is_slave;
+      expect_sound(pair);
+      const WearModel<2> model(two_bodies<2>(pair));
+      const ModelRun run = run_model(model, "esdirk-3", 0, 1e-4, pair.duration);
+      EXPECT_LT(observed(model, run.states.front(), "contact_half_width"), 0.7);
+      EXPECT_NEAR(observed(model, run.last(), "contact_half_width"), 1.5 / 2, 0.02);
+    }
+}
+
 TEST(PairExtremes, ASingleNodeTouchesAtFirst) {
   TwoBodies pair = wave();
   pair.upper.surface = [](double x) { return 0.5 * std::abs(x - 1); };
