@@ -4,34 +4,11 @@
 #include <limits>
 #include <set>
 
-#include "mesh/connected_nodes.hpp"
+#include "mesh/crossing.hpp"
 #include "mesh/facet_bins.hpp"
+#include "model/connected_parts.hpp"
 
 namespace gnomon {
-
-template <int dim>
-std::vector<std::array<int, dim>> simplices(const typename Mesh<dim>::Facet& facet) {
-  if constexpr (dim == 2)
-    return {facet};
-  else
-    return {{facet[0], facet[1], facet[2]}, {facet[0], facet[2], facet[3]}};
-}
-
-template <int dim>
-Crossing<dim>::Crossing(const Vector<dim>& point, const Vector<dim>& e,
-                        const std::array<int, dim>& simplex, const std::vector<Vector<dim>>& x) {
-  Tensor<dim> A;  // point + s e = x_0 + sum_k c_k (x_k - x_0)
-  A.col(0) = -e;
-  for (int k = 1; k < dim; ++k) A.col(k) = x[simplex[k]] - x[simplex[0]];
-  Tensor<dim> inverse;
-  bool crosses = false;
-  A.computeInverseWithCheck(inverse, crosses, 0);
-  if (!crosses) return;
-  const Vector<dim> solution = inverse * (point - x[simplex[0]]);
-  distance = solution[0];
-  shares = solution;
-  shares[0] = 1 - solution.template tail<dim - 1>().sum();
-}
 
 namespace {
 
@@ -73,33 +50,6 @@ std::map<int, double> travels(const std::vector<typename Mesh<dim>::Facet>& from
 }
 
 }  // namespace
-
-template <int dim>
-std::vector<int> connected_parts(const Mesh<dim>& mesh) {
-  const std::size_t corners = Mesh<dim>::cell_nodes;
-  return connected_nodes(
-      mesh.nodes.size(),
-      {mesh.cells.empty() ? nullptr : mesh.cells.front().data(), corners * mesh.cells.size()},
-      corners);
-}
-
-template <int dim>
-std::vector<int> connected_parts(const Mesh<dim>& mesh, const std::vector<Body>& bodies) {
-  const std::vector<int> part = connected_parts(mesh);
-  std::vector<int> result;
-  for (const Body& body : bodies)
-    result.push_back(part[static_cast<std::size_t>(
-        mesh.cells[static_cast<std::size_t>(body.cells.front())][0])]);
-  return result;
-}
-
-template <int dim>
-std::vector<int> body_of_nodes(const Mesh<dim>& mesh, const std::vector<int>& body_of_cells) {
-  std::vector<int> body(mesh.nodes.size(), -1);
-  for (std::size_t cell = 0; cell < body_of_cells.size(); ++cell)
-    for (const int node : mesh.cells[cell]) body[node] = body_of_cells[cell];
-  return body;
-}
 
 namespace {
 
@@ -176,16 +126,6 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts, const std::vector<BodyP
   }
 }
 
-template std::vector<std::array<int, 2>> simplices<2>(const Mesh<2>::Facet&);
-template std::vector<std::array<int, 3>> simplices<3>(const Mesh<3>::Facet&);
-template struct Crossing<2>;
-template struct Crossing<3>;
-template std::vector<int> connected_parts(const Mesh<2>&);
-template std::vector<int> connected_parts(const Mesh<3>&);
-template std::vector<int> connected_parts(const Mesh<2>&, const std::vector<Body>&);
-template std::vector<int> connected_parts(const Mesh<3>&, const std::vector<Body>&);
-template std::vector<int> body_of_nodes(const Mesh<2>&, const std::vector<int>&);
-template std::vector<int> body_of_nodes(const Mesh<3>&, const std::vector<int>&);
 template double travel_to_touch(const MortarPair<2>&, const Vector<2>&,
                                 const std::vector<Vector<2>>&);
 template double travel_to_touch(const MortarPair<3>&, const Vector<3>&,

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "mesh/facet_table.hpp"
-#include "model/bring_together.hpp"
+#include "model/connected_parts.hpp"
 #include "model/resultants.hpp"
 
 namespace gnomon {

@@ -5,6 +5,8 @@
 #include <gnomon/terms/mortar_node.hpp>
 #include <limits>
 
+#include "mesh/crossing.hpp"
+
 namespace gnomon {
 
 double FoundationLaw::pressure(double overlap) const {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "model/bring_together.hpp"
 #include "model/foundation.hpp"
 
 namespace gnomon {

@@ -8,6 +8,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "base/spectrum.hpp"
+#include "model/connected_parts.hpp"
 
 namespace gnomon {
 

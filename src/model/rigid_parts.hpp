@@ -3,8 +3,6 @@
 
 #include <gnomon/model/assembly.hpp>
 
-#include "model/bring_together.hpp"
-
 namespace gnomon {
 
 /// Translations, then rotations, of a rigid body.

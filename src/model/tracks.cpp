@@ -3,7 +3,7 @@
 #include <gnomon/base/error.hpp>
 #include <numeric>
 
-#include "model/bring_together.hpp"
+#include "model/connected_parts.hpp"
 
 namespace gnomon {
 

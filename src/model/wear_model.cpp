@@ -6,7 +6,7 @@
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/terms/meridian_point.hpp>
 
-#include "model/bring_together.hpp"
+#include "model/connected_parts.hpp"
 #include "model/resultants.hpp"
 #include "model/tracks.hpp"
 

@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-#include "model/bring_together.hpp"
+#include "model/connected_parts.hpp"
 #include "part/histories.hpp"
 #include "part/supports.hpp"
 

@@ -7,7 +7,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 
-#include "model/bring_together.hpp"
+#include "model/connected_parts.hpp"
 #include "part/part_cycle.hpp"
 #include "part/phases.hpp"
 

@@ -14,6 +14,7 @@
 
 #include "mesh/facet_table.hpp"
 #include "model/bring_together.hpp"
+#include "model/connected_parts.hpp"
 #include "part/body_motions.hpp"
 #include "part/facing_facets.hpp"
 #include "part/groups.hpp"

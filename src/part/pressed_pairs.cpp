@@ -7,6 +7,7 @@
 #include <iterator>
 #include <set>
 
+#include "model/bring_together.hpp"
 #include "model/rigid_balance.hpp"
 #include "part/supports.hpp"
 
