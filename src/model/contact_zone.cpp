@@ -99,11 +99,11 @@ std::array<int, 2> neighbours(const std::vector<ContactPatch<2>>& patches,
   return next;
 }
 
-/// Of the contact nodes that `counts` says, which the partner approaches along e.
-template <class Counts>
-double half_width(const Assembly<2>& body, const WornBodyFields& fields,
-                  const FieldValues<2>& values, const std::vector<ContactNode<2>>& nodes,
-                  const Vector<2>& e, const Counts& counts) {
+}  // namespace
+
+double contact_half_width(const Assembly<2>& body, const WornBodyFields& fields,
+                          const FieldValues<2>& values, const std::vector<ContactNode<2>>& nodes) {
+  const Vector<2>& e = body.interface.partner.approach;
   const Vector<2> along(e[1], -e[0]);
   std::vector<SurfacePoint> points;
   int first = -1, last = -1;  // active ones, outermost along the plane
@@ -116,7 +116,7 @@ double half_width(const Assembly<2>& body, const WornBodyFields& fields,
     const double covered =
         body.pairs.empty() ? 1 : contact.area / body.contact_nodes[c].initial_area;
     points.push_back({along.dot(x), -contact.traction, contact.gap, covered,
-                      counts(c) && contact.active && contact.traction < 0,
+                      body.carries[c] && contact.active && contact.traction < 0,
                       neighbours(body.contact_nodes, body.contact_nodes[c])});
     if (!points.back().active) continue;
     if (first < 0 || points[c].s < points[first].s) first = c;
@@ -125,36 +125,6 @@ double half_width(const Assembly<2>& body, const WornBodyFields& fields,
   if (first < 0) return 0;
   const double extent = std::abs(edge(points, last, 1) - edge(points, first, -1));
   return reach_axis(body, first, last) ? extent : extent / 2;
-}
-
-/// By contact node that is a slave: the pair along whose approach it faces; else -1.
-std::vector<int> faced_pairs(const Assembly<2>& body) {
-  std::vector<int> faced(body.contact_nodes.size(), -1);
-  for (int p = 0; p < static_cast<int>(body.pairs.size()); ++p)
-    for (const auto& facet : body.pairs[p].slave)
-      for (const int node : facet) {
-        const auto c = static_cast<std::size_t>(body.contact_node(node));
-        const auto faces = [&](int pair) {
-          return -body.contact_nodes[c].initial_normal.dot(body.pairs[pair].approach);
-        };
-        if (faced[c] < 0 || faces(p) > faces(faced[c])) faced[c] = p;
-      }
-  return faced;
-}
-
-}  // namespace
-
-double contact_half_width(const Assembly<2>& body, const WornBodyFields& fields,
-                          const FieldValues<2>& values, const std::vector<ContactNode<2>>& nodes) {
-  if (body.pairs.size() < 2)
-    return half_width(body, fields, values, nodes, body.interface.partner.approach,
-                      [&](int c) { return body.carries[c]; });
-  const std::vector<int> faced = faced_pairs(body);
-  double widest = 0;
-  for (int p = 0; p < static_cast<int>(body.pairs.size()); ++p)
-    widest = std::max(widest, half_width(body, fields, values, nodes, body.pairs[p].approach,
-                                         [&](int c) { return faced[c] == p; }));
-  return widest;
 }
 
 }  // namespace gnomon

@@ -296,7 +296,9 @@ Observation WearModel<dim>::observe(const State& state) const {
   if (!assembly().pairs.empty()) observe_bodies(assembly(), d, phases, units, observed);
   if (approach) observed.push_back(common("approach", *approach));
   if (gradient) observed.push_back(common("displacement_gradient", *gradient));
-  if (dim == 2) observed.push_back(common("contact_half_width", half_width));
+  // Several pairs have ends of their own.
+  if (dim == 2 && assembly().pairs.size() < 2)
+    observed.push_back(common("contact_half_width", half_width));
   observed.push_back(common("wear_depth", largest_over_processes(depth)));
   observed.push_back(common("contact_area", area.area, units));
   observed.push_back(common("contact_area_error", area.unknown, units));

@@ -32,10 +32,10 @@ public:
   /// SolutionError names the largest fraction of the load with an equilibrium.
   State start(Counters& counters) const override;
   /// All common scalars; only some bodies have groove_section (a groove), approach (w, if the
-  /// counter-body moves), displacement_gradient (small strains) and contact_half_width (2D). Forces
-  /// and volumes are those of the whole body, of which only a part may be modelled because of
-  /// symmetry. Over a cycle: nodes that touch in any phase, mean force, wear flux and approach,
-  /// largest pressure, displacement gradient and half width.
+  /// counter-body moves), displacement_gradient (small strains) and contact_half_width (2D, one
+  /// pair). Forces and volumes are those of the whole body, of which only a part may be modelled
+  /// because of symmetry. Over a cycle: nodes that touch in any phase, mean force, wear flux and
+  /// approach, largest pressure, displacement gradient and half width.
   Observation observe(const State& state) const override;
   std::vector<GridField> fields(const State& state) const override;
   std::optional<ContactSurface> contact(const State& state) const override;
