@@ -53,16 +53,14 @@ std::map<int, double> travels(const std::vector<typename Mesh<dim>::Facet>& from
 
 namespace {
 
-/// The part of e along which supports let a connected part of the mesh move.
+/// The part of e along which supports let a connected part of the mesh move. Springs do not keep it
+/// from what it touches: a load may press it there from afar.
 template <int dim>
 Vector<dim> free_part(const AssemblyParts<dim>& parts, const std::vector<int>& part, int own,
                       Vector<dim> e) {
   for (std::size_t node = 0; node < part.size(); ++node)
     for (int i = 0; i < dim && part[node] == own; ++i)
       if (parts.supports.held(static_cast<Eigen::Index>(node), i)) e[i] = 0;
-  for (const auto& springs : parts.supports.springs)
-    for (const auto& facet : springs.facets)
-      if (part[facet[0]] == own) e = (springs.stiffness.array() > 0).select(0, e);
   return e;
 }
 

@@ -338,6 +338,23 @@ TEST_F(PairBalance, ADiscRollsOnAPlate) {
   EXPECT_THAT(refusal(scene + "directions = [\"x\"]\n"), HasSubstr("\"disc\" can turn about"));
 }
 
+// A load presses a disc, which is above its plate, on it against a weak spring at its top; a stiff
+// one keeps them apart.
+TEST_F(PairBalance, AWeakSpringLetsADiscTouch) {
+  folder_.write("disc.geo", disc());
+  folder_.write("right.geo", wall(-90));
+  const std::string scene = "problem = \"worn_body\"\n" + body("disc", "shift = [0.0, 0.5]\n") +
+                            body("right", "") + disc_and_right +
+                            "[[support]]\non = \"base\"\n[[support]]\non = \"top\"\ndirections = "
+                            "[\"x\"]\n[wear]\non = [\"face\"]\ncoefficient = 1e-8\n"
+                            "[[support]]\non = \"upper\"\nstiffness = ";
+  for (const auto& [stiffness, carried] : std::map<std::string, double>{{"0.01", 9.9}, {"10", 0}}) {
+    const auto model = this->model(scene + stiffness + "\n");
+    Counters counters;
+    EXPECT_NEAR(reaction_of(*model, model->start(counters), "support_1").force[1], carried, 0.1);
+  }
+}
+
 // In space, with a pivot that is free to move down and to turn.
 TEST_F(PairBalance, AShoeInSpaceTurnsToo) {
   folder_.write("shoe.geo", R"(
