@@ -175,6 +175,30 @@ void keep_facing_at(const std::vector<std::vector<Vector<dim>>>& x, Section sect
 }
 
 template <int dim>
+void drop_across_edges(const std::vector<Vector<dim>>& x,
+                       const std::vector<typename Mesh<dim>::Facet>& wearing,
+                       std::vector<typename Mesh<dim>::Facet>& boundary) {
+  constexpr double edge =
+      0.966;  // cosine of 15 degrees: rounded edges on coarse meshes turn by less
+  std::set<typename Mesh<dim>::Facet> wears;  // by sorted nodes
+  std::map<int, std::vector<Vector<dim>>> normals;
+  for (const auto& facet : wearing) {
+    wears.insert(sorted(facet));
+    for (const int node : facet) normals[node].push_back(facet_normal<dim>(facet, x));
+  }
+  std::erase_if(boundary, [&](const auto& facet) {
+    if (wears.contains(sorted(facet))) return false;
+    const Vector<dim> n = facet_normal<dim>(facet, x);
+    return std::ranges::any_of(facet, [&](int node) {
+      const auto at = normals.find(node);
+      return at != normals.end() && std::ranges::any_of(at->second, [&](const Vector<dim>& other) {
+               return n.dot(other) < edge;
+             });
+    });
+  });
+}
+
+template <int dim>
 void join_beside(const std::vector<Vector<dim>>& x, MortarPair<dim>& pair,
                  const std::function<bool(const typename Mesh<dim>::Facet&)>& wears) {
   for (const std::size_t side : {0u, 1u}) {
@@ -255,6 +279,10 @@ template void keep_facing(const std::vector<Vector<2>>&, Section, MortarPair<2>&
 template void keep_facing(const std::vector<Vector<3>>&, Section, MortarPair<3>&);
 template void keep_facing_at(const std::vector<std::vector<Vector<2>>>&, Section, MortarPair<2>&);
 template void keep_facing_at(const std::vector<std::vector<Vector<3>>>&, Section, MortarPair<3>&);
+template void drop_across_edges(const std::vector<Vector<2>>&, const std::vector<Mesh<2>::Facet>&,
+                                std::vector<Mesh<2>::Facet>&);
+template void drop_across_edges(const std::vector<Vector<3>>&, const std::vector<Mesh<3>::Facet>&,
+                                std::vector<Mesh<3>::Facet>&);
 template void join_beside(const std::vector<Vector<2>>&, MortarPair<2>&,
                           const std::function<bool(const Mesh<2>::Facet&)>&);
 template void join_beside(const std::vector<Vector<3>>&, MortarPair<3>&,

@@ -30,6 +30,13 @@ template <int dim>
 void keep_facing_at(const std::vector<std::vector<Vector<dim>>>& x, Section section,
                     MortarPair<dim>& pair);
 
+/// Drops the facets of a boundary that do not wear and join those that do across an edge: nodes of
+/// a wearing surface have normals of its own. What is farther stays.
+template <int dim>
+void drop_across_edges(const std::vector<Vector<dim>>& x,
+                       const std::vector<typename Mesh<dim>::Facet>& wearing,
+                       std::vector<typename Mesh<dim>::Facet>& boundary);
+
 /// Adds facets of the boundary beside them that face about the same way: one at each end, and all
 /// that wear and go on from there.
 template <int dim>

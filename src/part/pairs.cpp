@@ -102,7 +102,8 @@ std::array<int, 2> bodies_of_pair(const Scene& scene, const std::string& pair,
   return result;
 }
 
-/// The boundary of a body, or the part of it that the pair is restricted to.
+/// The boundary of a body, up to the edges of its wearing surfaces, or the part of it that the pair
+/// is restricted to.
 template <int dim>
 Facets<dim> boundary_of(const Scene& scene, const std::string& pair, const ImportedBody<dim>& part,
                         const BodyOfFacets<dim>& body_of, int body) {
@@ -114,6 +115,10 @@ Facets<dim> boundary_of(const Scene& scene, const std::string& pair, const Impor
   };
   if (!scene.given(key)) {
     take(part.exterior);
+    Facets<dim> wearing;
+    for (const std::string& name : scene.texts("wear.on"))
+      std::ranges::copy(group_facets(scene, "wear.on", name, part), std::back_inserter(wearing));
+    drop_across_edges(part.mesh.nodes, wearing, result);
     return result;
   }
   for (const std::string& name : scene.texts(key)) take(group_facets(scene, key, name, part));
