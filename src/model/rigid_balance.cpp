@@ -101,8 +101,10 @@ public:
   /// Where the stiffness is that of a load on a pendulum far longer than the bodies: the motion.
   std::string neutral(double depth, LoadTime at) {
     constexpr double nearly = 0.03;
+    constexpr double far =
+        0.5;  // of the depth, so that facets at the edges do not count one by one
     const FoundationLaw law{stiffness_, smoothing * depth};
-    const Eigen::MatrixXd K = stiffness(resultant(law, at), law, depth, at);
+    const Eigen::MatrixXd K = stiffness(resultant(law, at), law, far * depth, at);
     const Eigen::EigenSolver<Eigen::MatrixXd> modes(K);  // friction: it is not symmetric
     Eigen::Index least = 0;
     modes.eigenvalues().real().minCoeff(&least);
@@ -150,10 +152,9 @@ private:
         poses_[k] = moved_by<dim>(twist[k], rigid_[k].centre, rigid_[k].size) * poses_[k];
   }
 
-  /// -dR/dz, by central differences.
-  Eigen::MatrixXd stiffness(const Eigen::VectorXd& R, const FoundationLaw& law, double depth,
+  /// -dR/dz, by central differences of motions h.
+  Eigen::MatrixXd stiffness(const Eigen::VectorXd& R, const FoundationLaw& law, double h,
                             LoadTime at) {
-    const double h = 1e-3 * depth;
     Eigen::MatrixXd K(R.size(), R.size());
     const std::vector<Pose<dim>> here = poses_;
     for (Eigen::Index k = 0; k < R.size(); ++k) {
@@ -185,7 +186,7 @@ private:
     Eigen::VectorXd R = resultant(law, at);
     for (int step = 0; step < most_steps && path < farthest * size_; ++step) {
       if (R.norm() <= at_rest * force) return true;
-      Eigen::MatrixXd K = stiffness(R, law, depth, at);
+      Eigen::MatrixXd K = stiffness(R, law, 1e-3 * depth, at);
       K.diagonal().array() += force / depth / time;
       Eigen::VectorXd by = K.partialPivLu().solve(R);
       if (!by.allFinite()) by = R;
