@@ -51,8 +51,9 @@ def draw(body, parts, axes=("x", "y")):
 
 
 def colours_of(parts):
-    palette = style.COLOURS if len(parts) <= len(style.COLOURS) else \
-        [matplotlib.colormaps["tab20"](i % 20) for i in range(len(parts))]
+    palette = [colour for colour in style.COLOURS if colour != "#000000"]  # edges of cells are black
+    if len(parts) > len(palette):
+        palette = [matplotlib.colormaps["tab20"](i % 20) for i in range(len(parts))]
     return palette[:len(parts)]
 
 
