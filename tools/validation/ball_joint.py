@@ -23,7 +23,7 @@ COARSE = "mesh.factor=2"
 
 def force_times_path():
     """Of a step, and the mean of the force over it [N mm, N]: the sum over the straight pieces of the tables."""
-    tables = tomllib.loads(SCENE.read_text())["cycle"]["tables"]
+    tables = tomllib.loads(SCENE.read_text())["tables"]
     force, angle = tables["walking"]["y"], [math.radians(a) for a in tables["flexion"]["y"]]
     pairs = list(zip(force, force[1:], angle, angle[1:]))
     return (RADIUS * sum((f + g) / 2 * abs(b - a) for f, g, a, b in pairs),
