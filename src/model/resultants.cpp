@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mesh/facet_table.hpp"
+#include "model/connected_parts.hpp"
 
 namespace gnomon {
 
@@ -46,6 +47,37 @@ NodalField<dim> places_of(const WornBodyEquations<dim>& equations, const FieldVa
   if (!small) places += values.vector(fields.u);
   return places;
 }
+
+/// From the frames of the bodies to space, in a phase.
+template <int dim>
+class InSpace {
+public:
+  InSpace(const Assembly<dim>& assembly, const std::vector<BodyPlace<dim>>& places)
+      : places_(places) {
+    if (!places.empty()) body_of_ = body_of_nodes(assembly.mesh, assembly.body_of);
+  }
+  Vector<dim> force(Eigen::Index node, const Vector<dim>& in_frame) const {
+    return places_.empty() ? in_frame : Vector<dim>(of(node).turn * in_frame);
+  }
+  NodalField<dim> forces(NodalField<dim> nodal) const {
+    for (Eigen::Index node = 0; !places_.empty() && node < nodal.rows(); ++node)
+      nodal.row(node) = force(node, nodal.row(node).transpose()).transpose();
+    return nodal;
+  }
+  NodalField<dim> points(NodalField<dim> nodal) const {
+    for (Eigen::Index node = 0; !places_.empty() && node < nodal.rows(); ++node)
+      nodal.row(node) = of(node).of(nodal.row(node).transpose()).transpose();
+    return nodal;
+  }
+
+private:
+  const BodyPlace<dim>& of(Eigen::Index node) const {
+    return places_[static_cast<std::size_t>(body_of_[static_cast<std::size_t>(node)])];
+  }
+
+  const std::vector<BodyPlace<dim>>& places_;
+  std::vector<int> body_of_;
+};
 
 /// Sums of forces at nodes.
 template <int dim>
@@ -148,15 +180,18 @@ ForceBalance Resultants<dim>::balance(const FieldValues<dim>& values, double t,
   double idle = 0, all = 0;
   for (std::size_t p = 0; p < equations_.phases().size(); ++p) {
     const double weight = assembly.copies * equations_.phases()[p].weight;
-    const NodalField<dim> places = places_of(equations_, values, equations_.fields(p));
+    const InSpace<dim> in_space(assembly, equations_.phases()[p].places);
+    const NodalField<dim> places =
+        in_space.points(places_of(equations_, values, equations_.fields(p)));
     const NodalField<dim> load = of(values, t, {TermKind::load, p});
     NodalField<dim> others = load + of(values, t, {TermKind::body, p});
-    sum.add_all(loads, weight, places, load);
+    sum.add_all(loads, weight, places, in_space.forces(load));
     for (std::size_t k = 0; k < held.springs.size(); ++k) {
       const NodalField<dim> spring = of(values, t, {TermKind::spring, p, k});
       others += spring;
-      sum.add_all(springs, weight, places, spring);
-      sum.add_all(balance.reactions[held.named.size() + k], weight, places, spring);
+      const NodalField<dim> pull = in_space.forces(spring);
+      sum.add_all(springs, weight, places, pull);
+      sum.add_all(balance.reactions[held.named.size() + k], weight, places, pull);
     }
     for (std::size_t c = 0; c < contacts[p].nodes.size(); ++c) {
       const ContactNode<dim>& contact = contacts[p].nodes[c];
@@ -168,16 +203,17 @@ ForceBalance Resultants<dim>::balance(const FieldValues<dim>& values, double t,
         sum.add(pressed, weight, place, along);
         sum.add(rubbed, weight, place, force - along);
       } else if (pair_of[c] >= 0) {
-        sum.add(pairs[static_cast<std::size_t>(pair_of[c])], weight, place, -force);
+        sum.add(pairs[static_cast<std::size_t>(pair_of[c])], weight, place,
+                -in_space.force(node, force));
       }
     }
     const NodalField<dim> carried =
         -(others.array() * held.held.template cast<double>().array()).matrix();
-    sum.add_all(supports, weight, places, carried);
+    sum.add_all(supports, weight, places, in_space.forces(carried));
     for (std::size_t k = 0; k < held.named.size(); ++k)
       for (const auto& [node, i] : held.named[k].held)
         sum.add(balance.reactions[k], weight, places.row(node).transpose(),
-                carried(node, i) * Vector<dim>::Unit(i));
+                in_space.force(node, carried(node, i) * Vector<dim>::Unit(i)));
     all += weight * load.cwiseAbs().sum();
     idle += weight * (load.array().abs() * held.held.template cast<double>().array()).sum();
   }

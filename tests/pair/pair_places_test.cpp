@@ -92,6 +92,12 @@ TEST(PairPlaces, AnEccentricCamWearsAsItsPathSays) {
   EXPECT_NEAR(observed(*model, run.last(), "worn_volume_cam") / (1e-9 * force * path), 1, 2e-5);
   EXPECT_NEAR(observed(*model, run.last(), "worn_volume_follower") / (2e-9 * force * path), 1,
               2e-5);
+  // In space, where the forces of the bore turn against the cam, they balance.
+  const Examination facts = model->examine(run.last());
+  Vector<3> sum = Vector<3>::Zero();
+  for (const ResultantForce& each : facts.forces) sum += Vector<3>::Map(each.force.data());
+  EXPECT_LT(sum.norm(), 1e-6 * force);
+  EXPECT_NEAR(facts.reactions.front().force[1], force, 1e-4 * force);
   // The block solver takes about as many iterations as without a cycle.
   EXPECT_GT(run.counters.krylov_iterations, 0);
   EXPECT_LT(double(run.counters.krylov_iterations), 10.0 * double(run.counters.linear_solves));
