@@ -1,0 +1,79 @@
+// A wearing surface that ends at an edge: the side behind it faces the other body, too.
+
+#include <cmath>
+#include <map>
+
+#include "part/part_scene.hpp"
+
+namespace gnomon::pair_edges_test {
+namespace {
+
+using namespace testing;
+
+/// A pad of width 6 that widens upwards, with sides at an angle to the plate, on a plate.
+std::string pad(double degrees) {
+  return "b = 3 + 4 / Tan(" + std::to_string(degrees) + R"( * Pi / 180);
+Point(1) = {-3, 0, 0}; Point(2) = {3, 0, 0}; Point(3) = {b, 4, 0}; Point(4) = {-b, 4, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};
+Transfinite Curve {1, 3} = 7; Transfinite Curve {2, 4} = 7; Transfinite Surface {1};
+Point(11) = {-12.3, -4, 0}; Point(12) = {12.3, -4, 0}; Point(13) = {12.3, 0, 0};
+Point(14) = {-12.3, 0, 0};
+Line(11) = {11, 12}; Line(12) = {12, 13}; Line(13) = {13, 14}; Line(14) = {14, 11};
+Curve Loop(11) = {11 : 14}; Plane Surface(11) = {11};
+Transfinite Curve {11, 13} = 61; Transfinite Curve {12, 14} = 5; Transfinite Surface {11};
+Recombine Surface {1, 11};
+Physical Surface("pad") = {1}; Physical Surface("plate") = {11}; Physical Curve("sole") = {1};
+Physical Curve("top") = {3}; Physical Curve("face") = {13}; Physical Curve("base") = {11};
+)";
+}
+
+constexpr const char* scene = R"(
+problem = "worn_body"
+[mesh]
+file = "pad.geo"
+[[body]]
+name = "pad"
+young_modulus = 200
+poisson_ratio = 0.3
+[[body]]
+name = "plate"
+young_modulus = 200
+poisson_ratio = 0.3
+[[pair]]
+bodies = ["pad", "plate"]
+[[motion]]
+body = "pad"
+velocity = [0.0, 0.0, 30.0]
+[[support]]
+on = "base"
+[[support]]
+on = "top"
+directions = ["x"]
+[[load]]
+on = "top"
+force = [0.0, -3.0]
+[wear]
+on = ["sole", "face"]
+coefficient = 1e-5
+[time]
+end = 20.0
+)";
+
+class PairEdges : public PartScenes {};
+
+// Without friction pressures are vertical: nodes at the edges have the normal of the sole.
+TEST_F(PairEdges, SidesDoNotTurnTheNormalsOfTheSole) {
+  for (const double degrees : {20.0, 45.0, 60.0, 75.0, 80.0, 88.0}) {
+    SCOPED_TRACE(degrees);
+    folder_.write("pad.geo", pad(degrees));
+    const auto model = this->model(scene, {});
+    const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 20);
+    EXPECT_NEAR(observed(*model, run.last(), "contact_force"), 3, 1e-4);
+    for (const char* volume : {"worn_volume_pad", "worn_volume_plate"})
+      EXPECT_NEAR(observed(*model, run.last(), volume) / (1e-5 * 3 * 30 * 20), 1, 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace gnomon::pair_edges_test
