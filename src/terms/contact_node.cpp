@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <gnomon/base/error.hpp>
 #include <gnomon/terms/contact_node.hpp>
@@ -57,10 +58,10 @@ template <int dim>
 void require_direction(const ContactPatch<dim>& patch, const Vector<dim>& normal) {
   if (normal.isZero(0) && patch.may_move())
     throw RecoverableError(fmt::format(
-        "wear.normal = \"conservative\": contact node {} cannot wear, because the motion that its "
-        "supports allow does not change the volume of the body; contact may have reached an end of "
-        "the wearing surface",
-        patch.node));
+        "wear.normal = \"conservative\": the contact node at ({:.4g}) cannot wear, because the "
+        "motion that its shape is allowed does not change the volume of the body; contact may have "
+        "reached an end of the wearing surface",
+        fmt::join(patch.initial_position, ", ")));
 }
 
 template <int dim>
