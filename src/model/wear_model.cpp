@@ -267,7 +267,8 @@ template <int dim>
 Observation WearModel<dim>::observe(const State& state) const {
   const FieldValues<dim> values = this->values(state);
   const std::vector<PhaseContact<dim>> phases = contacts(values, state);
-  const int units = assembly().section() == Section::meridian ? 3 : dim;
+  const bool whole = dim == 3 || assembly().section() == Section::meridian;  // all around
+  const int units = whole ? 3 : 2;
   const NodalField<dim>& d = values.vector(equations_.fields().d);
   Vector<dim> reaction = Vector<dim>::Zero();
   std::optional<double> approach, gradient;

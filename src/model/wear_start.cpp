@@ -199,13 +199,13 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
       solver.reset();
       solver.emplace(contact.structure(), counters, newton);
     }
-    const NewtonReport report = solver->solve(function, y);
+    NewtonReport report = solver->solve(function, y);
     loaded = loaded || report.converged;
     return report;
   };
   std::vector<double> y(contact.structure().size);
   contact.numbering().gather(values, y);
-  const RampReport report = ramp_load(solve, options, y);
+  RampReport report = ramp_load(solve, options, y);
   contact.numbering().scatter(y, values);
   return report;
 }

@@ -91,7 +91,7 @@ inline Key controlling(Key key, ErrorSource source,
 }
 
 /// The same of a number to which the error is proportional, to some power.
-inline Key controlling(Key key, ErrorSource source) {
+inline Key controlling(const Key& key, ErrorSource source) {
   return controlling(key, source,
                      [name = key.name, range = key.range](const Scene& scene,
                                                           double factor) -> std::optional<Scene> {
@@ -103,7 +103,7 @@ inline Key controlling(Key key, ErrorSource source) {
 }
 
 /// The same of numbers of elements.
-inline Key controlling_by_count(Key key) {
+inline Key controlling_by_count(const Key& key) {
   return controlling(key, ErrorSource::mesh,
                      [name = key.name, range = key.range](const Scene& scene,
                                                           double factor) -> std::optional<Scene> {
