@@ -67,6 +67,31 @@ void tell_slaves_apart(const Scene& scene, std::vector<MortarPair<dim>>& pairs) 
   }
 }
 
+/// Where two surfaces that wear meet at an edge, a node has one normal and one pressure for both.
+template <int dim>
+void tell_of_edges(AssemblyParts<dim>& parts) {
+  constexpr double edge = 0.966;                                        // cosine of 15 degrees
+  std::map<int, std::vector<std::pair<std::string, Vector<dim>>>> met;  // by node
+  std::set<std::pair<std::string, std::string>> told;
+  for (const Surface<dim>& surface : parts.interface.surfaces) {
+    if (!surface.wears) continue;
+    for (const auto& facet : surface.facets) {
+      const Vector<dim> n = facet_normal<dim>(facet, parts.mesh.nodes);
+      for (const int node : facet) {
+        for (const auto& [other, normal] : met[node])
+          if (other != surface.name && n.dot(normal) < edge) told.emplace(other, surface.name);
+        met[node].emplace_back(surface.name, n);
+      }
+    }
+  }
+  for (const auto& [one, other] : told)
+    parts.remarks.push_back(
+        fmt::format("\"{}\" and \"{}\" wear and meet at an edge, whose nodes have a mean normal: "
+                    "pressures and volumes may be wrong by some percent; pair.#.surfaces restricts "
+                    "contact to one of them",
+                    one, other));
+}
+
 }  // namespace
 
 template <int dim>
@@ -114,6 +139,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
       if (before.wears && before.name == surface.name)
         surface.wear = before.wear, surface.track = before.track;
   parts.interface.surfaces = std::move(surfaces);
+  tell_of_edges(parts);
 }
 
 template <int dim>

@@ -1,7 +1,6 @@
 // A wearing surface that ends at an edge: the side behind it faces the other body, too.
 
-#include <cmath>
-#include <map>
+#include <algorithm>
 
 #include "part/part_scene.hpp"
 
@@ -73,6 +72,20 @@ TEST_F(PairEdges, SidesDoNotTurnTheNormalsOfTheSole) {
     for (const char* volume : {"worn_volume_pad", "worn_volume_plate"})
       EXPECT_NEAR(observed(*model, run.last(), volume) / (1e-5 * 3 * 30 * 20), 1, 1e-4);
   }
+}
+
+TEST_F(PairEdges, SurfacesThatMeetAtAnEdgeAreToldOf) {
+  const auto told = [&](const char* on) {
+    std::string geometry = pad(60);
+    geometry += "Physical Curve(\"side\") = {2};\n";
+    folder_.write("pad.geo", geometry);
+    const auto model = this->model(scene, {std::string("wear.on=") + on});
+    return std::ranges::any_of(model->remarks, [](const std::string& remark) {
+      return remark.find("\"side\" wear and meet at an edge") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(told(R"(["sole", "side", "face"])"));
+  EXPECT_FALSE(told(R"(["sole", "face"])"));
 }
 
 }  // namespace
