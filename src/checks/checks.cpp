@@ -37,7 +37,7 @@ std::string point_text(const std::array<double, 3>& x) {
 
 std::vector<std::string> doubts(const Examination& facts) {
   constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
-                   wedged = 50, lost = 0.02, inside = 1e-3, renewed = 0.02, rounding = 1e-9;
+                   wedged = 50, lost = 0.02, inside = 1e-3, renewed = 0.02, rounding = 1e-6;
   std::vector<std::string> found;
   const bool loaded = largest_force(facts) > rounding * facts.force;
   if (const double left = norm(sum_of(facts.forces, &ResultantForce::force));
