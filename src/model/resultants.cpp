@@ -52,10 +52,9 @@ NodalField<dim> places_of(const WornBodyEquations<dim>& equations, const FieldVa
 template <int dim>
 class InSpace {
 public:
-  InSpace(const Assembly<dim>& assembly, const std::vector<BodyPlace<dim>>& places)
-      : places_(places) {
-    if (!places.empty()) body_of_ = body_of_nodes(assembly.mesh, assembly.body_of);
-  }
+  /// `body_of`: by node. References must outlive the object.
+  InSpace(const std::vector<int>& body_of, const std::vector<BodyPlace<dim>>& places)
+      : body_of_(body_of), places_(places) {}
   Vector<dim> force(Eigen::Index node, const Vector<dim>& in_frame) const {
     return places_.empty() ? in_frame : Vector<dim>(of(node).turn * in_frame);
   }
@@ -75,8 +74,8 @@ private:
     return places_[static_cast<std::size_t>(body_of_[static_cast<std::size_t>(node)])];
   }
 
+  const std::vector<int>& body_of_;
   const std::vector<BodyPlace<dim>>& places_;
-  std::vector<int> body_of_;
 };
 
 /// Sums of forces at nodes.
@@ -106,10 +105,6 @@ private:
   const Assembly<dim>& assembly_;
 };
 
-}  // namespace
-
-namespace {
-
 /// By contact node: the pair whose slave it belongs to alone, or -1.
 template <int dim>
 std::vector<int> pair_of_slaves(const Assembly<dim>& assembly) {
@@ -136,7 +131,9 @@ template <int dim>
 Resultants<dim>::Resultants(WornBodyEquations<dim> equations)
     : equations_(std::move(equations)),
       all_(numbering_of(equations_, false)),
-      held_(numbering_of(equations_, true)) {
+      held_(numbering_of(equations_, true)),
+      body_of_(body_of_nodes(equations_.assembly().mesh, equations_.assembly().body_of)),
+      pair_of_(pair_of_slaves(equations_.assembly())) {
   for (std::size_t k = 0; k < equations_.kinds().size(); ++k) {
     const TermKind kind = equations_.kinds()[k].kind;
     terms_.push_back(acts_on_bodies(kind) ? equations_.composition()->terms[k](of_kind(kind))
@@ -176,11 +173,10 @@ ForceBalance Resultants<dim>::balance(const FieldValues<dim>& values, double t,
   std::vector<ResultantForce> pairs;
   for (const MortarPair<dim>& pair : assembly.pairs)
     pairs.push_back({fmt::format("\"{}\" on \"{}\"", pair.bodies[0], pair.bodies[1])});
-  const std::vector<int> pair_of = pair_of_slaves(assembly);
   double idle = 0, all = 0;
   for (std::size_t p = 0; p < equations_.phases().size(); ++p) {
     const double weight = assembly.copies * equations_.phases()[p].weight;
-    const InSpace<dim> in_space(assembly, equations_.phases()[p].places);
+    const InSpace<dim> in_space(body_of_, equations_.phases()[p].places);
     const NodalField<dim> places =
         in_space.points(places_of(equations_, values, equations_.fields(p)));
     const NodalField<dim> load = of(values, t, {TermKind::load, p});
@@ -202,8 +198,8 @@ ForceBalance Resultants<dim>::balance(const FieldValues<dim>& values, double t,
       if (assembly.pairs.empty()) {
         sum.add(pressed, weight, place, along);
         sum.add(rubbed, weight, place, force - along);
-      } else if (pair_of[c] >= 0) {
-        sum.add(pairs[static_cast<std::size_t>(pair_of[c])], weight, place,
+      } else if (pair_of_[c] >= 0) {
+        sum.add(pairs[static_cast<std::size_t>(pair_of_[c])], weight, place,
                 -in_space.force(node, force));
       }
     }
@@ -220,7 +216,7 @@ ForceBalance Resultants<dim>::balance(const FieldValues<dim>& values, double t,
   balance.forces = {loads, supports, springs};
   if (assembly.pairs.empty()) balance.forces.insert(balance.forces.end(), {pressed, rubbed});
   for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (std::ranges::find(pair_of, static_cast<int>(k)) != pair_of.end())
+    if (std::ranges::find(pair_of_, static_cast<int>(k)) != pair_of_.end())
       balance.pairs.push_back(pairs[k]);
   balance.idle_load = all > 0 ? idle / all : 0;
   return balance;

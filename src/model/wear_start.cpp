@@ -233,10 +233,6 @@ std::string failure_of(const RampReport& ramp, const Assembly<dim>& assembly,
       technology, ramp.reason);
 }
 
-}  // namespace
-
-namespace {
-
 /// Without contact a body that supports leave free has no place: Newton's method has pushed it past
 /// what holds it.
 template <int dim>
