@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "linear/contact_entries.hpp"
 #include "linear/core_solver.hpp"
 #include "linear/stiffness_block.hpp"
 

@@ -56,7 +56,7 @@ public:
         contacts_(structure, stiffness_.owners()),
         compliance_(numbers_in_block(contacts_.phases(), stiffness_)),
         systems_(stiffness_.owners()),
-        may_float_(!contacts_.entries().joined().empty()),
+        may_float_(contacts_.have_partners()),
         contact_columns_(structure, {Role::stiffness, Role::evolution, Role::rigid},
                          {Role::multiplier, Role::rigid}),
         wear_by_displacement_(structure, {Role::evolution}, {Role::stiffness}),
@@ -112,8 +112,8 @@ public:
   }
 
 private:
-  /// Beside the diagonal of K. The compliance of a body of 1e4 nodes grows by 1e5, which leaves
-  /// ten digits of what differs in it.
+  /// Beside the diagonal of K. The compliance of a body of 1e4 nodes grows by some 1e3, which
+  /// leaves twelve digits of what differs in it.
   static constexpr double soft = 1e-7;
 
   /// A point belongs to the phases in which a contact node may move it.

@@ -90,6 +90,11 @@ public:
   const std::vector<int>& touched() const { return touched_; }
   /// Number of surface nodes that wear.
   int worn() const { return worn_; }
+  /// Whether bodies meet each other, not a rigid partner.
+  bool have_partners() const {
+    return std::ranges::any_of(entries_.nodes(),
+                               [](const auto& node) { return !node.partners.empty(); });
+  }
   const ContactEntries& entries() const { return entries_; }
 
 private:

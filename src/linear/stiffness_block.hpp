@@ -65,9 +65,7 @@ public:
   }
   /// Adds a spring to each unknown, as a part of its own stiffness.
   void add_soft_springs(double part_of_own) {
-    for (int k = 0; k < part().lower().size(); ++k)
-      if (const int at = part().lower().find(k, k); at >= 0)
-        values_[static_cast<std::size_t>(at)] *= 1 + part_of_own;
+    for (double* value : diagonal()) *value *= 1 + part_of_own;
   }
   /// Sets up the solver. Where the matrix has no factors, as of bodies that contact alone holds,
   /// with a larger diagonal: it only preconditions. Returns how many factorizations were made.
@@ -109,17 +107,20 @@ private:
       layout_.component.push_back(structure.component[i]);
     }
   }
+  /// Of the values.
+  std::vector<double*> diagonal() {
+    const SparsePattern& lower = part().lower();
+    std::vector<double*> result;
+    for (int column = 0; column < lower.size(); ++column)
+      if (const int at = lower.find(column, column); at >= 0)
+        result.push_back(&values_[static_cast<std::size_t>(at)]);
+    return result;
+  }
   /// By a part of its mean magnitude, and to positive values.
   void enlarge_diagonal(double part_of_mean) {
-    const SparsePattern& lower = part().lower();
-    std::vector<double*> diagonal;
     double mean = 0;
-    for (int column = 0; column < lower.size(); ++column)
-      if (const int at = lower.find(column, column); at >= 0) {
-        diagonal.push_back(&values_[static_cast<std::size_t>(at)]);
-        mean += std::abs(*diagonal.back()) / lower.size();
-      }
-    for (double* value : diagonal) *value = std::abs(*value) + part_of_mean * mean;
+    for (const double* value : diagonal()) mean += std::abs(*value) / part().lower().size();
+    for (double* value : diagonal()) *value = std::abs(*value) + part_of_mean * mean;
   }
   static std::vector<std::vector<int>> by_owner(const Structure& structure, Role role) {
     std::map<int, std::vector<int>> owned;
