@@ -178,8 +178,6 @@ template <int dim>
 void drop_across_edges(const std::vector<Vector<dim>>& x,
                        const std::vector<typename Mesh<dim>::Facet>& wearing,
                        std::vector<typename Mesh<dim>::Facet>& boundary) {
-  constexpr double edge =
-      0.966;  // cosine of 15 degrees: rounded edges on coarse meshes turn by less
   std::set<typename Mesh<dim>::Facet> wears;  // by sorted nodes
   std::map<int, std::vector<Vector<dim>>> normals;
   for (const auto& facet : wearing) {
@@ -192,7 +190,7 @@ void drop_across_edges(const std::vector<Vector<dim>>& x,
     return std::ranges::any_of(facet, [&](int node) {
       const auto at = normals.find(node);
       return at != normals.end() && std::ranges::any_of(at->second, [&](const Vector<dim>& other) {
-               return n.dot(other) < edge;
+               return meet_at_edge<dim>(n, other);
              });
     });
   });

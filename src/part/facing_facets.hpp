@@ -30,6 +30,14 @@ template <int dim>
 void keep_facing_at(const std::vector<std::vector<Vector<dim>>>& x, Section section,
                     MortarPair<dim>& pair);
 
+/// Whether facets with these normals, unit, that share a node meet at an edge, of 15 degrees or
+/// more: rounded edges turn by less from facet to facet.
+template <int dim>
+bool meet_at_edge(const Vector<dim>& one, const Vector<dim>& other) {
+  constexpr double edge = 0.966;  // cosine
+  return one.dot(other) < edge;
+}
+
 /// Drops the facets of a boundary that do not wear and join those that do across an edge: nodes of
 /// a wearing surface have normals of its own. What is farther stays.
 template <int dim>

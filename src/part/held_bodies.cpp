@@ -152,11 +152,9 @@ void require_held(const Scene& scene, const AssemblyParts<dim>& parts, const std
   for (const RigidPart<dim>& part : rigid_parts(parts, parts.mesh.nodes))
     mistakes.collect([&] { require_part_held(scene, parts, part); });
   mistakes.require_none();
-  const bool changes = std::ranges::any_of(
-      parts.loads, [](const auto& load) { return load.history.times().size() > 1; });
   const RigidBalance<dim> balance(
       parts, places_over_cycle(parts).front(),
-      changes ? load_times(scene, parts.loads) : std::vector<LoadTime>());
+      loads_change(parts.loads) ? load_times(scene, parts.loads) : std::vector<LoadTime>());
   if (!balance.doubt.empty())
     throw InputError(
         fmt::format("{}: expected supports and contact that determine where each body rests under "

@@ -70,7 +70,6 @@ void tell_slaves_apart(const Scene& scene, std::vector<MortarPair<dim>>& pairs) 
 /// Where two surfaces that wear meet at an edge, a node has one normal and one pressure for both.
 template <int dim>
 void tell_of_edges(AssemblyParts<dim>& parts) {
-  constexpr double edge = 0.966;                                        // cosine of 15 degrees
   std::map<int, std::vector<std::pair<std::string, Vector<dim>>>> met;  // by node
   std::set<std::pair<std::string, std::string>> told;
   for (const Surface<dim>& surface : parts.interface.surfaces) {
@@ -79,7 +78,8 @@ void tell_of_edges(AssemblyParts<dim>& parts) {
       const Vector<dim> n = facet_normal<dim>(facet, parts.mesh.nodes);
       for (const int node : facet) {
         for (const auto& [other, normal] : met[node])
-          if (other != surface.name && n.dot(normal) < edge) told.emplace(other, surface.name);
+          if (other != surface.name && meet_at_edge<dim>(n, normal))
+            told.emplace(other, surface.name);
         met[node].emplace_back(surface.name, n);
       }
     }

@@ -106,7 +106,7 @@ std::array<int, 2> bodies_of_pair(const Scene& scene, const std::string& pair,
 /// is restricted to.
 template <int dim>
 Facets<dim> boundary_of(const Scene& scene, const std::string& pair, const ImportedBody<dim>& part,
-                        const BodyOfFacets<dim>& body_of, int body) {
+                        const BodyOfFacets<dim>& body_of, const Facets<dim>& wearing, int body) {
   const std::string key = pair + ".surfaces";
   Facets<dim> result;
   const auto take = [&](const Facets<dim>& facets) {
@@ -115,9 +115,6 @@ Facets<dim> boundary_of(const Scene& scene, const std::string& pair, const Impor
   };
   if (!scene.given(key)) {
     take(part.exterior);
-    Facets<dim> wearing;
-    for (const std::string& name : scene.texts("wear.on"))
-      std::ranges::copy(group_facets(scene, "wear.on", name, part), std::back_inserter(wearing));
     drop_across_edges(part.mesh.nodes, wearing, result);
     return result;
   }
@@ -246,6 +243,7 @@ double overlap_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x
 template <int dim>
 void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts<dim>& parts) {
   const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
+  const Facets<dim> wearing = facets_of(wearing_surfaces(scene, part));
   require_moving_pairs(scene);
   const std::map<std::string, BodyCycle<dim>> motions =
       read_motions_of_bodies<dim>(scene, parts.section());
@@ -256,8 +254,8 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
     require_separate(scene, table, parts, bodies);
     const std::array<std::string, 2> names = {parts.bodies[bodies[0]].name,
                                               parts.bodies[bodies[1]].name};
-    MortarPair<dim> pair{.slave = boundary_of(scene, table, part, body_of, bodies[0]),
-                         .master = boundary_of(scene, table, part, body_of, bodies[1]),
+    MortarPair<dim> pair{.slave = boundary_of(scene, table, part, body_of, wearing, bodies[0]),
+                         .master = boundary_of(scene, table, part, body_of, wearing, bodies[1]),
                          .motion = difference_of<dim>(motions, names),
                          .friction = scene.given(table + ".friction")
                                          ? scene.real(table + ".friction")

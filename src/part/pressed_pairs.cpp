@@ -95,8 +95,7 @@ void require_pressed_pairs(const Scene& scene, const AssemblyParts<dim>& parts) 
   if (least == 0 && !overlaps) return;  // find_magnitudes() tells more
   const std::vector<Pose<dim>> at_first(rigid.size(), Pose<dim>::Identity());
   const std::vector<LoadTime> times = load_times(scene, parts.loads);
-  const bool changes = std::ranges::any_of(
-      parts.loads, [](const auto& load) { return load.history.times().size() > 1; });
+  const bool changes = loads_change(parts.loads);
   for (const Phase<dim>& phase : parts.instants())
     for (const LoadTime& at : times) {
       const std::string when = fmt::format(

@@ -2,6 +2,7 @@
 // follow from the geometry.
 #pragma once
 
+#include <algorithm>
 #include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/scene/scene.hpp>
@@ -29,6 +30,12 @@ Supports<dim> read_supports(const Scene& scene, const ImportedBody<dim>& part);
 template <int dim>
 void require_pressed_pairs(const Scene& scene, const AssemblyParts<dim>& parts);
 
+/// Whether a load has a history.
+template <int dim>
+bool loads_change(const std::vector<Load<dim>>& loads) {
+  return std::ranges::any_of(loads,
+                             [](const Load<dim>& load) { return load.history.times().size() > 1; });
+}
 /// The ends of the straight lines of all load histories.
 template <int dim>
 std::vector<LoadTime> load_times(const Scene& scene, const std::vector<Load<dim>>& loads);

@@ -216,9 +216,10 @@ std::vector<std::string> remarks_on_passing_material(const Scene& scene,
   std::vector<std::string> remarks;
   const auto motions = read_motions_of_bodies<dim>(scene, parts.section());
   const WearCircumstances at = wear_circumstances(parts);
+  const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
   for (const Surface<dim>& surface : parts.interface.surfaces) {
     if (surface.track || !surface.wears || wear_by_pressure(surface.wear, at) == 0) continue;
-    const int body = BodyOfFacets<dim>(parts.mesh, parts.bodies)(surface.facets.front());
+    const int body = body_of(surface.facets.front());
     const auto motion = motions.find(parts.bodies[static_cast<std::size_t>(body)].name);
     if (motion == motions.end()) continue;
     const RigidMotion<dim>& moves = motion->second.motion;
