@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/shapes/counter_surface.hpp>
 #include <iterator>
 #include <set>
 
