@@ -3,35 +3,17 @@
 // 14).
 #pragma once
 
-#include <algorithm>
 #include <gnomon/terms/contact_nodes.hpp>
-#include <limits>
+#include <gnomon/terms/contact_state.hpp>
 
 namespace gnomon {
-
-/// One contact state: its fields and constants. The referenced objects must outlive the term.
-template <int dim>
-struct ContactState {
-  FieldId u = FieldId::none;       ///< displacement, at all nodes of the mesh
-  FieldId lambda = FieldId::none;  ///< contact multiplier, at the contact nodes
-  FieldId q = FieldId::none;  ///< motion of the partner, at each of its guides; none: no motion
-  const Mesh<dim>& mesh;
-  ContactParameters<dim> parameters;  ///< those of all phases of a cycle but for the counter-body
-  const std::vector<ContactPatch<dim>>& patches;
-  /// Part of each contact node in the wear rate of its shape unknowns; empty: 1. With a section,
-  /// the length that the node represents divided by the length of the path.
-  const std::vector<double>& wear_weight;
-  const std::vector<int>& surface_of;  ///< each contact node: whose law wears it
-  std::vector<WearLaw> laws{};         ///< of the surfaces
-  double part = 1;                     ///< of the mean over a cycle: the weight of its phase
-  double nominal_speed = 0;            ///< at which the bodies slide [length / time]
-};
 
 template <int dim>
 class ContactTerm : public ContactNodes<dim> {
 public:
   ContactTerm(const ContactState<dim>& state, FieldId d, const Numbering& numbering)
       : state_(state),
+        motion_(state),
         d_(d),
         u_numbers_(numbering.nodal<dim>(state.u)),
         d_numbers_(numbering.nodal<dim>(d)) {
@@ -44,14 +26,6 @@ public:
     const CounterBody<dim>& body = state.parameters.counter_body;
     for (std::size_t k = 0; k < body.guides.size(); ++k)
       q_numbers_.push_back(numbering.number(state.q, static_cast<Eigen::Index>(k)));
-    if (!body.is_given()) return;
-    double touching = std::numeric_limits<double>::infinity(), travel = 0;
-    for (const ContactPatch<dim>& patch : state.patches)
-      touching =
-          std::min(touching, body.travel_to(state.mesh.nodes[patch.node], patch.initial_normal));
-    const PartnerMotion<> given = body.given(0, 0);
-    for (std::size_t k = 0; k < body.guides.size(); ++k) travel += body.guides[k].share * given[k];
-    overlap_ = std::max(0.0, travel - touching);
   }
 
   void declare(TermStructure& structure) const override {
@@ -157,18 +131,6 @@ private:
     return patch.may_move() ? d_numbers_(patch.node, i) : -1;
   }
   int unknowns() const { return static_cast<int>(q_numbers_.size()); }
-  /// Of the partner: the unknown and the given part. In a load ramp it comes from where it would
-  /// touch the body at rest.
-  PartnerMotion<> motion(const Evaluation<dim>& at) const {
-    const CounterBody<dim>& body = state_.parameters.counter_body;
-    PartnerMotion<> q = body.given(at.t, at.within);
-    for (Eigen::Index k = 0; k < q.size(); ++k) {
-      if (state_.q != FieldId::none) q[k] += at.values.scalar(state_.q)[k];
-      if (body.guides[k].travel) q[k] -= (1 - at.load_fraction) * overlap_ * body.guides[k].share;
-    }
-    return q;
-  }
-
   ContactInput<dim> gather(const Evaluation<dim>& at, int c) const {
     const ContactPatch<dim>& patch = state_.patches[c];
     const auto size = static_cast<Eigen::Index>(patch.nodes.size());
@@ -177,7 +139,7 @@ private:
         PatchNodal<dim>(size, dim),
         PatchNodal<dim>(size, dim),
         at.values.scalar(state_.lambda)[c],
-        motion(at),
+        motion_.at(at, state_.q),
         {.time = at.t, .slid = state_.nominal_speed * at.t, .within = at.within}};
     for (Eigen::Index p = 0; p < size; ++p) {
       const int node = patch.nodes[p];
@@ -242,12 +204,12 @@ private:
   }
 
   ContactState<dim> state_;
+  MotionOfPartner<dim> motion_;
   std::vector<ContactParameters<dim>> surfaces_;  // of each wearing surface
   FieldId d_;
   NodalNumbers<dim> u_numbers_, d_numbers_;
   std::vector<int> lambda_numbers_, q_numbers_;
   std::vector<std::size_t> first_switch_ = {0};  // of each node; last: their number
-  double overlap_ = 0;                 // of the body at rest, by the given motion at t = 0 [length]
   std::vector<std::vector<int>> map_;  // of each node: positions, column by column; -1: none
 };
 
