@@ -88,7 +88,9 @@ void add_results(py::module_& module) {
            py::arg("t") = py::none(),
            "The contact surface at a stored time, as arrays by name; of a cycle also "
            "phase_position, "
-           "phase_weight and phase_pressure [phases, nodes].")
+           "phase_weight and phase_pressure [phases, nodes]; where friction may stick "
+           "phase_traction and phase_slip [phases, nodes, dim], and phase_loop [phases, 2 dim], "
+           "the place of the counter-body and the force that moves it.")
       .def_property_readonly("phase_errors", held([](const ResultReader& r) {
                                py::list errors;
                                for (const PhaseError& at : r.phase_errors())

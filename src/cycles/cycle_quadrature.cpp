@@ -121,6 +121,25 @@ std::vector<CyclePoint> fine_between(std::vector<double> kinks, const std::vecto
 
 }  // namespace
 
+std::vector<CyclePoint> path_points(int count, const std::vector<double>& extremes) {
+  constexpr double rounding = 1e-9;
+  std::vector<double> ends;
+  for (const double tau : extremes)
+    if (tau > rounding && tau < 1 - rounding) ends.push_back(tau);
+  ends.push_back(1);
+  std::vector<double> lengths;
+  for (std::size_t k = 0; k < ends.size(); ++k)
+    lengths.push_back(ends[k] - (k == 0 ? 0 : ends[k - 1]));
+  const std::vector<int> shares = share(count, lengths);
+  std::vector<CyclePoint> points;
+  for (std::size_t k = 0; k < ends.size(); ++k)
+    for (int j = 1; j <= shares[k]; ++j) {
+      const double length = lengths[k] / shares[k];
+      points.push_back({ends[k] - (shares[k] - j) * length, length});
+    }
+  return points;
+}
+
 CycleQuadrature::CycleQuadrature(int count, std::vector<double> kinks)
     : count_(count), kinks_(std::move(kinks)) {}
 

@@ -25,7 +25,9 @@ public:
   /// multigrid is not built in. `structure` must outlive the object.
   BlockPreconditioner(const Structure& s, const InnerSolverMaker& inner)
       : structure_(required(s)),
-        core_(states_of(s) > 1 ? make_compliance_core(s, inner) : make_spring_core(s, inner)),
+        core_(!unknowns_of(s, {Role::friction}).empty() ? make_path_core(s, inner)
+              : states_of(s) > 1                        ? make_compliance_core(s, inner)
+                                                        : make_spring_core(s, inner)),
         mesh_motion_(s, Role::extension, inner),
         mesh_motion_row_(s, {Role::extension}, {Role::evolution}),
         multiplier_row_(s, {Role::reaction}, {Role::evolution, Role::extension}),

@@ -76,6 +76,7 @@ public:
     return result;
   }
   long columns() const { return G_.cols(); }
+  std::size_t points() const { return nodes_.size(); }
 
 private:
   std::vector<NodeUnknowns> nodes_;

@@ -39,4 +39,8 @@ std::unique_ptr<CoreSolver> make_spring_core(const Structure& structure,
 std::unique_ptr<CoreSolver> make_compliance_core(const Structure& structure,
                                                  const InnerSolverMaker& inner);
 
+/// For states along a path, where friction may stick (path_core.cpp).
+std::unique_ptr<CoreSolver> make_path_core(const Structure& structure,
+                                           const InnerSolverMaker& inner);
+
 }  // namespace gnomon

@@ -75,6 +75,23 @@ RigidMotion<dim> sliding_of(const CyclicMotion<dim>& motion,
   return result;
 }
 
+/// The forces along the guides in a phase; the counter-body comes near along their sum.
+template <int dim>
+void apply_forces(const CyclicMotion<dim>& motion, Phase<dim>& phase) {
+  Vector<dim> sum = Vector<dim>::Zero();
+  bool changes = false;
+  for (std::size_t k = 0; k < motion.forces.size(); ++k) {
+    Guide<dim>& guide = phase.counter_body.guides[k];
+    std::optional<double>& along = k == 0 ? phase.force : guide.force;
+    if (motion.forces[k] && along) {
+      *along *= motion.forces[k]->value(phase.position);
+      changes = true;
+    }
+    sum += along.value_or(0) * guide.along;
+  }
+  if (changes) phase.counter_body.come_along(sum);
+}
+
 }  // namespace
 
 template <int dim>
@@ -91,6 +108,7 @@ Phase<dim> phase_at(const CyclePoint& point, const CyclicMotion<dim>& motion,
   if (!phase.places.empty()) phase.counter_body.motion = sliding_of(motion, phase.places);
   if (motion.cycle.load) phase.load = motion.cycle.load->value(tau);
   if (motion.cycle.force) phase.force = motion.cycle.force->value(tau);
+  apply_forces(motion, phase);
   return phase;
 }
 

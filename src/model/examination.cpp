@@ -104,7 +104,7 @@ std::optional<ElasticDrag> find_drag(const WornBodyEquations<dim>& equations,
                                      const FieldValues<dim>& values,
                                      const std::vector<PhaseContact<dim>>& contacts) {
   const Assembly<dim>& assembly = equations.assembly();
-  if (!assembly.cycle || assembly.interface.friction == 0) return {};
+  if (!assembly.cycle || assembly.interface.friction == 0 || assembly.interface.sticks) return {};
   const auto stroke = stroke_of(equations.phases(), assembly.cycle->motion.cycle.period);
   if (!stroke) return {};
   ElasticDrag found{.stroke = *stroke};
@@ -199,6 +199,8 @@ Examination WearModel<dim>::examine(const State& state) const {
   if (assembly().pairs.empty()) facts.overlap = find_overlap(equations_);
   if (assembly().loads.empty()) facts.wedging = find_wedging(equations_.phases(), contacts);
   facts.lost_wear = find_lost_wear(assembly(), contacts);
+  if (assembly().interface.sticks)
+    facts.stick_area = cycle_of_slip(assembly(), contacts).stick_area;
   facts.deformation = assembly().scales.displacement;
   facts.force = assembly().copies * assembly().scales.force;
   const Box<dim> box = Box<dim>::around(assembly().mesh.nodes);

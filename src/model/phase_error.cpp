@@ -8,6 +8,7 @@
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <limits>
 
+#include "model/path_march.hpp"
 #include "model/wear_start.hpp"
 
 namespace gnomon {
@@ -187,24 +188,80 @@ ChosenPhases choose_phases(std::shared_ptr<const Assembly<dim>> body, double tol
       tolerance, [&](int times) { return static_cast<long>(set(own, times).size()); }, error);
 }
 
+namespace {
+
+template <int dim>
+std::vector<double> areas_of(const PhaseContact<dim>& phase) {
+  std::vector<double> areas;
+  for (const ContactNode<dim>& node : phase.nodes) areas.push_back(node.area);
+  return areas;
+}
+
+template <int dim>
+std::vector<double> mean_rate(const std::vector<PhaseContact<dim>>& phases) {
+  std::vector<double> mean(phases.front().nodes.size(), 0.0);
+  for (const auto& [weight, nodes] : phases)
+    for (std::size_t c = 0; c < nodes.size(); ++c) mean[c] += weight * nodes[c].wear_rate;
+  return mean;
+}
+
+/// The mean wear rates of the next cycle of a path, with each phase in two halves.
+template <int dim>
+std::vector<double> mean_rate_of_halves(const WornBodyEquations<dim>& equations,
+                                        const FieldValues<dim>& values, double t) {
+  const WornBodyEquations<dim> finer(equations.shared_assembly(), halved(equations.assembly()));
+  FieldValues<dim> shape(*finer.composition()->fields);
+  shape.vector(finer.fields().d) = values.vector(equations.fields().d);
+  Counters counters;
+  PathMarch<dim> march(finer, shape, t, counters);
+  const WornBodyFields& last = equations.fields(equations.phases().size() - 1);
+  march.go_on_from(
+      {.u = values.vector(last.u),
+       .traction = values.vector(last.traction),
+       .place = values.vector(last.memory),
+       .lambda = values.scalar(last.lambda),
+       .w = last.w == FieldId::none ? Eigen::VectorXd() : Eigen::VectorXd(values.scalar(last.w)),
+       .position = equations.phases().back().counter_body.position});
+  const FieldValues<dim> next = march.cycle();
+  const ComposedSystem<dim> system(finer.composition());
+  std::vector<double> y(static_cast<std::size_t>(system.structure().size));
+  system.numbering().gather(next, y);
+  std::vector<PhaseContact<dim>> contacts;
+  for (std::size_t p = 0; p < finer.phases().size(); ++p)
+    contacts.push_back(
+        {finer.phases()[p].weight, finer.contact_nodes(system, next, {.t = t, .y = y}, p)});
+  return mean_rate(contacts);
+}
+
+}  // namespace
+
 template <int dim>
 std::optional<PhaseError> WearModel<dim>::phase_error(const State& state) const {
   const Assembly<dim>& body = assembly();
   using enum PhaseSet::Kind;
   const FieldValues<dim> values = system().values(state.t, state.y);
-  FixedShape<dim> shape(state.t, equations_, values, contacts(values, state));
+  const std::vector<PhaseContact<dim>> contacts = this->contacts(values, state);
   const auto set = [&](PhaseSet::Kind kind) {
     return phases_of(*body.cycle, body.interface.partner, body.interface.force, {kind});
   };
-  const std::vector<double> mean = shape.mean_rate(body.phases);
-  auto [difference, whole] = compare_rates(shape.areas(), mean, shape.mean_rate(set(comparison)));
+  const std::vector<double> areas = areas_of<dim>(contacts.front());
+  RateDifference rates;
+  if (body.interface.sticks) {
+    rates =
+        compare_rates(areas, mean_rate(contacts), mean_rate_of_halves(equations_, values, state.t));
+  } else {
+    FixedShape<dim> shape(state.t, equations_, values, contacts);
+    const std::vector<double> mean = shape.mean_rate(body.phases);
+    rates = compare_rates(areas, mean, shape.mean_rate(set(comparison)));
+  }
+  auto [difference, whole] = rates;
   // Bodies that hardly touch any more: what is lost is then small beside what is worn already.
   if (state.t > 0)
     whole = std::max(whole, *value_of(observe(state), "worn_volume") / (body.copies * state.t));
   constexpr double rounding = 1e-12;  // of a length that occurs: what nothing wears
-  const double area = sum_over_processes(std::reduce(shape.areas().begin(), shape.areas().end()));
+  const double area = sum_over_processes(std::reduce(areas.begin(), areas.end()));
   if (!(whole * body.scales.duration > rounding * body.scales.displacement * area)) return {};
-  const double of_motion = error_of_motion(body.phases, set(fine));
+  const double of_motion = body.interface.sticks ? 0 : error_of_motion(body.phases, set(fine));
   return PhaseError{state.t, static_cast<long>(body.phases.size()),
                     std::max(of_motion, difference / whole)};
 }

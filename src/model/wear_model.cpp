@@ -304,6 +304,12 @@ Observation WearModel<dim>::observe(const State& state) const {
   observed.push_back(common("contact_area", area.area, units));
   observed.push_back(common("contact_area_error", area.unknown, units));
   observed.insert(observed.end(), motion.begin(), motion.end());
+  if (assembly().interface.sticks) {
+    const CycleOfSlip slip = cycle_of_slip(assembly(), phases);
+    observed.push_back(common("friction_work", slip.work, units));
+    observed.push_back(common("slip_path", slip.path, units));
+    observed.push_back(common("stick_area", slip.stick_area, units));
+  }
   // Of a part of a symmetric body, what is across the symmetry is not known.
   if (!equations_.phases().front().counter_body.guides.empty() && assembly().copies == 1)
     observe_reaction(assembly().section(), reaction, observed);
@@ -352,6 +358,7 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
       surface.phase_weight.push_back(phases[p].weight);
       for (const ContactNode<dim>& contact : phases[p].nodes)
         surface.phase_pressure.push_back(std::max(0.0, -contact.traction));
+      if (assembly().interface.sticks) add_path(values, state.t, p, phases[p].nodes, surface);
     }
   return surface;
 }

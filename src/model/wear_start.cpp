@@ -159,7 +159,8 @@ RampOptions ramp_options(const Assembly<dim>& body) {
 template <int dim>
 RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSystem<dim>& contact,
                             const RampOptions& options, FieldValues<dim>& values,
-                            Counters& counters) {
+                            Counters& counters,
+                            const std::function<void(std::span<const double> y)>& passed) {
   // One solver at a time, because each holds factors. Most ramps reach the whole load at once and
   // need only the exact solver.
   std::optional<NewtonSolver> solver;
@@ -184,11 +185,15 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
   bool loaded = false;
   const LoadSolve solve = [&](double fraction, std::span<double> y) {
     contact.set_load_fraction(fraction);
+    if (!loaded && passed) {
+      for (const Approach& at : approaches) y[at.q] = at.touching;
+      passed(y);
+    }
     if (!loaded)
       for (const Approach& at : approaches)
         y[at.q] = at.touching + at.share * indentation(equations.assembly(), fraction);
-    if (!solver || exact != (fraction == 1)) {
-      exact = fraction == 1;
+    if (const bool whole = fraction == 1 || passed; !solver || exact != whole) {
+      exact = whole;
       NewtonOptions newton{.max_iterations = max_iterations};
       if (exact) {  // where contact no longer changes, the last decades need no new factors
         newton.keep_factors = true;
@@ -201,6 +206,7 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
     }
     NewtonReport report = solver->solve(function, y);
     loaded = loaded || report.converged;
+    if (report.converged && passed) passed(y);
     return report;
   };
   std::vector<double> y(contact.structure().size);
@@ -209,8 +215,6 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
   contact.numbering().scatter(y, values);
   return report;
 }
-
-namespace {
 
 /// A part of the load has an equilibrium, so that the body is sound and the load too large for it;
 /// or none has.
@@ -233,6 +237,8 @@ std::string failure_of(const RampReport& ramp, const Assembly<dim>& assembly,
       technology, ramp.reason);
 }
 
+namespace {
+
 /// Without contact a body that supports leave free has no place: Newton's method has pushed it past
 /// what holds it.
 template <int dim>
@@ -251,8 +257,10 @@ void require_touch(const Assembly<dim>& assembly, const Eigen::VectorXd& multipl
 template <int dim>
 State WearModel<dim>::start(Counters& counters) const {
   FieldValues<dim> values(*equations_.composition()->fields);
-  // At a fixed shape no phase of a cycle knows of another.
-  for (std::size_t p = 0; p < equations_.phases().size(); ++p) {
+  const bool sticks = assembly().interface.sticks;
+  if (sticks) values = start_of_path(equations_, counters);
+  // Else, at a fixed shape, no phase of a cycle knows of another.
+  for (std::size_t p = 0; !sticks && p < equations_.phases().size(); ++p) {
     const bool only = equations_.phases().size() == 1;
     const WornBodyEquations<dim> alone =
         only ? equations_
@@ -278,9 +286,13 @@ State WearModel<dim>::start(Counters& counters) const {
 template RampOptions ramp_options(const Assembly<2>&);
 template RampOptions ramp_options(const Assembly<3>&);
 template RampReport find_equilibrium(const WornBodyEquations<2>&, ComposedSystem<2>&,
-                                     const RampOptions&, FieldValues<2>&, Counters&);
+                                     const RampOptions&, FieldValues<2>&, Counters&,
+                                     const std::function<void(std::span<const double>)>&);
+template std::string failure_of(const RampReport&, const Assembly<2>&, const Phase<2>&);
 template RampReport find_equilibrium(const WornBodyEquations<3>&, ComposedSystem<3>&,
-                                     const RampOptions&, FieldValues<3>&, Counters&);
+                                     const RampOptions&, FieldValues<3>&, Counters&,
+                                     const std::function<void(std::span<const double>)>&);
+template std::string failure_of(const RampReport&, const Assembly<3>&, const Phase<3>&);
 template State WearModel<2>::start(Counters&) const;
 template State WearModel<3>::start(Counters&) const;
 

@@ -49,10 +49,23 @@ RampOptions ramp_options(const Assembly<dim>& body);
 /// the time at which `contact` is frozen with the shape, by a ramp.
 /// Increments below the whole load are solved only roughly, because they only give first guesses.
 /// `contact`: the system of WornBodyEquations::deformation(); its load fraction keeps the value at
-/// which the ramp ended.
+/// which the ramp ended. `passed`: where history matters, told where the bodies first touch, then
+/// every equilibrium, which is then solved for exactly.
 template <int dim>
 RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSystem<dim>& contact,
                             const RampOptions& options, FieldValues<dim>& values,
-                            Counters& counters);
+                            Counters& counters,
+                            const std::function<void(std::span<const double> y)>& passed = {});
+
+/// Values of all fields at the begin of the third cycle of a path, at the initial shape
+/// (docs/fretting.md): the load grows at the begin of the path, and two cycles follow, phase by
+/// phase. Throws SolutionError.
+template <int dim>
+FieldValues<dim> start_of_path(const WornBodyEquations<dim>& equations, Counters& counters);
+
+/// Why there is no equilibrium in a phase, for the user.
+template <int dim>
+std::string failure_of(const RampReport& ramp, const Assembly<dim>& assembly,
+                       const Phase<dim>& phase);
 
 }  // namespace gnomon

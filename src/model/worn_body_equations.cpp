@@ -12,84 +12,13 @@
 #include <gnomon/terms/shape_evolution.hpp>
 #include <gnomon/terms/shape_multiplier.hpp>
 #include <gnomon/terms/springs.hpp>
+#include <gnomon/terms/stick_term.hpp>
 
 #include "model/rigid_balance.hpp"
 
 namespace gnomon {
 
 namespace {
-
-/// The problem's scales, but not smaller than rounding errors of positions and stresses allow: a
-/// small load, a short run or a stiff body would otherwise require an impossible accuracy.
-template <int dim>
-Scales above_rounding(const Assembly<dim>& body) {
-  const auto [low, high] = Box<dim>::around(body.mesh.nodes);
-  const double size = (high - low).maxCoeff(), length = 1e-6 * size;
-  double area = std::pow(size, dim - 1);
-  if (body.section() == Section::meridian) area *= 2 * M_PI * high[0];
-  double modulus = 0;
-  for (const Body& each : body.bodies)
-    modulus = std::max(modulus, each.material.moduli.lambda + 2 * each.material.moduli.mu);
-  const double stiffness = 1e-7 * modulus * area;
-  Scales scales = body.scales;
-  scales.auxiliary_force *= body.shape.law.material.collapse_force;
-  scales.displacement = std::max(scales.displacement, length);
-  scales.force = std::max(scales.force, stiffness);
-  if (scales.wear_depth < length) scales.auxiliary_force *= length / scales.wear_depth;
-  return scales;
-}
-
-template <int dim>
-std::vector<int> contact_nodes(const Assembly<dim>& body) {
-  std::vector<int> nodes;
-  for (const auto& patch : body.contact_nodes) nodes.push_back(patch.node);
-  return nodes;
-}
-
-template <int dim>
-Field shape_field(const Assembly<dim>& body, const Scales& scales, int interior, int surface) {
-  Field d = field_at_nodes<dim>("shape", body.shape.held, interior, scales.auxiliary_force,
-                                scales.wear_depth);
-  for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {
-    if (!body.wears(static_cast<int>(c))) continue;
-    const int node = body.contact_nodes[c].node;
-    for (int i = 0; i < dim; ++i) {
-      if (d.block(node, i) >= 0) d.block(node, i) = surface;
-      d.row_scale(node, i) = scales.wear_depth / scales.duration;
-    }
-  }
-  d.carrier = body.carrier;
-  return d;
-}
-
-template <int dim>
-Field multiplier_field(const Assembly<dim>& body, const Scales& scales, int block) {
-  Field lambda("contact_multiplier", contact_nodes(body), 1);
-  for (std::size_t c = 0; c < body.carries.size(); ++c)
-    lambda.block(static_cast<Eigen::Index>(c), 0) = body.carries[c] ? block : -1;
-  lambda.row_scale.setConstant(scales.displacement);
-  lambda.unknown_scale.setConstant(scales.stress);
-  return lambda;
-}
-
-/// A value for each guide of the counter-body, unknown where a force presses it. An angle moves the
-/// body by its size.
-template <int dim>
-Field rigid_motion_field(const Assembly<dim>& body, const Phase<dim>& phase, const Scales& scales,
-                         int block) {
-  const std::vector<std::optional<double>> forces = phase.forces();
-  const int at_no_node = static_cast<int>(body.mesh.nodes.size());
-  Field w("rigid_motion", std::vector<int>(forces.size(), at_no_node), 1);
-  const auto [low, high] = Box<dim>::around(body.mesh.nodes);
-  for (std::size_t k = 0; k < forces.size(); ++k) {
-    const bool turns = phase.counter_body.guides[k].turns();
-    const double arm = turns ? (high - low).maxCoeff() : 1;
-    if (forces[k]) w.block(k, 0) = block;
-    w.row_scale(k, 0) = scales.force * arm;
-    w.unknown_scale(k, 0) = scales.displacement / arm;
-  }
-  return w;
-}
 
 template <int dim>
 std::shared_ptr<const std::vector<NodeInterpolation>> coarsening(const Assembly<dim>& body) {
@@ -194,6 +123,25 @@ std::vector<MortarCandidates> WornBodyEquations<dim>::candidates_in(const Phase<
   return result;
 }
 
+/// Of a phase of a path, after the one before it.
+template <int dim>
+StickState<dim> WornBodyEquations<dim>::stick_state(std::size_t p, double nominal_speed) const {
+  const double period = assembly_->cycle->motion.cycle.period;
+  StickState<dim> state{.contact = contact_state(*assembly_, phases_[p], fields_[p], nominal_speed),
+                        .traction = fields_[p].traction,
+                        .memory = fields_[p].memory,
+                        .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
+                        .is_last = p + 1 == phases_.size(),
+                        .rho = assembly_->interface.rho,
+                        .interval = phases_[p].weight * period,
+                        .period = period};
+  if (p == 0) return state;
+  state.u_before = fields_[p - 1].u;
+  state.q_before = fields_[p - 1].w;
+  state.position_before = phases_[p - 1].counter_body.position;
+  return state;
+}
+
 template <int dim>
 void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   for (std::size_t p = 0; p < phases_.size(); ++p) add_equilibrium(p, terms);
@@ -215,8 +163,10 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
     contact_terms_.push_back(terms.size());
     add(terms, TermKind::contact, p,
         [of = assembly_, phase = phases_[p], f = fields_[p], speed,
+         stick = assembly_->interface.sticks ? std::optional(stick_state(p, speed)) : std::nullopt,
          candidates =
              candidates_in(phases_[p])](const Numbering& numbering) -> std::unique_ptr<Term<dim>> {
+          if (stick) return std::make_unique<StickTerm<dim>>(*stick, f.d, numbering);
           if (!of->pairs.empty())
             return std::make_unique<MortarTerm<dim>>(mortar_state(*of, phase, f, speed, candidates),
                                                      numbering);
@@ -319,52 +269,6 @@ void WornBodyEquations<dim>::add_load(const Load<dim>& load, std::vector<TermFac
 }
 
 template <int dim>
-FieldSet WornBodyEquations<dim>::make_fields() {
-  const Scales scales = above_rounding(*assembly_);
-  FieldSet set;
-  set.nodes = static_cast<int>(assembly_->mesh.nodes.size());
-  fields_.resize(phases_.size());
-  const auto of_phase = [](Block block, std::size_t phase) {
-    block.owner = static_cast<int>(phase);
-    return block;
-  };
-  for (std::size_t p = 0; p < phases_.size(); ++p) {
-    const int displacement = set.add(of_phase(
-        {"displacement", "u", condensation_ ? "contact nodes" : "all nodes", Role::stiffness}, p));
-    fields_[p].u = set.add(field_at_nodes<dim>(
-        "displacement", condensation_ ? condensation_->left_out() : assembly_->supports.held,
-        displacement, scales.force, scales.displacement));
-  }
-  const bool gap = assembly_->shape.gap;
-  const int interior =
-      gap ? -1 : set.add({"shape", "d", "nodes off the contact surface", Role::extension});
-  const int surface = set.add({.name = "worn_surface",
-                               .symbol = "d",
-                               .where = "contact nodes (differential)",
-                               .role = Role::evolution,
-                               .differential = true});
-  const FieldId d = set.add(shape_field(*assembly_, scales, gap ? surface : interior, surface));
-  for (std::size_t p = 0; p < phases_.size(); ++p) {
-    const int multiplier =
-        set.add(of_phase({"contact_multiplier", "lambda", "contact nodes", Role::multiplier}, p));
-    fields_[p].lambda = set.add(multiplier_field(*assembly_, scales, multiplier));
-  }
-  for (std::size_t p = 0; p < phases_.size(); ++p) {
-    fields_[p].d = d;
-    if (!phases_[p].moves_freely()) continue;
-    const int rigid = set.add(of_phase({"rigid_motion", "w", "counter-body", Role::rigid}, p));
-    fields_[p].w = set.add(rigid_motion_field(*assembly_, phases_[p], scales, rigid));
-  }
-  if (assembly_->shape.constraint == ConstraintForm::multiplier) {
-    const int reaction = set.add({"shape_multiplier", "mu", "contact nodes", Role::reaction});
-    const FieldId mu = set.add(shape_multiplier_field<dim>(
-        assembly_->contact_nodes, assembly_->shape.held, scales.auxiliary_force, reaction));
-    for (WornBodyFields& fields : fields_) fields.mu = mu;
-  }
-  return set;
-}
-
-template <int dim>
 BlockSelection WornBodyEquations<dim>::selection(bool deformation, bool mesh_motion) const {
   BlockSelection selected;
   for (const Block& block : composition_->fields->blocks)
@@ -391,6 +295,14 @@ std::vector<ContactNode<dim>> WornBodyEquations<dim>::contact_nodes(
     const ComposedSystem<dim>& system, const FieldValues<dim>& values, const Point& at,
     std::size_t phase) const {
   return contact(system, phase).nodes(system.evaluation(at, values, contact_terms_[phase]));
+}
+
+template <int dim>
+NodalField<dim> WornBodyEquations<dim>::places(const ComposedSystem<dim>& system,
+                                               const FieldValues<dim>& values, double t,
+                                               std::size_t phase) const {
+  return dynamic_cast<const StickTerm<dim>&>(contact(system, phase))
+      .places(system.evaluation({.t = t, .y = {}}, values, contact_terms_[phase]));
 }
 
 template class WornBodyEquations<2>;

@@ -49,6 +49,20 @@ void check_force(const Scene& scene, const Cycle& cycle, const CounterBody<dim>&
                      ": expected no counter_body.press.approach beside a force");
 }
 
+template <int dim>
+std::vector<std::optional<CycleFunction>> read_forces_of_guides(const Scene& scene,
+                                                                const CounterBody<dim>& other) {
+  std::vector<std::optional<CycleFunction>> forces;
+  for (const Guide<dim>& guide : other.guides) {
+    const std::string key = guide.key + ".cycle";
+    forces.push_back(guide.key.empty() ? std::nullopt : read_cycle_function(scene, key));
+    if (forces.back() && !guide.force)
+      throw InputError(scene.where(key) + ": expected also " + guide.key +
+                       ".force, which it multiplies");
+  }
+  return forces;
+}
+
 }  // namespace
 
 std::optional<double> largest_force(const Cycle& cycle) {
@@ -73,7 +87,7 @@ std::optional<CyclicMotion<dim>> read_part_cycle(const Scene& scene,
   if (axis.turns_shape && std::ranges::any_of(other.guides, &Guide<dim>::turns))
     throw InputError(scene.where("cycle.rotation") +
                      ": expected none beside a moment in [[counter_body.press]]: the shape turns");
-  return CyclicMotion<dim>{std::move(*cycle), axis};
+  return CyclicMotion<dim>{std::move(*cycle), axis, read_forces_of_guides(scene, other)};
 }
 
 template <int dim>

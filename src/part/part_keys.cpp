@@ -60,6 +60,11 @@ std::vector<Key> mesh_keys() {
 
 std::vector<Key> own_keys() {
   return {
+      {.name = "friction.stick",
+       .kind = KeyKind::flag,
+       .default_value = false,
+       .help = "contact may stick in a part of the cycle, as in fretting: its phases are then a "
+               "path (docs/fretting.md)"},
       text_key("model.plane", by_default("strain"),
                "what a mesh in the plane is a section of: plane strain, or a body of revolution "
                "about x = 0, in coordinates (r, z)",

@@ -22,6 +22,7 @@
 #include "part/pairs.hpp"
 #include "part/phases.hpp"
 #include "part/shape_support.hpp"
+#include "part/stick_path.hpp"
 #include "part/stored_part.hpp"
 #include "part/supports.hpp"
 #include "part/surfaces.hpp"
@@ -73,7 +74,10 @@ Motion<dim> read_motion(const Scene& scene, Section section,
   const Meeting<dim> meeting = find_meeting(scene, patches, other, cycle);
   motion.partner = meeting.partner;
   motion.speed = meeting.speed;
-  if (cycle) motion.phases = read_phases(scene, *cycle, motion.partner, motion.force);
+  if (cycle)
+    motion.phases = scene.flag("friction.stick")
+                        ? read_path(scene, *cycle, motion.partner, motion.force)
+                        : read_phases(scene, *cycle, motion.partner, motion.force);
   return motion;
 }
 
@@ -188,6 +192,7 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
                                          .history = motion.history,
                                          .normal_rule = read_normal_rule(scene),
                                          .friction = scene.real("friction.coefficient"),
+                                         .sticks = scene.flag("friction.stick"),
                                          .speed = motion.speed},
                            .shape = read_shape_motion<dim>(scene, {}),
                            .remarks = part.remarks,
@@ -265,13 +270,21 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
     magnitudes = find_magnitudes(scene, resting);
     parts.scales = magnitudes.scales;
   }
+  if (parts.interface.sticks) {
+    require_path(scene, parts);
+    for (int k = 0; k < 2; ++k) {  // the second time with what the first speed wears
+      parts.interface.speed = speed_on_path(parts, magnitudes);
+      magnitudes = find_magnitudes(scene, parts);
+    }
+    parts.scales = magnitudes.scales;
+  }
   if (parts.pairs.empty())
     join_reachable_boundary(magnitudes, parts);
   else
     restrict_pairs(scene, part, magnitudes, parts);
   const std::optional<CyclicMotion<dim>> cycle =
       parts.cycle ? std::optional(parts.cycle->motion) : std::nullopt;
-  if (cycle) require_gross_sliding(scene, *cycle, parts);
+  if (cycle && !parts.interface.sticks) require_gross_sliding(scene, *cycle, parts);
   require_lines(scene, part, parts);
   const ShapeSupport<dim> support =
       read_shape_support(scene, part, wearing(parts.interface.surfaces),
@@ -290,7 +303,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   append(parts.remarks, remarks_on_loads(scene));
   if (!parts.pairs.empty()) append(parts.remarks, remarks_on_pivots(scene, part));
   const std::vector<ContactPatch<dim>> patches = contact_nodes_of(parts);
-  if (parts.pairs.empty())
+  if (parts.pairs.empty() && !parts.interface.sticks)
     append(parts.remarks, remarks_on_speeds(scene, patches, parts.interface.partner, cycle));
   keep_normals_to_supports(parts);
   complete_surface_laws(scene, parts);
@@ -307,8 +320,10 @@ namespace {
 template <int dim>
 std::unique_ptr<Model> model_of(const Scene& scene, const ImportedBody<dim>& part) {
   const auto with = [&](long phases) { return read_part<dim>(with_phases(scene, phases), part); };
-  return std::make_unique<WearModel<dim>>(
-      chooses_phases(scene) ? with_chosen_phases<dim>(scene, with) : read_part<dim>(scene, part));
+  return std::make_unique<WearModel<dim>>(!chooses_phases(scene) ? read_part<dim>(scene, part)
+                                          : scene.flag("friction.stick")
+                                              ? with_chosen_path<dim>(scene, with)
+                                              : with_chosen_phases<dim>(scene, with));
 }
 
 template <int dim>

@@ -207,7 +207,7 @@ void require_gross_sliding(const Scene& scene, const CyclicMotion<dim>& cycle,
     throw InputError(fmt::format(
         "{}: expected bodies that slide over the whole contact, but the amplitude of the motion, "
         "{:.2g} mm, is less than the elastic shear of the contact, about {:.2g} mm: a part of it "
-        "would stick (partial slip), which depends on the path within the cycle",
+        "would stick (partial slip), which friction.stick = true follows",
         scene.where("friction.coefficient"), shortest, shear));
 }
 

@@ -142,24 +142,77 @@ Handle create_phase_group(hid_t gnomon, const ContactSurface& contact) {
   return group;
 }
 
-void write_phases(hid_t group, const std::string& name, const ContactSurface& contact) {
-  const hsize_t phases = contact.phase_position.size(), nodes = contact.node.size();
-  if (contact.phase_pressure.size() != phases * nodes)
-    throw Failure("cannot write the pressures of phases: they are not phases times nodes");
-  hdf5::write_dataset(group, name, H5T_NATIVE_DOUBLE, {phases, nodes},
-                      contact.phase_pressure.data(), hdf5::Storage::compressed);
+namespace {
+
+/// What is stored of the phases at a step, and its extents; empty where there is none.
+struct PhaseArray {
+  const char* group;
+  std::vector<double> ContactSurface::*values;
+  std::vector<hsize_t> (*extents)(hsize_t phases, hsize_t nodes, hsize_t dim);
+};
+
+constexpr PhaseArray phase_arrays[] = {
+    {kPressure, &ContactSurface::phase_pressure,
+     [](hsize_t phases, hsize_t nodes, hsize_t) {
+       return std::vector{phases, nodes};
+     }},
+    {"phase_traction", &ContactSurface::phase_traction,
+     [](hsize_t phases, hsize_t nodes, hsize_t dim) {
+       return std::vector{phases, nodes, dim};
+     }},
+    {"phase_slip", &ContactSurface::phase_slip,
+     [](hsize_t phases, hsize_t nodes, hsize_t dim) {
+       return std::vector{phases, nodes, dim};
+     }},
+    {"phase_loop", &ContactSurface::phase_loop, [](hsize_t phases, hsize_t, hsize_t dim) {
+       return std::vector{phases, 2 * dim};
+     }}};
+
+std::vector<hsize_t> extents_of(const PhaseArray& array, const ContactSurface& contact) {
+  return array.extents(contact.phase_position.size(), contact.node.size(),
+                       static_cast<hsize_t>(contact.dim));
+}
+
+}  // namespace
+
+void write_phases(hid_t gnomon, const std::string& hundred, const std::string& name,
+                  const ContactSurface& contact) {
+  for (const PhaseArray& array : phase_arrays) {
+    const std::vector<double>& values = contact.*array.values;
+    if (values.empty()) continue;
+    const std::vector<hsize_t> extents = extents_of(array, contact);
+    hsize_t size = 1;
+    for (const hsize_t extent : extents) size *= extent;
+    if (values.size() != size)
+      throw Failure(std::string("cannot write ") + array.group +
+                    ": its size is not that of phases and nodes");
+    const auto open = [](hid_t parent, const std::string& group) {
+      return hdf5::exists(parent, group) ? hdf5::open_group(parent, group, "open a group")
+                                         : create_group(parent, group, kStepsPerGroup);
+    };
+    const Handle all = open(gnomon, array.group);
+    const Handle steps = open(all.id(), hundred);
+    hdf5::write_dataset(steps.id(), name, H5T_NATIVE_DOUBLE, extents, values.data(),
+                        hdf5::Storage::compressed);
+  }
 }
 
 void read_phases(hid_t gnomon, const std::string& step, ContactSurface& contact) {
-  const std::string path = std::string(kPressure) + "/" + step;
-  if (!hdf5::exists(gnomon, kPressure) || !hdf5::exists(gnomon, path)) return;
+  if (!hdf5::exists(gnomon, kPressure) ||
+      !hdf5::exists(gnomon, std::string(kPressure) + "/" + step))
+    return;
   contact.phase_position = read_of_phases(gnomon, "position");
   contact.phase_weight = read_of_phases(gnomon, "weight");
-  auto pressure = hdf5::read_numbers<double>(gnomon, path);
-  const std::vector<hsize_t> expected = {contact.phase_position.size(), contact.node.size()};
-  if (pressure.extents != expected || contact.phase_weight.size() != expected[0])
-    throw Failure("cannot read the pressures of phases: they are not phases times nodes");
-  contact.phase_pressure = std::move(pressure.values);
+  for (const PhaseArray& array : phase_arrays) {
+    const std::string path = std::string(array.group) + "/" + step;
+    if (!hdf5::exists(gnomon, array.group) || !hdf5::exists(gnomon, path)) continue;
+    auto read = hdf5::read_numbers<double>(gnomon, path);
+    if (read.extents != extents_of(array, contact) ||
+        contact.phase_weight.size() != contact.phase_position.size())
+      throw Failure(std::string("cannot read ") + array.group +
+                    ": its size is not that of phases and nodes");
+    contact.*array.values = std::move(read.values);
+  }
 }
 
 GrowingTable create_phase_errors(hid_t gnomon) {

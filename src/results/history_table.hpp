@@ -34,7 +34,10 @@ std::vector<HistoryRow> read_history(hid_t gnomon);
 
 /// "gnomon/phase_pressure", with the positions and weights of the phases.
 hdf5::Handle create_phase_group(hid_t gnomon, const ContactSurface& contact);
-void write_phases(hid_t group, const std::string& name, const ContactSurface& contact);
+/// "gnomon/phase_pressure", and where friction may stick phase_traction, phase_slip and phase_loop
+/// beside: `name` in their groups of a hundred steps.
+void write_phases(hid_t gnomon, const std::string& hundred, const std::string& name,
+                  const ContactSurface& contact);
 /// Fills in the phases of a contact surface, if it has any; `step`: its path below the group.
 void read_phases(hid_t gnomon, const std::string& step, ContactSurface& contact);
 

@@ -217,7 +217,7 @@ Handle ResultWriter::File::open_steps(hid_t parent) {
 
 void ResultWriter::File::store_phases(const std::string& name, const ContactSurface& contact) {
   if (!phases_) phases_ = layout::create_phase_group(gnomon_.id(), contact);
-  layout::write_phases(open_steps(phases_.id()).id(), name, contact);
+  layout::write_phases(gnomon_.id(), layout::group_path(stored_.rows()), name, contact);
 }
 
 void ResultWriter::File::store(double t, const std::vector<GridField>& fields,

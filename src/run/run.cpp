@@ -152,8 +152,10 @@ private:
 
   /// What the last state says, but for what was said of the start.
   void examine_end() {
-    const std::vector<std::string> before = doubts(outcome_.examination);
+    const Examination start = std::move(outcome_.examination);
+    const std::vector<std::string> before = doubts(start);
     outcome_.examination = examined();
+    for (const std::string& text : doubts(start, outcome_.examination)) warn(text);
     for (const std::string& text : doubts(outcome_.examination))
       if (std::ranges::find(before, text) == before.end()) warn("at the end " + text);
   }

@@ -38,6 +38,11 @@ std::vector<Key> press_keys(const std::string& press) {
                 {.max = positive_quantity.max},
                 "factors of press.force at press.times, 1e-6 or more: linear between them, "
                 "constant before the first and after the last"),
+      {.name = press + ".cycle",
+       .kind = KeyKind::text,
+       .absent_meaning = "press.force does not change over the cycle",
+       .help = "factor of press.force over the cycle: an expression in tau, or a file of points "
+               "(.csv); a tangential force that drives fretting, for example (friction.stick)"},
       {.name = press + ".approach",
        .kind = KeyKind::reals,
        .unit = "mm",

@@ -41,6 +41,8 @@ Overrides coarse(const std::string& scene) {
     return {"mesh.factor=2", "time.end=40", "output.times=[]"};
   if (scene == "worn_body/cylinder_on_flat.toml")
     return {"mesh.factor=3", "cycle.phases=4", "time.end=400", "output.times=[]"};
+  if (scene == "worn_body/fretting.toml")
+    return {"cycle.phases=4", "time.end=400", "output.times=[]"};
   if (scene == "worn_body/cam.toml")
     return {"mesh.factor=3", "cycle.phases=6", "time.end=1000", "output.times=[]"};
   if (scene == "worn_body/ball_joint.toml")  // a single layer of elements

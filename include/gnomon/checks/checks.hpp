@@ -13,6 +13,9 @@ namespace gnomon {
 /// Why the numbers of a start or of a result may be wrong.
 std::vector<std::string> doubts(const Examination& facts);
 
+/// Why the end of a run may be wrong that had these facts at its start.
+std::vector<std::string> doubts(const Examination& start, const Examination& end);
+
 /// Why elements make bodies stiffer than they are.
 std::vector<std::string> doubts(const std::vector<Body>& bodies);
 

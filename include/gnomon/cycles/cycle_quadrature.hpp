@@ -23,6 +23,10 @@ struct CyclePoint {
   double weight = 1;    ///< omega; the sum over the points is 1
 };
 
+/// Points of a path from 0 to 1, ascending, where history matters: ends of intervals, whose lengths
+/// are the weights. All `extremes` inside are among them, whatever `count` is, and 1, the end.
+std::vector<CyclePoint> path_points(int count, const std::vector<double>& extremes);
+
 /// A quadrature over the cycle. `kinks`: positions in [0, 1), ascending, at which the integrand may
 /// have a corner or a jump; they divide the cycle into as many parts.
 class CycleQuadrature {

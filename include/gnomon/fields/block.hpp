@@ -13,7 +13,9 @@ enum class Role : char {
   evolution,   ///< rows of the shape, coupled node by node; a compliance of the multipliers
   extension,   ///< elliptic like `stiffness`, driven by `evolution` alone
   reaction,    ///< follows from all other blocks; its own block of J is diagonal
-  rigid        ///< a scalar that is coupled with many unknowns
+  rigid,       ///< a scalar that is coupled with many unknowns
+  friction,    ///< further conditions for each node of a `multiplier`, along the surface
+  memory       ///< values at the nodes of `friction` that change once in a cycle; differential
 };
 
 /// A set of unknowns that a physics declares, as listed by `gnomon check`.

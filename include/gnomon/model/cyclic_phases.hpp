@@ -41,6 +41,8 @@ template <int dim>
 struct CyclicMotion {
   Cycle cycle;
   CycleAxis<dim> axis;
+  /// Factors of the forces along the guides of the counter-body; empty, or one for each guide.
+  std::vector<std::optional<CycleFunction>> forces{};
   std::vector<BodyCycle<dim>> bodies{};  ///< all of them, where they meet each other in pairs
   /// Of pairs: a point of the first of these bodies, in its frame, where the other slides on it,
   /// and the normal of its surface there, unit.

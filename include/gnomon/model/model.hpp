@@ -53,6 +53,14 @@ struct ContactSurface {
   std::vector<double> phase_position{};  ///< tau of each phase
   std::vector<double> phase_weight{};    ///< its part of the mean
   std::vector<double> phase_pressure{};  ///< phases x contact nodes [stress]
+  // Where friction may stick:
+  std::vector<double> phase_traction{};  ///< phases x contact nodes x dim: of friction on the body,
+                                         ///< per nominal area [stress]
+  std::vector<double> phase_slip{};      ///< the same: of the body on its partner, since the phase
+                                         ///< before [length]
+  /// Phases x 2 dim: how far the partner is from its place [length], and the force that drives and
+  /// presses it [force].
+  std::vector<double> phase_loop{};
   std::vector<int> body{};  ///< of pairs: the number of the connected body of each node
 };
 

@@ -16,6 +16,16 @@ struct PhaseContact {
   std::vector<ContactNode<dim>> nodes;
 };
 
+/// What the slip of a path makes in a cycle, of the whole body.
+struct CycleOfSlip {
+  double work = 0;  ///< of friction, at the mean pressure of neighbouring phases [force length]
+  double path = 0;  ///< the longest of a node [length]
+  double stick_area = 0;  ///< of nodes that touch and slip by less than 1e-3 of it [length^(dim-1)]
+};
+template <int dim>
+CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
+                          const std::vector<PhaseContact<dim>>& phases);
+
 template <int dim>
 class Resultants;
 
@@ -63,6 +73,9 @@ private:
   CounterSurface counter_surface(const State& state) const;
   /// How far the shape of a contact node has moved; where wear is a gap, along its initial normal.
   double wear_depth(std::size_t contact_node, const NodalField<dim>& d) const;
+  /// Of a phase of a path: friction, slip, and where the partner is under which force.
+  void add_path(const FieldValues<dim>& values, double t, std::size_t phase,
+                const std::vector<ContactNode<dim>>& nodes, ContactSurface& surface) const;
   /// Of all fields at a state, also of displacements that are condensed.
   FieldValues<dim> values(const State& state) const;
   /// The contact law at every contact node, phase by phase; on the state's own smooth branch.

@@ -5,6 +5,7 @@
 #include <gnomon/system/composed_system.hpp>
 #include <gnomon/system/state.hpp>
 #include <gnomon/terms/contact_nodes.hpp>
+#include <gnomon/terms/stick_term.hpp>
 #include <memory>
 
 namespace gnomon {
@@ -18,6 +19,8 @@ struct WornBodyFields {
   FieldId mu = FieldId::none;      ///< shape multiplier, contact nodes; only in that form
   FieldId w =
       FieldId::none;  ///< rigid motion of the counter-body, a single value; only under a force
+  FieldId traction = FieldId::none;  ///< lambda_T, contact nodes; only where friction may stick
+  FieldId memory = FieldId::none;    ///< s, that of all phases; differential; only there
 };
 
 /// What a term of the equations stands for.
@@ -83,6 +86,9 @@ public:
   }
   /// The contact term of a phase, in a system of this composition.
   const ContactNodes<dim>& contact(const ComposedSystem<dim>& system, std::size_t phase = 0) const;
+  /// Where friction may stick: the place of every contact node on the partner, r of stick_node.hpp.
+  NodalField<dim> places(const ComposedSystem<dim>& system, const FieldValues<dim>& values,
+                         double t, std::size_t phase = 0) const;
   /// The contact law at every contact node in a phase, on the smooth branch of the point. `values`:
   /// those of its y.
   std::vector<ContactNode<dim>> contact_nodes(const ComposedSystem<dim>& system,
@@ -91,6 +97,8 @@ public:
 
 private:
   FieldSet make_fields();
+  void add_friction(const Scales& scales, FieldSet& set);
+  StickState<dim> stick_state(std::size_t phase, double nominal_speed) const;
   std::vector<MortarCandidates> candidates_in(const Phase<dim>& phase) const;
   void add_terms(std::vector<TermFactory<dim>>& terms);
   void add(std::vector<TermFactory<dim>>& terms, TermKind kind, std::size_t phase,

@@ -119,6 +119,10 @@ struct ContactNode {
   Scalar gap{0};                             ///< g [length]
   Vector<dim> normal = Vector<dim>::Zero();  ///< n of the partner
   bool active = false;
+  // Only where contact may stick (stick_node.hpp):
+  Vector<dim, Scalar> slip =
+      Vector<dim, Scalar>::Zero();  ///< in the phase, on the partner [length]
+  bool sticks = false;
 
   ContactNode() = default;
   ContactNode(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,

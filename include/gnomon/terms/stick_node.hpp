@@ -1,0 +1,111 @@
+// One contact node in one phase of a path, with friction that may stick (docs/fretting.md).
+//
+// The slip is the change of the tangential place of the body on its partner since the phase before,
+//
+//   r = u - c - G q,   Delta = P (r - r_before),   P = 1 - n n'
+//
+// with the displacement c of the partner in the phase and its unknown translations G q. T follows
+// from the multiplier lambda_T and Delta (laws/stick_friction.hpp). The rows of the multipliers
+// make them equal to lambda_eff and T, so that the force needs no more than
+//
+//   force = A (lambda n + lambda_T)      row of u
+//   Wdot  = Wdot(p, v),  p the mean of this phase and the one before,  v = |Delta| / interval
+//
+// where it does not stick; what else a node has is that of contact_node.hpp.
+#pragma once
+
+#include <gnomon/laws/stick_friction.hpp>
+#include <gnomon/terms/contact_node.hpp>
+
+namespace gnomon {
+
+/// Constants of all contact nodes in a phase. The partner neither turns nor streams.
+template <int dim>
+struct StickParameters {
+  ContactParameters<dim> contact;
+  double rho = 1;                ///< of the tangential multiplier [stress / length]
+  double interval = 1;           ///< since the phase before [time]
+  bool shape_is_unknown = true;  ///< else a node may touch where it could not wear
+};
+
+template <int dim, class Scalar = double>
+struct StickInput {
+  ContactInput<dim, Scalar> contact;
+  Vector<dim, Scalar> traction;  ///< lambda_T [stress]
+  Vector<dim, Scalar> before;    ///< r of the phase before [length]
+  Scalar lambda_before;          ///< the contact multiplier of that phase [stress]
+};
+
+struct StickBranch {
+  NodeBranch contact = {};
+  std::optional<bool> sticks = {};
+};
+
+/// Residual of a node.
+template <int dim, class Scalar = double>
+struct StickNode {
+  ContactNode<dim, Scalar> contact;  ///< all that a contact node has
+  Vector<dim, Scalar> constraint;    ///< C of lambda_T [length]
+  Vector<dim, Scalar> place;         ///< r [length]
+  std::array<double, 2> switching;   ///< lambda + rho g, |T^| - r
+  Vector<4, Scalar> wear;            ///< p, v, h and q of the wear law
+
+  StickNode(const StickParameters<dim>& parameters, const ContactPatch<dim>& patch,
+            const StickInput<dim, Scalar>& at, const StickBranch& branch = {});
+};
+
+template <int dim, class Scalar>
+StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
+                                  const ContactPatch<dim>& patch, const StickInput<dim, Scalar>& at,
+                                  const StickBranch& branch) {
+  using std::sqrt;
+  const ContactParameters<dim>& of = parameters.contact;
+  const ContactKinematics<dim, Scalar> met(of, patch, at.contact, branch.contact);
+  const NodalSurface<dim, Scalar> surface(patch, at.contact.X, of.normal_rule);
+  if (met.contact.active) require_normal(patch, met.partner);
+  place = at.contact.u.row(0).transpose() - of.counter_body.position.template cast<Scalar>();
+  for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
+    place -= Vector<dim>(met.partner.weights.col(k)).template cast<Scalar>() * at.contact.q[k];
+  const Vector<dim, Scalar> moved = place - at.before;
+  const Vector<dim, Scalar> slip = moved - met.normal * met.normal.dot(moved);
+  const StickFriction<dim, Scalar> friction(at.traction, slip, met.normal,
+                                            Scalar(Scalar(-of.friction) * met.contact.traction),
+                                            parameters.rho, met.contact.active, branch.sticks);
+  constraint = friction.constraint;
+  switching = {plain(Scalar(at.contact.lambda + Scalar(of.rho) * met.gap)), friction.excess};
+
+  contact.gap = met.gap;
+  contact.active = met.contact.active;
+  contact.normal = met.partner.normal;
+  contact.traction = met.contact.traction;
+  contact.area = surface.area;
+  contact.force = surface.area * (at.contact.lambda * met.normal + at.traction);
+  contact.constraint = met.contact.constraint;
+  contact.partner.resize(at.contact.q.size());
+  for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
+    contact.partner[k] =
+        -Vector<dim>(met.partner.weights.col(k)).template cast<Scalar>().dot(contact.force);
+  contact.slip = slip;
+  contact.sticks = friction.sticks;
+
+  const Scalar square = slip.squaredNorm();
+  Scalar speed(0), pressure = Scalar(-0.5) * met.contact.traction;
+  if (!friction.sticks && square > Scalar(0)) speed = sqrt(square) / Scalar(parameters.interval);
+  if (at.lambda_before < Scalar(0)) pressure -= Scalar(0.5) * at.lambda_before;
+  wear = wear_variables<dim, Scalar>(patch, at.contact, of.friction, pressure, speed);
+  contact.wear_rate = Scalar(0);
+  if (plain(pressure) > 0) {
+    const WearRate rate =
+        of.wear.rate(wear_input(patch, plain(wear), at.contact.moment), branch.contact.wear);
+    contact.wear_rate = lift(
+        rate.value,
+        Vector<4>(rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power), wear);
+    // A node that has just opened wears by a pressure that may be no more than a rounding error.
+    if (rate.value != 0 && contact.active && parameters.shape_is_unknown)
+      require_direction(patch, plain(surface.normal));
+  }
+  contact.velocity =
+      -contact.wear_rate * (patch.shape_free.template cast<Scalar>() * surface.normal);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,78 @@
+// Contact with friction that may stick, in one phase of a path, node by node (docs/fretting.md):
+// rows of u, lambda, lambda_T, q and the share of wear in the rows of the shape, as ContactTerm;
+// the last phase of the path has the rows of the memory s beside,
+//
+//   sdot - (r - s) / period = 0
+//
+// so that s, the place at the end of a cycle, is that before the first phase of the next one.
+#pragma once
+
+#include <gnomon/terms/contact_nodes.hpp>
+#include <gnomon/terms/contact_state.hpp>
+#include <gnomon/terms/stick_node.hpp>
+
+namespace gnomon {
+
+/// A phase of a path. What `contact` refers to must outlive the term.
+template <int dim>
+struct StickState {
+  ContactState<dim> contact;
+  FieldId traction = FieldId::none;  ///< lambda_T, at the contact nodes
+  FieldId memory = FieldId::none;    ///< s, at the contact nodes
+  /// Of the phase before: its displacement and motion of the partner, and where that was. Of the
+  /// first phase none: there s is the place before.
+  FieldId u_before = FieldId::none, q_before = FieldId::none;
+  Vector<dim> position_before = Vector<dim>::Zero();
+  FieldId lambda_before = FieldId::none;  ///< of the first phase: that of the last one
+  bool is_last = false;                   ///< of its path: it has the rows of s
+  double rho = 1;                         ///< of lambda_T [stress / length]
+  double interval = 1;                    ///< since the phase before [time]
+  double period = 1;                      ///< of the cycle [time]
+};
+
+template <int dim>
+class StickTerm : public ContactNodes<dim> {
+public:
+  StickTerm(const StickState<dim>& state, FieldId d, const Numbering& numbering);
+
+  void declare(TermStructure& structure) const override;
+  void map_to(const SparsePattern& pattern) override;
+  void add_residual(const Evaluation<dim>& at, std::span<double> F) const override;
+  void add_jacobian(const Evaluation<dim>& at, double rate_weight,
+                    std::span<double> values) const override;
+  /// For every contact node lambda + rho g and |T^| - r [stress], then the kinks of the wear law.
+  void switching(const Evaluation<dim>& at, std::span<double> values) const override;
+  std::vector<ContactNode<dim>> nodes(const Evaluation<dim>& at) const override;
+  /// r of every contact node, contact nodes x dim [length].
+  NodalField<dim> places(const Evaluation<dim>& at) const;
+
+private:
+  int count() const { return static_cast<int>(state_.contact.patches.size()); }
+  bool is_first() const { return state_.u_before == FieldId::none; }
+  std::vector<int> row_numbers(int c) const;
+  std::vector<int> column_numbers(int c) const;
+  StickInput<dim> gather(const Evaluation<dim>& at, int c) const;
+  StickBranch branch(const Evaluation<dim>& at, int c) const;
+  StickNode<dim> node(const Evaluation<dim>& at, int c) const;
+  /// Rows and columns as their numbers, by automatic differentiation.
+  Eigen::MatrixXd tangent(const Evaluation<dim>& at, int c) const;
+  double weight(int c) const;
+  const StickParameters<dim>& parameters(int c) const {
+    return surfaces_[state_.contact.surface_of[c]];
+  }
+  template <class T>
+  std::span<T> own(std::span<T> switching, int c) const {
+    return switching.subspan(first_switch_[c], first_switch_[c + 1] - first_switch_[c]);
+  }
+
+  StickState<dim> state_;
+  MotionOfPartner<dim> motion_;
+  FieldId d_;
+  std::vector<StickParameters<dim>> surfaces_;  // of each wearing surface
+  NodalNumbers<dim> u_numbers_, d_numbers_, before_numbers_, traction_numbers_, memory_numbers_;
+  std::vector<int> lambda_numbers_, lambda_before_numbers_, q_numbers_, q_before_numbers_;
+  std::vector<std::size_t> first_switch_ = {0};  // of each node; last: their number
+  std::vector<std::vector<int>> map_, memory_map_;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,71 @@
+// What a path shows beside other cycles: friction, slip and the fretting loop.
+#include <gnomon/base/processes.hpp>
+#include <gnomon/model/wear_model.hpp>
+
+namespace gnomon {
+
+namespace {
+
+template <int dim>
+void append(std::vector<double>& to, const Vector<dim>& value) {
+  to.insert(to.end(), value.begin(), value.end());
+}
+
+}  // namespace
+
+template <int dim>
+void WearModel<dim>::add_path(const FieldValues<dim>& values, double t, std::size_t p,
+                              const std::vector<ContactNode<dim>>& nodes,
+                              ContactSurface& surface) const {
+  Vector<dim> force = Vector<dim>::Zero();
+  for (const ContactNode<dim>& node : nodes) {
+    append<dim>(surface.phase_traction, node.traction * node.normal - node.force / node.area);
+    append<dim>(surface.phase_slip, node.slip);
+    force -= assembly().copies * node.force;
+  }
+  const CounterBody<dim>& other = equations_.phases()[p].counter_body;
+  const PartnerMotion<> q = equations_.partner_motion(values, t, p);
+  Vector<dim> place = other.position - assembly().interface.partner.position;
+  for (std::size_t k = 0; k < other.guides.size(); ++k)
+    place += q[static_cast<Eigen::Index>(k)] * other.guides[k].along;
+  append<dim>(surface.phase_loop, place);
+  append<dim>(surface.phase_loop, force);
+}
+
+template <int dim>
+CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
+                          const std::vector<PhaseContact<dim>>& phases) {
+  constexpr double creeping = 1e-3;  // of the longest path: a node at its limit of friction
+  CycleOfSlip result;
+  std::vector<double> paths, areas;  // of the nodes that touch
+  for (std::size_t c = 0; c < assembly.contact_nodes.size(); ++c) {
+    double path = 0;
+    bool touches = false;
+    for (std::size_t p = 0; p < phases.size(); ++p) {
+      const ContactNode<dim>& now = phases[p].nodes[c];
+      const ContactNode<dim>& before = phases[(p + phases.size() - 1) % phases.size()].nodes[c];
+      touches = touches || now.active;
+      if (now.sticks || !(now.active || before.active)) continue;
+      path += now.slip.norm();
+      result.work -= assembly.copies * now.area * assembly.interface.friction * now.slip.norm() *
+                     (now.traction + before.traction) / 2;
+    }
+    if (!touches) continue;
+    paths.push_back(path);
+    areas.push_back(assembly.copies * phases.front().nodes[c].area);
+    result.path = std::max(result.path, path);
+  }
+  result.path = largest_over_processes(result.path);
+  for (std::size_t k = 0; k < paths.size(); ++k)
+    if (paths[k] <= creeping * result.path) result.stick_area += areas[k];
+  return {sum_over_processes(result.work), result.path, sum_over_processes(result.stick_area)};
+}
+
+template CycleOfSlip cycle_of_slip(const Assembly<2>&, const std::vector<PhaseContact<2>>&);
+template CycleOfSlip cycle_of_slip(const Assembly<3>&, const std::vector<PhaseContact<3>>&);
+template void WearModel<2>::add_path(const FieldValues<2>&, double, std::size_t,
+                                     const std::vector<ContactNode<2>>&, ContactSurface&) const;
+template void WearModel<3>::add_path(const FieldValues<3>&, double, std::size_t,
+                                     const std::vector<ContactNode<3>>&, ContactSurface&) const;
+
+}  // namespace gnomon

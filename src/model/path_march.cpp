@@ -1,0 +1,178 @@
+#include "model/path_march.hpp"
+
+#include <fmt/format.h>
+
+#include <gnomon/base/error.hpp>
+#include <gnomon/newton/algebraic_solver.hpp>
+
+#include "model/wear_start.hpp"
+
+namespace gnomon {
+
+/// The equations of one phase.
+template <int dim>
+struct PathMarch<dim>::Alone {
+  WornBodyEquations<dim> equations;
+  ComposedSystem<dim> system;
+  FieldValues<dim> values;
+  double t;
+
+  Alone(const PathMarch& march, const Phase<dim>& phase)
+      : equations(march.whole_.shared_assembly(), {phase}),
+        system(equations.composition(), equations.deformation()),
+        values(*equations.composition()->fields),
+        t(march.t_) {
+    values.vector(fields().d) = march.values_.vector(march.whole_.fields().d);
+    system.freeze(values, t);
+  }
+  const WornBodyFields& fields() const { return equations.fields(); }
+  NodalField<dim> places(std::span<const double> y) const {
+    return equations.places(system, system.values(t, y), t);
+  }
+  void remember(const NodalField<dim>& place) {
+    values.vector(fields().memory) = place;
+    system.freeze(values, t);
+  }
+};
+
+template <int dim>
+void PathMarch<dim>::load() {
+  constexpr double increment = 0.1;
+  const Phase<dim>& begin = whole_.phases().back();
+  Alone alone(*this, begin);
+  RampOptions options = ramp_options(whole_.assembly());
+  options.first = std::min(options.first, increment);
+  options.largest = increment;
+  const RampReport ramp =
+      find_equilibrium(alone.equations, alone.system, options, alone.values, counters_,
+                       [&alone](std::span<const double> y) { alone.remember(alone.places(y)); });
+  if (ramp.reached < 1) throw SolutionError(failure_of(ramp, whole_.assembly(), begin));
+  keep(alone, begin);
+}
+
+template <int dim>
+const FieldValues<dim>& PathMarch<dim>::cycle() {
+  values_.vector(whole_.fields().memory) = last_.place;
+  for (std::size_t p = 0; p < whole_.phases().size(); ++p) follow(p);
+  return values_;
+}
+
+/// After alone.values have the solution.
+template <int dim>
+void PathMarch<dim>::keep(const Alone& alone, const Phase<dim>& phase) {
+  const WornBodyFields& fields = alone.fields();
+  last_.u = alone.values.vector(fields.u);
+  last_.traction = alone.values.vector(fields.traction);
+  last_.lambda = alone.values.scalar(fields.lambda);
+  if (fields.w != FieldId::none) last_.w = alone.values.scalar(fields.w);
+  last_.position = phase.counter_body.position;
+  last_.place = alone.equations.places(alone.system, alone.values, t_);
+}
+
+template <int dim>
+void PathMarch<dim>::follow(std::size_t p) {
+  const Phase<dim>& phase = whole_.phases()[p];
+  Alone alone(*this, phase);
+  guess(alone, phase);
+  std::string reason;
+  if (!solve(alone, reason) && !by_halves(alone, phase, reason))
+    throw SolutionError(
+        fmt::format("no equilibrium was found on the path of the cycle, at tau = {:.4g}: {}; a "
+                    "tangential force that friction does not balance has none",
+                    phase.position, reason));
+  keep(alone, phase);
+  const WornBodyFields& to = whole_.fields(p);
+  values_.vector(to.u) = last_.u;
+  values_.vector(to.traction) = last_.traction;
+  values_.scalar(to.lambda) = last_.lambda;
+  if (to.w != FieldId::none) values_.scalar(to.w) = last_.w;
+}
+
+/// The state of the last phase, carried by the partner, so that all closed nodes begin as stuck.
+template <int dim>
+void PathMarch<dim>::guess(Alone& alone, const Phase<dim>& phase) const {
+  constexpr double inside = 0.99;  // of the limit of friction
+  const WornBodyFields& fields = alone.fields();
+  NodalField<dim>& u = alone.values.vector(fields.u);
+  u = last_.u;
+  const Vector<dim> carried = phase.counter_body.position - last_.position;
+  const Assembly<dim>& assembly = whole_.assembly();
+  for (const ContactPatch<dim>& patch : assembly.contact_nodes)
+    for (int i = 0; i < dim; ++i)
+      if (!assembly.supports.held(patch.node, i)) u(patch.node, i) += carried[i];
+  alone.values.vector(fields.traction) = inside * last_.traction;
+  alone.values.scalar(fields.lambda) = last_.lambda;
+  if (fields.w != FieldId::none) alone.values.scalar(fields.w) = last_.w;
+  alone.remember(last_.place);
+}
+
+/// From the values at hand, which become the solution.
+template <int dim>
+bool PathMarch<dim>::solve(Alone& alone, std::string& reason) {
+  constexpr int most = 40;
+  NewtonSolver newton(alone.system.structure(), counters_, {.max_iterations = most});
+  std::vector<double> y(static_cast<std::size_t>(alone.system.structure().size));
+  alone.system.numbering().gather(alone.values, y);
+  const NewtonReport report = newton.solve(algebraic_function(alone.system), y);
+  reason = report.reason;
+  if (report.converged) alone.values = alone.system.values(t_, y);
+  return report.converged;
+}
+
+/// Guesses from phases on the way, all after the last one.
+template <int dim>
+bool PathMarch<dim>::by_halves(Alone& target, const Phase<dim>& phase, std::string& reason) {
+  constexpr int most_halvings = 6;
+  const Assembly<dim>& assembly = whole_.assembly();
+  for (int halvings = 1; halvings <= most_halvings; ++halvings) {
+    const int parts = 1 << halvings;
+    FieldValues<dim> on_the_way = target.values;
+    bool found = true;
+    for (int k = 1; found && k <= parts; ++k) {
+      const double tau = phase.position - phase.weight * (1 - double(k) / parts);
+      Alone step(*this, phase_at({tau, phase.weight}, assembly.cycle->motion,
+                                 assembly.interface.partner, assembly.interface.force));
+      if (k == 1)
+        guess(step, step.equations.phases().front());
+      else
+        step.values = on_the_way;
+      step.remember(last_.place);
+      found = solve(step, reason);
+      on_the_way = step.values;
+    }
+    if (!found) continue;
+    target.values = on_the_way;
+    return true;
+  }
+  return false;
+}
+
+template <int dim>
+FieldValues<dim> start_of_path(const WornBodyEquations<dim>& equations, Counters& counters) {
+  constexpr int cycles = 2;
+  const FieldValues<dim> unworn(*equations.composition()->fields);
+  PathMarch<dim> march(equations, unworn, 0, counters);
+  march.load();
+  for (int cycle = 1; cycle < cycles; ++cycle) march.cycle();
+  return march.cycle();
+}
+
+template <int dim>
+std::vector<Phase<dim>> halved(const Assembly<dim>& assembly) {
+  std::vector<Phase<dim>> result;
+  for (const Phase<dim>& phase : assembly.phases)
+    for (const double back : {0.5, 0.0})
+      result.push_back(phase_at({phase.position - back * phase.weight, phase.weight / 2},
+                                assembly.cycle->motion, assembly.interface.partner,
+                                assembly.interface.force));
+  return result;
+}
+
+template class PathMarch<2>;
+template class PathMarch<3>;
+template FieldValues<2> start_of_path(const WornBodyEquations<2>&, Counters&);
+template FieldValues<3> start_of_path(const WornBodyEquations<3>&, Counters&);
+template std::vector<Phase<2>> halved(const Assembly<2>&);
+template std::vector<Phase<3>> halved(const Assembly<3>&);
+
+}  // namespace gnomon

@@ -1,0 +1,54 @@
+// Friction that may stick, followed along the path of a cycle at a fixed shape and time
+// (docs/fretting.md).
+#pragma once
+
+#include <gnomon/base/counters.hpp>
+#include <gnomon/model/worn_body_equations.hpp>
+#include <string>
+
+namespace gnomon {
+
+/// One phase after the other, each alone, from a state that is known. Throws SolutionError where a
+/// phase has no equilibrium.
+template <int dim>
+class PathMarch {
+public:
+  /// What a phase leaves to the next one.
+  struct Last {
+    NodalField<dim> u, traction;
+    NodalField<dim> place;  ///< r, of every contact node
+    Eigen::VectorXd lambda, w;
+    Vector<dim> position;  ///< of the partner
+  };
+
+  /// The path of these equations, at the shape and time of `values`; both must outlive the march.
+  PathMarch(const WornBodyEquations<dim>& equations, const FieldValues<dim>& shape, double t,
+            Counters& counters)
+      : whole_(equations), t_(t), counters_(counters), values_(shape) {}
+
+  /// The load grows at the begin of the path.
+  void load();
+  void go_on_from(Last last) { last_ = std::move(last); }
+  /// The values of all fields over the next cycle, with the memory at its begin.
+  const FieldValues<dim>& cycle();
+
+private:
+  struct Alone;
+  void keep(const Alone& alone, const Phase<dim>& phase);
+  void follow(std::size_t phase);
+  void guess(Alone& alone, const Phase<dim>& phase) const;
+  bool solve(Alone& alone, std::string& reason);
+  bool by_halves(Alone& target, const Phase<dim>& phase, std::string& reason);
+
+  const WornBodyEquations<dim>& whole_;
+  double t_;
+  Counters& counters_;
+  FieldValues<dim> values_;
+  Last last_;
+};
+
+/// The phases of a path, each in two halves.
+template <int dim>
+std::vector<Phase<dim>> halved(const Assembly<dim>& assembly);
+
+}  // namespace gnomon

@@ -1,0 +1,184 @@
+// The fields of a wearing assembly: their unknowns, and the scales of these.
+#include <algorithm>
+#include <cmath>
+#include <gnomon/model/worn_body_equations.hpp>
+#include <gnomon/terms/shape_multiplier.hpp>
+
+namespace gnomon {
+
+namespace {
+
+/// The problem's scales, but not smaller than rounding errors of positions and stresses allow: a
+/// small load, a short run or a stiff body would otherwise require an impossible accuracy.
+template <int dim>
+Scales above_rounding(const Assembly<dim>& body) {
+  const auto [low, high] = Box<dim>::around(body.mesh.nodes);
+  const double size = (high - low).maxCoeff(), length = 1e-6 * size;
+  double area = std::pow(size, dim - 1);
+  if (body.section() == Section::meridian) area *= 2 * M_PI * high[0];
+  double modulus = 0;
+  for (const Body& each : body.bodies)
+    modulus = std::max(modulus, each.material.moduli.lambda + 2 * each.material.moduli.mu);
+  const double stiffness = 1e-7 * modulus * area;
+  Scales scales = body.scales;
+  scales.auxiliary_force *= body.shape.law.material.collapse_force;
+  scales.displacement = std::max(scales.displacement, length);
+  scales.force = std::max(scales.force, stiffness);
+  if (scales.wear_depth < length) scales.auxiliary_force *= length / scales.wear_depth;
+  return scales;
+}
+
+template <int dim>
+std::vector<int> contact_nodes(const Assembly<dim>& body) {
+  std::vector<int> nodes;
+  for (const auto& patch : body.contact_nodes) nodes.push_back(patch.node);
+  return nodes;
+}
+
+template <int dim>
+Field shape_field(const Assembly<dim>& body, const Scales& scales, int interior, int surface) {
+  Field d = field_at_nodes<dim>("shape", body.shape.held, interior, scales.auxiliary_force,
+                                scales.wear_depth);
+  for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {
+    if (!body.wears(static_cast<int>(c))) continue;
+    const int node = body.contact_nodes[c].node;
+    for (int i = 0; i < dim; ++i) {
+      if (d.block(node, i) >= 0) d.block(node, i) = surface;
+      d.row_scale(node, i) = scales.wear_depth / scales.duration;
+    }
+  }
+  d.carrier = body.carrier;
+  return d;
+}
+
+template <int dim>
+Field multiplier_field(const Assembly<dim>& body, const Scales& scales, int block) {
+  Field lambda("contact_multiplier", contact_nodes(body), 1);
+  for (std::size_t c = 0; c < body.carries.size(); ++c)
+    lambda.block(static_cast<Eigen::Index>(c), 0) = body.carries[c] ? block : -1;
+  lambda.row_scale.setConstant(scales.displacement);
+  lambda.unknown_scale.setConstant(scales.stress);
+  return lambda;
+}
+
+/// A value for each guide of the counter-body, unknown where a force presses it. An angle moves the
+/// body by its size.
+template <int dim>
+Field rigid_motion_field(const Assembly<dim>& body, const Phase<dim>& phase, const Scales& scales,
+                         int block) {
+  const std::vector<std::optional<double>> forces = phase.forces();
+  const int at_no_node = static_cast<int>(body.mesh.nodes.size());
+  Field w("rigid_motion", std::vector<int>(forces.size(), at_no_node), 1);
+  const auto [low, high] = Box<dim>::around(body.mesh.nodes);
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const bool turns = phase.counter_body.guides[k].turns();
+    const double arm = turns ? (high - low).maxCoeff() : 1;
+    if (forces[k]) w.block(k, 0) = block;
+    w.row_scale(k, 0) = scales.force * arm;
+    w.unknown_scale(k, 0) = scales.displacement / arm;
+  }
+  return w;
+}
+
+/// How far the partner moves over the phases; without such a motion, what friction shears the
+/// contact [length].
+template <int dim>
+double slip_scale(const Assembly<dim>& body, const std::vector<Phase<dim>>& phases,
+                  const Scales& scales) {
+  double range = 0;
+  for (const Phase<dim>& phase : phases)
+    range = std::max(range,
+                     (phase.counter_body.position - phases.front().counter_body.position).norm());
+  return range > 0 ? range : std::max(body.interface.friction, 1e-3) * scales.displacement;
+}
+
+/// Vectors at the contact nodes that carry a multiplier.
+template <int dim>
+Field contact_vectors(const Assembly<dim>& body, const char* name, int block) {
+  Field field(name, contact_nodes(body), dim);
+  for (std::size_t c = 0; c < body.carries.size(); ++c)
+    field.block.row(static_cast<Eigen::Index>(c)).setConstant(body.carries[c] ? block : -1);
+  return field;
+}
+
+}  // namespace
+
+template <int dim>
+FieldSet WornBodyEquations<dim>::make_fields() {
+  const Scales scales = above_rounding(*assembly_);
+  FieldSet set;
+  set.nodes = static_cast<int>(assembly_->mesh.nodes.size());
+  fields_.resize(phases_.size());
+  const auto of_phase = [](Block block, std::size_t phase) {
+    block.owner = static_cast<int>(phase);
+    return block;
+  };
+  for (std::size_t p = 0; p < phases_.size(); ++p) {
+    const int displacement = set.add(of_phase(
+        {"displacement", "u", condensation_ ? "contact nodes" : "all nodes", Role::stiffness}, p));
+    fields_[p].u = set.add(field_at_nodes<dim>(
+        "displacement", condensation_ ? condensation_->left_out() : assembly_->supports.held,
+        displacement, scales.force, scales.displacement));
+  }
+  const bool gap = assembly_->shape.gap;
+  const int interior =
+      gap ? -1 : set.add({"shape", "d", "nodes off the contact surface", Role::extension});
+  const int surface = set.add({.name = "worn_surface",
+                               .symbol = "d",
+                               .where = "contact nodes (differential)",
+                               .role = Role::evolution,
+                               .differential = true});
+  const FieldId d = set.add(shape_field(*assembly_, scales, gap ? surface : interior, surface));
+  for (std::size_t p = 0; p < phases_.size(); ++p) {
+    const int multiplier =
+        set.add(of_phase({"contact_multiplier", "lambda", "contact nodes", Role::multiplier}, p));
+    fields_[p].lambda = set.add(multiplier_field(*assembly_, scales, multiplier));
+  }
+  for (std::size_t p = 0; p < phases_.size(); ++p) {
+    fields_[p].d = d;
+    if (!phases_[p].moves_freely()) continue;
+    const int rigid = set.add(of_phase({"rigid_motion", "w", "counter-body", Role::rigid}, p));
+    fields_[p].w = set.add(rigid_motion_field(*assembly_, phases_[p], scales, rigid));
+  }
+  if (assembly_->interface.sticks) add_friction(scales, set);
+  if (assembly_->shape.constraint == ConstraintForm::multiplier) {
+    const int reaction = set.add({"shape_multiplier", "mu", "contact nodes", Role::reaction});
+    const FieldId mu = set.add(shape_multiplier_field<dim>(
+        assembly_->contact_nodes, assembly_->shape.held, scales.auxiliary_force, reaction));
+    for (WornBodyFields& fields : fields_) fields.mu = mu;
+  }
+  return set;
+}
+
+/// Fields of a path: lambda_T of each phase, and s.
+template <int dim>
+void WornBodyEquations<dim>::add_friction(const Scales& scales, FieldSet& set) {
+  for (std::size_t p = 0; p < phases_.size(); ++p) {
+    const int block = set.add({.name = "friction_multiplier",
+                               .symbol = "lambda_T",
+                               .where = "contact nodes",
+                               .role = Role::friction,
+                               .owner = static_cast<int>(p)});
+    Field traction = contact_vectors(*assembly_, "friction_multiplier", block);
+    traction.row_scale.setConstant(scales.displacement);
+    traction.unknown_scale.setConstant(scales.stress);
+    fields_[p].traction = set.add(std::move(traction));
+  }
+  const double slip = slip_scale(*assembly_, phases_, scales);
+  const int block = set.add({.name = "slip_memory",
+                             .symbol = "s",
+                             .where = "contact nodes (differential)",
+                             .role = Role::memory,
+                             .differential = true,
+                             .tolerance_scale = slip / scales.wear_depth});
+  Field memory = contact_vectors(*assembly_, "slip_memory", block);
+  memory.row_scale.setConstant(slip / assembly_->cycle->motion.cycle.period);
+  memory.unknown_scale.setConstant(slip);
+  const FieldId s = set.add(std::move(memory));
+  for (WornBodyFields& fields : fields_) fields.memory = s;
+}
+
+template FieldSet WornBodyEquations<2>::make_fields();
+template FieldSet WornBodyEquations<3>::make_fields();
+
+}  // namespace gnomon

@@ -1,0 +1,160 @@
+#include "part/stick_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <gnomon/base/error.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
+#include <gnomon/integrators/integrator.hpp>
+#include <gnomon/model/wear_model.hpp>
+
+namespace gnomon::part {
+
+namespace {
+
+std::vector<const CycleFunction*> functions_of(const Cycle& cycle) {
+  std::vector<const CycleFunction*> result;
+  for (const auto& function : {&cycle.displacement[0], &cycle.displacement[1],
+                               &cycle.displacement[2], &cycle.force, &cycle.load})
+    if (*function) result.push_back(&**function);
+  return result;
+}
+
+/// Positions in [0, 1) at which a function of the cycle turns, jumps or has a corner.
+template <int dim>
+std::vector<double> extremes_of(const CyclicMotion<dim>& motion) {
+  std::vector<const CycleFunction*> functions = functions_of(motion.cycle);
+  for (const auto& force : motion.forces)
+    if (force) functions.push_back(&*force);
+  std::vector<double> found = motion.cycle.kinks();
+  for (const CycleFunction* function : functions)
+    found = merged_kinks(std::move(found), function->kinks());
+  return merged_kinks(std::move(found), sign_changes_in_cycle(
+                                            [&](double tau, std::span<double> slopes) {
+                                              for (std::size_t k = 0; k < functions.size(); ++k)
+                                                slopes[k] = functions[k]->slope(tau);
+                                            },
+                                            functions.size()));
+}
+
+[[noreturn]] void refuse(const Scene& scene, const std::string& expected) {
+  throw InputError(scene.where("friction.stick") + ": expected " + expected);
+}
+
+/// The number of phases, or given positions as extremes.
+std::vector<CyclePoint> points_of(const Scene& scene, std::vector<double> extremes) {
+  const CycleQuadrature given = read_cycle_quadrature(scene, extremes);
+  const std::vector<double>& phases = scene.reals("cycle.phases");
+  if (phases.size() == 1 && phases[0] >= 1)
+    return path_points(static_cast<int>(phases[0]), extremes);
+  return path_points(1, merged_kinks(std::move(extremes), phases));
+}
+
+}  // namespace
+
+template <int dim>
+ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
+                          const CounterBody<dim>& rest, std::optional<double> force) {
+  if (scene.given("cycle.rotation"))
+    refuse(scene, "no cycle.rotation beside it: a path follows displacements and forces");
+  if (dim == 2 && motion.cycle.displacement[2])
+    refuse(scene, "no cycle.z beside it: in plane strain a path stays in the plane");
+  if (rest.motion.velocity.norm() + rest.motion.spin.norm() + std::abs(rest.motion.across) > 0)
+    refuse(scene, "no counter_body.motion beside it: a steady motion does not stick");
+  if (std::ranges::any_of(rest.guides, &Guide<dim>::turns))
+    refuse(scene, "no moment in [[counter_body.press]] beside it");
+  if (const std::vector<std::string> open = motion.cycle.remarks(); !open.empty())
+    refuse(scene, "a motion that ends where it begins; " + open.front());
+  const std::vector<double> extremes = extremes_of(motion);
+  ReadPhases<dim> result{{motion, read_cycle_quadrature(scene, extremes)}, {}, {}};
+  for (const CyclePoint& point : points_of(scene, extremes))
+    result.phases.push_back(phase_at(point, motion, rest, force));
+  return result;
+}
+
+template <int dim>
+AssemblyParts<dim> with_chosen_path(const Scene& scene,
+                                    const std::function<AssemblyParts<dim>(long phases)>& with) {
+  const double tolerance = phase_tolerance(scene);
+  AssemblyParts<dim> parts;
+  ChosenPhases chosen;
+  for (long count = fewest_chosen_phases; count <= most_chosen_phases; count *= 2) {
+    parts = with(count);
+    const std::unique_ptr<Model> model =
+        std::make_unique<WearModel<dim>>(std::make_shared<const Assembly<dim>>(parts));
+    Counters counters;
+    const std::optional<PhaseError> found = model->phase_error(model->start(counters));
+    chosen = {static_cast<long>(parts.phases.size()), found ? found->error : 0};
+    if (chosen.error <= tolerance) break;
+  }
+  parts.remarks.push_back(remark_on_choice(chosen, tolerance));
+  return parts;
+}
+
+template <int dim>
+double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected) {
+  constexpr double slipping =
+      0.05;  // of the shear, in the mean over a contact half of which sticks
+  const double shear = parts.interface.friction * expected.scales.displacement,
+               period = parts.cycle->motion.cycle.period;
+  double stroke = 0;
+  for (const Phase<dim>& phase : parts.phases)
+    stroke = std::max(
+        stroke, (phase.counter_body.position - parts.phases.front().counter_body.position).norm());
+  const double given = *parts.interface.speed;
+  if (stroke > 2 * shear) return given;
+  const double most = 4 * slipping * shear / period,
+               speed = given > 0 ? std::min(given, most) : most;
+  if (given == 0) return speed;  // what wears is not known yet
+  const double deepest = expected.scales.wear_depth * speed / given;
+  return speed * std::min(1.0, expected.scales.displacement / deepest);
+}
+
+namespace {
+
+/// Whether every stage depends on the ones before it alone.
+bool is_explicit(const Integrator& integrator) {
+  const std::optional<ButcherTable> table = integrator.table({});
+  return table && table->A.triangularView<Eigen::Upper>().toDenseMatrix().isZero(0);
+}
+
+/// What slides follows within a cycle, which explicit methods, and those that do not damp, cannot.
+void require_damping(const Scene& scene) {
+  const Integrator& chosen =
+      Registry<Integrator>::find(scene.text("integrator.name"), "integrator");
+  if (is_explicit(chosen))
+    throw InputError(scene.where("integrator.name") +
+                     ": expected an implicit method beside "
+                     "friction.stick: the memory of slip follows within a cycle");
+  if (chosen.name == "theta" && scene.real("integrator.alpha") <= 0.5)
+    throw InputError(scene.where("integrator.alpha") +
+                     ": expected more than 0.5 beside friction.stick: the trapezoidal rule does "
+                     "not damp the memory of slip");
+}
+
+}  // namespace
+
+template <int dim>
+void require_path(const Scene& scene, const AssemblyParts<dim>& parts) {
+  if (!parts.cycle) refuse(scene, "also [cycle]: what sticks is driven to and fro");
+  if (!parts.pairs.empty()) refuse(scene, "a counter-body, and no [[pair]] beside it");
+  require_damping(scene);
+  if (!(parts.interface.friction > 0))
+    throw InputError(scene.where("friction.coefficient") +
+                     ": expected a coefficient above zero beside friction.stick");
+}
+
+template ReadPhases<2> read_path(const Scene&, const CyclicMotion<2>&, const CounterBody<2>&,
+                                 std::optional<double>);
+template ReadPhases<3> read_path(const Scene&, const CyclicMotion<3>&, const CounterBody<3>&,
+                                 std::optional<double>);
+template AssemblyParts<2> with_chosen_path(const Scene&,
+                                           const std::function<AssemblyParts<2>(long)>&);
+template AssemblyParts<3> with_chosen_path(const Scene&,
+                                           const std::function<AssemblyParts<3>(long)>&);
+template double speed_on_path(const AssemblyParts<2>&, const Magnitudes&);
+template double speed_on_path(const AssemblyParts<3>&, const Magnitudes&);
+template void require_path(const Scene&, const AssemblyParts<2>&);
+template void require_path(const Scene&, const AssemblyParts<3>&);
+
+}  // namespace gnomon::part

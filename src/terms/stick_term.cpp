@@ -1,0 +1,312 @@
+#include <gnomon/terms/stick_term.hpp>
+#include <unsupported/Eigen/AutoDiff>
+
+namespace gnomon {
+
+namespace {
+
+/// lambda | lambda_T | q | q before | u | place before | lambda before | shape of the patch
+template <int dim>
+inline constexpr int most_columns = 2 + 3 * dim + 2 * most_partner_unknowns + dim* max_patch_nodes;
+
+template <int dim>
+using Dual =
+    Eigen::AutoDiffScalar<Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_columns<dim>, 1>>;
+
+/// Makes independent variables, one after the other.
+template <int dim>
+class Variables {
+public:
+  explicit Variables(Eigen::Index count) : count_(static_cast<int>(count)) {}
+  Dual<dim> next(double value) { return {value, count_, at_++}; }
+  template <class Values>
+  auto next_of(const Values& values) {
+    Eigen::Matrix<Dual<dim>, Values::RowsAtCompileTime, Values::ColsAtCompileTime, 0,
+                  Values::MaxRowsAtCompileTime, Values::MaxColsAtCompileTime>
+        result(values.rows(), values.cols());
+    for (Eigen::Index k = 0; k < values.rows(); ++k)
+      for (Eigen::Index i = 0; i < values.cols(); ++i) result(k, i) = next(values(k, i));
+    return result;
+  }
+
+private:
+  int count_;
+  int at_ = 0;
+};
+
+void append(std::vector<int>& to, const std::vector<int>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+template <class Row>
+void append_row(std::vector<int>& to, const Row& row) {
+  for (Eigen::Index i = 0; i < row.size(); ++i) to.push_back(row[i]);
+}
+
+}  // namespace
+
+template <int dim>
+StickTerm<dim>::StickTerm(const StickState<dim>& state, FieldId d, const Numbering& numbering)
+    : state_(state),
+      motion_(state.contact),
+      d_(d),
+      u_numbers_(numbering.nodal<dim>(state.contact.u)),
+      d_numbers_(numbering.nodal<dim>(d)),
+      traction_numbers_(numbering.nodal<dim>(state.traction)),
+      memory_numbers_(numbering.nodal<dim>(state.memory)) {
+  const ContactState<dim>& contact = state.contact;
+  surfaces_.assign(contact.laws.size(), {contact.parameters, state.rho, state.interval,
+                                         d_numbers_.size() > 0 && d_numbers_.maxCoeff() >= 0});
+  for (std::size_t k = 0; k < surfaces_.size(); ++k) surfaces_[k].contact.wear = contact.laws[k];
+  if (!is_first()) before_numbers_ = numbering.nodal<dim>(state.u_before);
+  for (int c = 0; c < count(); ++c) {
+    lambda_numbers_.push_back(numbering.number(contact.lambda, c));
+    lambda_before_numbers_.push_back(numbering.number(state.lambda_before, c));
+    first_switch_.push_back(first_switch_.back() + 2 + parameters(c).contact.wear.kinks());
+  }
+  const auto guides = static_cast<Eigen::Index>(contact.parameters.counter_body.guides.size());
+  for (Eigen::Index k = 0; k < guides; ++k) {
+    q_numbers_.push_back(numbering.number(contact.q, k));
+    q_before_numbers_.push_back(is_first() ? -1 : numbering.number(state.q_before, k));
+  }
+}
+
+template <int dim>
+double StickTerm<dim>::weight(int c) const {
+  const ContactState<dim>& contact = state_.contact;
+  return contact.part * (contact.wear_weight.empty() ? 1 : contact.wear_weight[c]);
+}
+
+/// u | lambda | lambda_T | d (wear) | q
+template <int dim>
+std::vector<int> StickTerm<dim>::row_numbers(int c) const {
+  const ContactPatch<dim>& patch = state_.contact.patches[c];
+  std::vector<int> rows;
+  append_row(rows, u_numbers_.row(patch.node));
+  rows.push_back(lambda_numbers_[c]);
+  append_row(rows, traction_numbers_.row(c));
+  for (int i = 0; i < dim; ++i) rows.push_back(patch.may_move() ? d_numbers_(patch.node, i) : -1);
+  append(rows, q_numbers_);
+  return rows;
+}
+
+template <int dim>
+std::vector<int> StickTerm<dim>::column_numbers(int c) const {
+  const ContactPatch<dim>& patch = state_.contact.patches[c];
+  std::vector<int> columns = {lambda_numbers_[c]};
+  append_row(columns, traction_numbers_.row(c));
+  append(columns, q_numbers_);
+  append(columns, q_before_numbers_);
+  append_row(columns, u_numbers_.row(patch.node));
+  if (is_first())
+    append_row(columns, memory_numbers_.row(c));
+  else
+    append_row(columns, before_numbers_.row(patch.node));
+  columns.push_back(lambda_before_numbers_[c]);
+  for (const int node : patch.nodes) append_row(columns, d_numbers_.row(node));
+  return columns;
+}
+
+template <int dim>
+void StickTerm<dim>::declare(TermStructure& structure) const {
+  const auto add = [](std::vector<double>& times, const std::vector<double>& more) {
+    times.insert(times.end(), more.begin(), more.end());
+  };
+  for (int c = 0; c < count(); ++c) {
+    structure.pattern.add(row_numbers(c), column_numbers(c));
+    const WearLaw& law = parameters(c).contact.wear;
+    structure.switch_node.insert(structure.switch_node.end(), 2 + law.kinks(),
+                                 state_.contact.patches[c].node);
+    structure.switch_jumps.insert(structure.switch_jumps.end(), 2, 0);
+    for (std::size_t k = 0; k < law.kinks(); ++k) structure.switch_jumps.push_back(law.may_jump(k));
+    if (!state_.is_last) continue;
+    for (int i = 0; i < dim; ++i) {
+      std::vector<int> columns = {u_numbers_(state_.contact.patches[c].node, i),
+                                  memory_numbers_(c, i)};
+      append(columns, q_numbers_);
+      structure.pattern.add({memory_numbers_(c, i)}, columns);
+    }
+  }
+  for (const StickParameters<dim>& surface : surfaces_) {
+    add(structure.breakpoints, surface.contact.wear.breakpoints());
+    add(structure.stops, surface.contact.wear.stops());
+  }
+  for (const Guide<dim>& guide : state_.contact.parameters.counter_body.guides)
+    if (guide.travel) add(structure.breakpoints, guide.travel->times());
+}
+
+template <int dim>
+void StickTerm<dim>::map_to(const SparsePattern& pattern) {
+  map_.clear();
+  memory_map_.clear();
+  for (int c = 0; c < count(); ++c) {
+    map_.push_back(pattern.positions(row_numbers(c), column_numbers(c)));
+    if (!state_.is_last) continue;
+    for (int i = 0; i < dim; ++i) {
+      std::vector<int> columns = {u_numbers_(state_.contact.patches[c].node, i),
+                                  memory_numbers_(c, i)};
+      append(columns, q_numbers_);
+      memory_map_.push_back(pattern.positions({memory_numbers_(c, i)}, columns));
+    }
+  }
+}
+
+template <int dim>
+StickInput<dim> StickTerm<dim>::gather(const Evaluation<dim>& at, int c) const {
+  const ContactState<dim>& contact = state_.contact;
+  const ContactPatch<dim>& patch = contact.patches[c];
+  const auto size = static_cast<Eigen::Index>(patch.nodes.size());
+  const NodalField<dim>&u = at.values.vector(contact.u), &d = at.values.vector(d_);
+  StickInput<dim> input{
+      .contact = {PatchNodal<dim>(size, dim),
+                  PatchNodal<dim>(size, dim),
+                  at.values.scalar(contact.lambda)[c],
+                  motion_.at(at, contact.q),
+                  {.time = at.t, .slid = contact.nominal_speed * at.t, .within = at.within}},
+      .traction = at.values.vector(state_.traction).row(c).transpose(),
+      .before = {},
+      .lambda_before = at.values.scalar(state_.lambda_before)[c]};
+  for (Eigen::Index p = 0; p < size; ++p) {
+    const int node = patch.nodes[p];
+    input.contact.X.row(p) = contact.mesh.nodes[node].transpose() + d.row(node);
+    input.contact.u.row(p) = u.row(node);
+  }
+  if (is_first()) {
+    input.before = at.values.vector(state_.memory).row(c).transpose();
+    return input;
+  }
+  input.before =
+      at.values.vector(state_.u_before).row(patch.node).transpose() - state_.position_before;
+  const PartnerMotion<> q = motion_.at(at, state_.q_before);
+  const auto& guides = contact.parameters.counter_body.guides;
+  for (Eigen::Index k = 0; k < q.size(); ++k) input.before -= q[k] * guides[k].along;
+  return input;
+}
+
+template <int dim>
+StickBranch StickTerm<dim>::branch(const Evaluation<dim>& at, int c) const {
+  if (at.branch.empty()) return {};
+  const auto of_node = own(at.branch, c);
+  return {{of_node[0] ? Branch::closed : Branch::open, of_node.subspan(2)}, of_node[1] != 0};
+}
+
+template <int dim>
+StickNode<dim> StickTerm<dim>::node(const Evaluation<dim>& at, int c) const {
+  return {parameters(c), state_.contact.patches[c], gather(at, c), branch(at, c)};
+}
+
+template <int dim>
+std::vector<ContactNode<dim>> StickTerm<dim>::nodes(const Evaluation<dim>& at) const {
+  std::vector<ContactNode<dim>> result;
+  for (int c = 0; c < count(); ++c) result.push_back(node(at, c).contact);
+  return result;
+}
+
+template <int dim>
+NodalField<dim> StickTerm<dim>::places(const Evaluation<dim>& at) const {
+  NodalField<dim> result(count(), dim);
+  for (int c = 0; c < count(); ++c) result.row(c) = node(at, c).place.transpose();
+  return result;
+}
+
+template <int dim>
+void StickTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double> F) const {
+  for (int c = 0; c < count(); ++c) {
+    const StickNode<dim> met = node(at, c);
+    const ContactNode<dim>& contact = met.contact;
+    const std::vector<int> rows = row_numbers(c);
+    Eigen::VectorXd values(static_cast<Eigen::Index>(rows.size()));
+    values << contact.force, contact.constraint, met.constraint, -weight(c) * contact.velocity,
+        contact.partner;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      if (rows[k] >= 0) F[rows[k]] += values[static_cast<Eigen::Index>(k)];
+    if (!state_.is_last) continue;
+    const Vector<dim> s = at.values.vector(state_.memory).row(c).transpose();
+    for (int i = 0; i < dim; ++i)
+      if (const int row = memory_numbers_(c, i); row >= 0)
+        F[row] += (at.ydot.empty() ? 0 : at.ydot[row]) - (met.place[i] - s[i]) / state_.period;
+  }
+}
+
+template <int dim>
+Eigen::MatrixXd StickTerm<dim>::tangent(const Evaluation<dim>& at, int c) const {
+  const StickInput<dim> plain_input = gather(at, c);
+  const ContactPatch<dim>& patch = state_.contact.patches[c];
+  const auto guides = static_cast<Eigen::Index>(q_numbers_.size());
+  const auto columns =
+      2 + 3 * dim + 2 * guides + dim * static_cast<Eigen::Index>(patch.nodes.size());
+  Variables<dim> variable(columns);
+  StickInput<dim, Dual<dim>> input;
+  input.contact.lambda = variable.next(plain_input.contact.lambda);
+  input.traction = variable.next_of(plain_input.traction);
+  input.contact.q = variable.next_of(plain_input.contact.q);
+  const PartnerMotion<Dual<dim>> q_before =
+      variable.next_of(PartnerMotion<>(PartnerMotion<>::Zero(guides)));
+  input.contact.u = plain_input.contact.u.template cast<Dual<dim>>();
+  for (int i = 0; i < dim; ++i) input.contact.u(0, i) = variable.next(plain_input.contact.u(0, i));
+  input.before = variable.next_of(plain_input.before);
+  if (!is_first())
+    for (Eigen::Index k = 0; k < guides; ++k)
+      input.before -=
+          state_.contact.parameters.counter_body.guides[k].along.template cast<Dual<dim>>() *
+          q_before[k];
+  input.lambda_before = variable.next(plain_input.lambda_before);
+  input.contact.X = variable.next_of(plain_input.contact.X);
+  input.contact.moment = plain_input.contact.moment;
+  const StickNode<dim, Dual<dim>> met(parameters(c), patch, input, branch(at, c));
+
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(1 + 3 * dim + guides, columns);
+  Eigen::Index row = 0;
+  const auto put = [&](const Dual<dim>& value, double factor = 1) {
+    if (value.derivatives().size() > 0) K.row(row) = factor * value.derivatives().transpose();
+    ++row;
+  };
+  for (int i = 0; i < dim; ++i) put(met.contact.force[i]);
+  put(met.contact.constraint);
+  for (int i = 0; i < dim; ++i) put(met.constraint[i]);
+  for (int i = 0; i < dim; ++i) put(met.contact.velocity[i], -weight(c));
+  for (Eigen::Index k = 0; k < guides; ++k) put(met.contact.partner[k]);
+  return K;
+}
+
+template <int dim>
+void StickTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight,
+                                  std::span<double> values) const {
+  for (int c = 0; c < count(); ++c) {
+    const Eigen::MatrixXd K = tangent(at, c);
+    for (std::size_t k = 0; k < map_[c].size(); ++k)
+      if (map_[c][k] >= 0) values[map_[c][k]] += K.data()[k];
+    if (!state_.is_last) continue;
+    const double rate = 1 / state_.period;
+    const auto& guides = state_.contact.parameters.counter_body.guides;
+    for (int i = 0; i < dim; ++i) {
+      const std::vector<int>& map = memory_map_[static_cast<std::size_t>(c * dim + i)];
+      const auto add = [&](std::size_t k, double value) {
+        if (map[k] >= 0) values[map[k]] += value;
+      };
+      add(0, -rate);
+      add(1, rate_weight + rate);
+      for (std::size_t k = 0; k < guides.size(); ++k) add(2 + k, rate * guides[k].along[i]);
+    }
+  }
+}
+
+template <int dim>
+void StickTerm<dim>::switching(const Evaluation<dim>& at, std::span<double> values) const {
+  for (int c = 0; c < count(); ++c) {
+    const StickInput<dim> input = gather(at, c);
+    const StickBranch given = branch(at, c);
+    const StickNode<dim> met(parameters(c), state_.contact.patches[c], input, given);
+    const std::span<double> of_node = own(values, c);
+    std::ranges::copy(met.switching, of_node.begin());
+    if (of_node.size() > 2)
+      parameters(c).contact.wear.switching(
+          wear_input(state_.contact.patches[c], met.wear, input.contact.moment), of_node.subspan(2),
+          given.contact.wear);
+  }
+}
+
+template class StickTerm<2>;
+template class StickTerm<3>;
+
+}  // namespace gnomon

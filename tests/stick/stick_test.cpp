@@ -1,0 +1,207 @@
+// Friction that may stick: springs, Cattaneo and Mindlin, limits, derivatives and solvers.
+#include "stick/stick_scenes.hpp"
+
+namespace gnomon::stick_test {
+namespace {
+
+using namespace testing;
+using ::testing::HasSubstr;
+
+/// A stiff body on springs kt per area slides by U - f p / kt of an amplitude U: 4 k p N of it
+/// wears off in N cycles.
+TEST_F(Fretting, SpringsWearByTheSlipThatIsLeft) {
+  const auto model = this->model(bed());
+  const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-4, 1e6);
+  const double slip = 0.01 - 0.5 * 20 / 1e4;
+  EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / (4e-9 * 20 * slip * 1e6), 1, 1e-5);
+}
+
+TEST_F(Fretting, NothingWearsBelowIncipientSliding) {
+  const auto model = this->model(bed("x = \"0.0008 * sin(2*pi*tau)\""));
+  const ModelRun run = run_model(*model, "bdf", 0, 1e-4, 1e6);
+  EXPECT_LT(std::abs(observed(*model, run.last(), "worn_volume")), 1e-15);
+}
+
+/// The force of friction over the place of the counter-body is a parallelogram: f P slides by twice
+/// the slip that is left, there and back.
+TEST_F(Fretting, TheLoopHoldsTheWorkOfFriction) {
+  // Of one phase is what it slides back before it slips.
+  const auto model =
+      this->model(bed("x = \"0.01 * (1 - 4 * abs(tau - 0.5))\""), {"cycle.phases=20"});
+  Counters counters;
+  const ContactSurface surface = model->contact(model->start(counters)).value();
+  double work = 0, most = 0;
+  const std::size_t phases = surface.phase_position.size();
+  ASSERT_EQ(surface.phase_loop.size(), 4 * phases);
+  for (std::size_t p = 0; p < phases; ++p) {
+    const double* at = &surface.phase_loop[4 * p];
+    const double* before = &surface.phase_loop[4 * ((p + phases - 1) % phases)];
+    work += (at[0] - before[0]) * (at[2] + before[2]) / 2;
+    most = std::max(most, std::abs(at[2]));
+    EXPECT_NEAR(at[3], -20, 1e-8);
+  }
+  EXPECT_NEAR(most, 10, 1e-8);
+  EXPECT_NEAR(work / (4 * 10 * (0.01 - 1e-3)), 1, 1e-4);
+}
+
+TEST_F(Fretting, CattaneosTractionsOnAHalfPlane) {
+  const auto model = this->model(cylinder());
+  Counters counters;
+  const ContactSurface surface = model->contact(model->start(counters)).value();
+  ASSERT_EQ(surface.phase_position.size(), 4u);
+  const auto right = of_phase(surface, surface.phase_traction, 0, 0),
+             left = of_phase(surface, surface.phase_traction, 2, 0),
+             slip = of_phase(surface, surface.phase_slip, 2, 0);
+  EXPECT_NEAR(surface.phase_loop[2], Cattaneo::ratio * Cattaneo::f * Cattaneo::P, 1e-8);
+  int stuck = 0, slipping = 0;
+  for (std::size_t c = 0; c < surface.node.size(); ++c) {
+    const double x = surface.initial[c][0], beside = 0.1 * Cattaneo::a();
+    // What the first loading has locked in is the same in both, and falls out.
+    const bool inside = std::abs(x) < 0.95 * Cattaneo::a();
+    if (std::abs(std::abs(x) - Cattaneo::c()) > beside && inside) {
+      EXPECT_NEAR((right[c] - left[c]) / 2, Cattaneo::traction(x), 0.04 * Cattaneo::p0()) << x;
+    }
+    if (std::abs(x) < Cattaneo::c() - beside) {
+      ++stuck;
+      EXPECT_NEAR(slip[c], 0, 1e-15) << x;
+    } else if (std::abs(x) > Cattaneo::c() + beside && inside) {
+      ++slipping;
+      EXPECT_GT(std::abs(slip[c]), 1e-7) << x;
+    }
+  }
+  EXPECT_GT(stuck, 8);
+  EXPECT_GT(slipping, 4);
+  EXPECT_NEAR(observed(*model, model->start(counters), "wear_flux") / Cattaneo::worn_per_cycle(), 1,
+              0.05);
+}
+
+/// Elastic slip takes away its part of the stroke: of first order in their ratio.
+TEST_F(Fretting, LongStrokesTendToGrossSliding) {
+  std::vector<double> lost;
+  for (const double amplitude : {0.004, 0.008}) {
+    const std::string drive =
+        fmt::format("x = \"{} * (1 - 4 * abs(tau - 0.5))\"\nphases = 8", amplitude);
+    std::string text = cylinder(drive, 0.3);
+    text.erase(text.find("phases = 4\n"), 11);
+    const auto model = this->model(text);
+    Counters counters;
+    const double gross = Cattaneo::k * Cattaneo::P * 4 * amplitude;
+    lost.push_back(1 - observed(*model, model->start(counters), "wear_flux") / gross);
+  }
+  EXPECT_GT(lost[1], 0.01);
+  EXPECT_NEAR(lost[0] / lost[1], 2, 0.1);
+}
+
+TEST_F(Fretting, JacobianEqualsFiniteDifferences) {
+  std::string moving = cylinder("x = \"1e-4 * sin(2*pi*tau)\"\nforce = \"20 + 5*cos(2*pi*tau)\"");
+  moving.erase(moving.find("force = 18.5\n"), 13);
+  moving.replace(moving.find("[[counter_body.press]]"), 22, "[counter_body.press]");
+  for (const std::string& text : {cylinder(), moving}) {
+    const auto model =
+        this->model(text, {"mesh.file=coarse.geo", "cycle.phases=3", "time.cycles=1e6",
+                           "wear.coefficient=2.9e-6", "wear.normal=averaged"});
+    Counters counters;
+    std::vector<double> y = model->start(counters).y;
+    const Structure& structure = model->system().structure();
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] += 0.05 * structure.unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
+    const ActiveSet branch = active_set(model->system(), 0, y);
+    EXPECT_GT(std::ranges::count(branch, 1), 4);
+    EXPECT_GT(std::ranges::count(branch, 0), 4);
+    check_jacobian(model->system(), 0, y, 0.2, &branch, 1e-4);
+    for (const AlgebraicStage& stage : model->system().algebraic_stages()) {
+      stage.freeze(0, y);
+      std::vector<double> part;
+      for (const int unknown : stage.unknowns) part.push_back(y[unknown]);
+      const ActiveSet own = active_set(*stage.system, 0, part);
+      check_jacobian(*stage.system, 0, part, 0, &own, 1e-4);
+    }
+  }
+}
+
+TEST_F(Fretting, BlocksSolveAsFactorsOfTheWholeJacobian) {
+  std::vector<double> worn;
+  for (const char* solver : {"block", "direct"}) {
+    const auto model =
+        this->model(cylinder("x = \"0.002 * sin(2*pi*tau)\"", 0.3),
+                    {fmt::format("solver.method={}", solver), "mesh.file=coarse.geo"});
+    const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 1000);
+    worn.push_back(observed(*model, run.last(), "worn_volume"));
+    // The rows of contact are inverted exactly.
+    EXPECT_LE(double(run.counters.krylov_iterations), 3.0 * double(run.counters.linear_solves));
+  }
+  EXPECT_NEAR(worn[0] / worn[1], 1, 1e-5);
+}
+
+TEST_F(Fretting, WearAsAGapWearsTheSame) {
+  std::vector<double> worn;
+  for (const char* motion : {"mesh", "gap"}) {
+    const auto model = this->model(cylinder(), {fmt::format("shape.motion={}", motion)});
+    const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 1000);
+    worn.push_back(observed(*model, run.last(), "worn_volume"));
+  }
+  EXPECT_NEAR(worn[0] / worn[1], 1, 1e-3);
+}
+
+TEST_F(Fretting, TheErrorOfThePhasesIsThatOfHalvedOnes) {
+  const std::string drive = "x = \"0.002 * sin(2*pi*tau)\"";
+  std::vector<double> flux, error;
+  for (const char* phases : {"8", "16"}) {
+    const auto model = this->model(cylinder(drive, 0.3), {fmt::format("cycle.phases={}", phases)});
+    Counters counters;
+    const State start = model->start(counters);
+    flux.push_back(observed(*model, start, "wear_flux"));
+    error.push_back(model->phase_error(start).value().error);
+  }
+  EXPECT_GT(error[0], 0.5 * std::abs(flux[0] / flux[1] - 1));
+  EXPECT_LT(error[1], 0.5 * error[0]);
+  EXPECT_LT(error[0], 0.05);
+}
+
+TEST_F(Fretting, PhasesAreChosenByTheirError) {
+  const auto model = this->model(cylinder("x = \"0.002 * sin(2*pi*tau)\"", 0.3),
+                                 {"cycle.phases=auto", "integrator.rtol=4e-3"});
+  Counters counters;
+  EXPECT_LE(model->phase_error(model->start(counters)).value().error, 4e-3);
+  EXPECT_GT(model->phases, 4);
+  EXPECT_LE(model->phases, 64);
+}
+
+TEST_F(Fretting, AForceThatFrictionDoesNotBalanceIsRefused) {
+  const auto model = this->model(cylinder(), {"counter_body.press.2.force=13.0"});
+  Counters counters;
+  try {
+    model->start(counters);
+    FAIL() << "more than f P was accepted";
+  } catch (const SolutionError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("friction does not balance"));
+    EXPECT_THAT(error.what(), HasSubstr("tau = 0.25"));
+  }
+}
+
+TEST_F(Fretting, WhatDoesNotGoTogetherIsRefused) {
+  const auto expect = [this](const std::string& text, const Overrides& overrides,
+                             const std::string& part) {
+    EXPECT_THAT(refusal(text, overrides), HasSubstr(part));
+  };
+  expect(bed(), {"integrator.name=erk-2"}, "expected an implicit method");
+  expect(bed(), {"integrator.name=theta"}, "expected more than 0.5");
+  expect(bed(), {"friction.coefficient=0"}, "expected a coefficient above zero");
+  expect(bed(), {"cycle.z=\"tau\""}, "stays in the plane");
+  expect(bed(), {"cycle.x=\"0.01*tau\""}, "ends where it begins");
+  expect(bed(), {"cycle.rotation=\"0.01*sin(2*pi*tau)\""}, "no cycle.rotation");
+  expect(bed(), {"counter_body.motion.velocity=[1.0, 0.0]"}, "no counter_body.motion");
+  std::string steady = bed("");
+  steady.erase(steady.find("[cycle]"));
+  steady.replace(steady.find("time.cycles = 1e6"), 17, "time.end = 1.0");
+  expect(steady, {}, "expected also [cycle]");
+  expect(cylinder(), {"counter_body.press.1.cycle=\"sin(\""}, "counter_body.press");
+}
+
+TEST_F(Fretting, PartialSlipWithoutStickIsRefusedAndToldOf) {
+  EXPECT_THAT(refusal(cylinder("x = \"1e-4 * sin(2*pi*tau)\""), {"friction.stick=false"}),
+              HasSubstr("friction.stick = true"));
+}
+
+}  // namespace
+}  // namespace gnomon::stick_test
