@@ -177,6 +177,26 @@ class Result:
             raise self._bad(where, "its size is not that of phases and contact surface")
         return values
 
+    @property
+    def has_path(self):
+        """Whether friction may stick, so that phases are a path."""
+        return self._read("gnomon/phase_loop") is not None
+
+    def phase_loop(self, step):
+        """At a stored step: one row per phase, place of the counter-body and force that moves it."""
+        return self._of_phases("phase_loop", step)
+
+    def phase_slip(self, step):
+        """At a stored step: phases, nodes of the contact surface, components."""
+        return self._of_phases("phase_slip", step)
+
+    def _of_phases(self, name, step):
+        where = f"gnomon/{name}/{self._groups[step]}"
+        values = self._array(where, f"no {name} is stored")
+        if len(values) != len(self.phases):
+            raise self._bad(where, "its size is not that of the phases")
+        return values
+
     @cached_property
     def _scene(self):
         scene = self._read("gnomon/scene")

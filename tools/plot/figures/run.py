@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy
 
-from . import critical, cycle, errors, extremes, groups, history, mesh, output, page, parameters
+from . import critical, cycle, errors, extremes, fretting, groups, history, mesh, output, page, parameters
 from . import pressure, shape, shapes, spectrum, study, style, surface, tables, wear, work
 from .complaints import BadInput, Unsuitable, reason_of
 from .result import Result
@@ -21,6 +21,7 @@ RESULT_FIGURES = {
     "depth-map": surface.draw_depth,
 }
 CYCLE_FIGURES = {"cycle": cycle.draw}  # of results with phases
+PATH_FIGURES = {"fretting": fretting.draw}  # of those where friction may stick
 
 
 # Exceptions that occur when numbers are damaged or do not have the right format.
@@ -141,6 +142,7 @@ def jobs_of(kind, target):
 def draw_result(path, sink):
     with Result(path) as result:
         drawers = RESULT_FIGURES | (CYCLE_FIGURES if result.has_phases else {})
+        drawers |= PATH_FIGURES if result.has_path else {}
         for name, drawer in drawers.items():
             sink.draw(f"{result.name}-{name}", drawer, result)
 
