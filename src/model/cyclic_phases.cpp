@@ -128,6 +128,23 @@ std::vector<Phase<dim>> phases_of(const CyclicContact<dim>& cycle, const Counter
   return phases;
 }
 
+template <int dim>
+Vector<dim> carried_by(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest,
+                       const Phase<dim>& phase, const Vector<dim>& X) {
+  Vector<dim> carried = phase.counter_body.position - rest.position;
+  if (!motion.cycle.rotation) return carried;
+  const Vector<dim> arm = X - rest.position - motion.axis.centre;
+  const Turning<dim> turned{.spin = motion.axis.spin,
+                            .centre = motion.axis.centre,
+                            .rate = 0,
+                            .start = motion.cycle.rotation->value(phase.position)};
+  return carried + turned.rotation(0) * arm - arm;
+}
+
+template Vector<2> carried_by(const CyclicMotion<2>&, const CounterBody<2>&, const Phase<2>&,
+                              const Vector<2>&);
+template Vector<3> carried_by(const CyclicMotion<3>&, const CounterBody<3>&, const Phase<3>&,
+                              const Vector<3>&);
 template Phase<2> phase_at(const CyclePoint&, const CyclicMotion<2>&, const CounterBody<2>&,
                            std::optional<double>);
 template Phase<3> phase_at(const CyclePoint&, const CyclicMotion<3>&, const CounterBody<3>&,

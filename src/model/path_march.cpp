@@ -65,7 +65,7 @@ void PathMarch<dim>::keep(const Alone& alone, const Phase<dim>& phase) {
   last_.traction = alone.values.vector(fields.traction);
   last_.lambda = alone.values.scalar(fields.lambda);
   if (fields.w != FieldId::none) last_.w = alone.values.scalar(fields.w);
-  last_.position = phase.counter_body.position;
+  last_.carried = whole_.carried(phase);
   last_.place = alone.equations.places(alone.system, alone.values, t_);
 }
 
@@ -95,11 +95,12 @@ void PathMarch<dim>::guess(Alone& alone, const Phase<dim>& phase) const {
   const WornBodyFields& fields = alone.fields();
   NodalField<dim>& u = alone.values.vector(fields.u);
   u = last_.u;
-  const Vector<dim> carried = phase.counter_body.position - last_.position;
+  const NodalField<dim> carried = whole_.carried(phase) - last_.carried;
   const Assembly<dim>& assembly = whole_.assembly();
-  for (const ContactPatch<dim>& patch : assembly.contact_nodes)
+  for (std::size_t c = 0; c < assembly.contact_nodes.size(); ++c)
     for (int i = 0; i < dim; ++i)
-      if (!assembly.supports.held(patch.node, i)) u(patch.node, i) += carried[i];
+      if (const int node = assembly.contact_nodes[c].node; !assembly.supports.held(node, i))
+        u(node, i) += carried(static_cast<Eigen::Index>(c), i);
   alone.values.vector(fields.traction) = inside * last_.traction;
   alone.values.scalar(fields.lambda) = last_.lambda;
   if (fields.w != FieldId::none) alone.values.scalar(fields.w) = last_.w;

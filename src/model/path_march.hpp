@@ -18,7 +18,7 @@ public:
     NodalField<dim> u, traction;
     NodalField<dim> place;  ///< r, of every contact node
     Eigen::VectorXd lambda, w;
-    Vector<dim> position;  ///< of the partner
+    NodalField<dim> carried;  ///< c, of every contact node
   };
 
   /// The path of these equations, at the shape and time of `values`; both must outlive the march.

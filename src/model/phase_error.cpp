@@ -221,7 +221,7 @@ std::vector<double> mean_rate_of_halves(const WornBodyEquations<dim>& equations,
        .place = values.vector(last.memory),
        .lambda = values.scalar(last.lambda),
        .w = last.w == FieldId::none ? Eigen::VectorXd() : Eigen::VectorXd(values.scalar(last.w)),
-       .position = equations.phases().back().counter_body.position});
+       .carried = equations.carried(equations.phases().back())});
   const FieldValues<dim> next = march.cycle();
   const ComposedSystem<dim> system(finer.composition());
   std::vector<double> y(static_cast<std::size_t>(system.structure().size));

@@ -123,6 +123,17 @@ std::vector<MortarCandidates> WornBodyEquations<dim>::candidates_in(const Phase<
   return result;
 }
 
+template <int dim>
+NodalField<dim> WornBodyEquations<dim>::carried(const Phase<dim>& phase) const {
+  NodalField<dim> result(static_cast<Eigen::Index>(assembly_->contact_nodes.size()), dim);
+  for (std::size_t c = 0; c < assembly_->contact_nodes.size(); ++c)
+    result.row(static_cast<Eigen::Index>(c)) =
+        carried_by(assembly_->cycle->motion, assembly_->interface.partner, phase,
+                   assembly_->contact_nodes[c].initial_position)
+            .transpose();
+  return result;
+}
+
 /// Of a phase of a path, after the one before it.
 template <int dim>
 StickState<dim> WornBodyEquations<dim>::stick_state(std::size_t p, double nominal_speed) const {
@@ -130,6 +141,7 @@ StickState<dim> WornBodyEquations<dim>::stick_state(std::size_t p, double nomina
   StickState<dim> state{.contact = contact_state(*assembly_, phases_[p], fields_[p], nominal_speed),
                         .traction = fields_[p].traction,
                         .memory = fields_[p].memory,
+                        .carried = carried(phases_[p]),
                         .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
                         .is_last = p + 1 == phases_.size(),
                         .rho = assembly_->interface.rho,
@@ -138,7 +150,7 @@ StickState<dim> WornBodyEquations<dim>::stick_state(std::size_t p, double nomina
   if (p == 0) return state;
   state.u_before = fields_[p - 1].u;
   state.q_before = fields_[p - 1].w;
-  state.position_before = phases_[p - 1].counter_body.position;
+  state.carried_before = carried(phases_[p - 1]);
   return state;
 }
 

@@ -86,9 +86,13 @@ template <int dim>
 double slip_scale(const Assembly<dim>& body, const std::vector<Phase<dim>>& phases,
                   const Scales& scales) {
   double range = 0;
+  const CyclicMotion<dim>& motion = body.cycle->motion;
+  const Vector<dim> X = body.contact_nodes.front().initial_position;
+  const auto carried = [&](const Phase<dim>& phase) {
+    return carried_by(motion, body.interface.partner, phase, X);
+  };
   for (const Phase<dim>& phase : phases)
-    range = std::max(range,
-                     (phase.counter_body.position - phases.front().counter_body.position).norm());
+    range = std::max(range, (carried(phase) - carried(phases.front())).norm());
   return range > 0 ? range : std::max(body.interface.friction, 1e-3) * scales.displacement;
 }
 

@@ -15,7 +15,7 @@ namespace {
 std::vector<const CycleFunction*> functions_of(const Cycle& cycle) {
   std::vector<const CycleFunction*> result;
   for (const auto& function : {&cycle.displacement[0], &cycle.displacement[1],
-                               &cycle.displacement[2], &cycle.force, &cycle.load})
+                               &cycle.displacement[2], &cycle.rotation, &cycle.force, &cycle.load})
     if (*function) result.push_back(&**function);
   return result;
 }
@@ -55,8 +55,10 @@ std::vector<CyclePoint> points_of(const Scene& scene, std::vector<double> extrem
 template <int dim>
 ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
                           const CounterBody<dim>& rest, std::optional<double> force) {
-  if (scene.given("cycle.rotation"))
-    refuse(scene, "no cycle.rotation beside it: a path follows displacements and forces");
+  if (motion.axis.meridian)
+    refuse(scene, "no cycle.rotation in an axisymmetric scene: a path stays in the plane");
+  if (const auto& rotation = motion.cycle.rotation; rotation && std::abs(rotation->gap()) > 1e-9)
+    refuse(scene, "a rotation that ends where it begins, not whole turns");
   if (dim == 2 && motion.cycle.displacement[2])
     refuse(scene, "no cycle.z beside it: in plane strain a path stays in the plane");
   if (rest.motion.velocity.norm() + rest.motion.spin.norm() + std::abs(rest.motion.across) > 0)
@@ -98,9 +100,13 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
   const double shear = parts.interface.friction * expected.scales.displacement,
                period = parts.cycle->motion.cycle.period;
   double stroke = 0;
+  const CounterBody<dim>& partner = parts.interface.partner;
+  const Vector<dim> touched = partner.position + partner.motion.reference;
+  const auto carried = [&](const Phase<dim>& phase) {
+    return carried_by(parts.cycle->motion, partner, phase, touched);
+  };
   for (const Phase<dim>& phase : parts.phases)
-    stroke = std::max(
-        stroke, (phase.counter_body.position - parts.phases.front().counter_body.position).norm());
+    stroke = std::max(stroke, (carried(phase) - carried(parts.phases.front())).norm());
   const double given = *parts.interface.speed;
   if (stroke > 2 * shear) return given;
   const double most = 4 * slipping * shear / period,

@@ -165,7 +165,8 @@ StickInput<dim> StickTerm<dim>::gather(const Evaluation<dim>& at, int c) const {
                   {.time = at.t, .slid = contact.nominal_speed * at.t, .within = at.within}},
       .traction = at.values.vector(state_.traction).row(c).transpose(),
       .before = {},
-      .lambda_before = at.values.scalar(state_.lambda_before)[c]};
+      .lambda_before = at.values.scalar(state_.lambda_before)[c],
+      .carried = state_.carried.row(c).transpose()};
   for (Eigen::Index p = 0; p < size; ++p) {
     const int node = patch.nodes[p];
     input.contact.X.row(p) = contact.mesh.nodes[node].transpose() + d.row(node);
@@ -175,8 +176,8 @@ StickInput<dim> StickTerm<dim>::gather(const Evaluation<dim>& at, int c) const {
     input.before = at.values.vector(state_.memory).row(c).transpose();
     return input;
   }
-  input.before =
-      at.values.vector(state_.u_before).row(patch.node).transpose() - state_.position_before;
+  input.before = (at.values.vector(state_.u_before).row(patch.node) - state_.carried_before.row(c))
+                     .transpose();
   const PartnerMotion<> q = motion_.at(at, state_.q_before);
   const auto& guides = contact.parameters.counter_body.guides;
   for (Eigen::Index k = 0; k < q.size(); ++k) input.before -= q[k] * guides[k].along;
@@ -253,6 +254,7 @@ Eigen::MatrixXd StickTerm<dim>::tangent(const Evaluation<dim>& at, int c) const 
   input.lambda_before = variable.next(plain_input.lambda_before);
   input.contact.X = variable.next_of(plain_input.contact.X);
   input.contact.moment = plain_input.contact.moment;
+  input.carried = plain_input.carried;
   const StickNode<dim, Dual<dim>> met(parameters(c), patch, input, branch(at, c));
 
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(1 + 3 * dim + guides, columns);

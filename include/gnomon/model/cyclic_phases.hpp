@@ -63,6 +63,12 @@ template <int dim>
 Phase<dim> phase_at(const CyclePoint& point, const CyclicMotion<dim>& motion,
                     const CounterBody<dim>& rest, std::optional<double> force);
 
+/// How far the motion of a cycle has carried the counter-body's surface at X by a phase, from its
+/// place `rest` [length].
+template <int dim>
+Vector<dim> carried_by(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest,
+                       const Phase<dim>& phase, const Vector<dim>& X);
+
 /// The phases of a quadrature; where it has fewer points than parts, a phase stands for its
 /// interval: it has the whole path, and the force and load with which it was made.
 template <int dim>

@@ -89,6 +89,9 @@ public:
   /// Where friction may stick: the place of every contact node on the partner, r of stick_node.hpp.
   NodalField<dim> places(const ComposedSystem<dim>& system, const FieldValues<dim>& values,
                          double t, std::size_t phase = 0) const;
+  /// How far the partner's surface at every contact node is carried by a phase of a path: c of
+  /// stick_node.hpp.
+  NodalField<dim> carried(const Phase<dim>& phase) const;
   /// The contact law at every contact node in a phase, on the smooth branch of the point. `values`:
   /// those of its y.
   std::vector<ContactNode<dim>> contact_nodes(const ComposedSystem<dim>& system,

@@ -4,7 +4,8 @@
 //
 //   r = u - c - G q,   Delta = P (r - r_before),   P = 1 - n n'
 //
-// with the displacement c of the partner in the phase and its unknown translations G q. T follows
+// with the displacement c of the partner's surface there in the phase and its unknown translations
+// G q. T follows
 // from the multiplier lambda_T and Delta (laws/stick_friction.hpp). The rows of the multipliers
 // make them equal to lambda_eff and T, so that the force needs no more than
 //
@@ -19,7 +20,7 @@
 
 namespace gnomon {
 
-/// Constants of all contact nodes in a phase. The partner neither turns nor streams.
+/// Constants of all contact nodes in a phase. Nothing streams.
 template <int dim>
 struct StickParameters {
   ContactParameters<dim> contact;
@@ -31,9 +32,10 @@ struct StickParameters {
 template <int dim, class Scalar = double>
 struct StickInput {
   ContactInput<dim, Scalar> contact;
-  Vector<dim, Scalar> traction;  ///< lambda_T [stress]
-  Vector<dim, Scalar> before;    ///< r of the phase before [length]
-  Scalar lambda_before;          ///< the contact multiplier of that phase [stress]
+  Vector<dim, Scalar> traction;               ///< lambda_T [stress]
+  Vector<dim, Scalar> before;                 ///< r of the phase before [length]
+  Scalar lambda_before;                       ///< the contact multiplier of that phase [stress]
+  Vector<dim> carried = Vector<dim>::Zero();  ///< c [length]
 };
 
 struct StickBranch {
@@ -63,7 +65,7 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   const ContactKinematics<dim, Scalar> met(of, patch, at.contact, branch.contact);
   const NodalSurface<dim, Scalar> surface(patch, at.contact.X, of.normal_rule);
   if (met.contact.active) require_normal(patch, met.partner);
-  place = at.contact.u.row(0).transpose() - of.counter_body.position.template cast<Scalar>();
+  place = at.contact.u.row(0).transpose() - at.carried.template cast<Scalar>();
   for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
     place -= Vector<dim>(met.partner.weights.col(k)).template cast<Scalar>() * at.contact.q[k];
   const Vector<dim, Scalar> moved = place - at.before;

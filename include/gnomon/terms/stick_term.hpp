@@ -19,10 +19,11 @@ struct StickState {
   ContactState<dim> contact;
   FieldId traction = FieldId::none;  ///< lambda_T, at the contact nodes
   FieldId memory = FieldId::none;    ///< s, at the contact nodes
-  /// Of the phase before: its displacement and motion of the partner, and where that was. Of the
-  /// first phase none: there s is the place before.
+  NodalField<dim> carried;           ///< c of the contact nodes [length]
+  /// Of the phase before: its displacement, motion of the partner, and c. Of the first phase none:
+  /// there s is the place before.
   FieldId u_before = FieldId::none, q_before = FieldId::none;
-  Vector<dim> position_before = Vector<dim>::Zero();
+  NodalField<dim> carried_before{};
   FieldId lambda_before = FieldId::none;  ///< of the first phase: that of the last one
   bool is_last = false;                   ///< of its path: it has the rows of s
   double rho = 1;                         ///< of lambda_T [stress / length]
